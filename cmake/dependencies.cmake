@@ -1,0 +1,9 @@
+# Third-party libraries, each kept to one folder of src/ (docs/architecture.md).
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)
+find_path(RANDOM123_INCLUDE Random123/philox.h REQUIRED)
+find_path(BOOST_INCLUDE boost/math/quadrature/gauss_kronrod.hpp REQUIRED)
+find_path(TOMLPLUSPLUS_INCLUDE toml++/toml.h REQUIRED)
+find_path(CLI11_INCLUDE CLI/CLI.hpp REQUIRED)

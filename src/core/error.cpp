@@ -1,0 +1,31 @@
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+namespace photic {
+namespace {
+
+std::string joined(const std::vector<Diagnostic>& diagnostics) {
+  std::string out;
+  for (const auto& d : diagnostics) out += d.text() + '\n';
+  if (!out.empty()) out.pop_back();
+  return out;
+}
+
+}  // namespace
+
+std::string Diagnostic::text() const {
+  std::string place = file;
+  if (line > 0) place += fmt::format(":{}:{}", line, column);
+  if (!place.empty()) place += ": ";
+  return place + reason + (suggestion.empty() ? "" : " (" + suggestion + ")");
+}
+
+InputError::InputError(std::vector<Diagnostic> diagnostics)
+    : std::runtime_error(joined(diagnostics)), diagnostics_(std::move(diagnostics)) {}
+
+void expect(bool condition, const char* promise) {
+  if (!condition) throw ContractViolation(std::string("broken promise: ") + promise);
+}
+
+}  // namespace photic

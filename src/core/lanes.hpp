@@ -1,0 +1,102 @@
+// The lane type: what a template over T may do with T besides arithmetic.
+//
+// Transport code is written once, for a T that is one double (the reference), one float, or a pack of
+// them that walks several photons at a time. Such code never branches on a value: it blends with
+// select() and loops with any(). This header gives the scalar meaning of each operation; a pack
+// overloads them beside its own type, and the unqualified calls find it.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+
+namespace photic {
+
+/// What belongs to a lane type: its mask, its integers, its element.
+template <class T>
+struct LaneTraits;
+
+template <std::floating_point T>
+struct LaneTraits<T> {
+  using Element = T;
+  using Mask = bool;
+  using Index = std::int32_t;
+  using Counter = std::uint64_t;  ///< photon numbers
+};
+
+template <class T>
+using Element = typename LaneTraits<T>::Element;
+template <class T>
+using Mask = typename LaneTraits<T>::Mask;
+template <class T>
+using Index = typename LaneTraits<T>::Index;
+template <class T>
+using Counter = typename LaneTraits<T>::Counter;
+
+/// mask ? yes : no, lane by lane.
+template <class V>
+  requires std::is_arithmetic_v<V>
+constexpr V select(bool mask, V yes, V no) {
+  return mask ? yes : no;
+}
+
+constexpr bool any(bool mask) { return mask; }
+constexpr bool all(bool mask) { return mask; }
+
+/// data[i], lane by lane. T is the lane type wanted, whatever the table is stored as.
+template <std::floating_point T, class Stored>
+constexpr T gather(const Stored* data, std::int32_t i) {
+  return static_cast<T>(data[i]);
+}
+template <std::floating_point T>
+constexpr std::int32_t gather_index(const std::int32_t* data, std::int32_t i) {
+  return data[i];
+}
+
+/// Integer lanes to real lanes, and the floor of real lanes as integers.
+template <std::floating_point T>
+constexpr T to_real(std::int32_t i) {
+  return static_cast<T>(i);
+}
+inline std::int32_t floor_index(double x) { return static_cast<std::int32_t>(std::floor(x)); }
+inline std::int32_t floor_index(float x) { return static_cast<std::int32_t>(std::floor(x)); }
+
+/// Where a positive x lies on a grid with 2^bits equal cells in every octave: the number of its cell
+/// counted from that of 1.0 (negative below), and the fraction of the cell below x, 0 <= fraction < 1.
+template <class T>
+struct OctaveCell {
+  Index<T> cell;
+  T fraction;
+};
+
+inline OctaveCell<double> octave_cell(double x, int bits) {
+  const auto u = std::bit_cast<std::uint64_t>(x);
+  const int drop = 52 - bits;
+  const auto cell = static_cast<std::int32_t>(u >> drop) - (1023 << bits);
+  const std::uint64_t rest = u & ((std::uint64_t{1} << drop) - 1);
+  return {cell, static_cast<double>(rest) * std::bit_cast<double>(std::uint64_t(1023 - drop) << 52)};
+}
+
+inline OctaveCell<float> octave_cell(float x, int bits) {
+  const auto u = std::bit_cast<std::uint32_t>(x);
+  const int drop = 23 - bits;
+  const auto cell = static_cast<std::int32_t>(u >> drop) - (127 << bits);
+  const std::uint32_t rest = u & ((std::uint32_t{1} << drop) - 1);
+  return {cell, static_cast<float>(rest) * std::bit_cast<float>(std::uint32_t(127 - drop) << 23)};
+}
+
+/// The lower edge of a cell of that grid: the inverse of octave_cell().
+template <class T>
+  requires std::same_as<T, double>
+double octave_edge(std::int32_t cell, int bits) {
+  return std::bit_cast<double>((static_cast<std::uint64_t>(cell + (1023 << bits))) << (52 - bits));
+}
+template <class T>
+  requires std::same_as<T, float>
+float octave_edge(std::int32_t cell, int bits) {
+  return std::bit_cast<float>((static_cast<std::uint32_t>(cell + (127 << bits))) << (23 - bits));
+}
+
+}  // namespace photic

@@ -1,0 +1,81 @@
+// Three-dimensional vectors over a lane type. z is up; directions are propagation directions.
+#pragma once
+
+#include <cmath>
+
+#include "core/lanes.hpp"
+
+namespace photic {
+
+template <class T>
+struct Vec3 {
+  T x{}, y{}, z{};
+
+  friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend constexpr Vec3 operator-(const Vec3& a, const Vec3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  friend constexpr Vec3 operator*(const T& s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
+  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+};
+
+template <class T>
+constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class T>
+constexpr Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T>
+T length(const Vec3<T>& a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
+
+/// a / |a|; a must not be zero.
+template <class T>
+Vec3<T> normalised(const Vec3<T>& a) {
+  return (T(1) / length(a)) * a;
+}
+
+template <class T>
+constexpr Vec3<T> select(const Mask<T>& mask, const Vec3<T>& yes, const Vec3<T>& no) {
+  return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+}
+
+/// Vectors of another element type (a scene is written in double, a walk may run in float).
+template <class T, class U>
+constexpr Vec3<T> vec3_cast(const Vec3<U>& a) {
+  return {T(a.x), T(a.y), T(a.z)};
+}
+
+/// 1 - cos of the angle between two unit vectors, exact near zero (where 1 - dot(a, b) has no digits).
+template <class T>
+constexpr T one_minus_cos(const Vec3<T>& a, const Vec3<T>& b) {
+  const Vec3<T> d = a - b;
+  return T(0.5) * dot(d, d);
+}
+
+/// The unit vector at 1 - cos(angle) = x and azimuth given by its cosine and sine about the unit vector w.
+/// Source: the branch-free orthonormal basis of Duff et al., J. Comput. Graph. Tech. 6(1), 1 (2017).
+template <class T>
+Vec3<T> turned(const Vec3<T>& w, const T& x, const T& cos_azimuth, const T& sin_azimuth) {
+  using std::sqrt;
+  const T sign = select(w.z < T(0), T(-1), T(1));
+  const T a = T(-1) / (sign + w.z);
+  const T b = w.x * w.y * a;
+  const Vec3<T> u{T(1) + sign * w.x * w.x * a, sign * b, -(sign * w.x)};
+  const Vec3<T> v{b, sign + w.y * w.y * a, -w.y};
+  const T sine = sqrt(x * (T(2) - x));
+  const Vec3<T> out = (sine * cos_azimuth) * u + (sine * sin_azimuth) * v + (T(1) - x) * w;
+  // One Newton step towards |out| = 1: rounding would otherwise add up over a long history.
+  return (T(1.5) - T(0.5) * dot(out, out)) * out;
+}
+
+}  // namespace photic
