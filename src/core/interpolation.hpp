@@ -1,0 +1,41 @@
+// A function known at points, with straight lines between them.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace photic {
+
+class LinearTable {
+ public:
+  /// The same number (at least 2) of x, strictly ascending, and y.
+  LinearTable(std::vector<double> x, std::vector<double> y) : x_(std::move(x)), y_(std::move(y)) {
+    expect(x_.size() == y_.size() && x_.size() >= 2, "a table has as many x as y, two or more");
+    const bool ascending =
+        std::adjacent_find(x_.begin(), x_.end(), std::greater_equal<>()) == x_.end();
+    expect(ascending, "the x of a table ascend strictly");
+  }
+
+  [[nodiscard]] double min() const { return x_.front(); }
+  [[nodiscard]] double max() const { return x_.back(); }
+  [[nodiscard]] bool covers(double x) const { return min() <= x && x <= max(); }
+
+  /// The value at x, which the table must cover; exactly y at its points.
+  [[nodiscard]] double operator()(double x) const {
+    expect(covers(x), "a table is asked for what it covers");
+    const auto above = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
+    const auto i = static_cast<std::size_t>(above - x_.begin());
+    const double t = (x - x_[i - 1]) / (x_[i] - x_[i - 1]);
+    return (1 - t) * y_[i - 1] + t * y_[i];
+  }
+
+ private:
+  std::vector<double> x_, y_;
+};
+
+}  // namespace photic

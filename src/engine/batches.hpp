@@ -1,0 +1,142 @@
+// Runs histories in batches on threads. A batch is the unit of statistics, of parallelism and of
+// reproducibility: batch k holds photons k * batch_photons and up, whoever computes them, and batches are merged in
+// their order; what ends a run is looked at there too.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/history.hpp"
+#include "engine/problem.hpp"
+#include "engine/run.hpp"
+#include "tally/totals.hpp"
+
+namespace photic::engine {
+
+inline constexpr std::uint64_t batch_photons = 2000;
+
+/// How a run ended.
+struct Ending {
+  std::string stopped_by = "photons";  ///< photons | target | time | interrupt
+  double wall_time_s = 0;
+  int threads = 0;
+};
+
+/// Decides after each batch whether the run goes on, and tells of its progress.
+class Conductor {
+ public:
+  Conductor(const scene::Simulation& asked, const RunOptions& options);
+
+  /// Batches that the photons asked for make; no limit if none were asked for.
+  [[nodiscard]] std::uint64_t batches() const { return batches_; }
+  [[nodiscard]] std::uint64_t photons_of(std::uint64_t batch) const;
+
+  /// Called after every merge; true ends the run, and Ending says why.
+  bool ends(const tally::Totals& totals, std::uint64_t merged_batches);
+
+  Ending ending;
+
+ private:
+  void tell(const tally::Totals& totals);
+  [[nodiscard]] double elapsed_s() const;
+
+  scene::Simulation asked_;
+  const RunOptions& options_;
+  std::uint64_t batches_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double told_s_ = -1;
+};
+
+/// The threads of one run.
+template <class T>
+class BatchRunner {
+ public:
+  BatchRunner(const Problem& problem, const World<T>& world, Conductor& conductor)
+      : world_(world), conductor_(conductor), totals_(problem.shape) {
+    const int threads = conductor.ending.threads;
+    // Spare tallies let a fast thread run ahead of the one whose batch is due.
+    for (int i = 0; i < 2 * threads; ++i) {
+      free_.push_back(std::make_unique<tally::BatchTally>(problem.shape, problem.gates));
+    }
+  }
+
+  tally::Totals run() {
+    std::vector<std::jthread> workers;
+    for (int i = 0; i < conductor_.ending.threads; ++i) workers.emplace_back([this] { work(); });
+    workers.clear();
+    if (failure_) std::rethrow_exception(failure_);
+    return std::move(totals_);
+  }
+
+ private:
+  using Tally = std::unique_ptr<tally::BatchTally>;
+
+  void work() {
+    try {
+      std::unique_lock lock(mutex_);
+      while (true) {
+        changed_.wait(lock, [this] { return ended_ || !free_.empty(); });
+        if (ended_ || next_batch_ == conductor_.batches()) return;
+        const std::uint64_t batch = next_batch_++;
+        Tally tally = std::move(free_.back());
+        free_.pop_back();
+        lock.unlock();
+        simulate(batch, *tally);
+        lock.lock();
+        done_.emplace(batch, std::move(tally));
+        merge_what_is_due();
+        changed_.notify_all();
+      }
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      failure_ = std::current_exception();
+      ended_ = true;
+      changed_.notify_all();
+    }
+  }
+
+  void simulate(std::uint64_t batch, tally::BatchTally& tally) const {
+    tally.photons = conductor_.photons_of(batch);
+    const std::uint64_t first = batch * batch_photons;
+    for (std::uint64_t photon = first; photon < first + tally.photons; ++photon) follow(world_, photon, tally);
+  }
+
+  void merge_what_is_due() {
+    for (auto due = done_.find(merged_); due != done_.end() && !ended_; due = done_.find(merged_)) {
+      Tally tally = std::move(due->second);
+      done_.erase(due);
+      totals_.merge(*tally);
+      tally->clear();
+      free_.push_back(std::move(tally));
+      ++merged_;
+      ended_ = conductor_.ends(totals_, merged_);
+    }
+  }
+
+  const World<T>& world_;
+  Conductor& conductor_;
+  tally::Totals totals_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Tally> free_;
+  std::map<std::uint64_t, Tally> done_;
+  std::uint64_t next_batch_ = 0, merged_ = 0;
+  bool ended_ = false;
+  std::exception_ptr failure_;
+};
+
+/// Runs a problem in the arithmetic of T.
+template <class T>
+tally::Totals run_batches(const Problem& problem, Conductor& conductor) {
+  const World<T> world = make_world<T>(problem.scene, problem.medium, problem.gates);
+  return BatchRunner<T>(problem, world, conductor).run();
+}
+
+}  // namespace photic::engine

@@ -1,0 +1,105 @@
+#include "engine/problem.hpp"
+
+#include <algorithm>
+
+#include "core/constants.hpp"
+#include "medium/build.hpp"
+#include "optics/data_folder.hpp"
+#include "scene/read.hpp"
+
+namespace photic::engine {
+namespace {
+
+/// The processes that the lines stand for, in the order of medium::Process, each once.
+std::vector<medium::Process> processes_of(const std::vector<medium::Line>& lines) {
+  std::vector<medium::Process> out;
+  for (const auto& line : lines) out.push_back(line.process);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium, const tally::Gates& gates) {
+  tally::Shape shape;
+  const auto processes = processes_of(medium.line);
+  shape.telescopes = scene.telescope.size();
+  shape.channels = scene.channel.size();
+  shape.processes = processes.size();
+  shape.orders = static_cast<std::size_t>(scene.simulation.orders_kept);
+  shape.gates = static_cast<std::size_t>(gates.count());
+  const auto depth = gates.depth_edges();
+  shape.depths = depth.size() - 1;
+  shape.depth_min = depth.front();
+  shape.per_depth_step = static_cast<double>(shape.depths) / (depth.back() - depth.front());
+  shape.max_order = static_cast<std::int32_t>(scene.simulation.max_order.value_or(0));
+  for (const auto& line : medium.line) {
+    std::vector<std::int32_t> counted_by;
+    for (std::size_t c = 0; c < scene.channel.size(); ++c) {
+      if (medium::counts(scene.channel[c], line)) counted_by.push_back(static_cast<std::int32_t>(c));
+    }
+    shape.channels_of_line.push_back(std::move(counted_by));
+    const auto at = std::find(processes.begin(), processes.end(), line.process);
+    shape.process_of_line.push_back(static_cast<std::int32_t>(at - processes.begin()));
+  }
+  return shape;
+}
+
+/// The light a channel stands for: the mean over the lines it counts, else the laser's or its filter's centre.
+medium::Line channel_line(const scene::Channel& channel, const std::vector<medium::Line>& lines) {
+  medium::Line mean = lines.front();
+  double count = 0;
+  double wavelength = 0;
+  double group_index = 0;
+  for (const auto& line : lines) {
+    if (!medium::counts(channel, line)) continue;
+    ++count;
+    wavelength += line.wavelength_nm;
+    group_index += line.group_index;
+  }
+  if (count > 0) {
+    mean.wavelength_nm = wavelength / count;
+    mean.group_index = group_index / count;
+  } else if (channel.centre_nm) {
+    mean.wavelength_nm = *channel.centre_nm;
+  }
+  return mean;
+}
+
+}  // namespace
+
+Problem make_problem(const scene::Scene& scene) {
+  const optics::Library library(optics::find_data_folder());
+  auto medium = medium::build_medium(scene, library);
+  tally::Gates gates(scene, medium.line);
+  auto shape = make_shape(scene, medium, gates);
+  return {scene, std::move(medium), std::move(gates), std::move(shape)};
+}
+
+tally::Result describe(const Problem& problem) {
+  const auto& [scene, medium, gates, shape] = problem;
+  tally::Result result;
+  for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
+  for (const auto process : processes_of(medium.line)) result.process_name.emplace_back(process_name(process));
+  result.orders = static_cast<std::int64_t>(shape.orders);
+  result.gate_depth_is_range = gates.depth_is_range();
+  for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {
+    result.gate_time_edge_ns.push_back(gates.edge_path(edge) / metre_per_nanosecond);
+  }
+  for (const auto& channel : scene.channel) {
+    const auto line = channel_line(channel, medium.line);
+    result.channel_name.push_back(channel.name);
+    result.channel_wavelength_nm.push_back(line.wavelength_nm);
+    for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {
+      result.gate_depth_edge_m.push_back(gates.depth(gates.edge_path(edge), line));
+    }
+  }
+  result.depth_edge_m = gates.depth_edges();
+  result.title = scene.title;
+  result.scene_toml = scene::write_scene(scene);
+  result.estimator = scene.simulation.estimator;
+  result.seed = scene.simulation.seed;
+  result.sources = medium.sources;
+  return result;
+}
+
+}  // namespace photic::engine

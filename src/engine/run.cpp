@@ -1,0 +1,61 @@
+#include "engine/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/batches.hpp"
+#include "engine/problem.hpp"
+
+namespace photic::engine {
+namespace {
+
+constexpr double tolerated_cut = 1e-3;  // of a gate, by max_order
+
+void warn(tally::Result& result) {
+  const auto cut = std::count_if(result.order_cut_share.begin(), result.order_cut_share.end(),
+                                 [](double share) { return share > tolerated_cut; });
+  if (cut > 0) {
+    result.warnings.push_back(
+        fmt::format("max_order cuts off more than 0.1 % of the echo in {} gates: raise it or leave it out", cut));
+  }
+  if (result.lost_too_many_events > 0) {
+    result.warnings.push_back(fmt::format("{} photons were lost after too many events ({} of all weight)",
+                                          result.lost_too_many_events, result.ledger.lost));
+  }
+  if (result.lost_not_finite > 0) {
+    result.warnings.push_back(fmt::format("{} numbers were not finite and were dropped", result.lost_not_finite));
+  }
+  for (std::size_t c = 0; c < result.channels(); ++c) {
+    double sum = 0;
+    for (std::size_t t = 0; t < result.telescopes(); ++t) {
+      const auto first = result.echo.mean.begin() + static_cast<std::ptrdiff_t>((t * result.channels() + c) * result.gates());
+      sum += std::accumulate(first, first + static_cast<std::ptrdiff_t>(result.gates()), 0.0);
+    }
+    if (sum == 0) {
+      result.warnings.push_back(fmt::format("no light reaches channel \"{}\"", result.channel_name[c]));
+    }
+  }
+}
+
+}  // namespace
+
+tally::Result run(const scene::Scene& scene, const RunOptions& options) {
+  const Problem problem = make_problem(scene);
+  Conductor conductor(scene.simulation, options);
+  const tally::Totals totals = run_batches<double>(problem, conductor);
+
+  tally::Result result = describe(problem);
+  totals.fill(result);
+  result.engine = "scalar";
+  result.version = PHOTIC_VERSION;
+  result.stopped_by = conductor.ending.stopped_by;
+  result.partial = result.stopped_by == "interrupt";
+  result.wall_time_s = conductor.ending.wall_time_s;
+  result.threads = conductor.ending.threads;
+  warn(result);
+  return result;
+}
+
+}  // namespace photic::engine

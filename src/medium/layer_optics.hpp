@@ -1,0 +1,40 @@
+// The optical properties of one layer of water at one wavelength.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "optics/library.hpp"
+#include "optics/phase_table.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::medium {
+
+struct WaterOptics {
+  double a_per_m = 0;              ///< all absorption
+  double b_per_m = 0;              ///< all scattering
+  double a_exciting_per_m = 0;     ///< the share of a that excites chlorophyll fluorescence
+  double b_molecular_per_m = 0;    ///< the share of b by the water itself (0 in an iop layer: it is not known apart)
+  std::vector<std::string> sources;
+};
+
+class LayerOptics {
+ public:
+  LayerOptics(const scene::Scene& scene, const optics::Library& library);
+
+  /// Throws InputError where there are no data for the wavelength.
+  WaterOptics operator()(const scene::Layer& layer, double wavelength_nm) const;
+
+  /// The phase function of all scattering in the layer.
+  [[nodiscard]] optics::PhaseShape phase(const scene::Layer& layer, const WaterOptics& water) const;
+
+ private:
+  [[nodiscard]] WaterOptics of_constituents(const scene::Layer& layer, double wavelength_nm) const;
+  [[nodiscard]] WaterOptics of_table(const scene::Layer& layer, double wavelength_nm) const;
+  [[nodiscard]] optics::PhaseShape shape(const scene::PhaseFunction& function) const;
+
+  const scene::Scene* scene_;
+  const optics::Library* library_;
+};
+
+}  // namespace photic::medium

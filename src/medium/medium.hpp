@@ -1,0 +1,85 @@
+// The medium: everything a walk needs to know of the water, as flat immutable tables.
+//
+// Lines are the wavelengths light can have: line 0 is the laser's, the others those that inelastic
+// processes emit. Layers run from the surface (0) down. A value of line l in layer k stands at
+// l * layers + k.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/lanes.hpp"
+#include "optics/phase_table.hpp"
+
+namespace photic::medium {
+
+/// The processes that turn light back, in the order of the result file.
+enum class Process : std::int32_t { elastic, raman, chlorophyll };
+const char* process_name(Process process);
+
+/// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
+struct MediumView {
+  std::int32_t layers = 0, lines = 0;
+  const double* top = nullptr;          ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
+  const double* c = nullptr;            ///< attenuation, [line][layer]
+  const double* albedo = nullptr;       ///< b / c, [line][layer]
+  const double* depth_tau = nullptr;    ///< optical depth from the surface to a layer's top, [line][layers + 1]
+  const double* conversion = nullptr;   ///< share of a collision at line 0 that emits at this line, [line][layer]
+  const double* absorption = nullptr;   ///< share of a collision that ends the photon, [line][layer]
+  const std::int32_t* convertible = nullptr;       ///< the lines with conversion > 0, [layer][lines]
+  const std::int32_t* convertible_count = nullptr; ///< how many they are, [layer]
+  const double* index = nullptr;        ///< refractive index against air, [line]
+  const double* group_index = nullptr;  ///< [line]
+  const std::int32_t* elastic_phase = nullptr;     ///< table in `phases`, [line][layer]
+  const std::int32_t* conversion_phase = nullptr;  ///< table in `phases`, [line]; of line 0 unused
+  optics::PhaseView phases;
+
+  template <class I>
+  I at(const I& line, const I& layer) const {
+    return line * I(layers) + layer;
+  }
+
+  /// Optical depth from the surface straight down to a depth inside a layer.
+  template <class T>
+  T optical_depth(const Index<T>& line, const Index<T>& layer, const T& depth) const {
+    const T above = gather<T>(depth_tau, line * Index<T>(layers + 1) + layer);
+    return above + gather<T>(c, at(line, layer)) * (depth - gather<T>(top, layer));
+  }
+};
+
+/// One wavelength of light in the water.
+struct Line {
+  Process process = Process::elastic;
+  double wavelength_nm = 0;
+  double refractive_index = 1;
+  double group_index = 1;
+};
+
+/// Owns what a MediumView points to.
+class Medium {
+ public:
+  std::vector<Line> line;
+  std::vector<double> top, c, albedo, conversion, absorption;
+  std::vector<std::int32_t> elastic_phase, conversion_phase;
+  std::vector<std::string> sources;  ///< "quantity = value: source [status]"
+
+  /// Adds a phase function, or finds the equal one that is there already; returns its number.
+  std::int32_t add_phase(const optics::PhaseTable& table);
+
+  /// Fills in what follows from the tables above; call once they are complete.
+  void finish();
+
+  [[nodiscard]] MediumView view() const;
+  [[nodiscard]] std::int32_t layers() const { return static_cast<std::int32_t>(top.size()) - 1; }
+  /// The layer a depth lies in; a depth on an edge belongs to the layer below.
+  [[nodiscard]] std::int32_t layer_at(double depth_m) const;
+
+ private:
+  std::vector<double> depth_tau_, index_, group_index_;
+  std::vector<std::int32_t> convertible_, convertible_count_;
+  std::vector<double> node_, cdf_, core_value_;
+  std::vector<std::int32_t> guide_;
+};
+
+}  // namespace photic::medium

@@ -1,0 +1,69 @@
+// Range gates: intervals of group path between the laser's disc and the aperture, one grid for all
+// channels and telescopes, and the depth or range that each stands for.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "medium/medium.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::tally {
+
+/// A coordinate (depth, range or time) against group path: two straight lines that meet where the path
+/// passes the surface.
+struct PathScale {
+  double knee_path = 0;        ///< [m]
+  double knee_coordinate = 0;
+  double slope_before = 1;     ///< metres of group path per unit of the coordinate
+  double slope_after = 1;
+
+  [[nodiscard]] double coordinate(double path) const {
+    const double rest = path - knee_path;
+    return knee_coordinate + rest / (rest < 0 ? slope_before : slope_after);
+  }
+  [[nodiscard]] double path(double coordinate) const {
+    const double rest = coordinate - knee_coordinate;
+    return knee_path + rest * (rest < 0 ? slope_before : slope_after);
+  }
+};
+
+class Gates {
+ public:
+  /// The gates of a scene whose light travels in the lines of a medium.
+  Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines);
+
+  [[nodiscard]] std::int32_t count() const { return count_; }
+
+  /// The gate that a group path [m] falls into, or -1.
+  [[nodiscard]] std::int32_t find(double path) const {
+    const double gate = (scale_.coordinate(path) - min_) * per_step_;
+    return gate >= 0 && gate < count_ ? static_cast<std::int32_t>(gate) : -1;
+  }
+
+  [[nodiscard]] double edge_path(std::int32_t edge) const;   ///< [m], edge 0 … count
+  [[nodiscard]] double last_path() const { return edge_path(count_); }
+
+  /// Depth (or range) of first-order light that returns at a line's wavelength with a given group path.
+  [[nodiscard]] double depth(double path, const medium::Line& line) const;
+  [[nodiscard]] bool depth_is_range() const { return depth_is_range_; }
+
+  /// Edges of the grid on which the depth of the last scattering is tallied [m], as many cells as gates.
+  [[nodiscard]] std::vector<double> depth_edges() const;
+
+ private:
+  [[nodiscard]] PathScale depth_scale(double group_index_back) const;
+  [[nodiscard]] PathScale range_scale(double group_index_back) const;
+  [[nodiscard]] double vertical_depth(double range) const;
+
+  scene::Source source_;
+  scene::Telescope telescope_;
+  double refractive_index_ = 1, laser_group_index_ = 1;
+  bool by_depth_ = false, depth_is_range_ = false;
+  PathScale scale_;
+  double min_ = 0, step_ = 1, per_step_ = 1, max_ = 1;
+  std::int32_t count_ = 0;
+};
+
+}  // namespace photic::tally

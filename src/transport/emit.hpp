@@ -1,0 +1,55 @@
+// The laser's light: from the disc into the water.
+#pragma once
+
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "instrument/laser.hpp"
+#include "medium/medium.hpp"
+#include "optics/fresnel.hpp"
+#include "transport/photon.hpp"
+
+namespace photic::transport {
+
+/// A photon on the laser's disc, from two uniforms. Its path starts there.
+template <class T>
+Photon<T> emit(const instrument::Laser<T>& laser, const Index<T>& layer, const T& u_polar, const T& u_azimuth) {
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
+  const T azimuth = T(2 * pi) * u_azimuth;
+  Photon<T> photon;
+  photon.layer = layer;
+  if (laser.collimated) {
+    const Vec3<T> outward = turned(laser.axis, T(1), cos(azimuth), sin(azimuth));
+    photon.direction = laser.axis;
+    photon.position = laser.centre + (laser.radius * sqrt(u_polar)) * outward;
+    return photon;
+  }
+  const T x = u_polar * laser.one_minus_cos_divergence;
+  photon.direction = turned(laser.axis, x, cos(azimuth), sin(azimuth));
+  const Vec3<T> off_axis = photon.direction - (T(1) - x) * laser.axis;
+  photon.position = laser.centre + (laser.vertex_distance / (T(1) - x)) * off_axis;
+  return photon;
+}
+
+/// Takes photons from the air through the flat surface into the water: Snell's law, and the weight times the
+/// Fresnel transmittance. Tells which photons get there; the others fly away and are left as they are.
+template <class T>
+Mask<T> enter_water(const medium::MediumView& sea, Photon<T>& photon) {
+  using std::sqrt;
+  const Mask<T> downward = photon.direction.z < T(0);
+  const T cos_air = select(downward, -photon.direction.z, T(1));
+  const T distance = photon.position.z / cos_air;
+  const T n = gather<T>(sea.index, photon.line);
+  const auto through = optics::refract(T(1), n, cos_air);
+  const Vec3<T> at_surface = photon.position + distance * photon.direction;
+  const Vec3<T> refracted{photon.direction.x / n, photon.direction.y / n, -through.cos_transmitted};
+  photon.position = select(downward, Vec3<T>{at_surface.x, at_surface.y, T(0)}, photon.position);
+  photon.direction = select(downward, refracted, photon.direction);
+  photon.path = photon.path + select(downward, distance, T(0));
+  photon.weight = photon.weight * select(downward, T(1) - through.reflectance, T(1));
+  return downward;
+}
+
+}  // namespace photic::transport

@@ -1,0 +1,69 @@
+// Free flight through the layers, and what may stand at its end: a collision, the surface, the sea bed.
+#pragma once
+
+#include <cmath>
+
+#include "medium/medium.hpp"
+#include "optics/fresnel.hpp"
+#include "transport/photon.hpp"
+
+namespace photic::transport {
+
+template <class T>
+struct FlightEnd {
+  Mask<T> surface;  ///< the photon stands at the surface, from below
+  Mask<T> sea_bed;  ///< the photon stands on the sea bed
+};                  ///< neither: it collides where it stands
+
+/// Moves a photon in the water by the free path -ln(u), across layers, or to the surface or the sea bed.
+template <class T>
+FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
+  using std::log;
+  const T free_path = -log(u);
+  const T down = -photon.direction.z;
+  const T depth = -photon.position.z;
+  const T target = sea.optical_depth<T>(photon.line, photon.layer, depth) + free_path * down;
+
+  // The layer in which the vertical optical depth `target` lies; the edge one goes through, if any.
+  const Index<T> row = photon.line * Index<T>(sea.layers + 1);
+  const Index<T> last(sea.layers - 1);
+  Index<T> layer = photon.layer;
+  for (;;) {
+    const Mask<T> deeper = (layer < last) & (target > gather<T>(sea.depth_tau, row + layer + Index<T>(1)));
+    const Mask<T> higher = (layer > Index<T>(0)) & (target < gather<T>(sea.depth_tau, row + layer));
+    if (!any(deeper | higher)) break;
+    layer = layer + select(deeper, Index<T>(1), select(higher, Index<T>(-1), Index<T>(0)));
+  }
+  FlightEnd<T> end;
+  end.surface = (target <= T(0)) & (down < T(0));
+  end.sea_bed = target > gather<T>(sea.depth_tau, row + Index<T>(sea.layers));
+  const T c = gather<T>(sea.c, sea.at(photon.line, layer));
+  const T collision_depth =
+      gather<T>(sea.top, layer) + (target - gather<T>(sea.depth_tau, row + layer)) / c;
+  const T bed = gather<T>(sea.top, Index<T>(sea.layers));
+  const T depth_at_end = select(end.surface, T(0), select(end.sea_bed, bed, collision_depth));
+
+  // Within one layer the path is exact also for a horizontal flight; across edges it follows from the depths.
+  const Mask<T> stays = (layer == photon.layer) & !(end.surface | end.sea_bed);
+  const T distance = select(stays, free_path / c, (depth_at_end - depth) / select(stays, T(1), down));
+  photon.position = photon.position + distance * photon.direction;
+  photon.position.z = select(stays, photon.position.z, -depth_at_end);
+  photon.layer = layer;
+  photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
+  return end;
+}
+
+/// Reflects a photon that stands at the surface back into the water, its weight times the Fresnel reflectance
+/// (1 in total reflection). Returns the weight that leaves through the surface. Clear air returns nothing.
+template <class T>
+T reflect_down(const medium::MediumView& sea, Photon<T>& photon) {
+  const T n = gather<T>(sea.index, photon.line);
+  const T r = optics::refract(n, T(1), photon.direction.z).reflectance;
+  const T leaving = photon.weight * (T(1) - r);
+  photon.weight = photon.weight * r;
+  photon.analog_weight = photon.analog_weight * r;
+  photon.direction.z = -photon.direction.z;
+  return leaving;
+}
+
+}  // namespace photic::transport

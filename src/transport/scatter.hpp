@@ -1,0 +1,79 @@
+// A new direction after a collision: from the phase function, or towards a telescope.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "medium/medium.hpp"
+#include "transport/photon.hpp"
+
+namespace photic::transport {
+
+/// Directions that lead to the telescopes from where a photon stands; each usable with equal probability.
+template <class T, int capacity>
+struct Targets {
+  std::array<Vec3<T>, capacity> direction;
+  std::array<Mask<T>, capacity> usable;
+  int count = 0;      ///< entries filled in
+  T usable_count{};   ///< entries usable, lane by lane
+
+  void add(const Vec3<T>& towards, const Mask<T>& is_usable) {
+    const auto i = static_cast<std::size_t>(count++);
+    direction[i] = towards;
+    usable[i] = is_usable;
+    usable_count = usable_count + select(is_usable, T(1), T(0));
+  }
+};
+
+/// Uniforms of one scattering.
+template <class T>
+struct ScatterUniforms {
+  T polar, azimuth, mixture, target;
+};
+
+/// Turns a photon into a new direction drawn from the mixture
+///   q = (1 - e) p(old, new) + e mean over targets of lobe(target, new),
+/// p and lobe being tables of the medium, e = `directed` where there are targets and 0 elsewhere; the weight is
+/// multiplied by p / q <= 1 / (1 - e), both terms always in q (Veach & Guibas, SIGGRAPH 95, balance heuristic).
+template <class T, int capacity>
+void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& phase, const Index<T>& lobe,
+             const Targets<T, capacity>& targets, const T& directed, const ScatterUniforms<T>& u) {
+  using std::cos;
+  using std::sin;
+  const T azimuth = T(2 * pi) * u.azimuth;
+  const T cos_azimuth = cos(azimuth);
+  const T sin_azimuth = sin(azimuth);
+  const Vec3<T> old = photon.direction;
+  const Mask<T> has_target = targets.usable_count > T(0);
+  if (!any(has_target)) {
+    photon.direction = turned(old, sea.phases.sample<T>(u.polar, phase), cos_azimuth, sin_azimuth);
+    return;
+  }
+  const T share = select(has_target, directed, T(0));
+  const Mask<T> towards = u.mixture < share;
+
+  // The target number floor(u count), counting the usable ones.
+  Vec3<T> axis = old;
+  T rest = u.target * targets.usable_count;
+  for (int i = 0; i < targets.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const Mask<T> taken = towards & targets.usable[k] & (rest >= T(0)) & (rest < T(1));
+    axis = select(taken, targets.direction[k], axis);
+    rest = rest - select(targets.usable[k], T(1), T(0));
+  }
+  const T x = sea.phases.sample<T>(u.polar, select(towards, lobe, phase));
+  photon.direction = turned(axis, x, cos_azimuth, sin_azimuth);
+
+  const T p = sea.phases.value<T>(one_minus_cos(old, photon.direction), phase);
+  T towards_density(0);
+  for (int i = 0; i < targets.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const T density = sea.phases.value<T>(one_minus_cos(targets.direction[k], photon.direction), lobe);
+    towards_density = towards_density + select(targets.usable[k], density, T(0));
+  }
+  const T per_target = share / select(has_target, targets.usable_count, T(1));
+  photon.weight = photon.weight * (p / ((T(1) - share) * p + per_target * towards_density));
+}
+
+}  // namespace photic::transport
