@@ -44,6 +44,7 @@ void follow(const World<T>& world, std::uint64_t number, tally::BatchTally& tall
     ledger.escaped += in_air - photon.weight;
   }
 
+  Targets<T> targets;
   while (place.event < most_events) {
     ++place.event;
     const auto u = uniforms(place, 0);
@@ -54,14 +55,13 @@ void follow(const World<T>& world, std::uint64_t number, tally::BatchTally& tall
       ledger.escaped += reflect_down(world.sea, photon);
     } else {
       ++tally.collisions;
-      score_collision(world, photon, tally);
+      score_collision(world, photon, tally, targets);
       if (photon.order + 1 == world.last_order) return void(ledger.cut_by_order += photon.weight);
 
       ledger.absorbed += photon.weight * T(world.sea.absorption[world.sea.at(photon.line, photon.layer)]);
       const auto v = uniforms(place, 1);
       const auto branch = collide(world.sea, photon, world.conversion, v[0], v[1]);
-      scatter(world.sea, photon, branch.phase, branch.lobe, telescopes_in_sight(world, photon), world.directed,
-              {u[1], u[2], v[2], v[3]});
+      scatter(world.sea, photon, branch.phase, branch.lobe, targets, world.directed, {u[1], u[2], v[2], v[3]});
     }
     const T before = photon.weight;
     const bool survives = roulette(photon, world.roulette_threshold, u[3]);

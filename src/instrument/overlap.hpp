@@ -19,8 +19,10 @@ T circles_overlap(const T& r1, const T& r2, const T& d) {
   const T large = select(r1 < r2, r2, r1);
   const Mask<T> apart = d >= r1 + r2;
   const Mask<T> inside = d <= large - small;
-  // The general case, made harmless where it does not hold.
+  const T simple = select(apart, T(0), T(pi) * small * small);
   const Mask<T> lens = !(apart | inside);
+  if (!any(lens)) return simple;
+  // The general case, made harmless where it does not hold.
   const T dd = select(lens, d, T(1));
   const T a = select(lens, small, T(1));
   const T b = select(lens, large, T(1));
@@ -31,7 +33,7 @@ T circles_overlap(const T& r1, const T& r2, const T& d) {
   const T cos_b = clamped((dd * dd + b * b - a * a) / (T(2) * dd * b));
   const T area = a * a * (acos(cos_a) - cos_a * sqrt(T(1) - cos_a * cos_a)) +
                  b * b * (acos(cos_b) - cos_b * sqrt(T(1) - cos_b * cos_b));
-  return select(apart, T(0), select(inside, T(pi) * small * small, area));
+  return select(lens, area, simple);
 }
 
 }  // namespace photic::instrument

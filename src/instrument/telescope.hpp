@@ -1,6 +1,7 @@
 // A telescope as a thin lens with a central obstruction and a detector disc behind it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/constants.hpp"
@@ -19,7 +20,19 @@ struct Telescope {
   T focal_length{};
   T detector_radius{};
   T detector_distance{}; ///< from the lens: focal length + shift
+  T cos_squared_widest{};  ///< see cos_squared_of_widest_view()
   bool submerged = false;
+
+  /// Whether light that rises from below under some angle to the vertical, at least that of the given tangent,
+  /// moving aside along the horizontal unit vector (ex, ey), may fall on the detector of a telescope in the air.
+  Mask<T> may_see_beyond(const T& ex, const T& ey, const T& tangent) const {
+    // -cos(off axis) = aside sin + axis.z cos; its best value beyond the angle is at the angle or at its extremum.
+    const T aside = ex * axis.x + ey * axis.y;
+    const Mask<T> before_extremum = aside < tangent * axis.z;
+    const T forward = -(aside * tangent + axis.z);
+    const Mask<T> inside = (forward > T(0)) & (forward * forward >= cos_squared_widest * (T(1) + tangent * tangent));
+    return before_extremum | inside;
+  }
 
   /// Collecting area of the lens [m^2].
   [[nodiscard]] T area() const {
@@ -44,6 +57,21 @@ struct Telescope {
   }
 };
 
+/// Squared cosine of an off-axis angle beyond which a telescope in the air sees nothing that is in the water; 0 for
+/// one in the water, or with so wide a view that nothing can be said.
+inline double cos_squared_of_widest_view(const scene::Telescope& s) {
+  if (s.position_m.z < 0) return 0.0;
+  const double f = s.focal_length_m;
+  const double x = f + s.detector_shift_m;
+  // The blur is widest at one end of the ranges along the axis: infinity, or for off-axis cosines above 1/2 no less
+  // than half the height.
+  const double blur_far = std::abs(1 - x / f);
+  const double blur_near = std::abs(1 - x * (1 / f - 2 / s.position_m.z));
+  const double reach = s.effective_detector_diameter_m() / 2 + s.diameter_m / 2 * std::max(blur_far, blur_near);
+  const double cosine = std::cos(std::atan(reach / x)) * (1 - 1e-6);
+  return cosine > 0.5 ? cosine * cosine : 0.0;
+}
+
 /// The telescope of a scene. Half field of view v: detector radius f tan v.
 template <class T>
 Telescope<T> make_telescope(const scene::Telescope& s) {
@@ -56,6 +84,7 @@ Telescope<T> make_telescope(const scene::Telescope& s) {
   t.detector_radius = T(s.effective_detector_diameter_m() / 2);
   t.detector_distance = T(s.focal_length_m + s.detector_shift_m);
   t.submerged = s.position_m.z < 0;
+  t.cos_squared_widest = T(cos_squared_of_widest_view(s));
   return t;
 }
 

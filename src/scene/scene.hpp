@@ -105,6 +105,7 @@ struct Sea {
 struct Gates {
   struct Interval {
     double min{}, max{}, step{};
+    [[nodiscard]] double steps() const;  ///< from min to max, a last partial one included
     friend bool operator==(const Interval&, const Interval&) = default;
   };
   std::optional<Interval> depth_m;  ///< depth_min_m (default 0), depth_max_m, depth_step_m

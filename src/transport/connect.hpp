@@ -12,32 +12,43 @@
 
 namespace photic::transport {
 
-/// One way from a point to a telescope.
+/// One way from a point to a telescope. Where no lane is seen by the detector only the first two are filled in.
 template <class T>
 struct Connection {
   Vec3<T> direction;   ///< in which light must leave the point
+  Mask<T> in_front{};  ///< of the lens: a direction worth sampling, in the field of view or not
   T acceptance{};      ///< solid angle about it that ends on the detector, surface losses included [sr]
   T optical_depth{};   ///< of the way
   T path{};            ///< length times group index [m]
 };
 
 /// tan of the angle in air under which a point `depth` below a flat surface is seen from `height` above it and
-/// `aside` to the side: the root of height t + depth t / sqrt(n^2 + (n^2-1) t^2) = aside. The left side is concave in
-/// t and the paraxial start lies below the root, so Newton's steps rise towards it and never overshoot.
+/// aside of it, to within a few per cent at any angle and t^5 at small ones: the root of
+///   height t + depth t / sqrt(n^2 + (n^2-1) t^2) = aside
+/// to the third order in its paraxial value n aside / (n height + depth), which is never above the root.
+/// `share` is depth / (n height + depth).
 template <class T>
-T crossing_tangent(const T& n, const T& depth, const T& height, const T& aside) {
+T crossing_tangent_start(const T& n, const T& share, const T& paraxial) {
+  const T cubic = T(0.5) * (T(1) - T(1) / (n * n)) * share * paraxial * paraxial;
+  return paraxial * (T(1) + select(cubic < T(0.1), cubic, T(0.1)));
+}
+
+/// The root itself by Newton's steps from there. The left side is concave in t: steps from above the root lead
+/// below it, steps from below rise towards it and never overshoot. Errors square with each step, so the
+/// last one needs to be no better than the root of the rounding.
+template <class T>
+T crossing_tangent(const T& n, const T& depth, const T& height, const T& aside, const T& start) {
   using std::abs;
   using std::sqrt;
   const T n2 = n * n;
-  const T tolerance = T(8) * std::numeric_limits<Element<T>>::epsilon();
-  T t = aside / (height + depth / n);
+  const T enough = T(std::sqrt(std::numeric_limits<Element<T>>::epsilon())) * aside;
+  T t = start;
   for (int step = 0; step < 60; ++step) {
     const T q = T(1) / (n2 + (n2 - T(1)) * t * t);
     const T root = sqrt(q);
     const T excess = height * t + depth * t * root - aside;
-    const T slope = height + depth * n2 * q * root;
-    t = t - excess / slope;
-    if (!any(abs(excess) > tolerance * aside)) break;
+    t = t - excess / (height + depth * n2 * q * root);
+    if (!any(abs(excess) > enough)) break;
   }
   return t;
 }
@@ -52,41 +63,53 @@ T refracted_solid_angle_per_area(const T& n, const T& l1, const T& c1, const T& 
   return ratio / (n * n * across * along);
 }
 
-/// From a photon's position through the surface to a telescope in the air, at the given line.
+/// From a photon's position through the surface to a telescope in the air, at the given line. If nothing `aims` at
+/// the telescope, directions are left out where its detector cannot see the point.
 template <class T>
 Connection<T> connect_through_surface(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
-                                      const Photon<T>& at, const Index<T>& line) {
+                                      const Photon<T>& at, const Index<T>& line, bool aims) {
   using std::sqrt;
+  Connection<T> way;
   const T n = gather<T>(sea.index, line);
   const T depth = -at.position.z;
   const T dx = telescope.position.x - at.position.x;
   const T dy = telescope.position.y - at.position.y;
   const T aside = sqrt(dx * dx + dy * dy);
   const T inverse_aside = select(aside > T(0), T(1) / select(aside > T(0), aside, T(1)), T(0));
-  const T tangent = crossing_tangent(n, depth, telescope.position.z, aside);
+  const T height = telescope.position.z;
+  const T ex = dx * inverse_aside;
+  const T ey = dy * inverse_aside;
+
+  // Most points lie far outside the field of view; the true angle is never below the paraxial one.
+  const T per_height = T(1) / (n * height + depth);
+  const T paraxial = n * aside * per_height;
+  const Mask<T> near_view = telescope.may_see_beyond(ex, ey, paraxial);
+  if (!(aims || any(near_view))) return way;
+  const T start = crossing_tangent_start(n, depth * per_height, paraxial);
+  T tangent = start;
+  if (any(near_view)) tangent = select(near_view, crossing_tangent(n, depth, height, aside, start), start);
 
   const T cos_air = T(1) / sqrt(T(1) + tangent * tangent);
   const T sin_air = tangent * cos_air;
   const T sin_water = sin_air / n;
   const T cos_water = sqrt(T(1) - sin_water * sin_water);
-  const T ex = dx * inverse_aside;
-  const T ey = dy * inverse_aside;
   const Vec3<T> arriving{ex * sin_air, ey * sin_air, cos_air};
 
-  Connection<T> way;
   way.direction = {ex * sin_water, ey * sin_water, cos_water};
   const T in_water = depth / cos_water;
-  const T in_air = telescope.position.z / cos_air;
+  const T in_air = height / cos_air;
   const T apparent = in_air + in_water / n;
   const T cos_off_axis = -dot(arriving, telescope.axis);
-  const Mask<T> in_front = cos_off_axis > T(0);
-  const T safe_cos = select(in_front, cos_off_axis, T(1));
+  way.in_front = cos_off_axis > T(0);
+  if (!any(near_view)) return way;
+  const T safe_cos = select(way.in_front, cos_off_axis, T(1));
   const T tan_off_axis = length(cross(arriving, telescope.axis)) / safe_cos;
   const T overlap = telescope.overlap(apparent * safe_cos, tan_off_axis);
+  const Mask<T> seen = near_view & way.in_front & (overlap > T(0));
+  if (!any(seen)) return way;
   const T transmitted = T(1) - optics::refract(n, T(1), cos_water).reflectance;
   const T per_area = refracted_solid_angle_per_area(n, in_water, cos_water, in_air, cos_air);
-  way.acceptance =
-      select(in_front, per_area * telescope.area() * safe_cos * overlap * transmitted, T(0));
+  way.acceptance = select(seen, per_area * telescope.area() * safe_cos * overlap * transmitted, T(0));
   way.optical_depth = sea.optical_depth<T>(line, at.layer, depth) / cos_water;
   way.path = in_air + in_water * gather<T>(sea.group_index, line);
   return way;
@@ -129,11 +152,12 @@ Connection<T> connect_in_water(const medium::MediumView& sea, const instrument::
   way.direction = (T(1) / distance) * way_there;
   const Vec3<T> arriving{way.direction.x, way.direction.y, mirrored ? -way.direction.z : way.direction.z};
   const T cos_off_axis = -dot(arriving, telescope.axis);
-  const Mask<T> in_front = apart & (cos_off_axis > T(0));
-  const T safe_cos = select(in_front, cos_off_axis, T(1));
+  way.in_front = apart & (cos_off_axis > T(0));
+  const T safe_cos = select(way.in_front, cos_off_axis, T(1));
   const T tan_off_axis = length(cross(arriving, telescope.axis)) / safe_cos;
   const T overlap = telescope.overlap(distance * safe_cos, tan_off_axis);
-  const Mask<T> seen = in_front & (overlap > T(0));
+  const Mask<T> seen = way.in_front & (overlap > T(0));
+  if (!any(seen)) return way;
 
   const T tau_here = sea.optical_depth<T>(line, at.layer, depth);
   const T tau_there = sea.optical_depth<T>(line, telescope_layer, telescope_depth);
@@ -148,8 +172,8 @@ Connection<T> connect_in_water(const medium::MediumView& sea, const instrument::
   way.path = distance * gather<T>(sea.group_index, line);
   const T reflected =
       mirrored ? optics::refract(gather<T>(sea.index, line), T(1), steep).reflectance : T(1);
-  const T solid_angle = any(seen) ? lens_solid_angle(telescope, distance, safe_cos) : T(0);
-  way.acceptance = select(seen, solid_angle * overlap * reflected, T(0));
+  way.acceptance =
+      select(seen, lens_solid_angle(telescope, distance, safe_cos) * overlap * reflected, T(0));
   return way;
 }
 

@@ -18,6 +18,11 @@ struct Targets {
   int count = 0;      ///< entries filled in
   T usable_count{};   ///< entries usable, lane by lane
 
+  void clear() {
+    count = 0;
+    usable_count = T(0);
+  }
+
   void add(const Vec3<T>& towards, const Mask<T>& is_usable) {
     const auto i = static_cast<std::size_t>(count++);
     direction[i] = towards;

@@ -1,0 +1,19 @@
+// The echoes as comma-separated values, for spreadsheets and quick looks. Everything else a run
+// tells is in the netCDF file (io/netcdf.hpp).
+#pragma once
+
+#include <string>
+
+#include "tally/result.hpp"
+
+namespace photic::io {
+
+/// One row for each telescope, channel and gate, after a head of lines that start with '#'. Fields
+/// are quoted as in RFC 4180 (also those holding '#'); numbers read back to the same value; what is
+/// not a number is "nan".
+std::string echo_csv(const tally::Result& result);
+
+/// Writes echo_csv to a file, whole or not at all. Throws EnvironmentError.
+void write_csv(const tally::Result& result, const std::string& path);
+
+}  // namespace photic::io

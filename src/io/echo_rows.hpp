@@ -1,0 +1,32 @@
+// The echo of a result as rows, one for each telescope, channel and gate: what CSV, JSON and the
+// terminal table have in common.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "tally/result.hpp"
+
+namespace photic::io {
+
+struct EchoRow {
+  std::size_t telescope{}, channel{}, gate{};  ///< indices, from 0
+  double time_start_ns{}, time_end_ns{};
+  double depth_m{};         ///< centre of the gate; the range if Result::gate_depth_is_range
+  double echo{};            ///< expected photons detected per photon emitted
+  double standard_error{};  ///< of the echo
+  double relative_error{};  ///< standard_error / echo; NaN where the echo is not above 0
+  std::int32_t flags{};     ///< Result::convergence_flags
+
+  [[nodiscard]] bool converged() const { return flags == 0; }
+};
+
+/// All rows, the gates of a channel after each other, the channels of a telescope after each other.
+std::vector<EchoRow> echo_rows(const tally::Result& result);
+
+/// The names of the flags set, lowest bit first.
+std::vector<std::string_view> flag_names(std::int32_t flags);
+
+}  // namespace photic::io

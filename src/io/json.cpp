@@ -1,0 +1,62 @@
+#include "io/json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "io/echo_rows.hpp"
+
+namespace photic::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ledger(const tally::Ledger& shares) {
+  return {{"absorbed", shares.absorbed},
+          {"escaped", shares.escaped},
+          {"sea_bed", shares.sea_bed},
+          {"cut_by_time", shares.cut_by_time},
+          {"cut_by_order", shares.cut_by_order},
+          {"roulette", shares.roulette},
+          {"lost", shares.lost}};
+}
+
+Json echo(const tally::Result& result, const EchoRow& row) {
+  return {{"telescope", result.telescope_name[row.telescope]},
+          {"channel", result.channel_name[row.channel]},
+          {"gate", row.gate},
+          {"time_start_ns", row.time_start_ns},
+          {"time_end_ns", row.time_end_ns},
+          {"depth_m", row.depth_m},
+          {"echo", row.echo},
+          {"standard_error", row.standard_error},
+          {"relative_error", row.relative_error},
+          {"converged", row.converged()},
+          {"reasons", flag_names(row.flags)}};
+}
+
+}  // namespace
+
+std::string echo_json(const tally::Result& result) {
+  Json json = {{"title", result.title},
+               {"version", result.version},
+               {"engine", result.engine},
+               {"estimator", result.estimator},
+               {"seed", result.seed},
+               {"photons", result.photons},
+               {"batches", result.batches},
+               {"collisions", result.collisions},
+               {"stopped_by", result.stopped_by},
+               {"partial", result.partial},
+               {"lost_too_many_events", result.lost_too_many_events},
+               {"lost_not_finite", result.lost_not_finite},
+               {"wall_time_s", result.wall_time_s},
+               {"threads", result.threads},
+               {"ledger", ledger(result.ledger)},
+               {"warnings", result.warnings},
+               {"depth_is_range", result.gate_depth_is_range},
+               {"echoes", Json::array()}};
+  for (const EchoRow& row : echo_rows(result)) json["echoes"].push_back(echo(result, row));
+  // Names may hold bytes that are not UTF-8: shown as U+FFFD, not a reason to lose the rest.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace photic::io

@@ -1,0 +1,31 @@
+// The result file: netCDF-4 after CF-1.10
+// (https://cfconventions.org/Data/cf-conventions/cf-conventions-1.10/), self-describing, opens in
+// xarray. Its layout is documented for users in docs/.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tally/result.hpp"
+
+namespace photic::io {
+
+/// The layout's number, in the file as `photic_format`: raised when a program that knows the old
+/// layout would misread the new one.
+inline constexpr std::int32_t photic_format = 1;
+
+struct WriteInfo {
+  std::string history;  ///< how the file came to be; see history_line
+};
+
+/// "2026-01-31T12:00:00Z: photic run ship.toml": the time now (UTC) and the command.
+std::string history_line(const std::string& command_line);
+
+/// Writes the result file, whole or not at all. Throws EnvironmentError.
+void write_netcdf(const tally::Result& result, const std::string& path, const WriteInfo& info);
+
+/// The effective scene a result file was computed from, as TOML. Throws EnvironmentError if the
+/// file cannot be read and InputError if it is not a result of Photic.
+std::string read_scene_attribute(const std::string& path);
+
+}  // namespace photic::io

@@ -1,0 +1,129 @@
+#include "io/netcdf_image.hpp"
+
+#include <fmt/format.h>
+#include <netcdf.h>
+#include <netcdf_mem.h>
+
+#include <cstdlib>
+#include <memory>
+#include <type_traits>
+
+#include "core/error.hpp"
+
+namespace photic::io {
+namespace {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+void check(int status, const std::string& what) {
+  if (status != NC_NOERR)
+    throw EnvironmentError(fmt::format("netCDF, {}: {}", what, nc_strerror(status)));
+}
+
+int type_of(const Values& values) {
+  return std::visit(Overloaded{[](std::span<const double>) { return NC_DOUBLE; },
+                               [](std::span<const std::int32_t>) { return NC_INT; },
+                               [](std::span<const std::int8_t>) { return NC_BYTE; },
+                               [](std::span<const std::string>) { return NC_STRING; }},
+                    values);
+}
+
+int put_values(int file, int variable, const Values& values) {
+  return std::visit(
+      [&](auto span) {
+        if constexpr (std::is_same_v<typename decltype(span)::value_type, std::string>) {
+          std::vector<const char*> texts;
+          for (const std::string& text : span) texts.push_back(text.c_str());
+          return nc_put_var_string(file, variable, texts.data());
+        } else {
+          return nc_put_var(file, variable, span.data());
+        }
+      },
+      values);
+}
+
+}  // namespace
+
+NetcdfImage::NetcdfImage() {
+  check(nc_create_mem("photic", NC_NETCDF4, 0, &file_), "making a file in memory");
+}
+
+NetcdfImage::~NetcdfImage() {
+  if (file_ >= 0) nc_abort(file_);
+}
+
+void NetcdfImage::add_dimension(const std::string& name, std::size_t size) {
+  expect(size > 0, "a dimension of at least 1: 0 would mean unlimited");
+  int id = 0;
+  check(nc_def_dim(file_, name.c_str(), size, &id), name);
+  dimensions_[name] = {id, size};
+}
+
+void NetcdfImage::add_global(const std::string& name, const AttributeValue& value) {
+  put_attribute(NC_GLOBAL, name, value);
+}
+
+void NetcdfImage::put_attribute(int variable, const std::string& name,
+                                const AttributeValue& value) {
+  const char* key = name.c_str();
+  const int status = std::visit(
+      Overloaded{
+          [&](const std::string& text) {
+            return nc_put_att_text(file_, variable, key, text.size(), text.data());
+          },
+          [&](const LongText& long_text) {
+            const char* text = long_text.text.c_str();
+            return nc_put_att_string(file_, variable, key, 1, &text);
+          },
+          [&](double number) {
+            return nc_put_att_double(file_, variable, key, NC_DOUBLE, 1, &number);
+          },
+          [&](std::int32_t number) {
+            return nc_put_att_int(file_, variable, key, NC_INT, 1, &number);
+          },
+          [&](std::uint64_t number) {
+            return nc_put_att(file_, variable, key, NC_UINT64, 1, &number);
+          },
+          [&](const std::vector<std::int32_t>& numbers) {
+            return nc_put_att_int(file_, variable, key, NC_INT, numbers.size(), numbers.data());
+          },
+          [&](const std::vector<std::int8_t>& numbers) {
+            return nc_put_att_schar(file_, variable, key, NC_BYTE, numbers.size(), numbers.data());
+          }},
+      value);
+  check(status, "attribute " + name);
+}
+
+void NetcdfImage::add_variable(const std::string& name, const std::vector<std::string>& dimensions,
+                               Values values, const Attributes& attributes) {
+  std::vector<int> ids;
+  std::size_t size = 1;
+  for (const auto& dimension : dimensions) {
+    const auto& [id, length] = dimensions_.at(dimension);
+    ids.push_back(id);
+    size *= length;
+  }
+  expect(std::visit([](auto span) { return span.size(); }, values) == size,
+         "as many values as the dimensions of a variable ask for");
+  int variable = 0;
+  check(nc_def_var(file_, name.c_str(), type_of(values), static_cast<int>(ids.size()), ids.data(),
+                   &variable),
+        name);
+  if (ids.size() > 1) check(nc_def_var_deflate(file_, variable, NC_SHUFFLE, 1, 4), name);
+  for (const auto& [key, value] : attributes) put_attribute(variable, key, value);
+  check(put_values(file_, variable, values), name);
+}
+
+std::string NetcdfImage::finish() {
+  NC_memio memory{};
+  check(nc_close_memio(std::exchange(file_, -1), &memory), "finishing the file in memory");
+  const std::unique_ptr<void, decltype(&std::free)> owner(memory.memory, &std::free);
+  return {static_cast<const char*>(memory.memory), memory.size};
+}
+
+}  // namespace photic::io

@@ -1,0 +1,243 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+#include <limits>
+
+#include "io/atomic_file.hpp"
+#include "io/netcdf.hpp"
+#include "io/netcdf_image.hpp"
+
+namespace photic::io {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+const std::string echo_meaning = "expected photons detected in the gate per photon emitted";
+
+Attributes operator+(Attributes left, const Attributes& right) {
+  left.insert(left.end(), right.begin(), right.end());
+  return left;
+}
+
+/// Pairs of neighbouring edges, as CF-1.10 section 7.1 wants bounds; `rows` rows of edges after
+/// each other.
+std::vector<double> bounds(const std::vector<double>& edges, std::size_t rows = 1) {
+  const std::size_t per_row = edges.size() / rows;
+  std::vector<double> pairs;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (i % per_row + 1 < per_row) pairs.insert(pairs.end(), {edges[i], edges[i + 1]});
+  return pairs;
+}
+
+std::vector<double> centres(const std::vector<double>& pairs) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < pairs.size(); i += 2) out.push_back(0.5 * (pairs[i] + pairs[i + 1]));
+  return out;
+}
+
+void add_axes(NetcdfImage& file, const tally::Result& result) {
+  file.add_dimension("telescope", result.telescopes());
+  file.add_dimension("channel", result.channels());
+  file.add_dimension("process", result.process_name.size());
+  file.add_dimension("order", static_cast<std::size_t>(result.orders));
+  file.add_dimension("gate", result.gates());
+  file.add_dimension("depth", result.depths());
+  file.add_dimension("bnds", 2);
+  file.add_variable("telescope_name", {"telescope"}, result.telescope_name,
+                    {{"long_name", "name of the telescope"}});
+  file.add_variable("channel_name", {"channel"}, result.channel_name,
+                    {{"long_name", "name of the channel"}});
+  file.add_variable("process_name", {"process"}, result.process_name,
+                    {{"long_name", "process in which the light turned towards the telescope"}});
+  file.add_variable("channel_wavelength", {"channel"}, result.channel_wavelength_nm,
+                    {{"standard_name", "radiation_wavelength"},
+                     {"long_name", "mean wavelength of the light that the channel counts"},
+                     {"units", "nm"},
+                     {"_FillValue", nan},
+                     {"coordinates", "channel_name"}});
+  std::vector<std::int32_t> order;
+  for (std::int32_t k = 1; k <= result.orders; ++k) order.push_back(k);
+  file.add_variable(
+      "order", {"order"}, order,
+      {{"long_name", fmt::format("scatterings, conversions and bottom reflections of the light; "
+                                 "the last, {0}, stands for {0} and above",
+                                 result.orders)},
+       {"units", "1"}});
+}
+
+void add_gates(NetcdfImage& file, const tally::Result& result) {
+  // Bounds carry no units: they have those of their variable (CF-1.10, section 7.1).
+  const auto time = bounds(result.gate_time_edge_ns);
+  file.add_variable("gate_time", {"gate"}, centres(time),
+                    {{"long_name", "time from the laser to the telescope, centre of the gate"},
+                     {"units", "ns"},
+                     {"bounds", "gate_time_bounds"}});
+  file.add_variable("gate_time_bounds", {"gate", "bnds"}, time,
+                    {{"long_name", "start and end of the gate"}});
+
+  const auto gate_depth = bounds(result.gate_depth_edge_m, result.channels());
+  const std::string quantity =
+      result.gate_depth_is_range ? "range along the axis of the first telescope" : "depth";
+  Attributes attributes = {
+      {"long_name",
+       quantity + " from which light scattered once arrives at the centre of the gate"},
+      {"units", "m"},
+      {"_FillValue", nan},
+      {"coordinates", "channel_name gate_time"},
+      {"bounds", "gate_depth_bounds"}};
+  if (!result.gate_depth_is_range)
+    attributes = attributes + Attributes{{"standard_name", "depth"}, {"positive", "down"}};
+  file.add_variable("gate_depth", {"channel", "gate"}, centres(gate_depth), attributes);
+  file.add_variable("gate_depth_bounds", {"channel", "gate", "bnds"}, gate_depth,
+                    {{"long_name", quantity + " at start and end of the gate"}});
+
+  const auto depth = bounds(result.depth_edge_m);
+  file.add_variable("depth", {"depth"}, centres(depth),
+                    {{"standard_name", "depth"},
+                     {"long_name", "depth of the last scattering, centre of the interval"},
+                     {"units", "m"},
+                     {"positive", "down"},
+                     {"axis", "Z"},
+                     {"bounds", "depth_bounds"}});
+  file.add_variable("depth_bounds", {"depth", "bnds"}, depth,
+                    {{"long_name", "top and bottom of the interval"}});
+}
+
+/// What an estimate, its error and its diagnostics share.
+Attributes dimensionless(const std::string& long_name, const std::string& more_coordinates = "") {
+  return {{"long_name", long_name},
+          {"units", "1"},
+          {"_FillValue", nan},
+          {"coordinates", "telescope_name channel_name channel_wavelength gate_time gate_depth" +
+                              more_coordinates}};
+}
+
+void add_estimates(NetcdfImage& file, const std::string& name,
+                   const std::vector<std::string>& dimensions, const tally::Estimates& estimates,
+                   const std::string& long_name, const std::string& cell_methods,
+                   const std::string& more_ancillary = "",
+                   const std::string& more_coordinates = "") {
+  const std::string error_name = name + "_standard_error";
+  file.add_variable(name, dimensions, estimates.mean,
+                    dimensionless(long_name, more_coordinates) +
+                        Attributes{{"cell_methods", cell_methods},
+                                   {"ancillary_variables", error_name + more_ancillary}});
+  file.add_variable(error_name, dimensions, estimates.standard_error,
+                    dimensionless("standard error of " + name, more_coordinates));
+}
+
+void add_echoes(NetcdfImage& file, const tally::Result& result) {
+  add_estimates(
+      file, "echo", {"telescope", "channel", "gate"}, result.echo, echo_meaning, "gate: sum",
+      " converged convergence_flags largest_score_share variance_of_variance order_cut_share");
+  add_estimates(file, "echo_by_process", {"telescope", "channel", "process", "gate"},
+                result.echo_by_process, echo_meaning + ", by the process in which the light turned",
+                "gate: sum", "", " process_name");
+  add_estimates(file, "echo_by_order", {"telescope", "channel", "order", "gate"},
+                result.echo_by_order, echo_meaning + ", by order of scattering", "gate: sum");
+  add_estimates(file, "echo_by_depth", {"telescope", "channel", "gate", "depth"},
+                result.echo_by_depth, echo_meaning + ", by depth of the last scattering",
+                "gate: sum depth: sum");
+}
+
+void add_convergence(NetcdfImage& file, const tally::Result& result) {
+  const std::vector<std::string> dimensions = {"telescope", "channel", "gate"};
+  const AttributeValue coordinates =
+      "telescope_name channel_name channel_wavelength gate_time gate_depth";
+  std::vector<std::int8_t> converged;
+  for (const std::int32_t flags : result.convergence_flags) converged.push_back(flags == 0 ? 1 : 0);
+  file.add_variable("converged", dimensions, converged,
+                    {{"long_name", "whether the echo and its standard error can be relied on"},
+                     {"flag_values", std::vector<std::int8_t>{0, 1}},
+                     {"flag_meanings", "no yes"},
+                     {"coordinates", coordinates}});
+  std::vector<std::int32_t> masks;
+  std::vector<std::string> names, explanations;
+  for (const auto& meaning : tally::flag_meanings()) {
+    masks.push_back(meaning.flag);
+    names.emplace_back(meaning.name);
+    explanations.push_back(fmt::format("{}: {}", meaning.name, meaning.explanation));
+  }
+  file.add_variable("convergence_flags", dimensions, result.convergence_flags,
+                    {{"long_name", "why the echo has not converged; 0 where it has"},
+                     {"flag_masks", masks},
+                     {"flag_meanings", fmt::format("{}", fmt::join(names, " "))},
+                     {"comment", fmt::format("{}", fmt::join(explanations, "; "))},
+                     {"coordinates", coordinates}});
+  file.add_variable("largest_score_share", dimensions, result.largest_score_share,
+                    dimensionless("share of the largest single score in the echo"));
+  file.add_variable("variance_of_variance", dimensions, result.variance_of_variance,
+                    dimensionless("relative variance of the estimated variance of the echo"));
+  file.add_variable("order_cut_share", dimensions, result.order_cut_share,
+                    dimensionless("first order of scattering that was cut off, over the echo"));
+}
+
+void add_description(NetcdfImage& file, const tally::Result& result, const WriteInfo& info) {
+  file.add_global("Conventions", "CF-1.10");
+  file.add_global("title", LongText{result.title});
+  file.add_global(
+      "source",
+      fmt::format("Photic {}: Monte Carlo simulation of an oceanographic lidar, {} estimator",
+                  result.version, result.estimator));
+  file.add_global("history", LongText{info.history});
+  file.add_global(
+      "references",
+      "R. Barbini, F. Colao, E. Cupini, N. Ferrari, G. Ferro, A. Palucci (2000): Marine code for "
+      "modelling range resolved oceanographic lidar fluorosensor measurements. Proceedings of "
+      "EARSeL-SIG-Workshop LIDAR, Dresden, 16-17 June 2000");
+  file.add_global("photic_format", photic_format);
+  file.add_global("version", result.version);
+  file.add_global("engine", result.engine);
+  file.add_global("estimator", result.estimator);
+  file.add_global("scene", LongText{result.scene_toml});
+  file.add_global("optics_sources", LongText{fmt::format("{}", fmt::join(result.sources, "\n"))});
+}
+
+void add_run(NetcdfImage& file, const tally::Result& result) {
+  file.add_global("seed", result.seed);
+  file.add_global("photons", result.photons);
+  file.add_global("batches", result.batches);
+  file.add_global("stopped_by", result.stopped_by);
+  file.add_global("partial", std::int32_t{result.partial ? 1 : 0});
+  file.add_global("collisions", result.collisions);
+  file.add_global("wall_time_s", result.wall_time_s);
+  file.add_global("threads", std::int32_t{result.threads});
+  file.add_global(
+      "collisions_per_second",
+      result.wall_time_s > 0 ? static_cast<double>(result.collisions) / result.wall_time_s : nan);
+  file.add_global("photons_lost_too_many_events", result.lost_too_many_events);
+  file.add_global("photons_lost_not_finite", result.lost_not_finite);
+  const tally::Ledger& ledger = result.ledger;
+  file.add_global("ledger_comment",
+                  "shares of the weight of the photons emitted, by where it ended");
+  file.add_global("ledger_absorbed", ledger.absorbed);
+  file.add_global("ledger_escaped", ledger.escaped);
+  file.add_global("ledger_sea_bed", ledger.sea_bed);
+  file.add_global("ledger_cut_by_time", ledger.cut_by_time);
+  file.add_global("ledger_cut_by_order", ledger.cut_by_order);
+  file.add_global("ledger_roulette", ledger.roulette);
+  file.add_global("ledger_lost", ledger.lost);
+  file.add_global("warnings", LongText{fmt::format("{}", fmt::join(result.warnings, "\n"))});
+}
+
+}  // namespace
+
+std::string history_line(const std::string& command_line) {
+  const auto now =
+      std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}: {}", fmt::gmtime(now), command_line);
+}
+
+void write_netcdf(const tally::Result& result, const std::string& path, const WriteInfo& info) {
+  NetcdfImage file;
+  add_description(file, result, info);
+  add_run(file, result);
+  add_axes(file, result);
+  add_gates(file, result);
+  add_echoes(file, result);
+  add_convergence(file, result);
+  write_atomically(path, file.finish());
+}
+
+}  // namespace photic::io

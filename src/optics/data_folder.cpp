@@ -1,0 +1,46 @@
+#include "optics/data_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace photic::optics {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that every data folder holds.
+constexpr const char* landmark = "water_mason_2016.csv";
+
+bool holds_data(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_regular_file(folder / landmark, ignored);
+}
+
+}  // namespace
+
+std::string find_data_folder() {
+  if (const char* given = std::getenv("PHOTIC_DATA"); given != nullptr && *given != '\0') {
+    if (holds_data(given)) return given;
+    throw EnvironmentError(
+        fmt::format("no data tables in {} (named by PHOTIC_DATA): it has no {}", given, landmark));
+  }
+  std::vector<fs::path> places;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  if (!error) places.push_back((program.parent_path() / "../share/photic/data").lexically_normal());
+  places.emplace_back(PHOTIC_SOURCE_DATA_DIR);
+  std::string looked;
+  for (const fs::path& place : places) {
+    if (holds_data(place)) return place.string();
+    looked += (looked.empty() ? "" : ", ") + place.string();
+  }
+  throw EnvironmentError(fmt::format(
+      "no data tables: looked for {} in {} (PHOTIC_DATA names another folder)", landmark, looked));
+}
+
+}  // namespace photic::optics

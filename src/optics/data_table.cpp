@@ -1,0 +1,144 @@
+#include "optics/data_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "core/error.hpp"
+
+namespace photic::optics {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+}  // namespace
+
+DataTable DataTable::read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file) text << file.rdbuf();
+  if (!file || text.fail()) {
+    throw InputError({{path, 0, 0, "cannot be read", "is the path right, and the file readable?"}});
+  }
+  return parse(text.str(), path);
+}
+
+DataTable DataTable::parse(const std::string& text, const std::string& name) {
+  DataTable table;
+  table.name_ = name;
+  std::istringstream lines(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) table.add_line(line, number);
+  if (table.cells_.empty()) table.fail_at(0, 0, "has no rows of data");
+  return table;
+}
+
+void DataTable::add_line(const std::string& line, int number) {
+  const std::string content = trimmed(line);
+  if (content.empty()) return;
+  if (content.front() == '#') {
+    const auto colon = content.find(':');
+    if (colon != std::string::npos) {
+      headers_.emplace(trimmed(content.substr(1, colon - 1)), trimmed(content.substr(colon + 1)));
+    }
+    return;
+  }
+  std::vector<Cell> fields = split(line, number);
+  if (columns_.empty()) {
+    for (const Cell& field : fields) columns_.push_back(field.text);
+    column_line_ = number;
+    return;
+  }
+  if (fields.size() != columns_.size()) {
+    fail_at(number, 1,
+            fmt::format("{} fields where {} columns are named", fields.size(), columns_.size()),
+            "a text with a comma needs double quotes");
+  }
+  cells_.push_back(std::move(fields));
+  line_.push_back(number);
+}
+
+std::vector<DataTable::Cell> DataTable::split(const std::string& line, int number) const {
+  std::vector<Cell> cells{{"", 1}};
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') {
+      quoted = !quoted;
+    } else if (line[i] == ',' && !quoted) {
+      cells.push_back({"", static_cast<int>(i) + 2});
+    } else {
+      cells.back().text += line[i];
+    }
+  }
+  if (quoted) fail_at(number, cells.back().column, "a double quote is not closed");
+  for (Cell& cell : cells) cell.text = trimmed(cell.text);
+  return cells;
+}
+
+std::size_t DataTable::index_of(const std::string& column) const {
+  const auto found = std::find(columns_.begin(), columns_.end(), column);
+  if (found == columns_.end()) {
+    fail_at(column_line_, 1, fmt::format("no column \"{}\"", column),
+            fmt::format("there are: {}", fmt::join(columns_, ", ")));
+  }
+  return static_cast<std::size_t>(found - columns_.begin());
+}
+
+const std::string& DataTable::header(const std::string& key) const {
+  const auto found = headers_.find(key);
+  if (found == headers_.end()) fail_at(1, 1, fmt::format("no line \"# {}: …\"", key));
+  return found->second;
+}
+
+std::vector<std::string> DataTable::texts(const std::string& column) const {
+  const std::size_t c = index_of(column);
+  std::vector<std::string> out;
+  for (const auto& row : cells_) out.push_back(row[c].text);
+  return out;
+}
+
+std::vector<double> DataTable::numbers(const std::string& column) const {
+  std::vector<double> out;
+  for (const std::string& text : texts(column)) {
+    double value = 0;
+    const auto end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+      fail(out.size(), column, fmt::format("\"{}\" is not a finite number", text));
+    }
+    out.push_back(value);
+  }
+  return out;
+}
+
+std::vector<double> DataTable::ascending_numbers(const std::string& column) const {
+  std::vector<double> out = numbers(column);
+  const auto bad = std::adjacent_find(out.begin(), out.end(), std::greater_equal<>());
+  if (bad != out.end()) {
+    fail(static_cast<std::size_t>(bad - out.begin()) + 1, column,
+         fmt::format("{} {} is not above the {} before it", column, *(bad + 1), *bad),
+         "this column must ascend");
+  }
+  return out;
+}
+
+void DataTable::fail(std::size_t row, const std::string& column, const std::string& reason,
+                     const std::string& suggestion) const {
+  fail_at(line_.at(row), cells_.at(row)[index_of(column)].column, reason, suggestion);
+}
+
+void DataTable::fail_at(int line, int column, const std::string& reason,
+                        const std::string& suggestion) const {
+  throw InputError({{name_, line, column, reason, suggestion}});
+}
+
+}  // namespace photic::optics

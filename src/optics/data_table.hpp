@@ -1,0 +1,57 @@
+// Tables in CSV files, read strictly: Photic's own data and those of users.
+//
+// Lines that begin with "#" are comments; those of the form "# KEY: text" can be asked for. The
+// first other line names the columns. Fields with commas stand in double quotes. Whatever is wrong
+// is an InputError with file, line and column.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace photic::optics {
+
+class DataTable {
+ public:
+  static DataTable read(const std::string& path);
+  static DataTable parse(const std::string& text, const std::string& name);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
+  [[nodiscard]] std::size_t rows() const { return cells_.size(); }
+
+  /// The text of the first "# key: text"; an error if there is none.
+  [[nodiscard]] const std::string& header(const std::string& key) const;
+
+  [[nodiscard]] std::vector<std::string> texts(const std::string& column) const;
+  /// Finite numbers only.
+  [[nodiscard]] std::vector<double> numbers(const std::string& column) const;
+  /// Finite numbers, strictly ascending.
+  [[nodiscard]] std::vector<double> ascending_numbers(const std::string& column) const;
+
+  /// Throws the InputError for something wrong in a row (from 0) and column.
+  [[noreturn]] void fail(std::size_t row, const std::string& column, const std::string& reason,
+                         const std::string& suggestion = "") const;
+
+ private:
+  struct Cell {
+    std::string text;
+    int column = 0;  ///< where it starts, from 1
+  };
+
+  void add_line(const std::string& line, int number);
+  [[nodiscard]] std::vector<Cell> split(const std::string& line, int number) const;
+  [[nodiscard]] std::size_t index_of(const std::string& column) const;
+  [[noreturn]] void fail_at(int line, int column, const std::string& reason,
+                            const std::string& suggestion = "") const;
+
+  std::string name_;
+  std::map<std::string, std::string> headers_;
+  std::vector<std::string> columns_;
+  int column_line_ = 0;
+  std::vector<std::vector<Cell>> cells_;
+  std::vector<int> line_;  ///< of each row
+};
+
+}  // namespace photic::optics

@@ -1,0 +1,36 @@
+// Snell's law and Fresnel's equations at a plane interface between two transparent media.
+// Source: Born & Wolf, Principles of Optics, 7th ed., section 1.5.2, eqs. (32) and (35).
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "core/lanes.hpp"
+
+namespace photic::optics {
+
+/// What becomes of unpolarised light at an interface.
+template <class T>
+struct Refraction {
+  T cos_transmitted;  ///< cosine of the refracted ray to the normal; 0 in total reflection
+  T reflectance;      ///< share of the flux that is reflected; 1 in total reflection
+};
+
+/// Light in a medium of index n1 meets one of index n2 under an angle of cosine cos_incident, 0
+/// to 1.
+template <class T>
+Refraction<T> refract(const T& n1, const T& n2, const T& cos_incident) {
+  using std::sqrt;
+  // (n2 cos_transmitted)^2, in a form that keeps its digits at grazing incidence and for n1 near
+  // n2.
+  const T square = (n2 - n1) * (n2 + n1) + n1 * n1 * cos_incident * cos_incident;
+  const Mask<T> total = square < T(0);
+  const T c2 = sqrt(select(total, T(0), square)) / n2;
+  // Equal media at exactly grazing incidence would be 0/0; nothing is reflected there.
+  const T tiny = T(std::numeric_limits<Element<T>>::min());
+  const T s = (n1 * cos_incident - n2 * c2) / (n1 * cos_incident + n2 * c2 + tiny);
+  const T p = (n2 * cos_incident - n1 * c2) / (n2 * cos_incident + n1 * c2 + tiny);
+  return {c2, select(total, T(1), T(0.5) * (s * s + p * p))};
+}
+
+}  // namespace photic::optics

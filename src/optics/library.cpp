@@ -1,0 +1,115 @@
+#include "optics/library.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "core/error.hpp"
+
+namespace photic::optics {
+namespace {
+
+/// A table of the installation: what is wrong with it is not the user's input.
+template <class Make>
+auto own(Make make) {
+  try {
+    return make();
+  } catch (const InputError& e) {
+    throw EnvironmentError(std::string("a data table of Photic is missing or damaged: ") +
+                           e.what());
+  }
+}
+
+DataTable table(const std::string& folder, const char* file) {
+  return own([&] { return DataTable::read(folder + "/" + file); });
+}
+
+Spectrum spectrum(const std::string& folder, const char* file, const char* column) {
+  return own([&] { return Spectrum(table(folder, file), column); });
+}
+
+Parameters parameters(const std::string& folder, const char* file) {
+  return own([&] { return Parameters(table(folder, file)); });
+}
+
+}  // namespace
+
+std::string source_of(const DataTable& table) {
+  const std::string& status = table.header("STATUS");
+  return fmt::format("{} [{}]", table.header("SOURCE"), status.substr(0, status.find(" (")));
+}
+
+Spectrum::Spectrum(const DataTable& table, const std::string& column)
+    : values(table.ascending_numbers("wavelength_nm"), table.numbers(column)),
+      source(source_of(table)) {}
+
+double Spectrum::at(double wavelength_nm, const std::string& quantity) const {
+  if (!values.covers(wavelength_nm))
+    no_data(quantity, wavelength_nm, source, values.min(), values.max());
+  return values(wavelength_nm);
+}
+
+void no_data(const std::string& quantity, double wavelength_nm, const std::string& source,
+             double min_nm, double max_nm) {
+  throw InputError({{"", 0, 0,
+                     fmt::format("no {} data at {:.6g} nm: {} cover {:g}-{:g} nm", quantity,
+                                 wavelength_nm, source, min_nm, max_nm),
+                     "choose another wavelength, or give the layer's iop at this one"}});
+}
+
+void no_model(const std::string& quantity, const std::string& model, const std::string& models) {
+  throw InputError(
+      {{"", 0, 0, fmt::format("no {} model \"{}\"", quantity, model), "there are: " + models}});
+}
+
+Parameters::Parameters(const DataTable& table) : name_(table.name()) {
+  const auto item = table.texts("item");
+  const auto value = table.numbers("value");
+  const auto source = table.texts("source");
+  const auto status = table.texts("status");
+  for (std::size_t i = 0; i < item.size(); ++i) {
+    const auto entry = Sourced{value[i], fmt::format("{} [{}]", source[i], status[i])};
+    if (!items_.emplace(item[i], entry).second)
+      table.fail(i, "item", "\"" + item[i] + "\" is there twice");
+  }
+}
+
+const Sourced& Parameters::at(const std::string& item) const {
+  const auto found = items_.find(item);
+  if (found == items_.end()) {
+    throw EnvironmentError(
+        fmt::format("a data table of Photic is damaged: {}: no item \"{}\"", name_, item));
+  }
+  return found->second;
+}
+
+GaussianBand::GaussianBand(const DataTable& table)
+    : weight(table.numbers("weight")),
+      centre_per_cm(table.numbers("centre_per_cm")),
+      fwhm_per_cm(table.numbers("fwhm_per_cm")),
+      source(source_of(table)) {}
+
+double GaussianBand::mean_per_cm() const {
+  const double all = std::accumulate(weight.begin(), weight.end(), 0.0);
+  return std::inner_product(weight.begin(), weight.end(), centre_per_cm.begin(), 0.0) / all;
+}
+
+Library::Library(const std::string& folder)
+    : mason_a(spectrum(folder, "water_mason_2016.csv", "a_per_m")),
+      mason_psi_s(spectrum(folder, "water_mason_2016.csv", "psi_s_per_m_psu")),
+      mason_psi_t(spectrum(folder, "water_mason_2016.csv", "psi_t_per_m_k")),
+      ioccg_a(spectrum(folder, "water_ioccg_2018.csv", "a_per_m")),
+      smith_baker_a(spectrum(folder, "water_smith_baker_1981.csv", "a_per_m")),
+      smith_baker_b(spectrum(folder, "water_smith_baker_1981.csv", "b_sea_per_m")),
+      particles_a(spectrum(folder, "particles_bricaud_1998.csv", "a_per_m")),
+      particles_e(spectrum(folder, "particles_bricaud_1998.csv", "e")),
+      phytoplankton_a(spectrum(folder, "phytoplankton_bricaud_1995.csv", "a_m2_per_mg")),
+      phytoplankton_b(spectrum(folder, "phytoplankton_bricaud_1995.csv", "b")),
+      relative_a_c(spectrum(folder, "phytoplankton_prieur_sathyendranath_1981.csv", "a_c")),
+      petzold(
+          own([&] { return phase_from_table(table(folder, "particles_petzold_average.csv")); })),
+      raman_band(own([&] { return GaussianBand(table(folder, "raman_band_walrafen_1967.csv")); })),
+      raman(parameters(folder, "raman_parameters.csv")),
+      fluorescence(parameters(folder, "fluorescence_parameters.csv")) {}
+
+}  // namespace photic::optics

@@ -1,0 +1,78 @@
+// The published tables that Photic's optics are made of, read once and never changed.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/interpolation.hpp"
+#include "optics/data_table.hpp"
+#include "optics/phase_from_table.hpp"
+
+namespace photic::optics {
+
+/// A number and where it comes from: "Author year, journal, table [status]".
+struct Sourced {
+  double value = 0;
+  std::string source;
+};
+
+/// "source [status]" of a table, from its header.
+std::string source_of(const DataTable& table);
+
+/// A column of a table against its wavelengths, with straight lines between.
+struct Spectrum {
+  Spectrum(const DataTable& table, const std::string& column);
+
+  LinearTable values;
+  std::string source;
+
+  /// The value at a wavelength. Throws InputError "no <quantity> data at … nm: <source> cover …".
+  [[nodiscard]] double at(double wavelength_nm, const std::string& quantity) const;
+};
+
+/// The InputError for a wavelength without data.
+[[noreturn]] void no_data(const std::string& quantity, double wavelength_nm,
+                          const std::string& source, double min_nm, double max_nm);
+
+/// The InputError for a model that does not exist.
+[[noreturn]] void no_model(const std::string& quantity, const std::string& model,
+                           const std::string& models);
+
+/// The rows of a table of parameters (item, value, unit, source, status).
+class Parameters {
+ public:
+  explicit Parameters(const DataTable& table);
+  [[nodiscard]] const Sourced& at(const std::string& item) const;
+
+ private:
+  std::map<std::string, Sourced> items_;
+  std::string name_;
+};
+
+/// A band of Gaussians, each with its share of the whole.
+struct GaussianBand {
+  explicit GaussianBand(const DataTable& table);
+
+  std::vector<double> weight, centre_per_cm, fwhm_per_cm;
+  std::string source;
+
+  [[nodiscard]] double mean_per_cm() const;
+};
+
+/// All tables. Throws EnvironmentError for a file that is missing or damaged.
+class Library {
+ public:
+  explicit Library(const std::string& folder);
+
+  const Spectrum mason_a, mason_psi_s, mason_psi_t, ioccg_a;  ///< 1/m, 1/m/PSU, 1/m/K, 1/m
+  const Spectrum smith_baker_a, smith_baker_b;                ///< 1/m
+  const Spectrum particles_a, particles_e;                    ///< Bricaud 1998: 1/m, 1
+  const Spectrum phytoplankton_a, phytoplankton_b;            ///< Bricaud 1995: m2/mg, 1
+  const Spectrum relative_a_c;                                ///< Prieur & Sathyendranath 1981
+  const TabulatedPhase petzold;
+  const GaussianBand raman_band;
+  const Parameters raman, fluorescence;
+};
+
+}  // namespace photic::optics

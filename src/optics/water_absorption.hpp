@@ -1,0 +1,17 @@
+// Absorption of pure sea water.
+#pragma once
+
+#include <string>
+
+#include "optics/library.hpp"
+
+namespace photic::optics {
+
+/// Models: "mason-ioccg": Mason et al. 2016 and the WOPP from 300 to 1000 nm, changed with salinity
+/// and temperature by the table's psi; below 300 nm, from 200, IOCCG 2018 as it is. The two sets
+/// differ by a factor of 3 at 300 nm; nothing smooths that step. "smith-baker": 200 to 800 nm,
+/// whatever the salinity and temperature. Throws InputError for a wavelength outside.
+Sourced water_absorption_per_m(const Library& library, const std::string& model,
+                               double wavelength_nm, double salinity_psu, double temperature_c);
+
+}  // namespace photic::optics

@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "scene/checks.hpp"
+
+namespace photic::scene {
+namespace {
+
+constexpr double most_gates = 1e6;
+
+/// What the keys of an interval are called.
+struct Keys {
+  std::string min, max, step;
+};
+
+Keys keys_of(const Gates& gates) {
+  if (gates.depth_m) return {"gates.depth_min_m", "gates.depth_max_m", "gates.depth_step_m"};
+  if (gates.range_m) return {"gates.range_min_m", "gates.range_max_m", "gates.range_step_m"};
+  return {"gates.start_ns", "gates.stop_ns", "gates.step_ns"};
+}
+
+void remark_uneven(const Gates::Interval& interval, const Keys& keys, Findings& findings) {
+  const double extent = interval.max - interval.min;
+  const double steps = extent / interval.step;
+  if (std::fabs(steps - std::round(steps)) <= 1e-6) return;
+  findings.remark(keys.step,
+                  fmt::format("the gates are {:.6g} long, so that a whole number of them fits",
+                              extent / interval.steps()));
+}
+
+/// Returns whether the interval itself makes sense.
+bool check_interval(const Gates::Interval& interval, const Keys& keys, Findings& findings) {
+  const double extent = interval.max - interval.min;
+  if (!(extent > 0.0)) {
+    findings.add(keys.max,
+                 fmt::format("the gates end at {}, not beyond {} where they begin",
+                             plain_number(interval.max), plain_number(interval.min)),
+                 "");
+  } else if (interval.step > extent) {
+    findings.add(keys.step,
+                 fmt::format("a gate of {} is longer than all gates together, {}",
+                             plain_number(interval.step), plain_number(extent)),
+                 "");
+  } else if (!(interval.steps() <= most_gates)) {
+    findings.add(keys.step, fmt::format("these are {:.7g} gates", interval.steps()),
+                 fmt::format("at most {} can be had: take longer ones", plain_number(most_gates)));
+  } else {
+    remark_uneven(interval, keys, findings);
+    return true;
+  }
+  return false;
+}
+
+/// Depth gates need a vertical path that goes down from the source and comes back up to telescope
+/// 0.
+void check_depth_gates(const Scene& scene, const Keys& keys, Findings& findings) {
+  const Gates::Interval& depth = *scene.gates.depth_m;
+  const double highest = std::max(-scene.source.position_m.z, -scene.telescope[0].position_m.z);
+  if (scene.source.direction.z >= 0.0 || scene.telescope[0].direction.z >= 0.0)
+    return findings.add(keys.max,
+                        "gates by depth need a source and a first telescope that look down",
+                        "give the gates by range_… or by …_ns");
+  if (depth.min < highest)
+    findings.add(keys.min,
+                 fmt::format("the gates begin at the depth {} m, above the source or the "
+                             "first telescope",
+                             plain_number(depth.min)),
+                 fmt::format("begin at {} m or deeper", plain_number(highest)));
+  if (depth.max <= 0.0)
+    findings.add(keys.max, "all gates lie in the air",
+                 "end them below the sea surface, at depth 0");
+  const auto bed = sea_bed_m(scene, findings);
+  if (bed && depth.min >= *bed)
+    findings.add(keys.min,
+                 fmt::format("all gates lie below the sea bed at {} m", plain_number(*bed)), "");
+}
+
+/// Range gates along an axis that starts in the air must get as far as the water.
+void check_range_gates(const Scene& scene, const Keys& keys, Findings& findings) {
+  const Telescope& t = scene.telescope[0];
+  if (t.position_m.z < 0.0) return;
+  if (t.direction.z >= 0.0)
+    return findings.add(keys.max, "the axis of the first telescope never meets the water",
+                        "let it look down, or give the gates by …_ns");
+  const double to_water = t.position_m.z * length(t.direction) / -t.direction.z;
+  if (scene.gates.range_m->max <= to_water)
+    findings.add(keys.max,
+                 fmt::format("all gates lie in the air: the axis of the first telescope meets "
+                             "the water at {:.4g} m",
+                             to_water),
+                 "end them beyond that");
+}
+
+/// A time before which no light can have been in the water and come to the telescope: by way of the
+/// surface from air to air, else straight; at the speed of light in vacuum.
+double earliest_ns(const Source& source, const Telescope& telescope) {
+  Vec3<double> path = telescope.position_m - source.position_m;
+  if (source.position_m.z > 0.0 && telescope.position_m.z > 0.0)
+    path.z = telescope.position_m.z + source.position_m.z;
+  return length(path) / metre_per_nanosecond;
+}
+
+void check_time_gates(const Scene& scene, const Keys& keys, Findings& findings) {
+  double earliest = earliest_ns(scene.source, scene.telescope[0]);
+  for (const Telescope& t : scene.telescope)
+    earliest = std::min(earliest, earliest_ns(scene.source, t));
+  if (scene.gates.time_ns->max <= earliest)
+    findings.add(keys.max,
+                 fmt::format("all gates end before light can come back from the water, after "
+                             "{:.4g} ns",
+                             earliest),
+                 "");
+}
+
+}  // namespace
+
+void check_gates(const Scene& scene, Findings& findings) {
+  const Gates& gates = scene.gates;
+  const Keys keys = keys_of(gates);
+  if (!findings.good({keys.min, keys.max, keys.step})) return;
+  if (!gates.depth_m && !gates.range_m && !gates.time_ns) return;
+  if (!check_interval(gates.interval(), keys, findings)) return;
+  const bool source_good = findings.good({"source.position_m", "source.direction"});
+  const bool axis_good = findings.good({"telescope.0.position_m", "telescope.0.direction"});
+  if (gates.depth_m && source_good && axis_good) check_depth_gates(scene, keys, findings);
+  if (gates.range_m && axis_good) check_range_gates(scene, keys, findings);
+  if (gates.time_ns && findings.good({"source.position_m", "telescope"}))
+    check_time_gates(scene, keys, findings);
+}
+
+void check_memory(const Scene& scene, Findings& findings) {
+  const Keys keys = keys_of(scene.gates);
+  if (!findings.good({"telescope", "channel", "gates", "simulation.orders_kept"})) return;
+  // Doubles: none of these products can overflow. Sums, squares and largest scores of a cell, and
+  // the sum of the batch in each thread, of which there is at least one.
+  constexpr double bytes_per_cell = 24.0 + 8.0;
+  constexpr double processes = 3.0;  // elastic, raman, chlorophyll
+  constexpr double limit = 2147483648.0;
+  const double gates = static_cast<double>(scene.gates.count());
+  const double orders = static_cast<double>(scene.simulation.orders_kept);
+  const double echoes = static_cast<double>(scene.telescope.size() * scene.channel.size()) * gates;
+  const double bytes = bytes_per_cell * echoes * (1.0 + processes + orders + gates);
+  if (bytes <= limit) return;
+  const bool by_gates = gates >= orders;
+  findings.add(
+      by_gates ? keys.step : "simulation.orders_kept",
+      fmt::format("the tallies (telescopes {}, channels {}, gates {}, orders {}) would take {:.3g} "
+                  "GiB; the limit is 2 GiB",
+                  scene.telescope.size(), scene.channel.size(), scene.gates.count(),
+                  scene.simulation.orders_kept, bytes / (limit / 2.0)),
+      by_gates ? "take fewer gates: the memory goes with the square of their number"
+               : "keep fewer orders: orders_kept");
+}
+
+}  // namespace photic::scene

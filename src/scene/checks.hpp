@@ -1,0 +1,20 @@
+// Checks across keys, after every value has been checked alone. Each looks only at good values.
+#pragma once
+
+#include <optional>
+
+#include "scene/findings.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::scene {
+
+void check_sea(const Scene& scene, Findings& findings);
+void check_instrument(const Scene& scene, Findings& findings);
+void check_gates(const Scene& scene, Findings& findings);
+/// How much the tallies need.
+void check_memory(const Scene& scene, Findings& findings);
+
+/// Depth of the sea bed, if there is one and nothing is wrong with it.
+std::optional<double> sea_bed_m(const Scene& scene, const Findings& findings);
+
+}  // namespace photic::scene

@@ -1,0 +1,79 @@
+// The keys of [gates], [simulation] and of the scene as a whole (see describe_instrument.hpp).
+#pragma once
+
+#include "scene/describe_instrument.hpp"
+#include "scene/describe_sea.hpp"
+
+namespace photic::scene {
+
+template <class V>
+void describe(V& v, Gates& g) {
+  Gates::Interval depth = g.depth_m.value_or(Gates::Interval{});
+  Gates::Interval range = g.range_m.value_or(Gates::Interval{});
+  Gates::Interval time = g.time_ns.value_or(Gates::Interval{});
+  v.one_of(option(g.depth_m.has_value(),
+                  [&](auto& w) {
+                    w.optional(
+                        "depth_min_m", depth.min, any_number,
+                        "where the first gate begins, as vertical depth in m; negative in the air");
+                    w.required("depth_max_m", depth.max, any_number,
+                               "where the last gate ends in m");
+                    w.required("depth_step_m", depth.step, positive, "the depth of one gate in m");
+                    w.once_read([&] { g.depth_m = depth; });
+                  }),
+           option(g.range_m.has_value(),
+                  [&](auto& w) {
+                    w.required(
+                        "range_min_m", range.min, not_negative,
+                        "where the first gate begins, along the axis of the first telescope, in m");
+                    w.required("range_max_m", range.max, positive, "where the last gate ends in m");
+                    w.required("range_step_m", range.step, positive, "the length of one gate in m");
+                    w.once_read([&] { g.range_m = range; });
+                  }),
+           option(g.time_ns.has_value(), [&](auto& w) {
+             w.required("start_ns", time.min, not_negative,
+                        "when the first gate begins, after the light left the source, in ns");
+             w.required("stop_ns", time.max, positive, "when the last gate ends in ns");
+             w.required("step_ns", time.step, positive, "the duration of one gate in ns");
+             w.once_read([&] { g.time_ns = time; });
+           }));
+}
+
+template <class V>
+void describe(V& v, Simulation& s) {
+  v.optional("estimator", s.estimator, Choice{{"forward"}, {"bidirectional", "auto"}},
+             "how echoes are estimated");
+  v.any_of([&](auto& w) {
+    w.optional("photons", s.photons, Count{}, "end after this many photons");
+    w.optional("target_relative_error", s.target_relative_error, between(0.0, 1.0),
+               "end when the gates have this relative standard error");
+    w.optional("max_time_s", s.max_time_s, positive, "end after this many seconds");
+  });
+  v.optional("max_order", s.max_order, Count{1, 1'000'000},
+             "end a photon after this many scatterings; no limit by default");
+  v.optional(
+      "orders_kept", s.orders_kept, Count{1, 1000},
+      "echoes are told apart by scattering order up to this one, which counts all above too");
+  v.optional("seed", s.seed, Count{.low = 0}, "the seed of the random numbers");
+  v.optional("directed_fraction", s.directed_fraction,
+             Number{.low = 0.0, .high = 1.0, .high_open = true},
+             "the share of directions drawn towards a telescope; 0 turns that off");
+  v.optional("conversion_probability", s.conversion_probability, between(0.0, 1.0),
+             "the share of collisions followed into an inelastic process");
+}
+
+template <class V>
+void describe(V& v, Scene& s) {
+  v.optional("title", s.title, Text{.may_be_empty = true}, "what is simulated, in one line");
+  v.section("source", s.source, Need::required, "the source of light");
+  v.sections("telescope", s.telescope, "a telescope; any number of them");
+  v.sections("channel", s.channel, "the light one detector counts; any number of them");
+  v.section("optics", s.optics, Need::optional, "the data and models of the water's optics");
+  v.section("sea", s.sea, Need::optional, "the sea: its surface and its layers of water");
+  v.section("gates", s.gates, Need::required, "the range gates");
+  v.section("simulation", s.simulation, Need::required, "how long and how to simulate");
+  v.unavailable("bottom", "the sea bed is black in this version");
+  v.unavailable("atmosphere", "the air is clear vacuum in this version");
+}
+
+}  // namespace photic::scene

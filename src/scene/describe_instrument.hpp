@@ -1,0 +1,70 @@
+// The keys of [source], [[telescope]] and [[channel]]: name, type, range, meaning, each said once.
+// Read, written and turned into a schema by the visitors reader.hpp, writer.hpp and schema.cpp.
+#pragma once
+
+#include "scene/rules.hpp"
+#include "scene/scene.hpp"
+#include "scene/visitor.hpp"
+
+namespace photic::scene {
+
+inline constexpr double quarter_turn_mrad = 500.0 * pi;
+
+template <class V>
+void describe(V& v, Source& s) {
+  v.optional("kind", s.kind, Choice{{"laser"}, {"beam", "point", "cone"}},
+             "the kind of light source");
+  v.required("wavelength_nm", s.wavelength_nm, positive, "the wavelength of its light in nm");
+  v.required("position_m", s.position_m, Position{},
+             "the centre of the laser's disc [x, y, z] in m; z is up, the sea level is 0");
+  v.required("direction", s.direction, Direction{},
+             "where the light goes [x, y, z]; need not be normalised");
+  v.required("diameter_m", s.diameter_m, positive, "the diameter of the laser's disc in m");
+  v.required("half_divergence_mrad", s.half_divergence_mrad,
+             Number{.low = 0.0, .high = quarter_turn_mrad, .high_open = true},
+             "the angle between the axis and the edge of the beam in mrad");
+}
+
+template <class V>
+void describe(V& v, Telescope& t) {
+  v.optional("name", t.name, Text{}, "what results call it; by default telescope0, telescope1 …");
+  v.required("position_m", t.position_m, Position{},
+             "the centre of the lens [x, y, z] in m; z is up, the sea level is 0");
+  v.required("direction", t.direction, Direction{},
+             "where it looks [x, y, z]; need not be normalised");
+  v.required("diameter_m", t.diameter_m, positive, "the diameter of the lens in m");
+  v.required("focal_length_m", t.focal_length_m, positive, "the focal length of the lens in m");
+  v.one_of(option(t.detector_diameter_m.has_value(),
+                  [&](auto& w) {
+                    w.required("detector_diameter_m", t.detector_diameter_m, positive,
+                               "the diameter of the round detector in m");
+                  }),
+           option(t.half_field_of_view_mrad.has_value(), [&](auto& w) {
+             w.required("half_field_of_view_mrad", t.half_field_of_view_mrad,
+                        between(0.0, quarter_turn_mrad),
+                        "the angle from the axis whose image in the focal plane is the detector's "
+                        "rim, in mrad");
+           }));
+  v.optional("detector_shift_m", t.detector_shift_m, any_number,
+             "the detector's distance from the focal plane in m, positive away from the lens");
+  v.optional("obstruction_diameter_m", t.obstruction_diameter_m, not_negative,
+             "the diameter of the round obstruction at the centre of the lens in m");
+}
+
+template <class V>
+void describe(V& v, Channel& c) {
+  v.required("name", c.name, Text{}, "what results call it");
+  v.one_of(option(c.process.has_value(),
+                  [&](auto& w) {
+                    w.required("process", c.process,
+                               Choice{{"elastic", "raman", "chlorophyll"}, {"cdom", "oil"}},
+                               "count all light of this process");
+                  }),
+           option(c.centre_nm.has_value(), [&](auto& w) {
+             w.required("centre_nm", c.centre_nm, positive,
+                        "count what passes a top-hat filter of this centre in nm");
+             w.required("fwhm_nm", c.fwhm_nm, positive, "the full width of the filter in nm");
+           }));
+}
+
+}  // namespace photic::scene

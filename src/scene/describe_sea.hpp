@@ -1,0 +1,130 @@
+// The keys of [optics], [sea] and [[sea.layer]] (see describe_instrument.hpp).
+#pragma once
+
+#include "scene/presets.hpp"
+#include "scene/rules.hpp"
+#include "scene/scene.hpp"
+#include "scene/visitor.hpp"
+
+namespace photic::scene {
+
+template <class V>
+void describe(V& v, Optics& o) {
+  v.optional("set", o.set, Choice{optics_sets()}, "fills in the choices below that are not given");
+  v.once_read([&] { o = optics_of(o.set); });
+  v.optional("water_absorption", o.water_absorption, Choice{{"mason-ioccg", "smith-baker"}},
+             "the absorption of pure sea water");
+  v.optional("water_scattering", o.water_scattering, Choice{{"zhang", "smith-baker"}},
+             "the scattering of pure sea water");
+  v.optional(
+      "water_depolarisation", o.water_depolarisation, from_to(0.0, 1.0),
+      "the depolarisation ratio of natural light scattered by water, for its phase function");
+  v.optional("phytoplankton", o.phytoplankton, Choice{{"bricaud", "prieur-sathyendranath"}},
+             "the absorption and scattering of phytoplankton by chlorophyll");
+  v.optional(
+      "phytoplankton_phase", o.phytoplankton_phase, Choice{{"fournier-forand", "petzold", "mie"}},
+      "the phase function of phytoplankton; mie is not available yet where there is chlorophyll");
+  v.optional("raman", o.raman, Choice{{"bartlett", "marshall-smith"}},
+             "the Raman scattering coefficient of water");
+}
+
+template <class V>
+void describe(V& v, IopEntry& i) {
+  v.required("wavelength_nm", i.wavelength_nm, positive, "the wavelength in nm");
+  v.required("a_per_m", i.a_per_m, not_negative,
+             "the absorption coefficient in 1/m, water included");
+  v.required("b_per_m", i.b_per_m, not_negative,
+             "the scattering coefficient in 1/m, water included");
+  v.optional("a_phytoplankton_per_m", i.a_phytoplankton_per_m, not_negative,
+             "the share of a_per_m that excites chlorophyll fluorescence, in 1/m");
+  v.unavailable("a_cdom_per_m", "CDOM does not fluoresce in this version: count it in a_per_m");
+}
+
+inline constexpr const char* model_key = "model";
+
+/// Everything of a phase function but its share in a mixture.
+template <class V>
+void describe(V& v, PhaseFunction& p) {
+  v.required(model_key, p.model,
+             Choice{{"henyey-greenstein", "fournier-forand", "petzold", "rayleigh", "isotropic",
+                     "table", "mixture"},
+                    {"mie"}},
+             "the model of the phase function");
+  v.when(model_key, p.model, "henyey-greenstein", [&](auto& w) {
+    w.required("g", p.g, between(-1.0, 1.0), "the mean cosine of the scattering angle");
+  });
+  v.when(model_key, p.model, "fournier-forand", [&](auto& w) {
+    w.required("refractive_index", p.refractive_index, Number{.low = 1.0, .low_open = true},
+               "the particles' real refractive index relative to water");
+    w.required("slope", p.slope, between(3.0, 5.0),
+               "the exponent of the particles' hyperbolic size distribution");
+  });
+  v.when(model_key, p.model, "rayleigh", [&](auto& w) {
+    w.required("depolarisation", p.depolarisation, from_to(0.0, 1.0),
+               "the depolarisation ratio of natural light");
+  });
+  v.when(model_key, p.model, "table", [&](auto& w) {
+    w.required("file", p.file, File{}, "a CSV file of angle_deg, phase_function_per_sr");
+  });
+  v.when(model_key, p.model, "mixture", [&](auto& w) {
+    w.tables("components", p.components, "the phase functions mixed, each with its fraction",
+             [](auto& inner, PhaseFunction& component) { describe_component(inner, component); });
+  });
+}
+
+template <class V>
+void describe_component(V& v, PhaseFunction& p) {
+  v.required("fraction", p.fraction, Number{.low = 0.0, .high = 1.0, .low_open = true},
+             "its share of the scattering; the shares of a mixture sum to 1");
+  describe(v, p);
+}
+
+template <class V>
+void describe(V& v, Layer& l) {
+  v.optional("name", l.name, Text{},
+             "what messages and --set call it; by default layer0, layer1 …");
+  v.optional("bottom_depth_m", l.bottom_depth_m, positive,
+             "the depth of the layer's lower end in m; only the last layer may be bottomless");
+  v.one_of(option(l.iop.empty(),
+                  [&](auto& w) {
+                    w.optional("chlorophyll_mg_m3", l.chlorophyll_mg_m3, not_negative,
+                               "the concentration of chlorophyll in mg/m3");
+                    w.optional("cdom_a440_per_m", l.cdom_a440_per_m, not_negative,
+                               "the absorption of dissolved organic matter at 440 nm in 1/m");
+                    w.optional(
+                        "cdom_slope_per_nm", l.cdom_slope_per_nm, not_negative,
+                        "how fast the absorption of dissolved organic matter falls, in 1/nm");
+                  }),
+           option(!l.iop.empty(), [&](auto& w) {
+             w.tables("iop", l.iop, "inherent optical properties by ascending wavelength",
+                      [](auto& inner, IopEntry& entry) { describe(inner, entry); });
+             w.table_or_word("phase_function", l.phase_function, model_key,
+                             "the phase function of all scattering, water's included");
+           }));
+  v.optional("chlorophyll_yield", l.chlorophyll_yield, from_to(0.0, 1.0),
+             "fluorescence photons per photon absorbed by phytoplankton");
+  v.unavailable("minerals_g_m3", "give the layer's iop and phase_function instead");
+}
+
+template <class V>
+void describe(V& v, Surface& s) {
+  v.optional("model", s.model, Choice{{"flat"}, {"cox-munk", "slick", "paper"}},
+             "the shape of the sea surface");
+  v.unavailable("wind_speed_m_s", "the sea surface is flat in this version");
+  v.unavailable("wind_direction_deg", "the sea surface is flat in this version");
+}
+
+template <class V>
+void describe(V& v, Sea& s) {
+  // Wider than the seas: the formulas behind were fitted to 0-40 PSU and 0-40 C (Millero 1980).
+  v.optional("salinity_psu", s.salinity_psu, from_to(0.0, 45.0), "the salinity in PSU");
+  v.optional("temperature_c", s.temperature_c, from_to(-2.0, 45.0), "the temperature in C");
+  v.optional("refractive_index", s.refractive_index, from_to(1.0, 2.0),
+             "replaces the refractive index from salinity and temperature, at all wavelengths");
+  v.optional("group_index", s.group_index, from_to(1.0, 2.0),
+             "replaces the group index from salinity and temperature, at all wavelengths");
+  v.table("surface", s.surface, "the sea surface");
+  v.sections("layer", s.layer, "the layers of water from the surface down");
+}
+
+}  // namespace photic::scene

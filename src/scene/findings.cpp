@@ -1,0 +1,108 @@
+#include "scene/findings.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <tuple>
+
+namespace photic::scene {
+namespace {
+
+/// Whether `path` is `root` or lies below it.
+bool lies_in(const std::string& path, const std::string& root) {
+  return root.empty() || path == root || path.rfind(root + ".", 0) == 0;
+}
+
+std::vector<std::string> components(const std::string& path) {
+  std::vector<std::string> parts;
+  std::size_t start = 0;
+  while (start < path.size()) {
+    const std::size_t dot = std::min(path.find('.', start), path.size());
+    parts.push_back(path.substr(start, dot - start));
+    start = dot + 1;
+  }
+  return parts;
+}
+
+const Node* child(const Node& node, const std::string& key) {
+  const auto* array = node.as<Node::Array>();
+  if (!array) return node.find(key);
+  std::size_t index = 0;
+  std::from_chars(key.data(), key.data() + key.size(), index);
+  return index < array->size() ? &(*array)[index] : nullptr;
+}
+
+auto rank(const std::string& file, int line, int column) {
+  return std::tuple(line == 0 && !file.empty(), line, column);
+}
+
+}  // namespace
+
+void Findings::add_at(const Place& place, std::string reason, std::string suggestion) {
+  diagnostics_.push_back(
+      {place.file, place.line, place.column, std::move(reason), std::move(suggestion)});
+}
+
+void Findings::add(const std::string& path, const Place& place, std::string reason,
+                   std::string suggestion) {
+  spoil(path);
+  add_at(place, std::move(reason), std::move(suggestion));
+}
+
+void Findings::add(const std::string& path, std::string reason, std::string suggestion) {
+  add(path, place_of(path), std::move(reason), std::move(suggestion));
+}
+
+void Findings::remark(const std::string& path, const std::string& text) {
+  const Place place = place_of(path);
+  remarks_.push_back(Diagnostic{place.file, place.line, place.column, text, ""}.text());
+}
+
+bool Findings::good(std::initializer_list<std::string> paths) const {
+  return std::none_of(spoilt_.begin(), spoilt_.end(), [&](const std::string& bad) {
+    return std::any_of(paths.begin(), paths.end(), [&](const std::string& path) {
+      return lies_in(path, bad) || lies_in(bad, path);
+    });
+  });
+}
+
+bool Findings::given(const std::string& path) const {
+  const Node* node = &document_;
+  for (const std::string& key : components(path)) {
+    node = child(*node, key);
+    if (!node) return false;
+  }
+  return true;
+}
+
+Place Findings::place_of(const std::string& path) const {
+  const Node* node = &document_;
+  for (const std::string& key : components(path)) {
+    const Node* next = child(*node, key);
+    if (!next) break;
+    node = next;
+  }
+  return node == &document_ ? end_ : node->place;
+}
+
+void Findings::raise() const {
+  if (diagnostics_.empty()) return;
+  std::vector<Diagnostic> sorted = diagnostics_;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return rank(a.file, a.line, a.column) < rank(b.file, b.line, b.column);
+  });
+  throw InputError(std::move(sorted));
+}
+
+bool before(const Place& a, const Place& b) {
+  return rank(a.file, a.line, a.column) < rank(b.file, b.line, b.column);
+}
+
+std::string below(const std::string& path, const std::string& key) {
+  return path.empty() ? key : path + "." + key;
+}
+
+std::string below(const std::string& path, std::size_t index) {
+  return below(path, std::to_string(index));
+}
+
+}  // namespace photic::scene

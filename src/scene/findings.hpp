@@ -1,0 +1,54 @@
+// Everything wrong with a scene, collected while it is read and checked.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "scene/node.hpp"
+
+namespace photic::scene {
+
+/// Paths are those of --set: "sea.layer.0.iop". "" is the whole scene.
+class Findings {
+ public:
+  /// `document` must outlive the findings; `end` is the end of the file.
+  Findings(const Node& document, Place end) : document_(document), end_(std::move(end)) {}
+
+  /// Something is wrong at a place, but with no value that other checks look at.
+  void add_at(const Place& place, std::string reason, std::string suggestion);
+  /// Something is wrong with the value at `path`, seen at `place`.
+  void add(const std::string& path, const Place& place, std::string reason, std::string suggestion);
+  /// The same at the place of the value, or of the table that lacks it.
+  void add(const std::string& path, std::string reason, std::string suggestion);
+  /// No check that needs the value at `path` makes sense any more.
+  void spoil(const std::string& path) { spoilt_.push_back(path); }
+  /// Not wrong, but worth knowing.
+  void remark(const std::string& path, const std::string& text);
+
+  /// Whether nothing is wrong with these values: checks across keys ask this first.
+  [[nodiscard]] bool good(std::initializer_list<std::string> paths) const;
+  [[nodiscard]] bool given(const std::string& path) const;
+  [[nodiscard]] Place place_of(const std::string& path) const;
+  [[nodiscard]] const Place& end() const { return end_; }
+
+  /// Throws InputError with all that was found, in the order of the file, --set last.
+  void raise() const;
+  [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
+
+ private:
+  const Node& document_;
+  Place end_;
+  std::vector<Diagnostic> diagnostics_;
+  std::vector<std::string> spoilt_, remarks_;
+};
+
+/// Whether a was written before b: in the order of the file, and the file before --set.
+bool before(const Place& a, const Place& b);
+
+/// path + "." + key, without the dot at the top.
+std::string below(const std::string& path, const std::string& key);
+std::string below(const std::string& path, std::size_t index);
+
+}  // namespace photic::scene

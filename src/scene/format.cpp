@@ -1,0 +1,124 @@
+#include "scene/format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "scene/findings.hpp"
+
+namespace photic::scene {
+namespace {
+
+/// A boolean, number or text, which TOML and JSON write alike; empty for a table or an array.
+std::string scalar_text(const Node& node) {
+  if (const auto* b = node.as<bool>()) return *b ? "true" : "false";
+  if (const auto* i = node.as<std::int64_t>()) return fmt::format("{}", *i);
+  if (const auto* x = node.as<double>()) return number_text(*x);
+  if (const auto* s = node.as<std::string>()) return quoted(*s);
+  expect(!node.as<Date>(), "nobody writes dates");
+  return "";
+}
+
+bool holds_tables(const Node::Array& array) {
+  return std::any_of(array.begin(), array.end(),
+                     [](const Node& element) { return element.as<Node::Table>(); });
+}
+
+std::string inline_toml(const Node& node);
+
+std::string inline_array(const Node::Array& array, const std::string& separator) {
+  std::string inside;
+  for (const Node& element : array)
+    inside += (inside.empty() ? "" : separator) + inline_toml(element);
+  return inside;
+}
+
+/// The value of a key: an array of several tables takes a line for each, all else one line.
+std::string value_toml(const Node& node) {
+  const auto* array = node.as<Node::Array>();
+  if (!array || array->size() < 2 || !holds_tables(*array)) return inline_toml(node);
+  return fmt::format("[\n  {},\n]", inline_array(*array, ",\n  "));
+}
+
+std::string inline_toml(const Node& node) {
+  if (const auto* array = node.as<Node::Array>())
+    return fmt::format("[{}]", inline_array(*array, ", "));
+  const auto* table = node.as<Node::Table>();
+  if (!table) return scalar_text(node);
+  std::string inside;
+  for (const Entry& entry : *table)
+    inside +=
+        (inside.empty() ? "" : ", ") + fmt::format("{} = {}", entry.key, inline_toml(entry.value));
+  return fmt::format("{{ {} }}", inside);
+}
+
+void write_table(const Node& table, const std::string& header, std::string& out) {
+  const auto& entries = std::get<Node::Table>(table.value);
+  for (const Entry& entry : entries)
+    if (!entry.value.section) out += fmt::format("{} = {}\n", entry.key, value_toml(entry.value));
+  for (const Entry& entry : entries) {
+    if (!entry.value.section) continue;
+    const std::string path = below(header, entry.key);
+    if (const auto* array = entry.value.as<Node::Array>()) {
+      for (const Node& element : *array) {
+        out += fmt::format("\n[[{}]]\n", path);
+        write_table(element, path, out);
+      }
+    } else {
+      out += fmt::format("\n[{}]\n", path);
+      write_table(entry.value, path, out);
+    }
+  }
+}
+
+void write_json(const Node& node, const std::string& indent, std::string& out);
+
+template <class Items, class WriteItem>
+void write_block(const Items& items, char open, char close, const std::string& indent,
+                 std::string& out, const WriteItem& write_item) {
+  out += open;
+  bool first = true;
+  for (const auto& item : items) {
+    out += (first ? "\n" : ",\n") + indent + "  ";
+    write_item(item);
+    first = false;
+  }
+  out += fmt::format("\n{}{}", indent, close);
+}
+
+std::string json_line(const Node::Array& array) {
+  std::string inside;
+  for (const Node& element : array) inside += (inside.empty() ? "" : ", ") + scalar_text(element);
+  return fmt::format("[{}]", inside);
+}
+
+void write_json(const Node& node, const std::string& indent, std::string& out) {
+  if (const auto* table = node.as<Node::Table>()) {
+    write_block(*table, '{', '}', indent, out, [&](const Entry& entry) {
+      out += quoted(entry.key) + ": ";
+      write_json(entry.value, indent + "  ", out);
+    });
+  } else if (const auto* array = node.as<Node::Array>(); array && holds_tables(*array)) {
+    write_block(*array, '[', ']', indent, out,
+                [&](const Node& element) { write_json(element, indent + "  ", out); });
+  } else {
+    out += array ? json_line(*array) : scalar_text(node);
+  }
+}
+
+}  // namespace
+
+std::string format_toml(const Node& table) {
+  std::string out;
+  write_table(table, "", out);
+  return out;
+}
+
+std::string format_json(const Node& node) {
+  std::string out;
+  write_json(node, "", out);
+  return out + "\n";
+}
+
+}  // namespace photic::scene

@@ -1,0 +1,128 @@
+#include "scene/override.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <vector>
+
+#include "scene/parse.hpp"
+#include "scene/suggest.hpp"
+
+namespace photic::scene {
+namespace {
+
+/// One --set on its way down the document.
+class Override {
+ public:
+  Override(Place place, Findings& findings) : place_(std::move(place)), findings_(findings) {}
+
+  void apply(Node& document, const std::vector<std::string>& keys, Node value) {
+    Node* node = &document;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const bool last = i + 1 == keys.size();
+      Node* next = step(*node, keys[i], i == 0 ? "the scene" : fmt::format("'{}'", keys[i - 1]));
+      if (!next) return;
+      if (last) {
+        // A vector that had one of its numbers replaced is no longer what the file says.
+        if (node->as<Node::Array>() && !next->as<Node::Table>()) node->place = place_;
+        *next = std::move(value);
+        return;
+      }
+      node = next;
+    }
+  }
+
+  void refuse(std::string reason, std::string suggestion) {
+    findings_.add_at(place_, std::move(reason), std::move(suggestion));
+  }
+
+ private:
+  Node* step(Node& node, const std::string& key, const std::string& parent) {
+    if (node.as<Node::Table>()) return member(node, key);
+    if (auto* array = node.as<Node::Array>()) return element(*array, key, parent);
+    refuse(fmt::format("{} is {}: there is no '{}' in it", parent, found_text(node), key), "");
+    return nullptr;
+  }
+
+  /// The value of a key; a missing one is created.
+  Node* member(Node& table, const std::string& key) {
+    for (Entry& entry : *table.as<Node::Table>()) {
+      if (entry.key == key) return &entry.value;
+    }
+    Node created = empty_table();
+    created.place = place_;
+    return &table.add(key, std::move(created));
+  }
+
+  Node* element(Node::Array& array, const std::string& key, const std::string& parent) {
+    const std::optional<std::size_t> index = number(key) ? number(key) : named(array, key);
+    if (index && *index < array.size()) return &array[*index];
+    if (index)
+      refuse(fmt::format("there is no element {} in {}", key, parent),
+             fmt::format("it has {}, counted from 0", array.size()));
+    else
+      refuse(fmt::format("nothing in {} is called '{}'", parent, key),
+             suggestion_for(key, names_in(array), "its names and numbers"));
+    return nullptr;
+  }
+
+  static std::optional<std::size_t> number(const std::string& key) {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
+    if (error == std::errc::invalid_argument || end != key.data() + key.size()) return std::nullopt;
+    return error == std::errc() ? index : static_cast<std::size_t>(-1);
+  }
+
+  static std::optional<std::size_t> named(const Node::Array& array, const std::string& name) {
+    for (std::size_t i = 0; i < array.size(); ++i) {
+      const Node* given = array[i].find("name");
+      if (given && given->as<std::string>() && *given->as<std::string>() == name) return i;
+    }
+    return std::nullopt;
+  }
+
+  static std::vector<std::string> names_in(const Node::Array& array) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < array.size(); ++i) {
+      const Node* given = array[i].find("name");
+      names.push_back(given && given->as<std::string>() ? *given->as<std::string>()
+                                                        : std::to_string(i));
+    }
+    return names;
+  }
+
+  Place place_;
+  Findings& findings_;
+};
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> keys(1);
+  for (const char c : path) {
+    if (c == '.')
+      keys.emplace_back();
+    else
+      keys.back() += c;
+  }
+  return keys;
+}
+
+}  // namespace
+
+void apply_override(const std::string& override_text, Node& document, Findings& findings) {
+  const std::size_t equals = override_text.find('=');
+  const std::string path = override_text.substr(0, equals);
+  const Place place{"--set " + path, 0, 0};
+  Override override(place, findings);
+  const std::vector<std::string> keys = split(path);
+  if (equals == std::string::npos) return override.refuse("there is no value", "write path=value");
+  if (std::find(keys.begin(), keys.end(), "") != keys.end())
+    return override.refuse("there is an empty name in the path",
+                           "write names and numbers with dots between");
+  const auto value = parse_value(override_text.substr(equals + 1), place);
+  if (!value) return override.refuse("the value is not UTF-8 text", "");
+  override.apply(document, keys, *value);
+}
+
+}  // namespace photic::scene

@@ -1,0 +1,80 @@
+#include "scene/read.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "core/error.hpp"
+#include "scene/checks.hpp"
+#include "scene/describe.hpp"
+#include "scene/override.hpp"
+#include "scene/parse.hpp"
+#include "scene/reader.hpp"
+
+namespace photic::scene {
+namespace {
+
+/// The first column of the last line.
+Place end_of(const std::string& text, const std::string& name) {
+  const auto breaks = std::count(text.begin(), text.end(), '\n');
+  const bool closed = text.empty() || text.back() == '\n';
+  return {name, std::max(1, static_cast<int>(breaks) + (closed ? 0 : 1)), 1};
+}
+
+template <class Named>
+void fill_names(std::vector<Named>& all, const std::string& stem) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].name.empty()) all[i].name = stem + std::to_string(i);
+}
+
+Scene scene_of(const Node& document, const std::string& folder, Findings& findings) {
+  Scene scene;
+  ReadContext context{findings, folder};
+  Reader reader(document, {"", "", "the scene"}, context);
+  describe(reader, scene);
+  reader.finish();
+  fill_names(scene.telescope, "telescope");
+  fill_names(scene.sea.layer, "layer");
+  return scene;
+}
+
+std::string text_of(const std::string& path) {
+  std::error_code unknown;
+  const auto fail = [&](const std::string& why) {
+    throw EnvironmentError("cannot read the scene " + path + ": " + why);
+  };
+  if (std::filesystem::is_directory(path, unknown)) fail("it is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(std::generic_category().message(errno));
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) fail("reading failed");
+  return text;
+}
+
+}  // namespace
+
+Reading read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
+                        const std::vector<Override>& overrides) {
+  Node document = parse_toml(text, name);
+  document.place = end_of(text, name);
+  Findings findings(document, document.place);
+  for (const Override& override_text : overrides) apply_override(override_text, document, findings);
+  Reading reading{scene_of(document, folder, findings), {}};
+  check_sea(reading.scene, findings);
+  check_instrument(reading.scene, findings);
+  check_gates(reading.scene, findings);
+  check_memory(reading.scene, findings);
+  findings.raise();
+  reading.remarks = findings.remarks();
+  return reading;
+}
+
+Reading read_scene(const std::string& path, const std::vector<Override>& overrides) {
+  return read_scene_text(text_of(path), path, std::filesystem::path(path).parent_path().string(),
+                         overrides);
+}
+
+}  // namespace photic::scene

@@ -1,0 +1,92 @@
+// What a single value may be. Each rule checks a value of the file and describes itself as JSON
+// Schema.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/vec3.hpp"
+#include "scene/node.hpp"
+
+namespace photic::scene {
+
+/// Why a value is refused, without the key's name: "must be …, not …".
+struct Refusal {
+  std::string reason;
+  std::string suggestion;
+};
+
+/// A finite number between bounds; whole numbers serve as well.
+struct Number {
+  using Value = double;
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;
+  bool high_open = false;
+};
+inline constexpr Number any_number{};
+inline constexpr Number positive{.low = 0.0, .low_open = true};
+inline constexpr Number not_negative{.low = 0.0};
+constexpr Number from_to(double low, double high) { return {.low = low, .high = high}; }
+constexpr Number between(double low, double high) {
+  return {.low = low, .high = high, .low_open = true, .high_open = true};
+}
+
+/// A whole number between bounds; 1e7 serves as well.
+struct Count {
+  using Value = std::int64_t;
+  std::int64_t low = 1;
+  std::int64_t high = std::numeric_limits<std::int64_t>::max();
+};
+
+/// One of some words; `later` are those the format knows and this version cannot do.
+struct Choice {
+  using Value = std::string;
+  std::vector<std::string> words;
+  std::vector<std::string> later = {};
+};
+
+/// One line of text.
+struct Text {
+  using Value = std::string;
+  bool may_be_empty = false;
+};
+
+/// A file that can be read, relative to the scene file; the value becomes its absolute path.
+struct File {
+  using Value = std::string;
+};
+
+/// [x, y, z], finite.
+struct Position {
+  using Value = Vec3<double>;
+};
+
+/// [x, y, z], finite and not zero.
+struct Direction {
+  using Value = Vec3<double>;
+};
+
+/// Checks a value and stores it if it passes. `folder` is where relative files lie.
+std::optional<Refusal> check(const Number& rule, const Node& node, double& value);
+std::optional<Refusal> check(const Count& rule, const Node& node, std::int64_t& value);
+std::optional<Refusal> check(const Choice& rule, const Node& node, std::string& value);
+std::optional<Refusal> check(const Text& rule, const Node& node, std::string& value);
+std::optional<Refusal> check(const File& rule, const Node& node, std::string& value,
+                             const std::string& folder);
+std::optional<Refusal> check(const Position& rule, const Node& node, Vec3<double>& value);
+std::optional<Refusal> check(const Direction& rule, const Node& node, Vec3<double>& value);
+
+/// The rule as JSON Schema.
+Node schema_of(const Number& rule);
+Node schema_of(const Count& rule);
+Node schema_of(const Choice& rule);
+Node schema_of(const Text& rule);
+Node schema_of(const File& rule);
+Node schema_of(const Position& rule);
+Node schema_of(const Direction& rule);
+
+}  // namespace photic::scene

@@ -1,0 +1,56 @@
+#include <cmath>
+
+#include "scene/rules.hpp"
+
+namespace photic::scene {
+namespace {
+
+Node typed(const char* type) {
+  Node schema = empty_table();
+  schema.add("type", to_node(type));
+  return schema;
+}
+
+Node three_numbers() {
+  Node schema = typed("array");
+  schema.add("items", typed("number"));
+  schema.add("minItems", to_node(std::int64_t{3}));
+  schema.add("maxItems", to_node(std::int64_t{3}));
+  return schema;
+}
+
+}  // namespace
+
+Node schema_of(const Number& rule) {
+  Node schema = typed("number");
+  if (std::isfinite(rule.low))
+    schema.add(rule.low_open ? "exclusiveMinimum" : "minimum", to_node(rule.low));
+  if (std::isfinite(rule.high))
+    schema.add(rule.high_open ? "exclusiveMaximum" : "maximum", to_node(rule.high));
+  return schema;
+}
+
+Node schema_of(const Count& rule) {
+  Node schema = typed("integer");
+  schema.add("minimum", to_node(rule.low));
+  schema.add("maximum", to_node(rule.high));
+  return schema;
+}
+
+Node schema_of(const Choice& rule) {
+  Node schema = empty_table();
+  schema.add("enum", to_node(rule.words));
+  return schema;
+}
+
+Node schema_of(const Text& rule) {
+  Node schema = typed("string");
+  if (!rule.may_be_empty) schema.add("minLength", to_node(std::int64_t{1}));
+  return schema;
+}
+
+Node schema_of(const File&) { return schema_of(Text{}); }
+Node schema_of(const Position&) { return three_numbers(); }
+Node schema_of(const Direction&) { return three_numbers(); }
+
+}  // namespace photic::scene

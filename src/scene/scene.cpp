@@ -1,0 +1,30 @@
+#include "scene/scene.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace photic::scene {
+
+double Telescope::effective_detector_diameter_m() const {
+  if (detector_diameter_m) return *detector_diameter_m;
+  expect(half_field_of_view_mrad.has_value(), "a telescope has a detector or a field of view");
+  // The rim of the detector in the focal plane is the image of that angle; a shift moves the
+  // detector and keeps its size.
+  return 2.0 * focal_length_m * std::tan(1e-3 * *half_field_of_view_mrad);
+}
+
+const Gates::Interval& Gates::interval() const {
+  const auto& given = depth_m ? depth_m : range_m ? range_m : time_ns;
+  expect(given.has_value(), "gates are given by depth, range or time");
+  return *given;
+}
+
+double Gates::Interval::steps() const {
+  // What is narrower than a millionth of a step is rounding of (max - min) / step, not a gate.
+  return std::ceil((max - min) / step - 1e-6);
+}
+
+std::int64_t Gates::count() const { return static_cast<std::int64_t>(interval().steps()); }
+
+}  // namespace photic::scene

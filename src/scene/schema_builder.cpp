@@ -1,0 +1,79 @@
+#include "scene/schema_builder.hpp"
+
+namespace photic::scene {
+namespace {
+
+Node keyed(const char* key, Node value) {
+  Node table = empty_table();
+  table.add(key, std::move(value));
+  return table;
+}
+
+Node array(std::vector<Node> elements) { return {.value = std::move(elements)}; }
+
+/// A schema that refuses these keys.
+Node without(const std::vector<std::string>& keys) {
+  Node properties = empty_table();
+  for (const std::string& key : keys) properties.add(key, to_node(false));
+  return keyed("properties", std::move(properties));
+}
+
+}  // namespace
+
+Node SchemaBuilder::take() {
+  Node schema = keyed("type", to_node("object"));
+  schema.add("properties", {.value = std::move(properties_)});
+  if (!required_.empty()) schema.add("required", to_node(required_));
+  schema.add("additionalProperties", to_node(false));
+  if (!conditions_.empty()) schema.add("allOf", {.value = std::move(conditions_)});
+  return schema;
+}
+
+Node& SchemaBuilder::property(const char* key, Node schema, const char* meaning) {
+  schema.add("description", to_node(meaning));
+  return properties_.emplace_back(Entry{key, {}, std::move(schema)}).value;
+}
+
+Node SchemaBuilder::reference(const char* definition) {
+  return keyed("$ref", to_node(std::string("#/$defs/") + definition));
+}
+
+Node SchemaBuilder::array_of(Node element) {
+  Node schema = keyed("type", to_node("array"));
+  schema.add("items", std::move(element));
+  schema.add("minItems", to_node(std::int64_t{1}));
+  return schema;
+}
+
+Node SchemaBuilder::word_or(Node schema) {
+  return keyed("anyOf", array({keyed("type", to_node("string")), std::move(schema)}));
+}
+
+void SchemaBuilder::conditional(const char* selector, const char* choice, const Names& keys) {
+  Node condition =
+      keyed("if", keyed("properties", keyed(selector, keyed("const", to_node(choice)))));
+  condition.add("then", keyed("required", to_node(keys.needed())));
+  condition.add("else", without(keys.all()));
+  conditions_.push_back(std::move(condition));
+}
+
+void SchemaBuilder::alternatives(const std::vector<Names>& groups) {
+  Node::Array ways;
+  for (const Names& group : groups) {
+    std::vector<std::string> foreign;
+    for (const Names& other : groups)
+      if (&other != &group) foreign.insert(foreign.end(), other.all().begin(), other.all().end());
+    Node& way = ways.emplace_back(without(foreign));
+    if (!group.needed().empty()) way.add("required", to_node(group.needed()));
+  }
+  conditions_.push_back(keyed("oneOf", array(std::move(ways))));
+}
+
+void SchemaBuilder::at_least_one(const Names& keys) {
+  Node::Array ways;
+  for (const std::string& key : keys.all())
+    ways.push_back(keyed("required", to_node(std::vector<std::string>{key})));
+  conditions_.push_back(keyed("anyOf", array(std::move(ways))));
+}
+
+}  // namespace photic::scene

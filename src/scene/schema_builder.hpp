@@ -1,0 +1,123 @@
+// The visitor that turns the description of a section into JSON Schema (draft 2020-12).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "scene/rules.hpp"
+#include "scene/scene.hpp"
+#include "scene/visitor.hpp"
+
+namespace photic::scene {
+
+class SchemaBuilder {
+ public:
+  template <class T, class Rule>
+  void required(const char* key, const T&, const Rule& rule, const char* meaning) {
+    property(key, schema_of(rule), meaning);
+    required_.push_back(key);
+  }
+  template <class T, class Rule>
+  void optional(const char* key, const T& value, const Rule& rule, const char* meaning) {
+    add_default(property(key, schema_of(rule), meaning), value);
+  }
+
+  /// A section with keys that must be given is required itself.
+  template <class T>
+  void section(const char* key, T& value, Need need, const char* meaning) {
+    if (table(key, value, meaning) || need == Need::required) required_.push_back(key);
+  }
+  template <class T>
+  void sections(const char* key, std::vector<T>& values, const char* meaning) {
+    tables(key, values, meaning, [](auto& child, T& value) { describe(child, value); });
+  }
+  /// Returns whether any of its keys must be given.
+  template <class T>
+  bool table(const char* key, T& value, const char* meaning) {
+    SchemaBuilder child;
+    describe(child, value);
+    const bool needed = !child.required_.empty();
+    property(key, child.take(), meaning);
+    return needed;
+  }
+  template <class T, class Keys>
+  void tables(const char* key, std::vector<T>&, const char* meaning, const Keys& keys) {
+    Node element;
+    if constexpr (std::is_same_v<T, PhaseFunction>) {
+      element =
+          reference(component_name);  // it holds itself: by reference, or there would be no end
+    } else {
+      SchemaBuilder child;
+      T value{};
+      keys(child, value);
+      element = child.take();
+    }
+    property(key, array_of(std::move(element)), meaning);
+    required_.push_back(key);
+  }
+  template <class T>
+  void table_or_word(const char* key, std::optional<T>&, const char*, const char* meaning) {
+    static_assert(std::is_same_v<T, PhaseFunction>);
+    property(key, word_or(reference(phase_function_name)), meaning);
+    required_.push_back(key);
+  }
+
+  template <class Keys>
+  void when(const char* selector, const std::string&, const char* choice, const Keys& keys) {
+    adopt(keys);
+    conditional(selector, choice, Names(keys));
+  }
+  template <class... Keys>
+  void one_of(const Option<Keys>&... options) {
+    (adopt(options.keys), ...);
+    alternatives({Names(options.keys)...});
+  }
+  template <class Keys>
+  void any_of(const Keys& keys) {
+    keys(*this);
+    at_least_one(Names(keys));
+  }
+  template <class Action>
+  void once_read(const Action&) {}
+  void unavailable(const char*, const char*) {}
+
+  /// The schema of the table, to be called once at the end.
+  [[nodiscard]] Node take();
+
+  static constexpr const char* phase_function_name = "phase_function";
+  static constexpr const char* component_name = "mixture_component";
+
+ private:
+  Node& property(const char* key, Node schema, const char* meaning);
+  static Node reference(const char* definition);
+  static Node array_of(Node element);
+  static Node word_or(Node schema);
+  /// The keys of a group as properties, none of them required everywhere.
+  template <class Keys>
+  void adopt(const Keys& keys) {
+    const std::size_t required_before = required_.size();
+    keys(*this);
+    required_.resize(required_before);
+  }
+  void conditional(const char* selector, const char* choice, const Names& keys);
+  void alternatives(const std::vector<Names>& groups);
+  void at_least_one(const Names& keys);
+
+  template <class T>
+  static void add_default(Node& schema, const T& value) {
+    schema.add("default", to_node(value));
+  }
+  template <class T>
+  static void add_default(Node&, const std::optional<T>&) {}
+  static void add_default(Node& schema, const std::string& value) {
+    if (!value.empty()) schema.add("default", to_node(value));
+  }
+
+  Node::Table properties_;
+  std::vector<std::string> required_;
+  Node::Array conditions_;  ///< schemas that must hold as well
+};
+
+}  // namespace photic::scene

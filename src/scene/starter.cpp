@@ -1,0 +1,20 @@
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "scene/read.hpp"
+#include "scene/starter_scenes.hpp"
+#include "scene/suggest.hpp"
+
+namespace photic::scene {
+
+std::string starter_scene(const std::string& kind) {
+  std::vector<std::string> kinds;
+  for (const StarterScene& starter : starter_scenes()) {
+    if (starter.kind == kind) return starter.text;
+    kinds.push_back(starter.kind);
+  }
+  throw InputError({{"", 0, 0, fmt::format("there is no starter scene '{}'", kind),
+                     suggestion_for(kind, kinds, "choose from")}});
+}
+
+}  // namespace photic::scene

@@ -1,0 +1,151 @@
+#include "scene/table_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "scene/suggest.hpp"
+
+namespace photic::scene {
+namespace {
+
+std::vector<std::string> in_quotes(const std::vector<std::string>& keys) {
+  std::vector<std::string> out;
+  for (const std::string& key : keys) out.push_back(fmt::format("'{}'", key));
+  return out;
+}
+
+}  // namespace
+
+const Node* TableReader::look(const std::string& key) {
+  known_.push_back(key);
+  return table_.find(key);
+}
+
+TableName TableReader::inline_name(const std::string& key) const {
+  return {path_of(key), below(name_.header, key), fmt::format("'{}'", key)};
+}
+
+TableName TableReader::section_name(const std::string& key, const char* open,
+                                    const char* close) const {
+  const std::string header = below(name_.header, key);
+  return {path_of(key), header, open + header + close};
+}
+
+void TableReader::missing(const std::string& key, const char* meaning) {
+  if (forgive_missing_) return;
+  shared_.findings.add(path_of(key), table_.place,
+                       fmt::format("'{}' is missing in {}", key, name_.label),
+                       fmt::format("add it: {}", meaning));
+}
+
+void TableReader::section_missing(const TableName& section, const char* meaning) {
+  Findings& findings = shared_.findings;
+  const bool from_set = table_.place.line == 0;
+  findings.add(section.path, from_set ? table_.place : findings.end(),
+               section.label + " is missing", fmt::format("add it: {}", meaning));
+}
+
+void TableReader::refuse(const std::string& key, const Node& node, const Refusal& problem) {
+  shared_.findings.add(path_of(key), node.place, fmt::format("'{}' {}", key, problem.reason),
+                       problem.suggestion);
+}
+
+bool TableReader::is_table(const std::string& key, const Node& node, const TableName& name) {
+  if (node.as<Node::Table>()) return true;
+  refuse(key, node,
+         {fmt::format("must be a table, not {}", found_text(node)),
+          name.is_section() ? fmt::format("write {}", name.label) : "write { … }"});
+  return false;
+}
+
+bool TableReader::is_tables(const std::string& key, const Node& node, const TableName& name) {
+  const auto* array = node.as<Node::Array>();
+  const bool good = array && !array->empty() &&
+                    std::all_of(array->begin(), array->end(),
+                                [](const Node& element) { return element.as<Node::Table>(); });
+  if (!good)
+    refuse(key, node,
+           {fmt::format("must be one or more tables, not {}", found_text(node)),
+            name.is_section() ? fmt::format("write {}", name.label) : "write [ { … }, { … } ]"});
+  return good;
+}
+
+void TableReader::unavailable(const char* key, const char* instead) {
+  const auto* table = table_.as<Node::Table>();
+  for (const Entry& entry : *table)
+    if (entry.key == key)
+      shared_.findings.add_at(entry.place, fmt::format("'{}' is not available yet", key), instead);
+  refused_.push_back(key);
+}
+
+void TableReader::finish() {
+  for (const Entry& entry : *table_.as<Node::Table>()) {
+    const auto in = [&](const std::vector<std::string>& keys) {
+      return std::find(keys.begin(), keys.end(), entry.key) != keys.end();
+    };
+    if (in(known_) || in(refused_)) continue;
+    shared_.findings.add_at(entry.place,
+                            fmt::format("unknown key '{}' in {}", entry.key, name_.label),
+                            suggestion_for(entry.key, known_, "known here"));
+  }
+}
+
+void TableReader::refuse_foreign(const Names& keys, const std::string& selector,
+                                 const std::string& word, const std::string& choice) {
+  for (const std::string& key : keys.all()) {
+    const Node* node = look(key);
+    if (!node || word.empty()) continue;
+    refuse(key, *node,
+           {fmt::format("does not belong to {} = \"{}\"", selector, word),
+            fmt::format("it belongs to \"{}\"", choice)});
+  }
+}
+
+const Entry* TableReader::first_given(const Names& keys) const {
+  const auto* table = table_.as<Node::Table>();
+  const auto entry = std::find_if(table->begin(), table->end(), [&](const Entry& e) {
+    return std::find(keys.all().begin(), keys.all().end(), e.key) != keys.all().end();
+  });
+  return entry == table->end() ? nullptr : &*entry;
+}
+
+std::size_t TableReader::check_groups(const std::vector<Names>& groups) {
+  std::vector<const Entry*> given;
+  for (const Names& group : groups)
+    if (const Entry* entry = first_given(group)) given.push_back(entry);
+  if (given.empty()) nothing_given(groups);
+  std::sort(given.begin(), given.end(),
+            [](const Entry* a, const Entry* b) { return before(a->place, b->place); });
+  for (std::size_t i = 1; i < given.size(); ++i) {
+    shared_.findings.spoil(path_of(given[0]->key));
+    shared_.findings.add(path_of(given[i]->key), given[i]->place,
+                         fmt::format("'{}' and '{}' exclude each other in {}", given[0]->key,
+                                     given[i]->key, name_.label),
+                         "keep one of them");
+  }
+  return given.size();
+}
+
+void TableReader::nothing_given(const std::vector<Names>& groups) {
+  std::vector<std::string> ways;
+  for (const Names& group : groups) {
+    if (group.needed().empty()) return;  // this group holds where nothing is given
+    ways.push_back(fmt::format("{}", fmt::join(in_quotes(group.needed()), " + ")));
+  }
+  for (const Names& group : groups)
+    for (const std::string& key : group.all()) shared_.findings.spoil(path_of(key));
+  needs(ways);
+}
+
+void TableReader::check_any(const Names& keys) {
+  if (!first_given(keys)) needs(in_quotes(keys.all()));
+}
+
+void TableReader::needs(const std::vector<std::string>& ways) {
+  shared_.findings.add_at(table_.place, fmt::format("{} needs {}", name_.label, joined(ways, "or")),
+                          "");
+}
+
+}  // namespace photic::scene

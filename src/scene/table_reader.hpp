@@ -1,0 +1,74 @@
+// One table of a scene file: which keys were asked for, and the messages about the others.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/findings.hpp"
+#include "scene/rules.hpp"
+#include "scene/visitor.hpp"
+
+namespace photic::scene {
+
+/// What the readers of all tables of one scene share.
+struct ReadContext {
+  Findings& findings;
+  std::string folder;  ///< where relative files lie
+};
+
+/// Where a table stands in the scene.
+struct TableName {
+  std::string path;    ///< "sea.layer.0"
+  std::string header;  ///< "sea.layer"
+  std::string label;   ///< what messages call it: "[[sea.layer]]", "'phase_function'"
+
+  [[nodiscard]] bool is_section() const { return label.front() == '['; }
+};
+
+class TableReader {
+ public:
+  TableReader(const Node& table, TableName name, ReadContext& shared)
+      : table_(table), name_(std::move(name)), shared_(shared) {}
+
+  /// A key of the format that this version refuses.
+  void unavailable(const char* key, const char* instead);
+  /// To be called last: keys that nobody asked for are errors.
+  void finish();
+
+ protected:
+  /// The value of a key, which is known from now on; null if it is not given.
+  const Node* look(const std::string& key);
+  [[nodiscard]] std::string path_of(const std::string& key) const { return below(name_.path, key); }
+  [[nodiscard]] TableName inline_name(const std::string& key) const;
+  [[nodiscard]] TableName section_name(const std::string& key, const char* open,
+                                       const char* close) const;
+
+  void missing(const std::string& key, const char* meaning);
+  void section_missing(const TableName& section, const char* meaning);
+  void refuse(const std::string& key, const Node& node, const Refusal& problem);
+  /// Refuses and returns false unless it is a table, or an array of at least one table.
+  bool is_table(const std::string& key, const Node& node, const TableName& name);
+  bool is_tables(const std::string& key, const Node& node, const TableName& name);
+
+  /// Keys of a choice of `selector` that was not made: `word` was.
+  void refuse_foreign(const Names& keys, const std::string& selector, const std::string& word,
+                      const std::string& choice);
+  /// How many of the groups of keys are given here; says so if it should be one.
+  std::size_t check_groups(const std::vector<Names>& groups);
+  /// Says so if none of the keys is given.
+  void check_any(const Names& keys);
+  [[nodiscard]] const Entry* first_given(const Names& keys) const;
+
+  const Node& table_;
+  TableName name_;
+  ReadContext& shared_;
+  bool forgive_missing_ = false;  ///< while reading groups that exclude each other
+
+ private:
+  void nothing_given(const std::vector<Names>& groups);
+  void needs(const std::vector<std::string>& ways);
+
+  std::vector<std::string> known_, refused_;
+};
+
+}  // namespace photic::scene

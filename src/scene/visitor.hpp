@@ -1,0 +1,68 @@
+// What the visitors of describe_*.hpp have in common. A visitor has
+//   required, optional(name, value, rule, meaning)   a single value
+//   section, sections(name, value, …)                [name] and [[name]]
+//   table, tables, table_or_word(name, value, …)     inline tables
+//   when(key, word, choice, keys)                    keys that belong to one choice of another key
+//   one_of(option…), any_of(keys)                    exactly one of some groups of keys; at least
+//   one key once_read(action)                                done when the keys before have been
+//   read unavailable(name, instead)                       a key of the format that this version
+//   refuses
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/constants.hpp"
+
+namespace photic::scene {
+
+enum class Need { required, optional };
+
+/// A group of keys of which a scene uses one: `active` says whether the scene at hand uses it.
+template <class Keys>
+struct Option {
+  bool active;
+  Keys keys;
+};
+
+template <class Keys>
+Option<Keys> option(bool active, Keys keys) {
+  return {active, std::move(keys)};
+}
+
+/// The visitor that learns the names in a group of keys.
+class Names {
+ public:
+  template <class Keys>
+  explicit Names(const Keys& keys) {
+    keys(*this);
+  }
+
+  template <class... Rest>
+  void required(const char* name, Rest&&...) {
+    required_.push_back(name);
+    all_.push_back(name);
+  }
+  template <class... Rest>
+  void optional(const char* name, Rest&&...) {
+    all_.push_back(name);
+  }
+  template <class... Rest>
+  void tables(const char* name, Rest&&...) {
+    required(name);
+  }
+  template <class... Rest>
+  void table_or_word(const char* name, Rest&&...) {
+    required(name);
+  }
+  template <class Action>
+  void once_read(const Action&) {}
+
+  [[nodiscard]] const std::vector<std::string>& all() const { return all_; }
+  [[nodiscard]] const std::vector<std::string>& needed() const { return required_; }
+
+ private:
+  std::vector<std::string> all_, required_;
+};
+
+}  // namespace photic::scene

@@ -1,0 +1,51 @@
+#include "scene/describe.hpp"
+#include "scene/format.hpp"
+#include "scene/read.hpp"
+#include "scene/schema_builder.hpp"
+#include "scene/writer.hpp"
+
+namespace photic::scene {
+namespace {
+
+Node tree_of(Scene scene) {
+  Writer writer;
+  describe(writer, scene);
+  return writer.take();
+}
+
+template <class Describe>
+Node definition(const Describe& keys) {
+  SchemaBuilder builder;
+  PhaseFunction phase_function;
+  keys(builder, phase_function);
+  return builder.take();
+}
+
+}  // namespace
+
+std::string write_scene(const Scene& scene) { return format_toml(tree_of(scene)); }
+
+std::string write_scene_json(const Scene& scene) { return format_json(tree_of(scene)); }
+
+std::string scene_schema() {
+  Scene defaults;
+  defaults.optics = optics_of(defaults.optics.set);
+  SchemaBuilder builder;
+  describe(builder, defaults);
+
+  Node schema = empty_table();
+  schema.add("$schema", to_node("https://json-schema.org/draft/2020-12/schema"));
+  schema.add("title", to_node("Photic scene"));
+  Node root = builder.take();
+  for (Entry& entry : std::get<Node::Table>(root.value))
+    schema.add(entry.key, std::move(entry.value));
+  Node definitions = empty_table();
+  definitions.add(SchemaBuilder::phase_function_name,
+                  definition([](auto& v, PhaseFunction& p) { describe(v, p); }));
+  definitions.add(SchemaBuilder::component_name,
+                  definition([](auto& v, PhaseFunction& p) { describe_component(v, p); }));
+  schema.add("$defs", std::move(definitions));
+  return format_json(schema);
+}
+
+}  // namespace photic::scene

@@ -1,0 +1,51 @@
+// Comparing many estimates with what they should be, at one level for all of them together.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace photic::test {
+
+/// Two-sided |z| that `count` independent standard normals all stay below with probability 1 - level (Šidák).
+inline double family_wise_z(double level, std::size_t count) {
+  const double each = 1 - std::pow(1 - level, 1.0 / static_cast<double>(count));
+  return boost::math::quantile(boost::math::complement(boost::math::normal(), each / 2));
+}
+
+/// Collects z-scores of one family and judges them together.
+class ZFamily {
+ public:
+  explicit ZFamily(double level) : level_(level) {}
+
+  void add(double estimate, double expected, double standard_error, const std::string& what) {
+    z_.push_back((estimate - expected) / standard_error);
+    what_.push_back(what);
+  }
+
+  /// Fails for every member beyond the family's limit.
+  void judge() const {
+    ASSERT_FALSE(z_.empty());
+    const double limit = family_wise_z(level_, z_.size());
+    for (std::size_t i = 0; i < z_.size(); ++i) {
+      EXPECT_LT(std::abs(z_[i]), limit) << what_[i] << " of a family of " << z_.size();
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const { return z_.size(); }
+  [[nodiscard]] double rms() const {
+    double sum = 0;
+    for (const double z : z_) sum += z * z;
+    return std::sqrt(sum / static_cast<double>(z_.size()));
+  }
+
+ private:
+  double level_;
+  std::vector<double> z_;
+  std::vector<std::string> what_;
+};
+
+}  // namespace photic::test
