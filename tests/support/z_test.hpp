@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <string>
@@ -35,12 +36,17 @@ class ZFamily {
     }
   }
 
-  [[nodiscard]] std::size_t size() const { return z_.size(); }
-  [[nodiscard]] double rms() const {
+  /// Fails if the scores of independent members scatter more, or less, than standard normals do at the level:
+  /// errors that are claimed too small, or too large.
+  void judge_spread() const {
     double sum = 0;
     for (const double z : z_) sum += z * z;
-    return std::sqrt(sum / static_cast<double>(z_.size()));
+    const boost::math::chi_squared distribution(static_cast<double>(z_.size()));
+    EXPECT_GT(sum, boost::math::quantile(distribution, level_ / 2)) << "errors claimed too large";
+    EXPECT_LT(sum, boost::math::quantile(boost::math::complement(distribution, level_ / 2))) << "errors claimed too small";
   }
+
+  [[nodiscard]] std::size_t size() const { return z_.size(); }
 
  private:
   double level_;

@@ -1,0 +1,199 @@
+// First-order echoes of whole runs against the lidar equation integrated over every gate.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/problem.hpp"
+#include "engine/run.hpp"
+#include "optics/fournier_forand.hpp"
+#include "optics/phase_functions.hpp"
+#include "support/lidar_equation.hpp"
+#include "support/scenes.hpp"
+#include "support/z_test.hpp"
+
+namespace photic::test {
+namespace {
+
+constexpr double level = 0.01;           // of the family of all gates of a scene
+constexpr double largest_error = 0.005;  // relative standard error that every gate must reach
+constexpr double largest_difference = 0.005;
+
+/// What a scene's first order should be in one channel and telescope.
+std::vector<double> expected(const engine::Problem& problem, std::size_t telescope, std::size_t channel,
+                             const std::function<double(double)>& phase) {
+  const auto& medium = problem.medium;
+  std::size_t line = 0;
+  while (problem.shape.channels_of_line[line].front() != static_cast<std::int32_t>(channel)) ++line;
+  const auto layers = static_cast<std::size_t>(medium.layers());
+  EquationWater water;
+  water.n_out = medium.line[0].refractive_index;
+  water.group_out = medium.line[0].group_index;
+  water.n_back = medium.line[line].refractive_index;
+  water.group_back = medium.line[line].group_index;
+  for (std::size_t k = 0; k < layers; ++k) {
+    const double share = line == 0 ? medium.albedo[k] : medium.conversion[line * layers + k];
+    water.layers.push_back({medium.top[k], medium.c[k], medium.c[line * layers + k], share * medium.c[k]});
+  }
+  water.phase = phase;
+  std::vector<double> edges;
+  for (std::int32_t e = 0; e <= problem.gates.count(); ++e) edges.push_back(problem.gates.edge_path(e));
+  return first_order_echo(problem.scene.source, problem.scene.telescope[telescope], water, edges);
+}
+
+/// Runs a scene at first order and holds every gate of every telescope and channel against the equation.
+void compare(const std::string& toml, const std::vector<std::function<double(double)>>& phase_of_channel) {
+  const auto scene = read(toml);
+  const auto problem = engine::make_problem(scene);
+  const auto result = engine::run(scene);
+  ZFamily family(level);
+  for (std::size_t t = 0; t < result.telescopes(); ++t) {
+    for (std::size_t c = 0; c < result.channels(); ++c) {
+      const auto equation = expected(problem, t, c, phase_of_channel[c]);
+      for (std::size_t g = 0; g < result.gates(); ++g) {
+        const std::size_t i = (t * result.channels() + c) * result.gates() + g;
+        const double mean = result.echo.mean[i];
+        const double error = result.echo.standard_error[i];
+        const auto where = fmt::format("telescope {} channel {} gate {}: {} +- {}, equation {}", t, c, g, mean, error, equation[g]);
+        if (equation[g] == 0) {  // before the first light
+          EXPECT_EQ(mean, 0) << where;
+          continue;
+        }
+        EXPECT_LT(error, largest_error * equation[g]) << where;
+        EXPECT_LT(std::abs(mean - equation[g]), largest_difference * equation[g]) << where;
+        family.add(mean, equation[g], error, where);
+      }
+    }
+  }
+  family.judge();
+  family.judge_spread();
+}
+
+std::function<double(double)> shape(const optics::PhaseShape& s) {
+  return [s](double cosine) { return s.p(std::max(1 - cosine, 1e-7)); };
+}
+
+/// One scattering each; enough photons for 0.2 % in every gate.
+std::string first_order() { return simulation(5e7, 7, "max_order = 1\norders_kept = 1"); }
+
+// Seen red: n^2 left out of the refraction factor, phase for group index, half for full divergence.
+TEST(FirstOrder, FlatSea) {
+  compare(ship_instrument + channel("elastic") +
+              water(0.03, 0.03, "{ model = \"henyey-greenstein\", g = 0.6 }") + depth_gates(50, 2) + first_order(),
+          {shape(optics::henyey_greenstein(0.6))});
+}
+
+TEST(FirstOrder, ThreeLayersAndThreeTelescopes) {
+  compare(ship_instrument + R"(
+[[telescope]]
+name = "aside, obstructed, defocused"
+position_m = [0.5, -0.3, 12.0]
+direction = [-0.02, 0.012, -1.0]
+diameter_m = 0.40
+focal_length_m = 1.0
+detector_diameter_m = 0.06
+detector_shift_m = 0.02
+obstruction_diameter_m = 0.15
+[[telescope]]
+name = "wide, higher"
+position_m = [0.0, 1.0, 20.0]
+direction = [0.0, -0.02, -1.0]
+diameter_m = 0.30
+focal_length_m = 1.0
+half_field_of_view_mrad = 80.0
+)" + channel("elastic") + R"(
+[[sea.layer]]
+bottom_depth_m = 7.3
+iop = [ { wavelength_nm = 532.0, a_per_m = 0.02, b_per_m = 0.04 } ]
+phase_function = { model = "fournier-forand", refractive_index = 1.10, slope = 3.5835 }
+[[sea.layer]]
+bottom_depth_m = 21.0
+iop = [ { wavelength_nm = 532.0, a_per_m = 0.04, b_per_m = 0.02 } ]
+phase_function = { model = "fournier-forand", refractive_index = 1.10, slope = 3.5835 }
+[[sea.layer]]
+iop = [ { wavelength_nm = 532.0, a_per_m = 0.01, b_per_m = 0.05 } ]
+phase_function = { model = "fournier-forand", refractive_index = 1.10, slope = 3.5835 }
+[gates]
+depth_max_m = 50.0
+depth_step_m = 2.5
+)" + first_order(),
+          {shape(optics::fournier_forand(1.10, 3.5835))});
+}
+
+TEST(FirstOrder, RamanAndFluorescenceHaveTwoWavelengths) {
+  const auto lambert = [](double) { return 1 / (4 * pi); };
+  compare(ship_instrument + channel("elastic") + channel("raman") + channel("chlorophyll") + R"(
+[[sea.layer]]
+bottom_depth_m = 10.0
+iop = [ { wavelength_nm = 532.0, a_per_m = 0.03, b_per_m = 0.03, a_phytoplankton_per_m = 0.01 },
+        { wavelength_nm = 700.0, a_per_m = 0.10, b_per_m = 0.02 } ]
+phase_function = { model = "rayleigh", depolarisation = 0.039 }
+[[sea.layer]]
+iop = [ { wavelength_nm = 532.0, a_per_m = 0.04, b_per_m = 0.02, a_phytoplankton_per_m = 0.005 },
+        { wavelength_nm = 700.0, a_per_m = 0.15, b_per_m = 0.01 } ]
+phase_function = { model = "rayleigh", depolarisation = 0.039 }
+[gates]
+depth_max_m = 50.0
+depth_step_m = 2.5
+)" + first_order(),
+          {shape(optics::rayleigh(0.039)), shape(optics::raman_phase(0.17)), lambert});
+}
+
+TEST(FirstOrder, Tilted30Degrees) {
+  compare(R"(
+[source]
+wavelength_nm = 532.0
+position_m = [0.0, 0.0, 12.0]
+direction = [0.5, 0.0, -0.8660254037844386]
+diameter_m = 0.04
+half_divergence_mrad = 2.0
+[[telescope]]
+position_m = [0.0, 0.2, 12.0]
+direction = [0.5, 0.0, -0.8660254037844386]
+diameter_m = 0.40
+focal_length_m = 2.0
+half_field_of_view_mrad = 30.0
+)" + channel("elastic") + R"(
+[[sea.layer]]
+iop = [ { wavelength_nm = 532.0, a_per_m = 0.03, b_per_m = 0.03 } ]
+phase_function = { model = "henyey-greenstein", g = 0.6 }
+[gates]
+range_min_m = 14.0
+range_max_m = 64.0
+range_step_m = 2.5
+)" + first_order(),
+          {shape(optics::henyey_greenstein(0.6))});
+}
+
+TEST(FirstOrder, Submerged) {
+  compare(R"(
+[source]
+wavelength_nm = 532.0
+position_m = [0.0, 0.0, -5.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.02
+half_divergence_mrad = 3.0
+[[telescope]]
+position_m = [0.15, 0.0, -5.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.20
+focal_length_m = 0.5
+half_field_of_view_mrad = 60.0
+)" + channel("elastic") + R"(
+[[sea.layer]]
+bottom_depth_m = 12.0
+iop = [ { wavelength_nm = 532.0, a_per_m = 0.03, b_per_m = 0.03 } ]
+phase_function = { model = "henyey-greenstein", g = 0.3 }
+[[sea.layer]]
+iop = [ { wavelength_nm = 532.0, a_per_m = 0.05, b_per_m = 0.04 } ]
+phase_function = { model = "henyey-greenstein", g = 0.3 }
+[gates]
+depth_min_m = 8.0
+depth_max_m = 40.0
+depth_step_m = 2.0
+)" + first_order(),
+          {shape(optics::henyey_greenstein(0.3))});
+}
+
+}  // namespace
+}  // namespace photic::test

@@ -1,0 +1,54 @@
+// Pieces of scene files that tests put together.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "scene/read.hpp"
+
+namespace photic::test {
+
+inline scene::Scene read(const std::string& toml) { return scene::read_scene_text(toml, "test.toml", ".").scene; }
+
+/// The instrument of the paper's Table 1.
+inline const std::string ship_instrument = R"(
+[source]
+wavelength_nm = 532.0
+position_m = [0.0, 0.0, 12.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.04
+half_divergence_mrad = 5.0
+[[telescope]]
+position_m = [0.0, 0.0, 12.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.40
+focal_length_m = 2.0
+detector_diameter_m = 0.04
+)";
+
+inline std::string channel(const std::string& process) {
+  return fmt::format("[[channel]]\nname = \"{0}\"\nprocess = \"{0}\"\n", process);
+}
+
+inline const std::string henyey_greenstein_phase = R"({ model = "henyey-greenstein", g = 0.924 })";
+inline const std::string peaked_phase =
+    R"({ model = "fournier-forand", refractive_index = 1.10, slope = 3.5835 })";
+
+/// A bottomless layer at 532 nm.
+inline std::string water(double a_per_m, double b_per_m, const std::string& phase) {
+  return fmt::format(
+      "[[sea.layer]]\niop = [ {{ wavelength_nm = 532.0, a_per_m = {}, b_per_m = {} }} ]\nphase_function = {}\n", a_per_m,
+      b_per_m, phase);
+}
+
+inline std::string depth_gates(double max_m, double step_m) {
+  return fmt::format("[gates]\ndepth_max_m = {}\ndepth_step_m = {}\n", max_m, step_m);
+}
+
+/// `more` are further lines of the section.
+inline std::string simulation(double photons, std::uint64_t seed, const std::string& more = "") {
+  return fmt::format("[simulation]\nphotons = {:.0f}\nseed = {}\n{}\n", photons, seed, more);
+}
+
+}  // namespace photic::test
