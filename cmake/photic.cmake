@@ -25,7 +25,15 @@ function(photic_library name)
   target_link_libraries(photic_${name} ${scope} ${ARG_USES} ${ARG_LINKS})
 endfunction()
 
-# photic_test(name SOURCES a.cpp … USES core …)  → one test program; ctest knows each of its tests
+# The folder of tests/ that a test belongs to: unit, statistical, …
+function(photic_test_label result)
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/tests OUTPUT_VARIABLE path)
+  string(REGEX REPLACE "/.*" "" kind ${path})
+  set(${result} ${kind} PARENT_SCOPE)
+endfunction()
+
+# photic_test(name SOURCES a.cpp … USES core …)  → one test program; ctest knows each of its tests,
+# under the name of their folder of tests/ as label (ctest -L unit); target tests_unit builds a folder's
 function(photic_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;USES;LINKS" ${ARGN})
   if(NOT ARG_TIMEOUT)
@@ -36,5 +44,26 @@ function(photic_test name)
   target_link_libraries(${name} PRIVATE ${ARG_USES} ${ARG_LINKS} photic_flags GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE PHOTIC_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  gtest_discover_tests(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} DISCOVERY_TIMEOUT 60)
+  photic_test_label(label)
+  gtest_discover_tests(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${label} DISCOVERY_TIMEOUT 60)
+  if(NOT TARGET tests_${label})
+    add_custom_target(tests_${label})
+  endif()
+  add_dependencies(tests_${label} ${name})
+endfunction()
+
+# Debian's own interpreter: it has the packages of tools/install_packages, another python3 in PATH may not.
+set(PHOTIC_PYTHON /usr/bin/python3 CACHE FILEPATH "Python of the tests")
+
+# photic_pytest(a.py …)  → one test for each file, with the program and the Python package of this build
+function(photic_pytest)
+  photic_test_label(label)
+  foreach(file ${ARGN})
+    get_filename_component(stem ${file} NAME_WE)
+    add_test(NAME ${label}.${stem}
+             COMMAND ${PHOTIC_PYTHON} -m pytest -q -p no:cacheprovider ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+    set(environment "PHOTIC_PROGRAM=$<TARGET_FILE:photic>" "PHOTIC_BUILD=${PROJECT_BINARY_DIR}"
+        "PYTHONPATH=${PROJECT_SOURCE_DIR}/python" PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg)
+    set_tests_properties(${label}.${stem} PROPERTIES LABELS ${label} TIMEOUT 300 ENVIRONMENT "${environment}")
+  endforeach()
 endfunction()

@@ -55,13 +55,13 @@ constexpr std::int32_t gather_index(const std::int32_t* data, std::int32_t i) {
   return data[i];
 }
 
-/// Integer lanes to real lanes, and the floor of real lanes as integers.
+/// Integer lanes to real lanes, and the floor of real lanes x >= 0 as integers.
 template <std::floating_point T>
 constexpr T to_real(std::int32_t i) {
   return static_cast<T>(i);
 }
-inline std::int32_t floor_index(double x) { return static_cast<std::int32_t>(std::floor(x)); }
-inline std::int32_t floor_index(float x) { return static_cast<std::int32_t>(std::floor(x)); }
+inline std::int32_t floor_index(double x) { return static_cast<std::int32_t>(x); }
+inline std::int32_t floor_index(float x) { return static_cast<std::int32_t>(x); }
 
 /// Where a positive x lies on a grid with 2^bits equal cells in every octave: the number of its cell
 /// counted from that of 1.0 (negative below), and the fraction of the cell below x, 0 <= fraction < 1.

@@ -1,6 +1,7 @@
 // The local estimate: what every telescope is expected to detect of a collision.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/world.hpp"
@@ -24,7 +25,7 @@ template <class T>
 void score_line(const World<T>& world, const transport::Photon<T>& photon, const Index<T>& line, const T& share,
                       const Index<T>& phase, tally::BatchTally& tally, Targets<T>* targets) {
   const auto offer = [&](std::size_t telescope, const transport::Connection<T>& way) {
-    if (targets != nullptr && way.in_front && targets->count < target_capacity) targets->add(way.direction, true);
+    if (targets != nullptr && way.in_front && targets->count < target_capacity) targets->add(way.direction, T(0), true);
     if (!(way.acceptance > T(0))) return;
     const T p = world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction), phase);
     tally::Score score;
@@ -48,17 +49,48 @@ void score_line(const World<T>& world, const transport::Photon<T>& photon, const
   }
 }
 
-/// Scores what the telescopes expect of a photon that collides where it stands, by every process that can turn its
-/// light; the targets are the ways at the photon's own line, and serve a converted photon as well.
+/// 1 - cos of the half angle of a cone about `axis` that holds a ball of a radius at `there`; a hemisphere at most.
 template <class T>
-void score_collision(const World<T>& world, const transport::Photon<T>& photon, tally::BatchTally& tally,
-                     Targets<T>& targets) {
+T cone_around(const Vec3<T>& axis, const Vec3<T>& there, const T& radius) {
+  const T cosine = dot(axis, there) / length(there);
+  const T angle = std::acos(std::clamp(cosine, T(-1), T(1))) + std::atan(radius / length(there));
+  return T(1) - std::cos(std::min(angle, T(pi / 2)));
+}
+
+/// Adds the views of the telescopes as targets for light that has yet to be converted: converted light leaves in all
+/// directions, so what counts is that the laser's light comes into view, at whatever angle. The cone holds the whole
+/// column, or light from the side could enter it by a direction that is drawn too rarely.
+template <class T>
+void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Targets<T>& targets) {
+  for (const auto& view : world.views) {
+    const Vec3<T> centre = view.centre - photon.position;
+    if (targets.count == target_capacity || dot(centre, centre) == T(0)) return;
+    const Vec3<T> axis = normalised(centre);
+    const T to_entry = cone_around(axis, view.approach.entry - photon.position, view.radius);
+    const T to_end = cone_around(axis, view.end - photon.position, view.radius);
+    targets.add(axis, std::max(to_entry, to_end), true);
+  }
+}
+
+/// Scores what the telescopes expect of a photon that is scattered where it stands. Fills in the targets of the
+/// direction it may take next.
+template <class T>
+void score_scattering(const World<T>& world, const transport::Photon<T>& photon, tally::BatchTally& tally,
+                      Targets<T>& targets) {
   const medium::MediumView& sea = world.sea;
   const Index<T> here = sea.at(photon.line, photon.layer);
   targets.clear();
   score_line(world, photon, photon.line, T(sea.albedo[here]), sea.elastic_phase[here], tally,
              world.directed > T(0) ? &targets : nullptr);
-  if (photon.line != 0) return;
+  if (photon.line == 0 && world.directed > T(0)) aim_at_views(world, photon, targets);
+}
+
+/// Scores what the telescopes expect of the conversions on a photon's way to its next collision.
+template <class T>
+void score_conversions(const World<T>& world, transport::Photon<T> photon, const transport::ForcedUniforms<T>& u,
+                       tally::BatchTally& tally) {
+  const medium::MediumView& sea = world.sea;
+  if (photon.line != 0 || !transport::force_collision(sea, photon, world.approaches, u)) return;
   for (Index<T> i = 0; i < sea.convertible_count[photon.layer]; ++i) {
     const Index<T> line = sea.convertible[photon.layer * sea.lines + i];
     score_line<T>(world, photon, line, T(sea.conversion[sea.at(line, photon.layer)]), sea.conversion_phase[line], tally,

@@ -48,6 +48,10 @@ void follow(const World<T>& world, std::uint64_t number, tally::BatchTally& tall
   while (place.event < most_events) {
     ++place.event;
     const auto u = uniforms(place, 0);
+    if (!world.views.empty()) {
+      const auto w = uniforms(place, 2);
+      score_conversions(world, photon, {w[0], w[1], w[2]}, tally);
+    }
     const auto end = fly(world.sea, photon, u[0]);
     if (end.sea_bed) return void(ledger.sea_bed += photon.weight);
     if (!in_time(world, photon)) return void(ledger.cut_by_time += photon.weight);
@@ -55,11 +59,11 @@ void follow(const World<T>& world, std::uint64_t number, tally::BatchTally& tall
       ledger.escaped += reflect_down(world.sea, photon);
     } else {
       ++tally.collisions;
-      score_collision(world, photon, tally, targets);
+      score_scattering(world, photon, tally, targets);
       if (photon.order + 1 == world.last_order) return void(ledger.cut_by_order += photon.weight);
 
       ledger.absorbed += photon.weight * T(world.sea.absorption[world.sea.at(photon.line, photon.layer)]);
-      const auto v = uniforms(place, 1);
+      const auto v = world.makes_choices ? uniforms(place, 1) : std::array<T, 4>{};
       const auto branch = collide(world.sea, photon, world.conversion, v[0], v[1]);
       scatter(world.sea, photon, branch.phase, branch.lobe, targets, world.directed, {u[1], u[2], v[2], v[3]});
     }

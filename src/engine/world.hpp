@@ -10,8 +10,47 @@
 #include "scene/scene.hpp"
 #include "tally/gates.hpp"
 #include "tally/shape.hpp"
+#include "transport/forced.hpp"
 
 namespace photic::engine {
+
+/// A telescope's view as seen by light that is still to be converted: a column along its axis from where it enters the
+/// water, as long as most of the converted light comes from.
+template <class T>
+struct View {
+  transport::Approach<T> approach;
+  Vec3<T> centre;  ///< of the column, one mean free path of the fastest attenuated line from the entry
+  Vec3<T> end;
+  T radius{};      ///< of the column at its centre
+};
+
+template <class T>
+View<T> make_view(const instrument::Telescope<T>& telescope, const medium::Medium& medium, std::size_t layer) {
+  double c = 0;
+  for (std::size_t l = 1; l < medium.line.size(); ++l) {
+    c = std::max(c, medium.c[l * static_cast<std::size_t>(medium.layers()) + layer]);
+  }
+  const double n = medium.line.front().refractive_index;
+  const auto axis = vec3_cast<double>(telescope.axis);
+  const auto lens = vec3_cast<double>(telescope.position);
+  Vec3<double> entry = lens;
+  Vec3<double> onward = axis;
+  double in_air = 0;
+  if (!telescope.submerged && axis.z < 0) {
+    in_air = lens.z / -axis.z;
+    entry = lens + in_air * axis;
+    onward = normalised(Vec3<double>{axis.x / n, axis.y / n, -std::sqrt(1 - (1 - axis.z * axis.z) / (n * n))});
+  }
+  const double apparent = in_air + 1 / (c * (telescope.submerged ? 1.0 : n));
+  const double blur = telescope.lens_radius *
+                      std::abs(1 - telescope.detector_distance * (1 / telescope.focal_length - 1 / apparent));
+  View<T> view;
+  view.approach = {vec3_cast<T>(entry), vec3_cast<T>(onward), T(c)};
+  view.centre = vec3_cast<T>(entry + (1 / c) * onward);
+  view.end = vec3_cast<T>(entry + (2 / c) * onward);
+  view.radius = T(apparent * (telescope.detector_radius + blur) / telescope.detector_distance);
+  return view;
+}
 
 template <class T>
 struct World {
@@ -20,17 +59,20 @@ struct World {
   Index<T> laser_layer{};
   std::vector<instrument::Telescope<T>> telescopes;
   std::vector<Index<T>> telescope_layer;
+  std::vector<View<T>> views;  ///< of each telescope; none if nothing is converted
+  std::vector<transport::Approach<T>> approaches;  ///< of the views
   T last_path{};            ///< end of the last gate [m]
   T least_group_index{};    ///< of all lines
   T directed{};             ///< share of directions drawn towards a telescope
   T conversion{};           ///< probability of a branch into the inelastic processes
+  bool makes_choices = false;  ///< whether collisions choose between phase functions, targets or lines at all
   T roulette_threshold{};
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   std::uint64_t seed = 0;
 };
 
 /// Below this analog weight absorption is by Russian roulette, as in a plain walk.
-inline constexpr double roulette_threshold = 1e-3;
+inline constexpr double roulette_threshold = 1e-8;
 
 template <class T>
 World<T> make_world(const scene::Scene& scene, const medium::Medium& medium, const tally::Gates& gates) {
@@ -42,12 +84,17 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium, con
     world.telescopes.push_back(instrument::make_telescope<T>(t));
     world.telescope_layer.push_back(Index<T>(medium.layer_at(std::max(0.0, -t.position_m.z))));
   }
+  for (std::size_t t = 0; medium.line.size() > 1 && t < world.telescopes.size(); ++t) {
+    world.views.push_back(make_view(world.telescopes[t], medium, static_cast<std::size_t>(world.telescope_layer[t])));
+    world.approaches.push_back(world.views.back().approach);
+  }
   world.last_path = T(gates.last_path());
   double least = medium.line.front().group_index;
   for (const auto& line : medium.line) least = std::min(least, line.group_index);
   world.least_group_index = T(least);
   world.directed = T(scene.simulation.directed_fraction);
   world.conversion = T(scene.simulation.conversion_probability);
+  world.makes_choices = scene.simulation.directed_fraction > 0 || medium.line.size() > 1;
   world.roulette_threshold = T(roulette_threshold);
   world.last_order = scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
   world.seed = scene.simulation.seed;

@@ -1,6 +1,7 @@
 #include "io/netcdf_image.hpp"
 
 #include <fmt/format.h>
+#include <hdf5.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
@@ -23,6 +24,29 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
 void check(int status, const std::string& what) {
   if (status != NC_NOERR)
     throw EnvironmentError(fmt::format("netCDF, {}: {}", what, nc_strerror(status)));
+}
+
+/// An empty HDF5 file in memory that keeps the order of creation, as netCDF-4 files do.
+/// nc_create_mem leaves that out (netCDF-C 4.9.0), and then no program may add to the file:
+/// "NetCDF: Can't write file".
+NC_memio empty_file() {
+  constexpr unsigned ordered = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
+  const hid_t in_memory = H5Pcreate(H5P_FILE_ACCESS), creation = H5Pcreate(H5P_FILE_CREATE);
+  H5Pset_fapl_core(in_memory, 4096, false);
+  H5Pset_link_creation_order(creation, ordered);
+  H5Pset_attr_creation_order(creation, ordered);
+  const hid_t file = H5Fcreate("photic", H5F_ACC_TRUNC, creation, in_memory);
+  H5Fflush(file, H5F_SCOPE_GLOBAL);
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  NC_memio memory{};
+  if (size > 0)
+    memory = {static_cast<std::size_t>(size), std::malloc(static_cast<std::size_t>(size)), 0};
+  if (memory.memory != nullptr) H5Fget_file_image(file, memory.memory, memory.size);
+  H5Fclose(file);
+  H5Pclose(creation);
+  H5Pclose(in_memory);
+  check(memory.memory == nullptr ? NC_ENOMEM : NC_NOERR, "making a file in memory");
+  return memory;
 }
 
 int type_of(const Values& values) {
@@ -50,7 +74,8 @@ int put_values(int file, int variable, const Values& values) {
 }  // namespace
 
 NetcdfImage::NetcdfImage() {
-  check(nc_create_mem("photic", NC_NETCDF4, 0, &file_), "making a file in memory");
+  NC_memio memory = empty_file();  // netCDF takes it over
+  check(nc_open_memio("photic", NC_WRITE, &memory, &file_), "making a file in memory");
 }
 
 NetcdfImage::~NetcdfImage() {

@@ -10,6 +10,10 @@ namespace photic::medium {
 namespace {
 
 using optics::PhaseView;
+/// Free paths are drawn from scattering alone, absorption being continuous along them: deep light is then reached by
+/// more photons, of less weight. Where water hardly scatters, from this share of c.
+constexpr double least_walk_share = 0.2;
+
 constexpr std::size_t nodes = PhaseView::cells + 1;
 
 }  // namespace
@@ -35,6 +39,20 @@ std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
   return count;
 }
 
+std::vector<double> Medium::depth_integrals(const std::vector<double>& coefficient) const {
+  const auto n_layers = static_cast<std::size_t>(layers());
+  std::vector<double> out;
+  for (std::size_t l = 0; l < line.size(); ++l) {
+    double sum = 0;
+    out.push_back(sum);
+    for (std::size_t k = 0; k < n_layers; ++k) {
+      sum += coefficient[l * n_layers + k] * (top[k + 1] - top[k]);
+      out.push_back(sum);
+    }
+  }
+  return out;
+}
+
 void Medium::finish() {
   const auto n_layers = static_cast<std::size_t>(layers());
   const std::size_t n_lines = line.size();
@@ -47,14 +65,9 @@ void Medium::finish() {
     index_.push_back(l.refractive_index);
     group_index_.push_back(l.group_index);
   }
-  for (std::size_t l = 0; l < n_lines; ++l) {
-    double tau = 0;
-    depth_tau_.push_back(tau);
-    for (std::size_t k = 0; k < n_layers; ++k) {
-      tau += c[l * n_layers + k] * (top[k + 1] - top[k]);
-      depth_tau_.push_back(tau);
-    }
-  }
+  for (std::size_t i = 0; i < cells; ++i) walk_c_.push_back(c[i] * std::max(albedo[i], least_walk_share));
+  depth_tau_ = depth_integrals(c);
+  walk_depth_tau_ = depth_integrals(walk_c_);
   convertible_.assign(cells, 0);
   for (std::size_t k = 0; k < n_layers; ++k) {
     std::int32_t count = 0;
@@ -75,6 +88,8 @@ MediumView Medium::view() const {
   v.c = c.data();
   v.albedo = albedo.data();
   v.depth_tau = depth_tau_.data();
+  v.walk_c = walk_c_.data();
+  v.walk_depth_tau = walk_depth_tau_.data();
   v.conversion = conversion.data();
   v.absorption = absorption.data();
   v.convertible = convertible_.data();

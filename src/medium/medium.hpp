@@ -5,6 +5,7 @@
 // l * layers + k.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct MediumView {
   const double* c = nullptr;            ///< attenuation, [line][layer]
   const double* albedo = nullptr;       ///< b / c, [line][layer]
   const double* depth_tau = nullptr;    ///< optical depth from the surface to a layer's top, [line][layers + 1]
+  const double* walk_c = nullptr;          ///< coefficient that free paths are drawn from, [line][layer]
+  const double* walk_depth_tau = nullptr;  ///< its integral from the surface to a layer's top, [line][layers + 1]
   const double* conversion = nullptr;   ///< share of a collision at line 0 that emits at this line, [line][layer]
   const double* absorption = nullptr;   ///< share of a collision that ends the photon, [line][layer]
   const std::int32_t* convertible = nullptr;       ///< the lines with conversion > 0, [layer][lines]
@@ -43,8 +46,44 @@ struct MediumView {
   /// Optical depth from the surface straight down to a depth inside a layer.
   template <class T>
   T optical_depth(const Index<T>& line, const Index<T>& layer, const T& depth) const {
-    const T above = gather<T>(depth_tau, line * Index<T>(layers + 1) + layer);
-    return above + gather<T>(c, at(line, layer)) * (depth - gather<T>(top, layer));
+    return down_to<T>(c, depth_tau, line, layer, depth);
+  }
+  /// The same of the coefficient that free paths are drawn from.
+  template <class T>
+  T walk_optical_depth(const Index<T>& line, const Index<T>& layer, const T& depth) const {
+    return down_to<T>(walk_c, walk_depth_tau, line, layer, depth);
+  }
+
+  /// Optical depth of a straight way of the given length between two depths in given layers.
+  template <class T>
+  T slant_optical_depth(const Index<T>& line, const Index<T>& layer1, const T& depth1, const Index<T>& layer2,
+                        const T& depth2, const T& length) const {
+    return slant<T>(c, depth_tau, line, layer1, depth1, layer2, depth2, length);
+  }
+  template <class T>
+  T walk_slant_optical_depth(const Index<T>& line, const Index<T>& layer1, const T& depth1, const Index<T>& layer2,
+                             const T& depth2, const T& length) const {
+    return slant<T>(walk_c, walk_depth_tau, line, layer1, depth1, layer2, depth2, length);
+  }
+
+ private:
+  template <class T>
+  T down_to(const double* coefficient, const double* to_top, const Index<T>& line, const Index<T>& layer,
+            const T& depth) const {
+    const T above = gather<T>(to_top, line * Index<T>(layers + 1) + layer);
+    return above + gather<T>(coefficient, at(line, layer)) * (depth - gather<T>(top, layer));
+  }
+  template <class T>
+  T slant(const double* coefficient, const double* to_top, const Index<T>& line, const Index<T>& layer1,
+          const T& depth1, const Index<T>& layer2, const T& depth2, const T& length) const {
+    using std::abs;
+    const Mask<T> same = layer1 == layer2;
+    const T within = gather<T>(coefficient, at(line, layer1)) * length;
+    if (all(same)) return within;
+    const T rise = select(same, T(1), abs(depth1 - depth2));
+    const T difference = down_to<T>(coefficient, to_top, line, layer1, depth1) -
+                         down_to<T>(coefficient, to_top, line, layer2, depth2);
+    return select(same, within, abs(difference) * length / rise);
   }
 };
 
@@ -76,7 +115,10 @@ class Medium {
   [[nodiscard]] std::int32_t layer_at(double depth_m) const;
 
  private:
-  std::vector<double> depth_tau_, index_, group_index_;
+  /// Integrals over depth from the surface to the layers' edges, [line][layers + 1].
+  [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
+
+  std::vector<double> depth_tau_, walk_c_, walk_depth_tau_, index_, group_index_;
   std::vector<std::int32_t> convertible_, convertible_count_;
   std::vector<double> node_, cdf_, core_value_;
   std::vector<std::int32_t> guide_;

@@ -102,6 +102,7 @@ const std::string& DataTable::header(const std::string& key) const {
 std::vector<std::string> DataTable::texts(const std::string& column) const {
   const std::size_t c = index_of(column);
   std::vector<std::string> out;
+  out.reserve(cells_.size());
   for (const auto& row : cells_) out.push_back(row[c].text);
   return out;
 }

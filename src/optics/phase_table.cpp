@@ -56,11 +56,11 @@ PhaseTable::PhaseTable(const PhaseShape& shape) : node_(nodes_of(shape)) {
   for (double& share : cdf_) share /= sum;
   core_value_ = cdf_.front() / (2 * pi * PhaseView::x_core);
 
-  std::int32_t cell = -1;
+  std::size_t above = 0;  // first cell whose cdf is above u
   for (int k = 0; k < PhaseView::guides; ++k) {
     const double u = static_cast<double>(k) / PhaseView::guides;
-    while (cell + 1 < PhaseView::cells && cdf_[static_cast<std::size_t>(cell + 1)] <= u) ++cell;
-    guide_.push_back(cell);
+    while (above < PhaseView::cells && cdf_[above] <= u) ++above;
+    guide_.push_back(static_cast<std::int32_t>(above) - 1);
   }
 }
 

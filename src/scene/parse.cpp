@@ -1,5 +1,9 @@
 #include "scene/parse.hpp"
 
+// toml++ 3.3 asserts (and in release builds of clang assumes) what broken texts such as "[=" do not
+// keep to; the checks it has behind the assertions report them as syntax errors.
+#undef NDEBUG
+#define TOML_ASSERT(condition) static_assert(true)
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -8,6 +12,7 @@
 #include <type_traits>
 
 #include "core/error.hpp"
+#include "scene/stray.hpp"
 
 namespace photic::scene {
 namespace {
@@ -53,8 +58,10 @@ Node convert(const toml::node& from, const Placer& place) {
 int as_int(toml::source_index index) { return static_cast<int>(index); }
 
 std::optional<Node> sole_value(const std::string& toml_value, const Place& place) {
+  const std::string text = "value = " + toml_value;
+  if (find_stray_character(text)) return std::nullopt;
   try {
-    const toml::table table = toml::parse("value = " + toml_value);
+    const toml::table table = toml::parse(text);
     if (table.size() != 1) return std::nullopt;  // more keys were smuggled in behind a line break
     return convert(*table.get("value"), [&](const toml::source_region&) { return place; });
   } catch (const toml::parse_error&) {
@@ -68,6 +75,12 @@ Node parse_toml(const std::string& text, const std::string& file) {
   const auto place = [&](const toml::source_region& region) {
     return Place{file, as_int(region.begin.line), as_int(region.begin.column)};
   };
+  // Also keeps toml++ 3.3 from looking at such characters: it is undefined what it does about them.
+  if (const auto stray = find_stray_character(text))
+    throw InputError(
+        {{file, stray->line, stray->column,
+          "this is not TOML: a character that is not ASCII stands outside quotes and comments",
+          "look for typographic quotes, dashes and spaces"}});
   try {
     return convert(toml::parse(text), place);
   } catch (const toml::parse_error& error) {

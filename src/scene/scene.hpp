@@ -19,6 +19,7 @@ struct Source {
   Vec3<double> direction;    ///< where the light goes; any length but 0
   double diameter_m{};
   double half_divergence_mrad{};
+  friend bool operator==(const Source&, const Source&) = default;
 };
 
 /// A thin lens with a circular detector behind it.
@@ -35,6 +36,7 @@ struct Telescope {
 
   /// The detector's diameter, whichever way it was given.
   [[nodiscard]] double effective_detector_diameter_m() const;
+  friend bool operator==(const Telescope&, const Telescope&) = default;
 };
 
 /// The light a detector behind one filter counts: all light of a process, or all processes through a filter.
@@ -43,6 +45,7 @@ struct Channel {
   std::optional<std::string> process;  ///< elastic | raman | chlorophyll
   std::optional<double> centre_nm;     ///< a top-hat filter: centre +- fwhm/2, both given or none
   std::optional<double> fwhm_nm;
+  friend bool operator==(const Channel&, const Channel&) = default;
 };
 
 /// Which published data and models the water's optics are made of.
@@ -54,6 +57,7 @@ struct Optics {
   std::string phytoplankton;          ///< bricaud | prieur-sathyendranath
   std::string phytoplankton_phase;    ///< fournier-forand | petzold   (mie: refused until it exists)
   std::string raman;                  ///< bartlett | marshall-smith
+  friend bool operator==(const Optics&, const Optics&) = default;
 };
 
 /// Inherent optical properties at one wavelength: totals, water included.
@@ -62,6 +66,7 @@ struct IopEntry {
   double a_per_m{};
   double b_per_m{};
   double a_phytoplankton_per_m = 0.0;  ///< the share of a that excites chlorophyll fluorescence
+  friend bool operator==(const IopEntry&, const IopEntry&) = default;
 };
 
 /// A phase function by name and parameters; a mixture holds others.
@@ -74,6 +79,7 @@ struct PhaseFunction {
   std::string file;               ///< table: a CSV of angle_deg, phase_function_per_sr; absolute once read
   double fraction{};              ///< as a component of a mixture: its share of the scattering
   std::vector<PhaseFunction> components;  ///< mixture
+  friend bool operator==(const PhaseFunction&, const PhaseFunction&) = default;
 };
 
 /// A homogeneous layer of water: constituents, or inherent optical properties given outright.
@@ -86,10 +92,12 @@ struct Layer {
   double cdom_slope_per_nm = 0.017;
   std::vector<IopEntry> iop;             ///< empty in a layer of constituents; ascending in wavelength
   std::optional<PhaseFunction> phase_function;  ///< of an iop layer
+  friend bool operator==(const Layer&, const Layer&) = default;
 };
 
 struct Surface {
   std::string model = "flat";
+  friend bool operator==(const Surface&, const Surface&) = default;
 };
 
 struct Sea {
@@ -99,6 +107,7 @@ struct Sea {
   std::optional<double> group_index;       ///< replaces Quan & Fry's for the timing, at all wavelengths
   Surface surface;
   std::vector<Layer> layer;                ///< from the surface down
+  friend bool operator==(const Sea&, const Sea&) = default;
 };
 
 /// Range gates by vertical depth, by range along telescope 0's axis, or by time: exactly one kind is given.
@@ -114,6 +123,7 @@ struct Gates {
 
   [[nodiscard]] const Interval& interval() const;  ///< the one that is given
   [[nodiscard]] std::int64_t count() const;        ///< number of gates; the last one ends at max
+  friend bool operator==(const Gates&, const Gates&) = default;
 };
 
 struct Simulation {
@@ -126,6 +136,7 @@ struct Simulation {
   std::uint64_t seed = 1;
   double directed_fraction = 0.5;       ///< share of directions drawn towards a telescope; 0 turns it off
   double conversion_probability = 0.2;  ///< of a branch into an inelastic process, per collision
+  friend bool operator==(const Simulation&, const Simulation&) = default;
 };
 
 struct Scene {
@@ -137,6 +148,7 @@ struct Scene {
   Sea sea;
   Gates gates;
   Simulation simulation;
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 }  // namespace photic::scene

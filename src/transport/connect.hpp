@@ -8,6 +8,7 @@
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
+#include "transport/flight.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -43,12 +44,14 @@ T crossing_tangent(const T& n, const T& depth, const T& height, const T& aside, 
   const T n2 = n * n;
   const T enough = T(std::sqrt(std::numeric_limits<Element<T>>::epsilon())) * aside;
   T t = start;
+  Mask<T> open(true);  // a lane that is done rests, whatever the others still need
   for (int step = 0; step < 60; ++step) {
     const T q = T(1) / (n2 + (n2 - T(1)) * t * t);
     const T root = sqrt(q);
     const T excess = height * t + depth * t * root - aside;
-    t = t - excess / (height + depth * n2 * q * root);
-    if (!any(abs(excess) > enough)) break;
+    t = select(open, t - excess / (height + depth * n2 * q * root), t);
+    open = open & (abs(excess) > enough);
+    if (!any(open)) break;
   }
   return t;
 }
@@ -159,15 +162,13 @@ Connection<T> connect_in_water(const medium::MediumView& sea, const instrument::
   const Mask<T> seen = way.in_front & (overlap > T(0));
   if (!any(seen)) return way;
 
-  const T tau_here = sea.optical_depth<T>(line, at.layer, depth);
-  const T tau_there = sea.optical_depth<T>(line, telescope_layer, telescope_depth);
   const T steep = abs(way.direction.z);
   if (mirrored) {
-    way.optical_depth = (tau_here + tau_there) / steep;
+    way.optical_depth = (sea.optical_depth<T>(line, at.layer, depth) +
+                         sea.optical_depth<T>(line, telescope_layer, telescope_depth)) / steep;
   } else {
-    const Mask<T> same = at.layer == telescope_layer;
-    const T within = gather<T>(sea.c, sea.at(line, at.layer)) * distance;
-    way.optical_depth = select(same, within, abs(tau_here - tau_there) / select(same, T(1), steep));
+    way.optical_depth =
+        sea.slant_optical_depth<T>(line, at.layer, depth, telescope_layer, telescope_depth, distance);
   }
   way.path = distance * gather<T>(sea.group_index, line);
   const T reflected =

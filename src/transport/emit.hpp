@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/constants.hpp"
+#include "core/turn.hpp"
 #include "instrument/laser.hpp"
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
@@ -14,20 +14,18 @@ namespace photic::transport {
 /// A photon on the laser's disc, from two uniforms. Its path starts there.
 template <class T>
 Photon<T> emit(const instrument::Laser<T>& laser, const Index<T>& layer, const T& u_polar, const T& u_azimuth) {
-  using std::cos;
-  using std::sin;
   using std::sqrt;
-  const T azimuth = T(2 * pi) * u_azimuth;
+  const auto [cosine, sine] = cos_sin_of_turns(u_azimuth);
   Photon<T> photon;
   photon.layer = layer;
   if (laser.collimated) {
-    const Vec3<T> outward = turned(laser.axis, T(1), cos(azimuth), sin(azimuth));
+    const Vec3<T> outward = turned(laser.axis, T(1), cosine, sine);
     photon.direction = laser.axis;
     photon.position = laser.centre + (laser.radius * sqrt(u_polar)) * outward;
     return photon;
   }
   const T x = u_polar * laser.one_minus_cos_divergence;
-  photon.direction = turned(laser.axis, x, cos(azimuth), sin(azimuth));
+  photon.direction = turned(laser.axis, x, cosine, sine);
   const Vec3<T> off_axis = photon.direction - (T(1) - x) * laser.axis;
   photon.position = laser.centre + (laser.vertex_distance / (T(1) - x)) * off_axis;
   return photon;

@@ -15,42 +15,69 @@ struct FlightEnd {
   Mask<T> sea_bed;  ///< the photon stands on the sea bed
 };                  ///< neither: it collides where it stands
 
-/// Moves a photon in the water by the free path -ln(u), across layers, or to the surface or the sea bed.
+/// Moves a photon in the water by a free path, across layers, or to the surface or the sea bed. Free paths -ln(u)
+/// are drawn from the medium's walk coefficient c', which is less than c; the weight takes the ratio of the true density
+/// of free paths to the drawn one: exp(-(tau - tau')), and c / c' at a collision.
 template <class T>
 FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
+  using std::exp;
   using std::log;
   const T free_path = -log(u);
   const T down = -photon.direction.z;
   const T depth = -photon.position.z;
-  const T target = sea.optical_depth<T>(photon.line, photon.layer, depth) + free_path * down;
+  const T target = sea.walk_optical_depth<T>(photon.line, photon.layer, depth) + free_path * down;
 
   // The layer in which the vertical optical depth `target` lies; the edge one goes through, if any.
   const Index<T> row = photon.line * Index<T>(sea.layers + 1);
   const Index<T> last(sea.layers - 1);
   Index<T> layer = photon.layer;
   for (;;) {
-    const Mask<T> deeper = (layer < last) & (target > gather<T>(sea.depth_tau, row + layer + Index<T>(1)));
-    const Mask<T> higher = (layer > Index<T>(0)) & (target < gather<T>(sea.depth_tau, row + layer));
+    const Mask<T> deeper = (layer < last) & (target > gather<T>(sea.walk_depth_tau, row + layer + Index<T>(1)));
+    const Mask<T> higher = (layer > Index<T>(0)) & (target < gather<T>(sea.walk_depth_tau, row + layer));
     if (!any(deeper | higher)) break;
     layer = layer + select(deeper, Index<T>(1), select(higher, Index<T>(-1), Index<T>(0)));
   }
   FlightEnd<T> end;
   end.surface = (target <= T(0)) & (down < T(0));
-  end.sea_bed = target > gather<T>(sea.depth_tau, row + Index<T>(sea.layers));
-  const T c = gather<T>(sea.c, sea.at(photon.line, layer));
+  end.sea_bed = target > gather<T>(sea.walk_depth_tau, row + Index<T>(sea.layers));
+  const T walk_c = gather<T>(sea.walk_c, sea.at(photon.line, layer));
   const T collision_depth =
-      gather<T>(sea.top, layer) + (target - gather<T>(sea.depth_tau, row + layer)) / c;
+      gather<T>(sea.top, layer) + (target - gather<T>(sea.walk_depth_tau, row + layer)) / walk_c;
   const T bed = gather<T>(sea.top, Index<T>(sea.layers));
+  const Mask<T> stopped = end.surface | end.sea_bed;
   const T depth_at_end = select(end.surface, T(0), select(end.sea_bed, bed, collision_depth));
 
   // Within one layer the path is exact also for a horizontal flight; across edges it follows from the depths.
-  const Mask<T> stays = (layer == photon.layer) & !(end.surface | end.sea_bed);
-  const T distance = select(stays, free_path / c, (depth_at_end - depth) / select(stays, T(1), down));
+  const Mask<T> stays = (layer == photon.layer) & !stopped;
+  const T distance = select(stays, free_path / walk_c, (depth_at_end - depth) / select(stays, T(1), down));
+  const T tau = sea.slant_optical_depth<T>(photon.line, photon.layer, depth, layer, depth_at_end, distance);
+  const T walk_tau =
+      sea.walk_slant_optical_depth<T>(photon.line, photon.layer, depth, layer, depth_at_end, distance);
   photon.position = photon.position + distance * photon.direction;
   photon.position.z = select(stays, photon.position.z, -depth_at_end);
   photon.layer = layer;
   photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
+  const T here = gather<T>(sea.c, sea.at(photon.line, layer));
+  const T ratio = exp(walk_tau - tau) * select(stopped, T(1), here / walk_c);
+  photon.weight = photon.weight * ratio;
+  photon.analog_weight = photon.analog_weight * ratio;
   return end;
+}
+
+/// Moves a photon by a distance, whatever it passes. Tells whether it is still in the water.
+template <class T>
+Mask<T> advance(const medium::MediumView& sea, Photon<T>& photon, const T& distance) {
+  photon.position = photon.position + distance * photon.direction;
+  photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
+  const T depth = -photon.position.z;
+  const Index<T> last(sea.layers - 1);
+  for (;;) {
+    const Mask<T> deeper = (photon.layer < last) & (depth > gather<T>(sea.top, photon.layer + Index<T>(1)));
+    const Mask<T> higher = (photon.layer > Index<T>(0)) & (depth < gather<T>(sea.top, photon.layer));
+    if (!any(deeper | higher)) break;
+    photon.layer = photon.layer + select(deeper, Index<T>(1), select(higher, Index<T>(-1), Index<T>(0)));
+  }
+  return (depth > T(0)) & (depth < gather<T>(sea.top, Index<T>(sea.layers)));
 }
 
 /// Reflects a photon that stands at the surface back into the water, its weight times the Fresnel reflectance

@@ -4,16 +4,18 @@
 #include <array>
 #include <cmath>
 
-#include "core/constants.hpp"
+#include "core/turn.hpp"
 #include "medium/medium.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
 
-/// Directions that lead to the telescopes from where a photon stands; each usable with equal probability.
+/// Where light is worth sending from where a photon stands; each usable target with equal probability. About its
+/// direction a target has either a lobe of the shape of a phase function, or a cone filled evenly.
 template <class T, int capacity>
 struct Targets {
   std::array<Vec3<T>, capacity> direction;
+  std::array<T, capacity> cone;  ///< 1 - cos of the half angle; 0: a lobe
   std::array<Mask<T>, capacity> usable;
   int count = 0;      ///< entries filled in
   T usable_count{};   ///< entries usable, lane by lane
@@ -23,9 +25,10 @@ struct Targets {
     usable_count = T(0);
   }
 
-  void add(const Vec3<T>& towards, const Mask<T>& is_usable) {
+  void add(const Vec3<T>& towards, const T& one_minus_cos_cone, const Mask<T>& is_usable) {
     const auto i = static_cast<std::size_t>(count++);
     direction[i] = towards;
+    cone[i] = one_minus_cos_cone;
     usable[i] = is_usable;
     usable_count = usable_count + select(is_usable, T(1), T(0));
   }
@@ -38,17 +41,13 @@ struct ScatterUniforms {
 };
 
 /// Turns a photon into a new direction drawn from the mixture
-///   q = (1 - e) p(old, new) + e mean over targets of lobe(target, new),
+///   q = (1 - e) p(old, new) + e mean over targets of lobe or cone(target, new),
 /// p and lobe being tables of the medium, e = `directed` where there are targets and 0 elsewhere; the weight is
 /// multiplied by p / q <= 1 / (1 - e), both terms always in q (Veach & Guibas, SIGGRAPH 95, balance heuristic).
 template <class T, int capacity>
 void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& phase, const Index<T>& lobe,
              const Targets<T, capacity>& targets, const T& directed, const ScatterUniforms<T>& u) {
-  using std::cos;
-  using std::sin;
-  const T azimuth = T(2 * pi) * u.azimuth;
-  const T cos_azimuth = cos(azimuth);
-  const T sin_azimuth = sin(azimuth);
+  const auto [cos_azimuth, sin_azimuth] = cos_sin_of_turns(u.azimuth);
   const Vec3<T> old = photon.direction;
   const Mask<T> has_target = targets.usable_count > T(0);
   if (!any(has_target)) {
@@ -60,21 +59,27 @@ void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& p
 
   // The target number floor(u count), counting the usable ones.
   Vec3<T> axis = old;
+  T cone(0);
   T rest = u.target * targets.usable_count;
   for (int i = 0; i < targets.count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const Mask<T> taken = towards & targets.usable[k] & (rest >= T(0)) & (rest < T(1));
     axis = select(taken, targets.direction[k], axis);
+    cone = select(taken, targets.cone[k], cone);
     rest = rest - select(targets.usable[k], T(1), T(0));
   }
-  const T x = sea.phases.sample<T>(u.polar, select(towards, lobe, phase));
+  const T from_table = sea.phases.sample<T>(u.polar, select(towards, lobe, phase));
+  const T x = select(cone > T(0), u.polar * cone, from_table);
   photon.direction = turned(axis, x, cos_azimuth, sin_azimuth);
 
   const T p = sea.phases.value<T>(one_minus_cos(old, photon.direction), phase);
   T towards_density(0);
   for (int i = 0; i < targets.count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const T density = sea.phases.value<T>(one_minus_cos(targets.direction[k], photon.direction), lobe);
+    const T off = one_minus_cos(targets.direction[k], photon.direction);
+    const Mask<T> is_cone = targets.cone[k] > T(0);
+    const T even = select(off < targets.cone[k], T(0.5 / pi) / select(is_cone, targets.cone[k], T(1)), T(0));
+    const T density = select(is_cone, even, sea.phases.value<T>(off, lobe));
     towards_density = towards_density + select(targets.usable[k], density, T(0));
   }
   const T per_target = share / select(has_target, targets.usable_count, T(1));

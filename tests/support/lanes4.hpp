@@ -85,6 +85,10 @@ Mask4 operator==(const Pack4<E>& a, const Pack4<E>& b) {
   return lane_by_lane([](E x, E y) { return x == y; }, a, b);
 }
 
+inline Index4 operator&(const Index4& a, const Index4& b) {
+  return lane_by_lane([](std::int32_t x, std::int32_t y) { return x & y; }, a, b);
+}
+
 inline Mask4 operator&(const Mask4& a, const Mask4& b) {
   return lane_by_lane([](bool x, bool y) { return x && y; }, a, b);
 }

@@ -1,0 +1,158 @@
+#include "photic/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <stdexcept>
+
+#include "photic/quantities.hpp"
+#include "scene/suggest.hpp"
+
+namespace photic::app {
+namespace {
+
+constexpr const char* examples = R"(
+Examples:
+  photic new ship -o my.toml              a commented scene to start from
+  photic check my.toml                    all that is wrong with it
+  photic run my.toml                      simulate it; the result is my.nc
+  photic run my.toml --target 1% --max-time 10min
+  photic run my.toml --set sea.layer.0.chlorophyll_mg_m3=0.5 -o green.nc
+  photic show my.nc                       the scene that a result came from
+
+Exit codes: 0 done, 1 failed (disk, memory), 2 bad input, 130 after Ctrl-C, 143 after SIGTERM.)";
+
+/// "photic run 'my scene.toml'": could be pasted into a shell.
+std::string as_typed(int argc, const char* const* argv) {
+  std::string out = "photic";
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (!word.empty() && word.find_first_of(" \t\n'\"\\$*?[]{}();&|<>#~`!") == std::string::npos) {
+      out += ' ' + word;
+      continue;
+    }
+    out += " '";
+    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    out += '\'';
+  }
+  return out;
+}
+
+void add_overrides(CLI::App& app, std::vector<scene::Override>& overrides) {
+  app.add_option(
+         "--set", overrides,
+         "Replace a value of the scene (sea.layer.0.chlorophyll_mg_m3=0.5); may be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+}
+
+/// An option that stands for one value of the scene: the effective scene tells what ran.
+void add_scene_value(CLI::App& app, std::vector<scene::Override>& overrides,
+                     const std::string& flag, const std::string& type, const std::string& path,
+                     const std::string& description, std::string (*value)(const std::string&)) {
+  app.add_option_function<std::string>(
+         flag,
+         [&overrides, flag, path, value](const std::string& text) {
+           try {
+             overrides.push_back(path + "=" + value(text));
+           } catch (const std::invalid_argument& problem) {
+             throw CLI::ValidationError(flag, problem.what());
+           }
+         },
+         description)
+      ->type_name(type);
+}
+
+void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags) {
+  CLI::App& sub = *app.add_subcommand("run", "Simulate a scene and write its echoes");
+  sub.add_option("scene", run.scene, "The scene file")->required()->type_name("SCENE");
+  sub.add_option("-o,--output", run.output,
+                 "The result, .nc or .csv [default: the scene's name, .nc, in the current folder]")
+      ->type_name("FILE");
+  add_scene_value(sub, flags, "--photons", "N", "simulation.photons",
+                  "Stop after N photons (1e7 is accepted)", photons_value);
+  add_scene_value(sub, flags, "--target", "SHARE", "simulation.target_relative_error",
+                  "Stop when every gate is converged below this relative error (1%)", share_value);
+  add_scene_value(sub, flags, "--max-time", "TIME", "simulation.max_time_s",
+                  "Stop after this time (60s, 10min, 2h)", seconds_value);
+  add_scene_value(sub, flags, "--seed", "S", "simulation.seed", "Seed of the random numbers",
+                  seed_value);
+  sub.add_option("--threads", run.threads,
+                 "Number of threads [default: all cores]; the result does not depend on it")
+      ->type_name("T")
+      ->check(CLI::Range(1, 4096));
+  add_overrides(sub, run.overrides);
+  sub.add_flag("--json", run.json, "Print the table of echoes as JSON");
+}
+
+void add_check(CLI::App& app, CheckCommand& check) {
+  CLI::App& sub = *app.add_subcommand("check", "Tell every problem of a scene");
+  sub.add_option("scene", check.scene, "The scene file")->required()->type_name("SCENE");
+  add_overrides(sub, check.overrides);
+  sub.add_flag("--json", check.json, "Print as JSON");
+}
+
+void add_show(CLI::App& app, ShowCommand& show) {
+  CLI::App& sub = *app.add_subcommand(
+      "show", "Print the effective scene, every default written out, of a scene or a result");
+  sub.add_option("file", show.file, "A scene file, or a result (.nc)")
+      ->required()
+      ->type_name("SCENE|RESULT.nc");
+  add_overrides(sub, show.overrides);
+  sub.add_flag("--json", show.json, "Print as JSON");
+}
+
+void add_new(CLI::App& app, NewCommand& starter) {
+  CLI::App& sub = *app.add_subcommand("new", "Write a commented scene to start from");
+  sub.add_option("kind", starter.kind, "Which one: ship")->required()->type_name("KIND");
+  sub.add_option("-o,--output", starter.output,
+                 "Where to [default: standard output]; never an existing file")
+      ->type_name("FILE");
+}
+
+/// CLI11 would only say that a subcommand is required.
+void expect_known_subcommand(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2 || *argv[1] == '-') return;
+  std::vector<std::string> known;
+  for (const CLI::App* sub : app.get_subcommands({})) known.push_back(sub->get_name());
+  const std::string word = argv[1];
+  if (std::find(known.begin(), known.end(), word) != known.end()) return;
+  const std::string suggestion = scene::suggestion_for(word, known, "there are");
+  throw CLI::ExtrasError("there is no subcommand '" + word + "' (" + suggestion + ")",
+                         CLI::ExitCodes::ExtrasError);
+}
+
+}  // namespace
+
+Parsed parse_command_line(int argc, const char* const* argv) {
+  CLI::App app("Photic simulates what a lidar over or in the sea will see.", "photic");
+  app.set_version_flag("--version", "photic " PHOTIC_VERSION);
+  app.require_subcommand(1);
+  app.footer(examples);
+
+  RunCommand run;
+  CheckCommand check;
+  ShowCommand show;
+  NewCommand starter;
+  std::vector<scene::Override> flags;  // after --set: the flag that names a value wins
+  add_run(app, run, flags);
+  add_check(app, check);
+  add_show(app, show);
+  add_new(app, starter);
+  app.add_subcommand("schema", "Print the JSON Schema of scene files, for editors");
+
+  try {
+    expect_known_subcommand(app, argc, argv);
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& end) {
+    return {std::nullopt, app.exit(end) == 0 ? done : bad_input};
+  }
+  run.overrides.insert(run.overrides.end(), flags.begin(), flags.end());
+  run.command_line = as_typed(argc, argv);
+  if (app.got_subcommand("run")) return {run, done};
+  if (app.got_subcommand("check")) return {check, done};
+  if (app.got_subcommand("show")) return {show, done};
+  if (app.got_subcommand("new")) return {starter, done};
+  return {SchemaCommand{}, done};
+}
+
+}  // namespace photic::app

@@ -1,0 +1,58 @@
+// What the user asked for, one plain value for each subcommand, and the function that does it.
+// Each returns the exit code; problems are thrown and reported in one place (main.cpp).
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scene/read.hpp"
+
+namespace photic::app {
+
+inline constexpr int done = 0;
+inline constexpr int failed = 1;     ///< the environment: disk, memory
+inline constexpr int bad_input = 2;  ///< a scene or a command line that cannot be followed
+
+/// photic run: simulates a scene and writes its echoes.
+struct RunCommand {
+  std::string scene;
+  std::string output;  ///< .nc or .csv; empty: the scene's name in the current folder
+  std::vector<scene::Override> overrides;
+  int threads = 0;  ///< 0: all cores
+  bool json = false;
+  std::string command_line;  ///< as typed, for the history of the result
+};
+
+/// photic check: tells every problem of a scene.
+struct CheckCommand {
+  std::string scene;
+  std::vector<scene::Override> overrides;
+  bool json = false;
+};
+
+/// photic show: prints the effective scene of a scene file or of a result.
+struct ShowCommand {
+  std::string file;
+  std::vector<scene::Override> overrides;
+  bool json = false;
+};
+
+/// photic new: writes a commented scene to start from.
+struct NewCommand {
+  std::string kind;
+  std::string output;  ///< empty: standard output
+};
+
+/// photic schema: prints the JSON Schema of scene files.
+struct SchemaCommand {};
+
+using Command = std::variant<RunCommand, CheckCommand, ShowCommand, NewCommand, SchemaCommand>;
+
+int run(const RunCommand& command);
+int run(const CheckCommand& command);
+int run(const ShowCommand& command);
+int run(const NewCommand& command);
+int run(const SchemaCommand& command);
+
+}  // namespace photic::app

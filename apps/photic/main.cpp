@@ -1,0 +1,57 @@
+// photic: the command line. Everything thrown is reported here and becomes an exit code.
+#include <fmt/format.h>
+
+#include <exception>
+#include <new>
+
+#include "core/error.hpp"
+#include "photic/command_line.hpp"
+#include "photic/output.hpp"
+
+namespace {
+
+using namespace photic;
+
+/// The file whose problems are counted; none where the command line itself is what was wrong.
+struct Subject {
+  std::string operator()(const app::RunCommand& c) const { return c.scene; }
+  std::string operator()(const app::CheckCommand& c) const { return c.scene; }
+  std::string operator()(const app::ShowCommand& c) const { return c.file; }
+  std::string operator()(const app::NewCommand& /*c*/) const { return {}; }
+  std::string operator()(const app::SchemaCommand& /*c*/) const { return {}; }
+};
+
+void report(const InputError& error, const std::string& subject) {
+  std::string text;
+  for (const Diagnostic& d : error.diagnostics()) text += d.text() + '\n';
+  const std::size_t count = error.diagnostics().size();
+  if (!subject.empty())
+    text += fmt::format("{} problem{} in {}\n", count, count == 1 ? "" : "s", subject);
+  app::print_error(text);
+}
+
+int follow(const app::Command& command) {
+  try {
+    return std::visit([](const auto& c) { return app::run(c); }, command);
+  } catch (const InputError& error) {
+    report(error, std::visit(Subject{}, command));
+    return app::bad_input;
+  } catch (const app::UsageError& error) {
+    app::print_error(fmt::format("{}\n", error.what()));
+    return app::bad_input;
+  } catch (const EnvironmentError& error) {
+    app::print_error(fmt::format("photic: {}\n", error.what()));
+  } catch (const std::bad_alloc&) {
+    app::print_error("photic: not enough memory (fewer gates, orders or telescopes need less)\n");
+  } catch (const std::exception& error) {
+    app::print_error(fmt::format("photic: this is a bug, please report it: {}\n", error.what()));
+  }
+  return app::failed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const app::Parsed parsed = app::parse_command_line(argc, argv);
+  return parsed.command ? follow(*parsed.command) : parsed.exit_code;
+}

@@ -1,0 +1,56 @@
+#include "photic/output.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "core/error.hpp"
+
+namespace photic::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& what) {
+  throw EnvironmentError(fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+}  // namespace
+
+void print_error(std::string_view text) {
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+}
+
+void print_out(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (std::fflush(stdout) != 0 || !written) fail("cannot write to standard output");
+}
+
+std::string result_path(const std::string& output, const std::string& scene) {
+  if (output.empty()) return fs::path(scene).filename().replace_extension(".nc").string();
+  const std::string kind = fs::path(output).extension().string();
+  if (kind != ".nc" && kind != ".csv") {
+    throw UsageError(output + ": the result's name ends neither in .nc nor in .csv (write -o " +
+                     output + ".nc)");
+  }
+  std::error_code none;
+  if (fs::equivalent(output, scene, none))
+    throw UsageError(output + ": the result would replace the scene (choose another name with -o)");
+  return output;
+}
+
+void write_new_file(const std::string& path, std::string_view text) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wx"),
+                                                             &std::fclose);
+  if (!file && errno == EEXIST)
+    throw UsageError(path + ": exists already and was left as it is (choose another name with -o)");
+  if (!file) fail("cannot write " + path);
+  const bool written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
+  if (std::fflush(file.get()) != 0 || !written) fail("cannot write " + path);
+}
+
+}  // namespace photic::app

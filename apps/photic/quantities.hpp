@@ -1,0 +1,21 @@
+// Numbers of the command line, checked and turned into the values of a scene file.
+// Each throws std::invalid_argument with the reason and what to write instead.
+#pragma once
+
+#include <string>
+
+namespace photic::app {
+
+/// "10000000" or "1e7" -> "10000000": a whole number of at least 1.
+std::string photons_value(const std::string& text);
+
+/// "1%" or "0.01" -> "0.01": above 0, below 1.
+std::string share_value(const std::string& text);
+
+/// "60s", "1.5min", "2h" -> seconds: above 0.
+std::string seconds_value(const std::string& text);
+
+/// A whole number from 0.
+std::string seed_value(const std::string& text);
+
+}  // namespace photic::app

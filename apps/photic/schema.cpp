@@ -1,0 +1,11 @@
+#include "photic/commands.hpp"
+#include "photic/output.hpp"
+
+namespace photic::app {
+
+int run(const SchemaCommand& /*command*/) {
+  print_out(scene::scene_schema() + '\n');
+  return done;
+}
+
+}  // namespace photic::app

@@ -1,0 +1,35 @@
+#include <filesystem>
+
+#include "engine/problem.hpp"
+#include "io/netcdf.hpp"
+#include "photic/commands.hpp"
+#include "photic/output.hpp"
+
+namespace photic::app {
+namespace {
+
+scene::Reading read(const ShowCommand& command) {
+  const std::filesystem::path file(command.file);
+  if (file.extension() != ".nc") return scene::read_scene(command.file, command.overrides);
+  return scene::read_scene_text(io::read_scene_attribute(command.file), command.file,
+                                file.parent_path().string(), command.overrides);
+}
+
+/// Where every number of the water comes from, as comments under the scene.
+std::string sources_of(const scene::Scene& scene) {
+  std::string out = "\n# The optics of this scene and their sources:\n";
+  for (const std::string& source : engine::describe(engine::make_problem(scene)).sources)
+    out += "#   " + source + '\n';
+  return out;
+}
+
+}  // namespace
+
+int run(const ShowCommand& command) {
+  const scene::Scene scene = read(command).scene;
+  print_out(command.json ? scene::write_scene_json(scene) + '\n'
+                         : scene::write_scene(scene) + sources_of(scene));
+  return done;
+}
+
+}  // namespace photic::app

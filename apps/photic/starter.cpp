@@ -1,0 +1,17 @@
+#include "photic/commands.hpp"
+#include "photic/output.hpp"
+
+namespace photic::app {
+
+int run(const NewCommand& command) {
+  const std::string text = scene::starter_scene(command.kind);
+  if (command.output.empty()) {
+    print_out(text);
+    return done;
+  }
+  write_new_file(command.output, text);
+  print_out(command.output + ": written; check it with: photic check " + command.output + '\n');
+  return done;
+}
+
+}  // namespace photic::app

@@ -1,0 +1,16 @@
+"""Photic: what an oceanographic lidar will see.
+
+    import photic
+    ds = photic.run("ship.toml", set={"sea.layer.0.chlorophyll_mg_m3": 0.5}, photons=1e6)
+    ds.echo.sel(telescope="ship", channel="raman")
+
+run(scene) computes, open(path) reads a result file; both return an xarray.Dataset whose
+telescopes, channels and processes go by their names. `python3 -m photic plot out.nc -o out.png`
+draws one.
+"""
+
+from photic.errors import Error
+from photic.program import run
+from photic.result import open
+
+__all__ = ["Error", "open", "run"]

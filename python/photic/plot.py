@@ -1,0 +1,106 @@
+"""Drawing results: echo against depth, on a figure of matplotlib."""
+
+import itertools
+
+from matplotlib.figure import Figure
+
+from photic import panels
+from photic.errors import Error
+
+# Okabe & Ito (2008), "Color Universal Design": told apart by the colour-blind too.
+# Green comes first, for 532 nm.
+COLOURS = ["#009E73", "#D55E00", "#0072B2", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+LOOK = {"dpi": 150, "layout": "constrained"}
+
+
+def figure(results, names, telescope=None, title=None):
+    """One result: its echoes by channel, by process, by order. Several: a panel for each channel,
+    results overlaid.
+
+    results    datasets of photic.open; names: what to call each of them
+    telescope  by name; default: the first of each
+    """
+    seen = [_through(result, name, telescope) for result, name in zip(results, names)]
+    captions = [_caption(result, str(one.telescope.values)) for result, one in zip(results, seen)]
+    if len(seen) == 1:
+        drawing = _one(seen[0])
+    else:
+        drawing = _several(seen, names)
+        captions = [f"{name}: {caption}" for name, caption in zip(names, captions)]
+    titles = {result.attrs["title"] for result in seen}
+    title = title or (titles.pop() if len(titles) == 1 else "")
+    if title:
+        drawing.suptitle(panels.text(title), x=0.01, ha="left", fontsize=14, fontweight="bold")
+    captions[-1] += ". Bands: 95 % intervals, the lower end not below a tenth of the echo."
+    caption = panels.text("\n".join(captions))
+    drawing.supxlabel(caption, x=0.01, ha="left", fontsize=8, color="0.3")
+    return drawing
+
+
+def _through(result, name, telescope):
+    known = [str(each) for each in result.telescope.values]
+    if telescope is not None and telescope not in known:
+        raise Error(f"{name}: there is no telescope {telescope!r}; there are: {', '.join(known)}")
+    return result.isel(telescope=0 if telescope is None else known.index(telescope))
+
+
+def _caption(result, telescope):
+    run = result.attrs
+    photons = f"{int(run['photons']):,}".replace(",", "\u2009")
+    parts = [f"Photic {run['version']}", f"{photons} photons", f"seed {run['seed']}"]
+    if run["partial"]:
+        parts.append("partial: interrupted")
+    if result.sizes["telescope"] > 1:
+        parts.append(f"telescope {telescope}")
+    return ", ".join(parts)
+
+
+def _one(result):
+    """Echoes by channel, and beside them two breakdowns: by process for the first channel that is
+    fed by several, by order for the first channels."""
+    channels = [str(channel) for channel in result.channel.values]
+    feeding = (result.echo_by_process > 0).any("gate").sum("process")
+    mixed = [channel for channel in channels if feeding.sel(channel=channel) > 1][:1]
+    by_order = channels[: 2 - len(mixed)]
+    beside = len(mixed) + len(by_order)
+
+    drawing = Figure(figsize=(6.6 + 3.3 * beside, 6.6), **LOOK)
+    ratios = [1.5] + [1] * beside
+    row = drawing.subplots(1, 1 + beside, sharey=True, squeeze=False, width_ratios=ratios)[0]
+    for channel, colour in zip(channels, itertools.cycle(COLOURS)):
+        part = result.sel(channel=channel)
+        label = f"{channel} ({float(part.channel_wavelength):.4g} nm)"
+        panels.line(row[0], part, part.echo, part.echo_standard_error, colour, label)
+    title = "Echo by channel" if mixed else "Echo by channel (one process each)"
+    panels.finish_lines(row[0], [(result.echo, result.converged)], title)
+    for panel, channel in zip(row[1:], mixed):
+        part = result.sel(channel=channel)
+        panels.processes(panel, part, itertools.cycle(COLOURS), f"{channel} echo by process")
+    for panel, channel in zip(row[1 + len(mixed) :], by_order):
+        panels.orders(panel, result.sel(channel=channel), f"{channel} echo by order of scattering")
+    panels.orders_legend(row[-1], result)
+    panels.finish_depth(row[0], [result])
+    return drawing
+
+
+def _several(results, names):
+    """A panel for each channel that any of the results has."""
+    every = (str(channel) for result in results for channel in result.channel.values)
+    channels = list(dict.fromkeys(every))
+    columns = min(len(channels), 3)
+    rows = -(-len(channels) // columns)
+    drawing = Figure(figsize=(1.4 + 4.4 * columns, 1.4 + 5.2 * rows), **LOOK)
+    grid = drawing.subplots(rows, columns, sharey=True, squeeze=False)
+    for panel in grid.flat[len(channels) :]:
+        panel.remove()
+    for panel, channel in zip(grid.flat, channels):
+        shown = []
+        for result, name, colour in zip(results, names, itertools.cycle(COLOURS)):
+            if channel in result.channel.values:
+                part = result.sel(channel=channel)
+                panels.line(panel, part, part.echo, part.echo_standard_error, colour, name)
+                shown.append((part.echo, part.converged))
+        panels.finish_lines(panel, shown, f"{channel} echo")
+    for panel in grid[:, 0]:
+        panels.finish_depth(panel, results)
+    return drawing

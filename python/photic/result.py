@@ -1,0 +1,54 @@
+"""Reading result files."""
+
+import os
+
+import xarray
+
+from photic.errors import Error
+
+FORMAT = 1  # the newest layout this package reads
+
+
+def open(path):
+    """The result in a netCDF file as an xarray.Dataset, in memory; the file is closed again.
+
+    Dimensions: telescope, channel and process (indexed by name), order (1, 2, … and above), gate,
+    depth (of the last scattering) [m]. Coordinates: gate_time [ns], gate_depth [m] of each channel,
+    channel_wavelength [nm], and the bounds of gates. Variables: echo, echo_by_process,
+    echo_by_order, echo_by_depth, each with _standard_error, and converged (bool), convergence_flags
+    with their meanings, … Attributes: the run, and the scene as text.
+
+    Raises photic.Error if there is no such file or it is not a result of Photic.
+    """
+    path = os.fspath(path)
+    dataset = _load(path)
+    if "photic_format" not in dataset.attrs:
+        raise Error(
+            f"{path}: a netCDF file, but not a result of Photic: it has no attribute photic_format"
+        )
+    if dataset.attrs["photic_format"] > FORMAT:
+        raise Error(
+            f"{path}: written by a newer Photic (result format {dataset.attrs['photic_format']}; "
+            f"this package reads up to {FORMAT})"
+        )
+    for axis in ("telescope", "channel", "process"):
+        names = dataset[axis + "_name"]
+        dataset = dataset.assign_coords({axis: (axis, names.values.astype(str), names.attrs)})
+        dataset = dataset.drop_vars(axis + "_name")
+    # With bytes, ~ds.converged would be true everywhere.
+    converged = dataset["converged"].astype(bool)
+    converged.attrs = {"long_name": dataset["converged"].attrs["long_name"]}
+    dataset["converged"] = converged
+    return dataset.set_coords(["gate_time_bounds", "gate_depth_bounds", "depth_bounds"])
+
+
+def _load(path):
+    if not os.path.isfile(path):
+        raise Error(f"{path}: is a directory" if os.path.isdir(path) else f"{path}: no such file")
+    try:
+        with xarray.open_dataset(path, engine="netcdf4", decode_timedelta=False) as file:
+            return file.load()
+    except PermissionError as error:
+        raise Error(f"{path}: {error.strerror}", exit_code=1) from error
+    except (OSError, ValueError, RuntimeError) as error:
+        raise Error(f"{path}: not a netCDF file, or a damaged one") from error

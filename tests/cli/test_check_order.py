@@ -1,0 +1,55 @@
+"""tools/check_include_order.py holds on this tree, and sees what it is there to see."""
+
+import subprocess
+import sys
+
+import pytest
+from conftest import SOURCE
+
+
+def check(root):
+    return subprocess.run(
+        [sys.executable, SOURCE / "tools/check_include_order.py", root], capture_output=True, text=True, check=False
+    )
+
+
+def test_the_house_keeps_its_floors():
+    done = check(SOURCE)
+    assert done.returncode == 0, done.stdout
+
+
+PLANTED = {
+    ("src/optics/x.hpp", '#include "scene/scene.hpp"'): "optics must not include scene, which stands above it",
+    ("src/core/x.cpp", '  #  include "io/csv.hpp"'): "core must not include io, which stands above it",
+    ("src/io/x.cpp", '#include "csv.hpp"'): '"csv.hpp" must be named from src/, as "io/..."',
+    ("src/io/x.cpp", '#include "photic/output.hpp"'): '"photic/output.hpp" must be named from src/, as "io/..."',
+    ("src/io/x.cpp", "#include <toml++/toml.h>"): "<toml++/toml.h> belongs to scene alone",
+    ("src/scene/x.cpp", "#include <nlohmann/json.hpp>"): "<nlohmann/json.hpp> belongs to io and apps alone",
+    ("apps/photic/x.cpp", "#include <netcdf.h>"): "<netcdf.h> belongs to io alone",
+    ("apps/photic/x.cpp", '#include "output.hpp"'): '"output.hpp" is in no floor of src/',
+}
+
+
+@pytest.mark.parametrize("planted", PLANTED, ids=lambda p: f"{p[0]} {p[1]}")
+def test_a_planted_violation_is_found(tmp_path, planted):
+    file, line = planted
+    path = tmp_path / file
+    path.parent.mkdir(parents=True)
+    path.write_text(f'#include <vector>\n#include "core/error.hpp"\n{line}\n')
+    done = check(tmp_path)
+    assert done.stdout == f"{file}:3: {PLANTED[planted]}\n"
+    assert done.returncode == 1
+
+
+def test_a_folder_that_is_no_floor(tmp_path):
+    (tmp_path / "src/attic").mkdir(parents=True)
+    (tmp_path / "src/attic/x.hpp").write_text("")
+    done = check(tmp_path)
+    assert done.stdout == "src/attic/x.hpp:1: src/attic is no floor of the house\n"
+    assert done.returncode == 1
+
+
+def test_an_empty_tree_is_no_success(tmp_path):
+    done = check(tmp_path)
+    assert done.returncode == 1
+    assert "no C++ files" in done.stdout

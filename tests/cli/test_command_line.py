@@ -1,0 +1,96 @@
+"""The command line itself: help, version, what it refuses, and its exit codes."""
+
+import json
+import re
+
+import pytest
+
+
+def test_version(photic):
+    done = photic("--version")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert re.fullmatch(r"photic \d+\.\d+\.\d+\n", done.stdout)
+
+
+def test_help_shows_every_subcommand_and_an_example(photic):
+    done = photic("--help")
+    assert (done.returncode, done.stderr) == (0, "")
+    for word in ["run", "check", "show", "new", "schema", "photic run my.toml", "Exit codes"]:
+        assert word in done.stdout
+
+
+@pytest.mark.parametrize("subcommand", ["run", "check", "show", "new", "schema"])
+def test_help_of_a_subcommand(photic, subcommand):
+    done = photic(subcommand, "--help")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert f"photic {subcommand}" in done.stdout
+
+
+REFUSED = {
+    (): "A subcommand is required",
+    ("rnu", "quick.toml"): "there is no subcommand 'rnu' (did you mean 'run'?)",
+    ("simulate", "quick.toml"): "there is no subcommand 'simulate' (there are: run, check, show, new, schema)",
+    ("run",): "scene is required",
+    ("run", "quick.toml", "--photon", "5"): "--photon",
+    ("run", "quick.toml", "--photons", "many"): "--photons: 'many' is not a whole number from 1 to 2^63 - 1 "
+    "(write 10000000 or 1e7)",
+    ("run", "quick.toml", "--photons", "0"): "--photons: '0' is not a whole number from 1",
+    ("run", "quick.toml", "--photons", "1.5"): "--photons: '1.5' is not a whole number from 1",
+    ("run", "quick.toml", "--photons", "1e19"): "--photons: '1e19' is not a whole number from 1",
+    ("run", "quick.toml", "--photons", "9223372036854775808"): "is not a whole number from 1",
+    ("run", "quick.toml", "--photons", "1e7x"): "--photons: '1e7x' is not a whole number from 1",
+    ("run", "quick.toml", "--target", "1"): "--target: '1' is not between 0 and 100 % (write 1% or 0.01)",
+    ("run", "quick.toml", "--target", "0%"): "--target: '0%' is not between 0 and 100 %",
+    ("run", "quick.toml", "--target", "nan"): "--target: 'nan' is not a share (write 1% or 0.01)",
+    ("run", "quick.toml", "--max-time", "60"): "--max-time: '60' is not a time with its unit "
+    "(write 60s, 10min or 2h)",
+    ("run", "quick.toml", "--max-time", "60m"): "--max-time: '60m' is not a time with its unit",
+    ("run", "quick.toml", "--max-time", "0s"): "--max-time: '0s' is not above 0",
+    ("run", "quick.toml", "--seed", "-1"): "--seed: '-1' is not a whole number from 0 to 2^63 - 1",
+    ("run", "quick.toml", "--threads", "0"): "--threads",
+    ("run", "quick.toml", "-o", "echo.txt"): "echo.txt: the result's name ends neither in .nc nor in .csv "
+    "(write -o echo.txt.nc)",
+    ("check", "quick.toml", "other.toml"): "other.toml",
+    ("new",): "kind is required",
+    ("schema", "extra"): "extra",
+}
+
+
+@pytest.mark.parametrize("arguments", REFUSED, ids=" ".join)
+def test_a_command_line_that_cannot_be_followed(photic, scene, tmp_path, arguments):
+    done = photic(*arguments)
+    assert done.returncode == 2
+    assert REFUSED[arguments] in done.stderr
+    assert done.stdout == ""
+    assert [p.name for p in tmp_path.iterdir()] == ["quick.toml"]
+
+
+GIVEN = {
+    ("--photons", "1e3"): {"photons": 1000},
+    ("--photons", "1000"): {"photons": 1000},
+    ("--photons", "9223372036854775807", "--max-time", "0.1s"): {"photons": 9223372036854775807, "max_time_s": 0.1},
+    ("--target", "5%"): {"target_relative_error": 0.05},
+    ("--target", "0.05"): {"target_relative_error": 0.05},
+    ("--max-time", "90s"): {"max_time_s": 90},
+    ("--max-time", "1.5min"): {"max_time_s": 90},
+    ("--max-time", "2h"): {"max_time_s": 7200},
+    ("--seed", "7"): {"seed": 7},
+    ("--set", "simulation.seed=3", "--seed", "7"): {"seed": 7},
+    ("--set", "simulation.seed=3", "--set", "simulation.orders_kept=2"): {"seed": 3, "orders_kept": 2},
+}
+
+
+@pytest.mark.parametrize("flags", GIVEN, ids=" ".join)
+def test_a_flag_is_a_value_of_the_effective_scene(photic, scene, tmp_path, flags):
+    # Seen red: with --set after the flags; with 5% taken for 5.
+    done = photic("run", "quick.toml", *flags)
+    assert done.returncode == 0, done.stderr
+    simulation = json.loads(photic("show", "quick.nc", "--json").stdout)["simulation"]
+    assert {key: simulation[key] for key in GIVEN[flags]} == GIVEN[flags]
+
+
+def test_standard_output_that_is_full(photic):
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        done = photic("schema", capture_output=False, stdout=full, stderr=-1)
+    assert done.returncode == 1
+    assert done.stderr == "photic: cannot write to standard output: No space left on device\n"

@@ -1,0 +1,86 @@
+"""photic check and photic show."""
+
+import json
+
+import pytest
+
+
+def test_a_good_scene(photic, scene):
+    done = photic("check", "quick.toml")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "quick.toml: no problems\n", "")
+    as_json = photic("check", "quick.toml", "--json")
+    assert as_json.returncode == 0
+    assert json.loads(as_json.stdout) == {"scene": "quick.toml", "valid": True, "problems": [], "remarks": []}
+
+
+def test_every_problem_at_once(photic, scene):
+    scene.write_text(scene.read_text().replace("depth_step_m = 1.0", "depth_step_m = -1.0\ndepth_stpe_m = 1.0"))
+    lines = scene.read_text().splitlines()
+    done = photic("check", "quick.toml")
+    assert (done.returncode, done.stdout) == (2, "")
+    first, second, count = done.stderr.splitlines()
+    assert first.startswith(f"quick.toml:{lines.index('depth_step_m = -1.0') + 1}:")
+    assert second.startswith(f"quick.toml:{lines.index('depth_stpe_m = 1.0') + 1}:1: ")
+    assert "depth_step_m" in second
+    assert count == "2 problems in quick.toml"
+    assert photic("run", "quick.toml").stderr == done.stderr
+    assert photic("run", "quick.toml").returncode == 2
+
+
+def test_problems_as_json(photic, scene):
+    scene.write_text(scene.read_text() + "photosn = 5\n")
+    text = photic("check", "quick.toml").stderr.splitlines()[0]
+    done = photic("check", "quick.toml", "--json")
+    assert (done.returncode, done.stderr) == (2, "")
+    out = json.loads(done.stdout)
+    assert (out["scene"], out["valid"], len(out["problems"])) == ("quick.toml", False, 1)
+    problem = out["problems"][0]
+    assert text == "{file}:{line}:{column}: {reason} ({suggestion})".format(**problem)
+
+
+@pytest.mark.parametrize("subcommand", ["run", "check", "show"])
+def test_a_scene_that_is_missing(photic, subcommand):
+    done = photic(subcommand, "nowhere.toml")
+    assert done.returncode == 1
+    assert done.stdout == ""
+    assert done.stderr.startswith("photic: cannot read the scene nowhere.toml")
+
+
+def test_set_problems_name_the_flag(photic, scene):
+    done = photic("check", "quick.toml", "--set", "sea.layer.1.chlorophyll_mg_m3=-1", "--set", "gates.depht_max_m=3")
+    assert done.returncode == 2
+    first, second, count = done.stderr.splitlines()
+    assert first.startswith("--set sea.layer.1.chlorophyll_mg_m3: ")
+    assert second.startswith("--set gates.depht_max_m: ")
+    assert "depth_max_m" in second
+    assert count == "2 problems in quick.toml"
+
+
+def test_set_changes_the_scene(photic, scene):
+    done = photic("show", "quick.toml", "--json", "--set", "sea.layer.1.chlorophyll_mg_m3=0.5")
+    assert done.returncode == 0
+    assert [layer["chlorophyll_mg_m3"] for layer in json.loads(done.stdout)["sea"]["layer"]] == [0.1, 0.5]
+
+
+def test_show_writes_a_scene_that_reads_back_the_same(photic, scene, tmp_path):
+    shown = photic("show", "quick.toml")
+    assert (shown.returncode, shown.stderr) == (0, "")
+    (tmp_path / "again.toml").write_text(shown.stdout)
+    assert photic("check", "again.toml").stdout == "again.toml: no problems\n"
+    assert photic("show", "again.toml").stdout == shown.stdout
+    assert photic("show", "again.toml", "--json").stdout == photic("show", "quick.toml", "--json").stdout
+
+
+def test_show_of_a_result_is_the_scene_that_ran(photic, scene):
+    assert photic("run", "quick.toml", "--seed", "5").returncode == 0
+    from_result = photic("show", "quick.nc")
+    assert (from_result.returncode, from_result.stderr) == (0, "")
+    assert from_result.stdout == photic("show", "quick.toml", "--set", "simulation.seed=5").stdout
+
+
+def test_show_of_what_is_no_result(photic, scene, tmp_path):
+    (tmp_path / "fake.nc").write_text("not a netCDF file")
+    done = photic("show", "fake.nc")
+    assert done.returncode in (1, 2)
+    assert "fake.nc" in done.stderr
+    assert "bug" not in done.stderr

@@ -1,0 +1,107 @@
+import netCDF4
+import numpy
+import pytest
+
+import photic
+
+
+def test_names_are_indices(sample):
+    ds = photic.open(sample)
+    assert list(ds.telescope.values) == ["narrow", "wide"]
+    assert list(ds.channel.values) == ["elastic", "raman", "chlorophyll"]
+    assert list(ds.process.values) == ["elastic", "raman", "chlorophyll"]
+    with netCDF4.Dataset(sample) as file:
+        raman = file["echo"][1, 1, :]
+        by_process = file["echo_by_process"][0, 2, 2, :]
+    assert numpy.array_equal(ds.echo.sel(telescope="wide", channel="raman"), raman)
+    narrow = ds.echo_by_process.sel(telescope="narrow")
+    assert numpy.array_equal(narrow.sel(channel="chlorophyll", process="chlorophyll"), by_process)
+    with pytest.raises(KeyError):
+        ds.echo.sel(channel="green")
+
+
+def test_coordinates(sample):
+    ds = photic.open(sample)
+    assert list(ds.order.values) == [1, 2, 3, 4, 5, 6]
+    echo = ds.echo.sel(telescope="narrow", channel="raman")
+    assert echo.gate_depth.dims == ("gate",)
+    assert echo.gate_depth.values[0] == pytest.approx(1.004 * 0.25, rel=1e-12)
+    assert ds.gate_depth_bounds.sel(channel="raman").values[0] == pytest.approx([0, 1.004 * 0.5])
+    # Numbers of ns, not timedeltas.
+    assert ds.gate_time.dtype == float and ds.gate_time.attrs["units"] == "ns"
+    assert echo.channel_wavelength == 649.8
+
+
+# Seen red: left as bytes, where ~ gives -1 and -2, both true.
+def test_converged_is_bool(sample):
+    ds = photic.open(sample)
+    assert ds.converged.dtype == bool
+    assert numpy.array_equal(ds.converged, ds.convergence_flags == 0)
+    elastic = ds.sel(telescope="narrow", channel="elastic")
+    assert 0 < int((~elastic.converged).sum()) < elastic.sizes["gate"]
+
+
+def test_missing_numbers_are_nan(sample):
+    ds = photic.open(sample)
+    assert numpy.isnan(ds.variance_of_variance.values[0, 0, -1])
+    assert not numpy.isnan(ds.echo.values).any()
+
+
+def test_attributes(sample):
+    ds = photic.open(sample)
+    assert ds.attrs["photons"] == 20_000_000
+    assert ds.attrs["scene"].startswith("title = ")
+    assert ds.attrs["warnings"].startswith("3 photons were lost")
+
+
+def test_the_file_is_closed(sample, tmp_path):
+    path = tmp_path / "out.nc"
+    path.write_bytes(sample.read_bytes())
+    ds = photic.open(path)
+    path.unlink()
+    assert float(ds.echo_by_depth.sum()) > 0
+
+
+def test_round_trip(sample, tmp_path):
+    ds = photic.open(sample)
+    ds.to_netcdf(tmp_path / "copy.nc")
+
+
+def test_missing_file(tmp_path):
+    with pytest.raises(photic.Error, match="none.nc: no such file") as error:
+        photic.open(tmp_path / "none.nc")
+    assert error.value.exit_code == 2
+
+
+def test_directory(tmp_path):
+    with pytest.raises(photic.Error, match="is a directory"):
+        photic.open(tmp_path)
+
+
+def test_not_netcdf(tmp_path):
+    (tmp_path / "notes.nc").write_text("notes")
+    with pytest.raises(photic.Error, match="notes.nc: not a netCDF file, or a damaged one"):
+        photic.open(tmp_path / "notes.nc")
+
+
+def test_torn(sample, tmp_path):
+    (tmp_path / "torn.nc").write_bytes(sample.read_bytes()[:3000])
+    with pytest.raises(photic.Error, match="torn.nc: not a netCDF file, or a damaged one"):
+        photic.open(tmp_path / "torn.nc")
+
+
+def test_other_netcdf(tmp_path):
+    netCDF4.Dataset(tmp_path / "sst.nc", "w").close()
+    with pytest.raises(photic.Error, match="not a result of Photic"):
+        photic.open(tmp_path / "sst.nc")
+
+
+def test_newer_format(sample, tmp_path):
+    path = tmp_path / "new.nc"
+    path.write_bytes(sample.read_bytes())
+    with netCDF4.Dataset(path, "a") as file:
+        file.photic_format = 2
+    with pytest.raises(photic.Error) as error:
+        photic.open(path)
+    reason = "written by a newer Photic (result format 2; this package reads up to 1)"
+    assert str(error.value) == f"{path}: {reason}"

@@ -1,0 +1,183 @@
+import subprocess
+import sys
+
+import matplotlib.image
+import numpy
+import pytest
+from matplotlib.collections import PolyCollection
+
+import photic
+from photic import panels, plot
+
+
+def command(*arguments):
+    line = [sys.executable, "-m", "photic", *map(str, arguments)]
+    process = subprocess.run(line, capture_output=True, text=True)
+    return process.returncode, process.stderr
+
+
+def titles(drawing):
+    return [panel.get_title(loc="left") for panel in drawing.axes]
+
+
+def legend(panel):
+    return [text.get_text() for text in panel.get_legend().get_texts()]
+
+
+def visible(line):
+    """The points of a line that are drawn."""
+    return int((~numpy.isnan(line.get_xdata().astype(float))).sum())
+
+
+def test_one_result(sample, tmp_path):
+    assert command("plot", sample, "-o", tmp_path / "out.png") == (0, "")
+    picture = matplotlib.image.imread(tmp_path / "out.png")
+    assert picture.shape[0] > 800 and picture.shape[1] > 1500
+    assert len(numpy.unique(picture.reshape(-1, picture.shape[2]), axis=0)) > 1000
+
+
+def test_several_results(sample, tmp_path):
+    copy = tmp_path / "again.nc"
+    copy.write_bytes(sample.read_bytes())
+    picture = tmp_path / "out.png"
+    assert command("plot", sample, copy, "-o", picture, "--title", "A $ in _it_") == (0, "")
+    assert picture.stat().st_size > 50_000
+
+
+@pytest.mark.parametrize("ending", ["pdf", "svg"])
+def test_other_formats(sample, tmp_path, ending):
+    assert command("plot", sample, "-o", tmp_path / f"out.{ending}") == (0, "")
+    assert (tmp_path / f"out.{ending}").stat().st_size > 10_000
+
+
+def test_panels_of_one_result(sample):
+    drawing = plot.figure([photic.open(sample)], ["sample"])
+    assert titles(drawing) == [
+        "Echo by channel (one process each)",
+        "elastic echo by order of scattering",
+        "raman echo by order of scattering",
+    ]
+    assert drawing.axes[0].get_xscale() == "log"
+    top, bottom = reversed(drawing.axes[0].get_ylim())
+    assert top == 0 and bottom == pytest.approx(49, abs=0.5)  # down, to the last gate with light
+    channels = ["elastic (532 nm)", "raman (649.8 nm)", "chlorophyll (685 nm)"]
+    assert legend(drawing.axes[0]) == channels + ["not converged"]
+    assert "20\u2009000\u2009000 photons, seed 1" in drawing._supxlabel.get_text()
+
+
+# Seen red: `converged` negated.
+def test_only_converged_gates_are_drawn_thick(sample):
+    ds = photic.open(sample)
+    drawing = plot.figure([ds], ["sample"], telescope="wide")
+    elastic = ds.sel(telescope="wide", channel="elastic")
+    thick, thin, circles = drawing.axes[0].get_lines()[:3]
+    assert visible(thick) == int(elastic.converged.sum())
+    assert visible(thin) == int((elastic.echo > 0).sum())
+    drawn = numpy.isin(elastic.echo.values, circles.get_xdata())
+    assert drawn.any() and not (drawn & elastic.converged.values).any()
+
+
+def test_every_stretch_of_open_gates_is_marked():
+    chosen = numpy.array([True, False, True, True, True, True, False, True])
+    assert panels.thinned(chosen, 3) == [0, 2, 5, 7]
+    assert panels.thinned(~chosen, 3) == [1, 6]
+
+
+# Seen red: standard errors drawn without the factor 1.96.
+def test_bands_are_95_percent_intervals(sample):
+    ds = photic.open(sample)
+    drawing = plot.figure([ds], ["sample"])
+    band = next(c for c in drawing.axes[0].collections if isinstance(c, PolyCollection))
+    vertices = numpy.concatenate([path.vertices for path in band.get_paths()])
+    first = ds.sel(telescope="narrow", channel="elastic").isel(gate=0)
+    at_first = vertices[vertices[:, 1] == float(first.gate_depth), 0]
+    half_width = 1.96 * float(first.echo_standard_error)
+    assert at_first.min() == pytest.approx(float(first.echo) - half_width, rel=1e-9)
+    assert at_first.max() == pytest.approx(float(first.echo) + half_width, rel=1e-9)
+
+
+# Seen red: the orders not summed up from the left.
+def test_orders_are_shares_side_by_side(sample):
+    ds = photic.open(sample)
+    drawing = plot.figure([ds], ["sample"])
+    one = ds.sel(telescope="narrow", channel="elastic").isel(gate=10)
+    at_gate = float(one.gate_depth_bounds.mean())
+    expected = 100 * numpy.cumsum(one.echo_by_order) / one.echo_by_order.sum()
+    areas = [area for area in drawing.axes[1].collections if isinstance(area, PolyCollection)][:6]
+    right_ends = []
+    for area in areas:
+        (path,) = area.get_paths()
+        bounds = path.vertices[numpy.abs(path.vertices[:, 1] - at_gate) < 0.2501]
+        inner = bounds[numpy.isclose(bounds[:, 1], float(one.gate_depth_bounds[1]))]
+        right_ends.append(inner[:, 0].max())
+    assert right_ends == pytest.approx(expected.values, rel=0.02)
+
+
+def test_a_channel_of_several_processes_is_broken_down(sample):
+    ds = photic.open(sample)
+    ds.echo_by_process.loc[{"channel": "elastic", "process": "raman"}] = 1e-13
+    drawing = plot.figure([ds], ["sample"])
+    assert titles(drawing) == [
+        "Echo by channel",
+        "elastic echo by process",
+        "elastic echo by order of scattering",
+    ]
+    assert legend(drawing.axes[1]) == ["elastic", "raman", "not converged"]
+
+
+def test_several_results_share_a_panel_for_each_channel(sample):
+    ds = photic.open(sample)
+    drawing = plot.figure([ds, ds.sel(channel=["raman"])], ["one", "_two"])
+    assert titles(drawing) == ["elastic echo", "raman echo", "chlorophyll echo"]
+    open_gates = ["one", "not converged"]
+    assert [legend(panel) for panel in drawing.axes] == [open_gates, ["one", " _two"], open_gates]
+
+
+def test_without_a_name_the_first_telescope_of_each(sample):
+    ds = photic.open(sample)
+    drawing = plot.figure([ds, ds.isel(telescope=[1])], ["one", "two"])
+    thins = [drawing.axes[0].get_lines()[i].get_xdata() for i in (1, 4)]
+    assert thins[0][0] == float(ds.echo[0, 0, 0]) and thins[1][0] == float(ds.echo[1, 0, 0])
+    assert "telescope narrow" in drawing._supxlabel.get_text()
+
+
+@pytest.mark.filterwarnings("error:::numpy", "error::RuntimeWarning")
+def test_no_light_at_all(sample, tmp_path):
+    ds = photic.open(sample)
+    for name in ("echo", "echo_by_process", "echo_by_order"):
+        ds[name] = 0 * ds[name]
+    plot.figure([ds], ["dark"]).savefig(tmp_path / "dark.png")
+    plot.figure([ds, ds], ["dark", "darker"]).savefig(tmp_path / "darker.png")
+
+
+def test_same_file_names_are_told_apart(sample, tmp_path):
+    from photic.__main__ import _names
+
+    assert _names(["a/out.nc", "b/ship.nc"]) == ["out", "ship"]
+    assert _names(["a/out.nc", "b/out.nc"]) == ["a/out.nc", "b/out.nc"]
+
+
+def test_missing_file(tmp_path):
+    assert command("plot", "none.nc", "-o", tmp_path / "out.png") == (2, "none.nc: no such file\n")
+
+
+def test_unknown_telescope(sample, tmp_path):
+    code, error = command("plot", sample, "-o", tmp_path / "out.png", "--telescope", "far")
+    assert (code, error) == (2, "sample: there is no telescope 'far'; there are: narrow, wide\n")
+
+
+def test_unknown_ending(sample, tmp_path):
+    code, error = command("plot", sample, "-o", "out.doc")
+    assert (code, error) == (2, "out.doc: pictures are .png, .pdf or .svg\n")
+
+
+def test_missing_folder(sample, tmp_path):
+    path = tmp_path / "none" / "out.png"
+    code, error = command("plot", sample, "-o", path)
+    assert (code, error) == (1, f"{path}: cannot write the picture: No such file or directory\n")
+
+
+def test_bad_arguments(sample):
+    code, error = command("plot", sample)
+    assert code == 2 and "-o/--output" in error and "Traceback" not in error
+    assert command()[0] == 2

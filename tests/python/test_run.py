@@ -1,0 +1,91 @@
+"""photic.run with the program itself."""
+
+import os
+
+import numpy
+import pytest
+
+import photic
+
+SCENE = """
+title = "A run from Python"
+[source]
+wavelength_nm = 532.0
+position_m = [0.0, 0.0, 12.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.04
+half_divergence_mrad = 5.0
+[[telescope]]
+name = "ship"
+position_m = [0.0, 0.0, 12.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.40
+focal_length_m = 2.0
+detector_diameter_m = 0.04
+[[channel]]
+name = "elastic"
+process = "elastic"
+[[sea.layer]]
+iop = [{ wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.10 }]
+phase_function = { model = "henyey-greenstein", g = 0.924 }
+[gates]
+depth_max_m = 10.0
+depth_step_m = 1.0
+[simulation]
+photons = 20000
+seed = 1
+"""
+
+
+@pytest.fixture
+def scene(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text(SCENE)
+    return path
+
+
+@pytest.fixture(autouse=True)
+def the_program_of_this_build():
+    assert os.path.isfile(os.environ["PHOTIC_PROGRAM"])
+
+
+pytestmark = pytest.mark.filterwarnings("ignore::UserWarning")  # so few photons leave warnings
+
+
+def test_returns_the_echo(scene):
+    ds = photic.run(scene)
+    assert ds.attrs["photons"] == 20000 and ds.attrs["title"] == "A run from Python"
+    echo = ds.echo.sel(telescope="ship", channel="elastic")
+    assert echo.shape == (10,)
+    assert float(echo[0]) > 0
+    assert echo.gate_depth.values == pytest.approx(numpy.arange(0.5, 10), abs=1e-6)
+
+
+def test_set_changes_the_scene(scene):
+    black = photic.run(scene, set={"sea.layer.0.iop.0.a_per_m": 1.06}, photons=1e4, threads=1)
+    assert black.attrs["photons"] == 10000 and black.attrs["threads"] == 1
+    clear = photic.run(scene, photons=1e4)
+    # Two ways of more than 4 m through 1/m more absorption.
+    assert float(black.echo[0, 0, 5]) < float(clear.echo[0, 0, 5]) * numpy.exp(-8)
+
+
+def test_threads_do_not_change_the_result(scene):
+    one, two = photic.run(scene, threads=1), photic.run(scene, threads=2)
+    assert numpy.array_equal(one.echo, two.echo)
+
+
+def test_output_is_kept(scene, tmp_path):
+    ds = photic.run(scene, output=tmp_path / "kept.nc")
+    assert ds.identical(photic.open(tmp_path / "kept.nc"))
+
+
+def test_all_errors_of_a_scene(scene):
+    with pytest.raises(photic.Error) as error:
+        photic.run(scene, set={"sea.layer.0.chlorophyl": 1.0, "source.diameter_m": -1.0})
+    assert error.value.exit_code == 2
+    assert "chlorophyl" in str(error.value) and "diameter_m" in str(error.value)
+
+
+def test_missing_scene(tmp_path):
+    with pytest.raises(photic.Error, match="none.toml"):
+        photic.run(tmp_path / "none.toml")

@@ -1,0 +1,80 @@
+// What the quick test of the field of view leaves out is never seen.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "unit/instrument/telescopes.hpp"
+
+namespace photic::instrument {
+namespace {
+
+constexpr double n = 1.34;
+
+/// A point in the water as a telescope sees it.
+struct Sight {
+  double ex, ey, paraxial_tangent;  ///< what the quick test is asked
+  double overlap;                   ///< what is on the detector
+  double off_axis;                  ///< [rad]
+};
+
+/// Follows a ray from the lens, `off` from the axis at some azimuth, back into the water to a depth; its light
+/// comes up the same way. False if the ray never gets to the water.
+bool look(const Telescope<double>& t, double off, double azimuth, double depth, Sight& sight) {
+  const auto ray = turned(t.axis, 1 - std::cos(off), std::cos(azimuth), std::sin(azimuth));
+  if (ray.z > -1e-6) return false;
+  const double sin_air = std::hypot(ray.x, ray.y);
+  const double sin_water = sin_air / n;
+  const double cos_water = std::sqrt(1 - sin_water * sin_water);
+  const double in_air = t.position.z / -ray.z;
+  const double in_water = depth / cos_water;
+  const double aside = in_air * sin_air + in_water * sin_water;
+  // Towards the telescope.
+  sight.ex = sin_air > 0 ? -ray.x / sin_air : 0;
+  sight.ey = sin_air > 0 ? -ray.y / sin_air : 0;
+  sight.paraxial_tangent = n * aside / (n * t.position.z + depth);
+  const double apparent = in_air + in_water / n;
+  sight.overlap = t.overlap(apparent * std::cos(off), std::tan(off));
+  sight.off_axis = off;
+  return true;
+}
+
+// A million points about the edge of the view of random telescopes. Seen red: with the blur left out of the widest view;
+// with only the far blur in it; without the exception before the extremum; with the sign of aside turned.
+TEST(MaySeeBeyond, NeverLeavesOutWhatIsSeen) {
+  test::Random random(8);
+  int seen = 0;
+  int asked = 0;
+  while (asked < 1000000) {
+    const auto scene = random_telescope(random);
+    const auto t = make_telescope<double>(scene);
+    const double tan_field = t.detector_radius / t.detector_distance;
+    for (int i = 0; i < 50; ++i) {
+      const double off = std::atan(tan_field * random.between(0, 1) * random.scale(1, 20));
+      const double depth = t.position.z * random.scale(1e-3, 100);
+      Sight sight{};
+      if (!look(t, off, random.between(0, 2 * pi), depth, sight)) continue;
+      ++asked;
+      const bool kept = t.may_see_beyond(sight.ex, sight.ey, sight.paraxial_tangent);
+      if (sight.overlap > 0) {
+        ++seen;
+        ASSERT_TRUE(kept) << "off axis " << off << " depth " << depth << " height " << t.position.z;
+      }
+    }
+  }
+  EXPECT_GT(seen, asked / 4);
+}
+
+// Else a test that keeps everything would pass: of points far outside a narrow vertical view, nearly all are left out.
+TEST(MaySeeBeyond, LeavesOutMostOfWhatIsNotSeen) {
+  test::Random random(9);
+  const auto t = make_telescope<double>(table_1());
+  for (int i = 0; i < 10000; ++i) {
+    Sight sight{};
+    ASSERT_TRUE(look(t, random.between(0.1, 1), random.between(0, 2 * pi), random.scale(0.1, 50), sight));
+    ASSERT_EQ(sight.overlap, 0);
+    ASSERT_FALSE(t.may_see_beyond(sight.ex, sight.ey, sight.paraxial_tangent)) << sight.off_axis;
+  }
+}
+
+}  // namespace
+}  // namespace photic::instrument

@@ -1,0 +1,147 @@
+#include "unit/io/sample_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace photic::test {
+namespace {
+
+struct Look {
+  double at_surface, attenuation_per_m, relative_error, error_growth_m, single_share, seen_to_m;
+};
+// Rough shapes: an echo that falls exponentially, an error that grows; elastic is noisiest.
+constexpr Look looks[] = {{4e-10, 0.15, 0.004, 9, 0.8, 49},
+                          {6e-11, 0.28, 0.002, 14, 0.9, 47},
+                          {9e-12, 0.40, 0.003, 13, 0.95, 47}};
+constexpr double height_m = 12.0;
+constexpr double step_m = 0.5;
+constexpr std::size_t gates = 100;
+
+class Maker {
+ public:
+  tally::Result make() {
+    axes();
+    for (std::size_t t = 0; t < 2; ++t)
+      for (std::size_t c = 0; c < 3; ++c) channel(looks[c], t, c);
+    run();
+    return std::move(result_);
+  }
+
+ private:
+  void axes() {
+    result_.telescope_name = {"narrow", "wide"};
+    result_.channel_name = {"elastic", "raman", "chlorophyll"};
+    result_.process_name = {"elastic", "raman", "chlorophyll"};
+    result_.channel_wavelength_nm = {532.0, 649.8, 685.0};
+    result_.orders = 6;
+    for (std::size_t k = 0; k <= gates; ++k) {
+      const double depth_m = step_m * static_cast<double>(k);
+      result_.depth_edge_m.push_back(depth_m);
+      result_.gate_time_edge_ns.push_back(2 * (height_m + 1.36 * depth_m) / 0.299792458);
+    }
+    for (const double stretch : {1.0, 1.004, 1.005})
+      for (const double depth_m : result_.depth_edge_m)
+        result_.gate_depth_edge_m.push_back(stretch * depth_m);
+  }
+
+  void channel(const Look& look, std::size_t telescope, std::size_t c) {
+    std::vector<double> echo(gates), error(gates);
+    for (std::size_t k = 0; k < gates; ++k) {
+      const double depth_m = step_m * (static_cast<double>(k) + 0.5);
+      const double truth = static_cast<double>(telescope + 1) * look.at_surface *
+                           std::exp(-look.attenuation_per_m * depth_m) /
+                           std::pow(1 + depth_m / height_m, 2);
+      const double relative = look.relative_error * std::exp(depth_m / look.error_growth_m);
+      const bool seen = depth_m < look.seen_to_m;
+      echo[k] = seen ? truth * std::max(0.2, 1 + std::min(relative, 0.4) * normal_(random_)) : 0;
+      error[k] = seen ? relative * echo[k] : 0;
+      gate(look, depth_m, relative, seen);
+    }
+    for (std::size_t k = 0; k < gates; ++k) push(result_.echo, echo[k], error[k]);
+    for (std::size_t process = 0; process < 3; ++process)
+      for (std::size_t k = 0; k < gates; ++k)
+        push(result_.echo_by_process, process == c ? echo[k] : 0, process == c ? error[k] : 0);
+    orders(look, echo, error);
+    depths(echo, error);
+  }
+
+  void gate(const Look& look, double depth_m, double relative, bool seen) {
+    std::int32_t flags = 0;
+    if (!seen) flags |= tally::no_score;
+    if (seen && relative > 0.1) flags |= tally::large_error;
+    if (seen && relative > 0.05 && look.single_share < 0.85) flags |= tally::heavy_tail;
+    result_.convergence_flags.push_back(flags);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    result_.largest_score_share.push_back(seen ? 0.01 * relative : nan);
+    result_.variance_of_variance.push_back(seen ? 0.1 * relative : nan);
+    result_.order_cut_share.push_back(seen ? 1e-6 * depth_m : nan);
+  }
+
+  void orders(const Look& look, const std::vector<double>& echo, const std::vector<double>& error) {
+    for (int order = 1; order <= 6; ++order)
+      for (std::size_t k = 0; k < gates; ++k) {
+        // A geometric series whose first term loses ground with depth; the last order takes the
+        // rest.
+        const double first = look.single_share * std::exp(-0.02 * static_cast<double>(k));
+        const double share =
+            order < 6 ? first * std::pow(1 - first, order - 1) : std::pow(1 - first, 5);
+        push(result_.echo_by_order, share * echo[k], std::sqrt(share) * error[k]);
+      }
+  }
+
+  void depths(const std::vector<double>& echo, const std::vector<double>& error) {
+    for (std::size_t k = 0; k < gates; ++k)
+      for (std::size_t d = 0; d < gates; ++d) {
+        // Light of a gate turned at its depth or, scattered several times, above it.
+        const double share =
+            d > k ? 0 : std::pow(0.5, static_cast<double>(k - d) + (d == 0 ? 0 : 1));
+        push(result_.echo_by_depth, share * echo[k], std::sqrt(share) * error[k]);
+      }
+  }
+
+  void run() {
+    result_.title = "Table 1 ship lidar over case-1 water";
+    result_.scene_toml =
+        "title = \"Table 1 ship lidar over case-1 water\"\n[source]\nwavelength_nm = 532.0\n";
+    result_.version = "0.1.0";
+    result_.engine = "scalar";
+    result_.estimator = "forward";
+    result_.seed = 1;
+    result_.photons = 20'000'000;
+    result_.stopped_by = "photons";
+    result_.batches = 200;
+    result_.collisions = 187'654'321;
+    result_.lost_too_many_events = 2;
+    result_.lost_not_finite = 1;
+    result_.wall_time_s = 23.5;
+    result_.threads = 2;
+    result_.ledger = {.absorbed = 0.71,
+                      .escaped = 0.08,
+                      .sea_bed = 0.02,
+                      .cut_by_time = 0.18,
+                      .cut_by_order = 0.0099,
+                      .roulette = 1e-5,
+                      .lost = 1.5e-7};
+    result_.warnings = {
+        "3 photons were lost: 2 had too many events, 1 a number that is not finite"};
+    result_.sources = {"water absorption = mason-ioccg: Mason, Cone & Fry (2016) [published]",
+                       "chlorophyll yield = 0.01: [placeholder]"};
+  }
+
+  static void push(tally::Estimates& estimates, double mean, double standard_error) {
+    estimates.mean.push_back(mean);
+    estimates.standard_error.push_back(standard_error);
+  }
+
+  tally::Result result_;
+  std::mt19937 random_{7};
+  std::normal_distribution<double> normal_;
+};
+
+}  // namespace
+
+tally::Result sample_result() { return Maker().make(); }
+
+}  // namespace photic::test

@@ -1,0 +1,13 @@
+// A result made up by hand, that looks like a ship lidar's: for tests of what is written, never of
+// physics.
+#pragma once
+
+#include "tally/result.hpp"
+
+namespace photic::test {
+
+/// Two telescopes, three channels, 100 gates of 0.5 m, orders 1 … 6 and above. Deep gates are not
+/// converged, the deepest have seen nothing; one diagnostic is NaN.
+tally::Result sample_result();
+
+}  // namespace photic::test

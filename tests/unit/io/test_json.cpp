@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "io/json.hpp"
+#include "unit/io/sample_result.hpp"
+
+namespace photic::io {
+namespace {
+
+using nlohmann::json;
+
+TEST(EchoJson, ReadsBackToTheSameNumbers) {
+  tally::Result result = test::sample_result();
+  result.photons = 9223372036854788153u;
+  const std::string text = echo_json(result);
+  const json parsed = json::parse(text);
+  EXPECT_EQ(text.back(), '\n');
+  EXPECT_EQ(parsed["title"], result.title);
+  EXPECT_EQ(parsed["photons"].get<std::uint64_t>(), 9223372036854788153u);
+  EXPECT_EQ(parsed["wall_time_s"], 23.5);
+  EXPECT_EQ(parsed["partial"], false);
+  EXPECT_EQ(parsed["warnings"], json(result.warnings));
+  EXPECT_EQ(parsed["ledger"]["cut_by_time"], 0.18);
+  ASSERT_EQ(parsed["echoes"].size(), 600u);
+  for (std::size_t i = 0; i < 600; ++i) {
+    const json& echo = parsed["echoes"][i];
+    EXPECT_EQ(echo["telescope"], result.telescope_name[i / 300]);
+    EXPECT_EQ(echo["channel"], result.channel_name[i / 100 % 3]);
+    EXPECT_EQ(echo["gate"], i % 100);
+    EXPECT_EQ(echo["time_start_ns"], result.gate_time_edge_ns[i % 100]);
+    EXPECT_EQ(echo["echo"], result.echo.mean[i]);
+    EXPECT_EQ(echo["standard_error"], result.echo.standard_error[i]);
+    EXPECT_EQ(echo["relative_error"].is_null(), result.echo.mean[i] == 0);
+    EXPECT_EQ(echo["converged"], result.convergence_flags[i] == 0);
+    EXPECT_EQ(echo["reasons"].empty(), result.convergence_flags[i] == 0);
+  }
+  EXPECT_EQ(parsed["echoes"][99]["reasons"], json({"no_score"}));
+}
+
+TEST(EchoJson, AwkwardTextsAndNumbers) {
+  tally::Result result = test::sample_result();
+  result.title = "say \"häß\"\\\n\t\x01";
+  result.channel_name[0] = "\xff no UTF-8";
+  result.echo.mean[0] = std::numeric_limits<double>::quiet_NaN();
+  result.echo.standard_error[0] = std::numeric_limits<double>::infinity();
+  const json parsed = json::parse(echo_json(result));
+  EXPECT_EQ(parsed["title"], result.title);
+  EXPECT_EQ(parsed["echoes"][0]["channel"], "\xef\xbf\xbd no UTF-8");
+  EXPECT_TRUE(parsed["echoes"][0]["echo"].is_null());
+  EXPECT_TRUE(parsed["echoes"][0]["standard_error"].is_null());
+}
+
+}  // namespace
+}  // namespace photic::io

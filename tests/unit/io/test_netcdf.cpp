@@ -1,0 +1,237 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "io/netcdf.hpp"
+#include "unit/io/netcdf_file.hpp"
+#include "unit/io/sample_result.hpp"
+#include "unit/io/temporary_folder.hpp"
+
+namespace photic::io {
+namespace {
+
+using test::NetcdfFile;
+
+/// Equal to the last bit, NaN included.
+void expect_same(const std::vector<double>& file, const std::vector<double>& result) {
+  ASSERT_EQ(file.size(), result.size());
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    if (std::isnan(result[i]))
+      EXPECT_TRUE(std::isnan(file[i])) << "at " << i;
+    else
+      EXPECT_EQ(file[i], result[i]) << "at " << i;
+  }
+}
+
+class WrittenResult : public testing::Test {
+ protected:
+  WrittenResult() : result_(test::sample_result()) {
+    // What a double could not hold.
+    result_.photons = (std::uint64_t{1} << 63) + 12345;
+    result_.seed = (std::uint64_t{1} << 53) + 1;
+    result_.scene_toml = std::string(300'000, 'x') + "häß\n";
+    result_.partial = true;
+    write_netcdf(result_, folder_.file("out.nc"), {"then: photic run"});
+  }
+
+  test::TemporaryFolder folder_;
+  tally::Result result_;
+};
+
+TEST_F(WrittenResult, Axes) {
+  const NetcdfFile file(folder_.file("out.nc"));
+  EXPECT_EQ(file.size("telescope"), 2u);
+  EXPECT_EQ(file.size("channel"), 3u);
+  EXPECT_EQ(file.size("process"), 3u);
+  EXPECT_EQ(file.size("order"), 6u);
+  EXPECT_EQ(file.size("gate"), 100u);
+  EXPECT_EQ(file.size("depth"), 100u);
+  EXPECT_EQ(file.size("bnds"), 2u);
+  EXPECT_EQ(file.texts("telescope_name"), result_.telescope_name);
+  EXPECT_EQ(file.texts("channel_name"), result_.channel_name);
+  EXPECT_EQ(file.texts("process_name"), result_.process_name);
+  expect_same(file.numbers("channel_wavelength"), result_.channel_wavelength_nm);
+  expect_same(file.numbers("order"), {1, 2, 3, 4, 5, 6});
+}
+
+TEST_F(WrittenResult, Gates) {
+  const NetcdfFile file(folder_.file("out.nc"));
+  const auto time = file.numbers("gate_time"), time_bounds = file.numbers("gate_time_bounds");
+  const auto depth = file.numbers("depth"), depth_bounds = file.numbers("depth_bounds");
+  const auto gate_depth = file.numbers("gate_depth"),
+             gate_bounds = file.numbers("gate_depth_bounds");
+  ASSERT_EQ(gate_depth.size(), 300u);
+  for (std::size_t k = 0; k < 100; ++k) {
+    EXPECT_EQ(time_bounds[2 * k], result_.gate_time_edge_ns[k]);
+    EXPECT_EQ(time_bounds[2 * k + 1], result_.gate_time_edge_ns[k + 1]);
+    EXPECT_EQ(time[k], 0.5 * (result_.gate_time_edge_ns[k] + result_.gate_time_edge_ns[k + 1]));
+    EXPECT_EQ(depth_bounds[2 * k], result_.depth_edge_m[k]);
+    EXPECT_EQ(depth_bounds[2 * k + 1], result_.depth_edge_m[k + 1]);
+    EXPECT_EQ(depth[k], 0.5 * (result_.depth_edge_m[k] + result_.depth_edge_m[k + 1]));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double* edge = &result_.gate_depth_edge_m[101 * c + k];
+      EXPECT_EQ(gate_bounds[2 * (100 * c + k)], edge[0]);
+      EXPECT_EQ(gate_bounds[2 * (100 * c + k) + 1], edge[1]);
+      EXPECT_EQ(gate_depth[100 * c + k], 0.5 * (edge[0] + edge[1]));
+    }
+  }
+}
+
+// Seen red: writing the mean in the place of the standard error.
+TEST_F(WrittenResult, Estimates) {
+  const NetcdfFile file(folder_.file("out.nc"));
+  for (const auto& [name, estimates] : {std::pair{"echo", &result_.echo},
+                                        {"echo_by_process", &result_.echo_by_process},
+                                        {"echo_by_order", &result_.echo_by_order},
+                                        {"echo_by_depth", &result_.echo_by_depth}}) {
+    SCOPED_TRACE(name);
+    expect_same(file.numbers(name), estimates->mean);
+    expect_same(file.numbers(std::string(name) + "_standard_error"), estimates->standard_error);
+  }
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(file.dimensions(file.variable("echo")), (Names{"telescope", "channel", "gate"}));
+  EXPECT_EQ(file.dimensions(file.variable("echo_by_process")),
+            (Names{"telescope", "channel", "process", "gate"}));
+  EXPECT_EQ(file.dimensions(file.variable("echo_by_order")),
+            (Names{"telescope", "channel", "order", "gate"}));
+  EXPECT_EQ(file.dimensions(file.variable("echo_by_depth")),
+            (Names{"telescope", "channel", "gate", "depth"}));
+}
+
+TEST_F(WrittenResult, Convergence) {
+  const NetcdfFile file(folder_.file("out.nc"));
+  const std::vector<double> flags(result_.convergence_flags.begin(),
+                                  result_.convergence_flags.end());
+  expect_same(file.numbers("convergence_flags"), flags);
+  std::vector<double> converged;
+  for (const double flag : flags) converged.push_back(flag == 0 ? 1 : 0);
+  expect_same(file.numbers("converged"), converged);
+  expect_same(file.numbers("largest_score_share"), result_.largest_score_share);
+  expect_same(file.numbers("variance_of_variance"), result_.variance_of_variance);
+  expect_same(file.numbers("order_cut_share"), result_.order_cut_share);
+}
+
+TEST_F(WrittenResult, FlagMeanings) {
+  const NetcdfFile file(folder_.file("out.nc"));
+  const int v = file.variable("convergence_flags");
+  std::vector<std::int32_t> masks;
+  std::string names;
+  for (const auto& meaning : tally::flag_meanings()) {
+    masks.push_back(meaning.flag);
+    if (!names.empty()) names += ' ';
+    names += meaning.name;
+  }
+  EXPECT_EQ(file.attribute<std::int32_t>(v, "flag_masks"), masks);
+  EXPECT_EQ(file.text(v, "flag_meanings"), names);
+  const int c = file.variable("converged");
+  EXPECT_EQ(file.attribute<std::int8_t>(c, "flag_values"), (std::vector<std::int8_t>{0, 1}));
+  EXPECT_EQ(file.text(c, "flag_meanings"), "no yes");
+}
+
+// Seen red: photons as a double.
+TEST_F(WrittenResult, Run) {
+  const NetcdfFile file(folder_.file("out.nc"));
+  const auto count = [&](const char* name) {
+    EXPECT_EQ(file.attribute_type(NC_GLOBAL, name), NC_UINT64) << name;
+    return file.attribute<std::uint64_t>(NC_GLOBAL, name).at(0);
+  };
+  EXPECT_EQ(count("photons"), 9223372036854788153u);
+  EXPECT_EQ(count("seed"), 9007199254740993u);
+  EXPECT_EQ(count("batches"), result_.batches);
+  EXPECT_EQ(count("collisions"), result_.collisions);
+  EXPECT_EQ(count("photons_lost_too_many_events"), 2u);
+  EXPECT_EQ(count("photons_lost_not_finite"), 1u);
+  const auto number = [&](const char* name) {
+    return file.attribute<double>(NC_GLOBAL, name).at(0);
+  };
+  EXPECT_EQ(number("wall_time_s"), 23.5);
+  EXPECT_EQ(number("collisions_per_second"), 187'654'321 / 23.5);
+  EXPECT_EQ(number("ledger_absorbed"), 0.71);
+  EXPECT_EQ(number("ledger_escaped"), 0.08);
+  EXPECT_EQ(number("ledger_sea_bed"), 0.02);
+  EXPECT_EQ(number("ledger_cut_by_time"), 0.18);
+  EXPECT_EQ(number("ledger_cut_by_order"), 0.0099);
+  EXPECT_EQ(number("ledger_roulette"), 1e-5);
+  EXPECT_EQ(number("ledger_lost"), 1.5e-7);
+  const auto integer = [&](const char* name) {
+    return file.attribute<std::int32_t>(NC_GLOBAL, name).at(0);
+  };
+  EXPECT_EQ(integer("photic_format"), 1);
+  EXPECT_EQ(integer("partial"), 1);
+  EXPECT_EQ(integer("threads"), 2);
+}
+
+TEST_F(WrittenResult, Texts) {
+  const NetcdfFile file(folder_.file("out.nc"));
+  EXPECT_EQ(file.text("Conventions"), "CF-1.10");
+  EXPECT_EQ(file.text("title"), result_.title);
+  EXPECT_EQ(file.text("source"),
+            "Photic 0.1.0: Monte Carlo simulation of an oceanographic lidar, forward estimator");
+  EXPECT_EQ(file.text("history"), "then: photic run");
+  EXPECT_EQ(file.text("version"), "0.1.0");
+  EXPECT_EQ(file.text("engine"), "scalar");
+  EXPECT_EQ(file.text("estimator"), "forward");
+  EXPECT_EQ(file.text("stopped_by"), "photons");
+  EXPECT_EQ(file.text("warnings"), result_.warnings.at(0));
+  EXPECT_EQ(file.text("optics_sources"), result_.sources.at(0) + "\n" + result_.sources.at(1));
+  EXPECT_NE(file.text("references").find("Barbini"), std::string::npos);
+}
+
+// Seen red: as an attribute of characters, which netCDF-4 limits to 64 kB, the long scene is lost.
+TEST_F(WrittenResult, SceneOfAnyLength) {
+  EXPECT_EQ(read_scene_attribute(folder_.file("out.nc")), result_.scene_toml);
+}
+
+TEST(WriteNetcdf, IsCompressed) {
+  const test::TemporaryFolder folder;
+  const tally::Result result = test::sample_result();
+  write_netcdf(result, folder.file("out.nc"), {"test"});
+  const std::size_t raw_bytes = 2 * result.echo_by_depth.mean.size() * sizeof(double);
+  EXPECT_LT(std::filesystem::file_size(folder.file("out.nc")), raw_bytes / 2);
+}
+
+// Seen red: made by nc_create_mem.
+TEST(WriteNetcdf, OtherProgramsCanAddToTheFile) {
+  const test::TemporaryFolder folder;
+  write_netcdf(test::sample_result(), folder.file("out.nc"), {"test"});
+  EXPECT_EQ(NetcdfFile(folder.file("out.nc")).variables().front(),
+            "telescope_name");  // not by alphabet
+  int file = 0;
+  ASSERT_EQ(nc_open(folder.file("out.nc").c_str(), NC_WRITE, &file), NC_NOERR);
+  EXPECT_EQ(nc_put_att_text(file, NC_GLOBAL, "comment", 5, "added"), NC_NOERR);
+  EXPECT_EQ(nc_close(file), NC_NOERR);
+  EXPECT_EQ(NetcdfFile(folder.file("out.nc")).text("comment"), "added");
+}
+
+TEST(WriteNetcdf, RangeIsCalledRange) {
+  const test::TemporaryFolder folder;
+  tally::Result result = test::sample_result();
+  result.gate_depth_is_range = true;
+  write_netcdf(result, folder.file("out.nc"), {"test"});
+  const NetcdfFile file(folder.file("out.nc"));
+  const int v = file.variable("gate_depth");
+  EXPECT_EQ(file.text(v, "long_name").rfind("range along the axis of the first telescope", 0), 0u);
+  EXPECT_FALSE(file.has_attribute(v, "standard_name"));
+  EXPECT_FALSE(file.has_attribute(v, "positive"));
+}
+
+TEST(WriteNetcdf, AResultThatDoesNotFitIsABug) {
+  const test::TemporaryFolder folder;
+  tally::Result result = test::sample_result();
+  result.echo_by_order.mean.pop_back();
+  EXPECT_THROW(write_netcdf(result, folder.file("out.nc"), {"test"}), ContractViolation);
+  EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(HistoryLine, TimeInUtcAndCommand) {
+  std::string line = history_line("photic run a.toml");
+  std::replace_if(
+      line.begin(), line.begin() + 20, [](unsigned char c) { return std::isdigit(c) != 0; }, '9');
+  EXPECT_EQ(line, "9999-99-99T99:99:99Z: photic run a.toml");
+}
+
+}  // namespace
+}  // namespace photic::io

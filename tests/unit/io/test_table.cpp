@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/error.hpp"
+#include "io/table.hpp"
+#include "unit/io/sample_result.hpp"
+
+namespace photic::io {
+namespace {
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> out(1);
+  for (const char c : text) {
+    if (c == '\n')
+      out.emplace_back();
+    else
+      out.back() += c;
+  }
+  return out;
+}
+
+bool has_line(const std::string& text, const std::string& line) {
+  for (const auto& each : lines(text))
+    if (each == line) return true;
+  return false;
+}
+
+/// One telescope, one channel, five gates with all that a cell can show.
+tally::Result small_result() {
+  tally::Result result;
+  result.telescope_name = {"ship"};
+  result.channel_name = {"raman"};
+  result.gate_time_edge_ns = {80, 90, 100, 110, 120, 130};
+  result.gate_depth_edge_m = {0, 1, 2, 3, 4, 5};
+  result.echo.mean = {1.23456e-8, 9.9996e-9, 5e-10, 1e-12, 0};
+  result.echo.standard_error = {1.23456e-11, 1.5e-10, 6e-11, 2e-11, 0};
+  result.convergence_flags = {0, 0, tally::large_error | tally::heavy_tail, tally::large_error,
+                              tally::no_score};
+  result.photons = 1'234'567;
+  result.wall_time_s = 2;
+  result.collisions = 9'000'000;
+  result.threads = 1;
+  result.stopped_by = "interrupt";
+  result.partial = true;
+  result.warnings = {"first warning", "second warning"};
+  return result;
+}
+
+// Seen red: the relative error not in per cent; the mark on gates that have converged.
+TEST(EchoTable, AllOfASmallOne) {
+  EXPECT_EQ(
+      echo_table(small_result()),
+      R"(Echo: photons detected in the gate per photon emitted; error: standard error over echo
+
+telescope ship
+             raman
+ depth [m]        echo   error
+      0.50   1.235e-08  0.10 %
+      1.50   1.000e-08   1.5 %
+      2.50   5.000e-10    12 % *
+      3.50   1.000e-12 > 999 % *
+      4.50           0       - *
+
+* not converged, because
+  no_score                  1 gate:   no light was ever scored in the gate
+  large_error               2 gates:  the standard error is above 10 % of the echo
+  heavy_tail                1 gate:   a few scores carry the variance: the echo may be too low
+converged raman 2 of 5 gates
+1 234 567 photons in 2 s on 1 thread: 0.617 million photons/s, 4.5 million collisions/s
+stopped by: interrupt; this is a partial result
+warning: first warning
+warning: second warning
+)");
+}
+
+TEST(EchoTable, NumbersThatAreNone) {
+  tally::Result result = small_result();
+  result.echo.mean[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(has_line(echo_table(result), "      0.50         nan       -"));
+}
+
+TEST(EchoTable, ThinnedToTheRowsAskedFor) {
+  const std::string table = echo_table(test::sample_result(), 10);
+  EXPECT_NE(table.find("; shown: 1 gate of 10\n"), std::string::npos);
+  std::size_t rows = 0;
+  for (const auto& line : lines(table.substr(0, table.find("* not"))))
+    rows += line.find(" %") != std::string::npos;
+  EXPECT_EQ(rows, 2 * 10u);
+  EXPECT_EQ(echo_table(test::sample_result(), 100).find("shown"), std::string::npos);
+  EXPECT_THROW(echo_table(test::sample_result(), 0), ContractViolation);
+}
+
+TEST(EchoTable, EachTelescopeItsOwn) {
+  const std::string table = echo_table(test::sample_result());
+  EXPECT_EQ(lines(table)[0], "Table 1 ship lidar over case-1 water");
+  EXPECT_TRUE(has_line(table, "telescope narrow"));
+  EXPECT_TRUE(has_line(table, "telescope wide"));
+  EXPECT_TRUE(has_line(
+      table,
+      "  wide: elastic 45 of 100 gates, raman 94 of 100 gates, chlorophyll 91 of 100 gates"));
+}
+
+TEST(EchoTable, FitsATerminalOf100Columns) {
+  tally::Result result = small_result();
+  for (int extra = 0; extra < 5; ++extra) {
+    result.channel_name.push_back("a channel of a long name " + std::to_string(extra));
+    for (std::size_t k = 0; k < 6; ++k) result.gate_depth_edge_m.push_back(static_cast<double>(k));
+    for (std::size_t k = 0; k < 5; ++k) {
+      result.echo.mean.push_back(1e-8);
+      result.echo.standard_error.push_back(1e-10);
+      result.convergence_flags.push_back(0);
+    }
+  }
+  const std::string table = echo_table(result);
+  std::size_t heads = 0;
+  for (const auto& line : lines(table.substr(0, table.find("converged")))) {
+    EXPECT_LE(line.size(), 100u) << line;
+    heads += line.rfind(" depth [m]", 0) == 0;
+  }
+  EXPECT_EQ(heads, 2u);  // four channels abreast, then two
+}
+
+TEST(EchoTable, RangeIsCalledRange) {
+  tally::Result result = small_result();
+  result.gate_depth_is_range = true;
+  EXPECT_NE(echo_table(result).find(" range [m]"), std::string::npos);
+  EXPECT_EQ(echo_table(result).find("depth [m]"), std::string::npos);
+}
+
+TEST(EchoTable, ConvergedHasNoLegend) {
+  tally::Result result = small_result();
+  result.convergence_flags.assign(5, 0);
+  const std::string table = echo_table(result);
+  EXPECT_EQ(table.find('*'), std::string::npos);
+  EXPECT_TRUE(has_line(table, "converged raman 5 of 5 gates"));
+}
+
+}  // namespace
+}  // namespace photic::io

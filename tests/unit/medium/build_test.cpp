@@ -1,0 +1,136 @@
+// Lines, channels and the balance of photons in the medium.
+#include "optics/fluorescence.hpp"
+#include "optics/raman.hpp"
+#include "optics/refractive_index.hpp"
+#include "unit/medium/scenes.hpp"
+
+namespace photic::medium {
+namespace {
+
+Line line_at(Process process, double nm) { return {process, nm, 1.34, 1.36}; }
+
+// Seen red: with the full width on either side.
+TEST(Channel, CountsItsProcessOrWhatPassesItsFilter) {
+  const Line elastic = line_at(Process::elastic, 532);
+  const Line raman = line_at(Process::raman, 649);
+  const Line chlorophyll = line_at(Process::chlorophyll, 685);
+  EXPECT_TRUE(counts(test::channel_of("elastic"), elastic));
+  EXPECT_FALSE(counts(test::channel_of("elastic"), raman));
+  EXPECT_TRUE(counts(test::channel_of("raman"), raman));
+  EXPECT_FALSE(counts(test::channel_of("raman"), chlorophyll));
+  EXPECT_TRUE(counts(test::channel_of("chlorophyll"), chlorophyll));
+  EXPECT_TRUE(counts(test::filter(650, 10), raman));
+  EXPECT_TRUE(counts(test::filter(654, 10), raman));   // on its edge
+  EXPECT_FALSE(counts(test::filter(654.1, 10), raman));
+  EXPECT_FALSE(counts(test::filter(643.9, 10), raman));
+  EXPECT_TRUE(counts(test::filter(667, 40), raman));
+  EXPECT_TRUE(counts(test::filter(667, 40), chlorophyll));
+  EXPECT_FALSE(counts(test::filter(667, 40), elastic));
+}
+
+TEST(BuildMedium, HasTheLinesThatChannelsCount) {
+  const auto processes = [](const std::vector<scene::Channel>& channels) {
+    std::vector<Process> out;
+    for (const Line& line : medium_of(scene_of({iop_layer()}, channels)).line) out.push_back(line.process);
+    return out;
+  };
+  using P = std::vector<Process>;
+  EXPECT_EQ(processes({test::channel_of("elastic")}), (P{Process::elastic}));
+  EXPECT_EQ(processes({test::channel_of("raman")}), (P{Process::elastic, Process::raman}));  // the laser's always
+  EXPECT_EQ(processes(all_channels), (P{Process::elastic, Process::raman, Process::chlorophyll}));
+  EXPECT_EQ(processes({test::filter(667, 40)}), (P{Process::elastic, Process::raman, Process::chlorophyll}));
+  EXPECT_EQ(processes({test::filter(685, 10)}), (P{Process::elastic, Process::chlorophyll}));
+  EXPECT_EQ(processes({test::filter(600, 10)}), (P{Process::elastic}));
+}
+
+TEST(BuildMedium, GivesEachLineItsIndices) {
+  const auto m = medium_of(scene_of({iop_layer()}, all_channels));
+  for (const Line& line : m.line) {
+    EXPECT_EQ(line.refractive_index, optics::refractive_index(line.wavelength_nm, 35, 20));
+    EXPECT_EQ(line.group_index, optics::group_index(line.wavelength_nm, 35, 20));
+  }
+  EXPECT_GT(m.line[0].group_index, m.line[0].refractive_index + 0.02);
+
+  auto scene = scene_of({iop_layer()}, all_channels);
+  scene.sea.refractive_index = 1.334;
+  for (const Line& line : medium_of(scene).line) {
+    EXPECT_EQ(line.refractive_index, 1.334);
+    EXPECT_EQ(line.group_index, optics::group_index(line.wavelength_nm, 35, 20));  // geometry only
+  }
+  scene.sea.group_index = 1.36;
+  for (const Line& line : medium_of(scene).line) EXPECT_EQ(line.group_index, 1.36);
+}
+
+// Photons that are emitted at another wavelength are taken out of the absorption: c = a + b with or without them, and what
+// becomes of a collision adds up to 1. Seen red: with b_R added to c; with the emitted photons absorbed as well.
+TEST(BuildMedium, TakesInelasticPhotonsOutOfTheAbsorption) {
+  const auto without = medium_of(scene_of({iop_layer()}, {test::channel_of("elastic")}));
+  const auto with = medium_of(scene_of({iop_layer()}, all_channels));
+  EXPECT_EQ(with.c[0], without.c[0]);
+  EXPECT_EQ(with.albedo[0], without.albedo[0]);
+  EXPECT_GT(with.conversion[1], 0);
+  EXPECT_GT(with.conversion[2], 0);
+  EXPECT_NEAR(with.absorption[0], without.absorption[0] - with.conversion[1] - with.conversion[2], 1e-15);
+  EXPECT_NEAR(with.absorption[0] + with.albedo[0] + with.conversion[1] + with.conversion[2], 1, 1e-15);
+  for (std::size_t l = 1; l < 3; ++l) EXPECT_NEAR(with.absorption[l] + with.albedo[l], 1, 1e-15);
+  EXPECT_EQ(with.conversion[0], 0);
+}
+
+// Seen red: with c of the emitted line under the coefficient.
+TEST(BuildMedium, ConvertsAsMuchAsTheCoefficientsSay) {
+  auto layer = iop_layer();
+  const auto scene = scene_of({layer}, all_channels);
+  const auto m = medium_of(scene);
+  const auto raman = optics::raman(library(), "bartlett", 532).lines.at(0);
+  EXPECT_NEAR(m.conversion[1] * m.c[0], raman.coefficient_per_m, 1e-18);
+  EXPECT_EQ(m.line[1].wavelength_nm, raman.wavelength_nm);
+  const auto chlorophyll = optics::chlorophyll_fluorescence(library(), 532, 0.0164, 0.01).lines.at(0);
+  EXPECT_NEAR(m.conversion[2] * m.c[0], chlorophyll.coefficient_per_m, 1e-18);
+}
+
+TEST(BuildMedium, PutsEveryLayerWhereItIs) {
+  auto top = iop_layer("top");
+  top.bottom_depth_m = 7.5;
+  auto middle = iop_layer("middle");
+  middle.bottom_depth_m = 20;
+  for (auto& entry : middle.iop) entry.b_per_m *= 3;
+  for (auto& entry : middle.iop) entry.a_phytoplankton_per_m = 0;
+  middle.phase_function = henyey_greenstein(0.5);
+  auto bottom = iop_layer("bottom");
+  const auto m = medium_of(scene_of({top, middle, bottom}, all_channels));
+  EXPECT_EQ(m.layers(), 3);
+  EXPECT_EQ(m.top, (std::vector<double>{0, 7.5, 20, std::numeric_limits<double>::infinity()}));
+  EXPECT_NEAR(m.c[1], 0.082 + 3 * 0.168, 1e-15);
+  EXPECT_EQ(m.c[2], m.c[0]);
+  EXPECT_EQ(m.elastic_phase[2], m.elastic_phase[0]);
+  EXPECT_NE(m.elastic_phase[1], m.elastic_phase[0]);
+  const auto view = m.view();
+  EXPECT_EQ(view.convertible_count[0], 2);
+  EXPECT_EQ(view.convertible_count[1], 1);  // no phytoplankton in the middle
+  EXPECT_EQ(view.convertible[1 * 3 + 0], 1);
+  EXPECT_EQ(m.conversion[2 * 3 + 1], 0);
+  EXPECT_GT(m.conversion[2 * 3 + 2], 0);
+  EXPECT_NEAR(view.optical_depth<double>(0, 2, 25.0), 7.5 * m.c[0] + 12.5 * m.c[1] + 5 * m.c[2], 1e-12);
+}
+
+// A bed where the last layer ends.
+TEST(BuildMedium, EndsAtTheBedOfTheLastLayer) {
+  auto layer = iop_layer();
+  layer.bottom_depth_m = 30;
+  EXPECT_EQ(medium_of(scene_of({layer}, all_channels)).top, (std::vector<double>{0, 30}));
+}
+
+TEST(BuildMedium, TellsWhereItsNumbersComeFrom) {
+  const auto m = medium_of(scene_of({iop_layer()}, all_channels));
+  const auto tells = [&](const std::string& what) {
+    return std::any_of(m.sources.begin(), m.sources.end(),
+                       [&](const std::string& s) { return s.find(what) != std::string::npos; });
+  };
+  EXPECT_TRUE(tells("given in the scene"));
+  EXPECT_TRUE(tells("raman at"));
+  EXPECT_TRUE(tells("chlorophyll at 685"));
+  EXPECT_TRUE(tells("Bartlett"));
+}
+
+}  // namespace
+}  // namespace photic::medium

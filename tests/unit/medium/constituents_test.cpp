@@ -1,0 +1,129 @@
+// Layers made of constituents: sums of what the optics say, phase functions weighted by scattering.
+#include "optics/cdom.hpp"
+#include "optics/fournier_forand.hpp"
+#include "optics/phase_functions.hpp"
+#include "optics/phytoplankton.hpp"
+#include "optics/water_absorption.hpp"
+#include "optics/water_scattering.hpp"
+#include "unit/medium/scenes.hpp"
+
+namespace photic::medium {
+namespace {
+
+scene::Layer algae_layer(double chlorophyll_mg_m3, double cdom_a440_per_m = 0) {
+  scene::Layer layer;
+  layer.name = "top";
+  layer.chlorophyll_mg_m3 = chlorophyll_mg_m3;
+  layer.cdom_a440_per_m = cdom_a440_per_m;
+  return layer;
+}
+
+struct Parts {
+  double a_water, b_water;
+  optics::Phytoplankton algae;
+};
+
+Parts parts_at(double nm, double chlorophyll) {
+  return {optics::water_absorption_per_m(library(), "mason-ioccg", nm, 35, 20).value,
+          optics::water_scattering_per_m(library(), "zhang", nm, 35, 20).value,
+          optics::phytoplankton(library(), "bricaud", chlorophyll, nm)};
+}
+
+// At both wavelengths. Seen red: without the CDOM; with the algae's scattering left out.
+TEST(Constituents, AddUp) {
+  const auto m = medium_of(scene_of({algae_layer(0.5, 0.03)}, {test::channel_of("elastic"), test::channel_of("raman")}));
+  for (std::size_t l = 0; l < 2; ++l) {
+    const double nm = m.line[l].wavelength_nm;
+    const Parts parts = parts_at(nm, 0.5);
+    const double a = parts.a_water + parts.algae.a_per_m + 0.03 * std::exp(-0.017 * (nm - 440));
+    const double b = parts.b_water + parts.algae.b_per_m;
+    EXPECT_NEAR(m.c[l], a + b, 1e-15) << nm;
+    EXPECT_NEAR(m.albedo[l], b / (a + b), 1e-15) << nm;
+  }
+}
+
+// Seen red: with equal shares; with the shares swapped.
+TEST(Constituents, ScatterWithPhaseFunctionsWeightedByTheirScattering) {
+  const auto m = medium_of(scene_of({algae_layer(0.1)}, {test::channel_of("elastic")}));
+  const Parts parts = parts_at(532, 0.1);
+  const optics::PhaseTable water(optics::rayleigh(0.039));
+  const optics::PhaseTable algae(optics::fournier_forand(1.10, 3.5835));
+  const double b = parts.b_water + parts.algae.b_per_m;
+  for (const double x : {0.0, 1e-6, 0.01, 0.5, 1.0, 2.0}) {
+    const double expected = (parts.b_water * water.view().value<double>(x) + parts.algae.b_per_m * algae.view().value<double>(x)) / b;
+    EXPECT_NEAR(m.view().phases.value<double>(x, m.elastic_phase[0]) / expected, 1, 2e-5) << x;
+  }
+}
+
+TEST(Constituents, OfPureWaterScatterAsMolecules) {
+  auto scene = scene_of({algae_layer(0)}, {test::channel_of("elastic")});
+  const optics::PhaseTable molecules(optics::rayleigh(0.039));
+  const auto m = medium_of(scene);
+  EXPECT_EQ(m.view().phases.value<double>(2.0, m.elastic_phase[0]), molecules.view().value<double>(2.0));
+  // The depolarisation shapes the function and leaves b alone.
+  scene.optics.water_depolarisation = 0.17;
+  const auto paper = medium_of(scene);
+  EXPECT_EQ(paper.albedo[0], m.albedo[0]);
+  EXPECT_NEAR(paper.view().phases.value<double>(2.0, paper.elastic_phase[0]), 0.1100, 5e-5);
+  EXPECT_NEAR(m.view().phases.value<double>(2.0, m.elastic_phase[0]), 0.1171, 5e-5);
+}
+
+TEST(Constituents, FluoresceByWhatPhytoplanktonAbsorbs) {
+  auto layer = algae_layer(0.5, 0.03);
+  layer.chlorophyll_yield = 0.03;
+  const auto m = medium_of(scene_of({layer}, all_channels));
+  ASSERT_EQ(m.line.size(), 3U);
+  const Parts parts = parts_at(532, 0.5);
+  EXPECT_NEAR(m.conversion[2] * m.c[0], 0.03 * parts.algae.a_exciting_per_m, 1e-17);
+  EXPECT_LT(parts.algae.a_exciting_per_m, parts.algae.a_per_m);
+}
+
+TEST(Constituents, ScatterAsPetzoldMeasuredIfAsked) {
+  auto scene = scene_of({algae_layer(1)}, {test::channel_of("elastic")});
+  const double forward = medium_of(scene).view().phases.value<double>(2.0, 0);
+  scene.optics.phytoplankton_phase = "petzold";
+  const auto m = medium_of(scene);
+  EXPECT_NE(m.view().phases.value<double>(2.0, m.elastic_phase[0]), forward);
+}
+
+scene::PhaseFunction function_of(const std::string& model) {
+  scene::PhaseFunction function;
+  function.model = model;
+  return function;
+}
+
+/// The phase function of an iop layer that names one.
+double value_of(const scene::PhaseFunction& function, double x) {
+  auto layer = iop_layer();
+  layer.phase_function = function;
+  const auto m = medium_of(scene_of({layer}, {test::channel_of("elastic")}));
+  return m.view().phases.value<double>(x, m.elastic_phase[0]);
+}
+
+TEST(IopLayer, ScattersWithTheNamedPhaseFunction) {
+  const auto at = [](const optics::PhaseShape& shape, double x) {
+    return optics::PhaseTable(shape).view().value<double>(x);
+  };
+  auto ff = function_of("fournier-forand");
+  ff.refractive_index = 1.08;
+  ff.slope = 3.4;
+  ff.fraction = 0.7;
+  auto rayleigh = function_of("rayleigh");
+  rayleigh.depolarisation = 0.09;
+  rayleigh.fraction = 0.3;
+  auto mixture = function_of("mixture");
+  mixture.components = {ff, rayleigh};
+  for (const double x : {0.001, 0.3, 2.0}) {
+    const double expected_ff = at(optics::fournier_forand(1.08, 3.4), x);
+    const double expected_rayleigh = at(optics::rayleigh(0.09), x);
+    EXPECT_EQ(value_of(henyey_greenstein(0.7), x), at(optics::henyey_greenstein(0.7), x));
+    EXPECT_EQ(value_of(ff, x), expected_ff);
+    EXPECT_EQ(value_of(rayleigh, x), expected_rayleigh);
+    EXPECT_EQ(value_of(function_of("isotropic"), x), at(optics::isotropic(), x));
+    EXPECT_EQ(value_of(function_of("petzold"), x), at(optics::petzold(library()), x));
+    EXPECT_NEAR(value_of(mixture, x) / (0.7 * expected_ff + 0.3 * expected_rayleigh), 1, 2e-5);
+  }
+}
+
+}  // namespace
+}  // namespace photic::medium

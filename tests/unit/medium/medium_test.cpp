@@ -1,0 +1,95 @@
+// The tables of a medium and the view of them.
+#include "medium/medium.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/error.hpp"
+#include "optics/phase_functions.hpp"
+
+namespace photic::medium {
+namespace {
+
+Medium two_layers() {
+  Medium m;
+  m.line = {{Process::elastic, 532, 1.34, 1.36}, {Process::raman, 649, 1.33, 1.35}};
+  m.top = {0, 10, 30};
+  m.c = {0.2, 0.5, 0.7, 0.9};
+  m.albedo = {0.5, 0.6, 0.3, 0.4};
+  m.conversion = {0, 0, 0, 1e-3};
+  m.absorption = {0.5, 0.399, 0.7, 0.6};
+  const auto phase = m.add_phase(optics::PhaseTable(optics::isotropic()));
+  m.elastic_phase = {phase, phase, phase, phase};
+  m.conversion_phase = {phase, phase};
+  return m;
+}
+
+TEST(Medium, KeepsEqualPhaseFunctionsOnce) {
+  Medium m;
+  const optics::PhaseTable a(optics::henyey_greenstein(0.9));
+  const optics::PhaseTable b(optics::henyey_greenstein(0.5));
+  EXPECT_EQ(m.add_phase(a), 0);
+  EXPECT_EQ(m.add_phase(b), 1);
+  EXPECT_EQ(m.add_phase(a), 0);
+  EXPECT_EQ(m.add_phase(b), 1);
+  m.top = {0, 1};
+  for (const double x : {0.0, 1e-9, 0.01, 1.0, 2.0}) {
+    EXPECT_EQ(m.view().phases.value<double>(x, 0), a.view().value<double>(x));
+    EXPECT_EQ(m.view().phases.value<double>(x, 1), b.view().value<double>(x));
+  }
+  for (const double u : {1e-9, 0.1, 0.5, 0.99}) {
+    EXPECT_EQ(m.view().phases.sample<double>(u, 0), a.view().sample<double>(u));
+    EXPECT_EQ(m.view().phases.sample<double>(u, 1), b.view().sample<double>(u));
+  }
+}
+
+// Seen red: with c of the other line; without the part above the layer.
+TEST(Medium, AddsUpOpticalDepths) {
+  auto m = two_layers();
+  m.finish();
+  const auto v = m.view();
+  EXPECT_NEAR(v.optical_depth<double>(0, 0, 4.0), 0.8, 1e-15);
+  EXPECT_NEAR(v.optical_depth<double>(0, 1, 10.0), 2.0, 1e-15);
+  EXPECT_NEAR(v.optical_depth<double>(0, 1, 12.0), 3.0, 1e-15);
+  EXPECT_NEAR(v.optical_depth<double>(1, 1, 12.0), 8.8, 1e-14);
+  EXPECT_EQ(v.layers, 2);
+  EXPECT_EQ(v.lines, 2);
+  EXPECT_EQ(v.index[1], 1.33);
+  EXPECT_EQ(v.group_index[1], 1.35);
+}
+
+TEST(Medium, ListsWhatCanBeEmittedByLayer) {
+  auto m = two_layers();
+  m.finish();
+  const auto v = m.view();
+  EXPECT_EQ(v.convertible_count[0], 0);
+  EXPECT_EQ(v.convertible_count[1], 1);
+  EXPECT_EQ(v.convertible[1 * 2 + 0], 1);
+}
+
+TEST(Medium, FindsTheLayerOfADepth) {
+  auto m = two_layers();
+  EXPECT_EQ(m.layer_at(0), 0);
+  EXPECT_EQ(m.layer_at(9.999), 0);
+  EXPECT_EQ(m.layer_at(10), 1);  // an edge belongs to the layer below
+  EXPECT_EQ(m.layer_at(29), 1);
+  EXPECT_EQ(m.layer_at(30), 1);  // on the bed
+  m.top.back() = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(m.layer_at(1e6), 1);
+}
+
+TEST(Medium, RefusesIncompleteTables) {
+  auto m = two_layers();
+  m.albedo.pop_back();
+  EXPECT_THROW(m.finish(), ContractViolation);
+}
+
+TEST(Process, HasTheNamesOfTheResultFile) {
+  EXPECT_STREQ(process_name(Process::elastic), "elastic");
+  EXPECT_STREQ(process_name(Process::raman), "raman");
+  EXPECT_STREQ(process_name(Process::chlorophyll), "chlorophyll");
+}
+
+}  // namespace
+}  // namespace photic::medium

@@ -1,0 +1,84 @@
+#include "optics/emission.hpp"
+
+#include "optics/fluorescence.hpp"
+#include "optics/raman.hpp"
+#include "unit/optics/support.hpp"
+
+namespace photic::optics {
+namespace {
+
+EmissionLine only_line(const Emission& emission) {
+  EXPECT_EQ(emission.lines.size(), 1U);
+  return emission.lines.at(0);
+}
+
+EmissionLine paper(double nm) { return only_line(raman(library(), "marshall-smith", nm)); }
+EmissionLine modern(double nm) { return only_line(raman(library(), "bartlett", nm)); }
+
+// Printed values of the formula, on the energy basis. Seen red: with wavenumbers in 1/m; with the
+// resonance frequency against the Raman instead of the laser's wavenumber; with the photon factor
+// upside down.
+TEST(Raman, OfThePaperHasItsCoefficients) {
+  EXPECT_NEAR(paper(488).coefficient_per_m * 488 / paper(488).wavelength_nm, 2.6000e-4, 5e-9);
+  EXPECT_NEAR(paper(532).coefficient_per_m * 532 / paper(532).wavelength_nm, 1.6815e-4, 5e-9);
+  EXPECT_NEAR(paper(355).coefficient_per_m * 355 / paper(355).wavelength_nm, 1.2733e-3, 5e-8);
+  EXPECT_NEAR(paper(488).coefficient_per_m, 2.6000e-4 * 585.08 / 488, 1e-8);  // photons
+}
+
+TEST(Raman, OfThePaperHasItsWavelengths) {
+  const double expected[][2] = {
+      {488, 585.08}, {532, 649.48}, {355, 403.73}, {480, 573.61}, {337, 380.61}};
+  for (const auto& [laser, line] : expected) EXPECT_NEAR(paper(laser).wavelength_nm, line, 5e-3);
+}
+
+TEST(Raman, OfBartlettFallsAsItsPowerFrom488Nm) {
+  EXPECT_NEAR(modern(488).coefficient_per_m, 2.7e-4, 1e-18);
+  EXPECT_NEAR(modern(532).coefficient_per_m, 2.7e-4 * std::pow(488.0 / 532, 5.3), 1e-18);
+  expect_contains(raman(library(), "bartlett", 532).source, "from memory; 20 %]");
+  // Published in-situ coefficients agree to 20 %.
+  EXPECT_NEAR(modern(488).coefficient_per_m / paper(488).coefficient_per_m, 1, 0.2);
+}
+
+TEST(Raman, OfBartlettIsAtTheMeanOfWalrafensBand) {
+  EXPECT_NEAR(library().raman_band.mean_per_cm(), 3384, 0.5);
+  EXPECT_NEAR(1e7 / 532 - 1e7 / modern(532).wavelength_nm, 3383.75, 1e-6);
+}
+
+TEST(Raman, RefusesAShiftBeyondTheLight) {
+  expect_contains(message<InputError>([] { modern(3000); }),
+                  "no Raman light from 3000 nm: water's shift is 3383.75 1/cm");
+  expect_contains(message<InputError>([] { raman(library(), "walrafen", 532); }),
+                  "no Raman model \"walrafen\" (there are: bartlett, marshall-smith)");
+}
+
+Emission chlorophyll(double nm) { return chlorophyll_fluorescence(library(), nm, 0.02, 0.01); }
+
+TEST(Chlorophyll, GivesItsYieldAt685Nm) {
+  const EmissionLine line = only_line(chlorophyll(532));
+  EXPECT_EQ(line.wavelength_nm, 685);
+  EXPECT_NEAR(line.coefficient_per_m, 2e-4, 1e-18);
+  expect_contains(chlorophyll(532).source, "[from memory]");
+}
+
+TEST(Chlorophyll, IsExcitedFrom300To690Nm) {
+  EXPECT_TRUE(chlorophyll(299.9).lines.empty());
+  EXPECT_EQ(chlorophyll(300).lines.size(), 1U);
+  EXPECT_EQ(chlorophyll(690).lines.size(), 1U);
+  EXPECT_TRUE(chlorophyll(690.1).lines.empty());
+}
+
+// Half the Gaussian lies above its centre, 15.9 % above one sigma. Seen red: with the sign in erfc
+// turned.
+TEST(Chlorophyll, LosesWhatWouldBeShorterThanTheLaser) {
+  EXPECT_NEAR(only_line(chlorophyll(685)).coefficient_per_m, 1e-4, 1e-18);
+  EXPECT_NEAR(only_line(chlorophyll(674.4)).coefficient_per_m, 2e-4 * 0.8413447, 1e-10);
+  EXPECT_LT(only_line(chlorophyll(690)).coefficient_per_m, 0.7e-4);
+}
+
+TEST(Chlorophyll, EmitsNothingWithoutAbsorptionOrYield) {
+  EXPECT_TRUE(chlorophyll_fluorescence(library(), 532, 0, 0.01).lines.empty());
+  EXPECT_TRUE(chlorophyll_fluorescence(library(), 532, 0.02, 0).lines.empty());
+}
+
+}  // namespace
+}  // namespace photic::optics

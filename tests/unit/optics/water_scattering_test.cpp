@@ -1,0 +1,58 @@
+#include "optics/water_scattering.hpp"
+
+#include "optics/refractive_index.hpp"
+#include "unit/optics/support.hpp"
+
+namespace photic::optics {
+namespace {
+
+double zhang(double nm, double s, double t) {
+  return water_scattering_per_m(library(), "zhang", nm, s, t).value;
+}
+
+// Expected values: an independent evaluation of the equations, printed to six digits; it took older
+// values of Boltzmann's and Avogadro's constants, which is 2e-6 of the scattering.
+TEST(WaterScattering, OfZhangHasKnownValues) {
+  EXPECT_NEAR(zhang(355, 35, 20), 1.10882e-2, 5e-8);
+  EXPECT_NEAR(zhang(500, 35, 20), 2.54734e-3, 1e-8);
+  EXPECT_NEAR(zhang(532, 35, 20), 1.96231e-3, 5e-9);
+  EXPECT_NEAR(zhang(500, 0, 20), 1.95751e-3, 5e-9);
+  EXPECT_NEAR(zhang(500, 35, 5), 2.64748e-3, 5e-9);
+}
+
+// Seen red: with the salt's term left out; with 0.09 for the depolarisation; with T^4 of the
+// density at -1.12e-5.
+TEST(WaterScattering, OfZhangAgreesWithTheReferenceTable) {
+  const DataTable table =
+      DataTable::read(data_folder + "/reference/seawater_scattering_zhang2009.csv");
+  const auto nm = table.numbers("wavelength_nm");
+  const auto fresh = table.numbers("b_fresh_per_m"), sea = table.numbers("b_sea_per_m");
+  const auto n_fresh = table.numbers("n_fresh"), n_sea = table.numbers("n_sea");
+  ASSERT_EQ(nm.size(), 81U);
+  for (std::size_t i = 0; i < nm.size(); ++i) {
+    EXPECT_NEAR(zhang(nm[i], 0, 20) / fresh[i], 1, 5e-6) << nm[i];
+    EXPECT_NEAR(zhang(nm[i], 35, 20) / sea[i], 1, 5e-6) << nm[i];
+    // The table's indices are against vacuum: over air's, 1.00027 to 1.00033.
+    EXPECT_NEAR(n_fresh[i] / refractive_index(nm[i], 0, 20), 1.0003, 4e-5) << nm[i];
+    EXPECT_NEAR(n_sea[i] / refractive_index(nm[i], 35, 20), 1.0003, 4e-5) << nm[i];
+  }
+}
+
+TEST(WaterScattering, OfSmithAndBakerIsThatOfSeaWater) {
+  const Sourced b = water_scattering_per_m(library(), "smith-baker", 530, 0, 3);
+  EXPECT_EQ(b.value, 0.0022);
+  expect_contains(b.source, "Smith & Baker 1981");
+}
+
+TEST(WaterScattering, NamesItsRangeAndModels) {
+  EXPECT_THROW(zhang(1101, 35, 20), InputError);
+  expect_contains(
+      message<InputError>([] { water_scattering_per_m(library(), "smith-baker", 850, 35, 20); }),
+      "no water scattering data at 850 nm: Smith & Baker 1981");
+  expect_contains(
+      message<InputError>([] { water_scattering_per_m(library(), "mie", 532, 35, 20); }),
+      "no water scattering model \"mie\" (there are: zhang, smith-baker)");
+}
+
+}  // namespace
+}  // namespace photic::optics

@@ -1,0 +1,76 @@
+// What the format knows and this version cannot do, refused by its name: the texts of all
+// diagnostics, with line and column.
+#include <gtest/gtest.h>
+
+#include "unit/scene/base_scene.hpp"
+
+namespace photic::scene {
+namespace {
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{
+      {"Sources",
+       {{2, 2, R"([source]
+kind = "beam")"}},
+       {R"(scene.toml:3:8: 'kind' = "beam" is not available yet (available: laser))"}},
+      {"Process",
+       {{17, 17, R"(process = "cdom")"}},
+       {R"(scene.toml:17:11: 'process' = "cdom" is not available yet (available: elastic, raman and chlorophyll))"}},
+      {"Surface",
+       {{19, 19, R"([sea]
+surface = { model = "cox-munk", wind_speed_m_s = 5, wind_direction_deg = 0 })"}},
+       {R"(scene.toml:20:21: 'model' = "cox-munk" is not available yet (available: flat))",
+        "scene.toml:20:33: 'wind_speed_m_s' is not available yet (the sea surface is flat in this "
+        "version)",
+        "scene.toml:20:53: 'wind_direction_deg' is not available yet (the sea surface is flat in "
+        "this version)"}},
+      {"Bottom",
+       {{25, 25, R"(phase_function = { model = "henyey-greenstein", g = 0.9 }
+[bottom]
+albedo = 0.1)"}},
+       {"scene.toml:26:2: 'bottom' is not available yet (the sea bed is black in this version)"}},
+      {"Atmosphere",
+       {{25, 25, R"(phase_function = { model = "henyey-greenstein", g = 0.9 }
+[atmosphere]
+model = "us-standard")"}},
+       {"scene.toml:26:2: 'atmosphere' is not available yet (the air is clear vacuum in this "
+        "version)"}},
+      {"Minerals",
+       {{22, 22, "minerals_g_m3 = 0.1"}},
+       {"scene.toml:22:1: 'minerals_g_m3' is not available yet (give the layer's iop and "
+        "phase_function instead)"}},
+      {"CdomFluorescence",
+       {{24, 24,
+         "iop = [{ wavelength_nm = 532, a_per_m = 0.06, b_per_m = 0.1, a_cdom_per_m = 0.01 }]"}},
+       {"scene.toml:24:62: 'a_cdom_per_m' is not available yet (CDOM does not fluoresce in this "
+        "version: count it in a_per_m)"}},
+      {"MiePhaseFunction",
+       {{25, 25, R"(phase_function = "mie")"}},
+       {R"(scene.toml:25:18: 'model' = "mie" is not available yet (available: henyey-greenstein, fournier-forand, petzold, rayleigh, isotropic, table and mixture))"}},
+      {"Estimator",
+       {{30, 30, R"(photons = 1e6
+estimator = "auto")"}},
+       {R"(scene.toml:31:13: 'estimator' = "auto" is not available yet (available: forward))"}},
+      {"PaperSetWithChlorophyll",
+       {{18, 18, R"([optics]
+set = "paper")"}},
+       {R"(scene.toml:19:7: the phase function of phytoplankton "mie" is not available yet (set phytoplankton_phase = "fournier-forand" or "petzold" in [optics]))"}},
+      {"MieOfPhytoplankton",
+       {{18, 18, R"([optics]
+phytoplankton_phase = "mie")"}},
+       {R"(scene.toml:19:23: the phase function of phytoplankton "mie" is not available yet (set phytoplankton_phase = "fournier-forand" or "petzold" in [optics]))"}},
+  };
+  return all;
+}
+
+// Seen red: keys of later versions taken for unknown ones; the paper's set without its Mie
+// function.
+TEST(NotAvailableYet, EveryTextWithLineAndColumn) {
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    EXPECT_EQ(diagnostics_of(edited(c.edits)), c.expected);
+  }
+}
+
+}  // namespace
+}  // namespace photic::scene

@@ -1,0 +1,110 @@
+// What a good scene becomes: defaults, sets of optics, files, remarks; and files that cannot be
+// read.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "unit/scene/base_scene.hpp"
+
+namespace photic::scene {
+namespace {
+
+TEST(Read, FillsInDefaults) {
+  const Scene scene = base_scene();
+  EXPECT_EQ(scene.source.kind, "laser");
+  EXPECT_EQ(scene.telescope[0].detector_shift_m, 0.0);
+  EXPECT_EQ(scene.optics.set, "modern");
+  EXPECT_EQ(scene.optics.water_depolarisation, 0.039);
+  EXPECT_EQ(scene.sea.salinity_psu, 35.0);
+  EXPECT_FALSE(scene.sea.refractive_index);
+  EXPECT_EQ(scene.sea.surface.model, "flat");
+  EXPECT_EQ(scene.sea.layer[1].name, "layer1");
+  EXPECT_FALSE(scene.sea.layer[1].bottom_depth_m);
+  EXPECT_EQ(scene.gates.depth_m, (Gates::Interval{0.0, 50.0, 1.0}));
+  EXPECT_EQ(scene.simulation.photons, 1'000'000U);
+  EXPECT_FALSE(scene.simulation.max_order);
+  EXPECT_EQ(scene.simulation.seed, 1U);
+}
+
+// Seen red: the set not filled in before the other keys are read.
+TEST(Read, SetsOfOpticsGiveWhatIsNotGiven) {
+  const Optics paper = base_scene({"optics.set=paper", "optics.raman=bartlett",
+                                   "optics.phytoplankton_phase=petzold"})
+                           .optics;
+  EXPECT_EQ(paper.water_absorption, "smith-baker");
+  EXPECT_EQ(paper.water_scattering, "smith-baker");
+  EXPECT_EQ(paper.water_depolarisation, 0.17);
+  EXPECT_EQ(paper.phytoplankton, "prieur-sathyendranath");
+  EXPECT_EQ(paper.phytoplankton_phase, "petzold");
+  EXPECT_EQ(paper.raman, "bartlett");
+}
+
+TEST(Read, FilesAreRelativeToTheScene) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "photic_read_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "vsf.csv") << "0,1\n180,1\n";
+  std::ofstream(folder / "scene.toml")
+      << edited({{25, 25, R"(phase_function = { model = "table", file = "vsf.csv" })"}});
+  const Scene scene = read_scene((folder / "scene.toml").string()).scene;
+  EXPECT_EQ(scene.sea.layer[1].phase_function->file, (folder / "vsf.csv").lexically_normal());
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Read, AMissingSceneIsAFailureOfTheEnvironment) {
+  EXPECT_THROW(read_scene("/no/such/scene.toml"), EnvironmentError);
+  EXPECT_THROW(read_scene(PHOTIC_SOURCE_DIR), EnvironmentError);
+}
+
+TEST(Read, RemarksOnWhatIsNotWrong) {
+  const auto remarks = [](const std::string& text) {
+    return read_scene_text(text, "scene.toml", "/").remarks;
+  };
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(remarks(edited({})), Texts{});
+  EXPECT_EQ(
+      remarks(edited({{28, 28, "depth_step_m = 3"}})),
+      Texts{"scene.toml:28:16: the gates are 2.94118 long, so that a whole number of them fits"});
+  EXPECT_EQ(remarks(edited({{11, 11, "direction = [0, 0, 1]"},
+                            {27, 28, "start_ns = 90\nstop_ns = 200\nstep_ns = 1"}})),
+            Texts{"scene.toml:11:13: this telescope in the air looks away from the sea"});
+}
+
+TEST(Read, BordersOfTheRangesAreInside) {
+  EXPECT_TRUE(diagnostics_of(edited({}), {"source.half_divergence_mrad=0"}).empty());
+  EXPECT_TRUE(diagnostics_of(edited({}), {"simulation.orders_kept=1000", "simulation.max_order=1"})
+                  .empty());
+  EXPECT_TRUE(diagnostics_of(edited({}), {"simulation.photons=9223372036854775807"}).empty());
+  EXPECT_TRUE(diagnostics_of(edited({}), {"simulation.photons=9.2e18"}).empty());
+  EXPECT_TRUE(diagnostics_of(edited({}), {"gates.depth_min_m=-12"}).empty());
+  EXPECT_TRUE(diagnostics_of(edited({}), {"source.wavelength_nm=533"}).empty());
+  EXPECT_TRUE(diagnostics_of(edited({}), {"gates.depth_step_m=50"}).empty());
+  EXPECT_TRUE(diagnostics_of(edited({}), {"sea.layer.1.iop.0.b_per_m=0"}).empty());
+}
+
+// Seen red: without the millionth of a step.
+TEST(Gates, CountsWholeAndPartialSteps) {
+  const auto count = [](double min, double max, double step) {
+    Gates gates;
+    gates.range_m = Gates::Interval{min, max, step};
+    return gates.count();
+  };
+  EXPECT_EQ(count(0.0, 50.0, 0.5), 100);
+  EXPECT_EQ(count(0.0, 2.1, 0.3), 7);  // 2.1 / 0.3 is above 7 in doubles
+  EXPECT_EQ(count(0.0, 0.6, 0.2), 3);  // and 0.6 / 0.2 below 3
+  EXPECT_EQ(count(0.0, 10.0, 3.0), 4);
+  EXPECT_EQ(count(-2.0, 1.0, 3.0), 1);
+}
+
+TEST(Telescope, DetectorFromItsFieldOfView) {
+  Telescope telescope;
+  telescope.focal_length_m = 2.0;
+  telescope.half_field_of_view_mrad = 10.0;
+  EXPECT_NEAR(telescope.effective_detector_diameter_m(), 0.040001333387, 1e-12);  // 4 tan(0.01)
+  telescope.detector_diameter_m = 0.03;
+  EXPECT_EQ(telescope.effective_detector_diameter_m(), 0.03);
+}
+
+}  // namespace
+}  // namespace photic::scene

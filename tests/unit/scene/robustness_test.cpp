@@ -1,0 +1,125 @@
+// Damaged scenes: whatever the bytes, the reader gives a scene or says what is wrong with it.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/error.hpp"
+#include "unit/scene/base_scene.hpp"
+
+namespace photic::scene {
+namespace {
+
+enum class Outcome { scene, refused };
+
+/// Anything but a scene or an InputError with at least one diagnostic fails the test.
+Outcome outcome_of(const std::string& text, const std::vector<Override>& overrides = {}) {
+  try {
+    const Scene scene = read_scene_text(text, "ship.toml", "/", overrides).scene;
+    EXPECT_GT(scene.gates.count(), 0);
+    EXPECT_TRUE(read_scene_text(write_scene(scene), "written.toml", "/").scene == scene);
+    return Outcome::scene;
+  } catch (const InputError& error) {
+    EXPECT_FALSE(error.diagnostics().empty());
+    for (const Diagnostic& d : error.diagnostics()) {
+      EXPECT_TRUE(d.line > 0 || d.file.rfind("--set ", 0) == 0) << d.text();
+      EXPECT_FALSE(d.reason.empty());
+    }
+    return Outcome::refused;
+  }
+}
+
+TEST(Robustness, TruncatedAtEveryByte) {
+  const std::string ship = starter_scene("ship");
+  std::size_t refused = 0;
+  for (std::size_t size = 0; size < ship.size(); ++size)
+    if (outcome_of(ship.substr(0, size)) == Outcome::refused) ++refused;
+  EXPECT_GT(refused, ship.size() / 2);
+}
+
+TEST(Robustness, OneByteChanged) {
+  const std::string ship = starter_scene("ship");
+  std::mt19937_64 random(20240601);
+  std::size_t refused = 0;
+  constexpr std::size_t tries = 3000;
+  for (std::size_t i = 0; i < tries; ++i) {
+    std::string damaged = ship;
+    damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+    if (outcome_of(damaged) == Outcome::refused) ++refused;
+  }
+  EXPECT_GT(refused, tries / 10);
+  EXPECT_LT(refused, tries);
+}
+
+TEST(Robustness, LinesMixedUp) {
+  const auto& lines = base_lines();
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 1000; ++i) {
+    std::string mixed;
+    for (int line = 0; line < 30; ++line) mixed += lines[random() % lines.size()] + '\n';
+    outcome_of(mixed);
+  }
+}
+
+TEST(Robustness, AnyValueForAnyKey) {
+  const std::vector<std::string> values{"1",          "-1",
+                                        "0.0",        "1e308",
+                                        "nan",        "-inf",
+                                        "true",       "\"\"",
+                                        "[]",         "[[]]",
+                                        "[1, 2, 3]",  "{}",
+                                        "[{}]",       "{ model = 1 }",
+                                        "1979-05-27", "\xFF\xFE",
+                                        "",           "9223372036854775807"};
+  const std::vector<std::string> paths{"title",
+                                       "source",
+                                       "source.kind",
+                                       "source.wavelength_nm",
+                                       "source.position_m",
+                                       "source.position_m.1",
+                                       "source.direction",
+                                       "source.half_divergence_mrad",
+                                       "telescope",
+                                       "telescope.0",
+                                       "telescope.0.name",
+                                       "telescope.0.focal_length_m",
+                                       "telescope.0.detector_shift_m",
+                                       "channel",
+                                       "channel.0.process",
+                                       "optics",
+                                       "optics.set",
+                                       "sea",
+                                       "sea.surface",
+                                       "sea.layer",
+                                       "sea.layer.0",
+                                       "sea.layer.0.bottom_depth_m",
+                                       "sea.layer.1.iop",
+                                       "sea.layer.1.iop.0",
+                                       "sea.layer.1.phase_function",
+                                       "sea.layer.1.phase_function.model",
+                                       "gates",
+                                       "gates.depth_min_m",
+                                       "gates.depth_max_m",
+                                       "gates.depth_step_m",
+                                       "simulation",
+                                       "simulation.photons",
+                                       "simulation.orders_kept",
+                                       "simulation.seed",
+                                       "bottom",
+                                       "",
+                                       ".",
+                                       "0",
+                                       "source.0.x"};
+  const std::string base = edited({});
+  for (const std::string& path : paths)
+    for (const std::string& value : values) outcome_of(base, {path + "=" + value});
+}
+
+TEST(Robustness, DeepNestingIsRefused) {
+  EXPECT_EQ(outcome_of("x = " + std::string(100000, '[')), Outcome::refused);
+  std::string mixture = "{ model = \"petzold\" }";
+  for (int i = 0; i < 300; ++i) mixture = "{ model = \"mixture\", components = [" + mixture + "] }";
+  EXPECT_EQ(outcome_of(edited({{25, 25, "phase_function = " + mixture}})), Outcome::refused);
+}
+
+}  // namespace
+}  // namespace photic::scene

@@ -1,0 +1,121 @@
+// The JSON Schema of scenes and the starter scene.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/error.hpp"
+#include "unit/scene/base_scene.hpp"
+
+namespace photic::scene {
+namespace {
+
+using nlohmann::json;
+
+/// The schemas of all keys, wherever they stand.
+void collect_properties(const json& schema, std::multimap<std::string, json>& found) {
+  if (schema.is_object() && schema.value("type", "") == "object" && schema.contains("properties"))
+    for (const auto& [key, value] : schema["properties"].items()) found.emplace(key, value);
+  if (schema.is_structured())
+    for (const auto& part : schema) collect_properties(part, found);
+}
+
+void collect_keys(const json& value, std::set<std::string>& keys) {
+  if (value.is_object())
+    for (const auto& [key, part] : value.items()) keys.insert(key);
+  if (value.is_structured())
+    for (const auto& part : value) collect_keys(part, keys);
+}
+
+/// Scenes that together use every key but `file`.
+std::set<std::string> keys_of_scenes() {
+  std::set<std::string> keys{"file"};
+  for (const std::vector<Override>& overrides : std::vector<std::vector<Override>>{
+           {"sea={ refractive_index = 1.3, group_index = 1.4, layer = [{ bottom_depth_m = 60 }] }",
+            "simulation={ photons = 1, target_relative_error = 0.1, max_time_s = 1, max_order = 1 "
+            "}"},
+           {"telescope.0={ position_m = [0, 0, 12], direction = [0, 0, -1], diameter_m = 0.4, "
+            "focal_length_m = 2, half_field_of_view_mrad = 10 }",
+            "channel.0={ name = \"green\", centre_nm = 532, fwhm_nm = 3 }",
+            "gates={ range_min_m = 10, range_max_m = 20, range_step_m = 1 }",
+            "sea.layer.1.phase_function={ model = \"mixture\", components = [{ fraction = 0.5, "
+            "model = \"fournier-forand\", refractive_index = 1.1, slope = 3.6 }, { fraction = 0.5, "
+            "model = \"rayleigh\", depolarisation = 0.04 }] }"},
+           {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"}})
+    collect_keys(json::parse(write_scene_json(base_scene(overrides))), keys);
+  return keys;
+}
+
+// Seen red: properties without a description; the keys of inline tables left out.
+TEST(Schema, DescribesEveryKey) {
+  std::multimap<std::string, json> properties;
+  collect_properties(json::parse(scene_schema()), properties);
+  const std::set<std::string> keys = keys_of_scenes();
+  EXPECT_GE(keys.size(), 70U);
+  for (const std::string& key : keys) EXPECT_EQ(properties.count(key) > 0, true) << key;
+  for (const auto& [key, schema] : properties) {
+    EXPECT_TRUE(keys.count(key)) << key << " is in no scene";
+    EXPECT_FALSE(schema.value("description", "").empty()) << key;
+  }
+}
+
+TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
+  const json schema = json::parse(scene_schema());
+  EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+  EXPECT_EQ(schema["additionalProperties"], false);
+  EXPECT_EQ(schema["required"],
+            json({"source", "telescope", "channel", "sea", "gates", "simulation"}));
+  const json& source = schema["properties"]["source"];
+  EXPECT_EQ(source["additionalProperties"], false);
+  EXPECT_EQ(source["required"], json({"wavelength_nm", "position_m", "direction", "diameter_m",
+                                      "half_divergence_mrad"}));
+  EXPECT_EQ(source["properties"]["kind"]["enum"], json::array({"laser"}));
+  EXPECT_EQ(source["properties"]["position_m"]["minItems"], 3);
+  const json& orders = schema["properties"]["simulation"]["properties"]["orders_kept"];
+  EXPECT_EQ(orders["type"], "integer");
+  EXPECT_EQ(orders["minimum"], 1);
+  EXPECT_EQ(orders["maximum"], 1000);
+  EXPECT_EQ(orders["default"], 6);
+  const json& phase_function = schema["$defs"]["phase_function"];
+  EXPECT_EQ(phase_function["properties"]["g"]["exclusiveMinimum"], -1.0);
+  EXPECT_EQ(phase_function["allOf"][0]["if"]["properties"]["model"]["const"], "henyey-greenstein");
+  EXPECT_EQ(phase_function["allOf"][0]["then"]["required"], json::array({"g"}));
+  EXPECT_EQ(phase_function["properties"]["components"]["items"]["$ref"],
+            "#/$defs/mixture_component");
+}
+
+TEST(Schema, KeysThatExcludeEachOther) {
+  const json schema = json::parse(scene_schema());
+  const json& ways = schema["properties"]["telescope"]["items"]["allOf"][0]["oneOf"];
+  EXPECT_EQ(ways[0]["required"], json::array({"detector_diameter_m"}));
+  EXPECT_EQ(ways[0]["properties"]["half_field_of_view_mrad"], false);
+  EXPECT_EQ(ways[1]["required"], json::array({"half_field_of_view_mrad"}));
+  EXPECT_EQ(ways[1]["properties"]["detector_diameter_m"], false);
+  EXPECT_EQ(schema["properties"]["simulation"]["allOf"][0]["anyOf"][2]["required"],
+            json::array({"max_time_s"}));
+}
+
+TEST(Starter, IsTheSceneOfThatName) {
+  std::ifstream file(PHOTIC_SOURCE_DIR "/scenes/ship.toml", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  EXPECT_FALSE(text.empty());
+  EXPECT_EQ(starter_scene("ship"), text);
+}
+
+TEST(Starter, NamesTheKindsThereAre) {
+  const auto said = [](const std::string& kind) -> std::string {
+    try {
+      return starter_scene(kind);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(said("shop"), "there is no starter scene 'shop' (did you mean 'ship'?)");
+  EXPECT_EQ(said("satellite"), "there is no starter scene 'satellite' (choose from: ship)");
+}
+
+}  // namespace
+}  // namespace photic::scene

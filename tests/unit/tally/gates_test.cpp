@@ -1,0 +1,122 @@
+// Gates by vertical depth and by time.
+#include "tally/gates.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/constants.hpp"
+#include "support/random.hpp"
+#include "unit/tally/lines.hpp"
+
+namespace photic::tally {
+namespace {
+
+scene::Scene with_depth_gates(double min, double max, double step) {
+  scene::Scene scene = test::ship_scene();
+  scene.gates.depth_m = {min, max, step};
+  return scene;
+}
+
+// t = 2 H / c0 + 2 n_g z / c0. Seen red: with the phase for the group index; with the way out counted twice.
+TEST(DepthGates, AreTimesToTheDepthAndBack) {
+  const Gates gates(test::ship_scene(), lines());
+  ASSERT_EQ(gates.count(), 100);
+  for (std::int32_t edge = 0; edge <= 100; ++edge) {
+    const double z = 0.5 * edge;
+    const double seconds = 2 * 12 / speed_of_light_m_s + 2 * 1.3638 * z / speed_of_light_m_s;
+    EXPECT_NEAR(gates.edge_path(edge) / speed_of_light_m_s, seconds, 1e-20) << z;
+    EXPECT_NEAR(gates.depth(gates.edge_path(edge), lines()[0]), z, 1e-12);
+  }
+  EXPECT_NEAR(gates.edge_path(40) / metre_per_nanosecond, 262.0213, 1e-4);  // 20 m
+  EXPECT_FALSE(gates.depth_is_range());
+}
+
+TEST(DepthGates, CountTheHeightsOfSourceAndTelescopeApart) {
+  auto scene = test::ship_scene();
+  scene.source.position_m = {3, 0, 10};
+  scene.telescope[0].position_m = {0, 0, 25};
+  EXPECT_NEAR(Gates(scene, lines()).edge_path(100), 35 + 2 * 1.3638 * 50, 1e-10);
+  scene.telescope[0].position_m.z = -4;  // below the surface the way back ends earlier
+  EXPECT_NEAR(Gates(scene, lines()).edge_path(100), 10 + 1.3638 * 50 + 1.3638 * 46, 1e-10);
+}
+
+TEST(DepthGates, HaveTheirBoundsAsAsked) {
+  for (const auto& [min, max, step] : {std::tuple{0.0, 50.0, 0.5}, {0.0, 50.2, 0.5}, {-3.0, 7.0, 0.1}, {5.0, 6.0, 3.0}}) {
+    const Gates gates(with_depth_gates(min, max, step), lines());
+    EXPECT_EQ(gates.count(), std::lround(std::ceil((max - min) / step - 1e-6)));
+    EXPECT_NEAR(gates.depth(gates.edge_path(0), lines()[0]), min, 1e-12);
+    EXPECT_NEAR(gates.depth(gates.last_path(), lines()[0]), max, 1e-12);
+  }
+}
+
+// Raman light of the same time comes from deeper: (n_L + n_R) z_R = 2 n_L z. Seen red: with the laser's group index both ways.
+TEST(DepthGates, AreDeeperForLightThatReturnsFaster) {
+  const Gates gates(test::ship_scene(), lines());
+  const double path = gates.last_path();
+  EXPECT_NEAR(gates.depth(path, lines()[1]), 50 * 2 * 1.3638 / (1.3638 + 1.3541), 1e-12);
+  EXPECT_NEAR(gates.depth(path, lines()[1]) - 50, 0.2, 0.05);
+  EXPECT_NEAR(gates.depth(path, lines()[2]), 50 * 2 * 1.3638 / (1.3638 + 1.3525), 1e-12);
+  EXPECT_NEAR(gates.depth(24, lines()[1]), 0, 1e-12);  // at the surface they agree
+  EXPECT_NEAR(gates.depth(20, lines()[1]), -2, 1e-12);
+}
+
+// Seen red: with the group index above the surface too.
+TEST(DepthGates, LieInTheAirWhereNegative) {
+  const Gates gates(with_depth_gates(-5, 5, 1), lines());
+  EXPECT_NEAR(gates.edge_path(0), 14, 1e-12);
+  EXPECT_NEAR(gates.edge_path(4), 22, 1e-12);
+  EXPECT_NEAR(gates.edge_path(5), 24, 1e-12);
+  EXPECT_NEAR(gates.edge_path(6), 24 + 2 * 1.3638, 1e-12);
+}
+
+// Whatever the gates, a path lies in the one gate between whose edges it is. Seen red: with find() counting from gate 1.
+void finds_what_lies_between_edges(const Gates& gates) {
+  test::Random random(1);
+  for (std::int32_t gate = 0; gate < gates.count(); ++gate) {
+    const double from = gates.edge_path(gate);
+    const double to = gates.edge_path(gate + 1);
+    ASSERT_LT(from, to);
+    for (int i = 0; i < 20; ++i) ASSERT_EQ(gates.find(random.between(from + 1e-9, to - 1e-9)), gate);
+  }
+  EXPECT_EQ(gates.find(gates.edge_path(0) - 1e-9), -1);
+  EXPECT_EQ(gates.find(gates.last_path() + 1e-9), -1);
+  EXPECT_EQ(gates.find(-1), -1);
+  EXPECT_EQ(gates.find(1e30), -1);
+  EXPECT_EQ(gates.find(std::numeric_limits<double>::infinity()), -1);
+}
+
+TEST(Gates, FindWhatLiesBetweenTheirEdges) {
+  finds_what_lies_between_edges(Gates(test::ship_scene(), lines()));
+  finds_what_lies_between_edges(Gates(with_depth_gates(-5, 7.3, 0.4), lines()));
+  auto scene = test::ship_scene();
+  scene.gates = {};
+  scene.gates.time_ns = {80, 500, 2};
+  finds_what_lies_between_edges(Gates(scene, lines()));
+  scene.gates = {};
+  scene.gates.range_m = {3, 60, 0.7};
+  scene.telescope[0].direction = {0.5, 0, -1};
+  finds_what_lies_between_edges(Gates(scene, lines()));
+}
+
+TEST(TimeGates, AreTimes) {
+  auto scene = test::ship_scene();
+  scene.gates = {};
+  scene.gates.time_ns = {100, 500, 10};
+  const Gates gates(scene, lines());
+  ASSERT_EQ(gates.count(), 40);
+  EXPECT_NEAR(gates.edge_path(0), 29.9792458, 1e-10);
+  EXPECT_NEAR(gates.edge_path(40), 149.896229, 1e-10);
+  // An instrument that looks down tells the depth that belongs to a time.
+  EXPECT_FALSE(gates.depth_is_range());
+  EXPECT_NEAR(gates.depth(149.896229, lines()[0]), (149.896229 - 24) / 2 / 1.3638, 1e-9);
+  scene.telescope[0].direction = {1, 0, -0.9};
+  EXPECT_TRUE(Gates(scene, lines()).depth_is_range());
+}
+
+TEST(DepthGates, TallyTheLastScatteringOnTheirOwnGrid) {
+  const auto edges = Gates(with_depth_gates(-5, 20, 0.5), lines()).depth_edges();
+  ASSERT_EQ(edges.size(), 51U);
+  for (std::size_t i = 0; i < edges.size(); ++i) EXPECT_NEAR(edges[i], -5 + 0.5 * static_cast<double>(i), 1e-12);
+}
+
+}  // namespace
+}  // namespace photic::tally

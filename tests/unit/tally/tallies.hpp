@@ -1,0 +1,69 @@
+// Hand-made batches of scores.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "support/random.hpp"
+#include "tally/totals.hpp"
+#include "unit/tally/lines.hpp"
+
+namespace photic::tally {
+
+/// Two telescopes; channel 0 counts line 0, channel 1 line 1, channel 2 lines 1 and 2; four gates of 5 m; three orders kept.
+struct Tallies {
+  explicit Tallies(std::int32_t max_order = 0)
+      : shape(make_shape(max_order)), gates(scene(), lines()), batch(shape, gates), totals(shape) {}
+  Tallies(const Tallies&) = delete;  // batch and totals point to the shape
+  Tallies& operator=(const Tallies&) = delete;
+
+  static scene::Scene scene() {
+    auto scene = test::ship_scene();
+    scene.gates.depth_m = {0, 20, 5};
+    return scene;
+  }
+
+  static Shape make_shape(std::int32_t max_order) {
+    Shape shape;
+    shape.telescopes = 2;
+    shape.channels = 3;
+    shape.processes = 3;
+    shape.orders = 3;
+    shape.gates = 4;
+    shape.depths = 4;
+    shape.channels_of_line = {{0}, {1, 2}, {2}};
+    shape.process_of_line = {0, 1, 2};
+    shape.max_order = max_order;
+    shape.depth_min = 0;
+    shape.per_depth_step = 0.2;
+    return shape;
+  }
+
+  /// A path in the middle of a gate.
+  [[nodiscard]] double path_in(std::int32_t gate) const {
+    return (gates.edge_path(gate) + gates.edge_path(gate + 1)) / 2;
+  }
+
+  /// Light of line 0 and order 1 in a gate of telescope 0.
+  void score(std::int32_t gate, double value, std::int32_t order = 1, std::int32_t line = 0, std::size_t telescope = 0) {
+    batch.score({telescope, line, order, 5.0 * gate + 2.5, path_in(gate), value});
+  }
+
+  void end_batch(std::uint64_t photons) {
+    batch.photons = photons;
+    totals.merge(batch);
+    batch.clear();
+  }
+
+  [[nodiscard]] Result result() const {
+    Result out;
+    totals.fill(out);
+    return out;
+  }
+
+  Shape shape;
+  Gates gates;
+  BatchTally batch;
+  Totals totals;
+};
+
+}  // namespace photic::tally

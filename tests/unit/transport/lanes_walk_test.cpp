@@ -1,0 +1,168 @@
+// A walk with four lanes: each lane equals the scalar, bit for bit, whichever ways the lanes go.
+#include "transport/collide.hpp"
+#include "transport/emit.hpp"
+#include "transport/flight.hpp"
+#include "transport/scatter.hpp"
+#include "unit/transport/packs.hpp"
+#include "unit/transport/sea.hpp"
+
+namespace photic::transport {
+namespace {
+
+using test::Random;
+
+Four<Photon<double>> random_photons(const medium::Medium& sea, Random& random) {
+  return {random_photon(sea, random), random_photon(sea, random), random_photon(sea, random), random_photon(sea, random)};
+}
+
+void emit_and_enter(double half_divergence_mrad, std::uint64_t seed) {
+  Random random(seed);
+  const auto sea = make_sea(40);
+  int flown_away = 0;
+  for (int g = 0; g < groups; ++g) {
+    scene::Source source;
+    source.position_m = {random.between(-1, 1), random.between(-1, 1), random.scale(5, 100)};
+    source.direction = {random.between(-1, 1), random.between(-1, 1), -random.uniform()};
+    source.diameter_m = random.between(0.001, 0.1);
+    source.half_divergence_mrad = half_divergence_mrad;
+    const auto u1 = uniforms4(random);
+    const auto u2 = uniforms4(random);
+    auto packed = emit(instrument::make_laser<Lanes4>(source), Index4(0), pack(u1), pack(u2));
+    Four<Photon<double>> scalar;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      scalar[i] = emit(instrument::make_laser<double>(source), 0, u1[i], u2[i]);
+      expect_same(packed, i, scalar[i]);
+    }
+    const auto entered = enter_water(sea.view(), packed);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      expect_same(entered[i], enter_water(sea.view(), scalar[i]), "entered");
+      expect_same(packed, i, scalar[i]);
+      flown_away += !entered[i];
+    }
+  }
+  if (half_divergence_mrad > 1000) {
+    EXPECT_GT(flown_away, groups / 10);
+  }
+}
+
+TEST(LanesOf, EmitDivergingAndEnterWater) {
+  emit_and_enter(5, 11);
+  emit_and_enter(1500, 12);
+}
+
+TEST(LanesOf, EmitCollimatedAndEnterWater) { emit_and_enter(0, 13); }
+
+// Seen red: with lanes that have found their layer stepping on while others still look for theirs.
+TEST(LanesOf, FlyAndReflectDown) {
+  Random random(14);
+  const auto with_bed = make_sea(40);
+  const auto bottomless = make_sea(std::numeric_limits<double>::infinity());
+  int up = 0, bed = 0, crossed = 0, total = 0;
+  for (int g = 0; g < groups; ++g) {
+    const auto& sea = g % 2 == 0 ? with_bed : bottomless;
+    auto scalar = random_photons(sea, random);
+    auto packed = pack(scalar);
+    const auto u = uniforms4(random);
+    const auto end = fly(sea.view(), packed, pack(u));
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const auto layer = scalar[i].layer;
+      const auto one = fly(sea.view(), scalar[i], u[i]);
+      expect_same(end.surface[i], one.surface, "surface");
+      expect_same(end.sea_bed[i], one.sea_bed, "sea bed");
+      expect_same(packed, i, scalar[i]);
+      up += one.surface;
+      bed += one.sea_bed;
+      crossed += scalar[i].layer != layer;
+      // What cannot reflect is turned, so that every lane may be asked.
+      if (scalar[i].direction.z < 0) scalar[i].direction.z = packed.direction.z[i] = -scalar[i].direction.z;
+    }
+    const auto leaving = reflect_down(sea.view(), packed);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      expect_same(leaving[i], reflect_down(sea.view(), scalar[i]), "leaving");
+      expect_same(packed, i, scalar[i]);
+      total += leaving[i] == 0;
+    }
+  }
+  EXPECT_GT(up, groups / 10);
+  EXPECT_GT(bed, groups / 50);
+  EXPECT_GT(crossed, groups / 4);
+  EXPECT_GT(total, groups);
+}
+
+using Targets4 = Targets<Lanes4, 8>;
+using Targets1 = Targets<double, 8>;
+
+TEST(LanesOf, ScatterWithAndWithoutTargets) {
+  Random random(15);
+  const auto sea = make_sea(40);
+  int without = 0, directed = 0;
+  for (int g = 0; g < groups; ++g) {
+    auto scalar = random_photons(sea, random);
+    auto packed = pack(scalar);
+    Targets4 targets4;
+    Four<Targets1> targets;
+    targets4.clear();
+    for (auto& t : targets) t.clear();
+    const int count = random.below(5);
+    for (int k = 0; k < count; ++k) {
+      Four<Vec3<double>> towards;
+      Four<bool> usable{};
+      for (std::size_t i = 0; i < lanes; ++i) {
+        towards[i] = random.direction();
+        usable[i] = random.chance(0.5);
+        targets[i].add(towards[i], usable[i]);
+      }
+      targets4.add(pack(towards), pack(usable));
+    }
+    Four<std::int32_t> phase{}, lobe{};
+    for (std::size_t i = 0; i < lanes; ++i) {
+      phase[i] = random.below(5);
+      lobe[i] = random.below(3);
+    }
+    const double share = random.uniform();
+    const auto a = uniforms4(random), b = uniforms4(random), c = uniforms4(random), d = uniforms4(random);
+    scatter(sea.view(), packed, pack(phase), pack(lobe), targets4, Lanes4(share), {pack(a), pack(b), pack(c), pack(d)});
+    for (std::size_t i = 0; i < lanes; ++i) {
+      without += targets[i].usable_count == 0;
+      directed += targets[i].usable_count > 0 && c[i] < share;
+      scatter(sea.view(), scalar[i], phase[i], lobe[i], targets[i], share, {a[i], b[i], c[i], d[i]});
+      expect_same(packed, i, scalar[i]);
+    }
+  }
+  EXPECT_GT(without, groups / 2);
+  EXPECT_GT(directed, groups / 2);
+}
+
+TEST(LanesOf, CollideAndRoulette) {
+  Random random(16);
+  const auto sea = make_sea(40);
+  int converted = 0, killed = 0, low = 0;
+  for (int g = 0; g < groups; ++g) {
+    auto scalar = random_photons(sea, random);
+    for (auto& photon : scalar) photon.line = random.chance(0.7) ? 0 : photon.line;
+    auto packed = pack(scalar);
+    const auto u = uniforms4(random), v = uniforms4(random), w = uniforms4(random);
+    const auto branch = collide(sea.view(), packed, Lanes4(0.4), pack(u), pack(v));
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const auto one = collide(sea.view(), scalar[i], 0.4, u[i], v[i]);
+      expect_same(branch.converted[i], one.converted, "converted");
+      expect_same(branch.phase[i], one.phase, "phase");
+      expect_same(branch.lobe[i], one.lobe, "lobe");
+      expect_same(packed, i, scalar[i]);
+      converted += one.converted;
+      low += scalar[i].analog_weight < 1e-2;
+    }
+    const auto survives = roulette(packed, Lanes4(1e-2), pack(w));
+    for (std::size_t i = 0; i < lanes; ++i) {
+      expect_same(survives[i], roulette(scalar[i], 1e-2, w[i]), "survives");
+      expect_same(packed, i, scalar[i]);
+      killed += !survives[i];
+    }
+  }
+  EXPECT_GT(converted, groups / 2);
+  EXPECT_GT(low, groups);
+  EXPECT_GT(killed, groups / 2);
+}
+
+}  // namespace
+}  // namespace photic::transport

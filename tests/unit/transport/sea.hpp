@@ -1,0 +1,33 @@
+// A sea made by hand: three layers and three lines.
+#pragma once
+
+#include "medium/medium.hpp"
+#include "optics/fournier_forand.hpp"
+#include "optics/phase_functions.hpp"
+
+namespace photic::transport {
+
+/// Layers 0-5, 5-12 and 12-bottom m. Line 0 converts into line 1 in the first layer, into both others in the second, and
+/// into none in the third. Layers scatter as Fournier-Forand, Henyey-Greenstein (g = 0.8) and molecules.
+inline medium::Medium make_sea(double bottom_m) {
+  using medium::Process;
+  medium::Medium sea;
+  sea.line = {{Process::elastic, 532, 1.3415, 1.3638},
+              {Process::raman, 649, 1.3377, 1.3542},
+              {Process::chlorophyll, 685, 1.3368, 1.3525}};
+  sea.top = {0, 5, 12, bottom_m};
+  sea.c = {0.2, 0.5, 0.1, 0.5, 0.8, 0.4, 0.7, 0.9, 0.6};
+  sea.albedo = {0.6, 0.8, 0.7, 0.3, 0.5, 0.2, 0.2, 0.4, 0.1};
+  sea.conversion = {0, 0, 0, 1e-3, 2e-3, 0, 0, 5e-3, 0};
+  sea.absorption = {0.399, 0.193, 0.3, 0.7, 0.5, 0.8, 0.8, 0.6, 0.9};
+  const std::int32_t peaked = sea.add_phase(optics::PhaseTable(optics::fournier_forand(1.10, 3.5835)));
+  const std::int32_t smooth = sea.add_phase(optics::PhaseTable(optics::henyey_greenstein(0.8)));
+  const std::int32_t molecules = sea.add_phase(optics::PhaseTable(optics::rayleigh(0.039)));
+  for (int line = 0; line < 3; ++line) sea.elastic_phase.insert(sea.elastic_phase.end(), {peaked, smooth, molecules});
+  sea.conversion_phase = {0, sea.add_phase(optics::PhaseTable(optics::raman_phase(0.17))),
+                          sea.add_phase(optics::PhaseTable(optics::isotropic()))};
+  sea.finish();
+  return sea;
+}
+
+}  // namespace photic::transport

@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""Holds the house to its floors: a folder of src/ includes only itself and the folders below it, and each
+third-party library stays in its own folder (docs/architecture.md).
+
+usage: check_include_order.py [ROOT]; prints every violation as file:line: reason; exit code 1 if there is any.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+FLOORS = ["core", "optics", "scene", "medium", "instrument", "transport", "tally", "engine", "io"]
+HOMES = {  # the head of a third-party include -> the folders that may use it
+    "Random123/": ["core"],
+    "toml++/": ["scene"],
+    "netcdf": ["io"],
+    "CLI/": ["apps"],
+    "nlohmann/": ["io", "apps"],
+}
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def reason_against(folder: str, mark: str, header: str) -> str | None:
+    """Why a file of `folder` (a floor, or apps) may not include the header; None if it may."""
+    if mark == "<":
+        for head, homes in HOMES.items():
+            if header.startswith(head) and folder not in homes:
+                return f"<{header}> belongs to {' and '.join(homes)} alone"
+        return None
+    first = header.split("/")[0]
+    if folder == "apps":
+        return None if first in FLOORS or first == "photic" else f'"{header}" is in no floor of src/'
+    if first not in FLOORS or "/" not in header:
+        return f'"{header}" must be named from src/, as "{folder}/..."'
+    if FLOORS.index(first) > FLOORS.index(folder):
+        return f"{folder} must not include {first}, which stands above it"
+    return None
+
+
+def violations(root: Path) -> tuple[list[str], int]:
+    found, files = [], 0
+    for top in ("src", "apps"):
+        for path in sorted((root / top).rglob("*")):
+            if path.suffix not in {".hpp", ".cpp", ".inl"}:
+                continue
+            files += 1
+            relative = path.relative_to(root)
+            folder = relative.parts[1] if top == "src" else top
+            if top == "src" and folder not in FLOORS:
+                found.append(f"{relative}:1: src/{folder} is no floor of the house")
+                continue
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+                match = INCLUDE.match(line)
+                reason = match and reason_against(folder, *match.groups())
+                if reason:
+                    found.append(f"{relative}:{number}: {reason}")
+    return found, files
+
+
+def main() -> int:
+    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent
+    found, files = violations(root)
+    if files == 0:
+        found.append(f"{root}: no C++ files under src/ and apps/")
+    print("\n".join(found) if found else f"{files} files keep the order of the floors")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
