@@ -1,5 +1,5 @@
 // The keys of [source], [[telescope]] and [[channel]]: name, type, range, meaning, each said once.
-// Read, written and turned into a schema by the visitors reader.hpp, writer.hpp and schema.cpp.
+// Visited by reader.hpp, writer.hpp and schema_builder.hpp.
 #pragma once
 
 #include "scene/rules.hpp"

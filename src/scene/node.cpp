@@ -15,6 +15,8 @@ template <class... F>
 struct Match : F... {
   using F::operator()...;
 };
+template <class... F>
+Match(F...) -> Match<F...>;
 
 bool is_scalar(const Node& node) {
   return !node.as<Node::Array>() && !node.as<Node::Table>() && !node.as<Date>();

@@ -1,5 +1,4 @@
-// The visitor that fills a section from a table of the file and says everything that is wrong with
-// it.
+// The visitor that fills a section from a table of the file and says all that is wrong with it.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,4 @@
-// What a single value may be. Each rule checks a value of the file and describes itself as JSON
-// Schema.
+// What a single value may be. A rule checks values and describes itself as JSON Schema.
 #pragma once
 
 #include <cstdint>

@@ -11,8 +11,7 @@ struct LineColumn {
   int column = 1;
 };
 
-/// The first byte that is not ASCII outside quotes and comments, but for a byte order mark in
-/// front.
+/// The first byte outside quotes and comments that is not ASCII, a byte order mark in front aside.
 std::optional<LineColumn> find_stray_character(const std::string& toml);
 
 }  // namespace photic::scene

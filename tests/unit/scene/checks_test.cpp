@@ -1,5 +1,4 @@
-// Values that are good alone and wrong together: the texts of all diagnostics, with line and
-// column.
+// Values that are good alone and wrong together: all diagnostics, with line and column.
 #include <gtest/gtest.h>
 
 #include "unit/scene/base_scene.hpp"

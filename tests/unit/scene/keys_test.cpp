@@ -1,5 +1,4 @@
-// Keys and tables that are missing, unknown or too many: the texts of all diagnostics, with line
-// and column.
+// Keys and tables that are missing, unknown or too many: all diagnostics, with line and column.
 #include <gtest/gtest.h>
 
 #include "unit/scene/base_scene.hpp"

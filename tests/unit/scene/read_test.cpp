@@ -1,5 +1,4 @@
-// What a good scene becomes: defaults, sets of optics, files, remarks; and files that cannot be
-// read.
+// What a good scene becomes: defaults, sets of optics, files, remarks; files that cannot be read.
 #include <gtest/gtest.h>
 
 #include <filesystem>

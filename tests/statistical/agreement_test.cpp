@@ -1,0 +1,130 @@
+// Ways of computing the same echo agree: directed sampling and the analog walk, float and double, any number of
+// threads, water in one layer and cut into several.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/batches.hpp"
+#include "engine/problem.hpp"
+#include "engine/run.hpp"
+#include "support/scenes.hpp"
+#include "support/z_test.hpp"
+
+namespace photic::test {
+namespace {
+
+const std::string broad_phase = R"({ model = "henyey-greenstein", g = 0.6 })";
+
+std::string ship(const std::string& layers, const std::string& channels, double photons, const std::string& more) {
+  return ship_instrument + channels + layers + depth_gates(20, 1) + simulation(photons, 5, more);
+}
+
+/// Gates of both results that are converged, against each other.
+void compare(const tally::Result& a, const tally::Result& b) {
+  ZFamily family(0.01);
+  for (std::size_t i = 0; i < a.echo.mean.size(); ++i) {
+    if (a.convergence_flags[i] != 0 || b.convergence_flags[i] != 0) continue;
+    family.add(a.echo.mean[i], b.echo.mean[i], std::hypot(a.echo.standard_error[i], b.echo.standard_error[i]),
+               fmt::format("cell {}", i));
+  }
+  EXPECT_GT(family.size(), a.echo.mean.size() / 2);
+  family.judge();
+  family.judge_spread();
+}
+
+// On a broad phase function the plain walk converges too. Seen red: p / q with the undirected term left out of q.
+TEST(Agreement, DirectedSamplingAndPlainWalk) {
+  const auto layers = water(0.1, 0.2, broad_phase);
+  const auto directed = engine::run(read(ship(layers, channel("elastic"), 2e6, "directed_fraction = 0.5")));
+  auto plain_scene = read(ship(layers, channel("elastic"), 8e6, "directed_fraction = 0.0"));
+  plain_scene.simulation.seed = 6;
+  compare(directed, engine::run(plain_scene));
+}
+
+// Inelastic echoes do not depend on how often light is converted or directed. Seen red: the factor of the number of
+// lines left out of the converted weight.
+TEST(Agreement, ConversionProbabilityDoesNotMatter) {
+  const std::string algae = "[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n";
+  const auto channels = channel("elastic") + channel("raman") + channel("chlorophyll");
+  const auto often = engine::run(read(ship(algae, channels, 2e6, "conversion_probability = 0.5\ndirected_fraction = 0.3")));
+  auto rare = read(ship(algae, channels, 4e6, "conversion_probability = 0.1"));
+  rare.simulation.seed = 6;
+  compare(often, engine::run(rare));
+}
+
+// Water cut into layers of the same water is the same water. Seen red: the layer not updated on a flight.
+TEST(Agreement, OneLayerOrThree) {
+  const std::string properties =
+      "iop = [ { wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.1 } ]\nphase_function = " + broad_phase + "\n";
+  const std::string cut = "[[sea.layer]]\nbottom_depth_m = 4.0\n" + properties + "[[sea.layer]]\nbottom_depth_m = 9.5\n" +
+                          properties + "[[sea.layer]]\n" + properties;
+  const auto one = engine::run(read(ship(water(0.06, 0.1, broad_phase), channel("elastic"), 2e6, "")));
+  auto three = read(ship(cut, channel("elastic"), 2e6, ""));
+  three.simulation.seed = 6;
+  compare(one, engine::run(three));
+}
+
+template <class T>
+tally::Result run_in(const scene::Scene& scene, int threads) {
+  const auto problem = engine::make_problem(scene);
+  engine::RunOptions options;
+  options.threads = threads;
+  engine::Conductor conductor(scene.simulation, options);
+  const auto totals = engine::run_batches<T>(problem, conductor);
+  auto result = engine::describe(problem);
+  totals.fill(result);
+  return result;
+}
+
+// The same histories but for rounding: closer than their own errors by far.
+TEST(Agreement, FloatAndDouble) {
+  const auto scene = read(ship(water(0.06, 0.1, broad_phase), channel("elastic"), 4e5, ""));
+  const auto in_double = run_in<double>(scene, 2);
+  const auto in_float = run_in<float>(scene, 2);
+  for (std::size_t g = 0; g < in_double.gates(); ++g) {
+    EXPECT_NEAR(in_float.echo.mean[g], in_double.echo.mean[g], 0.3 * in_double.echo.standard_error[g]) << "gate " << g;
+  }
+  EXPECT_NEAR(in_float.ledger.escaped, in_double.ledger.escaped, 1e-3 * in_double.ledger.escaped);
+  EXPECT_NE(in_float.echo.mean, in_double.echo.mean);  // or the comparison would be of one with itself
+}
+
+TEST(Agreement, BitsDoNotDependOnThreads) {
+  const std::string algae = "[[sea.layer]]\nbottom_depth_m = 5.0\nchlorophyll_mg_m3 = 1.0\n[[sea.layer]]\n";
+  const auto scene = read(ship(algae, channel("elastic") + channel("raman"), 123'456, ""));
+  const auto one = run_in<double>(scene, 1);
+  for (const int threads : {2, 7}) {
+    const auto other = run_in<double>(scene, threads);
+    EXPECT_EQ(one.photons, other.photons);
+    EXPECT_EQ(one.echo.mean, other.echo.mean);
+    EXPECT_EQ(one.echo.standard_error, other.echo.standard_error);
+    EXPECT_EQ(one.echo_by_order.standard_error, other.echo_by_order.standard_error);
+    EXPECT_EQ(one.echo_by_depth.mean, other.echo_by_depth.mean);
+    EXPECT_EQ(one.convergence_flags, other.convergence_flags);
+    EXPECT_EQ(one.ledger.absorbed, other.ledger.absorbed);
+  }
+}
+
+// A lidar that looks up from below sees what is mirrored in the surface; near a submerged lens nothing blows up.
+TEST(Agreement, LookingUpDirectedAndPlain) {
+  const auto rov = [](const std::string& more, std::uint64_t seed, double photons) {
+    return read(R"(
+[source]
+wavelength_nm = 532.0
+position_m = [0.0, 0.0, -6.0]
+direction = [0.3, 0.0, 1.0]
+diameter_m = 0.02
+half_divergence_mrad = 5.0
+[[telescope]]
+position_m = [0.2, 0.0, -6.0]
+direction = [0.3, 0.0, 1.0]
+diameter_m = 0.10
+focal_length_m = 0.3
+half_field_of_view_mrad = 150.0
+)" + channel("elastic") + water(0.1, 0.2, broad_phase) +
+                "[gates]\nrange_min_m = 1.0\nrange_max_m = 15.0\nrange_step_m = 1.0\n" + simulation(photons, seed, more));
+  };
+  compare(engine::run(rov("directed_fraction = 0.5", 5, 2e6)), engine::run(rov("directed_fraction = 0.0", 6, 6e6)));
+}
+
+}  // namespace
+}  // namespace photic::test

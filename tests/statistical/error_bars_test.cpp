@@ -1,0 +1,69 @@
+// Error bars are features with tests of their own: over many seeds, 95 % intervals of the gates that are flagged as
+// converged cover a converged reference about 95 % of the time.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "engine/run.hpp"
+#include "support/scenes.hpp"
+
+namespace photic::test {
+namespace {
+
+constexpr int seeds = 40;
+constexpr double photons = 4e5;
+constexpr double reference_photons = 100 * photons;
+constexpr double gate_step = 0.5;
+
+std::string scene(const std::string& phase, double count, std::uint64_t seed) {
+  return ship_instrument + channel("elastic") + water(0.06, 0.10, phase) + depth_gates(50, gate_step) +
+         simulation(count, seed);
+}
+
+struct Coverage {
+  double covered = 0, flagged_converged = 0;
+  [[nodiscard]] double share() const { return covered / flagged_converged; }
+};
+
+/// Gates from `first` to `last` in which the reference is converged.
+Coverage coverage(const std::string& phase, const tally::Result& reference, std::size_t first, std::size_t last) {
+  constexpr double two_sided_95 = 1.96;
+  Coverage c;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const auto run = engine::run(read(scene(phase, photons, static_cast<std::uint64_t>(1000 + seed))));
+    for (std::size_t g = first; g < last; ++g) {
+      if (run.convergence_flags[g] != 0 || reference.convergence_flags[g] != 0) continue;
+      const double error = std::hypot(run.echo.standard_error[g], reference.echo.standard_error[g]);
+      c.flagged_converged += 1;
+      c.covered += std::abs(run.echo.mean[g] - reference.echo.mean[g]) < two_sided_95 * error;
+    }
+  }
+  return c;
+}
+
+void check(const std::string& phase, double depth) {
+  const auto reference = engine::run(read(scene(phase, reference_photons, 7)));
+  const auto gates = static_cast<std::size_t>(depth / gate_step);
+  std::size_t converged = 0;
+  for (std::size_t g = 0; g < gates; ++g) converged += reference.convergence_flags[g] == 0;
+  EXPECT_GE(static_cast<double>(converged), 0.8 * static_cast<double>(gates)) << "flags are timid";
+
+  const Coverage shallow = coverage(phase, reference, 0, gates);
+  const Coverage deep = coverage(phase, reference, gates, reference.gates());
+  std::printf("converged %zu of %zu gates in the reference; covered %.3f of %.0f above, %.3f of %.0f below %g m\n",
+              converged, gates, shallow.share(), shallow.flagged_converged, deep.share(), deep.flagged_converged, depth);
+  EXPECT_GT(shallow.share(), 0.88);
+  EXPECT_LT(shallow.share(), 0.99);
+  // Deeper gates may be flagged as not converged, but not be wrong without a flag.
+  if (deep.flagged_converged > 50) {
+    EXPECT_GT(deep.share(), 0.88);
+  }
+}
+
+// Seen red: the error of the mean over photons instead of batches' scatter (errors without the square root).
+TEST(ErrorBars, HoldOnHenyeyGreensteinWaterTo20m) { check(henyey_greenstein_phase, 20); }
+TEST(ErrorBars, HoldOnPeakedWaterTo10m) { check(peaked_phase, 10); }
+
+}  // namespace
+}  // namespace photic::test
