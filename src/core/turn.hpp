@@ -19,11 +19,15 @@ CosSin<T> cos_sin_of_turns(const T& u) {
   const Index<T> quarter = floor_index(T(4) * u + T(0.5));
   const T y = (T(4) * u - to_real<T>(quarter)) * T(pi / 2);
   const T y2 = y * y;
-  // 1/k! from the highest power down; the first term left out is below 1e-16 at pi/4.
-  const T s = y * (T(1) + y2 * (T(-1.0 / 6) + y2 * (T(1.0 / 120) + y2 * (T(-1.0 / 5040) + y2 * (T(1.0 / 362880) +
-              y2 * (T(-1.0 / 39916800) + y2 * (T(1.0 / 6227020800.0) + y2 * T(-1.0 / 1307674368000.0))))))));
-  const T c = T(1) + y2 * (T(-0.5) + y2 * (T(1.0 / 24) + y2 * (T(-1.0 / 720) + y2 * (T(1.0 / 40320) +
-              y2 * (T(-1.0 / 3628800) + y2 * (T(1.0 / 479001600.0) + y2 * T(-1.0 / 87178291200.0)))))));
+  const T y4 = y2 * y2;
+  const T y8 = y4 * y4;
+  // The series up to y^15 and y^16 with coefficients 1/k!, in pairs (Estrin's scheme: short chains of operations).
+  const T s = y * (T(1) - y2 * T(1.0 / 6) + y4 * (T(1.0 / 120) - y2 * T(1.0 / 5040)) +
+                   y8 * (T(1.0 / 362880) - y2 * T(1.0 / 39916800) +
+                         y4 * (T(1.0 / 6227020800.0) - y2 * T(1.0 / 1307674368000.0))));
+  const T c = T(1) - y2 * T(0.5) + y4 * (T(1.0 / 24) - y2 * T(1.0 / 720)) +
+              y8 * (T(1.0 / 40320) - y2 * T(1.0 / 3628800) +
+                    y4 * (T(1.0 / 479001600.0) - y2 * (T(1.0 / 87178291200.0) - y2 * T(1.0 / 20922789888000.0))));
   const Index<T> q = quarter & Index<T>(3);
   const Mask<T> swapped = (q & Index<T>(1)) == Index<T>(1);
   const T c_sign = select((q == Index<T>(1)) | (q == Index<T>(2)), T(-1), T(1));

@@ -43,7 +43,7 @@ View<T> make_view(const instrument::Telescope<T>& telescope, const medium::Mediu
   }
   const double apparent = in_air + 1 / (c * (telescope.submerged ? 1.0 : n));
   const double blur = telescope.lens_radius *
-                      std::abs(1 - telescope.detector_distance * (1 / telescope.focal_length - 1 / apparent));
+                      std::abs(1 - telescope.detector_distance * (telescope.power - 1 / apparent));
   View<T> view;
   view.approach = {vec3_cast<T>(entry), vec3_cast<T>(onward), T(c)};
   view.centre = vec3_cast<T>(entry + (1 / c) * onward);

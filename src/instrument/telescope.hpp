@@ -17,20 +17,22 @@ struct Telescope {
   Vec3<T> axis;          ///< where it looks, a unit vector
   T lens_radius{};       ///< [m]
   T obstruction_radius{};
-  T focal_length{};
+  T power{};           ///< 1 / focal length [1/m]
   T detector_radius{};
   T detector_distance{}; ///< from the lens: focal length + shift
   T cos_squared_widest{};  ///< see cos_squared_of_widest_view()
   bool submerged = false;
 
-  /// Whether light that rises from below under some angle to the vertical, at least that of the given tangent,
-  /// moving aside along the horizontal unit vector (ex, ey), may fall on the detector of a telescope in the air.
-  Mask<T> may_see_beyond(const T& ex, const T& ey, const T& tangent) const {
-    // -cos(off axis) = aside sin + axis.z cos; its best value beyond the angle is at the angle or at its extremum.
-    const T aside = ex * axis.x + ey * axis.y;
-    const Mask<T> before_extremum = aside < tangent * axis.z;
-    const T forward = -(aside * tangent + axis.z);
-    const Mask<T> inside = (forward > T(0)) & (forward * forward >= cos_squared_widest * (T(1) + tangent * tangent));
+  /// Whether light that rises from below may fall on the detector of a telescope in the air, if it moves aside in the
+  /// direction of (tx, ty) at an angle to the vertical whose tangent is at least the length of that vector.
+  Mask<T> may_see_beyond(const T& tx, const T& ty) const {
+    // With t the vector: -cos(off axis) sqrt(1 + t^2) = axis.t + axis.z; beyond the angle the cosine has its best
+    // value at the angle or at its extremum.
+    const T aside = tx * axis.x + ty * axis.y;
+    const T tangent_squared = tx * tx + ty * ty;
+    const Mask<T> before_extremum = aside < tangent_squared * axis.z;
+    const T forward = -(aside + axis.z);
+    const Mask<T> inside = (forward > T(0)) & (forward * forward >= cos_squared_widest * (T(1) + tangent_squared));
     return before_extremum | inside;
   }
 
@@ -45,15 +47,19 @@ struct Telescope {
   /// share is that of its area on the detector (docs/theory.md, "The telescope"; Harms, Appl. Opt. 18, 1559 (1979)).
   T overlap(const T& z, const T& tan_off_axis) const {
     using std::abs;
-    const T defocus = abs(T(1) - detector_distance * (T(1) / focal_length - T(1) / z));
+    const T defocus = abs(T(1) - detector_distance * (power - T(1) / z));
     const T blur = lens_radius * defocus;
-    const T shadow = obstruction_radius * defocus;
     const T q = detector_distance * tan_off_axis;
+    const Mask<T> whole = q + blur <= detector_radius;
+    const Mask<T> partial = !(whole | (q >= detector_radius + blur));
+    if (!any(partial)) return select(whole, T(1), T(0));
+    const T shadow = obstruction_radius * defocus;
     const T image_area = T(pi) * (blur * blur - shadow * shadow);
     const Mask<T> sharp = blur < T(1e-6) * detector_radius;
     const T lit = circles_overlap(detector_radius, blur, q) - circles_overlap(detector_radius, shadow, q);
     const T step = select(q < detector_radius, T(1), T(0));
-    return select(sharp, step, lit / select(sharp, T(1), image_area));
+    const T share = select(sharp, step, lit / select(sharp, T(1), image_area));
+    return select(partial, share, select(whole, T(1), T(0)));
   }
 };
 
@@ -80,7 +86,7 @@ Telescope<T> make_telescope(const scene::Telescope& s) {
   t.axis = vec3_cast<T>(normalised(s.direction));
   t.lens_radius = T(s.diameter_m / 2);
   t.obstruction_radius = T(s.obstruction_diameter_m / 2);
-  t.focal_length = T(s.focal_length_m);
+  t.power = T(1 / s.focal_length_m);
   t.detector_radius = T(s.effective_detector_diameter_m() / 2);
   t.detector_distance = T(s.focal_length_m + s.detector_shift_m);
   t.submerged = s.position_m.z < 0;

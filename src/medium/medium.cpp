@@ -33,6 +33,7 @@ std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
     }
   }
   node_.insert(node_.end(), v.node, v.node + nodes);
+  slope_.insert(slope_.end(), v.slope, v.slope + nodes);
   cdf_.insert(cdf_.end(), v.cdf, v.cdf + nodes);
   guide_.insert(guide_.end(), v.guide, v.guide + PhaseView::guides);
   core_value_.push_back(*v.core_value);
@@ -63,6 +64,7 @@ void Medium::finish() {
          "every table of the medium is complete");
   for (const Line& l : line) {
     index_.push_back(l.refractive_index);
+    inverse_index_.push_back(1 / l.refractive_index);
     group_index_.push_back(l.group_index);
   }
   for (std::size_t i = 0; i < cells; ++i) walk_c_.push_back(c[i] * std::max(albedo[i], least_walk_share));
@@ -95,10 +97,12 @@ MediumView Medium::view() const {
   v.convertible = convertible_.data();
   v.convertible_count = convertible_count_.data();
   v.index = index_.data();
+  v.inverse_index = inverse_index_.data();
   v.group_index = group_index_.data();
   v.elastic_phase = elastic_phase.data();
   v.conversion_phase = conversion_phase.data();
   v.phases.node = node_.data();
+  v.phases.slope = slope_.data();
   v.phases.cdf = cdf_.data();
   v.phases.guide = guide_.data();
   v.phases.core_value = core_value_.data();

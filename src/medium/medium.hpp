@@ -33,6 +33,7 @@ struct MediumView {
   const std::int32_t* convertible = nullptr;       ///< the lines with conversion > 0, [layer][lines]
   const std::int32_t* convertible_count = nullptr; ///< how many they are, [layer]
   const double* index = nullptr;        ///< refractive index against air, [line]
+  const double* inverse_index = nullptr; ///< 1 / index, [line]
   const double* group_index = nullptr;  ///< [line]
   const std::int32_t* elastic_phase = nullptr;     ///< table in `phases`, [line][layer]
   const std::int32_t* conversion_phase = nullptr;  ///< table in `phases`, [line]; of line 0 unused
@@ -118,9 +119,9 @@ class Medium {
   /// Integrals over depth from the surface to the layers' edges, [line][layers + 1].
   [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
 
-  std::vector<double> depth_tau_, walk_c_, walk_depth_tau_, index_, group_index_;
+  std::vector<double> depth_tau_, walk_c_, walk_depth_tau_, index_, inverse_index_, group_index_;
   std::vector<std::int32_t> convertible_, convertible_count_;
-  std::vector<double> node_, cdf_, core_value_;
+  std::vector<double> node_, slope_, cdf_, core_value_;
   std::vector<std::int32_t> guide_;
 };
 

@@ -54,6 +54,11 @@ PhaseTable::PhaseTable(const PhaseShape& shape) : node_(nodes_of(shape)) {
   expect(std::abs(sum - 1) <= 1e-4, "a phase function integrates to 1");
   for (double& p : node_) p /= sum;
   for (double& share : cdf_) share /= sum;
+  for (int i = 0; i < PhaseView::cells; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    slope_.push_back((node_[k + 1] - node_[k]) / (edge(i + 1) - edge(i)));
+  }
+  slope_.push_back(0.0);
   core_value_ = cdf_.front() / (2 * pi * PhaseView::x_core);
 
   std::size_t above = 0;  // first cell whose cdf is above u
@@ -65,7 +70,7 @@ PhaseTable::PhaseTable(const PhaseShape& shape) : node_(nodes_of(shape)) {
 }
 
 PhaseView PhaseTable::view() const {
-  return {node_.data(), cdf_.data(), guide_.data(), &core_value_};
+  return {node_.data(), slope_.data(), cdf_.data(), guide_.data(), &core_value_};
 }
 
 double PhaseTable::mean_cosine() const {

@@ -23,6 +23,7 @@ struct PhaseView {
   static constexpr int guides = 4096;                 ///< a power of two
 
   const double* node = nullptr;  ///< p at the lower edge of cell i [1/sr]; cells + 1 values
+  const double* slope = nullptr;  ///< dp/dx in cell i [1/sr]; cells + 1 values, the last unused
   const double* cdf =
       nullptr;  ///< probability of x below the lower edge of cell i; cells + 1 values
   const std::int32_t* guide = nullptr;  ///< last cell (-1: the core) whose cdf is <= k / guides
@@ -72,7 +73,7 @@ class PhaseTable {
   [[nodiscard]] double backscatter_fraction() const;  ///< b_b / b, of the table
 
  private:
-  std::vector<double> node_, cdf_;
+  std::vector<double> node_, slope_, cdf_;
   std::vector<std::int32_t> guide_;
   double core_value_ = 0;
 };
@@ -82,26 +83,24 @@ T PhaseView::sample(const T& u, const Index<T>& table) const {
   using std::sqrt;
   const Index<T> base = table * Index<T>(cells + 1);
   Index<T> i = gather_index<T>(guide, floor_index(u * T(guides)) + table * Index<T>(guides));
-  // The guide is at most a few cells short.
-  for (;;) {
-    const Index<T> next = i + Index<T>(1);
-    const Mask<T> behind = (next < Index<T>(cells)) & (gather<T>(cdf, base + next) <= u);
-    if (!any(behind)) break;
-    i = select(behind, next, i);
-  }
-  const auto in_core = i < Index<T>(0);
+  // The guide is at most a few cells short; the first step is taken without asking, which is seldom wrong.
+  const auto behind = [&](const Index<T>& cell) {
+    return (cell + Index<T>(1) < Index<T>(cells)) & (gather<T>(cdf, base + cell + Index<T>(1)) <= u);
+  };
+  i = i + select(behind(i), Index<T>(1), Index<T>(0));
+  for (Mask<T> on = behind(i); any(on); on = behind(i)) i = i + select(on, Index<T>(1), Index<T>(0));
+
+  const Mask<T> in_core = i < Index<T>(0);
   const Index<T> cell = select(in_core, Index<T>(0), i);
-  const T below = gather<T>(cdf, base + cell);
-  const T share = (u - below) / (gather<T>(cdf, base + cell + Index<T>(1)) - below);
+  // Inverse of the cumulative of a straight line: 2 pi (p0 s + slope s^2 / 2) = u - below, solved for s = x - x0.
+  const T rest = (u - gather<T>(cdf, base + cell)) * T(1 / pi);
   const T p0 = gather<T>(node, base + cell);
-  const T p1 = gather<T>(node, base + cell + Index<T>(1));
-  // Inverse of the cumulative of a straight line from p0 to p1.
-  const T t = share * (p0 + p1) / (p0 + sqrt(p0 * p0 + share * (p1 * p1 - p0 * p0)));
-  const Index<T> octave = cell + Index<T>(core_exponent * (1 << cell_bits));
-  const T x0 = octave_edge<T>(octave, cell_bits);
-  const T x1 = octave_edge<T>(octave + Index<T>(1), cell_bits);
-  const T in_core_x = T(x_core) * (u / gather<T>(cdf, base));
-  return select(in_core, in_core_x, x0 + t * (x1 - x0));
+  const T root = sqrt(p0 * p0 + rest * gather<T>(slope, base + cell));
+  const T x0 = octave_edge<T>(cell + Index<T>(core_exponent * (1 << cell_bits)), cell_bits);
+  const T x = x0 + rest / (p0 + root);
+  const T inside = select(x < T(2), x, T(2));
+  if (!any(in_core)) return inside;
+  return select(in_core, T(x_core) * (u / gather<T>(cdf, base)), inside);
 }
 
 }  // namespace photic::optics

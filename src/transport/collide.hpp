@@ -32,7 +32,7 @@ Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const T& con
       select(branch.converted, floor_index(u_line * to_real<T>(choices)), Index<T>(0));
   const Index<T> line = gather_index<T>(sea.convertible, photon.layer * Index<T>(sea.lines) + pick);
   const T emitted = gather<T>(sea.conversion, sea.at(line, photon.layer));
-  const T scattered_factor = albedo / (T(1) - probability);
+  const T scattered_factor = any(choices > Index<T>(0)) ? albedo / (T(1) - probability) : albedo;
   const T converted_factor = emitted * to_real<T>(choices) / select(branch.converted, probability, T(1));
 
   photon.weight = photon.weight * select(branch.converted, converted_factor, scattered_factor);
@@ -49,6 +49,7 @@ Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const T& con
 template <class T>
 Mask<T> roulette(Photon<T>& photon, const T& threshold, const T& u) {
   const Mask<T> low = photon.analog_weight < threshold;
+  if (!any(low)) return !low;
   const T survival = select(low, photon.analog_weight / threshold, T(1));
   const Mask<T> survives = u < survival;
   const T gain = T(1) / select(survival > T(0), survival, T(1));

@@ -27,10 +27,10 @@ struct Connection {
 /// aside of it, to within a few per cent at any angle and t^5 at small ones: the root of
 ///   height t + depth t / sqrt(n^2 + (n^2-1) t^2) = aside
 /// to the third order in its paraxial value n aside / (n height + depth), which is never above the root.
-/// `share` is depth / (n height + depth).
+/// `share` is depth / (n height + depth), `inverse_n` 1 / n.
 template <class T>
-T crossing_tangent_start(const T& n, const T& share, const T& paraxial) {
-  const T cubic = T(0.5) * (T(1) - T(1) / (n * n)) * share * paraxial * paraxial;
+T crossing_tangent_start(const T& inverse_n, const T& share, const T& paraxial) {
+  const T cubic = T(0.5) * (T(1) - inverse_n * inverse_n) * share * paraxial * paraxial;
   return paraxial * (T(1) + select(cubic < T(0.1), cubic, T(0.1)));
 }
 
@@ -57,13 +57,13 @@ T crossing_tangent(const T& n, const T& depth, const T& height, const T& aside, 
 }
 
 /// Solid angle in medium 1 (index n, path l1, cosine c1 to the vertical) per area across the ray in air (path l2,
-/// cosine c2): both curvatures of the refracted wave front, not the paraxial one [1/m^2].
+/// cosine c2): both curvatures of the refracted wave front, not the paraxial one [1/m^2]. `inverse_n` is 1 / n.
 template <class T>
-T refracted_solid_angle_per_area(const T& n, const T& l1, const T& c1, const T& l2, const T& c2) {
-  const T across = l2 + l1 / n;
+T refracted_solid_angle_per_area(const T& inverse_n, const T& l1, const T& c1, const T& l2, const T& c2) {
+  const T across = l2 + l1 * inverse_n;
   const T ratio = c2 / c1;
-  const T along = l2 + (l1 / n) * ratio * ratio;
-  return ratio / (n * n * across * along);
+  const T along = l2 + l1 * inverse_n * ratio * ratio;
+  return ratio * inverse_n * inverse_n / (across * along);
 }
 
 /// From a photon's position through the surface to a telescope in the air, at the given line. If nothing `aims` at
@@ -74,34 +74,37 @@ Connection<T> connect_through_surface(const medium::MediumView& sea, const instr
   using std::sqrt;
   Connection<T> way;
   const T n = gather<T>(sea.index, line);
+  const T inverse_n = gather<T>(sea.inverse_index, line);
   const T depth = -at.position.z;
   const T dx = telescope.position.x - at.position.x;
   const T dy = telescope.position.y - at.position.y;
-  const T aside = sqrt(dx * dx + dy * dy);
-  const T inverse_aside = select(aside > T(0), T(1) / select(aside > T(0), aside, T(1)), T(0));
   const T height = telescope.position.z;
-  const T ex = dx * inverse_aside;
-  const T ey = dy * inverse_aside;
 
   // Most points lie far outside the field of view; the true angle is never below the paraxial one.
   const T per_height = T(1) / (n * height + depth);
-  const T paraxial = n * aside * per_height;
-  const Mask<T> near_view = telescope.may_see_beyond(ex, ey, paraxial);
+  const T scale = n * per_height;
+  const Mask<T> near_view = telescope.may_see_beyond(scale * dx, scale * dy);
   if (!(aims || any(near_view))) return way;
-  const T start = crossing_tangent_start(n, depth * per_height, paraxial);
+  const T aside = sqrt(dx * dx + dy * dy);
+  const T inverse_aside = select(aside > T(0), T(1) / select(aside > T(0), aside, T(1)), T(0));
+  const T ex = dx * inverse_aside;
+  const T ey = dy * inverse_aside;
+  const T start = crossing_tangent_start(inverse_n, depth * per_height, scale * aside);
   T tangent = start;
   if (any(near_view)) tangent = select(near_view, crossing_tangent(n, depth, height, aside, start), start);
 
-  const T cos_air = T(1) / sqrt(T(1) + tangent * tangent);
+  const T secant_air = sqrt(T(1) + tangent * tangent);
+  const T cos_air = T(1) / secant_air;
   const T sin_air = tangent * cos_air;
-  const T sin_water = sin_air / n;
+  const T sin_water = sin_air * inverse_n;
   const T cos_water = sqrt(T(1) - sin_water * sin_water);
   const Vec3<T> arriving{ex * sin_air, ey * sin_air, cos_air};
 
   way.direction = {ex * sin_water, ey * sin_water, cos_water};
-  const T in_water = depth / cos_water;
-  const T in_air = height / cos_air;
-  const T apparent = in_air + in_water / n;
+  const T secant_water = T(1) / cos_water;
+  const T in_water = depth * secant_water;
+  const T in_air = height * secant_air;
+  const T apparent = in_air + in_water * inverse_n;
   const T cos_off_axis = -dot(arriving, telescope.axis);
   way.in_front = cos_off_axis > T(0);
   if (!any(near_view)) return way;
@@ -110,10 +113,10 @@ Connection<T> connect_through_surface(const medium::MediumView& sea, const instr
   const T overlap = telescope.overlap(apparent * safe_cos, tan_off_axis);
   const Mask<T> seen = near_view & way.in_front & (overlap > T(0));
   if (!any(seen)) return way;
-  const T transmitted = T(1) - optics::refract(n, T(1), cos_water).reflectance;
-  const T per_area = refracted_solid_angle_per_area(n, in_water, cos_water, in_air, cos_air);
+  const T transmitted = T(1) - optics::fresnel_reflectance(n, T(1), cos_water, cos_air);
+  const T per_area = refracted_solid_angle_per_area(inverse_n, in_water, cos_water, in_air, cos_air);
   way.acceptance = select(seen, per_area * telescope.area() * safe_cos * overlap * transmitted, T(0));
-  way.optical_depth = sea.optical_depth<T>(line, at.layer, depth) / cos_water;
+  way.optical_depth = sea.optical_depth<T>(line, at.layer, depth) * secant_water;
   way.path = in_air + in_water * gather<T>(sea.group_index, line);
   return way;
 }

@@ -40,21 +40,25 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
   FlightEnd<T> end;
   end.surface = (target <= T(0)) & (down < T(0));
   end.sea_bed = target > gather<T>(sea.walk_depth_tau, row + Index<T>(sea.layers));
-  const T walk_c = gather<T>(sea.walk_c, sea.at(photon.line, layer));
-  const T collision_depth =
-      gather<T>(sea.top, layer) + (target - gather<T>(sea.walk_depth_tau, row + layer)) / walk_c;
-  const T bed = gather<T>(sea.top, Index<T>(sea.layers));
   const Mask<T> stopped = end.surface | end.sea_bed;
-  const T depth_at_end = select(end.surface, T(0), select(end.sea_bed, bed, collision_depth));
+  const Mask<T> stays = (layer == photon.layer) & !stopped;
+  const T walk_c = gather<T>(sea.walk_c, sea.at(photon.line, layer));
 
   // Within one layer the path is exact also for a horizontal flight; across edges it follows from the depths.
-  const Mask<T> stays = (layer == photon.layer) & !stopped;
-  const T distance = select(stays, free_path / walk_c, (depth_at_end - depth) / select(stays, T(1), down));
-  const T tau = sea.slant_optical_depth<T>(photon.line, photon.layer, depth, layer, depth_at_end, distance);
-  const T walk_tau =
-      sea.walk_slant_optical_depth<T>(photon.line, photon.layer, depth, layer, depth_at_end, distance);
-  photon.position = photon.position + distance * photon.direction;
-  photon.position.z = select(stays, photon.position.z, -depth_at_end);
+  T distance = free_path / walk_c;
+  Vec3<T> there = photon.position + distance * photon.direction;
+  if (!all(stays)) {
+    const T inside = (target - gather<T>(sea.walk_depth_tau, row + layer)) / walk_c;
+    const T bed = gather<T>(sea.top, Index<T>(sea.layers));
+    const T depth_at_end =
+        select(end.surface, T(0), select(end.sea_bed, bed, gather<T>(sea.top, layer) + inside));
+    distance = select(stays, distance, (depth_at_end - depth) / select(stays, T(1), down));
+    there = photon.position + distance * photon.direction;
+    there.z = select(stays, there.z, -depth_at_end);
+  }
+  const T tau = sea.slant_optical_depth<T>(photon.line, photon.layer, depth, layer, -there.z, distance);
+  const T walk_tau = sea.walk_slant_optical_depth<T>(photon.line, photon.layer, depth, layer, -there.z, distance);
+  photon.position = there;
   photon.layer = layer;
   photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
   const T here = gather<T>(sea.c, sea.at(photon.line, layer));

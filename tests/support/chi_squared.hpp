@@ -10,8 +10,9 @@
 
 namespace photic::test {
 
-/// Fails if counts scatter about `samples` x probability more than chi-squared does at the level. The
-/// probabilities may add up to less than 1: the rest is one more cell. Every cell must expect 10 or more.
+/// Fails if counts scatter about `samples` x probability more than chi-squared does at the level.
+/// The probabilities may add up to less than 1: the rest is one more cell. Every cell must expect
+/// 10 or more.
 inline void expect_chi_squared(const std::vector<double>& count,
                                const std::vector<double>& probability, double samples, double level,
                                const std::string& what = "") {

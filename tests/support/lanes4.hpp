@@ -1,7 +1,8 @@
-// Four doubles that walk together: the lane type of the tests, written to be obvious rather than fast.
+// Four doubles that walk together: the lane type of the tests, written to be obvious rather than
+// fast.
 //
-// It has what core/lanes.hpp asks of a lane type and nothing more (no branch on a value, no implicit
-// conversion), so that code which compiles with it is ready for any pack of photons.
+// It has what core/lanes.hpp asks of a lane type and nothing more (no branch on a value, no
+// implicit conversion), so that code which compiles with it is ready for any pack of photons.
 #pragma once
 
 #include <array>
@@ -176,7 +177,8 @@ inline OctaveCell<Lanes4> octave_cell(const Lanes4& x, int bits) {
 template <class T>
   requires std::same_as<T, Lanes4>
 Lanes4 octave_edge(const Index4& cell, int bits) {
-  return lane_by_lane([bits](std::int32_t k) { return photic::octave_edge<double>(k, bits); }, cell);
+  return lane_by_lane([bits](std::int32_t k) { return photic::octave_edge<double>(k, bits); },
+                      cell);
 }
 
 inline std::array<Lanes4, 4> uniforms(const RandomPlace<Lanes4>& place, std::uint32_t block) {

@@ -5,7 +5,8 @@
 
 namespace photic::test {
 
-/// A single laser line, a telescope beside it, the elastic channel; gates 0 to 50 m of 0.5 m; the sea has no layer yet.
+/// A single laser line, a telescope beside it, the elastic channel; gates 0 to 50 m of 0.5 m; the
+/// sea has no layer yet.
 inline scene::Scene ship_scene() {
   scene::Scene scene;
   scene.source.wavelength_nm = 532;
@@ -22,13 +23,16 @@ inline scene::Scene ship_scene() {
   telescope.detector_diameter_m = 0.04;
   scene.telescope = {telescope};
   scene.channel = {{"elastic", "elastic", {}, {}}};
-  scene.optics = {"modern", "mason-ioccg", "zhang", 0.039, "bricaud", "fournier-forand", "bartlett"};
+  scene.optics = {"modern",  "mason-ioccg",     "zhang",   0.039,
+                  "bricaud", "fournier-forand", "bartlett"};
   scene.gates.depth_m = {0, 50, 0.5};
   scene.simulation.photons = 1000;
   return scene;
 }
 
 inline scene::Channel channel_of(const std::string& process) { return {process, process, {}, {}}; }
-inline scene::Channel filter(double centre_nm, double fwhm_nm) { return {"filter", {}, centre_nm, fwhm_nm}; }
+inline scene::Channel filter(double centre_nm, double fwhm_nm) {
+  return {"filter", {}, centre_nm, fwhm_nm};
+}
 
 }  // namespace photic::test

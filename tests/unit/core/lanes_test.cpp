@@ -29,7 +29,8 @@ class OctaveOf : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(OctaveOf, Reals);
 
-// Every edge is the start of its own cell and the end of the one before. Seen red: with a bias of 1022.
+// Every edge is the start of its own cell and the end of the one before. Seen red: with a bias of
+// 1022.
 TYPED_TEST(OctaveOf, EdgeIsTheInverseOfCell) {
   using T = TypeParam;
   for (const int bits : {0, 3, 7}) {

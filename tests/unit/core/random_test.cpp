@@ -13,8 +13,8 @@ namespace {
 
 using Words = std::array<std::uint32_t, 4>;
 
-// The known answers that Random123 ships (kat_vectors, philox4x32 10). Seen red: with the two halves of
-// the seed swapped; with event and block swapped.
+// The known answers that Random123 ships (kat_vectors, philox4x32 10). Seen red: with the two
+// halves of the seed swapped; with event and block swapped.
 TEST(Philox, GivesTheKnownAnswers) {
   EXPECT_EQ(philox_words(0, 0, 0, 0), (Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
   constexpr std::uint32_t ones = 0xffffffff;
@@ -30,10 +30,12 @@ class UniformOf : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(UniformOf, Reals);
 
-// Seen red: without the half that puts a number in the middle of its cell; with all 32 bits in a float.
+// Seen red: without the half that puts a number in the middle of its cell; with all 32 bits in a
+// float.
 TYPED_TEST(UniformOf, LiesStrictlyBetween0And1) {
   using T = TypeParam;
-  for (const std::uint32_t word : {0U, 1U, 0x1ffU, 0x7fffffffU, 0x80000000U, 0xfffffe00U, 0xffffffffU}) {
+  for (const std::uint32_t word :
+       {0U, 1U, 0x1ffU, 0x7fffffffU, 0x80000000U, 0xfffffe00U, 0xffffffffU}) {
     EXPECT_GT(uniform_from<T>(word), T(0)) << word;
     EXPECT_LT(uniform_from<T>(word), T(1)) << word;
   }

@@ -45,7 +45,8 @@ TEST(OneMinusCos, KeepsItsDigitsAtANanoradian) {
 TEST(OneMinusCos, IsRightAtAllAngles) {
   for (double degrees = 0; degrees <= 180; degrees += 1) {
     const double angle = degrees * radian_per_degree;
-    EXPECT_NEAR(one_minus_cos(V{0, 0, 1}, V{0, std::sin(angle), std::cos(angle)}), 1 - std::cos(angle), 1e-15);
+    EXPECT_NEAR(one_minus_cos(V{0, 0, 1}, V{0, std::sin(angle), std::cos(angle)}),
+                1 - std::cos(angle), 1e-15);
   }
 }
 
@@ -64,17 +65,20 @@ std::vector<V> directions() {
   return out;
 }
 
-const std::vector<double> turns{0.0, 1e-300, 1e-16, 1e-12, 1e-6, 0.01, 0.5, 1.0, 1.5, 2 - 1e-12, 2.0};
+const std::vector<double> turns{0.0, 1e-300, 1e-16, 1e-12,     1e-6, 0.01,
+                                0.5, 1.0,    1.5,   2 - 1e-12, 2.0};
 
 /// The angle between unit vectors, with all its digits.
 double angle_between(const V& a, const V& b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
 
 /// Turns v by an angle about the unit vector w (Rodrigues).
 V rotated(const V& v, const V& w, double angle) {
-  return std::cos(angle) * v + std::sin(angle) * cross(w, v) + ((1 - std::cos(angle)) * dot(w, v)) * w;
+  return std::cos(angle) * v + std::sin(angle) * cross(w, v) +
+         ((1 - std::cos(angle)) * dot(w, v)) * w;
 }
 
-// Seen red: with the sign of w.z taken as always 1 (then {0, 0, -1} fails); with (1 - x) for the sine's (2 - x).
+// Seen red: with the sign of w.z taken as always 1 (then {0, 0, -1} fails); with (1 - x) for the
+// sine's (2 - x).
 TEST(Turned, ByTheAngleAsked) {
   for (const V& w : directions()) {
     for (const double x : turns) {
@@ -82,27 +86,30 @@ TEST(Turned, ByTheAngleAsked) {
       for (double azimuth = 0; azimuth < 6.3; azimuth += 0.7) {
         const V out = turned(w, x, std::cos(azimuth), std::sin(azimuth));
         ASSERT_NEAR(length(out), 1, 4e-16);
-        ASSERT_NEAR(angle_between(w, out), asked, 1e-15) << w.x << " " << w.y << " " << w.z << " x " << x;
+        ASSERT_NEAR(angle_between(w, out), asked, 1e-15)
+            << w.x << " " << w.y << " " << w.z << " x " << x;
       }
     }
   }
 }
 
-// The azimuth is a right-handed rotation about w, from wherever it is counted. Seen red: with the basis
-// left-handed (v turned round); with a basis vector's sign dropped.
+// The azimuth is a right-handed rotation about w, from wherever it is counted. Seen red: with the
+// basis left-handed (v turned round); with a basis vector's sign dropped.
 TEST(Turned, ToTheAzimuthAsked) {
   for (const V& w : directions()) {
     for (const double x : {1e-12, 1e-3, 0.7, 1.9}) {
       const V zero = turned(w, x, 1.0, 0.0);
       for (double azimuth = 0; azimuth < 6.3; azimuth += 0.7) {
         const V out = turned(w, x, std::cos(azimuth), std::sin(azimuth));
-        ASSERT_LT(length(out - rotated(zero, w, azimuth)), 2e-15) << w.x << " " << w.y << " " << w.z;
+        ASSERT_LT(length(out - rotated(zero, w, azimuth)), 2e-15)
+            << w.x << " " << w.y << " " << w.z;
       }
     }
   }
 }
 
-// By small angles, as in a forward peak: there rounding adds up. Seen red: without the Newton step at the end (4e-14).
+// By small angles, as in a forward peak: there rounding adds up. Seen red: without the Newton step
+// at the end (4e-14).
 TEST(Turned, StaysAUnitVectorOverAMillionTurns) {
   Random random(4);
   V w{0, 0, -1};

@@ -16,7 +16,8 @@ TEST(DiscSolidAngle, OnTheAxisIsItsClosedForm) {
     for (double h = 1e-4 * r; h < 200 * r; h *= 1.7) {
       // 2 pi (1 - h / s), without the difference.
       const double s = std::sqrt(h * h + r * r);
-      EXPECT_NEAR(disc_solid_angle(r, h, 0.0) / (2 * pi * r * r / (s * (s + h))), 1, 1e-13) << h / r;
+      EXPECT_NEAR(disc_solid_angle(r, h, 0.0) / (2 * pi * r * r / (s * (s + h))), 1, 1e-13)
+          << h / r;
     }
   }
 }
@@ -39,13 +40,14 @@ double by_quadrature(double r, double h, double p) {
   return (peak > 0 ? Rule::integrate(ring, 0.0, peak, 12, 1e-9) : 0.0) + outer;
 }
 
-// Within the header's promise wherever the rim is farther than 0.2 r. Seen red: with 16 points on the rim; with
-// the sign of p turned in one of its two places.
+// Within the header's promise wherever the rim is farther than 0.2 r. Seen red: with 16 points on
+// the rim; with the sign of p turned in one of its two places.
 TEST(DiscSolidAngle, OffTheAxisIsTheIntegralOverTheDisc) {
   for (const double h : {0.02, 0.1, 0.25, 0.5, 1.0, 3.0, 20.0, 90.0}) {
     for (const double p : {0.1, 0.4, 0.75, 0.9, 1.0, 1.1, 1.25, 1.7, 3.0, 10.0, 80.0}) {
       if (std::hypot(h, p - 1) < 0.2) continue;
-      EXPECT_NEAR(disc_solid_angle(0.3, 0.3 * h, 0.3 * p) / by_quadrature(1, h, p), 1, 1e-4) << h << " " << p;
+      EXPECT_NEAR(disc_solid_angle(0.3, 0.3 * h, 0.3 * p) / by_quadrature(1, h, p), 1, 1e-4)
+          << h << " " << p;
     }
   }
 }

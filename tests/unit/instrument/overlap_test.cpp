@@ -20,14 +20,18 @@ TEST(CirclesOverlap, OfApartTouchingAndNestedCircles) {
   EXPECT_EQ(circles_overlap(0.0, 0.0, 0.0), 0);
 }
 
-// Chords of both circles, integrated across. Seen red: with one of the two segments left out; with a and b swapped
-// in one cosine.
+// Chords of both circles, integrated across. Seen red: with one of the two segments left out; with
+// a and b swapped in one cosine.
 TEST(CirclesOverlap, IsTheIntegralOfTheSharedChords) {
   using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
   for (const double r2 : {0.2, 0.7, 1.0, 1.6}) {
     for (double d = std::abs(1 - r2) + 0.01; d < 1 + r2; d += 0.05) {
-      const auto half_chord = [](double r, double x) { return std::sqrt(std::max(0.0, r * r - x * x)); };
-      const auto shared = [&](double x) { return 2 * std::min(half_chord(1, x), half_chord(r2, x - d)); };
+      const auto half_chord = [](double r, double x) {
+        return std::sqrt(std::max(0.0, r * r - x * x));
+      };
+      const auto shared = [&](double x) {
+        return 2 * std::min(half_chord(1, x), half_chord(r2, x - d));
+      };
       const double kink = (d * d + 1 - r2 * r2) / (2 * d);  // where the chords are equal
       const double expected = Rule::integrate(shared, std::max(-1.0, d - r2), kink, 15, 1e-10) +
                               Rule::integrate(shared, kink, std::min(1.0, d + r2), 15, 1e-10);
@@ -37,14 +41,17 @@ TEST(CirclesOverlap, IsTheIntegralOfTheSharedChords) {
   }
 }
 
-double on_axis(const scene::Telescope& t, double z) { return make_telescope<double>(t).overlap(z, 0.0); }
+double on_axis(const scene::Telescope& t, double z) {
+  return make_telescope<double>(t).overlap(z, 0.0);
+}
 
-// Table 1: 12 m away the blur, 3.33 cm, exceeds the detector's 2 cm: (2 / 3.33)^2. Seen red: with the blur's diameter
-// for its radius; with the half field of view for the full one.
+// Table 1: 12 m away the blur, 3.33 cm, exceeds the detector's 2 cm: (2 / 3.33)^2. Seen red: with
+// the blur's diameter for its radius; with the half field of view for the full one.
 TEST(Overlap, OfTable1) {
   EXPECT_NEAR(on_axis(table_1(), 12), 0.36, 1e-12);
   EXPECT_NEAR(on_axis(table_1(), 19.9), 0.990, 1e-3);
-  for (const double z : {20.001, 25.0, 40.0, 1e3, 1e6}) EXPECT_NEAR(on_axis(table_1(), z), 1, 1e-12) << z;
+  for (const double z : {20.001, 25.0, 40.0, 1e3, 1e6})
+    EXPECT_NEAR(on_axis(table_1(), z), 1, 1e-12) << z;
 }
 
 // Seen red: with the sign of the shift turned.

@@ -6,7 +6,8 @@
 
 namespace photic::instrument {
 
-/// The paper's Table 1: a lens of 40 cm and 2 m focal length, a detector of 4 cm in its focus, 12 m above the sea.
+/// The paper's Table 1: a lens of 40 cm and 2 m focal length, a detector of 4 cm in its focus, 12 m
+/// above the sea.
 inline scene::Telescope table_1() {
   scene::Telescope t;
   t.position_m = {0, 0, 12};
@@ -23,13 +24,15 @@ inline scene::Telescope table_1_shifted(double detector_shift_m) {
   return t;
 }
 
-/// Any telescope in the air: small or large, wide or narrow, sharp or defocused, tilted by up to 70 degrees.
+/// Any telescope in the air: small or large, wide or narrow, sharp or defocused, tilted by up to 70
+/// degrees.
 inline scene::Telescope random_telescope(test::Random& random) {
   scene::Telescope t;
   t.position_m = {random.between(-5, 5), random.between(-5, 5), random.scale(0.1, 1000)};
   const double tilt = random.between(0, 70) * radian_per_degree;
   const double azimuth = random.between(0, 2 * pi);
-  t.direction = {std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), -std::cos(tilt)};
+  t.direction = {std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth),
+                 -std::cos(tilt)};
   t.diameter_m = random.scale(0.01, 2);
   t.obstruction_diameter_m = random.chance(0.5) ? 0.0 : t.diameter_m * random.between(0, 0.8);
   t.focal_length_m = random.scale(0.05, 10);

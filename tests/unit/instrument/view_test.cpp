@@ -12,13 +12,14 @@ constexpr double n = 1.34;
 
 /// A point in the water as a telescope sees it.
 struct Sight {
-  double ex, ey, paraxial_tangent;  ///< what the quick test is asked
-  double overlap;                   ///< what is on the detector
-  double off_axis;                  ///< [rad]
+  double tx,
+      ty;  ///< what the quick test is asked: the paraxial tangent, and where the light moves aside
+  double overlap;   ///< what is on the detector
+  double off_axis;  ///< [rad]
 };
 
-/// Follows a ray from the lens, `off` from the axis at some azimuth, back into the water to a depth; its light
-/// comes up the same way. False if the ray never gets to the water.
+/// Follows a ray from the lens, `off` from the axis at some azimuth, back into the water to a
+/// depth; its light comes up the same way. False if the ray never gets to the water.
 bool look(const Telescope<double>& t, double off, double azimuth, double depth, Sight& sight) {
   const auto ray = turned(t.axis, 1 - std::cos(off), std::cos(azimuth), std::sin(azimuth));
   if (ray.z > -1e-6) return false;
@@ -29,17 +30,19 @@ bool look(const Telescope<double>& t, double off, double azimuth, double depth, 
   const double in_water = depth / cos_water;
   const double aside = in_air * sin_air + in_water * sin_water;
   // Towards the telescope.
-  sight.ex = sin_air > 0 ? -ray.x / sin_air : 0;
-  sight.ey = sin_air > 0 ? -ray.y / sin_air : 0;
-  sight.paraxial_tangent = n * aside / (n * t.position.z + depth);
+  const double tangent_over_sine =
+      sin_air > 0 ? n * aside / (n * t.position.z + depth) / sin_air : 0;
+  sight.tx = -ray.x * tangent_over_sine;
+  sight.ty = -ray.y * tangent_over_sine;
   const double apparent = in_air + in_water / n;
   sight.overlap = t.overlap(apparent * std::cos(off), std::tan(off));
   sight.off_axis = off;
   return true;
 }
 
-// A million points about the edge of the view of random telescopes. Seen red: with the blur left out of the widest view;
-// with only the far blur in it; without the exception before the extremum; with the sign of aside turned.
+// A million points about the edge of the view of random telescopes. Seen red: with the blur left
+// out of the widest view; with only the far blur in it; without the exception before the extremum;
+// with the sign of aside turned.
 TEST(MaySeeBeyond, NeverLeavesOutWhatIsSeen) {
   test::Random random(8);
   int seen = 0;
@@ -54,7 +57,7 @@ TEST(MaySeeBeyond, NeverLeavesOutWhatIsSeen) {
       Sight sight{};
       if (!look(t, off, random.between(0, 2 * pi), depth, sight)) continue;
       ++asked;
-      const bool kept = t.may_see_beyond(sight.ex, sight.ey, sight.paraxial_tangent);
+      const bool kept = t.may_see_beyond(sight.tx, sight.ty);
       if (sight.overlap > 0) {
         ++seen;
         ASSERT_TRUE(kept) << "off axis " << off << " depth " << depth << " height " << t.position.z;
@@ -64,15 +67,17 @@ TEST(MaySeeBeyond, NeverLeavesOutWhatIsSeen) {
   EXPECT_GT(seen, asked / 4);
 }
 
-// Else a test that keeps everything would pass: of points far outside a narrow vertical view, nearly all are left out.
+// Else a test that keeps everything would pass: of points far outside a narrow vertical view,
+// nearly all are left out.
 TEST(MaySeeBeyond, LeavesOutMostOfWhatIsNotSeen) {
   test::Random random(9);
   const auto t = make_telescope<double>(table_1());
   for (int i = 0; i < 10000; ++i) {
     Sight sight{};
-    ASSERT_TRUE(look(t, random.between(0.1, 1), random.between(0, 2 * pi), random.scale(0.1, 50), sight));
+    ASSERT_TRUE(
+        look(t, random.between(0.1, 1), random.between(0, 2 * pi), random.scale(0.1, 50), sight));
     ASSERT_EQ(sight.overlap, 0);
-    ASSERT_FALSE(t.may_see_beyond(sight.ex, sight.ey, sight.paraxial_tangent)) << sight.off_axis;
+    ASSERT_FALSE(t.may_see_beyond(sight.tx, sight.ty)) << sight.off_axis;
   }
 }
 

@@ -20,7 +20,7 @@ TEST(Channel, CountsItsProcessOrWhatPassesItsFilter) {
   EXPECT_FALSE(counts(test::channel_of("raman"), chlorophyll));
   EXPECT_TRUE(counts(test::channel_of("chlorophyll"), chlorophyll));
   EXPECT_TRUE(counts(test::filter(650, 10), raman));
-  EXPECT_TRUE(counts(test::filter(654, 10), raman));   // on its edge
+  EXPECT_TRUE(counts(test::filter(654, 10), raman));  // on its edge
   EXPECT_FALSE(counts(test::filter(654.1, 10), raman));
   EXPECT_FALSE(counts(test::filter(643.9, 10), raman));
   EXPECT_TRUE(counts(test::filter(667, 40), raman));
@@ -31,14 +31,17 @@ TEST(Channel, CountsItsProcessOrWhatPassesItsFilter) {
 TEST(BuildMedium, HasTheLinesThatChannelsCount) {
   const auto processes = [](const std::vector<scene::Channel>& channels) {
     std::vector<Process> out;
-    for (const Line& line : medium_of(scene_of({iop_layer()}, channels)).line) out.push_back(line.process);
+    for (const Line& line : medium_of(scene_of({iop_layer()}, channels)).line)
+      out.push_back(line.process);
     return out;
   };
   using P = std::vector<Process>;
   EXPECT_EQ(processes({test::channel_of("elastic")}), (P{Process::elastic}));
-  EXPECT_EQ(processes({test::channel_of("raman")}), (P{Process::elastic, Process::raman}));  // the laser's always
+  EXPECT_EQ(processes({test::channel_of("raman")}),
+            (P{Process::elastic, Process::raman}));  // the laser's always
   EXPECT_EQ(processes(all_channels), (P{Process::elastic, Process::raman, Process::chlorophyll}));
-  EXPECT_EQ(processes({test::filter(667, 40)}), (P{Process::elastic, Process::raman, Process::chlorophyll}));
+  EXPECT_EQ(processes({test::filter(667, 40)}),
+            (P{Process::elastic, Process::raman, Process::chlorophyll}));
   EXPECT_EQ(processes({test::filter(685, 10)}), (P{Process::elastic, Process::chlorophyll}));
   EXPECT_EQ(processes({test::filter(600, 10)}), (P{Process::elastic}));
 }
@@ -61,8 +64,9 @@ TEST(BuildMedium, GivesEachLineItsIndices) {
   for (const Line& line : medium_of(scene).line) EXPECT_EQ(line.group_index, 1.36);
 }
 
-// Photons that are emitted at another wavelength are taken out of the absorption: c = a + b with or without them, and what
-// becomes of a collision adds up to 1. Seen red: with b_R added to c; with the emitted photons absorbed as well.
+// Photons that are emitted at another wavelength are taken out of the absorption: c = a + b with or
+// without them, and what becomes of a collision adds up to 1. Seen red: with b_R added to c; with
+// the emitted photons absorbed as well.
 TEST(BuildMedium, TakesInelasticPhotonsOutOfTheAbsorption) {
   const auto without = medium_of(scene_of({iop_layer()}, {test::channel_of("elastic")}));
   const auto with = medium_of(scene_of({iop_layer()}, all_channels));
@@ -70,8 +74,10 @@ TEST(BuildMedium, TakesInelasticPhotonsOutOfTheAbsorption) {
   EXPECT_EQ(with.albedo[0], without.albedo[0]);
   EXPECT_GT(with.conversion[1], 0);
   EXPECT_GT(with.conversion[2], 0);
-  EXPECT_NEAR(with.absorption[0], without.absorption[0] - with.conversion[1] - with.conversion[2], 1e-15);
-  EXPECT_NEAR(with.absorption[0] + with.albedo[0] + with.conversion[1] + with.conversion[2], 1, 1e-15);
+  EXPECT_NEAR(with.absorption[0], without.absorption[0] - with.conversion[1] - with.conversion[2],
+              1e-15);
+  EXPECT_NEAR(with.absorption[0] + with.albedo[0] + with.conversion[1] + with.conversion[2], 1,
+              1e-15);
   for (std::size_t l = 1; l < 3; ++l) EXPECT_NEAR(with.absorption[l] + with.albedo[l], 1, 1e-15);
   EXPECT_EQ(with.conversion[0], 0);
 }
@@ -84,7 +90,8 @@ TEST(BuildMedium, ConvertsAsMuchAsTheCoefficientsSay) {
   const auto raman = optics::raman(library(), "bartlett", 532).lines.at(0);
   EXPECT_NEAR(m.conversion[1] * m.c[0], raman.coefficient_per_m, 1e-18);
   EXPECT_EQ(m.line[1].wavelength_nm, raman.wavelength_nm);
-  const auto chlorophyll = optics::chlorophyll_fluorescence(library(), 532, 0.0164, 0.01).lines.at(0);
+  const auto chlorophyll =
+      optics::chlorophyll_fluorescence(library(), 532, 0.0164, 0.01).lines.at(0);
   EXPECT_NEAR(m.conversion[2] * m.c[0], chlorophyll.coefficient_per_m, 1e-18);
 }
 
@@ -110,7 +117,8 @@ TEST(BuildMedium, PutsEveryLayerWhereItIs) {
   EXPECT_EQ(view.convertible[1 * 3 + 0], 1);
   EXPECT_EQ(m.conversion[2 * 3 + 1], 0);
   EXPECT_GT(m.conversion[2 * 3 + 2], 0);
-  EXPECT_NEAR(view.optical_depth<double>(0, 2, 25.0), 7.5 * m.c[0] + 12.5 * m.c[1] + 5 * m.c[2], 1e-12);
+  EXPECT_NEAR(view.optical_depth<double>(0, 2, 25.0), 7.5 * m.c[0] + 12.5 * m.c[1] + 5 * m.c[2],
+              1e-12);
 }
 
 // A bed where the last layer ends.

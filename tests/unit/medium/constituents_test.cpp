@@ -31,7 +31,8 @@ Parts parts_at(double nm, double chlorophyll) {
 
 // At both wavelengths. Seen red: without the CDOM; with the algae's scattering left out.
 TEST(Constituents, AddUp) {
-  const auto m = medium_of(scene_of({algae_layer(0.5, 0.03)}, {test::channel_of("elastic"), test::channel_of("raman")}));
+  const auto m = medium_of(
+      scene_of({algae_layer(0.5, 0.03)}, {test::channel_of("elastic"), test::channel_of("raman")}));
   for (std::size_t l = 0; l < 2; ++l) {
     const double nm = m.line[l].wavelength_nm;
     const Parts parts = parts_at(nm, 0.5);
@@ -50,7 +51,9 @@ TEST(Constituents, ScatterWithPhaseFunctionsWeightedByTheirScattering) {
   const optics::PhaseTable algae(optics::fournier_forand(1.10, 3.5835));
   const double b = parts.b_water + parts.algae.b_per_m;
   for (const double x : {0.0, 1e-6, 0.01, 0.5, 1.0, 2.0}) {
-    const double expected = (parts.b_water * water.view().value<double>(x) + parts.algae.b_per_m * algae.view().value<double>(x)) / b;
+    const double expected = (parts.b_water * water.view().value<double>(x) +
+                             parts.algae.b_per_m * algae.view().value<double>(x)) /
+                            b;
     EXPECT_NEAR(m.view().phases.value<double>(x, m.elastic_phase[0]) / expected, 1, 2e-5) << x;
   }
 }
@@ -59,7 +62,8 @@ TEST(Constituents, OfPureWaterScatterAsMolecules) {
   auto scene = scene_of({algae_layer(0)}, {test::channel_of("elastic")});
   const optics::PhaseTable molecules(optics::rayleigh(0.039));
   const auto m = medium_of(scene);
-  EXPECT_EQ(m.view().phases.value<double>(2.0, m.elastic_phase[0]), molecules.view().value<double>(2.0));
+  EXPECT_EQ(m.view().phases.value<double>(2.0, m.elastic_phase[0]),
+            molecules.view().value<double>(2.0));
   // The depolarisation shapes the function and leaves b alone.
   scene.optics.water_depolarisation = 0.17;
   const auto paper = medium_of(scene);
@@ -113,6 +117,8 @@ TEST(IopLayer, ScattersWithTheNamedPhaseFunction) {
   rayleigh.fraction = 0.3;
   auto mixture = function_of("mixture");
   mixture.components = {ff, rayleigh};
+  auto table = function_of("table");
+  table.file = PHOTIC_SOURCE_DIR "/data/particles_petzold_average.csv";
   for (const double x : {0.001, 0.3, 2.0}) {
     const double expected_ff = at(optics::fournier_forand(1.08, 3.4), x);
     const double expected_rayleigh = at(optics::rayleigh(0.09), x);
@@ -121,6 +127,7 @@ TEST(IopLayer, ScattersWithTheNamedPhaseFunction) {
     EXPECT_EQ(value_of(rayleigh, x), expected_rayleigh);
     EXPECT_EQ(value_of(function_of("isotropic"), x), at(optics::isotropic(), x));
     EXPECT_EQ(value_of(function_of("petzold"), x), at(optics::petzold(library()), x));
+    EXPECT_EQ(value_of(table, x), at(optics::petzold(library()), x));
     EXPECT_NEAR(value_of(mixture, x) / (0.7 * expected_ff + 0.3 * expected_rayleigh), 1, 2e-5);
   }
 }

@@ -6,7 +6,8 @@ namespace {
 
 double b_of(const Medium& m, std::size_t i) { return m.albedo[i] * m.c[i]; }
 
-// At 532 nm, 0.32 of the way from 500 to 600. Seen red: with the weights of the two entries swapped; with b for a in c.
+// At 532 nm, 0.32 of the way from 500 to 600. Seen red: with the weights of the two entries
+// swapped; with b for a in c.
 TEST(IopLayer, IsInterpolatedLinearly) {
   const auto m = medium_of(scene_of({iop_layer()}, {test::channel_of("elastic")}));
   EXPECT_NEAR(m.c[0], 0.05 + 0.32 * 0.10 + 0.20 - 0.32 * 0.10, 1e-15);
@@ -15,7 +16,8 @@ TEST(IopLayer, IsInterpolatedLinearly) {
 }
 
 TEST(IopLayer, IsExactAtItsEntries) {
-  for (const auto& [nm, a, b] : {std::tuple{500.0, 0.05, 0.20}, {600.0, 0.15, 0.10}, {700.0, 0.65, 0.08}}) {
+  for (const auto& [nm, a, b] :
+       {std::tuple{500.0, 0.05, 0.20}, {600.0, 0.15, 0.10}, {700.0, 0.65, 0.08}}) {
     auto scene = scene_of({iop_layer()}, {test::channel_of("elastic")});
     scene.source.wavelength_nm = nm;
     const auto m = medium_of(scene);
@@ -24,7 +26,8 @@ TEST(IopLayer, IsExactAtItsEntries) {
   }
 }
 
-// Attenuation on the way back is that of the emitted wavelength: Raman light of 532 nm has 648.79 nm.
+// Attenuation on the way back is that of the emitted wavelength: Raman light of 532 nm has 648.79
+// nm.
 TEST(IopLayer, IsTakenAtTheEmittedWavelengthToo) {
   const auto m = medium_of(scene_of({iop_layer()}, all_channels));
   ASSERT_EQ(m.line.size(), 3U);
@@ -70,7 +73,8 @@ TEST(IopLayer, IsRefusedOutsideItsWavelengths) {
   EXPECT_EQ(refusal(scene), "nothing was refused");
   scene.channel = all_channels;
   EXPECT_EQ(refusal(scene),
-            "layer \"the only layer\" has no optical properties at 648.79 nm, which a channel needs (add an entry to its "
+            "layer \"the only layer\" has no optical properties at 648.79 nm, which a channel "
+            "needs (add an entry to its "
             "iop that covers this wavelength, or leave the channel out)");
   scene = scene_of({iop_layer()}, {test::channel_of("elastic")});
   for (const double nm : {499.9, 700.1}) {
@@ -79,14 +83,16 @@ TEST(IopLayer, IsRefusedOutsideItsWavelengths) {
   }
 }
 
-// Chlorophyll fluorescence is excited by the share of a that the layer names: yield x a_ph / c. Seen red: with all of a.
+// Chlorophyll fluorescence is excited by the share of a that the layer names: yield x a_ph / c.
+// Seen red: with all of a.
 TEST(IopLayer, FluorescesByItsNamedShareOfA) {
   auto layer = iop_layer();
   layer.chlorophyll_yield = 0.02;
   const auto m = medium_of(scene_of({layer}, all_channels));
   EXPECT_NEAR(m.conversion[2], 0.02 * (0.01 + 0.32 * 0.02) / m.c[0], 1e-15);
   layer.iop = {{500, 0.05, 0.20, 0}, {700, 0.65, 0.08, 0}};
-  EXPECT_EQ(medium_of(scene_of({layer}, all_channels)).line.size(), 2U);  // no fluorescence, no line
+  EXPECT_EQ(medium_of(scene_of({layer}, all_channels)).line.size(),
+            2U);  // no fluorescence, no line
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(Medium, KeepsEqualPhaseFunctionsOnce) {
   }
 }
 
-// Seen red: with c of the other line; without the part above the layer.
+// Seen red: with the rows of the lines one value short; without the part above the layer.
 TEST(Medium, AddsUpOpticalDepths) {
   auto m = two_layers();
   m.finish();
@@ -57,6 +57,36 @@ TEST(Medium, AddsUpOpticalDepths) {
   EXPECT_EQ(v.lines, 2);
   EXPECT_EQ(v.index[1], 1.33);
   EXPECT_EQ(v.group_index[1], 1.35);
+}
+
+// Seen red: with the length along the way left out between layers; with c for the walk's
+// coefficient.
+TEST(Medium, AddsUpOpticalDepthsOfSlantedWays) {
+  auto m = two_layers();
+  m.finish();
+  const auto v = m.view();
+  EXPECT_NEAR(v.slant_optical_depth<double>(0, 0, 4.0, 0, 7.0, 5.0), 1.0, 1e-15);
+  EXPECT_NEAR(v.slant_optical_depth<double>(0, 0, 4.0, 0, 4.0, 5.0), 1.0, 1e-15);  // level
+  EXPECT_NEAR(v.slant_optical_depth<double>(0, 0, 4.0, 1, 12.0, 16.0), 2 * (6 * 0.2 + 2 * 0.5),
+              1e-14);
+  EXPECT_NEAR(v.slant_optical_depth<double>(0, 1, 12.0, 0, 4.0, 16.0), 2 * (6 * 0.2 + 2 * 0.5),
+              1e-14);
+  EXPECT_NEAR(v.walk_slant_optical_depth<double>(0, 0, 4.0, 1, 12.0, 16.0), 2 * (6 * 0.1 + 2 * 0.3),
+              1e-14);
+}
+
+// Free paths are drawn from scattering alone, but from no less than a fifth of c. Seen red: without
+// that limit.
+TEST(Medium, WalksByScatteringAlone) {
+  auto m = two_layers();
+  m.albedo = {0.5, 0.6, 0.3, 0.01};
+  m.finish();
+  const auto v = m.view();
+  EXPECT_NEAR(v.walk_c[0], 0.1, 1e-16);
+  EXPECT_NEAR(v.walk_c[1], 0.3, 1e-16);
+  EXPECT_NEAR(v.walk_c[2], 0.21, 1e-16);
+  EXPECT_NEAR(v.walk_c[3], 0.18, 1e-16);
+  EXPECT_NEAR(v.walk_optical_depth<double>(0, 1, 12.0), 10 * 0.1 + 2 * 0.3, 1e-15);
 }
 
 TEST(Medium, ListsWhatCanBeEmittedByLayer) {

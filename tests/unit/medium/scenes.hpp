@@ -33,14 +33,15 @@ inline scene::Layer iop_layer(const std::string& name = "top") {
 }
 
 /// A scene of these layers and channels.
-inline scene::Scene scene_of(std::vector<scene::Layer> layers, std::vector<scene::Channel> channels) {
+inline scene::Scene scene_of(std::vector<scene::Layer> layers,
+                             std::vector<scene::Channel> channels) {
   scene::Scene scene = test::ship_scene();
   scene.sea.layer = std::move(layers);
   scene.channel = std::move(channels);
   return scene;
 }
 
-inline const std::vector<scene::Channel> all_channels{test::channel_of("elastic"), test::channel_of("raman"),
-                                                      test::channel_of("chlorophyll")};
+inline const std::vector<scene::Channel> all_channels{
+    test::channel_of("elastic"), test::channel_of("raman"), test::channel_of("chlorophyll")};
 
 }  // namespace photic::medium

@@ -9,18 +9,22 @@
 namespace photic::tally {
 namespace {
 
-double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
-// [telescope][channel][gate], then order, process or depth. Seen red: with orders counted from 0; with the depth's cell rounded.
+// [telescope][channel][gate], then order, process or depth. Seen red: with orders counted from 0;
+// with the depth's cell rounded.
 TEST(BatchTally, PutsAScoreIntoItsCells) {
   Tallies t;
-  t.batch.score({1, 0, 2, 7.0, t.path_in(3), 0.25});
+  t.batch.score({1, 0, 2, 9.0, t.path_in(3), 0.25});
   const std::size_t cell = (1 * 3 + 0) * 4 + 3;
   EXPECT_EQ(t.batch.by_order[cell * 3 + 1], 0.25);
   EXPECT_EQ(t.batch.by_process[cell * 3 + 0], 0.25);
   EXPECT_EQ(t.batch.by_depth[cell * 4 + 1], 0.25);
   EXPECT_EQ(t.batch.largest[cell], 0.25);
-  for (const auto* table : {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth}) EXPECT_EQ(sum(*table), 0.25);
+  for (const auto* table : {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth})
+    EXPECT_EQ(sum(*table), 0.25);
   EXPECT_EQ(sum(t.batch.cut_order), 0);
 }
 
@@ -71,7 +75,8 @@ TEST(BatchTally, CountsWhatIsNotANumber) {
   EXPECT_EQ(sum(t.batch.by_order), 0);
 }
 
-// Beyond max_order a score is only booked as cut off. Seen red: with the cut score in the echo too; with max_order itself cut.
+// Beyond max_order a score is only booked as cut off. Seen red: with the cut score in the echo too;
+// with max_order itself cut.
 TEST(BatchTally, BooksWhatMaxOrderCutsOffApart) {
   Tallies t(2);
   t.score(1, 0.5, 2);
@@ -91,7 +96,8 @@ TEST(BatchTally, CountsScoresByOctave) {
   EXPECT_EQ(score_octave(0.75), 127);
   EXPECT_EQ(score_octave(0.5), 127);
   EXPECT_EQ(score_octave(0.499), 126);
-  EXPECT_EQ(score_octave(1.0), 127);  // no score is above 1 by more than its solid angle allows; the top one takes all
+  EXPECT_EQ(score_octave(1.0),
+            127);  // no score is above 1 by more than its solid angle allows; the top one takes all
   EXPECT_EQ(score_octave(1e300), 127);
   EXPECT_EQ(score_octave(std::ldexp(1.0, -128)), 0);
   EXPECT_EQ(score_octave(1e-300), 0);
@@ -106,8 +112,8 @@ TEST(BatchTally, IsAsNewWhenCleared) {
   t.batch.ledger.absorbed = 1;
   t.batch.photons = t.batch.collisions = t.batch.too_many_events = t.batch.not_finite = 5;
   t.batch.clear();
-  for (const auto* table :
-       {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth, &t.batch.cut_order, &t.batch.largest}) {
+  for (const auto* table : {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth,
+                            &t.batch.cut_order, &t.batch.largest}) {
     EXPECT_EQ(sum(*table), 0);
   }
   for (const auto& cell : t.batch.octaves) {
@@ -115,7 +121,8 @@ TEST(BatchTally, IsAsNewWhenCleared) {
   }
   EXPECT_TRUE(t.batch.touched_cells.empty() && t.batch.touched_depths.empty());
   EXPECT_EQ(t.batch.ledger.absorbed, 0);
-  EXPECT_EQ(t.batch.photons + t.batch.collisions + t.batch.too_many_events + t.batch.not_finite, 0U);
+  EXPECT_EQ(t.batch.photons + t.batch.collisions + t.batch.too_many_events + t.batch.not_finite,
+            0U);
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ scene::Scene with_depth_gates(double min, double max, double step) {
   return scene;
 }
 
-// t = 2 H / c0 + 2 n_g z / c0. Seen red: with the phase for the group index; with the way out counted twice.
+// t = 2 H / c0 + 2 n_g z / c0. Seen red: with the phase for the group index; with the way out
+// counted twice.
 TEST(DepthGates, AreTimesToTheDepthAndBack) {
   const Gates gates(test::ship_scene(), lines());
   ASSERT_EQ(gates.count(), 100);
@@ -40,7 +41,8 @@ TEST(DepthGates, CountTheHeightsOfSourceAndTelescopeApart) {
 }
 
 TEST(DepthGates, HaveTheirBoundsAsAsked) {
-  for (const auto& [min, max, step] : {std::tuple{0.0, 50.0, 0.5}, {0.0, 50.2, 0.5}, {-3.0, 7.0, 0.1}, {5.0, 6.0, 3.0}}) {
+  for (const auto& [min, max, step] :
+       {std::tuple{0.0, 50.0, 0.5}, {0.0, 50.2, 0.5}, {-3.0, 7.0, 0.1}, {5.0, 6.0, 3.0}}) {
     const Gates gates(with_depth_gates(min, max, step), lines());
     EXPECT_EQ(gates.count(), std::lround(std::ceil((max - min) / step - 1e-6)));
     EXPECT_NEAR(gates.depth(gates.edge_path(0), lines()[0]), min, 1e-12);
@@ -48,7 +50,8 @@ TEST(DepthGates, HaveTheirBoundsAsAsked) {
   }
 }
 
-// Raman light of the same time comes from deeper: (n_L + n_R) z_R = 2 n_L z. Seen red: with the laser's group index both ways.
+// Raman light of the same time comes from deeper: (n_L + n_R) z_R = 2 n_L z. Seen red: with the
+// laser's group index both ways.
 TEST(DepthGates, AreDeeperForLightThatReturnsFaster) {
   const Gates gates(test::ship_scene(), lines());
   const double path = gates.last_path();
@@ -68,14 +71,16 @@ TEST(DepthGates, LieInTheAirWhereNegative) {
   EXPECT_NEAR(gates.edge_path(6), 24 + 2 * 1.3638, 1e-12);
 }
 
-// Whatever the gates, a path lies in the one gate between whose edges it is. Seen red: with find() counting from gate 1.
+// Whatever the gates, a path lies in the one gate between whose edges it is. Seen red: with find()
+// counting from gate 1.
 void finds_what_lies_between_edges(const Gates& gates) {
   test::Random random(1);
   for (std::int32_t gate = 0; gate < gates.count(); ++gate) {
     const double from = gates.edge_path(gate);
     const double to = gates.edge_path(gate + 1);
     ASSERT_LT(from, to);
-    for (int i = 0; i < 20; ++i) ASSERT_EQ(gates.find(random.between(from + 1e-9, to - 1e-9)), gate);
+    for (int i = 0; i < 20; ++i)
+      ASSERT_EQ(gates.find(random.between(from + 1e-9, to - 1e-9)), gate);
   }
   EXPECT_EQ(gates.find(gates.edge_path(0) - 1e-9), -1);
   EXPECT_EQ(gates.find(gates.last_path() + 1e-9), -1);
@@ -115,7 +120,8 @@ TEST(TimeGates, AreTimes) {
 TEST(DepthGates, TallyTheLastScatteringOnTheirOwnGrid) {
   const auto edges = Gates(with_depth_gates(-5, 20, 0.5), lines()).depth_edges();
   ASSERT_EQ(edges.size(), 51U);
-  for (std::size_t i = 0; i < edges.size(); ++i) EXPECT_NEAR(edges[i], -5 + 0.5 * static_cast<double>(i), 1e-12);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    EXPECT_NEAR(edges[i], -5 + 0.5 * static_cast<double>(i), 1e-12);
 }
 
 }  // namespace

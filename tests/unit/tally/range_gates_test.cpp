@@ -19,7 +19,8 @@ scene::Scene with_range_gates(const Vec3<double>& position, const Vec3<double>& 
   return scene;
 }
 
-// Seen red: with the group index from the lens on; with the height for the slant way to the surface.
+// Seen red: with the group index from the lens on; with the height for the slant way to the
+// surface.
 TEST(RangeGates, OfATiltedLidarFollowItsRefractedAxis) {
   const double tilt = 30 * radian_per_degree;
   const Gates gates(with_range_gates({0, 0, 12}, {std::sin(tilt), 0, -std::cos(tilt)}), lines());
@@ -35,8 +36,8 @@ TEST(RangeGates, OfATiltedLidarFollowItsRefractedAxis) {
               in_air + (50 - in_air) * 2 * group / (group + 1.3541), 1e-10);
 }
 
-// The grid of the last scattering's depth: vertical, through Snell's law. Seen red: with the range for the depth; with the
-// angle in air below the surface.
+// The grid of the last scattering's depth: vertical, through Snell's law. Seen red: with the range
+// for the depth; with the angle in air below the surface.
 TEST(RangeGates, OfATiltedLidarCoverTheDepthsItLooksAt) {
   const double tilt = 30 * radian_per_degree;
   const Gates gates(with_range_gates({0, 0, 12}, {std::sin(tilt), 0, -std::cos(tilt)}), lines());
@@ -49,7 +50,8 @@ TEST(RangeGates, OfATiltedLidarCoverTheDepthsItLooksAt) {
 
 TEST(RangeGates, OfASubmergedLidarLookingDownAreInWaterFromTheLensOn) {
   const Gates gates(with_range_gates({0, 0, -5}, {0, 0, -1}), lines());
-  for (const std::int32_t range : {0, 1, 50, 100}) EXPECT_NEAR(gates.edge_path(range), 2 * group * range, 1e-10);
+  for (const std::int32_t range : {0, 1, 50, 100})
+    EXPECT_NEAR(gates.edge_path(range), 2 * group * range, 1e-10);
   EXPECT_NEAR(gates.depth_edges().front(), 5, 1e-12);
   EXPECT_NEAR(gates.depth_edges().back(), 105, 1e-12);
 }
@@ -72,8 +74,8 @@ TEST(RangeGates, OfASubmergedLidarLookingSidewaysNeverReachTheSurface) {
   EXPECT_GT(edges.back(), 50);
 }
 
-// A source ahead of the telescope has a shorter way, in its own medium. Seen red: with the sign of the offset turned; without the
-// group index in the water.
+// A source ahead of the telescope has a shorter way, in its own medium. Seen red: with the sign of
+// the offset turned; without the group index in the water.
 TEST(RangeGates, KnowASourceAheadOfTheTelescope) {
   auto scene = with_range_gates({0, 0, 12}, {0, 0, -1});
   const double together = Gates(scene, lines()).edge_path(60);
@@ -85,7 +87,8 @@ TEST(RangeGates, KnowASourceAheadOfTheTelescope) {
   auto submerged = with_range_gates({0, 0, -5}, {1, 0, -1});
   const double at_lens = Gates(submerged, lines()).edge_path(10);
   submerged.source.position_m = {0.2, 0, -5.2};
-  EXPECT_NEAR(Gates(submerged, lines()).edge_path(10), at_lens - group * 0.2 * std::sqrt(2.0), 1e-10);
+  EXPECT_NEAR(Gates(submerged, lines()).edge_path(10), at_lens - group * 0.2 * std::sqrt(2.0),
+              1e-10);
 }
 
 }  // namespace

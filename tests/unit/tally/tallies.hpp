@@ -9,7 +9,8 @@
 
 namespace photic::tally {
 
-/// Two telescopes; channel 0 counts line 0, channel 1 line 1, channel 2 lines 1 and 2; four gates of 5 m; three orders kept.
+/// Two telescopes; channel 0 counts line 0, channel 1 line 1, channel 2 lines 1 and 2; four gates
+/// of 5 m; three orders kept.
 struct Tallies {
   explicit Tallies(std::int32_t max_order = 0)
       : shape(make_shape(max_order)), gates(scene(), lines()), batch(shape, gates), totals(shape) {}
@@ -44,7 +45,8 @@ struct Tallies {
   }
 
   /// Light of line 0 and order 1 in a gate of telescope 0.
-  void score(std::int32_t gate, double value, std::int32_t order = 1, std::int32_t line = 0, std::size_t telescope = 0) {
+  void score(std::int32_t gate, double value, std::int32_t order = 1, std::int32_t line = 0,
+             std::size_t telescope = 0) {
     batch.score({telescope, line, order, 5.0 * gate + 2.5, path_in(gate), value});
   }
 

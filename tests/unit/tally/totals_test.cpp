@@ -45,9 +45,11 @@ std::vector<Sample> random_batches(std::size_t count, std::uint64_t last_photons
   return batches;
 }
 
-// Seen red: with the number of batches for one less; with the batches' sum of squares not divided by their photons.
+// Seen red: with the number of batches for one less; with the batches' sum of squares not divided
+// by their photons.
 TEST(Totals, HaveTheMeansAndErrorsOfTheirBatches) {
-  for (const std::uint64_t last : {std::uint64_t{2000}, std::uint64_t{2000}, std::uint64_t{137}, std::uint64_t{1}}) {
+  for (const std::uint64_t last :
+       {std::uint64_t{2000}, std::uint64_t{2000}, std::uint64_t{137}, std::uint64_t{1}}) {
     const auto batches = random_batches(57, last);
     Tallies t;
     for (const Sample& b : batches) {
@@ -62,7 +64,8 @@ TEST(Totals, HaveTheMeansAndErrorsOfTheirBatches) {
   }
 }
 
-// 1, 2, 3, 4, 5 per thousand photons: mean 3e-3, deviation sqrt(2.5) 1e-3, error of the mean sqrt(0.5) 1e-3.
+// 1, 2, 3, 4, 5 per thousand photons: mean 3e-3, deviation sqrt(2.5) 1e-3, error of the mean
+// sqrt(0.5) 1e-3.
 TEST(Totals, AreThoseOfAnExampleByHand) {
   Tallies t;
   for (const double score : {1, 2, 3, 4, 5}) {
@@ -82,7 +85,7 @@ TEST(Totals, OfOneBatchKnowNoError) {
   EXPECT_NE(t.totals.health(0).flags & few_batches, 0);
 }
 
-// A batch that scored nothing counts like any other. Seen red: with only scoring batches counted.
+// A batch that scored nothing counts like any other.
 TEST(Totals, CountBatchesWithoutAScore) {
   Tallies t;
   for (int k = 0; k < 10; ++k) {
@@ -91,7 +94,8 @@ TEST(Totals, CountBatchesWithoutAScore) {
   }
   const Result r = t.result();
   EXPECT_NEAR(r.echo.mean[1], 1e-3, 1e-17);
-  EXPECT_NEAR(r.echo.standard_error[1], 1e-3 / 3, 1e-16);  // deviation 1e-3 sqrt(10 / 9), over sqrt(10)
+  EXPECT_NEAR(r.echo.standard_error[1], 1e-3 / 3,
+              1e-16);  // deviation 1e-3 sqrt(10 / 9), over sqrt(10)
 }
 
 /// Fills every cell with something, a different thing in each batch.
@@ -99,8 +103,10 @@ void fill_at_random(Tallies& t, int batches) {
   test::Random random(12);
   for (int b = 0; b < batches; ++b) {
     for (int k = 0; k < 200; ++k) {
-      t.batch.score({static_cast<std::size_t>(random.below(2)), random.below(3), 1 + random.below(5), random.between(0, 20),
-                     random.between(t.gates.edge_path(0), t.gates.last_path()), random.scale(1e-6, 1e-3)});
+      t.batch.score({static_cast<std::size_t>(random.below(2)), random.below(3),
+                     1 + random.below(5), random.between(0, 20),
+                     random.between(t.gates.edge_path(0), t.gates.last_path()),
+                     random.scale(1e-6, 1e-3)});
     }
     t.end_batch(1000);
   }
@@ -127,7 +133,9 @@ TEST(Totals, SplitTheEchoByOrderAndByProcess) {
       EXPECT_NEAR(processes / echo, 1, 1e-12);
       EXPECT_NEAR(depths / echo, 1, 1e-12);
       // Channel 0 sees line 0 alone, channel 1 line 1, channel 2 lines 1 and 2.
-      const auto process = [&](std::size_t k) { return r.echo_by_process.mean[(tc * 3 + k) * 4 + g]; };
+      const auto process = [&](std::size_t k) {
+        return r.echo_by_process.mean[(tc * 3 + k) * 4 + g];
+      };
       EXPECT_EQ(process(0) > 0, tc % 3 == 0);
       EXPECT_EQ(process(1) > 0, tc % 3 > 0);
       EXPECT_EQ(process(2) > 0, tc % 3 == 2);
@@ -152,7 +160,8 @@ TEST(Totals, PutASingleScoreWhereItBelongs) {
   only(r.echo_by_depth.mean, {((1 * 3 + 1) * 4 + 3) * 4 + 2, ((1 * 3 + 2) * 4 + 3) * 4 + 2});
 }
 
-// The same batches in the same order give the same bits, from one tally used again as from a fresh one each.
+// The same batches in the same order give the same bits, from one tally used again as from a fresh
+// one each.
 TEST(Totals, AreTheSameBitsForTheSameBatches) {
   Tallies once, again;
   fill_at_random(once, 40);
@@ -176,7 +185,8 @@ TEST(Totals, DependOnTheOrderOfBatchesByRoundingOnly) {
     backward.end_batch(2000);
   }
   EXPECT_NEAR(forward.result().echo.mean[0] / backward.result().echo.mean[0], 1, 1e-14);
-  EXPECT_NEAR(forward.result().echo.standard_error[0] / backward.result().echo.standard_error[0], 1, 1e-10);
+  EXPECT_NEAR(forward.result().echo.standard_error[0] / backward.result().echo.standard_error[0], 1,
+              1e-10);
 }
 
 TEST(Totals, ShareTheLedgerAmongThePhotons) {

@@ -26,8 +26,9 @@ std::vector<double> mean_weights(const medium::Medium& sea, std::int32_t line, s
   return mean;
 }
 
-// Scattering keeps b / c of the weight, each line gets its share of it. Seen red: with the scattered weight not divided by the
-// probability left for it; with the lines' number left out; with the conversion of line 0 for that of the line.
+// Scattering keeps b / c of the weight, each line gets its share of it. Seen red: with the
+// scattered weight not divided by the probability left for it; with the lines' number left out;
+// with the conversion of line 0 for that of the line.
 TEST(Collide, GivesEveryBranchItsShareInTheMean) {
   const auto sea = make_sea(40);
   const double expected[3][3] = {{0.6, 1e-3, 0}, {0.8, 2e-3, 5e-3}, {0.7, 0, 0}};
@@ -72,7 +73,8 @@ TEST(Collide, TellsWhereTheLightGoesFromThere) {
   EXPECT_EQ(converted.analog_weight, 1);  // else roulette would take what conversion is about
 }
 
-// Seen red: with the survivors' weight left alone; with roulette by the weight instead of the analog weight.
+// Seen red: with the survivors' weight left alone; with roulette by the weight instead of the
+// analog weight.
 TEST(Roulette, KeepsTheMeanWeight) {
   for (const double analog : {1e-4, 2.5e-4, 9e-4}) {
     double mean = 0;

@@ -31,27 +31,32 @@ Photon<double> photon_at(const medium::Medium& sea, const V& position, std::int3
   return photon;
 }
 
-Connection<double> connect(const medium::Medium& sea, const scene::Telescope& scene, const V& from, std::int32_t line,
-                           bool mirrored) {
-  return connect_in_water(sea.view(), instrument::make_telescope<double>(scene), sea.layer_at(-scene.position_m.z),
-                          photon_at(sea, from, line), line, mirrored);
+Connection<double> connect(const medium::Medium& sea, const scene::Telescope& scene, const V& from,
+                           std::int32_t line, bool mirrored) {
+  return connect_in_water(sea.view(), instrument::make_telescope<double>(scene),
+                          sea.layer_at(-scene.position_m.z), photon_at(sea, from, line), line,
+                          mirrored);
 }
 
-V random_place(Random& random) { return {random.between(-10, 10), random.between(-10, 10), -random.between(0.01, 30)}; }
+V random_place(Random& random) {
+  return {random.between(-10, 10), random.between(-10, 10), -random.between(0.01, 30)};
+}
 
 /// Area of the open lens over distance squared, tilted: what the solid angle is from afar.
 double far_solid_angle(double distance, double cosine) {
   return pi * (0.1 * 0.1 - 0.025 * 0.025) * cosine / (distance * distance);
 }
 
-// Seen red: with the optical depth of the photon's own layer all the way; with the phase for the group index.
+// Seen red: with the optical depth of the photon's own layer all the way; with the phase for the
+// group index.
 TEST(ConnectInWater, DirectlyIsTheStraightLine) {
   Random random(51);
   const auto sea = make_sea(40);
   int seen = 0;
   for (int i = 0; i < 20000; ++i) {
     const V from = random_place(random);
-    const V at = i % 10 == 0 ? V{random.between(-10, 10), 3, from.z} : random_place(random);  // some level
+    const V at =
+        i % 10 == 0 ? V{random.between(-10, 10), 3, from.z} : random_place(random);  // some level
     const V straight = normalised(at - from);
     const auto scene = submerged(at, normalised(0.5 * random.direction() - straight));
     const std::int32_t line = random.below(3);
@@ -60,19 +65,23 @@ TEST(ConnectInWater, DirectlyIsTheStraightLine) {
     ++seen;
     const double distance = length(at - from);
     ASSERT_LT(length(way.direction - straight), 1e-14);
-    ASSERT_NEAR(way.path, distance * sea.line[static_cast<std::size_t>(line)].group_index, 1e-12 * way.path);
-    ASSERT_NEAR(way.optical_depth, optical_depth_between(sea, line, from, at), 1e-9 * way.optical_depth);
+    ASSERT_NEAR(way.path, distance * sea.line[static_cast<std::size_t>(line)].group_index,
+                1e-12 * way.path);
+    ASSERT_NEAR(way.optical_depth, optical_depth_between(sea, line, from, at),
+                1e-9 * way.optical_depth);
     const double cosine = -dot(straight, scene.direction);
-    const double eta =
-        instrument::make_telescope<double>(scene).overlap(distance * cosine, std::tan(std::acos(cosine)));
+    const double eta = instrument::make_telescope<double>(scene).overlap(
+        distance * cosine, std::tan(std::acos(cosine)));
     if (distance < 1) continue;  // nearer see LensSolidAngle
-    ASSERT_NEAR(way.acceptance / (far_solid_angle(distance, cosine) * eta), 1, distance > 10 ? 1e-4 : 0.02);
+    ASSERT_NEAR(way.acceptance / (far_solid_angle(distance, cosine) * eta), 1,
+                distance > 10 ? 1e-4 : 0.02);
   }
   EXPECT_GT(seen, 5000);
 }
 
-// The mirrored way ends, unfolded, in the lens' mirror image above the surface. Seen red: with the mirror image's sign lost;
-// with the optical depths subtracted; with the arriving ray not mirrored; without Fresnel's reflectance.
+// The mirrored way ends, unfolded, in the lens' mirror image above the surface. Seen red: with the
+// mirror image's sign lost; with the optical depths subtracted; with the arriving ray not mirrored;
+// without Fresnel's reflectance.
 TEST(ConnectInWater, MirroredIsTheStraightLineToTheMirrorImage) {
   Random random(52);
   const auto sea = make_sea(40);
@@ -93,17 +102,20 @@ TEST(ConnectInWater, MirroredIsTheStraightLineToTheMirrorImage) {
     ASSERT_LT(length(way.direction - straight), 1e-14);
     ASSERT_NEAR(way.path, distance * light.group_index, 1e-12 * way.path);
     ASSERT_NEAR(way.optical_depth,
-                optical_depth_between(sea, line, from, surface) + optical_depth_between(sea, line, surface, at),
+                optical_depth_between(sea, line, from, surface) +
+                    optical_depth_between(sea, line, surface, at),
                 1e-9 * way.optical_depth);
     const double cosine = -dot(arriving, scene.direction);
-    const double eta =
-        instrument::make_telescope<double>(scene).overlap(distance * cosine, std::tan(std::acos(cosine)));
+    const double eta = instrument::make_telescope<double>(scene).overlap(
+        distance * cosine, std::tan(std::acos(cosine)));
     const double critical = std::asin(1 / light.refractive_index);
     const bool beyond = std::acos(straight.z) > critical;
-    const double reflectance = beyond ? 1 : optics::refract(light.refractive_index, 1.0, straight.z).reflectance;
+    const double reflectance =
+        beyond ? 1 : optics::refract(light.refractive_index, 1.0, straight.z).reflectance;
     (beyond ? total : partial) += 1;
     if (distance < 1) continue;
-    ASSERT_NEAR(way.acceptance / (far_solid_angle(distance, cosine) * eta * reflectance), 1, distance > 10 ? 1e-4 : 0.02);
+    ASSERT_NEAR(way.acceptance / (far_solid_angle(distance, cosine) * eta * reflectance), 1,
+                distance > 10 ? 1e-4 : 0.02);
   }
   EXPECT_GT(total, 1000);
   EXPECT_GT(partial, 1000);
@@ -141,6 +153,7 @@ TEST(ConnectInWater, FromTheLensItselfSeesNothing) {
   EXPECT_EQ(way.acceptance, 0);
 }
 
+// Seen red: with the far formula from 5 radii on.
 TEST(LensSolidAngle, NearTheLensIsThatOfTheOpenRing) {
   const auto t = instrument::make_telescope<double>(submerged({0, 0, -3}, {0, 0, -1}));
   const auto cap = [](double r, double h) { return 2 * pi * (1 - h / std::hypot(h, r)); };
@@ -150,7 +163,7 @@ TEST(LensSolidAngle, NearTheLensIsThatOfTheOpenRing) {
   EXPECT_NEAR(lens_solid_angle(t, 20.0, 0.7) / far_solid_angle(20, 0.7), 1, 1e-15);
 }
 
-// At a hundred radii the two formulas differ by less than the promised 1e-4. Seen red: with the far formula from 5 radii on.
+// At a hundred radii the two formulas differ by less than the promised 1e-4.
 TEST(LensSolidAngle, HasNoStepAtTheFarFormula) {
   const auto t = instrument::make_telescope<double>(submerged({0, 0, -3}, {0, 0, -1}));
   for (const double cosine : {1.0, 0.7, 0.1}) {

@@ -37,7 +37,8 @@ scene::Telescope wide_telescope(const V& position, const V& direction) {
 }
 
 /// The share of light that crosses the surface, told by light on its way down.
-double transmittance_downward(const medium::Medium& sea, std::int32_t line, const V& rising_in_air) {
+double transmittance_downward(const medium::Medium& sea, std::int32_t line,
+                              const V& rising_in_air) {
   Photon<double> photon;
   photon.line = line;
   photon.position = {0, 0, 1};
@@ -46,22 +47,26 @@ double transmittance_downward(const medium::Medium& sea, std::int32_t line, cons
   return photon.weight;
 }
 
-// The light leaves the point in the way's direction, is refracted by Snell's law and must arrive at the lens; what the way
-// says of it must hold. The transmittance is that of light going the other way (reciprocity). Seen red: without n^2; with
-// the phase for the group index; with the elastic line's c, n for the emitted line's; with the optical depth straight up;
-// with the area of the lens' obstruction added; without Fresnel's losses.
+// The light leaves the point in the way's direction, is refracted by Snell's law and must arrive at
+// the lens; what the way says of it must hold. The transmittance is that of light going the other
+// way (reciprocity). Seen red: without n^2; with the phase for the group index; with the c or the n
+// of the photon's line for the emitted line's; with the optical depth straight up; with the area of
+// the lens' obstruction added; without the cosine off the axis; without Fresnel's losses.
 TEST(ConnectThroughSurface, IsTheWayOfALightRay) {
   Random random(41);
   const auto sea = make_sea(60);
   int seen = 0;
   for (int i = 0; i < 5000; ++i) {
     const double tilt = random.between(0, 50) * radian_per_degree;
-    const auto scene = wide_telescope({random.between(-3, 3), random.between(-3, 3), random.scale(1, 100)},
-                                      {std::sin(tilt), 0, -std::cos(tilt)});
+    const auto scene =
+        wide_telescope({random.between(-3, 3), random.between(-3, 3), random.scale(1, 100)},
+                       {std::sin(tilt), 0, -std::cos(tilt)});
     const auto telescope = instrument::make_telescope<double>(scene);
     const double spread = 1.5 * scene.position_m.z;
     const auto photon = photon_at(
-        sea, {random.between(-spread, spread), random.between(-spread, spread), -random.scale(0.01, 50)}, random.below(3));
+        sea,
+        {random.between(-spread, spread), random.between(-spread, spread), -random.scale(0.01, 50)},
+        random.below(3));
     const std::int32_t line = random.below(3);
     const auto way = connect_through_surface(sea.view(), telescope, photon, line, false);
     if (!(way.acceptance > 0)) continue;
@@ -77,16 +82,20 @@ TEST(ConnectThroughSurface, IsTheWayOfALightRay) {
     const double in_air = scene.position_m.z / air.z;
     ASSERT_LT(length(surface + in_air * air - scene.position_m), 1e-9 * (in_air + in_water));
     ASSERT_NEAR(way.path, in_air + in_water * light.group_index, 1e-9 * way.path);
-    ASSERT_NEAR(way.optical_depth, optical_depth_between(sea, line, photon.position, {surface.x, surface.y, 0}),
+    ASSERT_NEAR(way.optical_depth,
+                optical_depth_between(sea, line, photon.position, {surface.x, surface.y, 0}),
                 1e-9 * way.optical_depth);
 
     const double cos_off_axis = -dot(air, normalised(scene.direction));
     const double apparent = in_air + in_water / n;
-    const double eta = telescope.overlap(apparent * cos_off_axis, std::tan(std::acos(cos_off_axis)));
+    const double eta =
+        telescope.overlap(apparent * cos_off_axis, std::tan(std::acos(cos_off_axis)));
     const double area = pi * (0.1 * 0.1 - 0.025 * 0.025);
-    const double factor = solid_angle_per_area(n, -photon.position.z, scene.position_m.z, std::acos(air.z));
+    const double factor =
+        solid_angle_per_area(n, -photon.position.z, scene.position_m.z, std::acos(air.z));
     const double transmitted = transmittance_downward(sea, line, air);
-    ASSERT_NEAR(way.acceptance / (factor * area * cos_off_axis * eta * transmitted), 1, 1e-5) << std::acos(air.z);
+    ASSERT_NEAR(way.acceptance / (factor * area * cos_off_axis * eta * transmitted), 1, 1e-5)
+        << std::acos(air.z);
   }
   EXPECT_GT(seen, 1000);
 }
@@ -94,7 +103,8 @@ TEST(ConnectThroughSurface, IsTheWayOfALightRay) {
 TEST(ConnectThroughSurface, OfAPointBelowTheLidarIsTheLidarEquations) {
   const auto sea = make_sea(60);
   const auto telescope = instrument::make_telescope<double>(instrument::table_1());
-  const auto way = connect_through_surface(sea.view(), telescope, photon_at(sea, {0, 0, -20}), 0, false);
+  const auto way =
+      connect_through_surface(sea.view(), telescope, photon_at(sea, {0, 0, -20}), 0, false);
   const double n = 1.3415;
   const double loss = std::pow((n - 1) / (n + 1), 2);
   EXPECT_EQ(way.direction, (V{0, 0, 1}));

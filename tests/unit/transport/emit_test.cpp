@@ -29,11 +29,13 @@ scene::Source laser(double half_divergence_mrad, const V& direction = {0, 0, -1}
 class Rings {
  public:
   explicit Rings(const V& axis)
-      : x_(normalised(cross(axis, std::abs(axis.z) < 0.9 ? V{0, 0, 1} : V{1, 0, 0}))), y_(cross(axis, x_)) {}
+      : x_(normalised(cross(axis, std::abs(axis.z) < 0.9 ? V{0, 0, 1} : V{1, 0, 0}))),
+        y_(cross(axis, x_)) {}
   void add(double share, const V& aside) {
     const double azimuth = std::atan2(dot(aside, y_), dot(aside, x_));
     const auto ring = std::min<std::size_t>(9, static_cast<std::size_t>(share * 10));
-    const auto sector = std::min<std::size_t>(7, static_cast<std::size_t>((azimuth + pi) / (2 * pi) * 8));
+    const auto sector =
+        std::min<std::size_t>(7, static_cast<std::size_t>((azimuth + pi) / (2 * pi) * 8));
     count[ring * 8 + sector] += 1;
   }
   std::vector<double> count = std::vector<double>(80, 0.0);
@@ -44,8 +46,8 @@ class Rings {
 
 const std::vector<V> axes{{0, 0, -1}, {0.3, 0.4, -0.8}, {3, -2, -0.1}};
 
-// Directions uniform in solid angle within the half divergence; each at 0.1 %. Seen red: with the full for the half divergence;
-// with the root of the uniform; with the azimuth over half a turn.
+// Directions uniform in solid angle within the half divergence; each at 0.1 %. Seen red: with the
+// full for the half divergence; with the root of the uniform; with the azimuth over half a turn.
 TEST(Emit, FillsTheConeUniformly) {
   Random random(81);
   for (const double mrad : {5.0, 800.0}) {
@@ -69,7 +71,8 @@ TEST(Emit, FillsTheConeUniformly) {
 
 // Seen red: with the vertex at half its distance; with the diameter for the radius.
 TEST(Emit, HasTheConesVertexBehindTheDisc) {
-  EXPECT_NEAR(instrument::make_laser<double>(laser(5)).vertex_distance, 4.00, 1e-3);  // Table 1: 0.02 m / tan 5 mrad
+  EXPECT_NEAR(instrument::make_laser<double>(laser(5)).vertex_distance, 4.00,
+              1e-3);  // Table 1: 0.02 m / tan 5 mrad
   Random random(82);
   for (const V& direction : axes) {
     for (const double mrad : {5.0, 800.0}) {
@@ -114,7 +117,7 @@ TEST(Emit, FillsTheDiscOfACollimatedLaserUniformly) {
   }
 }
 
-// Seen red: with n on the wrong side; with the path times the group index; without the loss.
+// Seen red: with n on the wrong side; with the path times the index; without the loss.
 TEST(EnterWater, ObeysSnellAndFresnel) {
   const auto sea = make_sea(40);
   for (const double degrees : {0.0, 10.0, 30.0, 60.0, 85.0}) {

@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "support/chi_squared.hpp"
+#include "support/mean.hpp"
 #include "support/random.hpp"
+#include "support/z_test.hpp"
 #include "unit/transport/sea.hpp"
 #include "unit/transport/straight_ways.hpp"
 
@@ -14,7 +15,8 @@ namespace {
 using test::Random;
 using V = Vec3<double>;
 
-Photon<double> photon_from(const medium::Medium& sea, double depth, const V& direction, std::int32_t line = 0) {
+Photon<double> photon_from(const medium::Medium& sea, double depth, const V& direction,
+                           std::int32_t line = 0) {
   Photon<double> photon;
   photon.position = {0.3, -0.2, -depth};
   photon.direction = direction;
@@ -24,14 +26,18 @@ Photon<double> photon_from(const medium::Medium& sea, double depth, const V& dir
   return photon;
 }
 
-// Wherever a flight ends, the optical depth of its way is -ln(u), or less where surface or bed stood in the way; the path
-// grows by the way times the line's group index. Seen red: with the phase for the group index; with the first layer's c in
-// the last; with the layers searched downwards only; with the flight to the surface not ended there.
+// Wherever a flight ends, the walk's optical depth of its way is -ln(u), or less where surface or
+// bed stood in the way. The path grows by the way times the line's group index; the weight takes
+// what c absorbs beyond the walk's coefficient, and their ratio at a collision. Seen red: with the
+// phase for the group index; with the first layer's coefficient in the last; with the layers
+// searched downwards only; with the flight to the surface not ended there; without the ratio at a
+// collision; with the weight's exponent turned round.
 TEST(Fly, GoesAsFarAsItsOpticalDepth) {
   Random random(61);
   int surface = 0, bed = 0, level = 0, crossed = 0;
   for (const double bottom : {25.0, std::numeric_limits<double>::infinity()}) {
     const auto sea = make_sea(bottom);
+    const auto walk = walk_coefficients(sea);
     for (int i = 0; i < 50000; ++i) {
       V direction = random.direction();
       if (i % 10 == 0) direction = {0.6, -0.8, 0};
@@ -40,22 +46,30 @@ TEST(Fly, GoesAsFarAsItsOpticalDepth) {
       const double u = random.uniform();
       const auto end = fly(sea.view(), photon, u);
       const V way = photon.position - before.position;
+      const double walk_tau =
+          integral_between(sea, walk, photon.line, before.position, photon.position);
       const double tau = optical_depth_between(sea, photon.line, before.position, photon.position);
-      const double group_index = sea.line[static_cast<std::size_t>(photon.line)].group_index;
+      const auto cell = static_cast<std::size_t>(photon.line * 3 + photon.layer);
+      const bool collides = !end.surface && !end.sea_bed;
       ASSERT_LT(length(way - length(way) * direction), 1e-9 * (1 + length(way)));
-      ASSERT_NEAR(photon.path, 7 + length(way) * group_index, 1e-9 * photon.path);
+      ASSERT_NEAR(photon.path,
+                  7 + length(way) * sea.line[static_cast<std::size_t>(photon.line)].group_index,
+                  1e-9 * photon.path);
       ASSERT_EQ(photon.direction, direction);
-      ASSERT_EQ(photon.weight, 1);
+      ASSERT_NEAR(
+          photon.weight / (std::exp(walk_tau - tau) * (collides ? sea.c[cell] / walk[cell] : 1)), 1,
+          1e-8 * (1 + tau));
+      ASSERT_EQ(photon.analog_weight, photon.weight);
       ASSERT_FALSE(end.surface && end.sea_bed);
-      if (end.surface || end.sea_bed) {
-        ASSERT_LE(tau, -std::log(u) * (1 + 1e-12));
-        ASSERT_EQ(-photon.position.z, end.surface ? 0 : bottom);
-        ASSERT_EQ(photon.layer, end.surface ? 0 : 2);
-      } else {
-        ASSERT_NEAR(tau, -std::log(u), 1e-8 * (1 + tau)) << direction.z;
+      if (collides) {
+        ASSERT_NEAR(walk_tau, -std::log(u), 1e-8 * (1 + walk_tau)) << direction.z;
         ASSERT_EQ(photon.layer, sea.layer_at(-photon.position.z));
         ASSERT_LT(photon.position.z, 0);
         ASSERT_GT(photon.position.z, -bottom);
+      } else {
+        ASSERT_LE(walk_tau, -std::log(u) * (1 + 1e-12));
+        ASSERT_EQ(-photon.position.z, end.surface ? 0 : bottom);
+        ASSERT_EQ(photon.layer, end.surface ? 0 : 2);
       }
       surface += end.surface;
       bed += end.sea_bed;
@@ -75,67 +89,95 @@ struct Flight {
   double depth;
 };
 
-const std::vector<Flight> flights{{"straight down", {0, 0, -1}, 1},  {"slanted down", {0.8, 0, -0.6}, 8},
-                                  {"straight up", {0, 0, 1}, 20},    {"slanted up", {0, -0.6, 0.8}, 14},
-                                  {"level", {0, 1, 0}, 8},           {"nearly level", {0, 1, -1e-12}, 8},
-                                  {"up, within the first layer", {0.6, 0, 0.8}, 2}};
+const std::vector<Flight> flights{{"straight down", {0, 0, -1}, 1},
+                                  {"slanted down", {0.8, 0, -0.6}, 8},
+                                  {"straight up", {0, 0, 1}, 20},
+                                  {"slanted up", {0, -0.6, 0.8}, 14},
+                                  {"level", {0, 1, 0}, 8},
+                                  {"nearly level", {0, 1, -1e-12}, 8},
+                                  {"up, in the first layer", {0.6, 0, 0.8}, 2}};
 
-/// The optical depth of the first s metres of a flight.
-double depth_of_way(const medium::Medium& sea, const Flight& flight, double s) {
-  const V start{0, 0, -flight.depth};
-  return optical_depth_between(sea, 0, start, start + s * flight.direction);
+/// The share of light that has not collided after s metres of a flight.
+double transmitted(const medium::Medium& sea, const Flight& flight, double s) {
+  const V start{0.3, -0.2, -flight.depth};
+  return std::exp(-optical_depth_between(sea, 0, start, start + s * flight.direction));
 }
 
-/// The length of a flight to the surface or the bed; as good as endless if level.
+/// The length of a flight to the surface or the bed; endless if level.
 double longest_way(const Flight& flight, double bottom) {
   if (flight.direction.z > 0) return flight.depth / flight.direction.z;
-  return std::min(100.0, (bottom - flight.depth) / std::max(1e-9, -flight.direction.z));
+  return flight.direction.z < -1e-9 ? (bottom - flight.depth) / -flight.direction.z : 1e3;
 }
 
-/// The way on which a share 1 - transmitted of the light has collided.
-double way_to(const medium::Medium& sea, const Flight& flight, double transmitted, double longest) {
-  double low = 0, high = longest;
-  for (int i = 0; i < 100; ++i) {
-    const double middle = (low + high) / 2;
-    (std::exp(-depth_of_way(sea, flight, middle)) > transmitted ? low : high) = middle;
-  }
-  return low;
-}
-
-// The law of free paths in three layers: exp(-optical depth), and the rest arrives at the surface or on the bed. In 40 cells
-// of equal probability. At 1 % for the family (Bonferroni). Seen red: with u for 1 - u's logarithm doubled; with the layers'
-// edges ignored.
+// The law of free paths in three layers: times their weight, flights end within each metre with the
+// chance exp(-optical depth) says, and the rest of the light arrives at the surface or on the bed.
+// z-tests, 1 % for the family. Seen red: with the free path doubled; with the layers' edges
+// ignored; with the weight left alone.
 TEST(Fly, HasTheFreePathsOfThreeLayers) {
   constexpr int samples = 200000;
   constexpr double bottom = 25;
-  constexpr std::size_t cells = 40;
   const auto sea = make_sea(bottom);
   Random random(62);
+  test::ZFamily family(0.01);
   for (const Flight& flight : flights) {
     const double longest = longest_way(flight, bottom);
-    const double arriving = flight.direction.z > -1e-9 && flight.direction.z <= 0
-                                ? 0
-                                : std::exp(-depth_of_way(sea, flight, longest * (1 - 1e-15)));
-    std::vector<double> edges;
-    for (std::size_t k = 1; k < cells; ++k) {
-      edges.push_back(way_to(sea, flight, 1 - (1 - arriving) * static_cast<double>(k) / cells, longest));
-    }
-    std::vector<double> count(cells, 0.0);
+    const auto cells = static_cast<std::size_t>(std::min(15.0, std::ceil(longest)));
+    std::vector<test::Mean> ended(cells);
+    test::Mean arrived;
     for (int i = 0; i < samples; ++i) {
       auto photon = photon_from(sea, flight.depth, flight.direction);
       const V start = photon.position;
       const auto end = fly(sea.view(), photon, random.uniform());
-      if (end.surface || end.sea_bed) continue;
-      const double way = length(photon.position - start);
-      count[static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), way) - edges.begin())] += 1;
+      const bool arrives = end.surface || end.sea_bed;
+      const auto metre =
+          arrives ? cells : static_cast<std::size_t>(length(photon.position - start));
+      for (std::size_t k = 0; k < cells; ++k) ended[k].add(k == metre ? photon.weight : 0);
+      arrived.add(arrives ? photon.weight : 0);
     }
-    const std::vector<double> probability(cells, (1 - arriving) / cells);
-    test::expect_chi_squared(count, probability, samples, 0.01 / static_cast<double>(flights.size()), flight.what);
+    for (std::size_t k = 0; k < cells; ++k) {
+      const double from = static_cast<double>(k);
+      const double share =
+          transmitted(sea, flight, from) - transmitted(sea, flight, std::min(from + 1, longest));
+      family.add(ended[k].value(), share, ended[k].error(),
+                 flight.what + (", metre " + std::to_string(k)));
+    }
+    if (longest < 1e3) {
+      family.add(arrived.value(), transmitted(sea, flight, longest), arrived.error(),
+                 flight.what + std::string(", arriving"));
+    } else {
+      EXPECT_EQ(arrived.sum, 0) << flight.what;
+    }
   }
+  family.judge();
 }
 
-// Seen red: with the reflectance of the other side (no total reflection); with the direction left as it is; with the weight
-// times the transmittance.
+TEST(Advance, MovesAcrossLayersAndTellsWhereTheWaterEnds) {
+  const auto sea = make_sea(25);
+  const V slanted{0.6, 0, -0.8};
+  const auto moved = [&](double from, const V& direction, double distance, bool& in_water) {
+    auto photon = photon_from(sea, from, direction, 1);
+    in_water = advance(sea.view(), photon, distance);
+    EXPECT_NEAR(photon.path, 7 + distance * 1.3542, 1e-12);
+    EXPECT_NEAR(photon.position.z, -from + distance * direction.z, 1e-12);
+    EXPECT_EQ(photon.weight, 1);
+    return photon.layer;
+  };
+  bool in_water = false;
+  EXPECT_EQ(moved(1, slanted, 1, in_water), 0);
+  EXPECT_TRUE(in_water);
+  EXPECT_EQ(moved(1, slanted, 10, in_water), 1);
+  EXPECT_EQ(moved(1, slanted, 20, in_water), 2);
+  EXPECT_TRUE(in_water);
+  EXPECT_EQ(moved(20, -slanted, 20, in_water), 0);
+  EXPECT_TRUE(in_water);
+  moved(20, -slanted, 26, in_water);
+  EXPECT_FALSE(in_water);  // above the surface
+  moved(20, slanted, 10, in_water);
+  EXPECT_FALSE(in_water);  // in the bed
+}
+
+// Seen red: with the reflectance of the other side (no total reflection); with the direction left
+// as it is; with the weight times the transmittance.
 TEST(ReflectDown, KeepsTheReflectedShare) {
   const auto sea = make_sea(25);
   const double n = 1.3415;

@@ -1,7 +1,8 @@
 // The ways to a telescope with four lanes: each lane equals the scalar, bit for bit.
 //
-// A Connection promises its optical depth and path where light is accepted, and its direction there or where something
-// aims at the telescope; elsewhere a lane may hold what its neighbours needed. That is what is compared.
+// A Connection promises its optical depth and path where light is accepted, and its direction there
+// or where something aims at the telescope; elsewhere a lane may hold what its neighbours needed.
+// That is what is compared.
 #include "transport/connect.hpp"
 #include "unit/instrument/telescopes.hpp"
 #include "unit/transport/packs.hpp"
@@ -23,9 +24,12 @@ TEST(LanesOf, CrossingTangent) {
       height[i] = random.scale(1e-4, 1e4);
       aside[i] = random.chance(0.1) ? 0.0 : random.scale(1e-4, 1e4);
     }
-    const auto at = [](const auto& n_, const auto& depth_, const auto& height_, const auto& aside_) {
-      const auto per_height = decltype(n_ + n_)(1) / (n_ * height_ + depth_);
-      const auto start = crossing_tangent_start(n_, depth_ * per_height, n_ * aside_ * per_height);
+    const auto at = [](const auto& n_, const auto& depth_, const auto& height_,
+                       const auto& aside_) {
+      const auto one = decltype(n_ + n_)(1);
+      const auto per_height = one / (n_ * height_ + depth_);
+      const auto start =
+          crossing_tangent_start(one / n_, depth_ * per_height, n_ * aside_ * per_height);
       return std::pair(start, crossing_tangent(n_, depth_, height_, aside_, start));
     };
     const auto [start, tangent] = at(pack(n), pack(depth), pack(height), pack(aside));
@@ -40,18 +44,21 @@ TEST(LanesOf, CrossingTangent) {
 TEST(LanesOf, RefractedSolidAnglePerArea) {
   Random random(22);
   for (int g = 0; g < groups; ++g) {
-    const auto n = uniforms4(random), l1 = uniforms4(random), c1 = uniforms4(random), l2 = uniforms4(random),
-               c2 = uniforms4(random);
-    const auto packed = refracted_solid_angle_per_area(pack(n), pack(l1), pack(c1), pack(l2), pack(c2));
+    const auto n = uniforms4(random), l1 = uniforms4(random), c1 = uniforms4(random),
+               l2 = uniforms4(random), c2 = uniforms4(random);
+    const auto packed =
+        refracted_solid_angle_per_area(pack(n), pack(l1), pack(c1), pack(l2), pack(c2));
     for (std::size_t i = 0; i < lanes; ++i) {
-      expect_same(packed[i], refracted_solid_angle_per_area(n[i], l1[i], c1[i], l2[i], c2[i]), "factor");
+      expect_same(packed[i], refracted_solid_angle_per_area(n[i], l1[i], c1[i], l2[i], c2[i]),
+                  "factor");
     }
   }
 }
 
-/// A point in the view of a telescope in the air, by following a ray of its field back into the water; false if the
-/// ray misses the water.
-bool move_into_view(const instrument::Telescope<double>& t, Random& random, Photon<double>& photon) {
+/// A point in the view of a telescope in the air, by following a ray of its field back into the
+/// water; false if the ray misses the water.
+bool move_into_view(const instrument::Telescope<double>& t, Random& random,
+                    Photon<double>& photon) {
   const double off = std::atan(t.detector_radius / t.detector_distance) * random.between(0, 1.5);
   const double azimuth = random.between(0, 2 * pi);
   const auto ray = turned(t.axis, 1 - std::cos(off), std::cos(azimuth), std::sin(azimuth));
@@ -65,7 +72,8 @@ bool move_into_view(const instrument::Telescope<double>& t, Random& random, Phot
   return true;
 }
 
-void expect_same_connection(const Connection<Lanes4>& packed, std::size_t i, const Connection<double>& scalar, bool aims) {
+void expect_same_connection(const Connection<Lanes4>& packed, std::size_t i,
+                            const Connection<double>& scalar, bool aims) {
   expect_same(packed.acceptance[i], scalar.acceptance, "acceptance");
   if (aims || scalar.acceptance > 0) {
     expect_same(packed.direction, i, scalar.direction, "direction");
@@ -89,14 +97,17 @@ TEST(LanesOf, ConnectThroughSurface) {
     for (auto& photon : scalar) {
       photon = random_photon(sea, random);
       if (random.chance(0.7)) move_into_view(telescope, random, photon);
-      if (random.chance(0.05)) photon.position = {telescope.position.x, telescope.position.y, photon.position.z};
+      if (random.chance(0.05))
+        photon.position = {telescope.position.x, telescope.position.y, photon.position.z};
     }
     const auto packed_photon = pack(scalar);
-    const auto packed = connect_through_surface(sea.view(), instrument::make_telescope<Lanes4>(scene), packed_photon,
-                                                packed_photon.line, aims);
+    const auto packed =
+        connect_through_surface(sea.view(), instrument::make_telescope<Lanes4>(scene),
+                                packed_photon, packed_photon.line, aims);
     int lit = 0;
     for (std::size_t i = 0; i < lanes; ++i) {
-      const auto one = connect_through_surface(sea.view(), telescope, scalar[i], scalar[i].line, aims);
+      const auto one =
+          connect_through_surface(sea.view(), telescope, scalar[i], scalar[i].line, aims);
       expect_same_connection(packed, i, one, aims);
       lit += one.acceptance > 0;
     }
@@ -110,7 +121,8 @@ TEST(LanesOf, ConnectThroughSurface) {
 }
 
 /// A telescope in the water that looks anywhere, or, if asked, into the upper half.
-instrument::Telescope<double> random_lens(Random& random, scene::Telescope& scene, double depth, bool up = false) {
+instrument::Telescope<double> random_lens(Random& random, scene::Telescope& scene, double depth,
+                                          bool up = false) {
   scene = instrument::random_telescope(random);
   scene.position_m.z = -depth;
   scene.direction = random.direction();
@@ -128,7 +140,8 @@ TEST(LanesOf, LensSolidAngle) {
       distance[i] = telescope.lens_radius * random.scale(1e-2, 1e4);
       cosine[i] = random.chance(0.1) ? 1.0 + 1e-16 : random.uniform();
     }
-    const auto packed = lens_solid_angle(instrument::make_telescope<Lanes4>(scene), pack(distance), pack(cosine));
+    const auto packed =
+        lens_solid_angle(instrument::make_telescope<Lanes4>(scene), pack(distance), pack(cosine));
     for (std::size_t i = 0; i < lanes; ++i) {
       expect_same(packed[i], lens_solid_angle(telescope, distance[i], cosine[i]), "solid angle");
     }
@@ -148,19 +161,23 @@ void connect_in_water_is_the_same(bool mirrored, std::uint64_t seed) {
       photon = random_photon(sea, random);
       if (random.chance(0.7)) {  // along the axis, out of the water into its mirror image
         const double z = random.scale(0.01, 30);
-        photon.position = telescope.position + z * telescope.axis +
-                          (z * telescope.detector_radius / telescope.detector_distance * random.uniform()) * random.direction();
+        photon.position =
+            telescope.position + z * telescope.axis +
+            (z * telescope.detector_radius / telescope.detector_distance * random.uniform()) *
+                random.direction();
         photon.position.z = -std::min(39.0, std::abs(photon.position.z));
         photon.layer = sea.layer_at(-photon.position.z);
       }
       if (random.chance(0.02)) photon.position = telescope.position;
     }
     const auto packed_photon = pack(scalar);
-    const auto packed = connect_in_water(sea.view(), instrument::make_telescope<Lanes4>(scene), Index4(layer), packed_photon,
-                                         packed_photon.line, mirrored);
+    const auto packed =
+        connect_in_water(sea.view(), instrument::make_telescope<Lanes4>(scene), Index4(layer),
+                         packed_photon, packed_photon.line, mirrored);
     int lit = 0;
     for (std::size_t i = 0; i < lanes; ++i) {
-      const auto one = connect_in_water(sea.view(), telescope, layer, scalar[i], scalar[i].line, mirrored);
+      const auto one =
+          connect_in_water(sea.view(), telescope, layer, scalar[i], scalar[i].line, mirrored);
       expect_same_connection(packed, i, one, true);
       lit += one.acceptance > 0;
       if (!(one.acceptance > 0)) continue;

@@ -2,6 +2,7 @@
 #include "transport/collide.hpp"
 #include "transport/emit.hpp"
 #include "transport/flight.hpp"
+#include "transport/forced.hpp"
 #include "transport/scatter.hpp"
 #include "unit/transport/packs.hpp"
 #include "unit/transport/sea.hpp"
@@ -12,7 +13,8 @@ namespace {
 using test::Random;
 
 Four<Photon<double>> random_photons(const medium::Medium& sea, Random& random) {
-  return {random_photon(sea, random), random_photon(sea, random), random_photon(sea, random), random_photon(sea, random)};
+  return {random_photon(sea, random), random_photon(sea, random), random_photon(sea, random),
+          random_photon(sea, random)};
 }
 
 void emit_and_enter(double half_divergence_mrad, std::uint64_t seed) {
@@ -74,7 +76,8 @@ TEST(LanesOf, FlyAndReflectDown) {
       bed += one.sea_bed;
       crossed += scalar[i].layer != layer;
       // What cannot reflect is turned, so that every lane may be asked.
-      if (scalar[i].direction.z < 0) scalar[i].direction.z = packed.direction.z[i] = -scalar[i].direction.z;
+      if (scalar[i].direction.z < 0)
+        scalar[i].direction.z = packed.direction.z[i] = -scalar[i].direction.z;
     }
     const auto leaving = reflect_down(sea.view(), packed);
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -106,13 +109,15 @@ TEST(LanesOf, ScatterWithAndWithoutTargets) {
     const int count = random.below(5);
     for (int k = 0; k < count; ++k) {
       Four<Vec3<double>> towards;
+      Four<double> cone{};
       Four<bool> usable{};
       for (std::size_t i = 0; i < lanes; ++i) {
         towards[i] = random.direction();
         usable[i] = random.chance(0.5);
-        targets[i].add(towards[i], usable[i]);
+        cone[i] = random.chance(0.3) ? random.uniform() : 0.0;
+        targets[i].add(towards[i], cone[i], usable[i]);
       }
-      targets4.add(pack(towards), pack(usable));
+      targets4.add(pack(towards), pack(cone), pack(usable));
     }
     Four<std::int32_t> phase{}, lobe{};
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -120,17 +125,72 @@ TEST(LanesOf, ScatterWithAndWithoutTargets) {
       lobe[i] = random.below(3);
     }
     const double share = random.uniform();
-    const auto a = uniforms4(random), b = uniforms4(random), c = uniforms4(random), d = uniforms4(random);
-    scatter(sea.view(), packed, pack(phase), pack(lobe), targets4, Lanes4(share), {pack(a), pack(b), pack(c), pack(d)});
+    const auto a = uniforms4(random), b = uniforms4(random), c = uniforms4(random),
+               d = uniforms4(random);
+    scatter(sea.view(), packed, pack(phase), pack(lobe), targets4, Lanes4(share),
+            {pack(a), pack(b), pack(c), pack(d)});
     for (std::size_t i = 0; i < lanes; ++i) {
       without += targets[i].usable_count == 0;
       directed += targets[i].usable_count > 0 && c[i] < share;
-      scatter(sea.view(), scalar[i], phase[i], lobe[i], targets[i], share, {a[i], b[i], c[i], d[i]});
+      scatter(sea.view(), scalar[i], phase[i], lobe[i], targets[i], share,
+              {a[i], b[i], c[i], d[i]});
       expect_same(packed, i, scalar[i]);
     }
   }
   EXPECT_GT(without, groups / 2);
   EXPECT_GT(directed, groups / 2);
+}
+
+TEST(LanesOf, Advance) {
+  Random random(17);
+  const auto sea = make_sea(40);
+  int out = 0;
+  for (int g = 0; g < groups; ++g) {
+    auto scalar = random_photons(sea, random);
+    auto packed = pack(scalar);
+    Four<double> distance;
+    for (auto& d : distance) d = random.chance(0.1) ? 0.0 : random.scale(0.01, 60);
+    const auto in_water = advance(sea.view(), packed, pack(distance));
+    for (std::size_t i = 0; i < lanes; ++i) {
+      expect_same(in_water[i], advance(sea.view(), scalar[i], distance[i]), "in water");
+      expect_same(packed, i, scalar[i]);
+      out += !in_water[i];
+    }
+  }
+  EXPECT_GT(out, groups / 4);
+}
+
+// Approaches of two telescopes, above and in the water.
+TEST(LanesOf, ForceCollision) {
+  Random random(18);
+  const auto sea = make_sea(40);
+  int reached = 0, left = 0;
+  for (int g = 0; g < groups; ++g) {
+    std::vector<Approach<double>> approaches;
+    std::vector<Approach<Lanes4>> approaches4;
+    for (int k = random.below(3); k > 0; --k) {
+      const Vec3<double> entry{random.between(-20, 20), random.between(-20, 20),
+                               -random.between(0, 10)};
+      const Vec3<double> axis = random.direction();
+      const double rate = random.scale(0.05, 2);
+      approaches.push_back({entry, axis, rate});
+      approaches4.push_back({vec3_cast<Lanes4>(entry), vec3_cast<Lanes4>(axis), Lanes4(rate)});
+    }
+    auto scalar = random_photons(sea, random);
+    auto packed = pack(scalar);
+    const auto a = uniforms4(random), b = uniforms4(random), c = uniforms4(random);
+    const auto in_water =
+        force_collision(sea.view(), packed, approaches4, {pack(a), pack(b), pack(c)});
+    for (std::size_t i = 0; i < lanes; ++i) {
+      expect_same(in_water[i],
+                  force_collision(sea.view(), scalar[i], approaches, {a[i], b[i], c[i]}),
+                  "reached");
+      expect_same(packed, i, scalar[i]);
+      (in_water[i] ? reached : left) += 1;
+    }
+  }
+  EXPECT_GT(reached, groups);
+  EXPECT_GT(left, groups / 4);
 }
 
 TEST(LanesOf, CollideAndRoulette) {

@@ -1,4 +1,5 @@
-// Four scalar states as one of four lanes, and back: what the comparisons of lanes with scalars share.
+// Four scalar states as one of four lanes, and back: what the comparisons of lanes with scalars
+// share.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -50,9 +51,10 @@ inline Photon<Lanes4> pack(const Four<Photon<double>>& values) {
     out.layer[i] = one.layer;
     out.order[i] = one.order;
   }
-  out.position = pack(Four<Vec3<double>>{values[0].position, values[1].position, values[2].position, values[3].position});
-  out.direction =
-      pack(Four<Vec3<double>>{values[0].direction, values[1].direction, values[2].direction, values[3].direction});
+  out.position = pack(Four<Vec3<double>>{values[0].position, values[1].position, values[2].position,
+                                         values[3].position});
+  out.direction = pack(Four<Vec3<double>>{values[0].direction, values[1].direction,
+                                          values[2].direction, values[3].direction});
   return out;
 }
 
@@ -61,10 +63,15 @@ inline void expect_same(double lane, double scalar, const char* what) {
   ASSERT_EQ(std::bit_cast<std::uint64_t>(lane), std::bit_cast<std::uint64_t>(scalar))
       << what << ": " << lane << " and " << scalar;
 }
-inline void expect_same(std::int32_t lane, std::int32_t scalar, const char* what) { ASSERT_EQ(lane, scalar) << what; }
-inline void expect_same(bool lane, bool scalar, const char* what) { ASSERT_EQ(lane, scalar) << what; }
+inline void expect_same(std::int32_t lane, std::int32_t scalar, const char* what) {
+  ASSERT_EQ(lane, scalar) << what;
+}
+inline void expect_same(bool lane, bool scalar, const char* what) {
+  ASSERT_EQ(lane, scalar) << what;
+}
 
-inline void expect_same(const Vec3<Lanes4>& packed, std::size_t i, const Vec3<double>& scalar, const char* what) {
+inline void expect_same(const Vec3<Lanes4>& packed, std::size_t i, const Vec3<double>& scalar,
+                        const char* what) {
   expect_same(packed.x[i], scalar.x, what);
   expect_same(packed.y[i], scalar.y, what);
   expect_same(packed.z[i], scalar.z, what);
@@ -85,7 +92,8 @@ inline Four<double> uniforms4(test::Random& random) {
   return {random.uniform(), random.uniform(), random.uniform(), random.uniform()};
 }
 
-/// A photon somewhere in the sea, of any line and direction: also straight up, down and level, and on the surface.
+/// A photon somewhere in the sea, of any line and direction: also straight up, down and level, and
+/// on the surface.
 inline Photon<double> random_photon(const medium::Medium& sea, test::Random& random) {
   Photon<double> photon;
   photon.line = random.below(3);
@@ -97,7 +105,8 @@ inline Photon<double> random_photon(const medium::Medium& sea, test::Random& ran
   photon.direction = random.direction();
   if (random.chance(0.1)) photon.direction = {0, 0, 1};
   if (random.chance(0.1)) photon.direction = {0, 0, -1};
-  if (random.chance(0.1)) photon.direction = normalised(Vec3<double>{random.between(-1, 1), random.uniform(), 0});
+  if (random.chance(0.1))
+    photon.direction = normalised(Vec3<double>{random.between(-1, 1), random.uniform(), 0});
   photon.weight = random.uniform();
   photon.analog_weight = random.scale(1e-5, 1);
   photon.path = random.between(12, 100);

@@ -1,9 +1,11 @@
-// Scattering with and without directions to telescopes: whatever the directions are drawn from, times its weight the new
-// direction follows the phase function.
+// Scattering with and without directions to telescopes: whatever the directions are drawn from,
+// times its weight the new direction follows the phase function.
 #include "transport/scatter.hpp"
 
 #include <gtest/gtest.h>
 
+#include "support/chi_squared.hpp"
+#include "support/mean.hpp"
 #include "support/random.hpp"
 #include "support/z_test.hpp"
 #include "unit/transport/sea.hpp"
@@ -17,25 +19,19 @@ using Aims = Targets<double, 4>;
 
 constexpr double directed = 0.5;
 
-/// Mean of a quantity and the standard error of that.
-struct Mean {
-  double sum = 0, squares = 0;
-  int count = 0;
-  void add(double x) {
-    sum += x;
-    squares += x * x;
-    ++count;
-  }
-  [[nodiscard]] double value() const { return sum / count; }
-  [[nodiscard]] double error() const {
-    return std::sqrt((squares / count - value() * value()) / (count - 1));
-  }
+using test::Mean;
+
+struct Target {
+  V direction;
+  bool usable;
+  double cone = 0;  // 1 - cos of the half angle; 0: a lobe
 };
 
 struct Case {
   std::string what;
-  std::int32_t phase, lobe;  // tables of make_sea(): 0 peaked, 1 smooth, 2 molecules, 3 Raman, 4 isotropic
-  std::vector<std::pair<V, bool>> targets;
+  std::int32_t phase,
+      lobe;  // tables of make_sea(): 0 peaked, 1 smooth, 2 molecules, 3 Raman, 4 isotropic
+  std::vector<Target> targets;
 };
 
 const V old_direction = normalised(V{0.3, -0.4, -0.8});
@@ -52,18 +48,24 @@ std::vector<Case> cases() {
           {"one target straight ahead", 1, 0, {{old_direction, true}}},
           {"three targets, one not usable", 0, 0, {{up, true}, {aside, false}, {-aside, true}}},
           {"converted, peaked lobe", 3, 0, {{up, true}}},
-          {"converted, smooth lobe", 4, 1, {{up, true}, {aside, true}}}};
+          {"converted, smooth lobe", 4, 1, {{up, true}, {aside, true}}},
+          {"one cone", 1, 1, {{aside, true, 0.02}}},
+          {"a hemisphere, peaked", 0, 0, {{up, true, 1.0}}},
+          {"lobe and two cones, one not usable",
+           0,
+           0,
+           {{up, true}, {aside, true, 0.1}, {-aside, false, 0.5}}}};
 }
 
 Aims aims(const Case& c) {
   Aims out;
   out.clear();
-  for (const auto& [direction, usable] : c.targets) out.add(direction, usable);
+  for (const auto& [direction, usable, cone] : c.targets) out.add(direction, cone, usable);
   return out;
 }
 
 bool has_usable(const Case& c) {
-  return std::any_of(c.targets.begin(), c.targets.end(), [](const auto& t) { return t.second; });
+  return std::any_of(c.targets.begin(), c.targets.end(), [](const Target& t) { return t.usable; });
 }
 
 /// Edges in x = 1 - cos of cells that hold known shares of a phase function.
@@ -73,9 +75,10 @@ std::size_t cell_of(const std::vector<double>& edges, double x) {
   return static_cast<std::size_t>(std::upper_bound(edges.begin(), edges.end(), x) - edges.begin());
 }
 
-// Weighted shares of the cells, mean weight, mean cosine and mean azimuth: z-tests, 1 % for the family. Seen red: with the weight
-// left alone; with the lobe left out of the density; with unusable targets counted; with the phase function's own table for
-// the lobe's density; with the share of the targets not split between them.
+// Weighted shares of the cells, mean weight, mean cosine and mean azimuth: z-tests, 1 % for the
+// family. Seen red: with the weight left alone; with the lobe left out of the density; with
+// unusable targets counted; with the phase function's own table for the lobe's density; with the
+// share of the targets not split between them; with the density of a cone over 4 pi.
 TEST(Scatter, TimesItsWeightFollowsThePhaseFunction) {
   constexpr int samples = 200000;
   const auto sea = make_sea(40);
@@ -90,7 +93,8 @@ TEST(Scatter, TimesItsWeightFollowsThePhaseFunction) {
     Mean weight, cosine, aside;
     double expected_cosine = 0;
     constexpr int steps = 1000000;
-    for (int i = 0; i < steps; ++i) expected_cosine += 1 - phases.sample<double>((i + 0.5) / steps, c.phase);
+    for (int i = 0; i < steps; ++i)
+      expected_cosine += 1 - phases.sample<double>((i + 0.5) / steps, c.phase);
     expected_cosine /= steps;
     const V across = normalised(cross(old_direction, V{0, 0, 1}));
     for (int i = 0; i < samples; ++i) {
@@ -111,7 +115,8 @@ TEST(Scatter, TimesItsWeightFollowsThePhaseFunction) {
     for (std::size_t k = 0; k < cell.size(); ++k) {
       const double below = k == 0 ? 0 : shares[k - 1];
       const double above = k == shares.size() ? 1 : shares[k];
-      family.add(cell[k].value(), above - below, cell[k].error(), c.what + ", cell " + std::to_string(k));
+      family.add(cell[k].value(), above - below, cell[k].error(),
+                 c.what + ", cell " + std::to_string(k));
     }
     if (has_usable(c)) {
       family.add(weight.value(), 1, weight.error(), c.what + ", weight");
@@ -133,7 +138,7 @@ TEST(Scatter, HasTheMeanCosineOfHenyeyAndGreenstein) {
     photon.direction = old_direction;
     Aims targets;
     targets.clear();
-    targets.add({0, 0, 1}, true);
+    targets.add({0, 0, 1}, 0.0, true);
     scatter(sea.view(), photon, 1, 1, targets, directed,
             {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
     cosine.add(photon.weight * dot(old_direction, photon.direction));
@@ -142,7 +147,8 @@ TEST(Scatter, HasTheMeanCosineOfHenyeyAndGreenstein) {
   EXPECT_LT(cosine.error(), 0.005);
 }
 
-// What directed sampling is for: half of the directions follow the lobe about the targets, each usable one alike. At 0.1 %.
+// What directed sampling is for: half of the directions follow the lobe about the targets, each
+// usable one alike. At 0.1 %.
 TEST(Scatter, AimsAtEachTargetAlike) {
   constexpr int samples = 100000;
   const auto sea = make_sea(40);
@@ -156,12 +162,32 @@ TEST(Scatter, AimsAtEachTargetAlike) {
     photon.direction = old_direction;
     scatter(sea.view(), photon, 0, 0, targets, directed,
             {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
-    for (std::size_t k = 0; k < 3; ++k) hits[k] += one_minus_cos(c.targets[k].first, photon.direction) < near;
+    for (std::size_t k = 0; k < 3; ++k)
+      hits[k] += one_minus_cos(c.targets[k].direction, photon.direction) < near;
   }
   const double expected = samples * directed / 2 * 0.4;
   EXPECT_NEAR(hits[0], expected, 3.3 * std::sqrt(expected));
   EXPECT_NEAR(hits[2], expected, 3.3 * std::sqrt(expected));
   EXPECT_LT(hits[1], 20);
+}
+
+TEST(Scatter, FillsAConeEvenly) {
+  constexpr int samples = 100000;
+  const auto sea = make_sea(40);
+  const V axis = normalised(V{1, 1, -0.2});
+  Aims targets;
+  targets.clear();
+  targets.add(axis, 0.05, true);
+  Random random(74);
+  std::vector<double> ring(10, 0.0);
+  for (int i = 0; i < samples; ++i) {
+    Photon<double> photon;
+    photon.direction = {0, 0, 1};
+    scatter(sea.view(), photon, 0, 0, targets, 1 - 1e-12,
+            {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
+    ring.at(static_cast<std::size_t>(one_minus_cos(axis, photon.direction) / 0.05 * 10)) += 1;
+  }
+  test::expect_uniform(ring, samples, 0.001);
 }
 
 }  // namespace

@@ -7,8 +7,9 @@
 
 namespace photic::transport {
 
-/// Layers 0-5, 5-12 and 12-bottom m. Line 0 converts into line 1 in the first layer, into both others in the second, and
-/// into none in the third. Layers scatter as Fournier-Forand, Henyey-Greenstein (g = 0.8) and molecules.
+/// Layers 0-5, 5-12 and 12-bottom m. Line 0 converts into line 1 in the first layer, into both
+/// others in the second, and into none in the third. Layers scatter as Fournier-Forand,
+/// Henyey-Greenstein (g = 0.8) and molecules.
 inline medium::Medium make_sea(double bottom_m) {
   using medium::Process;
   medium::Medium sea;
@@ -20,10 +21,12 @@ inline medium::Medium make_sea(double bottom_m) {
   sea.albedo = {0.6, 0.8, 0.7, 0.3, 0.5, 0.2, 0.2, 0.4, 0.1};
   sea.conversion = {0, 0, 0, 1e-3, 2e-3, 0, 0, 5e-3, 0};
   sea.absorption = {0.399, 0.193, 0.3, 0.7, 0.5, 0.8, 0.8, 0.6, 0.9};
-  const std::int32_t peaked = sea.add_phase(optics::PhaseTable(optics::fournier_forand(1.10, 3.5835)));
+  const std::int32_t peaked =
+      sea.add_phase(optics::PhaseTable(optics::fournier_forand(1.10, 3.5835)));
   const std::int32_t smooth = sea.add_phase(optics::PhaseTable(optics::henyey_greenstein(0.8)));
   const std::int32_t molecules = sea.add_phase(optics::PhaseTable(optics::rayleigh(0.039)));
-  for (int line = 0; line < 3; ++line) sea.elastic_phase.insert(sea.elastic_phase.end(), {peaked, smooth, molecules});
+  for (int line = 0; line < 3; ++line)
+    sea.elastic_phase.insert(sea.elastic_phase.end(), {peaked, smooth, molecules});
   sea.conversion_phase = {0, sea.add_phase(optics::PhaseTable(optics::raman_phase(0.17))),
                           sea.add_phase(optics::PhaseTable(optics::isotropic()))};
   sea.finish();

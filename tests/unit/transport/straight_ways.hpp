@@ -9,10 +9,11 @@
 
 namespace photic::transport {
 
-inline double optical_depth_between(const medium::Medium& sea, std::int32_t line, const Vec3<double>& a,
-                                    const Vec3<double>& b) {
+/// Integral of a coefficient [line][layer] along the straight way from a to b.
+inline double integral_between(const medium::Medium& sea, const std::vector<double>& coefficient,
+                               std::int32_t line, const Vec3<double>& a, const Vec3<double>& b) {
   const auto layers = static_cast<std::size_t>(sea.layers());
-  const double* c = sea.c.data() + static_cast<std::size_t>(line) * layers;
+  const double* c = coefficient.data() + static_cast<std::size_t>(line) * layers;
   const double distance = length(b - a);
   const double upper = std::min(-a.z, -b.z);
   const double lower = std::max(-a.z, -b.z);
@@ -22,6 +23,19 @@ inline double optical_depth_between(const medium::Medium& sea, std::int32_t line
     sum += c[k] * std::max(0.0, std::min(lower, sea.top[k + 1]) - std::max(upper, sea.top[k]));
   }
   return sum * distance / (lower - upper);
+}
+
+inline double optical_depth_between(const medium::Medium& sea, std::int32_t line,
+                                    const Vec3<double>& a, const Vec3<double>& b) {
+  return integral_between(sea, sea.c, line, a, b);
+}
+
+/// What free paths are drawn from: scattering alone, or a fifth of c where there is less.
+inline std::vector<double> walk_coefficients(const medium::Medium& sea) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < sea.c.size(); ++i)
+    out.push_back(sea.c[i] * std::max(0.2, sea.albedo[i]));
+  return out;
 }
 
 }  // namespace photic::transport

@@ -1,0 +1,81 @@
+// Time of the parts of a collision, alone: build/dev/benchmarks/kernels
+#include <benchmark/benchmark.h>
+
+#include "core/random.hpp"
+#include "engine/problem.hpp"
+#include "engine/world.hpp"
+#include "scene/read.hpp"
+#include "transport/connect.hpp"
+#include "transport/flight.hpp"
+#include "transport/scatter.hpp"
+
+namespace photic {
+namespace {
+
+/// The benchmark scene and a photon 10 m deep, a little aside, going down.
+struct Setting {
+  engine::Problem problem = engine::make_problem(scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene);
+  engine::World<double> world = engine::make_world<double>(problem.scene, problem.medium, problem.gates);
+  transport::Photon<double> photon;
+  RandomPlace<double> place{1, 0, 0};
+
+  Setting() {
+    photon.position = {0.05, 0.02, -10.0};
+    photon.direction = normalised(Vec3<double>{0.01, 0.02, -1.0});
+  }
+  std::array<double, 4> draw() {
+    ++place.photon;
+    return uniforms(place, 0);
+  }
+};
+
+void philox(benchmark::State& state) {
+  Setting s;
+  for (auto _ : state) benchmark::DoNotOptimize(s.draw());
+}
+BENCHMARK(philox);
+
+void phase_sample(benchmark::State& state) {
+  Setting s;
+  for (auto _ : state) benchmark::DoNotOptimize(s.world.sea.phases.sample<double>(s.draw()[0]));
+}
+BENCHMARK(phase_sample);
+
+void phase_value(benchmark::State& state) {
+  Setting s;
+  for (auto _ : state) benchmark::DoNotOptimize(s.world.sea.phases.value<double>(2 * s.draw()[0]));
+}
+BENCHMARK(phase_value);
+
+void free_flight(benchmark::State& state) {
+  Setting s;
+  for (auto _ : state) {
+    auto photon = s.photon;
+    benchmark::DoNotOptimize(transport::fly(s.world.sea, photon, s.draw()[0]));
+    benchmark::DoNotOptimize(photon);
+  }
+}
+BENCHMARK(free_flight);
+
+void turn(benchmark::State& state) {
+  Setting s;
+  for (auto _ : state) {
+    const auto u = s.draw();
+    benchmark::DoNotOptimize(turned(s.photon.direction, 2 * u[0], u[1], std::sqrt(1 - u[1] * u[1])));
+  }
+}
+BENCHMARK(turn);
+
+/// Argument: how far aside of the axis, in units of 0.1 m.
+void connection(benchmark::State& state) {
+  Setting s;
+  s.photon.position.x = 0.1 * static_cast<double>(state.range(0));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        transport::connect_through_surface(s.world.sea, s.world.telescopes[0], s.photon, 0, true));
+  }
+}
+BENCHMARK(connection)->Arg(0)->Arg(2)->Arg(50);
+
+}  // namespace
+}  // namespace photic
