@@ -68,10 +68,10 @@ void add_lines(const scene::Scene& scene, const ProcessEmission& emission, Mediu
       if (at == medium.line.size()) {
         medium.line.push_back(line);
         coefficients.emplace_back(emission.layer.size(), 0.0);
-        medium.sources.push_back(
-            fmt::format("{} at {:.2f} nm, layer {}: {:.5g} 1/m: {}", process_name(line.process), line.wavelength_nm,
-                        k, emitted.coefficient_per_m, emission.layer[k].source));
       }
+      medium.sources.push_back(
+          fmt::format("layer {}: {} light at {:.2f} nm = {:.5g} 1/m: {}", k, process_name(line.process),
+                      line.wavelength_nm, emitted.coefficient_per_m, emission.layer[k].source));
       coefficients[at][k] = emitted.coefficient_per_m;
     }
   }
@@ -82,6 +82,13 @@ std::int32_t conversion_phase(Medium& medium, Process process, const optics::Lib
   const bool is_raman = process == Process::raman;
   const auto shape = is_raman ? optics::raman_phase(library.raman.at("depolarisation").value) : optics::isotropic();
   return medium.add_phase(optics::PhaseTable(shape));
+}
+
+[[noreturn]] void give_back_too_much(const scene::Layer& layer, double a_per_m, double emitted_per_m) {
+  throw InputError({{"", 0, 0,
+                     fmt::format("layer \"{}\" emits more Raman and fluorescence light ({:.3g} 1/m) than it absorbs ({:.3g} 1/m)",
+                                 layer.name, emitted_per_m, a_per_m),
+                     "a is the total absorption, the light given back at other wavelengths is part of it"}});
 }
 
 /// The tables of one line, layer by layer.
@@ -96,6 +103,7 @@ void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of, co
     medium.conversion.push_back(l == 0 ? 0.0 : coefficients[l][k] / medium.c[k]);
     double emitted = 0;
     for (std::size_t other = 1; l == 0 && other < medium.line.size(); ++other) emitted += coefficients[other][k];
+    if (emitted > water.a_per_m) give_back_too_much(layer, water.a_per_m, emitted);
     medium.absorption.push_back((water.a_per_m - emitted) / c);
     medium.elastic_phase.push_back(medium.add_phase(optics::PhaseTable(optics_of.phase(layer, water))));
     for (const auto& source : water.sources) {

@@ -95,7 +95,8 @@ T PhaseView::sample(const T& u, const Index<T>& table) const {
   // Inverse of the cumulative of a straight line: 2 pi (p0 s + slope s^2 / 2) = u - below, solved for s = x - x0.
   const T rest = (u - gather<T>(cdf, base + cell)) * T(1 / pi);
   const T p0 = gather<T>(node, base + cell);
-  const T root = sqrt(p0 * p0 + rest * gather<T>(slope, base + cell));
+  const T square = p0 * p0 + rest * gather<T>(slope, base + cell);  // rounding may take it below 0 where p ends at 0
+  const T root = sqrt(select(square > T(0), square, T(0)));
   const T x0 = octave_edge<T>(cell + Index<T>(core_exponent * (1 << cell_bits)), cell_bits);
   const T x = x0 + rest / (p0 + root);
   const T inside = select(x < T(2), x, T(2));

@@ -135,7 +135,7 @@ struct Simulation {
   std::int64_t orders_kept = 6;
   std::uint64_t seed = 1;
   double directed_fraction = 0.5;       ///< share of directions drawn towards a telescope; 0 turns it off
-  double conversion_probability = 0.2;  ///< of a branch into an inelastic process, per collision
+  double conversion_probability = 0.15;  ///< of a branch into an inelastic process, per collision
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };
 

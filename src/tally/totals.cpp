@@ -13,7 +13,7 @@ constexpr double largest_relative_error = 0.10;
 constexpr double largest_single_share = 0.02;
 constexpr double largest_variance_of_variance = 0.1;  // as MCNP asks for: X-5 Monte Carlo Team, LA-UR-03-1987 (2003)
 constexpr double few_scores = 30;                     // scores that make up the top of a distribution
-constexpr double largest_top_share = 0.30;            // of the second moment, in those few
+constexpr double largest_top_share = 0.50; // of the second moment, in those few
 constexpr double largest_error_growth = 1.4;         // of error * sqrt(photons), over a factor of four in photons
 
 double error_of_sum(const Sums& s, double photons, double batches) {
