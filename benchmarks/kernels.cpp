@@ -14,8 +14,10 @@ namespace {
 
 /// The benchmark scene and a photon 10 m deep, a little aside, going down.
 struct Setting {
-  engine::Problem problem = engine::make_problem(scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene);
-  engine::World<double> world = engine::make_world<double>(problem.scene, problem.medium, problem.gates);
+  engine::Problem problem =
+      engine::make_problem(scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene);
+  engine::World<double> world =
+      engine::make_world<double>(problem.scene, problem.medium, problem.gates);
   transport::Photon<double> photon;
   RandomPlace<double> place{1, 0, 0};
 
@@ -61,7 +63,8 @@ void turn(benchmark::State& state) {
   Setting s;
   for (auto _ : state) {
     const auto u = s.draw();
-    benchmark::DoNotOptimize(turned(s.photon.direction, 2 * u[0], u[1], std::sqrt(1 - u[1] * u[1])));
+    benchmark::DoNotOptimize(
+        turned(s.photon.direction, 2 * u[0], u[1], std::sqrt(1 - u[1] * u[1])));
   }
 }
 BENCHMARK(turn);

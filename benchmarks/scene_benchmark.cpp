@@ -1,8 +1,8 @@
 // Speed and efficiency of a scene:
 //   build/dev/benchmarks/scene_benchmark SCENE [photons] [threads] [--set-like overrides…]
-// Prints photons/s, collisions/s, peak memory, and per gate the figure of merit 1 / (relative variance x CPU seconds),
-// from the scatter of independent repeats. Gates that any repeat flags have none: a variance that has not converged
-// makes every estimator look good.
+// Prints photons/s, collisions/s, peak memory, and per gate the figure of merit 1 / (relative
+// variance x CPU seconds), from the scatter of independent repeats. Gates that any repeat flags
+// have none: a variance that has not converged makes every estimator look good.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -23,14 +23,18 @@ constexpr std::uint64_t repeats = 10;
 double cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 int benchmark(int argc, char** argv) {
   const double photons = argc > 2 ? std::strtod(argv[2], nullptr) : 1e6;
   const int threads = argc > 3 ? std::atoi(argv[3]) : 1;
-  auto scene = photic::scene::read_scene(argv[1], std::vector<std::string>(argv + std::min(argc, 4), argv + argc)).scene;
+  auto scene = photic::scene::read_scene(
+                   argv[1], std::vector<std::string>(argv + std::min(argc, 4), argv + argc))
+                   .scene;
   scene.simulation.photons = static_cast<std::uint64_t>(photons);
   photic::engine::RunOptions options;
   options.threads = threads;
@@ -48,12 +52,16 @@ int benchmark(int argc, char** argv) {
   for (const auto& r : results) collisions += static_cast<double>(r.collisions);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  fmt::print("{} x {:.3g} photons on {} threads: {:.3g} photons/s, {:.3g} collisions/s, {:.2f} CPU s, {:.0f} MB\n", repeats, photons,
-             threads, static_cast<double>(repeats) * photons / wall, collisions / wall, cpu, static_cast<double>(usage.ru_maxrss) / 1024);
+  fmt::print(
+      "{} x {:.3g} photons on {} threads: {:.3g} photons/s, {:.3g} collisions/s, {:.2f} CPU s, "
+      "{:.0f} MB\n",
+      repeats, photons, threads, static_cast<double>(repeats) * photons / wall, collisions / wall,
+      cpu, static_cast<double>(usage.ru_maxrss) / 1024);
 
   const auto& first = results.front();
   const std::size_t gates = first.gates();
-  for (std::size_t cell = 0; cell < first.echo.mean.size(); cell += std::max<std::size_t>(1, gates / 20)) {
+  for (std::size_t cell = 0; cell < first.echo.mean.size();
+       cell += std::max<std::size_t>(1, gates / 20)) {
     double mean = 0;
     double variance = 0;
     bool flagged = false;
@@ -61,7 +69,8 @@ int benchmark(int argc, char** argv) {
       mean += r.echo.mean[cell] / static_cast<double>(repeats);
       flagged = flagged || r.convergence_flags[cell] != 0;
     }
-    for (const auto& r : results) variance += std::pow(r.echo.mean[cell] - mean, 2) / static_cast<double>(repeats - 1);
+    for (const auto& r : results)
+      variance += std::pow(r.echo.mean[cell] - mean, 2) / static_cast<double>(repeats - 1);
     const std::size_t channel = cell / gates % first.channels();
     const double depth = first.gate_depth_edge_m[channel * (gates + 1) + cell % gates];
     const double merit = mean * mean / (variance * cpu / static_cast<double>(repeats));

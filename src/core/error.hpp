@@ -16,9 +16,9 @@ class EnvironmentError : public std::runtime_error {
 
 /// One thing wrong with what the user wrote. Printed as "file:line:column: reason (suggestion)".
 struct Diagnostic {
-  std::string file;    ///< the file, or "--set path=value", or empty when it concerns no place
-  int line = 0;        ///< from 1; 0 when the file has no lines
-  int column = 0;      ///< from 1
+  std::string file;  ///< the file, or "--set path=value", or empty when it concerns no place
+  int line = 0;      ///< from 1; 0 when the file has no lines
+  int column = 0;    ///< from 1
   std::string reason;
   std::string suggestion;  ///< what to do; may be empty
 

@@ -1,7 +1,7 @@
 // The lane type: what a template over T may do with T besides arithmetic.
 //
-// Transport code is written once, for a T that is one double (the reference), one float, or a pack of
-// them that walks several photons at a time. Such code never branches on a value: it blends with
+// Transport code is written once, for a T that is one double (the reference), one float, or a pack
+// of them that walks several photons at a time. Such code never branches on a value: it blends with
 // select() and loops with any(). This header gives the scalar meaning of each operation; a pack
 // overloads them beside its own type, and the unqualified calls find it.
 #pragma once
@@ -63,8 +63,9 @@ constexpr T to_real(std::int32_t i) {
 inline std::int32_t floor_index(double x) { return static_cast<std::int32_t>(x); }
 inline std::int32_t floor_index(float x) { return static_cast<std::int32_t>(x); }
 
-/// Where a positive x lies on a grid with 2^bits equal cells in every octave: the number of its cell
-/// counted from that of 1.0 (negative below), and the fraction of the cell below x, 0 <= fraction < 1.
+/// Where a positive x lies on a grid with 2^bits equal cells in every octave: the number of its
+/// cell counted from that of 1.0 (negative below), and the fraction of the cell below x, 0 <=
+/// fraction < 1.
 template <class T>
 struct OctaveCell {
   Index<T> cell;
@@ -76,7 +77,8 @@ inline OctaveCell<double> octave_cell(double x, int bits) {
   const int drop = 52 - bits;
   const auto cell = static_cast<std::int32_t>(u >> drop) - (1023 << bits);
   const std::uint64_t rest = u & ((std::uint64_t{1} << drop) - 1);
-  return {cell, static_cast<double>(rest) * std::bit_cast<double>(std::uint64_t(1023 - drop) << 52)};
+  return {cell,
+          static_cast<double>(rest) * std::bit_cast<double>(std::uint64_t(1023 - drop) << 52)};
 }
 
 inline OctaveCell<float> octave_cell(float x, int bits) {

@@ -1,7 +1,8 @@
-// Random numbers by counter: what a photon draws depends on its number alone, never on who walks it.
+// Random numbers by counter: what a photon draws depends on its number alone, never on who walks
+// it.
 //
-// Philox4x32-10 (Salmon et al., SC'11, 2011) from Random123. Counter: photon low, photon high, event, block;
-// key: the seed.
+// Philox4x32-10 (Salmon et al., SC'11, 2011) from Random123. Counter: photon low, photon high,
+// event, block; key: the seed.
 #pragma once
 
 #include <Random123/philox.h>
@@ -46,8 +47,10 @@ constexpr T uniform_from(std::uint32_t word) {
 /// Four uniforms of one event of one photon; an event that needs more asks for another block.
 template <std::floating_point T>
 std::array<T, 4> uniforms(const RandomPlace<T>& place, std::uint32_t block) {
-  const auto w = philox_words(place.seed, place.photon, static_cast<std::uint32_t>(place.event), block);
-  return {uniform_from<T>(w[0]), uniform_from<T>(w[1]), uniform_from<T>(w[2]), uniform_from<T>(w[3])};
+  const auto w =
+      philox_words(place.seed, place.photon, static_cast<std::uint32_t>(place.event), block);
+  return {uniform_from<T>(w[0]), uniform_from<T>(w[1]), uniform_from<T>(w[2]),
+          uniform_from<T>(w[3])};
 }
 
 }  // namespace photic

@@ -55,15 +55,17 @@ constexpr Vec3<T> vec3_cast(const Vec3<U>& a) {
   return {T(a.x), T(a.y), T(a.z)};
 }
 
-/// 1 - cos of the angle between two unit vectors, exact near zero (where 1 - dot(a, b) has no digits).
+/// 1 - cos of the angle between two unit vectors, exact near zero (where 1 - dot(a, b) has no
+/// digits).
 template <class T>
 constexpr T one_minus_cos(const Vec3<T>& a, const Vec3<T>& b) {
   const Vec3<T> d = a - b;
   return T(0.5) * dot(d, d);
 }
 
-/// The unit vector at 1 - cos(angle) = x and azimuth given by its cosine and sine about the unit vector w.
-/// Source: the branch-free orthonormal basis of Duff et al., J. Comput. Graph. Tech. 6(1), 1 (2017).
+/// The unit vector at 1 - cos(angle) = x and azimuth given by its cosine and sine about the unit
+/// vector w. Source: the branch-free orthonormal basis of Duff et al., J. Comput. Graph. Tech.
+/// 6(1), 1 (2017).
 template <class T>
 Vec3<T> turned(const Vec3<T>& w, const T& x, const T& cos_azimuth, const T& sin_azimuth) {
   using std::sqrt;

@@ -1,6 +1,6 @@
 // Runs histories in batches on threads. A batch is the unit of statistics, of parallelism and of
-// reproducibility: batch k holds photons k * batch_photons and up, whoever computes them, and batches are merged in
-// their order; what ends a run is looked at there too.
+// reproducibility: batch k holds photons k * batch_photons and up, whoever computes them, and
+// batches are merged in their order; what ends a run is looked at there too.
 #pragma once
 
 #include <chrono>
@@ -105,7 +105,8 @@ class BatchRunner {
   void simulate(std::uint64_t batch, tally::BatchTally& tally) const {
     tally.photons = conductor_.photons_of(batch);
     const std::uint64_t first = batch * batch_photons;
-    for (std::uint64_t photon = first; photon < first + tally.photons; ++photon) follow(world_, photon, tally);
+    for (std::uint64_t photon = first; photon < first + tally.photons; ++photon)
+      follow(world_, photon, tally);
   }
 
   void merge_what_is_due() {

@@ -11,23 +11,27 @@
 
 namespace photic::engine {
 
-/// Directed sampling aims at no more ways than this; telescopes beyond have to do with the light of the others.
+/// Directed sampling aims at no more ways than this; telescopes beyond have to do with the light of
+/// the others.
 inline constexpr int target_capacity = 16;
 template <class T>
 using Targets = transport::Targets<T, target_capacity>;
 
-/// Scores one line's light of a collision in all telescopes: weight before the collision x share of the process
-/// x phase function x acceptance x exp(-optical depth back at the emitted wavelength) (docs/theory.md, "The local
-/// estimate"). Adds the ways to the telescopes to `targets`, if given, for directed sampling: those outside the
-/// field of view too, for light that first turns towards a telescope and then enters its view is what a plain
-/// walk finds too rarely.
+/// Scores one line's light of a collision in all telescopes: weight before the collision x share of
+/// the process x phase function x acceptance x exp(-optical depth back at the emitted wavelength)
+/// (docs/theory.md, "The local estimate"). Adds the ways to the telescopes to `targets`, if given,
+/// for directed sampling: those outside the field of view too, for light that first turns towards a
+/// telescope and then enters its view is what a plain walk finds too rarely.
 template <class T>
-void score_line(const World<T>& world, const transport::Photon<T>& photon, const Index<T>& line, const T& share,
-                      const Index<T>& phase, tally::BatchTally& tally, Targets<T>* targets) {
+void score_line(const World<T>& world, const transport::Photon<T>& photon, const Index<T>& line,
+                const T& share, const Index<T>& phase, tally::BatchTally& tally,
+                Targets<T>* targets) {
   const auto offer = [&](std::size_t telescope, const transport::Connection<T>& way) {
-    if (targets != nullptr && way.in_front && targets->count < target_capacity) targets->add(way.direction, T(0), true);
+    if (targets != nullptr && way.in_front && targets->count < target_capacity)
+      targets->add(way.direction, T(0), true);
     if (!(way.acceptance > T(0))) return;
-    const T p = world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction), phase);
+    const T p =
+        world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction), phase);
     tally::Score score;
     score.telescope = telescope;
     score.line = line;
@@ -40,7 +44,8 @@ void score_line(const World<T>& world, const transport::Photon<T>& photon, const
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const auto& telescope = world.telescopes[t];
     if (!telescope.submerged) {
-      offer(t, transport::connect_through_surface(world.sea, telescope, photon, line, targets != nullptr));
+      offer(t, transport::connect_through_surface(world.sea, telescope, photon, line,
+                                                  targets != nullptr));
       continue;
     }
     const auto& layer = world.telescope_layer[t];
@@ -49,7 +54,8 @@ void score_line(const World<T>& world, const transport::Photon<T>& photon, const
   }
 }
 
-/// 1 - cos of the half angle of a cone about `axis` that holds a ball of a radius at `there`; a hemisphere at most.
+/// 1 - cos of the half angle of a cone about `axis` that holds a ball of a radius at `there`; a
+/// hemisphere at most.
 template <class T>
 T cone_around(const Vec3<T>& axis, const Vec3<T>& there, const T& radius) {
   const T cosine = dot(axis, there) / length(there);
@@ -57,9 +63,10 @@ T cone_around(const Vec3<T>& axis, const Vec3<T>& there, const T& radius) {
   return T(1) - std::cos(std::min(angle, T(pi / 2)));
 }
 
-/// Adds the views of the telescopes as targets for light that has yet to be converted: converted light leaves in all
-/// directions, so what counts is that the laser's light comes into view, at whatever angle. The cone holds the whole
-/// column, or light from the side could enter it by a direction that is drawn too rarely.
+/// Adds the views of the telescopes as targets for light that has yet to be converted: converted
+/// light leaves in all directions, so what counts is that the laser's light comes into view, at
+/// whatever angle. The cone holds the whole column, or light from the side could enter it by a
+/// direction that is drawn too rarely.
 template <class T>
 void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Targets<T>& targets) {
   for (const auto& view : world.views) {
@@ -72,11 +79,11 @@ void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Tar
   }
 }
 
-/// Scores what the telescopes expect of a photon that is scattered where it stands. Fills in the targets of the
-/// direction it may take next.
+/// Scores what the telescopes expect of a photon that is scattered where it stands. Fills in the
+/// targets of the direction it may take next.
 template <class T>
-void score_scattering(const World<T>& world, const transport::Photon<T>& photon, tally::BatchTally& tally,
-                      Targets<T>& targets) {
+void score_scattering(const World<T>& world, const transport::Photon<T>& photon,
+                      tally::BatchTally& tally, Targets<T>& targets) {
   const medium::MediumView& sea = world.sea;
   const Index<T> here = sea.at(photon.line, photon.layer);
   targets.clear();
@@ -87,14 +94,14 @@ void score_scattering(const World<T>& world, const transport::Photon<T>& photon,
 
 /// Scores what the telescopes expect of the conversions on a photon's way to its next collision.
 template <class T>
-void score_conversions(const World<T>& world, transport::Photon<T> photon, const transport::ForcedUniforms<T>& u,
-                       tally::BatchTally& tally) {
+void score_conversions(const World<T>& world, transport::Photon<T> photon,
+                       const transport::ForcedUniforms<T>& u, tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
   if (photon.line != 0 || !transport::force_collision(sea, photon, world.approaches, u)) return;
   for (Index<T> i = 0; i < sea.convertible_count[photon.layer]; ++i) {
     const Index<T> line = sea.convertible[photon.layer * sea.lines + i];
-    score_line<T>(world, photon, line, T(sea.conversion[sea.at(line, photon.layer)]), sea.conversion_phase[line], tally,
-                  nullptr);
+    score_line<T>(world, photon, line, T(sea.conversion[sea.at(line, photon.layer)]),
+                  sea.conversion_phase[line], tally, nullptr);
   }
 }
 

@@ -16,7 +16,8 @@ namespace photic::engine {
 /// A photon that has not ended after so many events is lost, and counted.
 inline constexpr std::int32_t most_events = 1'000'000;
 
-/// Whether light from here can still be back within the last gate: the shortest way at the least group index.
+/// Whether light from here can still be back within the last gate: the shortest way at the least
+/// group index.
 template <class T>
 bool in_time(const World<T>& world, const transport::Photon<T>& photon) {
   T shortest = std::numeric_limits<T>::max();
@@ -62,10 +63,12 @@ void follow(const World<T>& world, std::uint64_t number, tally::BatchTally& tall
       score_scattering(world, photon, tally, targets);
       if (photon.order + 1 == world.last_order) return void(ledger.cut_by_order += photon.weight);
 
-      ledger.absorbed += photon.weight * T(world.sea.absorption[world.sea.at(photon.line, photon.layer)]);
+      ledger.absorbed +=
+          photon.weight * T(world.sea.absorption[world.sea.at(photon.line, photon.layer)]);
       const auto v = world.makes_choices ? uniforms(place, 1) : std::array<T, 4>{};
       const auto branch = collide(world.sea, photon, world.conversion, v[0], v[1]);
-      scatter(world.sea, photon, branch.phase, branch.lobe, targets, world.directed, {u[1], u[2], v[2], v[3]});
+      scatter(world.sea, photon, branch.phase, branch.lobe, targets, world.directed,
+              {u[1], u[2], v[2], v[3]});
     }
     const T before = photon.weight;
     const bool survives = roulette(photon, world.roulette_threshold, u[3]);

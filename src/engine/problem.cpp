@@ -19,7 +19,8 @@ std::vector<medium::Process> processes_of(const std::vector<medium::Line>& lines
   return out;
 }
 
-tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium, const tally::Gates& gates) {
+tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
+                        const tally::Gates& gates) {
   tally::Shape shape;
   const auto processes = processes_of(medium.line);
   shape.telescopes = scene.telescope.size();
@@ -35,7 +36,8 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   for (const auto& line : medium.line) {
     std::vector<std::int32_t> counted_by;
     for (std::size_t c = 0; c < scene.channel.size(); ++c) {
-      if (medium::counts(scene.channel[c], line)) counted_by.push_back(static_cast<std::int32_t>(c));
+      if (medium::counts(scene.channel[c], line))
+        counted_by.push_back(static_cast<std::int32_t>(c));
     }
     shape.channels_of_line.push_back(std::move(counted_by));
     const auto at = std::find(processes.begin(), processes.end(), line.process);
@@ -44,7 +46,8 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   return shape;
 }
 
-/// The light a channel stands for: the mean over the lines it counts, else the laser's or its filter's centre.
+/// The light a channel stands for: the mean over the lines it counts, else the laser's or its
+/// filter's centre.
 medium::Line channel_line(const scene::Channel& channel, const std::vector<medium::Line>& lines) {
   medium::Line mean = lines.front();
   double count = 0;
@@ -79,7 +82,8 @@ tally::Result describe(const Problem& problem) {
   const auto& [scene, medium, gates, shape] = problem;
   tally::Result result;
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
-  for (const auto process : processes_of(medium.line)) result.process_name.emplace_back(process_name(process));
+  for (const auto process : processes_of(medium.line))
+    result.process_name.emplace_back(process_name(process));
   result.orders = static_cast<std::int64_t>(shape.orders);
   result.gate_depth_is_range = gates.depth_is_range();
   for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {

@@ -16,7 +16,8 @@ struct Problem {
   tally::Shape shape;
 };
 
-/// Throws InputError for optics without data at a wavelength, EnvironmentError for missing data files.
+/// Throws InputError for optics without data at a wavelength, EnvironmentError for missing data
+/// files.
 Problem make_problem(const scene::Scene& scene);
 
 /// A result's axes, and what it says of the scene; the tallies are still to be filled in.

@@ -17,24 +17,29 @@ void warn(tally::Result& result) {
   const auto cut = std::count_if(result.order_cut_share.begin(), result.order_cut_share.end(),
                                  [](double share) { return share > tolerated_cut; });
   if (cut > 0) {
-    result.warnings.push_back(
-        fmt::format("max_order cuts off more than 0.1 % of the echo in {} gates: raise it or leave it out", cut));
+    result.warnings.push_back(fmt::format(
+        "max_order cuts off more than 0.1 % of the echo in {} gates: raise it or leave it out",
+        cut));
   }
   if (result.lost_too_many_events > 0) {
-    result.warnings.push_back(fmt::format("{} photons were lost after too many events ({} of all weight)",
-                                          result.lost_too_many_events, result.ledger.lost));
+    result.warnings.push_back(
+        fmt::format("{} photons were lost after too many events ({} of all weight)",
+                    result.lost_too_many_events, result.ledger.lost));
   }
   if (result.lost_not_finite > 0) {
-    result.warnings.push_back(fmt::format("{} numbers were not finite and were dropped", result.lost_not_finite));
+    result.warnings.push_back(
+        fmt::format("{} numbers were not finite and were dropped", result.lost_not_finite));
   }
   for (std::size_t c = 0; c < result.channels(); ++c) {
     double sum = 0;
     for (std::size_t t = 0; t < result.telescopes(); ++t) {
-      const auto first = result.echo.mean.begin() + static_cast<std::ptrdiff_t>((t * result.channels() + c) * result.gates());
+      const auto first = result.echo.mean.begin() +
+                         static_cast<std::ptrdiff_t>((t * result.channels() + c) * result.gates());
       sum += std::accumulate(first, first + static_cast<std::ptrdiff_t>(result.gates()), 0.0);
     }
     if (sum == 0) {
-      result.warnings.push_back(fmt::format("no light reaches channel \"{}\"", result.channel_name[c]));
+      result.warnings.push_back(
+          fmt::format("no light reaches channel \"{}\"", result.channel_name[c]));
     }
   }
 }

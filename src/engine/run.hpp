@@ -22,14 +22,15 @@ struct Progress {
 };
 
 struct RunOptions {
-  int threads = 0;                                   ///< 0: all cores
-  std::function<void(const Progress&)> progress;     ///< called a few times a second from one thread at a time
-  const std::atomic<bool>* interrupt = nullptr;      ///< set to end the run at the next batch end
+  int threads = 0;  ///< 0: all cores
+  std::function<void(const Progress&)>
+      progress;  ///< called a few times a second from one thread at a time
+  const std::atomic<bool>* interrupt = nullptr;  ///< set to end the run at the next batch end
 };
 
-/// Runs the scene to its photons, target or time limit. The result depends on the scene alone, not on
-/// the threads (max_time_s and interrupts decide only after which batch it ends).
-/// Throws InputError for optics without data at a wavelength, EnvironmentError for missing data files.
+/// Runs the scene to its photons, target or time limit. The result depends on the scene alone, not
+/// on the threads (max_time_s and interrupts decide only after which batch it ends). Throws
+/// InputError for optics without data at a wavelength, EnvironmentError for missing data files.
 tally::Result run(const scene::Scene& scene, const RunOptions& options = {});
 
 }  // namespace photic::engine

@@ -14,18 +14,20 @@
 
 namespace photic::engine {
 
-/// A telescope's view as seen by light that is still to be converted: a column along its axis from where it enters the
-/// water, as long as most of the converted light comes from.
+/// A telescope's view as seen by light that is still to be converted: a column along its axis from
+/// where it enters the water, as long as most of the converted light comes from.
 template <class T>
 struct View {
   transport::Approach<T> approach;
-  Vec3<T> centre;  ///< of the column, one mean free path of the fastest attenuated line from the entry
+  Vec3<T>
+      centre;  ///< of the column, one mean free path of the fastest attenuated line from the entry
   Vec3<T> end;
-  T radius{};      ///< of the column at its centre
+  T radius{};  ///< of the column at its centre
 };
 
 template <class T>
-View<T> make_view(const instrument::Telescope<T>& telescope, const medium::Medium& medium, std::size_t layer) {
+View<T> make_view(const instrument::Telescope<T>& telescope, const medium::Medium& medium,
+                  std::size_t layer) {
   double c = 0;
   for (std::size_t l = 1; l < medium.line.size(); ++l) {
     c = std::max(c, medium.c[l * static_cast<std::size_t>(medium.layers()) + layer]);
@@ -39,7 +41,8 @@ View<T> make_view(const instrument::Telescope<T>& telescope, const medium::Mediu
   if (!telescope.submerged && axis.z < 0) {
     in_air = lens.z / -axis.z;
     entry = lens + in_air * axis;
-    onward = normalised(Vec3<double>{axis.x / n, axis.y / n, -std::sqrt(1 - (1 - axis.z * axis.z) / (n * n))});
+    onward = normalised(
+        Vec3<double>{axis.x / n, axis.y / n, -std::sqrt(1 - (1 - axis.z * axis.z) / (n * n))});
   }
   const double apparent = in_air + 1 / (c * (telescope.submerged ? 1.0 : n));
   const double blur = telescope.lens_radius *
@@ -61,11 +64,12 @@ struct World {
   std::vector<Index<T>> telescope_layer;
   std::vector<View<T>> views;  ///< of each telescope; none if nothing is converted
   std::vector<transport::Approach<T>> approaches;  ///< of the views
-  T last_path{};            ///< end of the last gate [m]
-  T least_group_index{};    ///< of all lines
-  T directed{};             ///< share of directions drawn towards a telescope
-  T conversion{};           ///< probability of a branch into the inelastic processes
-  bool makes_choices = false;  ///< whether collisions choose between phase functions, targets or lines at all
+  T last_path{};                                   ///< end of the last gate [m]
+  T least_group_index{};                           ///< of all lines
+  T directed{};    ///< share of directions drawn towards a telescope
+  T conversion{};  ///< probability of a branch into the inelastic processes
+  bool makes_choices =
+      false;  ///< whether collisions choose between phase functions, targets or lines at all
   T roulette_threshold{};
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   std::uint64_t seed = 0;
@@ -75,7 +79,8 @@ struct World {
 inline constexpr double roulette_threshold = 1e-8;
 
 template <class T>
-World<T> make_world(const scene::Scene& scene, const medium::Medium& medium, const tally::Gates& gates) {
+World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
+                    const tally::Gates& gates) {
   World<T> world;
   world.sea = medium.view();
   world.laser = instrument::make_laser<T>(scene.source);
@@ -85,7 +90,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium, con
     world.telescope_layer.push_back(Index<T>(medium.layer_at(std::max(0.0, -t.position_m.z))));
   }
   for (std::size_t t = 0; medium.line.size() > 1 && t < world.telescopes.size(); ++t) {
-    world.views.push_back(make_view(world.telescopes[t], medium, static_cast<std::size_t>(world.telescope_layer[t])));
+    world.views.push_back(
+        make_view(world.telescopes[t], medium, static_cast<std::size_t>(world.telescope_layer[t])));
     world.approaches.push_back(world.views.back().approach);
   }
   world.last_path = T(gates.last_path());
@@ -96,7 +102,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium, con
   world.conversion = T(scene.simulation.conversion_probability);
   world.makes_choices = scene.simulation.directed_fraction > 0 || medium.line.size() > 1;
   world.roulette_threshold = T(roulette_threshold);
-  world.last_order = scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
+  world.last_order =
+      scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
   world.seed = scene.simulation.seed;
   return world;
 }

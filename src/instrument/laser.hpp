@@ -1,5 +1,5 @@
-// A laser as a disc whose light leaves in a cone: the cone's vertex is a fictitious point behind the disc,
-// directions are uniform in solid angle inside the cone (paper, section "The model").
+// A laser as a disc whose light leaves in a cone: the cone's vertex is a fictitious point behind
+// the disc, directions are uniform in solid angle inside the cone (paper, section "The model").
 #pragma once
 
 #include <cmath>

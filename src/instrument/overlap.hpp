@@ -9,7 +9,8 @@
 namespace photic::instrument {
 
 /// Area common to two circles of radii r1 and r2 whose centres are d apart [m^2]; all >= 0.
-/// Source: elementary geometry (two circular segments), e.g. Harms, Lahmann & Weitkamp, Appl. Opt. 17, 1131 (1978).
+/// Source: elementary geometry (two circular segments), e.g. Harms, Lahmann & Weitkamp, Appl. Opt.
+/// 17, 1131 (1978).
 template <class T>
 T circles_overlap(const T& r1, const T& r2, const T& d) {
   using std::abs;

@@ -13,26 +13,28 @@ namespace photic::instrument {
 
 template <class T>
 struct Telescope {
-  Vec3<T> position;      ///< centre of the lens [m]
-  Vec3<T> axis;          ///< where it looks, a unit vector
-  T lens_radius{};       ///< [m]
+  Vec3<T> position;  ///< centre of the lens [m]
+  Vec3<T> axis;      ///< where it looks, a unit vector
+  T lens_radius{};   ///< [m]
   T obstruction_radius{};
-  T power{};           ///< 1 / focal length [1/m]
+  T power{};  ///< 1 / focal length [1/m]
   T detector_radius{};
-  T detector_distance{}; ///< from the lens: focal length + shift
+  T detector_distance{};   ///< from the lens: focal length + shift
   T cos_squared_widest{};  ///< see cos_squared_of_widest_view()
   bool submerged = false;
 
-  /// Whether light that rises from below may fall on the detector of a telescope in the air, if it moves aside in the
-  /// direction of (tx, ty) at an angle to the vertical whose tangent is at least the length of that vector.
+  /// Whether light that rises from below may fall on the detector of a telescope in the air, if it
+  /// moves aside in the direction of (tx, ty) at an angle to the vertical whose tangent is at least
+  /// the length of that vector.
   Mask<T> may_see_beyond(const T& tx, const T& ty) const {
-    // With t the vector: -cos(off axis) sqrt(1 + t^2) = axis.t + axis.z; beyond the angle the cosine has its best
-    // value at the angle or at its extremum.
+    // With t the vector: -cos(off axis) sqrt(1 + t^2) = axis.t + axis.z; beyond the angle the
+    // cosine has its best value at the angle or at its extremum.
     const T aside = tx * axis.x + ty * axis.y;
     const T tangent_squared = tx * tx + ty * ty;
     const Mask<T> before_extremum = aside < tangent_squared * axis.z;
     const T forward = -(aside + axis.z);
-    const Mask<T> inside = (forward > T(0)) & (forward * forward >= cos_squared_widest * (T(1) + tangent_squared));
+    const Mask<T> inside =
+        (forward > T(0)) & (forward * forward >= cos_squared_widest * (T(1) + tangent_squared));
     return before_extremum | inside;
   }
 
@@ -41,10 +43,11 @@ struct Telescope {
     return T(pi) * (lens_radius * lens_radius - obstruction_radius * obstruction_radius);
   }
 
-  /// The share of the light entering the lens from a point at range z along the axis (z > 0) and at the off-axis
-  /// angle with the given tangent that falls on the detector: 0 outside the field of view.
-  /// The image is a disc of radius blur with the obstruction's shadow in it, shifted by q off the axis; the
-  /// share is that of its area on the detector (docs/theory.md, "The telescope"; Harms, Appl. Opt. 18, 1559 (1979)).
+  /// The share of the light entering the lens from a point at range z along the axis (z > 0) and at
+  /// the off-axis angle with the given tangent that falls on the detector: 0 outside the field of
+  /// view. The image is a disc of radius blur with the obstruction's shadow in it, shifted by q off
+  /// the axis; the share is that of its area on the detector (docs/theory.md, "The telescope";
+  /// Harms, Appl. Opt. 18, 1559 (1979)).
   T overlap(const T& z, const T& tan_off_axis) const {
     using std::abs;
     const T defocus = abs(T(1) - detector_distance * (power - T(1) / z));
@@ -56,24 +59,26 @@ struct Telescope {
     const T shadow = obstruction_radius * defocus;
     const T image_area = T(pi) * (blur * blur - shadow * shadow);
     const Mask<T> sharp = blur < T(1e-6) * detector_radius;
-    const T lit = circles_overlap(detector_radius, blur, q) - circles_overlap(detector_radius, shadow, q);
+    const T lit =
+        circles_overlap(detector_radius, blur, q) - circles_overlap(detector_radius, shadow, q);
     const T step = select(q < detector_radius, T(1), T(0));
     const T share = select(sharp, step, lit / select(sharp, T(1), image_area));
     return select(partial, share, select(whole, T(1), T(0)));
   }
 };
 
-/// Squared cosine of an off-axis angle beyond which a telescope in the air sees nothing that is in the water; 0 for
-/// one in the water, or with so wide a view that nothing can be said.
+/// Squared cosine of an off-axis angle beyond which a telescope in the air sees nothing that is in
+/// the water; 0 for one in the water, or with so wide a view that nothing can be said.
 inline double cos_squared_of_widest_view(const scene::Telescope& s) {
   if (s.position_m.z < 0) return 0.0;
   const double f = s.focal_length_m;
   const double x = f + s.detector_shift_m;
-  // The blur is widest at one end of the ranges along the axis: infinity, or for off-axis cosines above 1/2 no less
-  // than half the height.
+  // The blur is widest at one end of the ranges along the axis: infinity, or for off-axis cosines
+  // above 1/2 no less than half the height.
   const double blur_far = std::abs(1 - x / f);
   const double blur_near = std::abs(1 - x * (1 / f - 2 / s.position_m.z));
-  const double reach = s.effective_detector_diameter_m() / 2 + s.diameter_m / 2 * std::max(blur_far, blur_near);
+  const double reach =
+      s.effective_detector_diameter_m() / 2 + s.diameter_m / 2 * std::max(blur_far, blur_near);
   const double cosine = std::cos(std::atan(reach / x)) * (1 - 1e-6);
   return cosine > 0.5 ? cosine * cosine : 0.0;
 }

@@ -24,16 +24,20 @@ bool asked_for(const scene::Scene& scene, const Line& line) {
 }
 
 Line make_line(const scene::Sea& sea, Process process, double wavelength_nm) {
-  const auto quan_fry = [&](auto index) { return index(wavelength_nm, sea.salinity_psu, sea.temperature_c); };
+  const auto quan_fry = [&](auto index) {
+    return index(wavelength_nm, sea.salinity_psu, sea.temperature_c);
+  };
   Line line;
   line.process = process;
   line.wavelength_nm = wavelength_nm;
-  line.refractive_index = sea.refractive_index ? *sea.refractive_index : quan_fry(optics::refractive_index);
+  line.refractive_index =
+      sea.refractive_index ? *sea.refractive_index : quan_fry(optics::refractive_index);
   line.group_index = sea.group_index ? *sea.group_index : quan_fry(optics::group_index);
   return line;
 }
 
-/// Emission of every layer by one process; what is emitted may differ by layer, its wavelengths do not.
+/// Emission of every layer by one process; what is emitted may differ by layer, its wavelengths do
+/// not.
 struct ProcessEmission {
   Process process;
   std::vector<optics::Emission> layer;
@@ -53,7 +57,8 @@ std::vector<ProcessEmission> emissions(const scene::Scene& scene, const LayerOpt
   return {raman, chlorophyll};
 }
 
-/// Adds a process' lines to the medium's, where a channel counts them, and their coefficients [1/m] by layer.
+/// Adds a process' lines to the medium's, where a channel counts them, and their coefficients [1/m]
+/// by layer.
 void add_lines(const scene::Scene& scene, const ProcessEmission& emission, Medium& medium,
                std::vector<std::vector<double>>& coefficients) {
   for (std::size_t k = 0; k < emission.layer.size(); ++k) {
@@ -69,9 +74,9 @@ void add_lines(const scene::Scene& scene, const ProcessEmission& emission, Mediu
         medium.line.push_back(line);
         coefficients.emplace_back(emission.layer.size(), 0.0);
       }
-      medium.sources.push_back(
-          fmt::format("layer {}: {} light at {:.2f} nm = {:.5g} 1/m: {}", k, process_name(line.process),
-                      line.wavelength_nm, emitted.coefficient_per_m, emission.layer[k].source));
+      medium.sources.push_back(fmt::format("layer {}: {} light at {:.2f} nm = {:.5g} 1/m: {}", k,
+                                           process_name(line.process), line.wavelength_nm,
+                                           emitted.coefficient_per_m, emission.layer[k].source));
       coefficients[at][k] = emitted.coefficient_per_m;
     }
   }
@@ -80,20 +85,25 @@ void add_lines(const scene::Scene& scene, const ProcessEmission& emission, Mediu
 std::int32_t conversion_phase(Medium& medium, Process process, const optics::Library& library) {
   if (process == Process::elastic) return 0;  // never used
   const bool is_raman = process == Process::raman;
-  const auto shape = is_raman ? optics::raman_phase(library.raman.at("depolarisation").value) : optics::isotropic();
+  const auto shape = is_raman ? optics::raman_phase(library.raman.at("depolarisation").value)
+                              : optics::isotropic();
   return medium.add_phase(optics::PhaseTable(shape));
 }
 
-[[noreturn]] void give_back_too_much(const scene::Layer& layer, double a_per_m, double emitted_per_m) {
-  throw InputError({{"", 0, 0,
-                     fmt::format("layer \"{}\" emits more Raman and fluorescence light ({:.3g} 1/m) than it absorbs ({:.3g} 1/m)",
-                                 layer.name, emitted_per_m, a_per_m),
-                     "a is the total absorption, the light given back at other wavelengths is part of it"}});
+[[noreturn]] void give_back_too_much(const scene::Layer& layer, double a_per_m,
+                                     double emitted_per_m) {
+  throw InputError(
+      {{"", 0, 0,
+        fmt::format("layer \"{}\" emits more Raman and fluorescence light ({:.3g} 1/m) than it "
+                    "absorbs ({:.3g} 1/m)",
+                    layer.name, emitted_per_m, a_per_m),
+        "a is the total absorption, the light given back at other wavelengths is part of it"}});
 }
 
 /// The tables of one line, layer by layer.
-void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of, const optics::Library& library,
-                     Medium& medium, std::size_t l, const std::vector<std::vector<double>>& coefficients) {
+void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of,
+                     const optics::Library& library, Medium& medium, std::size_t l,
+                     const std::vector<std::vector<double>>& coefficients) {
   for (std::size_t k = 0; k < scene.sea.layer.size(); ++k) {
     const auto& layer = scene.sea.layer[k];
     const WaterOptics water = optics_of(layer, medium.line[l].wavelength_nm);
@@ -102,12 +112,15 @@ void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of, co
     medium.albedo.push_back(water.b_per_m / c);
     medium.conversion.push_back(l == 0 ? 0.0 : coefficients[l][k] / medium.c[k]);
     double emitted = 0;
-    for (std::size_t other = 1; l == 0 && other < medium.line.size(); ++other) emitted += coefficients[other][k];
+    for (std::size_t other = 1; l == 0 && other < medium.line.size(); ++other)
+      emitted += coefficients[other][k];
     if (emitted > water.a_per_m) give_back_too_much(layer, water.a_per_m, emitted);
     medium.absorption.push_back((water.a_per_m - emitted) / c);
-    medium.elastic_phase.push_back(medium.add_phase(optics::PhaseTable(optics_of.phase(layer, water))));
+    medium.elastic_phase.push_back(
+        medium.add_phase(optics::PhaseTable(optics_of.phase(layer, water))));
     for (const auto& source : water.sources) {
-      medium.sources.push_back(fmt::format("layer {} at {:.2f} nm: {}", k, medium.line[l].wavelength_nm, source));
+      medium.sources.push_back(
+          fmt::format("layer {} at {:.2f} nm: {}", k, medium.line[l].wavelength_nm, source));
     }
   }
   medium.conversion_phase.push_back(conversion_phase(medium, medium.line[l].process, library));

@@ -7,8 +7,8 @@
 
 namespace photic::medium {
 
-/// The sea of a scene at the laser's wavelength and at those of the inelastic processes that a channel of
-/// the scene counts. Throws InputError where there are no data for a wavelength.
+/// The sea of a scene at the laser's wavelength and at those of the inelastic processes that a
+/// channel of the scene counts. Throws InputError where there are no data for a wavelength.
 Medium build_medium(const scene::Scene& scene, const optics::Library& library);
 
 /// Whether a channel counts the light of a line.

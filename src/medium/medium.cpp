@@ -10,8 +10,9 @@ namespace photic::medium {
 namespace {
 
 using optics::PhaseView;
-/// Free paths are drawn from scattering alone, absorption being continuous along them: deep light is then reached by
-/// more photons, of less weight. Where water hardly scatters, from this share of c.
+/// Free paths are drawn from scattering alone, absorption being continuous along them: deep light
+/// is then reached by more photons, of less weight. Where water hardly scatters, from this share of
+/// c.
 constexpr double least_walk_share = 0.2;
 
 constexpr std::size_t nodes = PhaseView::cells + 1;
@@ -28,7 +29,8 @@ std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
   const auto count = static_cast<std::int32_t>(core_value_.size());
   for (std::int32_t i = 0; i < count; ++i) {
     const auto* there = node_.data() + static_cast<std::size_t>(i) * nodes;
-    if (core_value_[static_cast<std::size_t>(i)] == *v.core_value && std::equal(v.node, v.node + nodes, there)) {
+    if (core_value_[static_cast<std::size_t>(i)] == *v.core_value &&
+        std::equal(v.node, v.node + nodes, there)) {
       return i;
     }
   }
@@ -58,16 +60,19 @@ void Medium::finish() {
   const auto n_layers = static_cast<std::size_t>(layers());
   const std::size_t n_lines = line.size();
   const std::size_t cells = n_layers * n_lines;
-  expect(n_layers >= 1 && n_lines >= 1 && top.front() == 0.0, "a medium has layers from the surface and lines");
+  expect(n_layers >= 1 && n_lines >= 1 && top.front() == 0.0,
+         "a medium has layers from the surface and lines");
   expect(c.size() == cells && albedo.size() == cells && conversion.size() == cells &&
-             absorption.size() == cells && elastic_phase.size() == cells && conversion_phase.size() == n_lines,
+             absorption.size() == cells && elastic_phase.size() == cells &&
+             conversion_phase.size() == n_lines,
          "every table of the medium is complete");
   for (const Line& l : line) {
     index_.push_back(l.refractive_index);
     inverse_index_.push_back(1 / l.refractive_index);
     group_index_.push_back(l.group_index);
   }
-  for (std::size_t i = 0; i < cells; ++i) walk_c_.push_back(c[i] * std::max(albedo[i], least_walk_share));
+  for (std::size_t i = 0; i < cells; ++i)
+    walk_c_.push_back(c[i] * std::max(albedo[i], least_walk_share));
   depth_tau_ = depth_integrals(c);
   walk_depth_tau_ = depth_integrals(walk_c_);
   convertible_.assign(cells, 0);
@@ -75,7 +80,8 @@ void Medium::finish() {
     std::int32_t count = 0;
     for (std::size_t l = 1; l < n_lines; ++l) {
       if (conversion[l * n_layers + k] > 0) {
-        convertible_[k * n_lines + static_cast<std::size_t>(count++)] = static_cast<std::int32_t>(l);
+        convertible_[k * n_lines + static_cast<std::size_t>(count++)] =
+            static_cast<std::int32_t>(l);
       }
     }
     convertible_count_.push_back(count);

@@ -22,21 +22,25 @@ const char* process_name(Process process);
 /// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
   std::int32_t layers = 0, lines = 0;
-  const double* top = nullptr;          ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
-  const double* c = nullptr;            ///< attenuation, [line][layer]
-  const double* albedo = nullptr;       ///< b / c, [line][layer]
-  const double* depth_tau = nullptr;    ///< optical depth from the surface to a layer's top, [line][layers + 1]
-  const double* walk_c = nullptr;          ///< coefficient that free paths are drawn from, [line][layer]
-  const double* walk_depth_tau = nullptr;  ///< its integral from the surface to a layer's top, [line][layers + 1]
-  const double* conversion = nullptr;   ///< share of a collision at line 0 that emits at this line, [line][layer]
-  const double* absorption = nullptr;   ///< share of a collision that ends the photon, [line][layer]
-  const std::int32_t* convertible = nullptr;       ///< the lines with conversion > 0, [layer][lines]
-  const std::int32_t* convertible_count = nullptr; ///< how many they are, [layer]
-  const double* index = nullptr;        ///< refractive index against air, [line]
-  const double* inverse_index = nullptr; ///< 1 / index, [line]
-  const double* group_index = nullptr;  ///< [line]
-  const std::int32_t* elastic_phase = nullptr;     ///< table in `phases`, [line][layer]
-  const std::int32_t* conversion_phase = nullptr;  ///< table in `phases`, [line]; of line 0 unused
+  const double* top =
+      nullptr;  ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
+  const double* c = nullptr;       ///< attenuation, [line][layer]
+  const double* albedo = nullptr;  ///< b / c, [line][layer]
+  const double* depth_tau =
+      nullptr;  ///< optical depth from the surface to a layer's top, [line][layers + 1]
+  const double* walk_c = nullptr;  ///< coefficient that free paths are drawn from, [line][layer]
+  const double* walk_depth_tau =
+      nullptr;  ///< its integral from the surface to a layer's top, [line][layers + 1]
+  const double* conversion =
+      nullptr;  ///< share of a collision at line 0 that emits at this line, [line][layer]
+  const double* absorption = nullptr;  ///< share of a collision that ends the photon, [line][layer]
+  const std::int32_t* convertible = nullptr;  ///< the lines with conversion > 0, [layer][lines]
+  const std::int32_t* convertible_count = nullptr;  ///< how many they are, [layer]
+  const double* index = nullptr;                    ///< refractive index against air, [line]
+  const double* inverse_index = nullptr;            ///< 1 / index, [line]
+  const double* group_index = nullptr;              ///< [line]
+  const std::int32_t* elastic_phase = nullptr;      ///< table in `phases`, [line][layer]
+  const std::int32_t* conversion_phase = nullptr;   ///< table in `phases`, [line]; of line 0 unused
   optics::PhaseView phases;
 
   template <class I>
@@ -57,26 +61,27 @@ struct MediumView {
 
   /// Optical depth of a straight way of the given length between two depths in given layers.
   template <class T>
-  T slant_optical_depth(const Index<T>& line, const Index<T>& layer1, const T& depth1, const Index<T>& layer2,
-                        const T& depth2, const T& length) const {
+  T slant_optical_depth(const Index<T>& line, const Index<T>& layer1, const T& depth1,
+                        const Index<T>& layer2, const T& depth2, const T& length) const {
     return slant<T>(c, depth_tau, line, layer1, depth1, layer2, depth2, length);
   }
   template <class T>
-  T walk_slant_optical_depth(const Index<T>& line, const Index<T>& layer1, const T& depth1, const Index<T>& layer2,
-                             const T& depth2, const T& length) const {
+  T walk_slant_optical_depth(const Index<T>& line, const Index<T>& layer1, const T& depth1,
+                             const Index<T>& layer2, const T& depth2, const T& length) const {
     return slant<T>(walk_c, walk_depth_tau, line, layer1, depth1, layer2, depth2, length);
   }
 
  private:
   template <class T>
-  T down_to(const double* coefficient, const double* to_top, const Index<T>& line, const Index<T>& layer,
-            const T& depth) const {
+  T down_to(const double* coefficient, const double* to_top, const Index<T>& line,
+            const Index<T>& layer, const T& depth) const {
     const T above = gather<T>(to_top, line * Index<T>(layers + 1) + layer);
     return above + gather<T>(coefficient, at(line, layer)) * (depth - gather<T>(top, layer));
   }
   template <class T>
-  T slant(const double* coefficient, const double* to_top, const Index<T>& line, const Index<T>& layer1,
-          const T& depth1, const Index<T>& layer2, const T& depth2, const T& length) const {
+  T slant(const double* coefficient, const double* to_top, const Index<T>& line,
+          const Index<T>& layer1, const T& depth1, const Index<T>& layer2, const T& depth2,
+          const T& length) const {
     using std::abs;
     const Mask<T> same = layer1 == layer2;
     const T within = gather<T>(coefficient, at(line, layer1)) * length;

@@ -16,7 +16,8 @@ struct Refraction {
   T reflectance;      ///< share of the flux that is reflected; 1 in total reflection
 };
 
-/// Reflectance of unpolarised light for the cosines of incidence and refraction in media of index n1 and n2.
+/// Reflectance of unpolarised light for the cosines of incidence and refraction in media of index
+/// n1 and n2.
 template <class T>
 T fresnel_reflectance(const T& n1, const T& n2, const T& c1, const T& c2) {
   // Equal media at exactly grazing incidence would be 0/0; nothing is reflected there.
@@ -30,11 +31,13 @@ T fresnel_reflectance(const T& n1, const T& n2, const T& c1, const T& c2) {
   return T(0.5) * ((s * inverse) * (s * inverse) + (p * inverse) * (p * inverse));
 }
 
-/// Light in a medium of index n1 meets one of index n2 under an angle of cosine cos_incident, 0 to 1.
+/// Light in a medium of index n1 meets one of index n2 under an angle of cosine cos_incident, 0
+/// to 1.
 template <class T>
 Refraction<T> refract(const T& n1, const T& n2, const T& cos_incident) {
   using std::sqrt;
-  // (n2 cos_transmitted)^2, in a form that keeps its digits at grazing incidence and for n1 near n2.
+  // (n2 cos_transmitted)^2, in a form that keeps its digits at grazing incidence and for n1 near
+  // n2.
   const T square = (n2 - n1) * (n2 + n1) + n1 * n1 * cos_incident * cos_incident;
   const Mask<T> total = square < T(0);
   const T c2 = sqrt(select(total, T(0), square)) / n2;

@@ -22,7 +22,7 @@ struct PhaseView {
   static constexpr int cells = octaves << cell_bits;  ///< cell 0 is the first one outside the core
   static constexpr int guides = 4096;                 ///< a power of two
 
-  const double* node = nullptr;  ///< p at the lower edge of cell i [1/sr]; cells + 1 values
+  const double* node = nullptr;   ///< p at the lower edge of cell i [1/sr]; cells + 1 values
   const double* slope = nullptr;  ///< dp/dx in cell i [1/sr]; cells + 1 values, the last unused
   const double* cdf =
       nullptr;  ///< probability of x below the lower edge of cell i; cells + 1 values
@@ -83,19 +83,25 @@ T PhaseView::sample(const T& u, const Index<T>& table) const {
   using std::sqrt;
   const Index<T> base = table * Index<T>(cells + 1);
   Index<T> i = gather_index<T>(guide, floor_index(u * T(guides)) + table * Index<T>(guides));
-  // The guide is at most a few cells short; the first step is taken without asking, which is seldom wrong.
+  // The guide is at most a few cells short; the first step is taken without asking, which is seldom
+  // wrong.
   const auto behind = [&](const Index<T>& cell) {
-    return (cell + Index<T>(1) < Index<T>(cells)) & (gather<T>(cdf, base + cell + Index<T>(1)) <= u);
+    return (cell + Index<T>(1) < Index<T>(cells)) &
+           (gather<T>(cdf, base + cell + Index<T>(1)) <= u);
   };
   i = i + select(behind(i), Index<T>(1), Index<T>(0));
-  for (Mask<T> on = behind(i); any(on); on = behind(i)) i = i + select(on, Index<T>(1), Index<T>(0));
+  for (Mask<T> on = behind(i); any(on); on = behind(i))
+    i = i + select(on, Index<T>(1), Index<T>(0));
 
   const Mask<T> in_core = i < Index<T>(0);
   const Index<T> cell = select(in_core, Index<T>(0), i);
-  // Inverse of the cumulative of a straight line: 2 pi (p0 s + slope s^2 / 2) = u - below, solved for s = x - x0.
+  // Inverse of the cumulative of a straight line: 2 pi (p0 s + slope s^2 / 2) = u - below, solved
+  // for s = x - x0.
   const T rest = (u - gather<T>(cdf, base + cell)) * T(1 / pi);
   const T p0 = gather<T>(node, base + cell);
-  const T square = p0 * p0 + rest * gather<T>(slope, base + cell);  // rounding may take it below 0 where p ends at 0
+  const T square =
+      p0 * p0 +
+      rest * gather<T>(slope, base + cell);  // rounding may take it below 0 where p ends at 0
   const T root = sqrt(select(square > T(0), square, T(0)));
   const T x0 = octave_edge<T>(cell + Index<T>(core_exponent * (1 << cell_bits)), cell_bits);
   const T x = x0 + rest / (p0 + root);

@@ -8,8 +8,8 @@
 
 namespace photic::scene {
 
-/// "path=value" as given to --set: path in the style "sea.layer.0.chlorophyll_mg_m3" (elements count from
-/// 0; a name serves as well as a number), value as TOML, or else taken as text.
+/// "path=value" as given to --set: path in the style "sea.layer.0.chlorophyll_mg_m3" (elements
+/// count from 0; a name serves as well as a number), value as TOML, or else taken as text.
 using Override = std::string;
 
 /// A scene that was read, and what its reader should know without it being wrong.
@@ -18,22 +18,26 @@ struct Reading {
   std::vector<std::string> remarks;  ///< e.g. "scene.toml:3:1: …"
 };
 
-/// Reads and checks a scene file. Throws InputError with every problem (a TOML syntax error stands alone),
-/// EnvironmentError if the file cannot be read. Files the scene names are relative to the scene file.
+/// Reads and checks a scene file. Throws InputError with every problem (a TOML syntax error stands
+/// alone), EnvironmentError if the file cannot be read. Files the scene names are relative to the
+/// scene file.
 Reading read_scene(const std::string& path, const std::vector<Override>& overrides = {});
 
-/// The same for a text; `name` stands for the file in diagnostics, `folder` is where relative files lie.
+/// The same for a text; `name` stands for the file in diagnostics, `folder` is where relative files
+/// lie.
 Reading read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
                         const std::vector<Override>& overrides = {});
 
-/// The effective scene as TOML, every default written out; reads back to the same scene, to the last bit.
+/// The effective scene as TOML, every default written out; reads back to the same scene, to the
+/// last bit.
 std::string write_scene(const Scene& scene);
 
 /// The same as JSON, and the JSON Schema (draft 2020-12) of scene files for editors.
 std::string write_scene_json(const Scene& scene);
 std::string scene_schema();
 
-/// A commented starter scene. Throws InputError naming the kinds there are if `kind` is none of them.
+/// A commented starter scene. Throws InputError naming the kinds there are if `kind` is none of
+/// them.
 std::string starter_scene(const std::string& kind);
 
 }  // namespace photic::scene

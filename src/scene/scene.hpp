@@ -15,8 +15,8 @@ namespace photic::scene {
 struct Source {
   std::string kind = "laser";
   double wavelength_nm{};
-  Vec3<double> position_m;   ///< centre of the disc; z up, sea level 0
-  Vec3<double> direction;    ///< where the light goes; any length but 0
+  Vec3<double> position_m;  ///< centre of the disc; z up, sea level 0
+  Vec3<double> direction;   ///< where the light goes; any length but 0
   double diameter_m{};
   double half_divergence_mrad{};
   friend bool operator==(const Source&, const Source&) = default;
@@ -25,21 +25,22 @@ struct Source {
 /// A thin lens with a circular detector behind it.
 struct Telescope {
   std::string name;
-  Vec3<double> position_m;   ///< centre of the lens
-  Vec3<double> direction;    ///< where it looks; any length but 0
+  Vec3<double> position_m;  ///< centre of the lens
+  Vec3<double> direction;   ///< where it looks; any length but 0
   double diameter_m{};
   double focal_length_m{};
-  std::optional<double> detector_diameter_m;      ///< exactly one of these two is given
+  std::optional<double> detector_diameter_m;  ///< exactly one of these two is given
   std::optional<double> half_field_of_view_mrad;
-  double detector_shift_m = 0.0;                  ///< from the focal plane, positive away from the lens
-  double obstruction_diameter_m = 0.0;            ///< central
+  double detector_shift_m = 0.0;        ///< from the focal plane, positive away from the lens
+  double obstruction_diameter_m = 0.0;  ///< central
 
   /// The detector's diameter, whichever way it was given.
   [[nodiscard]] double effective_detector_diameter_m() const;
   friend bool operator==(const Telescope&, const Telescope&) = default;
 };
 
-/// The light a detector behind one filter counts: all light of a process, or all processes through a filter.
+/// The light a detector behind one filter counts: all light of a process, or all processes through
+/// a filter.
 struct Channel {
   std::string name;
   std::optional<std::string> process;  ///< elastic | raman | chlorophyll
@@ -50,13 +51,13 @@ struct Channel {
 
 /// Which published data and models the water's optics are made of.
 struct Optics {
-  std::string set = "modern";         ///< modern | paper; fills in the choices below that are not given
-  std::string water_absorption;       ///< mason-ioccg | smith-baker
-  std::string water_scattering;       ///< zhang | smith-baker
-  double water_depolarisation{};      ///< of natural light, for the molecular phase function
-  std::string phytoplankton;          ///< bricaud | prieur-sathyendranath
-  std::string phytoplankton_phase;    ///< fournier-forand | petzold   (mie: refused until it exists)
-  std::string raman;                  ///< bartlett | marshall-smith
+  std::string set = "modern";     ///< modern | paper; fills in the choices below that are not given
+  std::string water_absorption;   ///< mason-ioccg | smith-baker
+  std::string water_scattering;   ///< zhang | smith-baker
+  double water_depolarisation{};  ///< of natural light, for the molecular phase function
+  std::string phytoplankton;      ///< bricaud | prieur-sathyendranath
+  std::string phytoplankton_phase;  ///< fournier-forand | petzold   (mie: refused until it exists)
+  std::string raman;                ///< bartlett | marshall-smith
   friend bool operator==(const Optics&, const Optics&) = default;
 };
 
@@ -71,13 +72,14 @@ struct IopEntry {
 
 /// A phase function by name and parameters; a mixture holds others.
 struct PhaseFunction {
-  std::string model;  ///< henyey-greenstein | fournier-forand | petzold | rayleigh | isotropic | table | mixture
-  double g{};                     ///< henyey-greenstein
-  double refractive_index{};      ///< fournier-forand
-  double slope{};                 ///< fournier-forand
-  double depolarisation{};        ///< rayleigh
-  std::string file;               ///< table: a CSV of angle_deg, phase_function_per_sr; absolute once read
-  double fraction{};              ///< as a component of a mixture: its share of the scattering
+  std::string model;  ///< henyey-greenstein | fournier-forand | petzold | rayleigh | isotropic |
+                      ///< table | mixture
+  double g{};         ///< henyey-greenstein
+  double refractive_index{};  ///< fournier-forand
+  double slope{};             ///< fournier-forand
+  double depolarisation{};    ///< rayleigh
+  std::string file;   ///< table: a CSV of angle_deg, phase_function_per_sr; absolute once read
+  double fraction{};  ///< as a component of a mixture: its share of the scattering
   std::vector<PhaseFunction> components;  ///< mixture
   friend bool operator==(const PhaseFunction&, const PhaseFunction&) = default;
 };
@@ -87,10 +89,10 @@ struct Layer {
   std::string name;
   std::optional<double> bottom_depth_m;  ///< absent in a bottomless last layer
   double chlorophyll_mg_m3 = 0.0;
-  double chlorophyll_yield = 0.01;       ///< fluorescence photons per photon absorbed by phytoplankton
+  double chlorophyll_yield = 0.01;  ///< fluorescence photons per photon absorbed by phytoplankton
   double cdom_a440_per_m = 0.0;
   double cdom_slope_per_nm = 0.017;
-  std::vector<IopEntry> iop;             ///< empty in a layer of constituents; ascending in wavelength
+  std::vector<IopEntry> iop;  ///< empty in a layer of constituents; ascending in wavelength
   std::optional<PhaseFunction> phase_function;  ///< of an iop layer
   friend bool operator==(const Layer&, const Layer&) = default;
 };
@@ -103,14 +105,16 @@ struct Surface {
 struct Sea {
   double salinity_psu = 35.0;
   double temperature_c = 20.0;
-  std::optional<double> refractive_index;  ///< replaces Quan & Fry's for the geometry, at all wavelengths
-  std::optional<double> group_index;       ///< replaces Quan & Fry's for the timing, at all wavelengths
+  std::optional<double>
+      refractive_index;  ///< replaces Quan & Fry's for the geometry, at all wavelengths
+  std::optional<double> group_index;  ///< replaces Quan & Fry's for the timing, at all wavelengths
   Surface surface;
-  std::vector<Layer> layer;                ///< from the surface down
+  std::vector<Layer> layer;  ///< from the surface down
   friend bool operator==(const Sea&, const Sea&) = default;
 };
 
-/// Range gates by vertical depth, by range along telescope 0's axis, or by time: exactly one kind is given.
+/// Range gates by vertical depth, by range along telescope 0's axis, or by time: exactly one kind
+/// is given.
 struct Gates {
   struct Interval {
     double min{}, max{}, step{};
@@ -128,13 +132,14 @@ struct Gates {
 
 struct Simulation {
   std::string estimator = "forward";
-  std::optional<std::uint64_t> photons;         ///< at least one of these three is given
+  std::optional<std::uint64_t> photons;  ///< at least one of these three is given
   std::optional<double> target_relative_error;
   std::optional<double> max_time_s;
-  std::optional<std::int64_t> max_order;        ///< none: no limit
+  std::optional<std::int64_t> max_order;  ///< none: no limit
   std::int64_t orders_kept = 6;
   std::uint64_t seed = 1;
-  double directed_fraction = 0.5;       ///< share of directions drawn towards a telescope; 0 turns it off
+  double directed_fraction =
+      0.5;  ///< share of directions drawn towards a telescope; 0 turns it off
   double conversion_probability = 0.15;  ///< of a branch into an inelastic process, per collision
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };

@@ -24,14 +24,16 @@ void BatchTally::score(const Score& s) {
   if (gate < 0) return;
   const bool beyond = shape_->max_order > 0 && s.order > shape_->max_order;
   const auto order = std::min(static_cast<std::size_t>(s.order), shape_->orders) - 1;
-  const auto process = static_cast<std::size_t>(shape_->process_of_line[static_cast<std::size_t>(s.line)]);
+  const auto process =
+      static_cast<std::size_t>(shape_->process_of_line[static_cast<std::size_t>(s.line)]);
   const double depth_cell = (s.depth - shape_->depth_min) * shape_->per_depth_step;
   const bool has_depth = depth_cell >= 0 && depth_cell < static_cast<double>(shape_->depths);
 
   for (const std::int32_t channel : shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
-    const std::size_t cell =
-        shape_->cell(s.telescope, static_cast<std::size_t>(channel), static_cast<std::size_t>(gate));
-    if (largest[cell] == 0 && cut_order[cell] == 0) touched_cells.push_back(static_cast<std::uint32_t>(cell));
+    const std::size_t cell = shape_->cell(s.telescope, static_cast<std::size_t>(channel),
+                                          static_cast<std::size_t>(gate));
+    if (largest[cell] == 0 && cut_order[cell] == 0)
+      touched_cells.push_back(static_cast<std::uint32_t>(cell));
     if (beyond) {
       cut_order[cell] += s.value;
       continue;
@@ -50,8 +52,10 @@ void BatchTally::score(const Score& s) {
 
 void BatchTally::clear() {
   for (const std::uint32_t cell : touched_cells) {
-    std::fill_n(by_order.begin() + static_cast<std::ptrdiff_t>(cell * shape_->orders), shape_->orders, 0.0);
-    std::fill_n(by_process.begin() + static_cast<std::ptrdiff_t>(cell * shape_->processes), shape_->processes, 0.0);
+    std::fill_n(by_order.begin() + static_cast<std::ptrdiff_t>(cell * shape_->orders),
+                shape_->orders, 0.0);
+    std::fill_n(by_process.begin() + static_cast<std::ptrdiff_t>(cell * shape_->processes),
+                shape_->processes, 0.0);
     cut_order[cell] = 0;
     largest[cell] = 0;
     octaves[cell].fill(0);

@@ -1,4 +1,5 @@
-// What one batch of photons scored. One worker fills it; then it is merged into the Totals and cleared.
+// What one batch of photons scored. One worker fills it; then it is merged into the Totals and
+// cleared.
 #pragma once
 
 #include <array>
@@ -15,7 +16,8 @@ namespace photic::tally {
 inline constexpr int score_octaves = 128;  ///< 2^-128 … 1
 inline int score_octave(double value) {
   const auto exponent = static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52) - 1023;
-  return exponent < -score_octaves ? 0 : (exponent >= 0 ? score_octaves - 1 : exponent + score_octaves);
+  return exponent < -score_octaves ? 0
+                                   : (exponent >= 0 ? score_octaves - 1 : exponent + score_octaves);
 }
 
 /// One contribution of a collision to a telescope, at one line.

@@ -45,7 +45,9 @@ double Gates::edge_path(std::int32_t edge) const {
 
 /// Straight down from the source and straight up to telescope 0.
 PathScale Gates::depth_scale(double group_index_back) const {
-  const auto leg_to_surface = [](double z, double group_index) { return z > 0 ? z : z * group_index; };
+  const auto leg_to_surface = [](double z, double group_index) {
+    return z > 0 ? z : z * group_index;
+  };
   PathScale scale;
   scale.knee_path = leg_to_surface(source_.position_m.z, laser_group_index_) +
                     leg_to_surface(telescope_.position_m.z, group_index_back);
@@ -54,7 +56,8 @@ PathScale Gates::depth_scale(double group_index_back) const {
   return scale;
 }
 
-/// Out and back along the (refracted) axis of telescope 0; a source ahead of it by s has a way shorter by s.
+/// Out and back along the (refracted) axis of telescope 0; a source ahead of it by s has a way
+/// shorter by s.
 PathScale Gates::range_scale(double group_index_back) const {
   const auto axis = normalised(telescope_.direction);
   const bool submerged = telescope_.position_m.z < 0;
@@ -75,7 +78,8 @@ PathScale Gates::range_scale(double group_index_back) const {
 }
 
 double Gates::depth(double path, const medium::Line& line) const {
-  return (depth_is_range_ ? range_scale(line.group_index) : depth_scale(line.group_index)).coordinate(path);
+  return (depth_is_range_ ? range_scale(line.group_index) : depth_scale(line.group_index))
+      .coordinate(path);
 }
 
 double Gates::vertical_depth(double range) const {
@@ -99,7 +103,8 @@ std::vector<double> Gates::depth_edges() const {
     const double b = vertical_depth(high);
     low = std::min(a, b);
     high = std::max(a, b);
-    const double missing = std::max(0.0, span / 2 - (high - low));  // an instrument that looks sideways
+    const double missing =
+        std::max(0.0, span / 2 - (high - low));  // an instrument that looks sideways
     low = std::max(0.0, low - missing / 2);
     high += missing / 2;
   }

@@ -11,12 +11,12 @@
 
 namespace photic::tally {
 
-/// A coordinate (depth, range or time) against group path: two straight lines that meet where the path
-/// passes the surface.
+/// A coordinate (depth, range or time) against group path: two straight lines that meet where the
+/// path passes the surface.
 struct PathScale {
-  double knee_path = 0;        ///< [m]
+  double knee_path = 0;  ///< [m]
   double knee_coordinate = 0;
-  double slope_before = 1;     ///< metres of group path per unit of the coordinate
+  double slope_before = 1;  ///< metres of group path per unit of the coordinate
   double slope_after = 1;
 
   [[nodiscard]] double coordinate(double path) const {
@@ -42,14 +42,16 @@ class Gates {
     return gate >= 0 && gate < count_ ? static_cast<std::int32_t>(gate) : -1;
   }
 
-  [[nodiscard]] double edge_path(std::int32_t edge) const;   ///< [m], edge 0 … count
+  [[nodiscard]] double edge_path(std::int32_t edge) const;  ///< [m], edge 0 … count
   [[nodiscard]] double last_path() const { return edge_path(count_); }
 
-  /// Depth (or range) of first-order light that returns at a line's wavelength with a given group path.
+  /// Depth (or range) of first-order light that returns at a line's wavelength with a given group
+  /// path.
   [[nodiscard]] double depth(double path, const medium::Line& line) const;
   [[nodiscard]] bool depth_is_range() const { return depth_is_range_; }
 
-  /// Edges of the grid on which the depth of the last scattering is tallied [m], as many cells as gates.
+  /// Edges of the grid on which the depth of the last scattering is tallied [m], as many cells as
+  /// gates.
   [[nodiscard]] std::vector<double> depth_edges() const;
 
  private:

@@ -16,13 +16,13 @@ struct Estimates {
 
 /// Why a gate is not converged: bits of Result::convergence_flags (docs/theory.md, "Error bars").
 enum ConvergenceFlag : std::int32_t {
-  no_score = 1,              ///< nothing was ever scored here
-  few_batches = 2,           ///< too few batches to know a standard error
-  large_error = 4,           ///< the standard error is above 10 % of the echo
-  large_score = 8,           ///< one score carries too much of the echo
-  uncertain_variance = 16,   ///< the variance of the variance is above 0.1
-  heavy_tail = 32,           ///< the largest scores are still getting larger: the mean may be low
-  error_not_falling = 64,    ///< the error does not fall as 1/sqrt(photons)
+  no_score = 1,             ///< nothing was ever scored here
+  few_batches = 2,          ///< too few batches to know a standard error
+  large_error = 4,          ///< the standard error is above 10 % of the echo
+  large_score = 8,          ///< one score carries too much of the echo
+  uncertain_variance = 16,  ///< the variance of the variance is above 0.1
+  heavy_tail = 32,          ///< the largest scores are still getting larger: the mean may be low
+  error_not_falling = 64,   ///< the error does not fall as 1/sqrt(photons)
 };
 struct FlagMeaning {
   ConvergenceFlag flag;
@@ -31,10 +31,12 @@ struct FlagMeaning {
 };
 const std::vector<FlagMeaning>& flag_meanings();
 
-/// Where the weight of the emitted photons went, as shares of the photons emitted. Sums to 1 in expectation.
+/// Where the weight of the emitted photons went, as shares of the photons emitted. Sums to 1 in
+/// expectation.
 struct Ledger {
-  double absorbed = 0;      ///< in the water, and not emitted again
-  double escaped = 0;       ///< through the surface (what a telescope detects is part of it) or never in the water
+  double absorbed = 0;  ///< in the water, and not emitted again
+  double escaped =
+      0;  ///< through the surface (what a telescope detects is part of it) or never in the water
   double sea_bed = 0;       ///< absorbed by the black sea bed
   double cut_by_time = 0;   ///< could no longer come back within the last gate
   double cut_by_order = 0;  ///< ended at max_order
@@ -48,26 +50,28 @@ struct Result {
   std::vector<double> channel_wavelength_nm;  ///< mean over the light it counts
   std::int64_t orders = 0;                    ///< orders 1 … orders-1, and `orders and above`
   std::vector<double> gate_time_edge_ns;      ///< gates + 1
-  std::vector<double> gate_depth_edge_m;      ///< [channel][gates + 1]: depth of first-order light, or range
-  bool gate_depth_is_range = false;           ///< gates given along the axis of telescope 0
-  std::vector<double> depth_edge_m;           ///< depths + 1: of the last scattering
+  std::vector<double>
+      gate_depth_edge_m;             ///< [channel][gates + 1]: depth of first-order light, or range
+  bool gate_depth_is_range = false;  ///< gates given along the axis of telescope 0
+  std::vector<double> depth_edge_m;  ///< depths + 1: of the last scattering
 
   // What was tallied.
-  Estimates echo;             ///< [telescope][channel][gate]
-  Estimates echo_by_process;  ///< [telescope][channel][process][gate]
-  Estimates echo_by_order;    ///< [telescope][channel][order][gate]
-  Estimates echo_by_depth;    ///< [telescope][channel][gate][depth]
+  Estimates echo;                               ///< [telescope][channel][gate]
+  Estimates echo_by_process;                    ///< [telescope][channel][process][gate]
+  Estimates echo_by_order;                      ///< [telescope][channel][order][gate]
+  Estimates echo_by_depth;                      ///< [telescope][channel][gate][depth]
   std::vector<std::int32_t> convergence_flags;  ///< [telescope][channel][gate]; 0: converged
   std::vector<double> largest_score_share;      ///< [telescope][channel][gate] of the echo
   std::vector<double> variance_of_variance;     ///< [telescope][channel][gate]
-  std::vector<double> order_cut_share;  ///< [telescope][channel][gate]: first order cut off, over the echo
+  std::vector<double>
+      order_cut_share;  ///< [telescope][channel][gate]: first order cut off, over the echo
 
   // The run.
   std::string title, scene_toml, version, engine, estimator;
   std::uint64_t seed = 0;
-  std::uint64_t photons = 0;       ///< emitted
-  std::string stopped_by;          ///< photons | target | time | interrupt
-  bool partial = false;            ///< ended by an interrupt before what was asked for was reached
+  std::uint64_t photons = 0;  ///< emitted
+  std::string stopped_by;     ///< photons | target | time | interrupt
+  bool partial = false;       ///< ended by an interrupt before what was asked for was reached
   std::uint64_t batches = 0;
   std::uint64_t collisions = 0;
   std::uint64_t lost_too_many_events = 0;  ///< photons
@@ -75,8 +79,8 @@ struct Result {
   double wall_time_s = 0;
   int threads = 0;
   Ledger ledger;
-  std::vector<std::string> warnings;       ///< for the user, one sentence each
-  std::vector<std::string> sources;        ///< "quantity = value: source [status]" of the optics used
+  std::vector<std::string> warnings;  ///< for the user, one sentence each
+  std::vector<std::string> sources;   ///< "quantity = value: source [status]" of the optics used
 
   [[nodiscard]] std::size_t telescopes() const { return telescope_name.size(); }
   [[nodiscard]] std::size_t channels() const { return channel_name.size(); }

@@ -14,11 +14,12 @@ struct Shape {
   std::size_t telescopes = 0, channels = 0, processes = 0, orders = 0, gates = 0, depths = 0;
   std::vector<std::vector<std::int32_t>> channels_of_line;  ///< channels that count a line's light
   std::vector<std::int32_t> process_of_line;                ///< index in the result's process axis
-  std::int32_t max_order = 0;                               ///< 0: none; order max_order + 1 is what is cut off
+  std::int32_t max_order = 0;  ///< 0: none; order max_order + 1 is what is cut off
   double depth_min = 0, per_depth_step = 1;
 
   [[nodiscard]] std::size_t cells() const { return telescopes * channels * gates; }
-  [[nodiscard]] std::size_t cell(std::size_t telescope, std::size_t channel, std::size_t gate) const {
+  [[nodiscard]] std::size_t cell(std::size_t telescope, std::size_t channel,
+                                 std::size_t gate) const {
     return (telescope * channels + channel) * gates + gate;
   }
 };

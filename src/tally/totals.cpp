@@ -7,14 +7,17 @@
 namespace photic::tally {
 namespace {
 
-// The thresholds below were set on runs against converged references (docs/theory.md, "Error bars").
+// The thresholds below were set on runs against converged references (docs/theory.md, "Error
+// bars").
 constexpr double least_batches = 30;
 constexpr double largest_relative_error = 0.10;
 constexpr double largest_single_share = 0.02;
-constexpr double largest_variance_of_variance = 0.1;  // as MCNP asks for: X-5 Monte Carlo Team, LA-UR-03-1987 (2003)
-constexpr double few_scores = 30;                     // scores that make up the top of a distribution
-constexpr double largest_top_share = 0.50; // of the second moment, in those few
-constexpr double largest_error_growth = 1.4;         // of error * sqrt(photons), over a factor of four in photons
+constexpr double largest_variance_of_variance =
+    0.1;                           // as MCNP asks for: X-5 Monte Carlo Team, LA-UR-03-1987 (2003)
+constexpr double few_scores = 30;  // scores that make up the top of a distribution
+constexpr double largest_top_share = 0.50;  // of the second moment, in those few
+constexpr double largest_error_growth =
+    1.4;  // of error * sqrt(photons), over a factor of four in photons
 
 double error_of_sum(const Sums& s, double photons, double batches) {
   const double spread = std::max(0.0, s.xx - s.x * s.x / photons);
@@ -92,7 +95,8 @@ bool Totals::heavy_tail(std::size_t cell) const {
   for (int k = score_octaves - 1; k >= 0; --k) {
     const auto count = static_cast<double>(octaves_[cell][static_cast<std::size_t>(k)]);
     if (count == 0) continue;
-    const double square = std::ldexp(1.0, 2 * (k - score_octaves));  // of a score of this octave, about
+    const double square =
+        std::ldexp(1.0, 2 * (k - score_octaves));  // of a score of this octave, about
     const double taken = std::min(count, few_scores - top_count);
     top += taken * square;
     top_count += taken;
@@ -105,8 +109,10 @@ bool Totals::error_not_falling(std::size_t cell) const {
   if (snapshots_.size() < 3) return false;
   const Snapshot& before = snapshots_[snapshots_.size() - 3];
   const auto photons = static_cast<double>(photons_);
-  const double now = error_of_sum(echo_[cell].low, photons, static_cast<double>(batches_)) / std::sqrt(photons);
-  const double then = error_of_sum(before.echo[cell], before.photons, before.batches) / std::sqrt(before.photons);
+  const double now =
+      error_of_sum(echo_[cell].low, photons, static_cast<double>(batches_)) / std::sqrt(photons);
+  const double then =
+      error_of_sum(before.echo[cell], before.photons, before.batches) / std::sqrt(before.photons);
   return now > largest_error_growth * then;
 }
 
@@ -118,12 +124,16 @@ Totals::Health Totals::health(std::size_t cell) const {
   const double m = s.low.x / n;
   // Second and fourth central moments of the batches' means, each batch weighted by its photons.
   const double second = std::max(0.0, s.low.xx / n - m * m);
-  const double fourth = s.xxxx / n - 4 * m * s.xxx / n + 6 * m * m * s.low.xx / n - 3 * m * m * m * m;
+  const double fourth =
+      s.xxxx / n - 4 * m * s.xxx / n + 6 * m * m * s.low.xx / n - 3 * m * m * m * m;
 
   Health health;
-  health.variance_of_variance = second > 0 ? std::max(0.0, fourth / (second * second) - 1) / b : 0.0;
+  health.variance_of_variance =
+      second > 0 ? std::max(0.0, fourth / (second * second) - 1) / b : 0.0;
   health.largest_score_share = largest_[cell] / s.low.x;
-  const auto raise = [&](bool condition, ConvergenceFlag flag) { health.flags |= condition ? flag : 0; };
+  const auto raise = [&](bool condition, ConvergenceFlag flag) {
+    health.flags |= condition ? flag : 0;
+  };
   raise(b < least_batches, few_batches);
   raise(standard_error(s.low) > largest_relative_error * m, large_error);
   raise(health.largest_score_share > largest_single_share, large_score);

@@ -1,7 +1,8 @@
 // Sums over batches, and the estimates made of them.
 //
-// A batch of n photons that scored X in a cell enters as X, X^2/n, X^3/n^2, X^4/n^3; means and errors follow
-// without any batch being kept. Batches are merged in their order, so that sums do not depend on threads.
+// A batch of n photons that scored X in a cell enters as X, X^2/n, X^3/n^2, X^4/n^3; means and
+// errors follow without any batch being kept. Batches are merged in their order, so that sums do
+// not depend on threads.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +46,8 @@ class Totals {
   [[nodiscard]] double mean(const Sums& sums) const;
   [[nodiscard]] double standard_error(const Sums& sums) const;
 
-  /// Bits of ConvergenceFlag of an echo cell, the variance of its variance, its largest score's share.
+  /// Bits of ConvergenceFlag of an echo cell, the variance of its variance, its largest score's
+  /// share.
   struct Health {
     std::int32_t flags = 0;
     double variance_of_variance = 0, largest_score_share = 0;

@@ -1,4 +1,5 @@
-// What a collision makes of a photon: it survives as scattered light, or goes on at another wavelength.
+// What a collision makes of a photon: it survives as scattered light, or goes on at another
+// wavelength.
 #pragma once
 
 #include "medium/medium.hpp"
@@ -14,17 +15,19 @@ struct Branch {
   Index<T> lobe;      ///< elastic table at the line it leaves with: the lobe of directed sampling
 };
 
-/// Implicit absorption with a branch into the inelastic processes: with probability `conversion` (where light of the
-/// laser's line can be converted at all) the photon becomes one of another line, each of these
-/// equally likely; else it is scattered. Weights are multiplied by the physical share over that probability, so that
-/// each branch is right in the mean. At most one conversion per photon.
+/// Implicit absorption with a branch into the inelastic processes: with probability `conversion`
+/// (where light of the laser's line can be converted at all) the photon becomes one of another
+/// line, each of these equally likely; else it is scattered. Weights are multiplied by the physical
+/// share over that probability, so that each branch is right in the mean. At most one conversion
+/// per photon.
 template <class T>
-Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const T& conversion, const T& u_branch,
-                  const T& u_line) {
+Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const T& conversion,
+                  const T& u_branch, const T& u_line) {
   const Index<T> here = sea.at(photon.line, photon.layer);
   const T albedo = gather<T>(sea.albedo, here);
-  const Index<T> choices = select(photon.line == Index<T>(0),
-                                  gather_index<T>(sea.convertible_count, photon.layer), Index<T>(0));
+  const Index<T> choices =
+      select(photon.line == Index<T>(0), gather_index<T>(sea.convertible_count, photon.layer),
+             Index<T>(0));
   const T probability = select(choices > Index<T>(0), conversion, T(0));
   Branch<T> branch;
   branch.converted = u_branch < probability;
@@ -33,19 +36,21 @@ Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const T& con
   const Index<T> line = gather_index<T>(sea.convertible, photon.layer * Index<T>(sea.lines) + pick);
   const T emitted = gather<T>(sea.conversion, sea.at(line, photon.layer));
   const T scattered_factor = any(choices > Index<T>(0)) ? albedo / (T(1) - probability) : albedo;
-  const T converted_factor = emitted * to_real<T>(choices) / select(branch.converted, probability, T(1));
+  const T converted_factor =
+      emitted * to_real<T>(choices) / select(branch.converted, probability, T(1));
 
   photon.weight = photon.weight * select(branch.converted, converted_factor, scattered_factor);
   photon.analog_weight = photon.analog_weight * select(branch.converted, T(1), albedo);
   photon.line = select(branch.converted, line, photon.line);
   photon.order = photon.order + Index<T>(1);
   branch.lobe = gather_index<T>(sea.elastic_phase, sea.at(photon.line, photon.layer));
-  branch.phase = select(branch.converted, gather_index<T>(sea.conversion_phase, photon.line), branch.lobe);
+  branch.phase =
+      select(branch.converted, gather_index<T>(sea.conversion_phase, photon.line), branch.lobe);
   return branch;
 }
 
-/// Russian roulette below a threshold of the analog weight: survivors are brought back to the threshold. Returns
-/// the survivors; the weight of the others is left for the caller to book.
+/// Russian roulette below a threshold of the analog weight: survivors are brought back to the
+/// threshold. Returns the survivors; the weight of the others is left for the caller to book.
 template <class T>
 Mask<T> roulette(Photon<T>& photon, const T& threshold, const T& u) {
   const Mask<T> low = photon.analog_weight < threshold;

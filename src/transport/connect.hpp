@@ -1,5 +1,5 @@
-// The straight ways from a point in the water into a telescope: through the flat surface, directly, or
-// mirrored in the surface from below (physics of docs/theory.md, "The local estimate").
+// The straight ways from a point in the water into a telescope: through the flat surface, directly,
+// or mirrored in the surface from below (physics of docs/theory.md, "The local estimate").
 #pragma once
 
 #include <cmath>
@@ -13,30 +13,32 @@
 
 namespace photic::transport {
 
-/// One way from a point to a telescope. Where no lane is seen by the detector only the first two are filled in.
+/// One way from a point to a telescope. Where no lane is seen by the detector only the first two
+/// are filled in.
 template <class T>
 struct Connection {
   Vec3<T> direction;   ///< in which light must leave the point
   Mask<T> in_front{};  ///< of the lens: a direction worth sampling, in the field of view or not
-  T acceptance{};      ///< solid angle about it that ends on the detector, surface losses included [sr]
-  T optical_depth{};   ///< of the way
-  T path{};            ///< length times group index [m]
+  T acceptance{};  ///< solid angle about it that ends on the detector, surface losses included [sr]
+  T optical_depth{};  ///< of the way
+  T path{};           ///< length times group index [m]
 };
 
-/// tan of the angle in air under which a point `depth` below a flat surface is seen from `height` above it and
-/// aside of it, to within a few per cent at any angle and t^5 at small ones: the root of
+/// tan of the angle in air under which a point `depth` below a flat surface is seen from `height`
+/// above it and aside of it, to within a few per cent at any angle and t^5 at small ones: the root
+/// of
 ///   height t + depth t / sqrt(n^2 + (n^2-1) t^2) = aside
-/// to the third order in its paraxial value n aside / (n height + depth), which is never above the root.
-/// `share` is depth / (n height + depth), `inverse_n` 1 / n.
+/// to the third order in its paraxial value n aside / (n height + depth), which is never above the
+/// root. `share` is depth / (n height + depth), `inverse_n` 1 / n.
 template <class T>
 T crossing_tangent_start(const T& inverse_n, const T& share, const T& paraxial) {
   const T cubic = T(0.5) * (T(1) - inverse_n * inverse_n) * share * paraxial * paraxial;
   return paraxial * (T(1) + select(cubic < T(0.1), cubic, T(0.1)));
 }
 
-/// The root itself by Newton's steps from there. The left side is concave in t: steps from above the root lead
-/// below it, steps from below rise towards it and never overshoot. Errors square with each step, so the
-/// last one needs to be no better than the root of the rounding.
+/// The root itself by Newton's steps from there. The left side is concave in t: steps from above
+/// the root lead below it, steps from below rise towards it and never overshoot. Errors square with
+/// each step, so the last one needs to be no better than the root of the rounding.
 template <class T>
 T crossing_tangent(const T& n, const T& depth, const T& height, const T& aside, const T& start) {
   using std::abs;
@@ -56,20 +58,24 @@ T crossing_tangent(const T& n, const T& depth, const T& height, const T& aside, 
   return t;
 }
 
-/// Solid angle in medium 1 (index n, path l1, cosine c1 to the vertical) per area across the ray in air (path l2,
-/// cosine c2): both curvatures of the refracted wave front, not the paraxial one [1/m^2]. `inverse_n` is 1 / n.
+/// Solid angle in medium 1 (index n, path l1, cosine c1 to the vertical) per area across the ray in
+/// air (path l2, cosine c2): both curvatures of the refracted wave front, not the paraxial one
+/// [1/m^2]. `inverse_n` is 1 / n.
 template <class T>
-T refracted_solid_angle_per_area(const T& inverse_n, const T& l1, const T& c1, const T& l2, const T& c2) {
+T refracted_solid_angle_per_area(const T& inverse_n, const T& l1, const T& c1, const T& l2,
+                                 const T& c2) {
   const T across = l2 + l1 * inverse_n;
   const T ratio = c2 / c1;
   const T along = l2 + l1 * inverse_n * ratio * ratio;
   return ratio * inverse_n * inverse_n / (across * along);
 }
 
-/// From a photon's position through the surface to a telescope in the air, at the given line. If nothing `aims` at
-/// the telescope, directions are left out where its detector cannot see the point.
+/// From a photon's position through the surface to a telescope in the air, at the given line. If
+/// nothing `aims` at the telescope, directions are left out where its detector cannot see the
+/// point.
 template <class T>
-Connection<T> connect_through_surface(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+Connection<T> connect_through_surface(const medium::MediumView& sea,
+                                      const instrument::Telescope<T>& telescope,
                                       const Photon<T>& at, const Index<T>& line, bool aims) {
   using std::sqrt;
   Connection<T> way;
@@ -91,7 +97,8 @@ Connection<T> connect_through_surface(const medium::MediumView& sea, const instr
   const T ey = dy * inverse_aside;
   const T start = crossing_tangent_start(inverse_n, depth * per_height, scale * aside);
   T tangent = start;
-  if (any(near_view)) tangent = select(near_view, crossing_tangent(n, depth, height, aside, start), start);
+  if (any(near_view))
+    tangent = select(near_view, crossing_tangent(n, depth, height, aside, start), start);
 
   const T secant_air = sqrt(T(1) + tangent * tangent);
   const T cos_air = T(1) / secant_air;
@@ -114,17 +121,21 @@ Connection<T> connect_through_surface(const medium::MediumView& sea, const instr
   const Mask<T> seen = near_view & way.in_front & (overlap > T(0));
   if (!any(seen)) return way;
   const T transmitted = T(1) - optics::fresnel_reflectance(n, T(1), cos_water, cos_air);
-  const T per_area = refracted_solid_angle_per_area(inverse_n, in_water, cos_water, in_air, cos_air);
-  way.acceptance = select(seen, per_area * telescope.area() * safe_cos * overlap * transmitted, T(0));
+  const T per_area =
+      refracted_solid_angle_per_area(inverse_n, in_water, cos_water, in_air, cos_air);
+  way.acceptance =
+      select(seen, per_area * telescope.area() * safe_cos * overlap * transmitted, T(0));
   way.optical_depth = sea.optical_depth<T>(line, at.layer, depth) * secant_water;
   way.path = in_air + in_water * gather<T>(sea.group_index, line);
   return way;
 }
 
-/// Solid angle of a telescope's open lens from a point in the same medium, `distance` away under the off-axis
-/// cosine `cos_off_axis` > 0: near the lens the exact one of disc less obstruction, so that it stays below 2 pi.
+/// Solid angle of a telescope's open lens from a point in the same medium, `distance` away under
+/// the off-axis cosine `cos_off_axis` > 0: near the lens the exact one of disc less obstruction, so
+/// that it stays below 2 pi.
 template <class T>
-T lens_solid_angle(const instrument::Telescope<T>& telescope, const T& distance, const T& cos_off_axis) {
+T lens_solid_angle(const instrument::Telescope<T>& telescope, const T& distance,
+                   const T& cos_off_axis) {
   using std::sqrt;
   const Mask<T> far = distance > T(instrument::far_radii) * telescope.lens_radius;
   const T from_afar = telescope.area() * cos_off_axis / (distance * distance);
@@ -137,12 +148,13 @@ T lens_solid_angle(const instrument::Telescope<T>& telescope, const T& distance,
   return select(far, from_afar, exact);
 }
 
-/// From a photon's position to a telescope in the water, at the given line: directly, or by way of the
-/// surface seen from below (`mirrored`), total reflection included.
+/// From a photon's position to a telescope in the water, at the given line: directly, or by way of
+/// the surface seen from below (`mirrored`), total reflection included.
 template <class T>
-Connection<T> connect_in_water(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
-                               const Index<T>& telescope_layer, const Photon<T>& at, const Index<T>& line,
-                               bool mirrored) {
+Connection<T> connect_in_water(const medium::MediumView& sea,
+                               const instrument::Telescope<T>& telescope,
+                               const Index<T>& telescope_layer, const Photon<T>& at,
+                               const Index<T>& line, bool mirrored) {
   using std::abs;
   using std::sqrt;
   const T depth = -at.position.z;
@@ -156,7 +168,8 @@ Connection<T> connect_in_water(const medium::MediumView& sea, const instrument::
 
   Connection<T> way;
   way.direction = (T(1) / distance) * way_there;
-  const Vec3<T> arriving{way.direction.x, way.direction.y, mirrored ? -way.direction.z : way.direction.z};
+  const Vec3<T> arriving{way.direction.x, way.direction.y,
+                         mirrored ? -way.direction.z : way.direction.z};
   const T cos_off_axis = -dot(arriving, telescope.axis);
   way.in_front = apart & (cos_off_axis > T(0));
   const T safe_cos = select(way.in_front, cos_off_axis, T(1));
@@ -168,10 +181,11 @@ Connection<T> connect_in_water(const medium::MediumView& sea, const instrument::
   const T steep = abs(way.direction.z);
   if (mirrored) {
     way.optical_depth = (sea.optical_depth<T>(line, at.layer, depth) +
-                         sea.optical_depth<T>(line, telescope_layer, telescope_depth)) / steep;
+                         sea.optical_depth<T>(line, telescope_layer, telescope_depth)) /
+                        steep;
   } else {
-    way.optical_depth =
-        sea.slant_optical_depth<T>(line, at.layer, depth, telescope_layer, telescope_depth, distance);
+    way.optical_depth = sea.slant_optical_depth<T>(line, at.layer, depth, telescope_layer,
+                                                   telescope_depth, distance);
   }
   way.path = distance * gather<T>(sea.group_index, line);
   const T reflected =

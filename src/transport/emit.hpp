@@ -13,7 +13,8 @@ namespace photic::transport {
 
 /// A photon on the laser's disc, from two uniforms. Its path starts there.
 template <class T>
-Photon<T> emit(const instrument::Laser<T>& laser, const Index<T>& layer, const T& u_polar, const T& u_azimuth) {
+Photon<T> emit(const instrument::Laser<T>& laser, const Index<T>& layer, const T& u_polar,
+               const T& u_azimuth) {
   using std::sqrt;
   const auto [cosine, sine] = cos_sin_of_turns(u_azimuth);
   Photon<T> photon;
@@ -31,8 +32,9 @@ Photon<T> emit(const instrument::Laser<T>& laser, const Index<T>& layer, const T
   return photon;
 }
 
-/// Takes photons from the air through the flat surface into the water: Snell's law, and the weight times the
-/// Fresnel transmittance. Tells which photons get there; the others fly away and are left as they are.
+/// Takes photons from the air through the flat surface into the water: Snell's law, and the weight
+/// times the Fresnel transmittance. Tells which photons get there; the others fly away and are left
+/// as they are.
 template <class T>
 Mask<T> enter_water(const medium::MediumView& sea, Photon<T>& photon) {
   using std::sqrt;

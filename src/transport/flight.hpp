@@ -1,4 +1,5 @@
-// Free flight through the layers, and what may stand at its end: a collision, the surface, the sea bed.
+// Free flight through the layers, and what may stand at its end: a collision, the surface, the sea
+// bed.
 #pragma once
 
 #include <cmath>
@@ -15,9 +16,10 @@ struct FlightEnd {
   Mask<T> sea_bed;  ///< the photon stands on the sea bed
 };                  ///< neither: it collides where it stands
 
-/// Moves a photon in the water by a free path, across layers, or to the surface or the sea bed. Free paths -ln(u)
-/// are drawn from the medium's walk coefficient c', which is less than c; the weight takes the ratio of the true density
-/// of free paths to the drawn one: exp(-(tau - tau')), and c / c' at a collision.
+/// Moves a photon in the water by a free path, across layers, or to the surface or the sea bed.
+/// Free paths -ln(u) are drawn from the medium's walk coefficient c', which is less than c; the
+/// weight takes the ratio of the true density of free paths to the drawn one: exp(-(tau - tau')),
+/// and c / c' at a collision.
 template <class T>
 FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
   using std::exp;
@@ -32,8 +34,10 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
   const Index<T> last(sea.layers - 1);
   Index<T> layer = photon.layer;
   for (;;) {
-    const Mask<T> deeper = (layer < last) & (target > gather<T>(sea.walk_depth_tau, row + layer + Index<T>(1)));
-    const Mask<T> higher = (layer > Index<T>(0)) & (target < gather<T>(sea.walk_depth_tau, row + layer));
+    const Mask<T> deeper =
+        (layer < last) & (target > gather<T>(sea.walk_depth_tau, row + layer + Index<T>(1)));
+    const Mask<T> higher =
+        (layer > Index<T>(0)) & (target < gather<T>(sea.walk_depth_tau, row + layer));
     if (!any(deeper | higher)) break;
     layer = layer + select(deeper, Index<T>(1), select(higher, Index<T>(-1), Index<T>(0)));
   }
@@ -44,7 +48,8 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
   const Mask<T> stays = (layer == photon.layer) & !stopped;
   const T walk_c = gather<T>(sea.walk_c, sea.at(photon.line, layer));
 
-  // Within one layer the path is exact also for a horizontal flight; across edges it follows from the depths.
+  // Within one layer the path is exact also for a horizontal flight; across edges it follows from
+  // the depths.
   T distance = free_path / walk_c;
   Vec3<T> there = photon.position + distance * photon.direction;
   if (!all(stays)) {
@@ -56,8 +61,10 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
     there = photon.position + distance * photon.direction;
     there.z = select(stays, there.z, -depth_at_end);
   }
-  const T tau = sea.slant_optical_depth<T>(photon.line, photon.layer, depth, layer, -there.z, distance);
-  const T walk_tau = sea.walk_slant_optical_depth<T>(photon.line, photon.layer, depth, layer, -there.z, distance);
+  const T tau =
+      sea.slant_optical_depth<T>(photon.line, photon.layer, depth, layer, -there.z, distance);
+  const T walk_tau =
+      sea.walk_slant_optical_depth<T>(photon.line, photon.layer, depth, layer, -there.z, distance);
   photon.position = there;
   photon.layer = layer;
   photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
@@ -76,16 +83,20 @@ Mask<T> advance(const medium::MediumView& sea, Photon<T>& photon, const T& dista
   const T depth = -photon.position.z;
   const Index<T> last(sea.layers - 1);
   for (;;) {
-    const Mask<T> deeper = (photon.layer < last) & (depth > gather<T>(sea.top, photon.layer + Index<T>(1)));
-    const Mask<T> higher = (photon.layer > Index<T>(0)) & (depth < gather<T>(sea.top, photon.layer));
+    const Mask<T> deeper =
+        (photon.layer < last) & (depth > gather<T>(sea.top, photon.layer + Index<T>(1)));
+    const Mask<T> higher =
+        (photon.layer > Index<T>(0)) & (depth < gather<T>(sea.top, photon.layer));
     if (!any(deeper | higher)) break;
-    photon.layer = photon.layer + select(deeper, Index<T>(1), select(higher, Index<T>(-1), Index<T>(0)));
+    photon.layer =
+        photon.layer + select(deeper, Index<T>(1), select(higher, Index<T>(-1), Index<T>(0)));
   }
   return (depth > T(0)) & (depth < gather<T>(sea.top, Index<T>(sea.layers)));
 }
 
-/// Reflects a photon that stands at the surface back into the water, its weight times the Fresnel reflectance
-/// (1 in total reflection). Returns the weight that leaves through the surface. Clear air returns nothing.
+/// Reflects a photon that stands at the surface back into the water, its weight times the Fresnel
+/// reflectance (1 in total reflection). Returns the weight that leaves through the surface. Clear
+/// air returns nothing.
 template <class T>
 T reflect_down(const medium::MediumView& sea, Photon<T>& photon) {
   const T n = gather<T>(sea.index, photon.line);

@@ -10,15 +10,16 @@
 
 namespace photic::transport {
 
-/// Where light is worth sending from where a photon stands; each usable target with equal probability. About its
-/// direction a target has either a lobe of the shape of a phase function, or a cone filled evenly.
+/// Where light is worth sending from where a photon stands; each usable target with equal
+/// probability. About its direction a target has either a lobe of the shape of a phase function, or
+/// a cone filled evenly.
 template <class T, int capacity>
 struct Targets {
   std::array<Vec3<T>, capacity> direction;
   std::array<T, capacity> cone;  ///< 1 - cos of the half angle; 0: a lobe
   std::array<Mask<T>, capacity> usable;
-  int count = 0;      ///< entries filled in
-  T usable_count{};   ///< entries usable, lane by lane
+  int count = 0;     ///< entries filled in
+  T usable_count{};  ///< entries usable, lane by lane
 
   void clear() {
     count = 0;
@@ -42,11 +43,13 @@ struct ScatterUniforms {
 
 /// Turns a photon into a new direction drawn from the mixture
 ///   q = (1 - e) p(old, new) + e mean over targets of lobe or cone(target, new),
-/// p and lobe being tables of the medium, e = `directed` where there are targets and 0 elsewhere; the weight is
-/// multiplied by p / q <= 1 / (1 - e), both terms always in q (Veach & Guibas, SIGGRAPH 95, balance heuristic).
+/// p and lobe being tables of the medium, e = `directed` where there are targets and 0 elsewhere;
+/// the weight is multiplied by p / q <= 1 / (1 - e), both terms always in q (Veach & Guibas,
+/// SIGGRAPH 95, balance heuristic).
 template <class T, int capacity>
-void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& phase, const Index<T>& lobe,
-             const Targets<T, capacity>& targets, const T& directed, const ScatterUniforms<T>& u) {
+void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& phase,
+             const Index<T>& lobe, const Targets<T, capacity>& targets, const T& directed,
+             const ScatterUniforms<T>& u) {
   const auto [cos_azimuth, sin_azimuth] = cos_sin_of_turns(u.azimuth);
   const Vec3<T> old = photon.direction;
   const Mask<T> has_target = targets.usable_count > T(0);
@@ -78,7 +81,8 @@ void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& p
     const auto k = static_cast<std::size_t>(i);
     const T off = one_minus_cos(targets.direction[k], photon.direction);
     const Mask<T> is_cone = targets.cone[k] > T(0);
-    const T even = select(off < targets.cone[k], T(0.5 / pi) / select(is_cone, targets.cone[k], T(1)), T(0));
+    const T even =
+        select(off < targets.cone[k], T(0.5 / pi) / select(is_cone, targets.cone[k], T(1)), T(0));
     const T density = select(is_cone, even, sea.phases.value<T>(off, lobe));
     towards_density = towards_density + select(targets.usable[k], density, T(0));
   }

@@ -20,8 +20,8 @@ constexpr double largest_error = 0.005;  // relative standard error that every g
 constexpr double largest_difference = 0.005;
 
 /// What a scene's first order should be in one channel and telescope.
-std::vector<double> expected(const engine::Problem& problem, std::size_t telescope, std::size_t channel,
-                             const std::function<double(double)>& phase) {
+std::vector<double> expected(const engine::Problem& problem, std::size_t telescope,
+                             std::size_t channel, const std::function<double(double)>& phase) {
   const auto& medium = problem.medium;
   std::size_t line = 0;
   while (problem.shape.channels_of_line[line].front() != static_cast<std::int32_t>(channel)) ++line;
@@ -33,16 +33,20 @@ std::vector<double> expected(const engine::Problem& problem, std::size_t telesco
   water.group_back = medium.line[line].group_index;
   for (std::size_t k = 0; k < layers; ++k) {
     const double share = line == 0 ? medium.albedo[k] : medium.conversion[line * layers + k];
-    water.layers.push_back({medium.top[k], medium.c[k], medium.c[line * layers + k], share * medium.c[k]});
+    water.layers.push_back(
+        {medium.top[k], medium.c[k], medium.c[line * layers + k], share * medium.c[k]});
   }
   water.phase = phase;
   std::vector<double> edges;
-  for (std::int32_t e = 0; e <= problem.gates.count(); ++e) edges.push_back(problem.gates.edge_path(e));
+  for (std::int32_t e = 0; e <= problem.gates.count(); ++e)
+    edges.push_back(problem.gates.edge_path(e));
   return first_order_echo(problem.scene.source, problem.scene.telescope[telescope], water, edges);
 }
 
-/// Runs a scene at first order and holds every gate of every telescope and channel against the equation.
-void compare(const std::string& toml, const std::vector<std::function<double(double)>>& phase_of_channel) {
+/// Runs a scene at first order and holds every gate of every telescope and channel against the
+/// equation.
+void compare(const std::string& toml,
+             const std::vector<std::function<double(double)>>& phase_of_channel) {
   const auto scene = read(toml);
   const auto problem = engine::make_problem(scene);
   const auto result = engine::run(scene);
@@ -54,7 +58,8 @@ void compare(const std::string& toml, const std::vector<std::function<double(dou
         const std::size_t i = (t * result.channels() + c) * result.gates() + g;
         const double mean = result.echo.mean[i];
         const double error = result.echo.standard_error[i];
-        const auto where = fmt::format("telescope {} channel {} gate {}: {} +- {}, equation {}", t, c, g, mean, error, equation[g]);
+        const auto where = fmt::format("telescope {} channel {} gate {}: {} +- {}, equation {}", t,
+                                       c, g, mean, error, equation[g]);
         if (equation[g] == 0) {  // before the first light
           EXPECT_EQ(mean, 0) << where;
           continue;
@@ -79,7 +84,8 @@ std::string first_order() { return simulation(5e7, 7, "max_order = 1\norders_kep
 // Seen red: n^2 left out of the refraction factor, phase for group index, half for full divergence.
 TEST(FirstOrder, FlatSea) {
   compare(ship_instrument + channel("elastic") +
-              water(0.03, 0.03, "{ model = \"henyey-greenstein\", g = 0.6 }") + depth_gates(50, 2) + first_order(),
+              water(0.03, 0.03, "{ model = \"henyey-greenstein\", g = 0.6 }") + depth_gates(50, 2) +
+              first_order(),
           {shape(optics::henyey_greenstein(0.6))});
 }
 
@@ -101,7 +107,8 @@ direction = [0.0, -0.02, -1.0]
 diameter_m = 0.30
 focal_length_m = 1.0
 half_field_of_view_mrad = 80.0
-)" + channel("elastic") + R"(
+)" + channel("elastic") +
+              R"(
 [[sea.layer]]
 bottom_depth_m = 7.3
 iop = [ { wavelength_nm = 532.0, a_per_m = 0.02, b_per_m = 0.04 } ]
@@ -153,7 +160,8 @@ direction = [0.5, 0.0, -0.8660254037844386]
 diameter_m = 0.40
 focal_length_m = 2.0
 half_field_of_view_mrad = 30.0
-)" + channel("elastic") + R"(
+)" + channel("elastic") +
+              R"(
 [[sea.layer]]
 iop = [ { wavelength_nm = 532.0, a_per_m = 0.03, b_per_m = 0.03 } ]
 phase_function = { model = "henyey-greenstein", g = 0.6 }
@@ -179,7 +187,8 @@ direction = [0.0, 0.0, -1.0]
 diameter_m = 0.20
 focal_length_m = 0.5
 half_field_of_view_mrad = 60.0
-)" + channel("elastic") + R"(
+)" + channel("elastic") +
+              R"(
 [[sea.layer]]
 bottom_depth_m = 12.0
 iop = [ { wavelength_nm = 532.0, a_per_m = 0.03, b_per_m = 0.03 } ]

@@ -1,5 +1,5 @@
-// Ways of computing the same echo agree: directed sampling and the analog walk, float and double, any number of
-// threads, water in one layer and cut into several.
+// Ways of computing the same echo agree: directed sampling and the analog walk, float and double,
+// any number of threads, water in one layer and cut into several.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,8 @@ namespace {
 
 const std::string broad_phase = R"({ model = "henyey-greenstein", g = 0.6 })";
 
-std::string ship(const std::string& layers, const std::string& channels, double photons, const std::string& more) {
+std::string ship(const std::string& layers, const std::string& channels, double photons,
+                 const std::string& more) {
   return ship_instrument + channels + layers + depth_gates(20, 1) + simulation(photons, 5, more);
 }
 
@@ -24,7 +25,8 @@ void compare(const tally::Result& a, const tally::Result& b) {
   ZFamily family(0.01);
   for (std::size_t i = 0; i < a.echo.mean.size(); ++i) {
     if (a.convergence_flags[i] != 0 || b.convergence_flags[i] != 0) continue;
-    family.add(a.echo.mean[i], b.echo.mean[i], std::hypot(a.echo.standard_error[i], b.echo.standard_error[i]),
+    family.add(a.echo.mean[i], b.echo.mean[i],
+               std::hypot(a.echo.standard_error[i], b.echo.standard_error[i]),
                fmt::format("cell {}", i));
   }
   EXPECT_GT(family.size(), a.echo.mean.size() / 2);
@@ -32,33 +34,40 @@ void compare(const tally::Result& a, const tally::Result& b) {
   family.judge_spread();
 }
 
-// On a broad phase function the plain walk converges too. Seen red: p / q with the undirected term left out of q.
+// On a broad phase function the plain walk converges too. Seen red: p / q with the undirected term
+// left out of q.
 TEST(Agreement, DirectedSamplingAndPlainWalk) {
   const auto layers = water(0.1, 0.2, broad_phase);
-  const auto directed = engine::run(read(ship(layers, channel("elastic"), 2e6, "directed_fraction = 0.5")));
+  const auto directed =
+      engine::run(read(ship(layers, channel("elastic"), 2e6, "directed_fraction = 0.5")));
   auto plain_scene = read(ship(layers, channel("elastic"), 8e6, "directed_fraction = 0.0"));
   plain_scene.simulation.seed = 6;
   compare(directed, engine::run(plain_scene));
 }
 
-// Inelastic echoes do not depend on how often light is converted or directed. Seen red: the factor of the number of
-// lines left out of the converted weight.
+// Inelastic echoes do not depend on how often light is converted or directed. Seen red: the factor
+// of the number of lines left out of the converted weight.
 TEST(Agreement, ConversionProbabilityDoesNotMatter) {
   const std::string algae = "[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n";
   const auto channels = channel("elastic") + channel("raman") + channel("chlorophyll");
-  const auto often = engine::run(read(ship(algae, channels, 2e6, "conversion_probability = 0.5\ndirected_fraction = 0.3")));
+  const auto often = engine::run(
+      read(ship(algae, channels, 2e6, "conversion_probability = 0.5\ndirected_fraction = 0.3")));
   auto rare = read(ship(algae, channels, 4e6, "conversion_probability = 0.1"));
   rare.simulation.seed = 6;
   compare(often, engine::run(rare));
 }
 
-// Water cut into layers of the same water is the same water. Seen red: the layer not updated on a flight.
+// Water cut into layers of the same water is the same water. Seen red: the layer not updated on a
+// flight.
 TEST(Agreement, OneLayerOrThree) {
   const std::string properties =
-      "iop = [ { wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.1 } ]\nphase_function = " + broad_phase + "\n";
-  const std::string cut = "[[sea.layer]]\nbottom_depth_m = 4.0\n" + properties + "[[sea.layer]]\nbottom_depth_m = 9.5\n" +
-                          properties + "[[sea.layer]]\n" + properties;
-  const auto one = engine::run(read(ship(water(0.06, 0.1, broad_phase), channel("elastic"), 2e6, "")));
+      "iop = [ { wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.1 } ]\nphase_function = " +
+      broad_phase + "\n";
+  const std::string cut = "[[sea.layer]]\nbottom_depth_m = 4.0\n" + properties +
+                          "[[sea.layer]]\nbottom_depth_m = 9.5\n" + properties + "[[sea.layer]]\n" +
+                          properties;
+  const auto one =
+      engine::run(read(ship(water(0.06, 0.1, broad_phase), channel("elastic"), 2e6, "")));
   auto three = read(ship(cut, channel("elastic"), 2e6, ""));
   three.simulation.seed = 6;
   compare(one, engine::run(three));
@@ -82,14 +91,18 @@ TEST(Agreement, FloatAndDouble) {
   const auto in_double = run_in<double>(scene, 2);
   const auto in_float = run_in<float>(scene, 2);
   for (std::size_t g = 0; g < in_double.gates(); ++g) {
-    EXPECT_NEAR(in_float.echo.mean[g], in_double.echo.mean[g], 0.3 * in_double.echo.standard_error[g]) << "gate " << g;
+    EXPECT_NEAR(in_float.echo.mean[g], in_double.echo.mean[g],
+                0.3 * in_double.echo.standard_error[g])
+        << "gate " << g;
   }
   EXPECT_NEAR(in_float.ledger.escaped, in_double.ledger.escaped, 1e-3 * in_double.ledger.escaped);
-  EXPECT_NE(in_float.echo.mean, in_double.echo.mean);  // or the comparison would be of one with itself
+  EXPECT_NE(in_float.echo.mean,
+            in_double.echo.mean);  // or the comparison would be of one with itself
 }
 
 TEST(Agreement, BitsDoNotDependOnThreads) {
-  const std::string algae = "[[sea.layer]]\nbottom_depth_m = 5.0\nchlorophyll_mg_m3 = 1.0\n[[sea.layer]]\n";
+  const std::string algae =
+      "[[sea.layer]]\nbottom_depth_m = 5.0\nchlorophyll_mg_m3 = 1.0\n[[sea.layer]]\n";
   const auto scene = read(ship(algae, channel("elastic") + channel("raman"), 123'456, ""));
   const auto one = run_in<double>(scene, 1);
   for (const int threads : {2, 7}) {
@@ -104,7 +117,8 @@ TEST(Agreement, BitsDoNotDependOnThreads) {
   }
 }
 
-// A lidar that looks up from below sees what is mirrored in the surface; near a submerged lens nothing blows up.
+// A lidar that looks up from below sees what is mirrored in the surface; near a submerged lens
+// nothing blows up.
 TEST(Agreement, LookingUpDirectedAndPlain) {
   const auto rov = [](const std::string& more, std::uint64_t seed, double photons) {
     return read(R"(
@@ -120,10 +134,13 @@ direction = [0.3, 0.0, 1.0]
 diameter_m = 0.10
 focal_length_m = 0.3
 half_field_of_view_mrad = 150.0
-)" + channel("elastic") + water(0.1, 0.2, broad_phase) +
-                "[gates]\nrange_min_m = 1.0\nrange_max_m = 15.0\nrange_step_m = 1.0\n" + simulation(photons, seed, more));
+)" + channel("elastic") +
+                water(0.1, 0.2, broad_phase) +
+                "[gates]\nrange_min_m = 1.0\nrange_max_m = 15.0\nrange_step_m = 1.0\n" +
+                simulation(photons, seed, more));
   };
-  compare(engine::run(rov("directed_fraction = 0.5", 5, 2e6)), engine::run(rov("directed_fraction = 0.0", 6, 6e6)));
+  compare(engine::run(rov("directed_fraction = 0.5", 5, 2e6)),
+          engine::run(rov("directed_fraction = 0.0", 6, 6e6)));
 }
 
 }  // namespace

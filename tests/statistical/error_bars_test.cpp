@@ -1,5 +1,5 @@
-// Error bars are features with tests of their own: over many seeds, 95 % intervals of the gates that are flagged as
-// converged cover a converged reference about 95 % of the time.
+// Error bars are features with tests of their own: over many seeds, 95 % intervals of the gates
+// that are flagged as converged cover a converged reference about 95 % of the time.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,8 +17,8 @@ constexpr double reference_photons = 100 * photons;
 constexpr double gate_step = 0.5;
 
 std::string scene(const std::string& phase, double count, std::uint64_t seed) {
-  return ship_instrument + channel("elastic") + water(0.06, 0.10, phase) + depth_gates(50, gate_step) +
-         simulation(count, seed);
+  return ship_instrument + channel("elastic") + water(0.06, 0.10, phase) +
+         depth_gates(50, gate_step) + simulation(count, seed);
 }
 
 struct Coverage {
@@ -27,11 +27,13 @@ struct Coverage {
 };
 
 /// Gates from `first` to `last` in which the reference is converged.
-Coverage coverage(const std::string& phase, const tally::Result& reference, std::size_t first, std::size_t last) {
+Coverage coverage(const std::string& phase, const tally::Result& reference, std::size_t first,
+                  std::size_t last) {
   constexpr double two_sided_95 = 1.96;
   Coverage c;
   for (int seed = 1; seed <= seeds; ++seed) {
-    const auto run = engine::run(read(scene(phase, photons, static_cast<std::uint64_t>(1000 + seed))));
+    const auto run =
+        engine::run(read(scene(phase, photons, static_cast<std::uint64_t>(1000 + seed))));
     for (std::size_t g = first; g < last; ++g) {
       if (run.convergence_flags[g] != 0 || reference.convergence_flags[g] != 0) continue;
       const double error = std::hypot(run.echo.standard_error[g], reference.echo.standard_error[g]);
@@ -51,8 +53,11 @@ void check(const std::string& phase, double depth) {
 
   const Coverage shallow = coverage(phase, reference, 0, gates);
   const Coverage deep = coverage(phase, reference, gates, reference.gates());
-  std::printf("converged %zu of %zu gates in the reference; covered %.3f of %.0f above, %.3f of %.0f below %g m\n",
-              converged, gates, shallow.share(), shallow.flagged_converged, deep.share(), deep.flagged_converged, depth);
+  std::printf(
+      "converged %zu of %zu gates in the reference; covered %.3f of %.0f above, %.3f of %.0f below "
+      "%g m\n",
+      converged, gates, shallow.share(), shallow.flagged_converged, deep.share(),
+      deep.flagged_converged, depth);
   EXPECT_GT(shallow.share(), 0.88);
   EXPECT_LT(shallow.share(), 0.99);
   // Deeper gates may be flagged as not converged, but not be wrong without a flag.
@@ -61,7 +66,8 @@ void check(const std::string& phase, double depth) {
   }
 }
 
-// Seen red: the error of the mean over photons instead of batches' scatter (errors without the square root).
+// Seen red: the error of the mean over photons instead of batches' scatter (errors without the
+// square root).
 TEST(ErrorBars, HoldOnHenyeyGreensteinWaterTo20m) { check(henyey_greenstein_phase, 20); }
 TEST(ErrorBars, HoldOnPeakedWaterTo10m) { check(peaked_phase, 10); }
 

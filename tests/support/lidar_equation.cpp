@@ -39,7 +39,8 @@ double optical_depth(const EquationWater& water, bool back, double depth1, doubl
   for (std::size_t k = 0; k < water.layers.size(); ++k) {
     const double bottom = k + 1 < water.layers.size() ? water.layers[k + 1].top_m : 1e9;
     const double inside = std::min(high, bottom) - std::max(low, water.layers[k].top_m);
-    tau += std::max(0.0, inside) * (back ? water.layers[k].c_back_per_m : water.layers[k].c_out_per_m);
+    tau +=
+        std::max(0.0, inside) * (back ? water.layers[k].c_back_per_m : water.layers[k].c_out_per_m);
   }
   return tau;
 }
@@ -75,8 +76,9 @@ WayBack through_surface(const Vec& point, const scene::Telescope& telescope, dou
       return n * x / std::hypot(x, depth) - (aside - x) / std::hypot(aside - x, height);
     };
     std::uintmax_t steps = 200;
-    const auto root = boost::math::tools::toms748_solve(snell, 0.0, aside, snell(0.0), snell(aside),
-                                                        boost::math::tools::eps_tolerance<double>(50), steps);
+    const auto root =
+        boost::math::tools::toms748_solve(snell, 0.0, aside, snell(0.0), snell(aside),
+                                          boost::math::tools::eps_tolerance<double>(50), steps);
     r = (root.first + root.second) / 2;
   }
   const double ex = aside > 0 ? dx / aside : 1;
@@ -85,22 +87,28 @@ WayBack through_surface(const Vec& point, const scene::Telescope& telescope, dou
   way.in_water = std::hypot(r, depth);
   way.in_air = std::hypot(aside - r, height);
   way.leaving = {ex * r / way.in_water, ey * r / way.in_water, depth / way.in_water};
-  way.arriving = {ex * (aside - r) / way.in_air, ey * (aside - r) / way.in_air, height / way.in_air};
+  way.arriving = {ex * (aside - r) / way.in_air, ey * (aside - r) / way.in_air,
+                  height / way.in_air};
   way.transmittance = 1 - reflectance(n, 1.0, std::atan2(r, depth));
   way.apparent = way.in_air + way.in_water / n;
 
   const double step = 1e-5;  // rad; central differences
-  const Vec u = normalised(cross(way.leaving, std::abs(way.leaving.z) > 0.9 ? Vec{1, 0, 0} : Vec{0, 0, 1}));
+  const Vec u =
+      normalised(cross(way.leaving, std::abs(way.leaving.z) > 0.9 ? Vec{1, 0, 0} : Vec{0, 0, 1}));
   const Vec v = cross(way.leaving, u);
   const auto moved = [&](const Vec& across) {
-    const Vec plus = landing(point, normalised(way.leaving + step * across), n, telescope.position_m, way.arriving);
-    const Vec minus = landing(point, normalised(way.leaving - step * across), n, telescope.position_m, way.arriving);
+    const Vec plus = landing(point, normalised(way.leaving + step * across), n,
+                             telescope.position_m, way.arriving);
+    const Vec minus = landing(point, normalised(way.leaving - step * across), n,
+                              telescope.position_m, way.arriving);
     return (0.5 / step) * (plus - minus);
   };
   const double area_per_solid_angle = length(cross(moved(u), moved(v)));
-  const double area = pi / 4 * (telescope.diameter_m * telescope.diameter_m -
-                                telescope.obstruction_diameter_m * telescope.obstruction_diameter_m);
-  way.solid_angle = area * std::abs(dot(way.arriving, normalised(telescope.direction))) / area_per_solid_angle;
+  const double area = pi / 4 *
+                      (telescope.diameter_m * telescope.diameter_m -
+                       telescope.obstruction_diameter_m * telescope.obstruction_diameter_m);
+  way.solid_angle =
+      area * std::abs(dot(way.arriving, normalised(telescope.direction))) / area_per_solid_angle;
   return way;
 }
 
@@ -111,13 +119,15 @@ double lens_from(const Vec& point, const scene::Telescope& telescope) {
   const Vec v = cross(axis, u);
   const auto ring = [&](double r) {
     const auto at = [&](double azimuth) {
-      const Vec d = telescope.position_m + (r * std::cos(azimuth)) * u + (r * std::sin(azimuth)) * v - point;
+      const Vec d =
+          telescope.position_m + (r * std::cos(azimuth)) * u + (r * std::sin(azimuth)) * v - point;
       const double s = length(d);
       return std::abs(dot(d, axis)) / (s * s * s);
     };
     return r * gauss<double, 30>::integrate(at, 0.0, 2 * pi);
   };
-  return gauss<double, 30>::integrate(ring, telescope.obstruction_diameter_m / 2, telescope.diameter_m / 2);
+  return gauss<double, 30>::integrate(ring, telescope.obstruction_diameter_m / 2,
+                                      telescope.diameter_m / 2);
 }
 
 WayBack in_water(const Vec& point, const scene::Telescope& telescope) {
@@ -129,23 +139,26 @@ WayBack in_water(const Vec& point, const scene::Telescope& telescope) {
   return way;
 }
 
-/// One ray of the laser's cone in the water: where it starts, where it goes, what came through, its path so far.
+/// One ray of the laser's cone in the water: where it starts, where it goes, what came through, its
+/// path so far.
 struct Ray {
   Vec start, direction;
   double weight, path;
 };
 
-Ray ray_in_water(const scene::Source& source, const EquationWater& water, double angle, double azimuth) {
+Ray ray_in_water(const scene::Source& source, const EquationWater& water, double angle,
+                 double azimuth) {
   const Vec axis = normalised(source.direction);
   const Vec u = normalised(cross(axis, std::abs(axis.z) > 0.9 ? Vec{1, 0, 0} : Vec{0, 0, 1}));
   const Vec v = cross(axis, u);
-  const Vec k = std::cos(angle) * axis + (std::sin(angle) * std::cos(azimuth)) * u + (std::sin(angle) * std::sin(azimuth)) * v;
+  const Vec k = std::cos(angle) * axis + (std::sin(angle) * std::cos(azimuth)) * u +
+                (std::sin(angle) * std::sin(azimuth)) * v;
   const double behind = source.diameter_m / 2 / std::tan(source.half_divergence_mrad * 1e-3);
   const Vec on_disc = source.position_m + (behind / std::cos(angle)) * k - behind * axis;
   if (source.position_m.z < 0) return {on_disc, k, 1.0, 0.0};
   const double to_surface = on_disc.z / -k.z;
-  return {on_disc + to_surface * k, refracted(k, 1.0, water.n_out), 1 - reflectance(1.0, water.n_out, std::acos(-k.z)),
-          to_surface};
+  return {on_disc + to_surface * k, refracted(k, 1.0, water.n_out),
+          1 - reflectance(1.0, water.n_out, std::acos(-k.z)), to_surface};
 }
 
 }  // namespace
@@ -166,18 +179,21 @@ double overlap_by_integration(const scene::Telescope& telescope, double z, doubl
   };
   if (blur < 1e-9) return q < r ? 1.0 : 0.0;
   // The integrand has kinks where the circle touches the detector's rim.
-  std::vector<double> edges{shadow, std::clamp(std::abs(r - q), shadow, blur), std::clamp(r + q, shadow, blur), blur};
+  std::vector<double> edges{shadow, std::clamp(std::abs(r - q), shadow, blur),
+                            std::clamp(r + q, shadow, blur), blur};
   std::sort(edges.begin(), edges.end());
   double sum = 0;
   for (std::size_t i = 1; i < edges.size(); ++i) {
     if (edges[i] <= edges[i - 1]) continue;
-    sum += gauss_kronrod<double, 31>::integrate([&](double s) { return s * share(s); }, edges[i - 1], edges[i], 8, 1e-9);
+    sum += gauss_kronrod<double, 31>::integrate([&](double s) { return s * share(s); },
+                                                edges[i - 1], edges[i], 8, 1e-9);
   }
   return sum * 2 / (blur * blur - shadow * shadow);
 }
 
 std::vector<double> first_order_echo(const scene::Source& source, const scene::Telescope& telescope,
-                                     const EquationWater& water, const std::vector<double>& gate_edges_m) {
+                                     const EquationWater& water,
+                                     const std::vector<double>& gate_edges_m) {
   const bool submerged = telescope.position_m.z < 0;
   const Vec axis = normalised(telescope.direction);
   std::vector<double> echo(gate_edges_m.size() - 1, 0.0);
@@ -185,7 +201,8 @@ std::vector<double> first_order_echo(const scene::Source& source, const scene::T
   const auto add_ray = [&](const Ray& ray, double ray_weight) {
     const auto point_at = [&](double s) { return ray.start + s * ray.direction; };
     const auto way_back = [&](const Vec& point) {
-      return submerged ? in_water(point, telescope) : through_surface(point, telescope, water.n_back);
+      return submerged ? in_water(point, telescope)
+                       : through_surface(point, telescope, water.n_back);
     };
     const auto path_at = [&](double s) {
       const WayBack way = way_back(point_at(s));
@@ -196,15 +213,17 @@ std::vector<double> first_order_echo(const scene::Source& source, const scene::T
       const double cos_off_axis = [&] { return -dot(way_back(point).arriving, axis); }();
       if (cos_off_axis <= 0) return 0.0;
       const WayBack way = way_back(point);
-      const double tan_psi = std::sqrt(std::max(0.0, 1 - cos_off_axis * cos_off_axis)) / cos_off_axis;
+      const double tan_psi =
+          std::sqrt(std::max(0.0, 1 - cos_off_axis * cos_off_axis)) / cos_off_axis;
       const double eta = overlap_by_integration(telescope, way.apparent * cos_off_axis, tan_psi);
       const double depth = -point.z;
       const double steep_out = std::abs(ray.direction.z);
       const double steep_back = std::abs(way.leaving.z);
-      const double tau = optical_depth(water, false, -ray.start.z, depth) / steep_out +
-                         optical_depth(water, true, depth, submerged ? -telescope.position_m.z : 0.0) / steep_back;
-      return layer_at(water, depth).turning_per_m * water.phase(dot(ray.direction, way.leaving)) * way.solid_angle *
-             way.transmittance * eta * std::exp(-tau);
+      const double tau =
+          optical_depth(water, false, -ray.start.z, depth) / steep_out +
+          optical_depth(water, true, depth, submerged ? -telescope.position_m.z : 0.0) / steep_back;
+      return layer_at(water, depth).turning_per_m * water.phase(dot(ray.direction, way.leaving)) *
+             way.solid_angle * way.transmittance * eta * std::exp(-tau);
     };
     // Distances along the ray of the gate edges and of the layers' edges.
     const auto distance_of = [&](double path) {
@@ -212,8 +231,9 @@ std::vector<double> first_order_echo(const scene::Source& source, const scene::T
       double high = 1.0;
       while (path_at(high) < path) high *= 2;
       std::uintmax_t steps = 200;
-      const auto root = boost::math::tools::toms748_solve([&](double s) { return path_at(s) - path; }, 1e-6, high,
-                                                          boost::math::tools::eps_tolerance<double>(40), steps);
+      const auto root =
+          boost::math::tools::toms748_solve([&](double s) { return path_at(s) - path; }, 1e-6, high,
+                                            boost::math::tools::eps_tolerance<double>(40), steps);
       return (root.first + root.second) / 2;
     };
     double low = distance_of(gate_edges_m.front());
@@ -226,7 +246,8 @@ std::vector<double> first_order_echo(const scene::Source& source, const scene::T
       }
       std::sort(cuts.begin(), cuts.end());
       for (std::size_t i = 1; i < cuts.size(); ++i) {
-        if (cuts[i] > cuts[i - 1]) echo[g] += ray_weight * gauss<double, 10>::integrate(density, cuts[i - 1], cuts[i]);
+        if (cuts[i] > cuts[i - 1])
+          echo[g] += ray_weight * gauss<double, 10>::integrate(density, cuts[i - 1], cuts[i]);
       }
       low = high;
     }

@@ -9,7 +9,9 @@
 
 namespace photic::test {
 
-inline scene::Scene read(const std::string& toml) { return scene::read_scene_text(toml, "test.toml", ".").scene; }
+inline scene::Scene read(const std::string& toml) {
+  return scene::read_scene_text(toml, "test.toml", ".").scene;
+}
 
 /// The instrument of the paper's Table 1.
 inline const std::string ship_instrument = R"(
@@ -38,8 +40,9 @@ inline const std::string peaked_phase =
 /// A bottomless layer at 532 nm.
 inline std::string water(double a_per_m, double b_per_m, const std::string& phase) {
   return fmt::format(
-      "[[sea.layer]]\niop = [ {{ wavelength_nm = 532.0, a_per_m = {}, b_per_m = {} }} ]\nphase_function = {}\n", a_per_m,
-      b_per_m, phase);
+      "[[sea.layer]]\niop = [ {{ wavelength_nm = 532.0, a_per_m = {}, b_per_m = {} }} "
+      "]\nphase_function = {}\n",
+      a_per_m, b_per_m, phase);
 }
 
 inline std::string depth_gates(double max_m, double step_m) {

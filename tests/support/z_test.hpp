@@ -11,7 +11,8 @@
 
 namespace photic::test {
 
-/// Two-sided |z| that `count` independent standard normals all stay below with probability 1 - level (Šidák).
+/// Two-sided |z| that `count` independent standard normals all stay below with probability 1 -
+/// level (Šidák).
 inline double family_wise_z(double level, std::size_t count) {
   const double each = 1 - std::pow(1 - level, 1.0 / static_cast<double>(count));
   return boost::math::quantile(boost::math::complement(boost::math::normal(), each / 2));
@@ -36,14 +37,15 @@ class ZFamily {
     }
   }
 
-  /// Fails if the scores of independent members scatter more, or less, than standard normals do at the level:
-  /// errors that are claimed too small, or too large.
+  /// Fails if the scores of independent members scatter more, or less, than standard normals do at
+  /// the level: errors that are claimed too small, or too large.
   void judge_spread() const {
     double sum = 0;
     for (const double z : z_) sum += z * z;
     const boost::math::chi_squared distribution(static_cast<double>(z_.size()));
     EXPECT_GT(sum, boost::math::quantile(distribution, level_ / 2)) << "errors claimed too large";
-    EXPECT_LT(sum, boost::math::quantile(boost::math::complement(distribution, level_ / 2))) << "errors claimed too small";
+    EXPECT_LT(sum, boost::math::quantile(boost::math::complement(distribution, level_ / 2)))
+        << "errors claimed too small";
   }
 
   [[nodiscard]] std::size_t size() const { return z_.size(); }

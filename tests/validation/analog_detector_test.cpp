@@ -1,5 +1,6 @@
-// Echoes against a walk that shares nothing with Photic's: analog photons, each absorbed or not, Henyey-Greenstein angles
-// from its inverse, libstdc++'s Mersenne twister, and a real lens and detector that a photon hits or misses.
+// Echoes against a walk that shares nothing with Photic's: analog photons, each absorbed or not,
+// Henyey-Greenstein angles from its inverse, libstdc++'s Mersenne twister, and a real lens and
+// detector that a photon hits or misses.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,8 +16,10 @@
 namespace photic::test {
 namespace {
 
-// A big lens high over turbid water, so that analog photons hit it; n, group index and water in numbers.
-constexpr double height = 30.0, lens_radius = 1.5, focal_length = 2.0, detector_radius = 0.5, detector_shift = 0.06;
+// A big lens high over turbid water, so that analog photons hit it; n, group index and water in
+// numbers.
+constexpr double height = 30.0, lens_radius = 1.5, focal_length = 2.0, detector_radius = 0.5,
+                 detector_shift = 0.06;
 constexpr double obstruction_radius = 0.6, index = 1.34, group = 1.36, a = 0.05, b = 0.45, g = 0.4;
 constexpr double laser_divergence = 0.02;
 constexpr int gates = 8;
@@ -36,7 +39,8 @@ int analog_photon(std::mt19937_64& random) {
   // A point source on the axis with a narrow cone.
   const double tilt = std::acos(1 - uniform(random) * (1 - std::cos(laser_divergence)));
   double azimuth = 2 * M_PI * uniform(random);
-  double kx = std::sin(tilt) * std::cos(azimuth), ky = std::sin(tilt) * std::sin(azimuth), kz = -std::cos(tilt);
+  double kx = std::sin(tilt) * std::cos(azimuth), ky = std::sin(tilt) * std::sin(azimuth),
+         kz = -std::cos(tilt);
   double x = height * kx / -kz, y = height * ky / -kz, z = 0, path = height / -kz;
   const auto reflectance = [](double n1, double n2, double c1) {
     const double s2 = n1 / n2 * std::sqrt(1 - c1 * c1);
@@ -80,7 +84,8 @@ int analog_photon(std::mt19937_64& random) {
   const double r = std::hypot(x, y);
   if (r > lens_radius || r < obstruction_radius) return -1;
   const double distance = focal_length + detector_shift;
-  const double dx = x + distance * (kx / kz - x / focal_length), dy = y + distance * (ky / kz - y / focal_length);
+  const double dx = x + distance * (kx / kz - x / focal_length),
+               dy = y + distance * (ky / kz - y / focal_length);
   if (std::hypot(dx, dy) > detector_radius) return -1;
   const double depth = (path - 2 * height) / (2 * group);
   return depth < gates * gate_depth ? static_cast<int>(depth / gate_depth) : -1;
@@ -108,7 +113,8 @@ Counts analog_counts(std::uint64_t photons) {
 
 // Seen red: order 1 only; obstruction ignored; refraction factor without n^2.
 TEST(AnalogDetector, CountsWhatTheLocalEstimateExpects) {
-  const auto scene = read(fmt::format(R"(
+  const auto scene = read(
+      fmt::format(R"(
 [source]
 wavelength_nm = 532.0
 position_m = [0.0, 0.0, {height}]
@@ -138,11 +144,13 @@ depth_step_m = {step}
 [simulation]
 photons = 4000000
 seed = 3
-)", fmt::arg("height", height), fmt::arg("divergence", laser_divergence * 1e3), fmt::arg("lens", 2 * lens_radius),
-      fmt::arg("focal", focal_length), fmt::arg("detector", 2 * detector_radius), fmt::arg("shift", detector_shift),
-      fmt::arg("obstruction", 2 * obstruction_radius), fmt::arg("index", index), fmt::arg("group", group),
-      fmt::arg("a", a), fmt::arg("b", b), fmt::arg("g", g), fmt::arg("depth", gates * gate_depth),
-      fmt::arg("step", gate_depth)));
+)",
+                  fmt::arg("height", height), fmt::arg("divergence", laser_divergence * 1e3),
+                  fmt::arg("lens", 2 * lens_radius), fmt::arg("focal", focal_length),
+                  fmt::arg("detector", 2 * detector_radius), fmt::arg("shift", detector_shift),
+                  fmt::arg("obstruction", 2 * obstruction_radius), fmt::arg("index", index),
+                  fmt::arg("group", group), fmt::arg("a", a), fmt::arg("b", b), fmt::arg("g", g),
+                  fmt::arg("depth", gates * gate_depth), fmt::arg("step", gate_depth)));
   const auto result = engine::run(scene);
   constexpr std::uint64_t photons = 40'000'000;
   const Counts counts = analog_counts(photons);
@@ -152,8 +160,8 @@ seed = 3
     const double error = std::sqrt(share / static_cast<double>(photons));
     EXPECT_GT(counts.by_gate[k], 200) << "gate " << k;
     family.add(result.echo.mean[k], share, std::hypot(error, result.echo.standard_error[k]),
-               fmt::format("gate {}: {} +- {}, analog {} +- {}", k, result.echo.mean[k], result.echo.standard_error[k],
-                           share, error));
+               fmt::format("gate {}: {} +- {}, analog {} +- {}", k, result.echo.mean[k],
+                           result.echo.standard_error[k], share, error));
     // Most of it is multiple scattering, or the test would show little.
     if (k == gates - 1) {
       EXPECT_LT(result.echo_by_order.mean[k], 0.5 * result.echo.mean[k]);

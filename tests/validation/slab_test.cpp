@@ -1,4 +1,5 @@
-// Reflection and transmission of slabs against published results of other methods, through the same walk as the echoes.
+// Reflection and transmission of slabs against published results of other methods, through the same
+// walk as the echoes.
 #include <gtest/gtest.h>
 
 #include "engine/run.hpp"
@@ -8,8 +9,10 @@
 namespace photic::test {
 namespace {
 
-/// A pencil of light straight down from just above the sea, gates wide open in time, directed sampling off or on.
-std::string scene(const std::string& index, const std::string& layer, double directed_fraction, double photons) {
+/// A pencil of light straight down from just above the sea, gates wide open in time, directed
+/// sampling off or on.
+std::string scene(const std::string& index, const std::string& layer, double directed_fraction,
+                  double photons) {
   return R"(
 [source]
 wavelength_nm = 532.0
@@ -23,7 +26,8 @@ direction = [0.0, 0.0, -1.0]
 diameter_m = 0.10
 focal_length_m = 1.0
 detector_diameter_m = 0.04
-)" + channel("elastic") + "[sea]\nrefractive_index = " + index + "\n" + layer +
+)" + channel("elastic") +
+         "[sea]\nrefractive_index = " + index + "\n" + layer +
          "[gates]\nstart_ns = 0.0\nstop_ns = 1e7\nstep_ns = 1e6\n" +
          simulation(photons, 11, fmt::format("directed_fraction = {}", directed_fraction));
 }
@@ -40,9 +44,9 @@ double error_bound(double share, std::uint64_t photons) {
   return std::sqrt(share * (1 - share) / static_cast<double>(photons));
 }
 
-// van de Hulst 1980, Multiple Light Scattering, vol. 2, table 35: optical thickness 2, albedo 0.9, g = 0.75, normal
-// incidence, no refraction: R = 0.09739, T = 0.66096.
-// Seen red: the sign of g; the free path on a log base 10.
+// van de Hulst 1980, Multiple Light Scattering, vol. 2, table 35: optical thickness 2, albedo 0.9,
+// g = 0.75, normal incidence, no refraction: R = 0.09739, T = 0.66096. Seen red: the sign of g; the
+// free path on a log base 10.
 TEST(Slab, VanDeHulst) {
   const auto result = engine::run(read(scene("1.0", van_de_hulst_layer, 0.0, 4e6)));
   ZFamily family(0.01);
@@ -52,25 +56,27 @@ TEST(Slab, VanDeHulst) {
   EXPECT_NEAR(result.ledger.absorbed, 1 - 0.09739 - 0.66096, 1e-3);
 }
 
-// Giovanelli 1955, Opt. Acta 2, 153: semi-infinite, isotropic, albedo 0.9, n = 1.5: R = 0.2600, of which 0.0400 is
-// reflected by the surface itself. A layer of optical thickness 60 stands for the infinite one.
-// Seen red: internal reflection left out.
+// Giovanelli 1955, Opt. Acta 2, 153: semi-infinite, isotropic, albedo 0.9, n = 1.5: R = 0.2600, of
+// which 0.0400 is reflected by the surface itself. A layer of optical thickness 60 stands for the
+// infinite one. Seen red: internal reflection left out.
 TEST(Slab, Giovanelli) {
   const auto result = engine::run(read(scene("1.5", R"(
 [[sea.layer]]
 bottom_depth_m = 60.0
 iop = [ { wavelength_nm = 532.0, a_per_m = 0.1, b_per_m = 0.9 } ]
 phase_function = { model = "isotropic" }
-)", 0.0, 1e6)));
+)",
+                                             0.0, 1e6)));
   // The table has four digits.
   EXPECT_NEAR(result.ledger.escaped, 0.2600, 5e-5 + 3 * error_bound(0.26, result.photons));
 }
 
-// What is emitted is absorbed, leaves, or is cut off: exactly in a plain walk with implicit absorption, in the mean with
-// directed sampling and conversions.
+// What is emitted is absorbed, leaves, or is cut off: exactly in a plain walk with implicit
+// absorption, in the mean with directed sampling and conversions.
 TEST(Slab, PhotonsAreConserved) {
   const auto sum = [](const tally::Ledger& l) {
-    return l.absorbed + l.escaped + l.sea_bed + l.cut_by_time + l.cut_by_order + l.roulette + l.lost;
+    return l.absorbed + l.escaped + l.sea_bed + l.cut_by_time + l.cut_by_order + l.roulette +
+           l.lost;
   };
   const auto plain = engine::run(read(scene("1.34", van_de_hulst_layer, 0.0, 1e6)));
   EXPECT_NEAR(sum(plain.ledger), 1.0, 1e-12);
@@ -86,7 +92,8 @@ TEST(Slab, Conservative) {
 bottom_depth_m = 5.0
 iop = [ { wavelength_nm = 532.0, a_per_m = 0.0, b_per_m = 1.0 } ]
 phase_function = { model = "henyey-greenstein", g = 0.75 }
-)", 0.0, 1e6)));
+)",
+                                             0.0, 1e6)));
   EXPECT_EQ(result.ledger.absorbed, 0.0);
   EXPECT_NEAR(result.ledger.escaped + result.ledger.sea_bed + result.ledger.roulette, 1.0, 1e-12);
   EXPECT_NEAR(result.ledger.roulette, 0.0, 1e-3);
