@@ -135,8 +135,8 @@ TEST(BuildMedium, TellsWhereItsNumbersComeFrom) {
                        [&](const std::string& s) { return s.find(what) != std::string::npos; });
   };
   EXPECT_TRUE(tells("given in the scene"));
-  EXPECT_TRUE(tells("raman at"));
-  EXPECT_TRUE(tells("chlorophyll at 685"));
+  EXPECT_TRUE(tells("layer 0: raman light at"));
+  EXPECT_TRUE(tells("layer 0: chlorophyll light at 685"));
   EXPECT_TRUE(tells("Bartlett"));
 }
 
