@@ -31,7 +31,7 @@ struct PhaseView {
 
   static constexpr double x_core = 1.0 / (1 << -core_exponent);
 
-  // A view may hold several tables one behind the other (medium/phase_bank.hpp): `table` picks one,
+  // A view may hold several tables one behind the other (medium/medium.hpp): `table` picks one,
   // so that each lane of a walk can be in another layer.
 
   /// p(x) [1/sr], which is also the density per solid angle that sample() draws from.

@@ -71,18 +71,18 @@ phase_function = { model = "isotropic" }
   EXPECT_NEAR(result.ledger.escaped, 0.2600, 5e-5 + 3 * error_bound(0.26, result.photons));
 }
 
-// What is emitted is absorbed, leaves, or is cut off: exactly in a plain walk with implicit
-// absorption, in the mean with directed sampling and conversions.
+// What is emitted is absorbed, leaves, or is cut off, in the mean: free paths drawn from scattering
+// alone, directed sampling and conversions keep weights right on average, not history by history. A
+// million photons know the sum to a few parts in a thousand. Seen red: c / c' left out at a
+// collision.
 TEST(Slab, PhotonsAreConserved) {
-  const auto sum = [](const tally::Ledger& l) {
-    return l.absorbed + l.escaped + l.sea_bed + l.cut_by_time + l.cut_by_order + l.roulette +
-           l.lost;
-  };
-  const auto plain = engine::run(read(scene("1.34", van_de_hulst_layer, 0.0, 1e6)));
-  EXPECT_NEAR(sum(plain.ledger), 1.0, 1e-12);
-  const auto directed = engine::run(read(scene("1.34", van_de_hulst_layer, 0.1, 1e6)));
-  EXPECT_NEAR(sum(directed.ledger), 1.0, 4e-3);
-  EXPECT_NE(sum(directed.ledger), 1.0);
+  for (const double directed_fraction : {0.0, 0.1}) {
+    const auto l =
+        engine::run(read(scene("1.34", van_de_hulst_layer, directed_fraction, 1e6))).ledger;
+    const double sum =
+        l.absorbed + l.escaped + l.sea_bed + l.cut_by_time + l.cut_by_order + l.roulette + l.lost;
+    EXPECT_NEAR(sum, 1.0, 4e-3) << directed_fraction;
+  }
 }
 
 // A conservative slab gives everything back: R + T = 1.
