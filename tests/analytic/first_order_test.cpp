@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "engine/problem.hpp"
 #include "engine/run.hpp"
@@ -51,6 +53,7 @@ void compare(const std::string& toml,
   const auto problem = engine::make_problem(scene);
   const auto result = engine::run(scene);
   ZFamily family(level);
+  double largest = 0;
   for (std::size_t t = 0; t < result.telescopes(); ++t) {
     for (std::size_t c = 0; c < result.channels(); ++c) {
       const auto equation = expected(problem, t, c, phase_of_channel[c]);
@@ -66,10 +69,12 @@ void compare(const std::string& toml,
         }
         EXPECT_LT(error, largest_error * equation[g]) << where;
         EXPECT_LT(std::abs(mean - equation[g]), largest_difference * equation[g]) << where;
+        largest = std::max(largest, std::abs(mean / equation[g] - 1));
         family.add(mean, equation[g], error, where);
       }
     }
   }
+  std::printf("largest difference %.2f %% in %zu gates\n", 100 * largest, family.size());
   family.judge();
   family.judge_spread();
 }

@@ -2,6 +2,8 @@
 // walk as the echoes.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "engine/run.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
@@ -52,6 +54,7 @@ TEST(Slab, VanDeHulst) {
   ZFamily family(0.01);
   family.add(result.ledger.escaped, 0.09739, error_bound(0.09739, result.photons), "reflectance");
   family.add(result.ledger.sea_bed, 0.66096, error_bound(0.66096, result.photons), "transmittance");
+  std::printf("R %.5f (0.09739), T %.5f (0.66096)\n", result.ledger.escaped, result.ledger.sea_bed);
   family.judge();
   EXPECT_NEAR(result.ledger.absorbed, 1 - 0.09739 - 0.66096, 1e-3);
 }
@@ -67,6 +70,7 @@ iop = [ { wavelength_nm = 532.0, a_per_m = 0.1, b_per_m = 0.9 } ]
 phase_function = { model = "isotropic" }
 )",
                                              0.0, 1e6)));
+  std::printf("R %.5f (0.2600)\n", result.ledger.escaped);
   // The table has four digits.
   EXPECT_NEAR(result.ledger.escaped, 0.2600, 5e-5 + 3 * error_bound(0.26, result.photons));
 }

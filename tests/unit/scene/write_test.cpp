@@ -166,7 +166,7 @@ photons = 1000000
 orders_kept = 6
 seed = 1
 directed_fraction = 0.5
-conversion_probability = 0.2
+conversion_probability = 0.15
 )");
 }
 
