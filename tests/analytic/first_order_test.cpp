@@ -86,7 +86,7 @@ std::function<double(double)> shape(const optics::PhaseShape& s) {
 /// One scattering each; enough photons for 0.2 % in every gate.
 std::string first_order() { return simulation(5e7, 7, "max_order = 1\norders_kept = 1"); }
 
-// Seen red: n^2 left out of the refraction factor, phase for group index, half for full divergence.
+// Seen red: n^2 left out of the refraction factor, half for full divergence.
 TEST(FirstOrder, FlatSea) {
   compare(ship_instrument + channel("elastic") +
               water(0.03, 0.03, "{ model = \"henyey-greenstein\", g = 0.6 }") + depth_gates(50, 2) +

@@ -35,8 +35,7 @@ void compare(const tally::Result& a, const tally::Result& b, std::size_t least) 
   family.judge();
 }
 
-// On a broad phase function the plain walk converges too. Seen red: p / q with the undirected term
-// left out of q.
+// On a broad phase function the plain walk converges too.
 TEST(Agreement, DirectedSamplingAndPlainWalk) {
   const auto layers = water(0.1, 0.2, broad_phase);
   const auto directed =
@@ -46,8 +45,7 @@ TEST(Agreement, DirectedSamplingAndPlainWalk) {
   compare(directed, engine::run(plain_scene), 15);
 }
 
-// Inelastic echoes do not depend on how often light is converted or directed. Seen red: the factor
-// of the number of lines left out of the converted weight.
+// Inelastic echoes do not depend on how often light is converted or directed.
 TEST(Agreement, ConversionProbabilityDoesNotMatter) {
   const std::string algae = "[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n";
   const auto channels = channel("elastic") + channel("raman") + channel("chlorophyll");
@@ -58,8 +56,7 @@ TEST(Agreement, ConversionProbabilityDoesNotMatter) {
   compare(often, engine::run(rare), 20);
 }
 
-// Water cut into layers of the same water is the same water. Seen red: the layer not updated on a
-// flight.
+// Water cut into layers of the same water is the same water.
 TEST(Agreement, OneLayerOrThree) {
   const std::string properties =
       "iop = [ { wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.1 } ]\nphase_function = " +

@@ -66,8 +66,6 @@ void check(const std::string& phase, double depth) {
   }
 }
 
-// Seen red: the error of the mean over photons instead of batches' scatter (errors without the
-// square root).
 TEST(ErrorBars, HoldOnHenyeyGreensteinWaterTo20m) { check(henyey_greenstein_phase, 20); }
 TEST(ErrorBars, HoldOnPeakedWaterTo10m) { check(peaked_phase, 10); }
 

@@ -111,7 +111,7 @@ Counts analog_counts(std::uint64_t photons) {
   return counts[0];
 }
 
-// Seen red: order 1 only; obstruction ignored; refraction factor without n^2.
+// Seen red: obstruction ignored; refraction factor without n^2.
 TEST(AnalogDetector, CountsWhatTheLocalEstimateExpects) {
   const auto scene = read(
       fmt::format(R"(

@@ -77,8 +77,7 @@ phase_function = { model = "isotropic" }
 
 // What is emitted is absorbed, leaves, or is cut off, in the mean: free paths drawn from scattering
 // alone, directed sampling and conversions keep weights right on average, not history by history. A
-// million photons know the sum to a few parts in a thousand. Seen red: c / c' left out at a
-// collision.
+// million photons know the sum to a few parts in a thousand.
 TEST(Slab, PhotonsAreConserved) {
   for (const double directed_fraction : {0.0, 0.1}) {
     const auto l =
