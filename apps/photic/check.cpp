@@ -8,12 +8,8 @@
 namespace photic::app {
 namespace {
 
-/// Reads the scene and looks up its optics: a wavelength without data is a problem of the scene
-/// too.
 std::vector<std::string> remarks_on(const CheckCommand& command) {
-  scene::Reading reading = scene::read_scene(command.scene, command.overrides);
-  engine::make_problem(reading.scene);
-  return reading.remarks;
+  return scene::read_scene(command.scene, command.overrides, engine::check_optics).remarks;
 }
 
 nlohmann::ordered_json as_json(const Diagnostic& d) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "engine/problem.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv.hpp"
 #include "io/json.hpp"
@@ -50,7 +51,8 @@ std::string where_it_is(const tally::Result& result, const std::string& path) {
 }  // namespace
 
 int run(const RunCommand& command) {
-  const scene::Reading reading = scene::read_scene(command.scene, command.overrides);
+  const scene::Reading reading =
+      scene::read_scene(command.scene, command.overrides, engine::check_optics);
   for (const std::string& remark : reading.remarks) print_error(remark + '\n');
   const std::string path = result_path(command.output, command.scene);
   io::check_writable(path);  // now, not after hours of work

@@ -9,8 +9,8 @@ telescopes, channels and processes go by their names. `python3 -m photic plot ou
 draws one.
 """
 
-from photic.errors import Error
+from photic.errors import Error, Interrupted
 from photic.program import run
 from photic.result import open
 
-__all__ = ["Error", "open", "run"]
+__all__ = ["Error", "Interrupted", "open", "run"]

@@ -17,7 +17,7 @@ def main(arguments=None):
         "plot",
         help="draw echoes against depth",
         description="Draws the echoes of one result by channel, process and order, or those of "
-        "several results over each other, channel by channel.",
+        "several results over each other, channel by channel, and each by order beside them.",
     )
     add = plot.add_argument
     add("results", nargs="+", metavar="RESULT.nc", help="what `photic run` wrote")

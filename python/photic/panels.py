@@ -54,11 +54,12 @@ def thinned(chosen, step):
 
 def finish_lines(panel, shown, title):
     """Axes and legend for the echoes shown, each given with the convergence of its gates."""
-    panel.set_xscale("log")
     limits = _echo_limits([echo for echo, _ in shown])
-    if limits is None:
+    if limits is None:  # and no numbers for a logarithmic axis
         panel.text(0.5, 0.5, NO_LIGHT, transform=panel.transAxes, ha="center", color="0.3")
+        panel.set_xticks([])
     else:
+        panel.set_xscale("log")
         panel.set_xlim(limits)
     panel.set_xlabel("photons detected in the gate per photon emitted", fontsize=9)
     panel.set_title(text(title), fontsize=10.5, loc="left")
@@ -94,13 +95,14 @@ def processes(panel, part, colours, title):
     finish_lines(panel, [(part.echo_by_process, part.converged)], title)
 
 
-def orders(panel, part, title):
-    """Shares of the orders of scattering, side by side: single scattering first."""
+def orders(panel, part, title, count, colour="black"):
+    """Shares of the orders of scattering, side by side: single scattering first. `count`: of how many
+    orders the figure tells."""
     total = part.echo_by_order.sum("order")
     edges = (100 * part.echo_by_order / total.where(total > 0)).cumsum("order", skipna=False).values
     left = numpy.where(numpy.isnan(edges[0]), numpy.nan, 0.0)
     depth = part.gate_depth_bounds.values.ravel()  # each gate from its start to its end
-    for right, shade in zip(edges, _shades(part)):
+    for right, shade in zip(edges, _shades(count)):
         panel.fill_betweenx(depth, left.repeat(2), right.repeat(2), color=shade, linewidth=0)
         left = right
     unsettled = (~part.converged.values & (total.values > 0)).repeat(2)
@@ -109,24 +111,25 @@ def orders(panel, part, title):
         panel.text(0.5, 0.5, NO_LIGHT, transform=panel.transAxes, ha="center", color="0.3")
     panel.set_xlim(0, 100)
     panel.set_xlabel("share of the echo [%]", fontsize=9)
-    panel.set_title(text(title), fontsize=10.5, loc="left")
+    panel.set_title(text(title), fontsize=10.5, loc="left", color=colour)
 
 
-def orders_legend(panel, result):
+def orders_legend(panel, results):
     """To the right of the panel, for all panels of orders."""
-    names = [str(order) for order in result.order.values]
-    if len(names) > 1:
+    count = max(result.sizes["order"] for result in results)
+    names = [str(order) for order in range(1, count + 1)]
+    if count > 1:
         names[-1] += " and above"
-    handles = [Patch(color=shade, label=name) for name, shade in zip(names, _shades(result))]
-    if _unsettled(result.echo, result.converged):
+    handles = [Patch(color=shade, label=name) for name, shade in zip(names, _shades(count))]
+    if any(_unsettled(result.echo, result.converged) for result in results):
         handles.append(Patch(facecolor="0.55", label="not converged", **HATCH))
     place = {"loc": "upper left", "bbox_to_anchor": (1.01, 1), "borderaxespad": 0}
     size = {"fontsize": 8.5, "title_fontsize": 8.5}
     panel.legend(handles=handles, title="order", frameon=False, alignment="left", **place, **size)
 
 
-def _shades(result):
-    return colormaps["viridis"](numpy.linspace(0.12, 0.95, result.sizes["order"]))
+def _shades(count):
+    return colormaps["viridis"](numpy.linspace(0.12, 0.95, count))
 
 
 def finish_depth(panel, results):

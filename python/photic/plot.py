@@ -1,6 +1,7 @@
 """Drawing results: echo against depth, on a figure of matplotlib."""
 
 import itertools
+import textwrap
 
 from matplotlib.figure import Figure
 
@@ -10,12 +11,13 @@ from photic.errors import Error
 # Okabe & Ito (2008), "Color Universal Design": told apart by the colour-blind too.
 # Green comes first, for 532 nm.
 COLOURS = ["#009E73", "#D55E00", "#0072B2", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+LETTERS_PER_INCH = 11  # of a panel's title
 LOOK = {"dpi": 150, "layout": "constrained"}
 
 
 def figure(results, names, telescope=None, title=None):
-    """One result: its echoes by channel, by process, by order. Several: a panel for each channel,
-    results overlaid.
+    """One result: its echoes by channel, by process, by order. Several: a row for each channel, with
+    the echoes overlaid, and beside them each result by order.
 
     results    datasets of photic.open; names: what to call each of them
     telescope  by name; default: the first of each
@@ -77,30 +79,42 @@ def _one(result):
         part = result.sel(channel=channel)
         panels.processes(panel, part, itertools.cycle(COLOURS), f"{channel} echo by process")
     for panel, channel in zip(row[1 + len(mixed) :], by_order):
-        panels.orders(panel, result.sel(channel=channel), f"{channel} echo by order of scattering")
-    panels.orders_legend(row[-1], result)
+        title = f"{channel} echo by order of scattering"
+        panels.orders(panel, result.sel(channel=channel), title, result.sizes["order"])
+    panels.orders_legend(row[-1], [result])
     panels.finish_depth(row[0], [result])
     return drawing
 
 
 def _several(results, names):
-    """A panel for each channel that any of the results has."""
+    """A row for each channel that any of the results has: the echoes over each other, and beside them
+    the orders of each result."""
     every = (str(channel) for result in results for channel in result.channel.values)
     channels = list(dict.fromkeys(every))
-    columns = min(len(channels), 3)
-    rows = -(-len(channels) // columns)
-    drawing = Figure(figsize=(1.4 + 4.4 * columns, 1.4 + 5.2 * rows), **LOOK)
-    grid = drawing.subplots(rows, columns, sharey=True, squeeze=False)
-    for panel in grid.flat[len(channels) :]:
-        panel.remove()
-    for panel, channel in zip(grid.flat, channels):
+    orders = max(result.sizes["order"] for result in results)
+    width = max(1.6, 3.0 - 0.3 * len(results))  # of the orders of one result
+    size = (6.6 + width * len(results), 1.4 + 4.6 * len(channels))
+    drawing = Figure(figsize=size, **LOOK)
+    ratios = [5.0] + [width] * len(results)
+    shape = (len(channels), 1 + len(results))
+    grid = drawing.subplots(*shape, sharey=True, squeeze=False, width_ratios=ratios)
+    for row, channel in zip(grid, channels):
         shown = []
-        for result, name, colour in zip(results, names, itertools.cycle(COLOURS)):
-            if channel in result.channel.values:
-                part = result.sel(channel=channel)
-                panels.line(panel, part, part.echo, part.echo_standard_error, colour, name)
-                shown.append((part.echo, part.converged))
-        panels.finish_lines(panel, shown, f"{channel} echo")
-    for panel in grid[:, 0]:
-        panels.finish_depth(panel, results)
+        for result, name, colour, beside in zip(
+            results, names, itertools.cycle(COLOURS), row[1:]
+        ):
+            if channel not in result.channel.values:
+                beside.remove()
+                continue
+            part = result.sel(channel=channel)
+            panels.line(row[0], part, part.echo, part.echo_standard_error, colour, name)
+            shown.append((part.echo, part.converged))
+            last = part.sizes["order"]
+            title = f"{name} by order" + ("" if last == orders else f" ({last} and above in one)")
+            title = textwrap.fill(title, int(LETTERS_PER_INCH * width))
+            panels.orders(beside, part, title, orders, colour)
+        panels.finish_lines(row[0], shown, f"{channel} echo")
+        panels.finish_depth(row[0], results)
+    at_the_right = next(panel for panel in grid[:, -1] if panel in drawing.axes)
+    panels.orders_legend(at_the_right, results)
     return drawing

@@ -1,16 +1,22 @@
 """Running the program `photic`."""
 
+import contextlib
 import json
 import numbers
 import os
 import shutil
+import signal
 import subprocess
 import tempfile
 import warnings
 from pathlib import Path
 
-from photic.errors import Error
+from photic.errors import Error, Interrupted
 from photic.result import open as open_result
+
+
+INTERRUPTED, TERMINATED = 128 + signal.SIGINT, 128 + signal.SIGTERM  # the result is partial
+PATIENCE_S = 10  # for the program to end a batch, after a signal
 
 
 def run(scene, set=None, photons=None, threads=None, output=None, program=None):
@@ -24,7 +30,9 @@ def run(scene, set=None, photons=None, threads=None, output=None, program=None):
              built with, or the one in PATH
 
     Warnings of the run are issued as Python warnings. Raises photic.Error with the program's
-    message.
+    message. Ctrl-C raises photic.Interrupted, a KeyboardInterrupt: the photons so far are in its
+    `partial`, as photic.open gives them, and in `output`. A program that SIGTERM ended raises
+    photic.Error with `partial`.
     """
     with tempfile.TemporaryDirectory(prefix="photic-") as folder:
         result = os.fspath(output) if output is not None else os.path.join(folder, "out.nc")
@@ -37,24 +45,64 @@ def run(scene, set=None, photons=None, threads=None, output=None, program=None):
             command += ["--photons", _count(photons)]
         if threads is not None:
             command += ["--threads", str(threads)]
-        _call(command)
+        code, remarks = _call(command)
         dataset = open_result(result)
-    for warning in dataset.attrs["warnings"].splitlines():
+    if code != 0:
+        _raise_ended(code, dataset, output)
+    for warning in remarks + dataset.attrs["warnings"].splitlines():
         warnings.warn(warning, stacklevel=2)
     return dataset
 
 
 def _call(command):
+    """The exit code of a program that wrote a result, and what it remarked on the scene."""
+    pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE}
     try:
-        process = subprocess.run(
-            command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
-        )
+        process = subprocess.Popen(command, text=True, **pipes)
     except OSError as error:
         message = f"{command[0]}: cannot run the program: {error.strerror}"
         raise Error(message, exit_code=1) from error
-    if process.returncode != 0:
-        message = process.stderr.strip() or f"{command[0]} ended with code {process.returncode}"
+    with process:
+        try:
+            errors = process.communicate()[1]
+        except KeyboardInterrupt:
+            _finish(process)
+            if process.returncode not in (0, INTERRUPTED, TERMINATED):
+                raise
+            return INTERRUPTED, []
+        except BaseException:
+            process.kill()
+            raise
+    if process.returncode not in (0, INTERRUPTED, TERMINATED):
+        message = errors.strip() or f"{command[0]} ended with code {process.returncode}"
         raise Error(message, exit_code=process.returncode)
+    return process.returncode, errors.splitlines()
+
+
+def _finish(process):
+    """Lets an interrupted program write its partial result; a second Ctrl-C ends it."""
+    try:
+        # A terminal or a notebook has sent the signal to the program as well, and a second one
+        # would end it at once: only a program that goes on has not got it.
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.communicate(timeout=PATIENCE_S)
+        if process.poll() is None:
+            process.send_signal(signal.SIGINT)
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                process.communicate(timeout=PATIENCE_S)
+    finally:
+        process.kill()  # nothing, if it has ended
+        process.wait()
+
+
+def _raise_ended(code, partial, output):
+    message = f"the run was ended after {int(partial.attrs['photons'])} photons; "
+    message += "the result so far is in `partial` of this exception"
+    if output is not None:
+        message += f" and in {os.fspath(output)}"
+    if code == INTERRUPTED:
+        raise Interrupted(message, partial)
+    raise Error(message, exit_code=code, partial=partial)
 
 
 def _count(number):

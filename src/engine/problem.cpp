@@ -4,6 +4,7 @@
 
 #include "core/constants.hpp"
 #include "medium/build.hpp"
+#include "medium/check.hpp"
 #include "optics/data_folder.hpp"
 #include "scene/read.hpp"
 
@@ -69,6 +70,10 @@ medium::Line channel_line(const scene::Channel& channel, const std::vector<mediu
 }
 
 }  // namespace
+
+void check_optics(const scene::Scene& scene, scene::Findings& findings) {
+  medium::check_medium(scene, optics::Library(optics::find_data_folder()), findings);
+}
 
 Problem make_problem(const scene::Scene& scene) {
   const optics::Library library(optics::find_data_folder());

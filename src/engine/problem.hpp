@@ -2,6 +2,7 @@
 #pragma once
 
 #include "medium/medium.hpp"
+#include "scene/findings.hpp"
 #include "scene/scene.hpp"
 #include "tally/gates.hpp"
 #include "tally/result.hpp"
@@ -16,8 +17,10 @@ struct Problem {
   tally::Shape shape;
 };
 
-/// Throws InputError for optics without data at a wavelength, EnvironmentError for missing data
-/// files.
+/// The check of a scene's optics, for scene::read_scene: whatever make_problem would refuse.
+void check_optics(const scene::Scene& scene, scene::Findings& findings);
+
+/// Throws InputError for what check_optics finds, EnvironmentError for missing data files.
 Problem make_problem(const scene::Scene& scene);
 
 /// A result's axes, and what it says of the scene; the tallies are still to be filled in.

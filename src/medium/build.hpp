@@ -1,6 +1,7 @@
 // Scene + optics → Medium.
 #pragma once
 
+#include "medium/lines.hpp"
 #include "medium/medium.hpp"
 #include "optics/library.hpp"
 #include "scene/scene.hpp"
@@ -8,10 +9,8 @@
 namespace photic::medium {
 
 /// The sea of a scene at the laser's wavelength and at those of the inelastic processes that a
-/// channel of the scene counts. Throws InputError where there are no data for a wavelength.
+/// channel of the scene counts. Throws InputError for what check_medium (medium/check.hpp) finds,
+/// which tells more: all of it, and where.
 Medium build_medium(const scene::Scene& scene, const optics::Library& library);
-
-/// Whether a channel counts the light of a line.
-bool counts(const scene::Channel& channel, const Line& line);
 
 }  // namespace photic::medium

@@ -8,9 +8,7 @@
 #include "optics/cdom.hpp"
 #include "optics/data_table.hpp"
 #include "optics/fournier_forand.hpp"
-#include "optics/phase_from_table.hpp"
 #include "optics/phase_functions.hpp"
-#include "optics/phytoplankton.hpp"
 #include "optics/water_absorption.hpp"
 #include "optics/water_scattering.hpp"
 
@@ -24,24 +22,79 @@ constexpr double single_entry_reach_nm = 1.0;
 constexpr double default_ff_index = 1.10;
 constexpr double default_ff_slope = 3.5835;
 
+/// The entries of an iop list around a wavelength, and how far between them it lies: 0 to 1.
+struct Between {
+  const scene::IopEntry& low;
+  const scene::IopEntry& high;
+  double t;
+};
+
+Between entries_around(const scene::Layer& layer, double wavelength_nm) {
+  const auto& iop = layer.iop;
+  const double reach = iop.size() == 1 ? single_entry_reach_nm : 0.0;
+  const double first = iop.front().wavelength_nm - reach;
+  const double last = iop.back().wavelength_nm + reach;
+  if (wavelength_nm < first || wavelength_nm > last)
+    throw InputError({{"", 0, 0,
+                       fmt::format("the iop of layer \"{}\" covers {:g} to {:g} nm, not {:.6g} nm",
+                                   layer.name, first, last, wavelength_nm),
+                       "add an entry for it"}});
+  if (iop.size() == 1) return {iop[0], iop[0], 0.0};
+  std::size_t i = 1;
+  while (iop[i].wavelength_nm < wavelength_nm) ++i;
+  const auto& low = iop[i - 1];
+  const auto& high = iop[i];
+  return {low, high,
+          (wavelength_nm - low.wavelength_nm) / (high.wavelength_nm - low.wavelength_nm)};
+}
+
+WaterOptics of_table(const scene::Layer& layer, double wavelength_nm) {
+  const auto [low, high, t] = entries_around(layer, wavelength_nm);
+  WaterOptics water;
+  water.a_per_m = std::lerp(low.a_per_m, high.a_per_m, t);
+  water.b_per_m = std::lerp(low.b_per_m, high.b_per_m, t);
+  water.a_exciting_per_m = std::lerp(low.a_phytoplankton_per_m, high.a_phytoplankton_per_m, t);
+  water.sources = {fmt::format("a = {:.5g} 1/m, b = {:.5g} 1/m: given in the scene", water.a_per_m,
+                               water.b_per_m)};
+  return water;
+}
+
 }  // namespace
 
 LayerOptics::LayerOptics(const scene::Scene& scene, const optics::Library& library)
     : scene_(&scene), library_(&library) {}
 
 WaterOptics LayerOptics::operator()(const scene::Layer& layer, double wavelength_nm) const {
-  return layer.iop.empty() ? of_constituents(layer, wavelength_nm) : of_table(layer, wavelength_nm);
+  WaterOptics water =
+      layer.iop.empty() ? of_constituents(layer, wavelength_nm) : of_table(layer, wavelength_nm);
+  if (!std::isfinite(water.a_per_m + water.b_per_m))
+    throw InputError({{"", 0, 0,
+                       fmt::format("layer \"{}\" attenuates {:g} nm more than a number can say",
+                                   layer.name, wavelength_nm),
+                       "are the units right?"}});
+  return water;
+}
+
+optics::Sourced LayerOptics::water_absorption(double wavelength_nm) const {
+  return optics::water_absorption_per_m(*library_, scene_->optics.water_absorption, wavelength_nm,
+                                        scene_->sea.salinity_psu, scene_->sea.temperature_c);
+}
+
+optics::Sourced LayerOptics::water_scattering(double wavelength_nm) const {
+  return optics::water_scattering_per_m(*library_, scene_->optics.water_scattering, wavelength_nm,
+                                        scene_->sea.salinity_psu, scene_->sea.temperature_c);
+}
+
+optics::Phytoplankton LayerOptics::phytoplankton(const scene::Layer& layer,
+                                                 double wavelength_nm) const {
+  return optics::phytoplankton(*library_, scene_->optics.phytoplankton, layer.chlorophyll_mg_m3,
+                               wavelength_nm);
 }
 
 WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavelength_nm) const {
-  const auto& choice = scene_->optics;
-  const auto& sea = scene_->sea;
-  const auto a_water = optics::water_absorption_per_m(
-      *library_, choice.water_absorption, wavelength_nm, sea.salinity_psu, sea.temperature_c);
-  const auto b_water = optics::water_scattering_per_m(
-      *library_, choice.water_scattering, wavelength_nm, sea.salinity_psu, sea.temperature_c);
-  const auto algae = optics::phytoplankton(*library_, choice.phytoplankton, layer.chlorophyll_mg_m3,
-                                           wavelength_nm);
+  const auto a_water = water_absorption(wavelength_nm);
+  const auto b_water = water_scattering(wavelength_nm);
+  const auto algae = phytoplankton(layer, wavelength_nm);
   const double a_cdom =
       optics::cdom_absorption_per_m(layer.cdom_a440_per_m, layer.cdom_slope_per_nm, wavelength_nm);
   WaterOptics water;
@@ -59,35 +112,6 @@ WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavel
     water.sources.push_back(fmt::format("a of CDOM = {:.5g} 1/m: {}", a_cdom, optics::cdom_source));
   }
   return water;
-}
-
-WaterOptics LayerOptics::of_table(const scene::Layer& layer, double wavelength_nm) const {
-  const auto& iop = layer.iop;
-  WaterOptics water;
-  const auto take = [&](const scene::IopEntry& low, const scene::IopEntry& high, double t) {
-    water.a_per_m = std::lerp(low.a_per_m, high.a_per_m, t);
-    water.b_per_m = std::lerp(low.b_per_m, high.b_per_m, t);
-    water.a_exciting_per_m = std::lerp(low.a_phytoplankton_per_m, high.a_phytoplankton_per_m, t);
-    water.sources = {fmt::format("a = {:.5g} 1/m, b = {:.5g} 1/m: given in the scene",
-                                 water.a_per_m, water.b_per_m)};
-    return water;
-  };
-  if (iop.size() == 1 && std::abs(wavelength_nm - iop[0].wavelength_nm) <= single_entry_reach_nm) {
-    return take(iop[0], iop[0], 0.0);
-  }
-  for (std::size_t i = 1; i < iop.size(); ++i) {
-    const auto& low = iop[i - 1];
-    const auto& high = iop[i];
-    if (low.wavelength_nm <= wavelength_nm && wavelength_nm <= high.wavelength_nm) {
-      return take(low, high,
-                  (wavelength_nm - low.wavelength_nm) / (high.wavelength_nm - low.wavelength_nm));
-    }
-  }
-  throw InputError(
-      {{"", 0, 0,
-        fmt::format("layer \"{}\" has no optical properties at {:.2f} nm, which a channel needs",
-                    layer.name, wavelength_nm),
-        "add an entry to its iop that covers this wavelength, or leave the channel out"}});
 }
 
 optics::PhaseShape LayerOptics::phase(const scene::Layer& layer, const WaterOptics& water) const {
@@ -109,12 +133,17 @@ optics::PhaseShape LayerOptics::shape(const scene::PhaseFunction& function) cons
   if (function.model == "petzold") return optics::petzold(*library_);
   if (function.model == "rayleigh") return optics::rayleigh(function.depolarisation);
   if (function.model == "isotropic") return optics::isotropic();
-  if (function.model == "table")
-    return optics::phase_from_table(optics::DataTable::read(function.file)).shape;
+  if (function.model == "table") return phase_of_file(function.file).shape;
   expect(function.model == "mixture", "the scene's reader knows the phase function's model");
+  double sum = 0;  // 1, but for the digits of the user
+  for (const auto& part : function.components) sum += part.fraction;
   std::vector<std::pair<double, optics::PhaseShape>> parts;
-  for (const auto& part : function.components) parts.emplace_back(part.fraction, shape(part));
+  for (const auto& part : function.components) parts.emplace_back(part.fraction / sum, shape(part));
   return optics::mixture(parts);
+}
+
+optics::TabulatedPhase phase_of_file(const std::string& path) {
+  return optics::phase_from_table(optics::DataTable::read(path));
 }
 
 }  // namespace photic::medium

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "optics/library.hpp"
+#include "optics/phase_from_table.hpp"
 #include "optics/phase_table.hpp"
+#include "optics/phytoplankton.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::medium {
@@ -23,19 +25,28 @@ class LayerOptics {
  public:
   LayerOptics(const scene::Scene& scene, const optics::Library& library);
 
-  /// Throws InputError where there are no data for the wavelength.
+  /// All below throw InputError where there are no data for the wavelength.
   WaterOptics operator()(const scene::Layer& layer, double wavelength_nm) const;
+
+  /// What a layer of constituents is made of.
+  [[nodiscard]] optics::Sourced water_absorption(double wavelength_nm) const;
+  [[nodiscard]] optics::Sourced water_scattering(double wavelength_nm) const;
+  [[nodiscard]] optics::Phytoplankton phytoplankton(const scene::Layer& layer,
+                                                    double wavelength_nm) const;
 
   /// The phase function of all scattering in the layer.
   [[nodiscard]] optics::PhaseShape phase(const scene::Layer& layer, const WaterOptics& water) const;
+  /// One that is given by name. Throws InputError if its table or its parameters are of no use.
+  [[nodiscard]] optics::PhaseShape shape(const scene::PhaseFunction& function) const;
 
  private:
   [[nodiscard]] WaterOptics of_constituents(const scene::Layer& layer, double wavelength_nm) const;
-  [[nodiscard]] WaterOptics of_table(const scene::Layer& layer, double wavelength_nm) const;
-  [[nodiscard]] optics::PhaseShape shape(const scene::PhaseFunction& function) const;
 
   const scene::Scene* scene_;
   const optics::Library* library_;
 };
+
+/// A user's table of a phase function.
+optics::TabulatedPhase phase_of_file(const std::string& path);
 
 }  // namespace photic::medium

@@ -20,6 +20,26 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+/// What several actions refuse, told together, unless it is so much that the file is another one.
+class Problems {
+ public:
+  [[nodiscard]] bool enough() const { return found_.size() >= 20; }
+  template <class Action>
+  void collect(const Action& action) {
+    try {
+      action();
+    } catch (const InputError& error) {
+      for (const Diagnostic& d : error.diagnostics()) found_.push_back(d);
+    }
+  }
+  void raise() const {
+    if (!found_.empty()) throw InputError(found_);
+  }
+
+ private:
+  std::vector<Diagnostic> found_;
+};
+
 }  // namespace
 
 DataTable DataTable::read(const std::string& path) {
@@ -37,8 +57,15 @@ DataTable DataTable::parse(const std::string& text, const std::string& name) {
   table.name_ = name;
   std::istringstream lines(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text);
   std::string line;
-  for (int number = 1; std::getline(lines, line); ++number) table.add_line(line, number);
-  if (table.cells_.empty()) table.fail_at(0, 0, "has no rows of data");
+  int number = 0;
+  Problems problems;
+  while (!problems.enough() && std::getline(lines, line)) {
+    ++number;
+    problems.collect([&] { table.add_line(line, number); });
+    if (table.columns_.empty()) problems.raise();  // nothing can be said of the rest
+  }
+  problems.raise();
+  if (table.cells_.empty()) table.fail_at(std::max(1, number), 1, "has no rows of data");
   return table;
 }
 
@@ -109,15 +136,19 @@ std::vector<std::string> DataTable::texts(const std::string& column) const {
 
 std::vector<double> DataTable::numbers(const std::string& column) const {
   std::vector<double> out;
+  Problems problems;
   for (const std::string& text : texts(column)) {
     double value = 0;
     const auto end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
     if (error != std::errc{} || stop != end || !std::isfinite(value)) {
-      fail(out.size(), column, fmt::format("\"{}\" is not a finite number", text));
+      if (problems.enough()) break;
+      problems.collect(
+          [&] { fail(out.size(), column, fmt::format("\"{}\" is not a finite number", text)); });
     }
     out.push_back(value);
   }
+  problems.raise();
   return out;
 }
 

@@ -2,7 +2,8 @@
 //
 // Lines that begin with "#" are comments; those of the form "# KEY: text" can be asked for. The
 // first other line names the columns. Fields with commas stand in double quotes. Whatever is wrong
-// is an InputError with file, line and column.
+// is an InputError with file, line and column; what cannot be read in all lines, or in all cells of
+// a column, is told at once.
 #pragma once
 
 #include <cstddef>

@@ -36,13 +36,15 @@ double second_quotient(double delta, double v) {
 }  // namespace
 
 FournierForand::FournierForand(double refractive_index, double slope) : v_((3 - slope) / 2) {
-  const bool good = refractive_index >= 1.005 && refractive_index <= 1.35 && slope > 3 && slope < 5;
+  const bool good = refractive_index >= lowest_index && refractive_index <= highest_index &&
+                    slope > slope_above && slope < slope_below;
   if (!good) {
     throw InputError(
         {{"", 0, 0,
           fmt::format("fournier-forand: refractive_index = {:g} with slope = {:g} is outside "
-                      "1.005 to 1.35 with 3 < slope < 5",
-                      refractive_index, slope),
+                      "{:g} to {:g} with {:g} < slope < {:g}",
+                      refractive_index, slope, lowest_index, highest_index, slope_above,
+                      slope_below),
           "the index is that of the particles relative to water"}});
   }
   const double delta_180 = 4 / (3 * (refractive_index - 1) * (refractive_index - 1));

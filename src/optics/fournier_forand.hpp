@@ -7,10 +7,12 @@
 
 namespace photic::optics {
 
-/// Valid for refractive_index 1.005 to 1.35 (relative to water) and slope 3 to 5, the ends of the
-/// slope excluded.
+/// The index is that of the particles relative to water.
 class FournierForand {
  public:
+  static constexpr double lowest_index = 1.005, highest_index = 1.35;
+  static constexpr double slope_above = 3.0, slope_below = 5.0;  ///< both excluded
+
   /// Throws InputError outside that range.
   FournierForand(double refractive_index, double slope);
 

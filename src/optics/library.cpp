@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/error.hpp"
@@ -32,6 +33,25 @@ Parameters parameters(const std::string& folder, const char* file) {
   return own([&] { return Parameters(table(folder, file)); });
 }
 
+std::vector<double> wavelengths_of(const DataTable& table) {
+  constexpr const char* column = "wavelength_nm";
+  std::vector<double> nm = table.ascending_numbers(column);
+  if (nm.size() < 2) table.fail(0, column, "a spectrum needs two rows or more");
+  return nm;
+}
+
+/// Photic's parameters of Raman scattering, of which the phase function needs one in range.
+Parameters raman_parameters(const DataTable& table) {
+  Parameters out(table);
+  const std::string item = "depolarisation";
+  const double share = out.at(item).value;
+  const auto items = table.texts("item");
+  const auto row = std::find(items.begin(), items.end(), item) - items.begin();
+  if (!(share >= 0 && share <= 1))
+    table.fail(static_cast<std::size_t>(row), "value", "a depolarisation is from 0 to 1");
+  return out;
+}
+
 }  // namespace
 
 std::string source_of(const DataTable& table) {
@@ -40,8 +60,7 @@ std::string source_of(const DataTable& table) {
 }
 
 Spectrum::Spectrum(const DataTable& table, const std::string& column)
-    : values(table.ascending_numbers("wavelength_nm"), table.numbers(column)),
-      source(source_of(table)) {}
+    : values(wavelengths_of(table), table.numbers(column)), source(source_of(table)) {}
 
 double Spectrum::at(double wavelength_nm, const std::string& quantity) const {
   if (!values.covers(wavelength_nm))
@@ -50,11 +69,11 @@ double Spectrum::at(double wavelength_nm, const std::string& quantity) const {
 }
 
 void no_data(const std::string& quantity, double wavelength_nm, const std::string& source,
-             double min_nm, double max_nm) {
+             double min_nm, double max_nm, const char* suggestion) {
   throw InputError({{"", 0, 0,
                      fmt::format("no {} data at {:.6g} nm: {} cover {:g}-{:g} nm", quantity,
                                  wavelength_nm, source, min_nm, max_nm),
-                     "choose another wavelength, or give the layer's iop at this one"}});
+                     suggestion}});
 }
 
 void no_model(const std::string& quantity, const std::string& model, const std::string& models) {
@@ -109,7 +128,7 @@ Library::Library(const std::string& folder)
       petzold(
           own([&] { return phase_from_table(table(folder, "particles_petzold_average.csv")); })),
       raman_band(own([&] { return GaussianBand(table(folder, "raman_band_walrafen_1967.csv")); })),
-      raman(parameters(folder, "raman_parameters.csv")),
+      raman(own([&] { return raman_parameters(table(folder, "raman_parameters.csv")); })),
       fluorescence(parameters(folder, "fluorescence_parameters.csv")) {}
 
 }  // namespace photic::optics

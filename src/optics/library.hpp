@@ -20,7 +20,7 @@ struct Sourced {
 /// "source [status]" of a table, from its header.
 std::string source_of(const DataTable& table);
 
-/// A column of a table against its wavelengths, with straight lines between.
+/// A column of a table against its wavelengths (two or more), with straight lines between.
 struct Spectrum {
   Spectrum(const DataTable& table, const std::string& column);
 
@@ -32,8 +32,10 @@ struct Spectrum {
 };
 
 /// The InputError for a wavelength without data.
-[[noreturn]] void no_data(const std::string& quantity, double wavelength_nm,
-                          const std::string& source, double min_nm, double max_nm);
+[[noreturn]] void no_data(
+    const std::string& quantity, double wavelength_nm, const std::string& source, double min_nm,
+    double max_nm,
+    const char* suggestion = "choose another wavelength, or give the layer's iop at this one");
 
 /// The InputError for a model that does not exist.
 [[noreturn]] void no_model(const std::string& quantity, const std::string& model,

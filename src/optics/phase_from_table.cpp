@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/constants.hpp"
@@ -20,7 +21,7 @@ struct Segment {
   [[nodiscard]] double steepness() const { return -std::log(p1 / p0) / std::log(x1 / x0); }
 
   [[nodiscard]] double p(double x) const {
-    if (straight()) return p0 + (p1 - p0) * (x - x0) / (x1 - x0);
+    if (straight()) return std::lerp(p0, p1, (x - x0) / (x1 - x0));  // not below 0 by rounding
     return p0 * std::pow(x / x0, -steepness());
   }
 
@@ -94,6 +95,11 @@ std::vector<double> checked_x(const DataTable& table) {
     const double half_sine = std::sin(0.5 * degrees * radian_per_degree);
     x.push_back(2 * half_sine * half_sine);  // 1 - cos with its digits
   }
+  const auto same = std::adjacent_find(x.begin(), x.end(), std::greater_equal<>());
+  if (same != x.end()) {
+    table.fail(static_cast<std::size_t>(same - x.begin()) + 1, angle_column,
+               "this angle cannot be told from the one before it", "leave one of them out");
+  }
   return x;
 }
 
@@ -121,7 +127,7 @@ TabulatedPhase phase_from_table(const DataTable& table) {
   }
   TabulatedPhase out;
   out.integral = curve.mass_below(2);
-  if (std::abs(out.integral - 1) > 0.01) {
+  if (!(std::abs(out.integral - 1) <= 0.01)) {
     table.fail(0, p_column,
                fmt::format("integrates to {:.4g} over the sphere, not 1 within 1 %", out.integral),
                "divide a volume scattering function by its scattering coefficient");
@@ -132,7 +138,8 @@ TabulatedPhase phase_from_table(const DataTable& table) {
   }
   const double scale = 1 / out.integral;
   out.shape.p = [curve, scale](double x) { return scale * curve.p(x); };
-  out.shape.core_mass = scale * curve.mass_below(PhaseView::x_core);
+  // Not a rounding above 1.
+  out.shape.core_mass = std::min(1.0, scale * curve.mass_below(PhaseView::x_core));
   const double resolved = table_integral(out.shape);
   if (std::abs(resolved - 1) > 1e-4) {
     table.fail(0, p_column,

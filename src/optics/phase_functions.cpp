@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/constants.hpp"
 #include "core/error.hpp"
@@ -23,7 +25,7 @@ PhaseShape dipole(double level, double a) {
 }
 
 void check_range(const char* model, const char* name, double value, bool inside,
-                 const char* range) {
+                 const std::string& range) {
   if (inside) return;
   throw InputError(
       {{"", 0, 0, fmt::format("{}: {} = {:g} is outside {}", model, name, value, range), ""}});
@@ -44,7 +46,8 @@ PhaseShape raman_phase(double rho) {
 }
 
 PhaseShape henyey_greenstein(double g) {
-  check_range("henyey-greenstein", "g", g, g >= -0.4 && g < 1, "-0.4 to below 1");
+  check_range("henyey-greenstein", "g", g, g >= lowest_henyey_greenstein_g && g < 1,
+              fmt::format("{:g} to below 1", lowest_henyey_greenstein_g));
   // 1 + g^2 - 2 g cos, with its digits near the forward direction.
   const auto distance_squared = [g](double x) { return (1 - g) * (1 - g) + 2 * g * x; };
   PhaseShape shape;
@@ -69,6 +72,7 @@ PhaseShape mixture(const std::vector<std::pair<double, PhaseShape>>& parts) {
     shape.core_mass += share * part.core_mass;
   }
   check_range("mixture", "sum of the fractions", sum, std::abs(sum - 1) < 1e-9, "1");
+  shape.core_mass = std::min(1.0, shape.core_mass);  // not a rounding more
   shape.p = [parts](double x) {
     double p = 0;
     for (const auto& [share, part] : parts) p += share * part.p(x);

@@ -24,8 +24,10 @@ PhaseShape rayleigh(double depolarisation);
 /// Soc. Am. 56, 1585.
 PhaseShape raman_phase(double depolarisation);
 
-/// Henyey & Greenstein 1941, Astrophys. J. 93, 70, eq. (2); g is the mean cosine, -0.4 to below 1.
-/// (A sharp peak straight back is finer than the cells of a PhaseTable there.)
+/// A sharp peak straight back is finer than the cells of a PhaseTable there.
+inline constexpr double lowest_henyey_greenstein_g = -0.4;
+
+/// Henyey & Greenstein 1941, Astrophys. J. 93, 70, eq. (2); g is the mean cosine, below 1.
 PhaseShape henyey_greenstein(double g);
 
 /// Mobley's average of Petzold's measurements: the table, continued to 0 degrees by its power law,

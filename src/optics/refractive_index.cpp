@@ -15,8 +15,10 @@ struct Dispersion {
 
   Dispersion(double nm, double s, double t)
       : first((n5 + n6 * s + n7 * t) / nm), second(n8 / (nm * nm)), third(n9 / (nm * nm * nm)) {
-    if (!(nm >= 200.0 && nm <= 1100.0))
-      no_data("refractive index", nm, refractive_index_source, 200, 1100);
+    if (!(nm >= refractive_index_min_nm && nm <= refractive_index_max_nm))
+      no_data("refractive index", nm, refractive_index_source, refractive_index_min_nm,
+              refractive_index_max_nm,
+              "choose another wavelength, or give refractive_index and group_index of the sea");
   }
 };
 

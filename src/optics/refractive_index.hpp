@@ -10,6 +10,8 @@ namespace photic::optics {
 inline constexpr const char* refractive_index_source =
     "Quan & Fry 1995, Appl. Opt. 34, 3477, eq. (3) [verified]";
 
+inline constexpr double refractive_index_min_nm = 200, refractive_index_max_nm = 1100;
+
 double refractive_index(double wavelength_nm, double salinity_psu, double temperature_c);
 
 /// n - wavelength dn/dwavelength: what the speed of a pulse is divided by.

@@ -26,9 +26,12 @@ void remark_uneven(const Gates::Interval& interval, const Keys& keys, Findings& 
   const double extent = interval.max - interval.min;
   const double steps = extent / interval.step;
   if (std::fabs(steps - std::round(steps)) <= 1e-6) return;
-  findings.remark(keys.step,
-                  fmt::format("the gates are {:.6g} long, so that a whole number of them fits",
-                              extent / interval.steps()));
+  findings.remark(
+      keys.step,
+      fmt::format("steps of {} do not fill the {} from {} to {}: the {:.0f} gates are "
+                  "{:.6g} long instead",
+                  plain_number(interval.step), plain_number(extent), plain_number(interval.min),
+                  plain_number(interval.max), interval.steps(), extent / interval.steps()));
 }
 
 /// Returns whether the interval itself makes sense.

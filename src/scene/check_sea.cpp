@@ -45,29 +45,11 @@ void check_iop_entry(const Layer& layer, std::size_t k, const std::string& path,
                  "sort the iop by ascending wavelength, each once");
 }
 
-/// A single entry serves this far around its wavelength.
-constexpr double single_entry_reach_nm = 1.0;
-
-void check_laser_covered(const Layer& layer, double laser_nm, const std::string& path,
-                         Findings& findings) {
-  const double reach = layer.iop.size() == 1 ? single_entry_reach_nm : 0.0;
-  const double first = layer.iop.front().wavelength_nm - reach;
-  const double last = layer.iop.back().wavelength_nm + reach;
-  if (laser_nm < first || laser_nm > last)
-    findings.add(path,
-                 fmt::format("the source's {} nm is outside this layer's iop, {} to {} nm",
-                             plain_number(laser_nm), plain_number(first), plain_number(last)),
-                 "add an entry for it");
-}
-
-void check_iop(const Scene& scene, std::size_t i, Findings& findings) {
-  const Layer& layer = scene.sea.layer[i];
+void check_iop(const Layer& layer, std::size_t i, Findings& findings) {
   const std::string path = below(below("sea.layer", i), "iop");
   if (layer.iop.empty() || !findings.good({path})) return;
   for (std::size_t k = 0; k < layer.iop.size(); ++k)
     check_iop_entry(layer, k, below(path, k), findings);
-  if (findings.good({path, "source.wavelength_nm"}))
-    check_laser_covered(layer, scene.source.wavelength_nm, path, findings);
 }
 
 void check_mixture(const PhaseFunction& mixture, const std::string& path, Findings& findings) {
@@ -90,7 +72,7 @@ void check_phytoplankton_phase(const Scene& scene, Findings& findings) {
   if (scene.optics.phytoplankton_phase != "mie" || !findings.good({path, "optics.set"})) return;
   const auto has_chlorophyll = [](const Layer& l) { return l.chlorophyll_mg_m3 > 0.0; };
   if (std::none_of(scene.sea.layer.begin(), scene.sea.layer.end(), has_chlorophyll)) return;
-  findings.add(findings.given(path) ? path : "optics.set",
+  findings.add(path, findings.place_of(findings.given(path) ? path : "optics.set"),
                "the phase function of phytoplankton \"mie\" is not available yet",
                "set phytoplankton_phase = \"fournier-forand\" or \"petzold\" in [optics]");
 }
@@ -108,7 +90,7 @@ void check_sea(const Scene& scene, Findings& findings) {
   const std::vector<Layer>& layers = scene.sea.layer;
   check_depths(layers, findings);
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    check_iop(scene, i, findings);
+    check_iop(layers[i], i, findings);
     if (layers[i].phase_function)
       check_mixture(*layers[i].phase_function, below(below("sea.layer", i), "phase_function"),
                     findings);

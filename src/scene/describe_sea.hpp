@@ -1,6 +1,8 @@
 // The keys of [optics], [sea] and [[sea.layer]] (see describe_instrument.hpp).
 #pragma once
 
+#include "optics/fournier_forand.hpp"
+#include "optics/phase_functions.hpp"
 #include "scene/presets.hpp"
 #include "scene/rules.hpp"
 #include "scene/scene.hpp"
@@ -51,12 +53,15 @@ void describe(V& v, PhaseFunction& p) {
                     {"mie"}},
              "the model of the phase function");
   v.when(model_key, p.model, "henyey-greenstein", [&](auto& w) {
-    w.required("g", p.g, between(-1.0, 1.0), "the mean cosine of the scattering angle");
+    w.required("g", p.g,
+               Number{.low = optics::lowest_henyey_greenstein_g, .high = 1.0, .high_open = true},
+               "the mean cosine of the scattering angle");
   });
   v.when(model_key, p.model, "fournier-forand", [&](auto& w) {
-    w.required("refractive_index", p.refractive_index, Number{.low = 1.0, .low_open = true},
+    using Ff = optics::FournierForand;
+    w.required("refractive_index", p.refractive_index, from_to(Ff::lowest_index, Ff::highest_index),
                "the particles' real refractive index relative to water");
-    w.required("slope", p.slope, between(3.0, 5.0),
+    w.required("slope", p.slope, between(Ff::slope_above, Ff::slope_below),
                "the exponent of the particles' hyperbolic size distribution");
   });
   v.when(model_key, p.model, "rayleigh", [&](auto& w) {

@@ -31,8 +31,13 @@ const Node* child(const Node& node, const std::string& key) {
   return index < array->size() ? &(*array)[index] : nullptr;
 }
 
-auto rank(const std::string& file, int line, int column) {
-  return std::tuple(line == 0 && !file.empty(), line, column);
+/// The order of the file, and --set, which has no lines, last.
+auto rank(int line, int column) { return std::tuple(line == 0, line, column); }
+
+/// The same for what was found, other files that the scene names between the scene and --set.
+auto rank(const Diagnostic& d, const std::string& scene_file) {
+  const std::string other = d.file == scene_file || d.line == 0 ? "" : d.file;
+  return std::tuple(d.line == 0, other, rank(d.line, d.column));
 }
 
 }  // namespace
@@ -87,14 +92,14 @@ Place Findings::place_of(const std::string& path) const {
 void Findings::raise() const {
   if (diagnostics_.empty()) return;
   std::vector<Diagnostic> sorted = diagnostics_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
-    return rank(a.file, a.line, a.column) < rank(b.file, b.line, b.column);
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const Diagnostic& a, const Diagnostic& b) {
+    return rank(a, end_.file) < rank(b, end_.file);
   });
   throw InputError(std::move(sorted));
 }
 
 bool before(const Place& a, const Place& b) {
-  return rank(a.file, a.line, a.column) < rank(b.file, b.line, b.column);
+  return rank(a.line, a.column) < rank(b.line, b.column);
 }
 
 std::string below(const std::string& path, const std::string& key) {

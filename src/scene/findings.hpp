@@ -33,7 +33,8 @@ class Findings {
   [[nodiscard]] Place place_of(const std::string& path) const;
   [[nodiscard]] const Place& end() const { return end_; }
 
-  /// Throws InputError with all that was found, in the order of the file, --set last.
+  /// Throws InputError with all that was found, in the order of the file; then what was found in
+  /// files that the scene names, then --set.
   void raise() const;
   [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 

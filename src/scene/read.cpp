@@ -54,10 +54,20 @@ std::string text_of(const std::string& path) {
   return text;
 }
 
+/// Where the environment fails the check, what is known to be wrong with the scene is told first.
+void run(const Check& check, const Scene& scene, Findings& findings) {
+  try {
+    check(scene, findings);
+  } catch (const EnvironmentError&) {
+    findings.raise();
+    throw;
+  }
+}
+
 }  // namespace
 
 Reading read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
-                        const std::vector<Override>& overrides) {
+                        const std::vector<Override>& overrides, const Check& check) {
   Node document = parse_toml(text, name);
   document.place = end_of(text, name);
   Findings findings(document, document.place);
@@ -67,14 +77,16 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   check_instrument(reading.scene, findings);
   check_gates(reading.scene, findings);
   check_memory(reading.scene, findings);
+  if (check) run(check, reading.scene, findings);
   findings.raise();
   reading.remarks = findings.remarks();
   return reading;
 }
 
-Reading read_scene(const std::string& path, const std::vector<Override>& overrides) {
+Reading read_scene(const std::string& path, const std::vector<Override>& overrides,
+                   const Check& check) {
   return read_scene_text(text_of(path), path, std::filesystem::path(path).parent_path().string(),
-                         overrides);
+                         overrides, check);
 }
 
 }  // namespace photic::scene

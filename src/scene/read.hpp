@@ -1,9 +1,11 @@
 // Scene file -> Scene, and back.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "scene/findings.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::scene {
@@ -18,15 +20,20 @@ struct Reading {
   std::vector<std::string> remarks;  ///< e.g. "scene.toml:3:1: …"
 };
 
+/// A check of the whole scene that this folder is too low for (engine/problem.hpp has the one of
+/// the optics). What it finds is told with all else.
+using Check = std::function<void(const Scene&, Findings&)>;
+
 /// Reads and checks a scene file. Throws InputError with every problem (a TOML syntax error stands
 /// alone), EnvironmentError if the file cannot be read. Files the scene names are relative to the
 /// scene file.
-Reading read_scene(const std::string& path, const std::vector<Override>& overrides = {});
+Reading read_scene(const std::string& path, const std::vector<Override>& overrides = {},
+                   const Check& check = {});
 
 /// The same for a text; `name` stands for the file in diagnostics, `folder` is where relative files
 /// lie.
 Reading read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
-                        const std::vector<Override>& overrides = {});
+                        const std::vector<Override>& overrides = {}, const Check& check = {});
 
 /// The effective scene as TOML, every default written out; reads back to the same scene, to the
 /// last bit.

@@ -118,7 +118,9 @@ struct Sea {
 struct Gates {
   struct Interval {
     double min{}, max{}, step{};
-    [[nodiscard]] double steps() const;  ///< from min to max, a last partial one included
+    /// How many gates: as many as steps begin between min and max. Where the step does not divide
+    /// that way, the gates are all equally long and a little shorter than it.
+    [[nodiscard]] double steps() const;
     friend bool operator==(const Interval&, const Interval&) = default;
   };
   std::optional<Interval> depth_m;  ///< depth_min_m (default 0), depth_max_m, depth_step_m
@@ -126,7 +128,7 @@ struct Gates {
   std::optional<Interval> time_ns;  ///< start_ns, stop_ns, step_ns
 
   [[nodiscard]] const Interval& interval() const;  ///< the one that is given
-  [[nodiscard]] std::int64_t count() const;        ///< number of gates; the last one ends at max
+  [[nodiscard]] std::int64_t count() const;        ///< number of gates, from min to max
   friend bool operator==(const Gates&, const Gates&) = default;
 };
 

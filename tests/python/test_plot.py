@@ -128,9 +128,53 @@ def test_a_channel_of_several_processes_is_broken_down(sample):
 def test_several_results_share_a_panel_for_each_channel(sample):
     ds = photic.open(sample)
     drawing = plot.figure([ds, ds.sel(channel=["raman"])], ["one", "_two"])
-    assert titles(drawing) == ["elastic echo", "raman echo", "chlorophyll echo"]
+    echoes = [panel for panel in drawing.axes if panel.get_title(loc="left").endswith(" echo")]
+    assert titles(drawing) == [
+        *["elastic echo", "one by order"],
+        *["raman echo", "one by order", " _two by order"],
+        *["chlorophyll echo", "one by order"],
+    ]
     open_gates = ["one", "not converged"]
-    assert [legend(panel) for panel in drawing.axes] == [open_gates, ["one", " _two"], open_gates]
+    assert [legend(panel) for panel in echoes] == [open_gates, ["one", " _two"], open_gates]
+
+
+def right_ends(panel, ds, gate):
+    """Where the areas of the orders end at a gate [%]."""
+    ends = []
+    for area in [each for each in panel.collections if isinstance(each, PolyCollection)][:-1]:
+        (path,) = area.get_paths()
+        at_gate = numpy.isclose(path.vertices[:, 1], float(ds.gate_depth_bounds[gate, 1]))
+        ends.append(path.vertices[at_gate, 0].max())
+    return ends
+
+
+# Seen red: with the orders of the first result for all; with shades that depend on the result.
+def test_several_results_are_told_apart_by_order(sample):
+    ds = photic.open(sample)
+    fewer = ds.isel(order=slice(0, 3)).copy(deep=True)
+    fewer.echo_by_order[:] = 0
+    fewer.echo_by_order[:, :, 0], fewer.echo_by_order[:, :, 2] = 1e-9, 3e-9
+    drawing = plot.figure([ds, fewer], ["one", "two"])
+    assert titles(drawing)[:3] == ["elastic echo", "one by order", "two by order (3 and above\nin one)"]
+    echo, of_one, of_two = drawing.axes[:3]
+    one = ds.sel(telescope="narrow", channel="elastic")
+    shares = 100 * one.echo_by_order.isel(gate=10).cumsum() / one.echo_by_order.isel(gate=10).sum()
+    assert right_ends(of_one, one, 10) == pytest.approx(shares.values, rel=0.02)
+    assert right_ends(of_two, one, 10) == pytest.approx([25, 25, 100])
+    assert of_one.get_ylim() == of_two.get_ylim() == echo.get_ylim()
+    shades = [[tuple(area.get_facecolor()[0]) for area in panel.collections[:3]] for panel in (of_one, of_two)]
+    assert shades[0] == shades[1]
+    with_legend = [panel for panel in drawing.axes if panel.get_legend() and panel is not echo]
+    assert legend(of_two) == ["1", "2", "3", "4", "5", "6 and above", "not converged"]
+    assert of_two in with_legend and of_one not in with_legend
+
+
+def test_the_legend_of_orders_stands_where_the_last_result_has_a_panel(sample, tmp_path):
+    ds = photic.open(sample)
+    drawing = plot.figure([ds, ds.sel(channel=["raman"])], ["one", "two"])
+    (panel,) = [panel for panel in drawing.axes if panel.get_title(loc="left") == "two by order"]
+    assert "6 and above" in legend(panel)
+    plot.figure([ds] * 6, [f"result {n} with a long name" for n in range(6)]).savefig(tmp_path / "six.png")
 
 
 def test_without_a_name_the_first_telescope_of_each(sample):

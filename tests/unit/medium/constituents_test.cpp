@@ -132,5 +132,14 @@ TEST(IopLayer, ScattersWithTheNamedPhaseFunction) {
   }
 }
 
+// Of 0.333 + 0.333 + 0.333 each is a third. Seen red: with the fractions taken as they are.
+TEST(IopLayer, ScalesTheFractionsOfAMixture) {
+  auto part = function_of("isotropic");
+  part.fraction = 0.3333333;
+  auto mixture = function_of("mixture");
+  mixture.components = {part, part, part};
+  EXPECT_NEAR(value_of(mixture, 1.0) * 4 * pi, 1, 1e-12);
+}
+
 }  // namespace
 }  // namespace photic::medium

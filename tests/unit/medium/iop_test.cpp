@@ -72,10 +72,10 @@ TEST(IopLayer, IsRefusedOutsideItsWavelengths) {
   scene.source.wavelength_nm = 532;
   EXPECT_EQ(refusal(scene), "nothing was refused");
   scene.channel = all_channels;
-  EXPECT_EQ(refusal(scene),
-            "layer \"the only layer\" has no optical properties at 648.79 nm, which a channel "
-            "needs (add an entry to its "
-            "iop that covers this wavelength, or leave the channel out)");
+  EXPECT_EQ(
+      refusal(scene),
+      "the iop of layer \"the only layer\" covers 531 to 533 nm, not 648.793 nm (add an entry "
+      "for it)");
   scene = scene_of({iop_layer()}, {test::channel_of("elastic")});
   for (const double nm : {499.9, 700.1}) {
     scene.source.wavelength_nm = nm;

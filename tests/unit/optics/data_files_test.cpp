@@ -89,6 +89,14 @@ TEST_F(DamagedData, IsAFailedEnvironmentWithFileAndLine) {
       loading_with("water_ioccg_2018.csv",
                    "# SOURCE: a\n# STATUS: verified\nwavelength_nm,a_per_m\n200,1\n200,2\n"),
       "water_ioccg_2018.csv:5:1: wavelength_nm 200 is not above the 200 before it");
+  expect_contains(loading_with("water_ioccg_2018.csv",
+                               "# SOURCE: a\n# STATUS: verified\nwavelength_nm,a_per_m\n200,1\n"),
+                  "water_ioccg_2018.csv:4:1: a spectrum needs two rows or more");
+  fs::copy_file(data_folder + "/water_ioccg_2018.csv", folder_ / "water_ioccg_2018.csv",
+                fs::copy_options::overwrite_existing);
+  expect_contains(loading_with("raman_parameters.csv",
+                               "item,value,source,status\na,1,b,c\ndepolarisation,2,b,c\n"),
+                  "raman_parameters.csv:3:16: a depolarisation is from 0 to 1");
 }
 
 TEST_F(DamagedData, WithoutASourceIsRefused) {

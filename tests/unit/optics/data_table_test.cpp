@@ -35,14 +35,34 @@ TEST(DataTable, NamesTheRowThatDoesNotAscend) {
             "t.csv:4:1: x 2 is not above the 2 before it (this column must ascend)");
 }
 
+// Seen red: with the first one thrown alone.
+TEST(DataTable, NamesAllThatCannotBeRead) {
+  EXPECT_EQ(message<InputError>([] { parse("x,y\n1\n1,2\n1,\"2\n"); }),
+            "t.csv:2:1: 1 fields where 2 columns are named (a text with a comma needs double "
+            "quotes)\nt.csv:4:3: a double quote is not closed");
+  EXPECT_EQ(message<InputError>([] { static_cast<void>(parse("x\na\n1\nb\n").numbers("x")); }),
+            "t.csv:2:1: \"a\" is not a finite number\nt.csv:4:1: \"b\" is not a finite number");
+  // Without the names of columns nothing can be said of the rows.
+  EXPECT_EQ(message<InputError>([] { parse("x,\"y\n1\n1,2,3\n"); }),
+            "t.csv:1:3: a double quote is not closed");
+}
+
+// Seen red: without the limit.
+TEST(DataTable, DoesNotGoOnAboutAnotherKindOfFile) {
+  std::string text = "x,y\n";
+  for (int i = 0; i < 1000; ++i) text += "1\n";
+  const std::string said = message<InputError>([&] { parse(text); });
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 19);
+}
+
 TEST(DataTable, NamesOtherFaults) {
   EXPECT_EQ(
       message<InputError>([] { parse("x,y\n1,2\n1,2,3\n"); }),
       "t.csv:3:1: 3 fields where 2 columns are named (a text with a comma needs double quotes)");
   EXPECT_EQ(message<InputError>([] { parse("x,y\n1,\"2\n"); }),
             "t.csv:2:3: a double quote is not closed");
-  EXPECT_EQ(message<InputError>([] { parse("x,y\n"); }), "t.csv: has no rows of data");
-  EXPECT_EQ(message<InputError>([] { parse(""); }), "t.csv: has no rows of data");
+  EXPECT_EQ(message<InputError>([] { parse("x,y\n"); }), "t.csv:1:1: has no rows of data");
+  EXPECT_EQ(message<InputError>([] { parse(""); }), "t.csv:1:1: has no rows of data");
   EXPECT_EQ(message<InputError>([] { static_cast<void>(parse("# a\nx,y\n1,2\n").numbers("z")); }),
             "t.csv:2:1: no column \"z\" (there are: x, y)");
   EXPECT_EQ(message<InputError>([] { static_cast<void>(parse("x,y\n1,2\n").header("SOURCE")); }),

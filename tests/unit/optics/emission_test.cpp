@@ -44,9 +44,15 @@ TEST(Raman, OfBartlettIsAtTheMeanOfWalrafensBand) {
   EXPECT_NEAR(1e7 / 532 - 1e7 / modern(532).wavelength_nm, 3383.75, 1e-6);
 }
 
-TEST(Raman, RefusesAShiftBeyondTheLight) {
-  expect_contains(message<InputError>([] { modern(3000); }),
-                  "no Raman light from 3000 nm: water's shift is 3383.75 1/cm");
+// Light of 2955.3 nm has the 3383.75 1/cm of Walrafen's band, of 2941.2 nm the 3400 of the paper's.
+TEST(Raman, NeedsMoreEnergyThanItsShift) {
+  EXPECT_EQ(raman(library(), "bartlett", 2955).lines.size(), 1U);
+  EXPECT_TRUE(raman(library(), "bartlett", 2956).lines.empty());
+  EXPECT_EQ(raman(library(), "marshall-smith", 2941).lines.size(), 1U);
+  EXPECT_TRUE(raman(library(), "marshall-smith", 2942).lines.empty());
+}
+
+TEST(Raman, RefusesAnUnknownModel) {
   expect_contains(message<InputError>([] { raman(library(), "walrafen", 532); }),
                   "no Raman model \"walrafen\" (there are: bartlett, marshall-smith)");
 }

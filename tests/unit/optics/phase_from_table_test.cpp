@@ -75,6 +75,13 @@ TEST(PhaseFromTable, TakesZerosAndAngleZero) {
   EXPECT_NEAR(t.shape.p(1.5) * t.integral, 0.5 / (4 * pi), 1e-12);
 }
 
+// Seen red: with p0 + (p1 - p0) (x - x0) / (x1 - x0), which is -7e-18 at 180 degrees.
+TEST(PhaseFromTable, IsNotBelowZeroByRounding) {
+  const DataTable table = DataTable::parse(
+      "angle_deg,phase_function_per_sr\n64.70766563324364,0.12371191810096391\n180,0\n", "vsf.csv");
+  EXPECT_EQ(phase_from_table(table).shape.p(2), 0);
+}
+
 TEST(PhaseFromTable, RefusesWhatIsNoPhaseFunction) {
   const PhaseShape hg = henyey_greenstein(0.9);
   const DataTable too_much = as_table(angles(0.1, 1.05), hg.p, 1.05);
@@ -86,6 +93,8 @@ TEST(PhaseFromTable, RefusesWhatIsNoPhaseFunction) {
                   "vsf.csv:2:1: scattering angles begin at 0 degrees");
   expect_contains(refusal("0,0.08\n90,-0.1\n180,0.08\n"),
                   "vsf.csv:3:4: a phase function is not negative");
+  expect_contains(refusal("0,0.0796\n1e-200,0.0796\n180,0.0796\n"),
+                  "vsf.csv:3:1: this angle cannot be told from the one before it");
   expect_contains(refusal("180,0.08\n"), "vsf.csv:2:1: a phase function needs at least two rows");
   expect_contains(refusal("1,100\n2,10\n180,0.01\n"),
                   "vsf.csv:2:3: the first two rows rise as angle^-3.32");

@@ -35,7 +35,8 @@ TEST(RefractiveIndex, RefusesWavelengthsOutOfItsRange) {
   EXPECT_EQ(message<InputError>([] { refractive_index(1203, 35, 20); }),
             "no refractive index data at 1203 nm: Quan & Fry 1995, Appl. Opt. 34, 3477, eq. (3) "
             "[verified] cover "
-            "200-1100 nm (choose another wavelength, or give the layer's iop at this one)");
+            "200-1100 nm (choose another wavelength, or give refractive_index and group_index of "
+            "the sea)");
   EXPECT_THROW(group_index(199, 35, 20), InputError);
   EXPECT_THROW(group_index(std::nan(""), 35, 20), InputError);
 }

@@ -56,10 +56,11 @@ std::string edited(const std::vector<Edit>& edits) {
 }
 
 std::vector<std::string> diagnostics_of(const std::string& text,
-                                        const std::vector<Override>& overrides) {
+                                        const std::vector<Override>& overrides,
+                                        const Check& check) {
   std::vector<std::string> texts;
   try {
-    read_scene_text(text, "scene.toml", "/", overrides);
+    read_scene_text(text, "scene.toml", "/", overrides, check);
   } catch (const InputError& error) {
     for (const Diagnostic& diagnostic : error.diagnostics()) texts.push_back(diagnostic.text());
   }

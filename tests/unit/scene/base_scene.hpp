@@ -30,7 +30,8 @@ std::string edited(const std::vector<Edit>& edits);
 
 /// The texts of the diagnostics of a scene called scene.toml; empty if it is good.
 std::vector<std::string> diagnostics_of(const std::string& text,
-                                        const std::vector<Override>& overrides = {});
+                                        const std::vector<Override>& overrides = {},
+                                        const Check& check = {});
 
 /// The base scene with these overrides; it must be good.
 Scene base_scene(const std::vector<Override>& overrides = {});

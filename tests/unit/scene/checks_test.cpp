@@ -88,16 +88,6 @@ bottom_depth_m = 60)"}},
          "0.07 }]"}},
        {"scene.toml:24:86: phytoplankton absorbs 0.07 1/m, more than the 0.06 1/m of all (it is a "
         "share of a_per_m)"}},
-      {"LaserOutsideSingleIop",
-       {{24, 24, "iop = [{ wavelength_nm = 533.5, a_per_m = 0.06, b_per_m = 0.1 }]"}},
-       {"scene.toml:24:7: the source's 532 nm is outside this layer's iop, 532.5 to 534.5 nm (add "
-        "an entry for it)"}},
-      {"LaserOutsideIop",
-       {{24, 24,
-         "iop = [{ wavelength_nm = 400, a_per_m = 0.06, b_per_m = 0.1 }, { wavelength_nm = 531.9, "
-         "a_per_m = 0.06, b_per_m = 0.1 }]"}},
-       {"scene.toml:24:7: the source's 532 nm is outside this layer's iop, 400 to 531.9 nm (add an "
-        "entry for it)"}},
       {"MixtureSum",
        {{25, 25,
          R"(phase_function = { model = "mixture", components = [{ fraction = 0.5, model = "petzold" }, { fraction = 0.4, model = "isotropic" }] })"}},
@@ -194,10 +184,10 @@ step_ns = 1)"}},
   return all;
 }
 
-// Seen red, each for itself: telescopes allowed on the sea bed, horizontal lasers, a reach of 2 nm
-// of a single iop entry, layers of no thickness, the shallower instead of the deeper instrument for
-// depth gates, the distance to the water without its slant, time gates without the way to the
-// surface, memory without the depth axis.
+// Seen red, each for itself: telescopes allowed on the sea bed, horizontal lasers, layers of no
+// thickness, the shallower instead of the deeper instrument for depth gates, the distance to the
+// water without its slant, time gates without the way to the surface, memory without the depth
+// axis.
 TEST(Checks, EveryTextWithLineAndColumn) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);

@@ -64,7 +64,9 @@ TEST(Read, RemarksOnWhatIsNotWrong) {
   EXPECT_EQ(remarks(edited({})), Texts{});
   EXPECT_EQ(
       remarks(edited({{28, 28, "depth_step_m = 3"}})),
-      Texts{"scene.toml:28:16: the gates are 2.94118 long, so that a whole number of them fits"});
+      Texts{
+          "scene.toml:28:16: steps of 3 do not fill the 50 from 0 to 50: the 17 gates are 2.94118 "
+          "long instead"});
   EXPECT_EQ(remarks(edited({{11, 11, "direction = [0, 0, 1]"},
                             {27, 28, "start_ns = 90\nstop_ns = 200\nstep_ns = 1"}})),
             Texts{"scene.toml:11:13: this telescope in the air looks away from the sea"});

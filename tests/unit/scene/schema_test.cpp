@@ -80,7 +80,7 @@ TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
   EXPECT_EQ(orders["maximum"], 1000);
   EXPECT_EQ(orders["default"], 6);
   const json& phase_function = schema["$defs"]["phase_function"];
-  EXPECT_EQ(phase_function["properties"]["g"]["exclusiveMinimum"], -1.0);
+  EXPECT_EQ(phase_function["properties"]["g"]["minimum"], -0.4);
   EXPECT_EQ(phase_function["allOf"][0]["if"]["properties"]["model"]["const"], "henyey-greenstein");
   EXPECT_EQ(phase_function["allOf"][0]["then"]["required"], json::array({"g"}));
   EXPECT_EQ(phase_function["properties"]["components"]["items"]["$ref"],

@@ -1,0 +1,209 @@
+#include "medium/check.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <set>
+
+#include "core/error.hpp"
+#include "medium/layer_optics.hpp"
+#include "medium/lines.hpp"
+
+namespace photic::medium {
+namespace {
+
+using scene::below;
+
+std::string layer_path(std::size_t k) { return below("sea.layer", k); }
+
+/// A wavelength that light has: where the scene asks for it, and why, as told there and elsewhere.
+struct Wavelength {
+  double nm;
+  std::string path, why_here, why_there;
+};
+
+class Checker {
+ public:
+  Checker(const scene::Scene& scene, const optics::Library& library, scene::Findings& findings)
+      : scene_(scene), library_(library), findings_(findings), optics_of_(scene_, library) {
+    drop_bad_channels();
+    for (std::size_t k = 0; k < scene_.sea.layer.size(); ++k)
+      readable_.push_back(findings.good({below(layer_path(k), "iop")}));
+  }
+
+  void check_phase_functions();
+  void check_light();
+
+ private:
+  void drop_bad_channels();
+  void check_phase_function(const scene::PhaseFunction& function, const std::string& path);
+  void check_inelastic_light(const std::vector<std::optional<WaterOptics>>& at_laser);
+  void check_index(Process process, const Wavelength& light);
+  std::vector<std::optional<WaterOptics>> check_layers(const Wavelength& light);
+  std::optional<WaterOptics> check_layer(std::size_t k, const Wavelength& light);
+  [[nodiscard]] Wavelength asked_by_channel(const EmittedLine& line) const;
+  void remark_dark_channels(const std::vector<EmittedLine>& lines);
+
+  /// What an action gives; none if it refuses, which is told at `path`.
+  template <class Action>
+  auto ask(const std::string& path, const Action& action, const std::string& why = "")
+      -> std::optional<decltype(action())> {
+    try {
+      return action();
+    } catch (const InputError& error) {
+      for (const Diagnostic& d : error.diagnostics()) tell(path, d, why);
+      return std::nullopt;
+    }
+  }
+  void tell(const std::string& path, const Diagnostic& d, const std::string& why);
+
+  scene::Scene scene_;  ///< without the channels that are bad
+  std::vector<std::string> channel_path_;
+  std::vector<bool> readable_;  ///< the layers whose optics can be asked for
+  const optics::Library& library_;
+  scene::Findings& findings_;
+  LayerOptics optics_of_;
+  std::set<std::string> told_;
+};
+
+/// A problem of a line of another file keeps its place. Several layers may have the same problem.
+void Checker::tell(const std::string& path, const Diagnostic& d, const std::string& why) {
+  const bool elsewhere = d.line > 0;
+  const std::string reason = (elsewhere || d.file.empty() ? "" : d.file + " ") + d.reason +
+                             (why.empty() ? "" : "; " + why);
+  if (!told_.insert((elsewhere ? d.text() : path) + reason).second) return;
+  if (elsewhere)
+    findings_.add(path, {d.file, d.line, d.column}, reason, d.suggestion);
+  else
+    findings_.add(path, reason, d.suggestion);
+}
+
+void Checker::drop_bad_channels() {
+  std::vector<scene::Channel> good;
+  for (std::size_t i = 0; i < scene_.channel.size(); ++i) {
+    const scene::Channel& channel = scene_.channel[i];
+    const std::string path = below("channel", i);
+    const bool whole = channel.process || (channel.centre_nm && channel.fwhm_nm);
+    if (!whole || !findings_.good({path})) continue;
+    good.push_back(channel);
+    channel_path_.push_back(below(path, channel.process ? "process" : "centre_nm"));
+  }
+  scene_.channel = std::move(good);
+}
+
+void Checker::check_phase_function(const scene::PhaseFunction& function, const std::string& path) {
+  for (std::size_t i = 0; i < function.components.size(); ++i)
+    check_phase_function(function.components[i], below(below(path, "components"), i));
+  if (!function.components.empty() || !findings_.good({path})) return;
+  if (function.model == "table") {
+    const std::string file = below(path, "file");
+    const auto table = ask(file, [&] { return phase_of_file(function.file); });
+    if (table && !table->remark.empty()) findings_.remark(file, table->remark);
+  } else {
+    ask(path, [&] { return optics_of_.shape(function); });
+  }
+}
+
+void Checker::check_phase_functions() {
+  for (std::size_t k = 0; k < scene_.sea.layer.size(); ++k)
+    if (const auto& function = scene_.sea.layer[k].phase_function)
+      check_phase_function(*function, below(layer_path(k), "phase_function"));
+}
+
+void Checker::check_index(Process process, const Wavelength& light) {
+  if (findings_.good({"sea.refractive_index", "sea.group_index"}))
+    ask(
+        light.path, [&] { return make_line(scene_.sea, process, light.nm); }, light.why_here);
+}
+
+std::optional<WaterOptics> Checker::check_layer(std::size_t k, const Wavelength& light) {
+  const auto& layer = scene_.sea.layer[k];
+  const auto all = [&] { return optics_of_(layer, light.nm); };
+  if (!readable_[k]) return std::nullopt;
+  if (!layer.iop.empty()) return ask(below(layer_path(k), "iop"), all, light.why_there);
+  if (!findings_.good({"optics.set", "optics.water_absorption", "optics.water_scattering",
+                       "optics.phytoplankton", "sea.salinity_psu", "sea.temperature_c"}))
+    return std::nullopt;
+  bool good = true;
+  const auto ask_for = [&](const auto& part) {
+    good = ask(light.path, part, light.why_here).has_value() && good;
+  };
+  ask_for([&] { return optics_of_.water_absorption(light.nm); });
+  ask_for([&] { return optics_of_.water_scattering(light.nm); });
+  ask_for([&] { return optics_of_.phytoplankton(layer, light.nm); });
+  return good ? ask(layer_path(k), all, light.why_there) : std::nullopt;
+}
+
+std::vector<std::optional<WaterOptics>> Checker::check_layers(const Wavelength& light) {
+  std::vector<std::optional<WaterOptics>> out;
+  for (std::size_t k = 0; k < scene_.sea.layer.size(); ++k) out.push_back(check_layer(k, light));
+  return out;
+}
+
+Wavelength Checker::asked_by_channel(const EmittedLine& line) const {
+  for (std::size_t i = 0; i < scene_.channel.size(); ++i) {
+    if (counts(scene_.channel[i], {line.process, line.wavelength_nm, 1, 1})) {
+      const auto why =
+          fmt::format("channel {} counts {} light there", scene::quoted(scene_.channel[i].name),
+                      process_name(line.process));
+      return {line.wavelength_nm, channel_path_[i], why, why};
+    }
+  }
+  throw ContractViolation("a line is emitted because a channel counts it");
+}
+
+void Checker::remark_dark_channels(const std::vector<EmittedLine>& lines) {
+  for (std::size_t i = 0; i < scene_.channel.size(); ++i) {
+    const auto& process = scene_.channel[i].process;
+    if (!process || *process == process_name(Process::elastic)) continue;
+    bool emitted = false;
+    for (const EmittedLine& line : lines) emitted |= *process == process_name(line.process);
+    if (!emitted)
+      findings_.remark(channel_path_[i],
+                       fmt::format("channel {} will count nothing: no layer emits {} light",
+                                   scene::quoted(scene_.channel[i].name), *process));
+  }
+}
+
+void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>>& at_laser) {
+  std::vector<double> a_exciting_per_m;
+  bool complete = true;
+  for (const auto& water : at_laser) {
+    a_exciting_per_m.push_back(water ? water->a_exciting_per_m : 0.0);
+    complete = complete && water;
+  }
+  const auto lines = emitted_lines(scene_, library_, a_exciting_per_m);
+  for (const EmittedLine& line : lines) {
+    const Wavelength light = asked_by_channel(line);
+    check_index(line.process, light);
+    check_layers(light);
+  }
+  for (std::size_t k = 0; k < at_laser.size(); ++k) {
+    const std::string yield = below(layer_path(k), "chlorophyll_yield");
+    if (at_laser[k] && findings_.good({yield}))
+      ask(scene_.sea.layer[k].iop.empty() ? yield : below(layer_path(k), "iop"),
+          [&] { return emitted_per_m(lines, scene_, k, at_laser[k]->a_per_m); });
+  }
+  if (complete) remark_dark_channels(lines);
+}
+
+void Checker::check_light() {
+  const std::string path = "source.wavelength_nm";
+  if (!findings_.good({path}) || scene_.sea.layer.empty()) return;
+  const Wavelength laser{scene_.source.wavelength_nm, path, "", "the source emits there"};
+  check_index(Process::elastic, laser);
+  const auto at_laser = check_layers(laser);
+  // A laser's wavelength that is of no use tells nothing of the inelastic light either.
+  if (findings_.good({path, "optics.set", "optics.raman"})) check_inelastic_light(at_laser);
+}
+
+}  // namespace
+
+void check_medium(const scene::Scene& scene, const optics::Library& library,
+                  scene::Findings& findings) {
+  Checker checker(scene, library, findings);
+  checker.check_phase_functions();
+  checker.check_light();
+}
+
+}  // namespace photic::medium

@@ -1,0 +1,16 @@
+// What the optics find wrong with a scene, each problem at its place in the scene file.
+#pragma once
+
+#include "optics/library.hpp"
+#include "scene/findings.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::medium {
+
+/// Asks for all that build_medium would ask for, and adds what is refused to the findings: a
+/// wavelength without data, optical properties that do not reach it, a table of no use. Looks only
+/// at values with which nothing is wrong yet. What it accepts build_medium accepts.
+void check_medium(const scene::Scene& scene, const optics::Library& library,
+                  scene::Findings& findings);
+
+}  // namespace photic::medium

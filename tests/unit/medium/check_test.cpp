@@ -1,0 +1,315 @@
+// What the optics find wrong with a scene: all of it, each with line and column.
+#include "medium/check.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "unit/medium/scenes.hpp"
+#include "unit/scene/base_scene.hpp"
+
+namespace photic::medium {
+namespace {
+
+using scene::Case;
+using scene::edited;
+using Texts = std::vector<std::string>;
+
+void check(const scene::Scene& scene, scene::Findings& findings) {
+  check_medium(scene, library(), findings);
+}
+
+Texts problems(const std::vector<scene::Edit>& edits, const Texts& overrides = {}) {
+  return scene::diagnostics_of(edited(edits), overrides, check);
+}
+
+Texts remarks(const std::vector<scene::Edit>& edits) {
+  return scene::read_scene_text(edited(edits), "scene.toml", "/", {}, check).remarks;
+}
+
+const std::string raman_channel = "name = \"r\"\nprocess = \"raman\"";
+const std::string clear_layer = "chlorophyll_mg_m3 = 0";
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{
+      {"LaserOutsideSingleIop",
+       {{24, 24, "iop = [{ wavelength_nm = 533.5, a_per_m = 0.06, b_per_m = 0.1 }]"}},
+       {R"(scene.toml:24:7: the iop of layer "layer1" covers 532.5 to 534.5 nm, not 532 nm; the source emits there (add an entry for it))"}},
+      {"LaserOutsideIop",
+       {{24, 24,
+         "iop = [{ wavelength_nm = 400, a_per_m = 0.06, b_per_m = 0.1 }, { wavelength_nm = 531.9, "
+         "a_per_m = 0.06, b_per_m = 0.1 }]"}},
+       {R"(scene.toml:24:7: the iop of layer "layer1" covers 400 to 531.9 nm, not 532 nm; the source emits there (add an entry for it))"}},
+      {"RamanOutsideIop",
+       {{16, 17, raman_channel}},
+       {R"(scene.toml:24:7: the iop of layer "layer1" covers 531 to 533 nm, not 648.793 nm; channel "r" counts raman light there (add an entry for it))"}},
+      {"FilterOutsideIop",
+       {{17, 17, "centre_nm = 685\nfwhm_nm = 10"}},
+       {R"(scene.toml:25:7: the iop of layer "layer1" covers 531 to 533 nm, not 685 nm; channel "elastic" counts chlorophyll light there (add an entry for it))"}},
+      {"LaserAndRamanOutsideTwoIops",
+       {{16, 17, raman_channel},
+        {22, 22,
+         "iop = [{ wavelength_nm = 530, a_per_m = 0.06, b_per_m = 0.1 }]\nphase_function = "
+         "\"petzold\""}},
+       {R"(scene.toml:22:7: the iop of layer "layer0" covers 529 to 531 nm, not 532 nm; the source emits there (add an entry for it))",
+        R"(scene.toml:22:7: the iop of layer "layer0" covers 529 to 531 nm, not 648.793 nm; channel "r" counts raman light there (add an entry for it))",
+        R"(scene.toml:25:7: the iop of layer "layer1" covers 531 to 533 nm, not 648.793 nm; channel "r" counts raman light there (add an entry for it))"}},
+      {"LaserWithoutWaterData",
+       {{3, 3, "wavelength_nm = 1064.0"},
+        {22, 25, clear_layer + "\n[[sea.layer]]\n" + clear_layer}},
+       {"scene.toml:3:17: no water absorption data at 1064 nm: Mason 2016 / IOCCG 2018 cover "
+        "200-1000 nm (choose another wavelength, or give the layer's iop at this one)"}},
+      {"LaserWithoutPhytoplanktonData",
+       {{3, 3, "wavelength_nm = 810.0"}, {23, 25, ""}},
+       {"scene.toml:3:17: no phytoplankton absorption data at 810 nm: " +
+        library().particles_a.source +
+        " cover 300-800 nm (choose another wavelength, or give the layer's iop at this one)"}},
+      {"LaserWithoutSmithBaker",
+       {{3, 3, "wavelength_nm = 810.0"},
+        {18, 18, "[optics]\nset = \"paper\""},
+        {22, 25, clear_layer}},
+       {"scene.toml:3:17: no water absorption data at 810 nm: " + library().smith_baker_a.source +
+            " cover 200-800 nm (choose another wavelength, or give the layer's iop at this one)",
+        "scene.toml:3:17: no water scattering data at 810 nm: " + library().smith_baker_b.source +
+            " cover 200-800 nm (choose another wavelength, or give the layer's iop at this one)"}},
+      {"LaserWithoutAnything",
+       {{3, 3, "wavelength_nm = 1200.0"}},
+       {"scene.toml:3:17: no refractive index data at 1200 nm: Quan & Fry 1995, Appl. Opt. 34, "
+        "3477, eq. (3) [verified] cover 200-1100 nm (choose another wavelength, or give "
+        "refractive_index and group_index of the sea)",
+        "scene.toml:3:17: no water absorption data at 1200 nm: Mason 2016 / IOCCG 2018 cover "
+        "200-1000 nm (choose another wavelength, or give the layer's iop at this one)",
+        "scene.toml:3:17: no water scattering data at 1200 nm: Zhang, Hu & He 2009, Opt. Express "
+        "17, 5698 [verified] cover 200-1100 nm (choose another wavelength, or give the layer's iop "
+        "at this one)",
+        "scene.toml:3:17: no phytoplankton absorption data at 1200 nm: " +
+            library().particles_a.source +
+            " cover 300-800 nm (choose another wavelength, or give the layer's iop at this one)",
+        "scene.toml:24:7: the iop of layer \"layer1\" covers 531 to 533 nm, not 1200 nm; the "
+        "source "
+        "emits there (add an entry for it)"}},
+      {"RamanWithoutWaterData",
+       {{3, 3, "wavelength_nm = 780.0"}, {16, 17, raman_channel}, {22, 25, clear_layer}},
+       {R"(scene.toml:17:11: no water absorption data at 1059.69 nm: Mason 2016 / IOCCG 2018 cover 200-1000 nm; channel "r" counts raman light there (choose another wavelength, or give the layer's iop at this one))"}},
+      {"FilteredRamanWithoutIndex",
+       {{3, 3, "wavelength_nm = 880.0"},
+        {17, 17, "centre_nm = 1253\nfwhm_nm = 10"},
+        {20, 24,
+         "[[sea.layer]]\niop = [{ wavelength_nm = 800, a_per_m = 2, b_per_m = 0.1 }, { "
+         "wavelength_nm = 1300, a_per_m = 9, b_per_m = 0.1 }]"}},
+       {R"(scene.toml:17:13: no refractive index data at 1253.15 nm: Quan & Fry 1995, Appl. Opt. 34, 3477, eq. (3) [verified] cover 200-1100 nm; channel "elastic" counts raman light there (choose another wavelength, or give refractive_index and group_index of the sea))"}},
+      {"EmitsMoreThanItAbsorbs",
+       {{16, 17, raman_channel},
+        {20, 24,
+         "[[sea.layer]]\niop = [{ wavelength_nm = 530, a_per_m = 0.0001, b_per_m = 0.1 }, { "
+         "wavelength_nm = 660, a_per_m = 0.0001, b_per_m = 0.1 }]"}},
+       {R"(scene.toml:21:7: layer "layer0" emits more Raman and fluorescence light (0.000171 1/m) than it absorbs (0.0001 1/m) (a is the total absorption, the light given back at other wavelengths is part of it))"}},
+      {"WaterEmitsMoreThanItAbsorbs",
+       {{3, 3, "wavelength_nm = 355.0"},
+        {16, 17, raman_channel},
+        {22, 25, clear_layer + "\n[[sea.layer]]\nchlorophyll_yield = 1"}},
+       {R"(scene.toml:20:1: layer "layer0" emits more Raman and fluorescence light (0.00146 1/m) than it absorbs (0.000975 1/m) (choose other data in [optics], or give the layer's iop))",
+        R"(scene.toml:24:21: layer "layer1" emits more Raman and fluorescence light (0.00146 1/m) than it absorbs (0.000975 1/m) (choose other data in [optics], or give the layer's iop))"}},
+      {"BeyondAllNumbers",
+       {{20, 25,
+         "[[sea.layer]]\ncdom_a440_per_m = 1e308\ncdom_slope_per_nm = 0\nbottom_depth_m = "
+         "20\n[[sea.layer]]\niop = [{ wavelength_nm = 532, a_per_m = 1e308, b_per_m = 1e308 "
+         "}]\nphase_function = \"petzold\""}},
+       {R"(scene.toml:25:7: layer "layer1" attenuates 532 nm more than a number can say; the source emits there (are the units right?))"}},
+  };
+  return all;
+}
+
+TEST(CheckMedium, EveryTextWithLineAndColumn) {
+  for (const Case& c : cases()) {
+    SCOPED_TRACE(c.name);
+    EXPECT_EQ(problems(c.edits), c.expected);
+  }
+}
+
+TEST(CheckMedium, NamesTheSetThatAsksForIt) {
+  EXPECT_EQ(
+      problems({{22, 25, clear_layer}}, {"source.wavelength_nm=1064"}),
+      Texts{"--set source.wavelength_nm: no water absorption data at 1064 nm: Mason 2016 / "
+            "IOCCG 2018 cover 200-1000 nm (choose another wavelength, or give the layer's iop "
+            "at this one)"});
+}
+
+// Not what follows from it: Raman light of 1663 nm has no data either.
+TEST(CheckMedium, TellsAWrongLaserOnce) {
+  EXPECT_EQ(
+      problems({{3, 3, "wavelength_nm = 1064.0"}, {16, 17, raman_channel}, {22, 25, clear_layer}})
+          .size(),
+      1U);
+}
+
+// With all else that is wrong, in the order of the file.
+TEST(CheckMedium, TellsWithAllElse) {
+  const Texts expected{
+      R"(scene.toml:24:7: the iop of layer "layer1" covers 532.5 to 534.5 nm, not 532 nm; the source emits there (add an entry for it))",
+      "scene.toml:28:16: 'depth_step_m' must be a finite number, greater than 0, not -1"};
+  EXPECT_EQ(problems({{24, 24, "iop = [{ wavelength_nm = 533.5, a_per_m = 0.06, b_per_m = 0.1 }]"},
+                      {28, 28, "depth_step_m = -1"}}),
+            expected);
+}
+
+// One finding each: nothing is concluded from what is refused. Seen red: with bad channels kept;
+// with iop that do not ascend asked for.
+TEST(CheckMedium, LooksOnlyAtGoodValues) {
+  const std::vector<std::vector<scene::Edit>> each_wrong_once{
+      {{3, 3, "wavelength_nm = -1"}},
+      {{3, 3, ""}},
+      {{17, 17, "process = \"ramam\""}},
+      {{17, 17, ""}},
+      {{17, 17, "centre_nm = 532"}},
+      {{17, 17, "centre_nm = 532\nfwhm_nm = -1"}},
+      {{17, 17, "process = \"raman\"\ncentre_nm = 649\nfwhm_nm = 5"}},
+      {{18, 18, "[optics]\nset = \"old\""}},
+      {{18, 18, "[optics]\nwater_absorption = \"none\""}},
+      {{19, 19, "[sea]\nrefractive_index = 0"}},
+      {{18, 25, "[sea]\nlayer = 3"}},
+      {{20, 25, ""}},
+      {{22, 22, "chlorophyll_mg_m3 = -1"}},
+      {{22, 22, "chlorophyll_mg_m3 = 1\nchlorophyll_yield = 2"}},
+      {{24, 24, "iop = []"}},
+      {{24, 24,
+        "iop = [{ wavelength_nm = 700, a_per_m = 1, b_per_m = 1 }, { wavelength_nm = 600, "
+        "a_per_m = 1, b_per_m = 1 }]"}},
+      {{25, 25, "phase_function = { model = \"table\", file = \"/no/such.csv\" }"}},
+      {{25, 25, "phase_function = { model = \"henyey-greenstein\", g = 2 }"}},
+  };
+  for (const auto& edits : each_wrong_once)
+    EXPECT_EQ(problems(edits).size(), 1U)
+        << edited(edits) << ::testing::PrintToString(problems(edits));
+}
+
+TEST(CheckMedium, RemarksOnChannelsThatCountNothing) {
+  EXPECT_EQ(remarks({}), Texts{});
+  EXPECT_EQ(remarks({{16, 17, "name = \"c\"\nprocess = \"chlorophyll\""}, {22, 25, clear_layer}}),
+            Texts{"scene.toml:17:11: channel \"c\" will count nothing: no layer emits chlorophyll "
+                  "light"});
+  EXPECT_EQ(remarks({{16, 17, "name = \"c\"\nprocess = \"chlorophyll\""}, {23, 25, ""}}), Texts{});
+}
+
+/// A CSV of angle_deg, phase_function_per_sr, and a scene whose second layer scatters by it.
+class PhaseTableOfAUser : public testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove(file_); }
+
+  std::vector<scene::Edit> with(const std::string& rows) const {
+    std::ofstream(file_) << "angle_deg,phase_function_per_sr\n" << rows;
+    return {{25, 25, "phase_function = { model = \"table\", file = \"" + file_ + "\" }"}};
+  }
+
+  std::string file_ = testing::TempDir() + "photic_check_vsf.csv";
+};
+
+TEST_F(PhaseTableOfAUser, IsRefusedAtItsLineAfterTheScene) {
+  auto edits = with("0,0.0796\n90,x\n120,0.1;\n180,0.0796\n");
+  edits.push_back({30, 30, "photons = 0"});
+  EXPECT_EQ(problems(edits, {"gates.depth_step_m=-1"}),
+            (Texts{"scene.toml:30:11: 'photons' must be a whole number, at least 1 and below 2^63, "
+                   "not 0",
+                   file_ + ":3:4: \"x\" is not a finite number",
+                   file_ + ":4:5: \"0.1;\" is not a finite number",
+                   "--set gates.depth_step_m: 'depth_step_m' must be a finite number, greater than "
+                   "0, not -1"}));
+}
+
+TEST_F(PhaseTableOfAUser, IsToldOnceWhereTwoLayersUseIt) {
+  auto edits = with("0,0.5\n180,0.5\n");
+  edits.insert(
+      edits.begin(),
+      {22, 22, "iop = [{ wavelength_nm = 532, a_per_m = 0.06, b_per_m = 0.1 }]\n" + edits[0].text});
+  EXPECT_EQ(problems(edits),
+            Texts{file_ + ":2:3: integrates to 6.283 over the sphere, not 1 within "
+                          "1 % (divide a volume scattering function by its "
+                          "scattering coefficient)"});
+}
+
+// Seen red: with the remark dropped.
+TEST_F(PhaseTableOfAUser, IsRemarkedOnWhenItIsScaled) {
+  EXPECT_EQ(remarks(with("0,0.0799\n180,0.0799\n")),
+            Texts{"scene.toml:25:44: " + file_ +
+                  ": the phase function integrates to 1.00405; scaled to 1"});
+  EXPECT_EQ(remarks(with("0,0.0795774715\n180,0.0795774715\n")), Texts{});
+}
+
+TEST_F(PhaseTableOfAUser, IsFoundInAMixture) {
+  auto edits = with("0,0.0799\n180,0.0799\n");
+  edits[0].text =
+      "phase_function = { model = \"mixture\", components = [{ fraction = 0.5, model = "
+      "\"petzold\" }, { fraction = 0.5, model = \"table\", file = \"" +
+      file_ + "\" }] }";
+  EXPECT_EQ(remarks(edits), Texts{"scene.toml:25:134: " + file_ +
+                                  ": the phase function integrates to 1.00405; scaled to 1"});
+}
+
+// Missing tables of Photic do not hide what is wrong with the scene.
+TEST(CheckMedium, ComesAfterTheSceneWhereTheDataAreMissing) {
+  const scene::Check no_data = [](const scene::Scene&, scene::Findings&) {
+    throw EnvironmentError("no data");
+  };
+  EXPECT_EQ(scene::diagnostics_of(edited({{28, 28, "depth_step_m = -1"}}), {}, no_data).size(), 1U);
+  EXPECT_THROW(scene::diagnostics_of(edited({}), {}, no_data), EnvironmentError);
+}
+
+/// Lines of a scene drawn from what is often at the border of the data.
+std::string random_scene(std::mt19937& random) {
+  const auto pick = [&](const std::vector<std::string>& from) {
+    return from[random() % from.size()];
+  };
+  const auto iop = [&] {
+    const std::string nm = pick({"399", "500", "532", "640"});
+    return "iop = [{ wavelength_nm = " + nm + ", a_per_m = " + pick({"1e-4", "0.1"}) +
+           ", b_per_m = 0.1, a_phytoplankton_per_m = " + pick({"0", "1e-4"}) + " }" +
+           pick({"", ", { wavelength_nm = 660, a_per_m = 0.4, b_per_m = 0.1 }",
+                 ", { wavelength_nm = 1300, a_per_m = 4, b_per_m = 0.1 }"}) +
+           "]\nphase_function = " +
+           pick({"\"petzold\"", "{ model = \"henyey-greenstein\", g = 0.9999 }",
+                 "{ model = \"henyey-greenstein\", g = -0.4 }",
+                 "{ model = \"fournier-forand\", refractive_index = 1.005, slope = 4.999 }",
+                 "{ model = \"mixture\", components = [{ fraction = 0.3333333, model = "
+                 "\"isotropic\" }, { fraction = 0.6666666, model = \"petzold\" }] }"});
+  };
+  const auto layer = [&] {
+    return "[[sea.layer]]\n" + (random() % 2 == 0
+                                    ? iop()
+                                    : "chlorophyll_mg_m3 = " + pick({"0", "0.1", "30"}) +
+                                          "\nchlorophyll_yield = " + pick({"0", "0.01", "1"}));
+  };
+  const std::string channel =
+      pick({"process = \"elastic\"", "process = \"raman\"", "process = \"chlorophyll\"",
+            "centre_nm = 660\nfwhm_nm = 60", "centre_nm = 1000\nfwhm_nm = 700"});
+  return edited({{3, 3,
+                  "wavelength_nm = " + pick({"199", "299", "301", "400", "532", "640", "700", "760",
+                                             "810", "950", "1064", "1101", "3000"})},
+                 {17, 17, channel},
+                 {18, 19,
+                  "[optics]\nset = " + pick({"\"modern\"", "\"paper\""}) +
+                      "\nphytoplankton_phase = \"petzold\"\n[sea]\n" +
+                      pick({"", "refractive_index = 1.33\ngroup_index = 1.35"})},
+                 {20, 25, layer() + "\nbottom_depth_m = 20\n" + layer()}});
+}
+
+// What the check accepts can be built, and what it refuses cannot. Seen red: without the check of
+// the indices; of the emitted lines; of the balance.
+TEST(CheckMedium, AgreesWithTheBuild) {
+  std::mt19937 random(7);
+  int accepted = 0, refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::string text = random_scene(random);
+    const bool good = scene::diagnostics_of(text, {}, check).empty();
+    const auto scene = scene::read_scene_text(text, "scene.toml", "/").scene;
+    good ? ++accepted : ++refused;
+    if (good)
+      EXPECT_NO_THROW(medium_of(scene)) << text;
+    else
+      EXPECT_THROW(medium_of(scene), InputError) << text;
+  }
+  EXPECT_GT(accepted, 100);
+  EXPECT_GT(refused, 100);
+}
+
+}  // namespace
+}  // namespace photic::medium
