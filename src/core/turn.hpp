@@ -1,6 +1,9 @@
 // Cosine and sine of an angle given in turns.
 #pragma once
 
+#include <array>
+#include <cmath>
+
 #include "core/constants.hpp"
 #include "core/lanes.hpp"
 
@@ -11,30 +14,35 @@ struct CosSin {
   T cosine, sine;
 };
 
-/// cos(2 pi u) and sin(2 pi u) for 0 <= u <= 1, to a few units of rounding, without branches: a
-/// Taylor series within an eighth of a turn about the nearest quarter. (libm's sincos does not come
-/// in lanes, and was a tenth of a collision's time.)
+/// Cosines and sines of the directions of a rose.
+struct Rose {
+  static constexpr int points = 64;
+  std::array<double, points> cosine{}, sine{};
+  Rose() {
+    for (std::size_t i = 0; i < points; ++i) {
+      cosine[i] = std::cos(2 * pi * static_cast<double>(i) / points);
+      sine[i] = std::sin(2 * pi * static_cast<double>(i) / points);
+    }
+  }
+};
+inline const Rose rose;
+
+/// cos(2 pi u) and sin(2 pi u) for 0 <= u <= 1, to a few units of rounding, without branches: the
+/// nearest direction of a rose of 64, and the Taylor series of what is left. (libm's sincos does
+/// not come in lanes, and branches on a random angle are never predicted.)
 template <class T>
 CosSin<T> cos_sin_of_turns(const T& u) {
-  const Index<T> quarter = floor_index(T(4) * u + T(0.5));
-  const T y = (T(4) * u - to_real<T>(quarter)) * T(pi / 2);
+  const T turns = T(Rose::points) * u;
+  const Index<T> nearest = floor_index(turns + T(0.5));
+  const T y = (turns - to_real<T>(nearest)) * T(2 * pi / Rose::points);
   const T y2 = y * y;
   const T y4 = y2 * y2;
-  const T y8 = y4 * y4;
-  // The series up to y^15 and y^16 with coefficients 1/k!, in pairs (Estrin's scheme: short chains
-  // of operations).
-  const T s = y * (T(1) - y2 * T(1.0 / 6) + y4 * (T(1.0 / 120) - y2 * T(1.0 / 5040)) +
-                   y8 * (T(1.0 / 362880) - y2 * T(1.0 / 39916800) +
-                         y4 * (T(1.0 / 6227020800.0) - y2 * T(1.0 / 1307674368000.0))));
-  const T c = T(1) - y2 * T(0.5) + y4 * (T(1.0 / 24) - y2 * T(1.0 / 720)) +
-              y8 * (T(1.0 / 40320) - y2 * T(1.0 / 3628800) +
-                    y4 * (T(1.0 / 479001600.0) -
-                          y2 * (T(1.0 / 87178291200.0) - y2 * T(1.0 / 20922789888000.0))));
-  const Index<T> q = quarter & Index<T>(3);
-  const Mask<T> swapped = (q & Index<T>(1)) == Index<T>(1);
-  const T c_sign = select((q == Index<T>(1)) | (q == Index<T>(2)), T(-1), T(1));
-  const T s_sign = select(q >= Index<T>(2), T(-1), T(1));
-  return {c_sign * select(swapped, s, c), s_sign * select(swapped, c, s)};
+  const T s = y * (T(1) - y2 * T(1.0 / 6) + y4 * (T(1.0 / 120) - y2 * T(1.0 / 5040)));
+  const T versine = y2 * (T(0.5) - y2 * T(1.0 / 24) + y4 * (T(1.0 / 720) - y2 * T(1.0 / 40320)));
+  const Index<T> i = nearest & Index<T>(Rose::points - 1);
+  const T c0 = gather<T>(rose.cosine.data(), i);
+  const T s0 = gather<T>(rose.sine.data(), i);
+  return {c0 - (c0 * versine + s0 * s), s0 + (c0 * s - s0 * versine)};
 }
 
 }  // namespace photic

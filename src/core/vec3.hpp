@@ -9,7 +9,7 @@ namespace photic {
 
 template <class T>
 struct Vec3 {
-  T x{}, y{}, z{};
+  T x, y, z;
 
   friend constexpr Vec3 operator+(const Vec3& a, const Vec3& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -65,19 +65,20 @@ constexpr T one_minus_cos(const Vec3<T>& a, const Vec3<T>& b) {
 
 /// The unit vector at 1 - cos(angle) = x and azimuth given by its cosine and sine about the unit
 /// vector w. Source: the branch-free orthonormal basis of Duff et al., J. Comput. Graph. Tech.
-/// 6(1), 1 (2017).
+/// 6(1), 1 (2017), multiplied out.
 template <class T>
 Vec3<T> turned(const Vec3<T>& w, const T& x, const T& cos_azimuth, const T& sin_azimuth) {
+  using std::abs;
+  using std::copysign;
   using std::sqrt;
-  const T sign = select(w.z < T(0), T(-1), T(1));
-  const T a = T(-1) / (sign + w.z);
-  const T b = w.x * w.y * a;
-  const Vec3<T> u{T(1) + sign * w.x * w.x * a, sign * b, -(sign * w.x)};
-  const Vec3<T> v{b, sign + w.y * w.y * a, -w.y};
   const T sine = sqrt(x * (T(2) - x));
-  const Vec3<T> out = (sine * cos_azimuth) * u + (sine * sin_azimuth) * v + (T(1) - x) * w;
-  // One Newton step towards |out| = 1: rounding would otherwise add up over a long history.
-  return (T(1.5) - T(0.5) * dot(out, out)) * out;
+  const T a = sine * cos_azimuth;
+  const T b = copysign(sine, w.z) * sin_azimuth;
+  const T tilt = (a * w.x + b * w.y) / (T(1) + abs(w.z));
+  const T cosine = T(1) - x;
+  const T along = cosine - tilt;
+  const Vec3<T> out{a + along * w.x, b + along * w.y, along * w.z - copysign(T(1), w.z) * tilt};
+  return out;
 }
 
 }  // namespace photic

@@ -38,7 +38,7 @@ void score_line(const World<T>& world, const transport::Photon<T>& photon, const
     score.order = photon.order + 1;
     score.depth = -photon.position.z;
     score.path = photon.path + way.path;
-    score.value = photon.weight * share * p * way.acceptance * std::exp(-way.optical_depth);
+    score.value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
     tally.score(score);
   };
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {

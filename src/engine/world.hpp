@@ -65,9 +65,11 @@ struct World {
   std::vector<View<T>> views;  ///< of each telescope; none if nothing is converted
   std::vector<transport::Approach<T>> approaches;  ///< of the views
   T last_path{};                                   ///< end of the last gate [m]
-  T least_group_index{};                           ///< of all lines
-  T directed{};    ///< share of directions drawn towards a telescope
-  T conversion{};  ///< probability of a branch into the inelastic processes
+  T lowest_in_air{};           ///< height of the lowest telescope in the air [m]
+  std::vector<T> submerged_z;  ///< of the telescopes in the water
+  T least_group_index{};       ///< of all lines
+  T directed{};                ///< share of directions drawn towards a telescope
+  T conversion{};              ///< probability of a branch into the inelastic processes
   bool makes_choices =
       false;  ///< whether collisions choose between phase functions, targets or lines at all
   T roulette_threshold{};
@@ -95,6 +97,11 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
     world.approaches.push_back(world.views.back().approach);
   }
   world.last_path = T(gates.last_path());
+  world.lowest_in_air = std::numeric_limits<T>::max();
+  for (const auto& t : world.telescopes) {
+    if (t.submerged) world.submerged_z.push_back(t.position.z);
+    if (!t.submerged) world.lowest_in_air = std::min(world.lowest_in_air, t.position.z);
+  }
   double least = medium.line.front().group_index;
   for (const auto& line : medium.line) least = std::min(least, line.group_index);
   world.least_group_index = T(least);

@@ -8,33 +8,40 @@
 
 namespace photic::instrument {
 
-/// Area common to two circles of radii r1 and r2 whose centres are d apart [m^2]; all >= 0.
-/// Source: elementary geometry (two circular segments), e.g. Harms, Lahmann & Weitkamp, Appl. Opt.
-/// 17, 1131 (1978).
+/// Area of the part of the unit circle beyond a chord at the signed distance c from its centre:
+/// acos c - c sqrt(1 - c^2), of all or nothing where |c| > 1. It is z^(3/2), z = (1 - |c|) / 2,
+/// times a smooth function of z, here the polynomial that agrees with it in the 11 Chebyshev points
+/// of 0
+/// <= z <= 1/2: within 2e-11, without the branches of libm's acos.
+template <class T>
+T circle_segment(const T& c) {
+  using std::abs;
+  using std::copysign;
+  using std::sqrt;
+  const T y = T(1) - abs(c);
+  const T z = T(0.25) * (y + abs(y));
+  const T z2 = z * z;
+  const T z4 = z2 * z2;
+  const T smooth =
+      T(5.3333333333144415) - z * T(1.5999999908713376) -
+      z2 * (T(0.2857150095583558) + z * T(0.111088899115248)) -
+      z4 *
+          (T(0.05716456997533666) + z * T(0.030538626061875594) +
+           z2 * (T(0.03906948746394667) - z * T(0.04438307498947525)) +
+           z4 * (T(0.13851365559287485) - z * T(0.14903803779579894) + z2 * T(0.0969934875531382)));
+  return T(pi / 2) - copysign(T(pi / 2) - z * sqrt(z) * smooth, c);
+}
+
+/// Area common to two circles of radii r1 and r2 whose centres are d apart [m^2]; all >= 0. Source:
+/// elementary geometry (two circular segments), e.g. Harms, Lahmann & Weitkamp, Appl. Opt. 17, 1131
+/// (1978).
 template <class T>
 T circles_overlap(const T& r1, const T& r2, const T& d) {
-  using std::abs;
-  using std::acos;
-  using std::sqrt;
-  const T small = select(r1 < r2, r1, r2);
-  const T large = select(r1 < r2, r2, r1);
-  const Mask<T> apart = d >= r1 + r2;
-  const Mask<T> inside = d <= large - small;
-  const T simple = select(apart, T(0), T(pi) * small * small);
-  const Mask<T> lens = !(apart | inside);
-  if (!any(lens)) return simple;
-  // The general case, made harmless where it does not hold.
-  const T dd = select(lens, d, T(1));
-  const T a = select(lens, small, T(1));
-  const T b = select(lens, large, T(1));
-  const auto clamped = [](const T& c) {
-    return select(c > T(1), T(1), select(c < T(-1), T(-1), c));
-  };
-  const T cos_a = clamped((dd * dd + a * a - b * b) / (T(2) * dd * a));
-  const T cos_b = clamped((dd * dd + b * b - a * a) / (T(2) * dd * b));
-  const T area = a * a * (acos(cos_a) - cos_a * sqrt(T(1) - cos_a * cos_a)) +
-                 b * b * (acos(cos_b) - cos_b * sqrt(T(1) - cos_b * cos_b));
-  return select(lens, area, simple);
+  const T tiny = T(1e-30);  // [m^2], against 0 / 0
+  const T difference = (r1 - r2) * (r1 + r2);
+  const T c1 = (d * d + difference) / (T(2) * d * r1 + tiny);
+  const T c2 = (d * d - difference) / (T(2) * d * r2 + tiny);
+  return r1 * r1 * circle_segment(c1) + r2 * r2 * circle_segment(c2);
 }
 
 }  // namespace photic::instrument

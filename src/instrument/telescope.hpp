@@ -20,21 +20,22 @@ struct Telescope {
   T power{};  ///< 1 / focal length [1/m]
   T detector_radius{};
   T detector_distance{};   ///< from the lens: focal length + shift
+  T least_defocus{};       ///< a sharp image counts as a disc of 1e-5 of the detector's radius
   T cos_squared_widest{};  ///< see cos_squared_of_widest_view()
   bool submerged = false;
 
   /// Whether light that rises from below may fall on the detector of a telescope in the air, if it
-  /// moves aside in the direction of (tx, ty) at an angle to the vertical whose tangent is at least
-  /// the length of that vector.
-  Mask<T> may_see_beyond(const T& tx, const T& ty) const {
-    // With t the vector: -cos(off axis) sqrt(1 + t^2) = axis.t + axis.z; beyond the angle the
+  /// moves aside in the direction of (x, y) at an angle to the vertical whose tangent is at least
+  /// the length of that vector over `rise` > 0.
+  Mask<T> may_see_beyond(const T& x, const T& y, const T& rise) const {
+    // With t = (x, y) / rise: -cos(off axis) sqrt(1 + t^2) = axis.t + axis.z; beyond the angle the
     // cosine has its best value at the angle or at its extremum.
-    const T aside = tx * axis.x + ty * axis.y;
-    const T tangent_squared = tx * tx + ty * ty;
-    const Mask<T> before_extremum = aside < tangent_squared * axis.z;
-    const T forward = -(aside + axis.z);
+    const T aside = x * axis.x + y * axis.y;
+    const T squared = x * x + y * y;
+    const Mask<T> before_extremum = aside * rise < squared * axis.z;
+    const T forward = -(aside + rise * axis.z);
     const Mask<T> inside =
-        (forward > T(0)) & (forward * forward >= cos_squared_widest * (T(1) + tangent_squared));
+        (forward > T(0)) & (forward * forward >= cos_squared_widest * (rise * rise + squared));
     return before_extremum | inside;
   }
 
@@ -43,27 +44,23 @@ struct Telescope {
     return T(pi) * (lens_radius * lens_radius - obstruction_radius * obstruction_radius);
   }
 
-  /// The share of the light entering the lens from a point at range z along the axis (z > 0) and at
-  /// the off-axis angle with the given tangent that falls on the detector: 0 outside the field of
-  /// view. The image is a disc of radius blur with the obstruction's shadow in it, shifted by q off
-  /// the axis; the share is that of its area on the detector (docs/theory.md, "The telescope";
-  /// Harms, Appl. Opt. 18, 1559 (1979)).
-  T overlap(const T& z, const T& tan_off_axis) const {
+  /// The share of the light entering the lens from a point at 1 / per_range along the axis (> 0)
+  /// and at the off-axis angle with the given tangent that falls on the detector: 0 outside the
+  /// field of view. The image is a disc of radius blur with the obstruction's shadow in it, shifted
+  /// by q off the axis; the share is that of its area on the detector (docs/theory.md, "The
+  /// telescope"; Harms, Appl. Opt. 18, 1559 (1979)).
+  T overlap(const T& per_range, const T& tan_off_axis) const {
     using std::abs;
-    const T defocus = abs(T(1) - detector_distance * (power - T(1) / z));
-    const T blur = lens_radius * defocus;
+    const T defocus = abs(T(1) - detector_distance * (power - per_range));
+    const T spread = select(defocus > least_defocus, defocus, least_defocus);
+    const T blur = lens_radius * spread;
     const T q = detector_distance * tan_off_axis;
-    const Mask<T> whole = q + blur <= detector_radius;
-    const Mask<T> partial = !(whole | (q >= detector_radius + blur));
-    if (!any(partial)) return select(whole, T(1), T(0));
-    const T shadow = obstruction_radius * defocus;
+    if (all(q >= detector_radius + blur)) return T(0);
+    const T shadow = obstruction_radius * spread;
     const T image_area = T(pi) * (blur * blur - shadow * shadow);
-    const Mask<T> sharp = blur < T(1e-6) * detector_radius;
-    const T lit =
-        circles_overlap(detector_radius, blur, q) - circles_overlap(detector_radius, shadow, q);
-    const T step = select(q < detector_radius, T(1), T(0));
-    const T share = select(sharp, step, lit / select(sharp, T(1), image_area));
-    return select(partial, share, select(whole, T(1), T(0)));
+    T lit = circles_overlap(detector_radius, blur, q);
+    if (any(shadow > T(0))) lit = lit - circles_overlap(detector_radius, shadow, q);
+    return lit / image_area;
   }
 };
 
@@ -73,13 +70,18 @@ inline double cos_squared_of_widest_view(const scene::Telescope& s) {
   if (s.position_m.z < 0) return 0.0;
   const double f = s.focal_length_m;
   const double x = f + s.detector_shift_m;
-  // The blur is widest at one end of the ranges along the axis: infinity, or for off-axis cosines
-  // above 1/2 no less than half the height.
-  const double blur_far = std::abs(1 - x / f);
-  const double blur_near = std::abs(1 - x * (1 / f - 2 / s.position_m.z));
-  const double reach =
-      s.effective_detector_diameter_m() / 2 + s.diameter_m / 2 * std::max(blur_far, blur_near);
-  const double cosine = std::cos(std::atan(reach / x)) * (1 - 1e-6);
+  // The blur is widest at one end of the ranges along the axis: infinity, or the height times the
+  // off-axis cosine. That begins with 1/2; each round narrows the view and lifts the near end.
+  double cosine = 0.5;
+  for (int round = 0; round < 5; ++round) {
+    const double blur_far = std::abs(1 - x / f);
+    const double blur_near = std::abs(1 - x * (1 / f - 1 / (cosine * s.position_m.z)));
+    const double reach =
+        s.effective_detector_diameter_m() / 2 + s.diameter_m / 2 * std::max(blur_far, blur_near);
+    const double widest = std::cos(std::atan(reach / x)) * (1 - 1e-6);
+    if (widest < cosine) break;
+    cosine = widest;
+  }
   return cosine > 0.5 ? cosine * cosine : 0.0;
 }
 
@@ -94,6 +96,7 @@ Telescope<T> make_telescope(const scene::Telescope& s) {
   t.power = T(1 / s.focal_length_m);
   t.detector_radius = T(s.effective_detector_diameter_m() / 2);
   t.detector_distance = T(s.focal_length_m + s.detector_shift_m);
+  t.least_defocus = T(1e-5) * t.detector_radius / t.lens_radius;
   t.submerged = s.position_m.z < 0;
   t.cos_squared_widest = T(cos_squared_of_widest_view(s));
   return t;

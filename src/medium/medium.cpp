@@ -15,7 +15,7 @@ using optics::PhaseView;
 /// c.
 constexpr double least_walk_share = 0.2;
 
-constexpr std::size_t nodes = PhaseView::cells + 1;
+constexpr std::size_t table_size = PhaseView::cells * PhaseView::fields;
 
 }  // namespace
 
@@ -26,19 +26,13 @@ const char* process_name(Process process) {
 
 std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
   const PhaseView v = table.view();
-  const auto count = static_cast<std::int32_t>(core_value_.size());
+  const std::int32_t count = static_cast<std::int32_t>(phase_cells_.size() / table_size);
   for (std::int32_t i = 0; i < count; ++i) {
-    const auto* there = node_.data() + static_cast<std::size_t>(i) * nodes;
-    if (core_value_[static_cast<std::size_t>(i)] == *v.core_value &&
-        std::equal(v.node, v.node + nodes, there)) {
-      return i;
-    }
+    const auto* there = phase_cells_.data() + static_cast<std::size_t>(i) * table_size;
+    if (std::equal(v.cell, v.cell + table_size, there)) return i;
   }
-  node_.insert(node_.end(), v.node, v.node + nodes);
-  slope_.insert(slope_.end(), v.slope, v.slope + nodes);
-  cdf_.insert(cdf_.end(), v.cdf, v.cdf + nodes);
-  guide_.insert(guide_.end(), v.guide, v.guide + PhaseView::guides);
-  core_value_.push_back(*v.core_value);
+  phase_cells_.insert(phase_cells_.end(), v.cell, v.cell + table_size);
+  phase_guides_.insert(phase_guides_.end(), v.guide, v.guide + PhaseView::guides);
   return count;
 }
 
@@ -49,7 +43,8 @@ std::vector<double> Medium::depth_integrals(const std::vector<double>& coefficie
     double sum = 0;
     out.push_back(sum);
     for (std::size_t k = 0; k < n_layers; ++k) {
-      sum += coefficient[l * n_layers + k] * (top[k + 1] - top[k]);
+      const double per_metre = coefficient[l * n_layers + k];
+      if (per_metre > 0) sum += per_metre * (top[k + 1] - top[k]);  // the last layer has no end
       out.push_back(sum);
     }
   }
@@ -71,10 +66,15 @@ void Medium::finish() {
     inverse_index_.push_back(1 / l.refractive_index);
     group_index_.push_back(l.group_index);
   }
-  for (std::size_t i = 0; i < cells; ++i)
-    walk_c_.push_back(c[i] * std::max(albedo[i], least_walk_share));
+  for (std::size_t i = 0; i < cells; ++i) {
+    const double share = std::max(albedo[i], least_walk_share);
+    walk_c_.push_back(c[i] * share);
+    continuous_c_.push_back(c[i] * (1 - share));
+    collision_gain_.push_back(1 / share);
+  }
   depth_tau_ = depth_integrals(c);
   walk_depth_tau_ = depth_integrals(walk_c_);
+  continuous_depth_tau_ = depth_integrals(continuous_c_);
   convertible_.assign(cells, 0);
   for (std::size_t k = 0; k < n_layers; ++k) {
     std::int32_t count = 0;
@@ -98,6 +98,9 @@ MediumView Medium::view() const {
   v.depth_tau = depth_tau_.data();
   v.walk_c = walk_c_.data();
   v.walk_depth_tau = walk_depth_tau_.data();
+  v.continuous_c = continuous_c_.data();
+  v.continuous_depth_tau = continuous_depth_tau_.data();
+  v.collision_gain = collision_gain_.data();
   v.conversion = conversion.data();
   v.absorption = absorption.data();
   v.convertible = convertible_.data();
@@ -107,11 +110,8 @@ MediumView Medium::view() const {
   v.group_index = group_index_.data();
   v.elastic_phase = elastic_phase.data();
   v.conversion_phase = conversion_phase.data();
-  v.phases.node = node_.data();
-  v.phases.slope = slope_.data();
-  v.phases.cdf = cdf_.data();
-  v.phases.guide = guide_.data();
-  v.phases.core_value = core_value_.data();
+  v.phases.cell = phase_cells_.data();
+  v.phases.guide = phase_guides_.data();
   return v;
 }
 

@@ -31,6 +31,9 @@ struct MediumView {
   const double* walk_c = nullptr;  ///< coefficient that free paths are drawn from, [line][layer]
   const double* walk_depth_tau =
       nullptr;  ///< its integral from the surface to a layer's top, [line][layers + 1]
+  const double* continuous_c = nullptr;  ///< c less walk_c, absorbed along the way, [line][layer]
+  const double* continuous_depth_tau = nullptr;  ///< its integral, as above
+  const double* collision_gain = nullptr;        ///< c / walk_c, [line][layer]
   const double* conversion =
       nullptr;  ///< share of a collision at line 0 that emits at this line, [line][layer]
   const double* absorption = nullptr;  ///< share of a collision that ends the photon, [line][layer]
@@ -69,6 +72,12 @@ struct MediumView {
   T walk_slant_optical_depth(const Index<T>& line, const Index<T>& layer1, const T& depth1,
                              const Index<T>& layer2, const T& depth2, const T& length) const {
     return slant<T>(walk_c, walk_depth_tau, line, layer1, depth1, layer2, depth2, length);
+  }
+  template <class T>
+  T continuous_slant_optical_depth(const Index<T>& line, const Index<T>& layer1, const T& depth1,
+                                   const Index<T>& layer2, const T& depth2, const T& length) const {
+    return slant<T>(continuous_c, continuous_depth_tau, line, layer1, depth1, layer2, depth2,
+                    length);
   }
 
  private:
@@ -124,10 +133,11 @@ class Medium {
   /// Integrals over depth from the surface to the layers' edges, [line][layers + 1].
   [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
 
-  std::vector<double> depth_tau_, walk_c_, walk_depth_tau_, index_, inverse_index_, group_index_;
+  std::vector<double> depth_tau_, walk_c_, walk_depth_tau_, continuous_c_, continuous_depth_tau_,
+      collision_gain_, index_, inverse_index_, group_index_;
   std::vector<std::int32_t> convertible_, convertible_count_;
-  std::vector<double> node_, slope_, cdf_, core_value_;
-  std::vector<std::int32_t> guide_;
+  std::vector<double> phase_cells_;  ///< of all tables, one behind the other
+  std::vector<std::int32_t> phase_guides_;
 };
 
 }  // namespace photic::medium

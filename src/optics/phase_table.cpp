@@ -8,11 +8,9 @@
 namespace photic::optics {
 namespace {
 
-/// Lower edge of cell i.
-double edge(int i) {
-  return octave_edge<double>(i + PhaseView::core_exponent * (1 << PhaseView::cell_bits),
-                             PhaseView::cell_bits);
-}
+/// Number of cells outside the core, and the lower edge of the one numbered i from 0.
+constexpr int outer_cells = PhaseView::cells - 1;
+double edge(int i) { return PhaseView::edge<double>(i + 1); }
 
 /// Integral over a cell of 2 pi p(x) for the straight line between its nodes.
 double mass(const std::vector<double>& node, int i) {
@@ -24,7 +22,7 @@ std::vector<double> nodes_of(const PhaseShape& shape) {
   // Far below any real value, but not 0: sample() divides by the sum of the nodes of a cell.
   constexpr double least = 1e-30;
   std::vector<double> node;
-  for (int i = 0; i <= PhaseView::cells; ++i) {
+  for (int i = 0; i <= outer_cells; ++i) {
     const double p = shape.p(edge(i));
     expect(std::isfinite(p) && p >= 0,
            "a phase function is finite and not negative outside its core");
@@ -38,47 +36,49 @@ std::vector<double> nodes_of(const PhaseShape& shape) {
 double table_integral(const PhaseShape& shape) {
   const std::vector<double> node = nodes_of(shape);
   double sum = shape.core_mass;
-  for (int i = 0; i < PhaseView::cells; ++i) sum += mass(node, i);
+  for (int i = 0; i < outer_cells; ++i) sum += mass(node, i);
   return sum;
 }
 
-PhaseTable::PhaseTable(const PhaseShape& shape) : node_(nodes_of(shape)) {
+PhaseTable::PhaseTable(const PhaseShape& shape) {
   expect(shape.core_mass >= 0 && shape.core_mass <= 1,
          "the core of a phase function holds a share of it");
-  double sum = shape.core_mass;
-  for (int i = 0; i < PhaseView::cells; ++i) {
-    cdf_.push_back(sum);
-    sum += mass(node_, i);
-  }
-  cdf_.push_back(sum);
-  expect(std::abs(sum - 1) <= 1e-4, "a phase function integrates to 1");
-  for (double& p : node_) p /= sum;
-  for (double& share : cdf_) share /= sum;
-  for (int i = 0; i < PhaseView::cells; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    slope_.push_back((node_[k + 1] - node_[k]) / (edge(i + 1) - edge(i)));
-  }
-  slope_.push_back(0.0);
-  core_value_ = cdf_.front() / (2 * pi * PhaseView::x_core);
+  const std::vector<double> node = nodes_of(shape);
+  const double whole = table_integral(shape);
+  expect(std::abs(whole - 1) <= 1e-4, "a phase function integrates to 1");
 
-  std::size_t above = 0;  // first cell whose cdf is above u
+  const auto add = [&](double cdf, double mass, double p, double slope) {
+    cell_.insert(cell_.end(), {cdf, cdf + mass, p, slope});
+    return cdf + mass;
+  };
+  const double core_mass = shape.core_mass / whole;
+  double sum = add(0.0, core_mass, core_mass / (2 * pi * PhaseView::x_core), 0.0);
+  for (int i = 0; i < outer_cells; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double slope = (node[k + 1] - node[k]) / (edge(i + 1) - edge(i));
+    sum = add(sum, mass(node, i) / whole, node[k] / whole, slope / whole);
+  }
+
+  std::int32_t last = 0;
   for (int k = 0; k < PhaseView::guides; ++k) {
     const double u = static_cast<double>(k) / PhaseView::guides;
-    while (above < PhaseView::cells && cdf_[above] <= u) ++above;
-    guide_.push_back(static_cast<std::int32_t>(above) - 1);
+    while (last + 1 < PhaseView::cells && at(last + 1, PhaseView::cdf) <= u) ++last;
+    guide_.push_back(last);
   }
 }
 
-PhaseView PhaseTable::view() const {
-  return {node_.data(), slope_.data(), cdf_.data(), guide_.data(), &core_value_};
+double PhaseTable::at(std::int32_t cell, PhaseView::Field field) const {
+  return cell_[static_cast<std::size_t>(cell * PhaseView::fields + field)];
 }
 
+PhaseView PhaseTable::view() const { return {cell_.data(), guide_.data()}; }
+
 double PhaseTable::mean_cosine() const {
-  double mean_x = cdf_.front() * PhaseView::x_core / 2;
-  for (int i = 0; i < PhaseView::cells; ++i) {
+  double mean_x = at(0, PhaseView::cdf_end) * PhaseView::x_core / 2;
+  for (int i = 0; i < outer_cells; ++i) {
     const double x0 = edge(i), x1 = edge(i + 1);
-    const double p0 = node_[static_cast<std::size_t>(i)],
-                 p1 = node_[static_cast<std::size_t>(i) + 1];
+    const double p0 = at(i + 1, PhaseView::node);
+    const double p1 = p0 + at(i + 1, PhaseView::slope) * (x1 - x0);
     // Integral of x times a straight line.
     mean_x += 2 * pi * (x1 - x0) * (p0 * (2 * x0 + x1) + p1 * (x0 + 2 * x1)) / 6;
   }
@@ -86,9 +86,8 @@ double PhaseTable::mean_cosine() const {
 }
 
 double PhaseTable::backscatter_fraction() const {
-  constexpr auto at_90_degrees =
-      static_cast<std::size_t>(PhaseView::cells - (1 << PhaseView::cell_bits));
-  return 1 - cdf_[at_90_degrees];
+  constexpr int at_90_degrees = PhaseView::cells - (1 << PhaseView::cell_bits);
+  return 1 - at(at_90_degrees, PhaseView::cdf);
 }
 
 }  // namespace photic::optics

@@ -36,7 +36,9 @@ Gates::Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines)
   min_ = interval.min;
   max_ = interval.max;
   step_ = (max_ - min_) / count_;
-  per_step_ = 1.0 / step_;
+  knee_gate_ = (scale_.knee_coordinate - min_) / step_;
+  per_metre_before_ = 1 / (scale_.slope_before * step_);
+  per_metre_after_ = 1 / (scale_.slope_after * step_);
 }
 
 double Gates::edge_path(std::int32_t edge) const {

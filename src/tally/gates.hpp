@@ -38,7 +38,8 @@ class Gates {
 
   /// The gate that a group path [m] falls into, or -1.
   [[nodiscard]] std::int32_t find(double path) const {
-    const double gate = (scale_.coordinate(path) - min_) * per_step_;
+    const double rest = path - scale_.knee_path;
+    const double gate = knee_gate_ + rest * (rest < 0 ? per_metre_before_ : per_metre_after_);
     return gate >= 0 && gate < count_ ? static_cast<std::int32_t>(gate) : -1;
   }
 
@@ -64,7 +65,8 @@ class Gates {
   double refractive_index_ = 1, laser_group_index_ = 1;
   bool by_depth_ = false, depth_is_range_ = false;
   PathScale scale_;
-  double min_ = 0, step_ = 1, per_step_ = 1, max_ = 1;
+  double min_ = 0, step_ = 1, max_ = 1;
+  double knee_gate_ = 0, per_metre_before_ = 1, per_metre_after_ = 1;  ///< of scale_, in gates
   std::int32_t count_ = 0;
 };
 

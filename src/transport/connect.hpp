@@ -24,38 +24,50 @@ struct Connection {
   T path{};           ///< length times group index [m]
 };
 
-/// tan of the angle in air under which a point `depth` below a flat surface is seen from `height`
-/// above it and aside of it, to within a few per cent at any angle and t^5 at small ones: the root
-/// of
-///   height t + depth t / sqrt(n^2 + (n^2-1) t^2) = aside
-/// to the third order in its paraxial value n aside / (n height + depth), which is never above the
-/// root. `share` is depth / (n height + depth), `inverse_n` 1 / n.
+/// A point in the water is seen from the air as if it stood on its own vertical at the apparent
+/// rise h + d / sqrt(n^2 + (n^2-1) t^2) below: h the height over the flat surface, d the point's
+/// depth, t the tangent of the angle in air. 1 over that rise is the root s of
+///   s (h + d / sqrt(n^2 + (n^2-1) s^2 aside^2)) = 1
+/// and this its series in t^2, never above the root.
 template <class T>
-T crossing_tangent_start(const T& inverse_n, const T& share, const T& paraxial) {
-  const T cubic = T(0.5) * (T(1) - inverse_n * inverse_n) * share * paraxial * paraxial;
-  return paraxial * (T(1) + select(cubic < T(0.1), cubic, T(0.1)));
+struct CrossingStart {
+  T per_rise;
+  T error;  ///< relative, about what the series leaves out: its next term
+};
+template <class T>
+CrossingStart<T> crossing_start(const T& inverse_n, const T& depth, const T& height,
+                                const T& aside_squared) {
+  const T seen_depth = depth * inverse_n;
+  const T paraxial = T(1) / (height + seen_depth);
+  const T share = seen_depth * paraxial;
+  const T bend = (T(1) - inverse_n * inverse_n) * (aside_squared * paraxial * paraxial);
+  const T series = T(0.5) + bend * (T(0.75) * share - T(0.375) +
+                                    bend * (T(1.5) * share * (share - T(1)) + T(0.3125)));
+  const T correction = select(bend < T(0.25), bend * series, T(0.15)) * share;
+  const T squared = bend * bend;
+  return {paraxial + paraxial * correction, T(35.0 / 128) * share * squared * squared};
 }
 
-/// The root itself by Newton's steps from there. The left side is concave in t: steps from above
-/// the root lead below it, steps from below rise towards it and never overshoot. Errors square with
-/// each step, so the last one needs to be no better than the root of the rounding.
+/// The root by Newton's steps from there. The left side is concave in s: steps from above the root
+/// lead below it, steps from below rise towards it and never overshoot. A step squares the error,
+/// times no more than t^2: this tells which one is the last. Small angles need none.
 template <class T>
-T crossing_tangent(const T& n, const T& depth, const T& height, const T& aside, const T& start) {
-  using std::abs;
+T crossing(const T& n, const T& depth, const T& height, const T& aside_squared,
+           const CrossingStart<T>& start) {
   using std::sqrt;
   const T n2 = n * n;
-  const T enough = T(std::sqrt(std::numeric_limits<Element<T>>::epsilon())) * aside;
-  T t = start;
-  Mask<T> open(true);  // a lane that is done rests, whatever the others still need
-  for (int step = 0; step < 60; ++step) {
-    const T q = T(1) / (n2 + (n2 - T(1)) * t * t);
+  T s = start.per_rise;
+  // A lane that is done rests, whatever the others still need.
+  Mask<T> open = start.error > T(4 * std::numeric_limits<Element<T>>::epsilon());
+  for (int step = 0; step < 60 && any(open); ++step) {
+    const T t2 = s * s * aside_squared;
+    const T q = T(1) / (n2 + (n2 - T(1)) * t2);
     const T root = sqrt(q);
-    const T excess = height * t + depth * t * root - aside;
-    t = select(open, t - excess / (height + depth * n2 * q * root), t);
-    open = open & (abs(excess) > enough);
-    if (!any(open)) break;
+    const T excess = s * (height + depth * root) - T(1);
+    s = select(open, s - excess / (height + depth * n2 * q * root), s);
+    open = open & (excess * excess * t2 > T(std::numeric_limits<Element<T>>::epsilon()));
   }
-  return t;
+  return s;
 }
 
 /// Solid angle in medium 1 (index n, path l1, cosine c1 to the vertical) per area across the ray in
@@ -82,49 +94,43 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T n = gather<T>(sea.index, line);
   const T inverse_n = gather<T>(sea.inverse_index, line);
   const T depth = -at.position.z;
+  const T height = telescope.position.z;
   const T dx = telescope.position.x - at.position.x;
   const T dy = telescope.position.y - at.position.y;
-  const T height = telescope.position.z;
+  const T aside_squared = dx * dx + dy * dy;
 
   // Most points lie far outside the field of view; the true angle is never below the paraxial one.
-  const T per_height = T(1) / (n * height + depth);
-  const T scale = n * per_height;
-  const Mask<T> near_view = telescope.may_see_beyond(scale * dx, scale * dy);
+  const Mask<T> near_view = telescope.may_see_beyond(dx, dy, height + depth * inverse_n);
   if (!(aims || any(near_view))) return way;
-  const T aside = sqrt(dx * dx + dy * dy);
-  const T inverse_aside = select(aside > T(0), T(1) / select(aside > T(0), aside, T(1)), T(0));
-  const T ex = dx * inverse_aside;
-  const T ey = dy * inverse_aside;
-  const T start = crossing_tangent_start(inverse_n, depth * per_height, scale * aside);
-  T tangent = start;
+  const auto start = crossing_start(inverse_n, depth, height, aside_squared);
+  T per_rise = start.per_rise;
   if (any(near_view))
-    tangent = select(near_view, crossing_tangent(n, depth, height, aside, start), start);
+    per_rise = select(near_view, crossing(n, depth, height, aside_squared, start), per_rise);
 
-  const T secant_air = sqrt(T(1) + tangent * tangent);
+  const T tangent_squared = per_rise * per_rise * aside_squared;
+  const T secant_air = sqrt(T(1) + tangent_squared);
+  const T slowness = sqrt(n * n + (n * n - T(1)) * tangent_squared);  // n secant_air cos_water
   const T cos_air = T(1) / secant_air;
-  const T sin_air = tangent * cos_air;
-  const T sin_water = sin_air * inverse_n;
-  const T cos_water = sqrt(T(1) - sin_water * sin_water);
-  const Vec3<T> arriving{ex * sin_air, ey * sin_air, cos_air};
-
-  way.direction = {ex * sin_water, ey * sin_water, cos_water};
-  const T secant_water = T(1) / cos_water;
-  const T in_water = depth * secant_water;
-  const T in_air = height * secant_air;
-  const T apparent = in_air + in_water * inverse_n;
-  const T cos_off_axis = -dot(arriving, telescope.axis);
-  way.in_front = cos_off_axis > T(0);
+  const T cos_water = slowness * cos_air * inverse_n;
+  const T sideways = per_rise * cos_air * inverse_n;
+  way.direction = {dx * sideways, dy * sideways, cos_water};
+  const Vec3<T> arriving{dx * per_rise, dy * per_rise, T(1)};  // times secant_air
+  const T towards = -dot(arriving, telescope.axis);
+  way.in_front = towards > T(0);
   if (!any(near_view)) return way;
-  const T safe_cos = select(way.in_front, cos_off_axis, T(1));
-  const T tan_off_axis = length(cross(arriving, telescope.axis)) / safe_cos;
-  const T overlap = telescope.overlap(apparent * safe_cos, tan_off_axis);
+  const T safe_towards = select(way.in_front, towards, T(1));
+  const T tan_off_axis = length(cross(arriving, telescope.axis)) / safe_towards;
+  const T overlap = telescope.overlap(per_rise / safe_towards, tan_off_axis);
   const Mask<T> seen = near_view & way.in_front & (overlap > T(0));
   if (!any(seen)) return way;
+  const T secant_water = n * secant_air / slowness;
+  const T in_water = depth * secant_water;
+  const T in_air = height * secant_air;
   const T transmitted = T(1) - optics::fresnel_reflectance(n, T(1), cos_water, cos_air);
   const T per_area =
       refracted_solid_angle_per_area(inverse_n, in_water, cos_water, in_air, cos_air);
-  way.acceptance =
-      select(seen, per_area * telescope.area() * safe_cos * overlap * transmitted, T(0));
+  way.acceptance = select(
+      seen, per_area * telescope.area() * (safe_towards * cos_air) * overlap * transmitted, T(0));
   way.optical_depth = sea.optical_depth<T>(line, at.layer, depth) * secant_water;
   way.path = in_air + in_water * gather<T>(sea.group_index, line);
   return way;
@@ -174,7 +180,7 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
   way.in_front = apart & (cos_off_axis > T(0));
   const T safe_cos = select(way.in_front, cos_off_axis, T(1));
   const T tan_off_axis = length(cross(arriving, telescope.axis)) / safe_cos;
-  const T overlap = telescope.overlap(distance * safe_cos, tan_off_axis);
+  const T overlap = telescope.overlap(T(1) / (distance * safe_cos), tan_off_axis);
   const Mask<T> seen = way.in_front & (overlap > T(0));
   if (!any(seen)) return way;
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/elementary.hpp"
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
 #include "transport/photon.hpp"
@@ -22,9 +23,7 @@ struct FlightEnd {
 /// and c / c' at a collision.
 template <class T>
 FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
-  using std::exp;
-  using std::log;
-  const T free_path = -log(u);
+  const T free_path = minus_log(u);
   const T down = -photon.direction.z;
   const T depth = -photon.position.z;
   const T target = sea.walk_optical_depth<T>(photon.line, photon.layer, depth) + free_path * down;
@@ -61,15 +60,13 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
     there = photon.position + distance * photon.direction;
     there.z = select(stays, there.z, -depth_at_end);
   }
-  const T tau =
-      sea.slant_optical_depth<T>(photon.line, photon.layer, depth, layer, -there.z, distance);
-  const T walk_tau =
-      sea.walk_slant_optical_depth<T>(photon.line, photon.layer, depth, layer, -there.z, distance);
+  const T absorbed_tau = sea.continuous_slant_optical_depth<T>(photon.line, photon.layer, depth,
+                                                               layer, -there.z, distance);
   photon.position = there;
   photon.layer = layer;
   photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
-  const T here = gather<T>(sea.c, sea.at(photon.line, layer));
-  const T ratio = exp(walk_tau - tau) * select(stopped, T(1), here / walk_c);
+  const T gain = gather<T>(sea.collision_gain, sea.at(photon.line, layer));
+  const T ratio = exp_minus(absorbed_tau) * select(stopped, T(1), gain);
   photon.weight = photon.weight * ratio;
   photon.analog_weight = photon.analog_weight * ratio;
   return end;

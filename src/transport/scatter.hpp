@@ -18,8 +18,8 @@ struct Targets {
   std::array<Vec3<T>, capacity> direction;
   std::array<T, capacity> cone;  ///< 1 - cos of the half angle; 0: a lobe
   std::array<Mask<T>, capacity> usable;
-  int count = 0;     ///< entries filled in
-  T usable_count{};  ///< entries usable, lane by lane
+  int count = 0;      ///< entries filled in
+  T usable_count{0};  ///< entries usable, lane by lane
 
   void clear() {
     count = 0;

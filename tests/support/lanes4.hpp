@@ -86,6 +86,9 @@ Mask4 operator==(const Pack4<E>& a, const Pack4<E>& b) {
   return lane_by_lane([](E x, E y) { return x == y; }, a, b);
 }
 
+inline Index4 operator>>(const Index4& a, int bits) {
+  return lane_by_lane([bits](std::int32_t x) { return x >> bits; }, a);
+}
 inline Index4 operator&(const Index4& a, const Index4& b) {
   return lane_by_lane([](std::int32_t x, std::int32_t y) { return x & y; }, a, b);
 }
@@ -127,6 +130,9 @@ inline Lanes4 acos(const Lanes4& x) {
 }
 inline Lanes4 abs(const Lanes4& x) {
   return lane_by_lane([](double v) { return std::abs(v); }, x);
+}
+inline Lanes4 copysign(const Lanes4& x, const Lanes4& sign) {
+  return lane_by_lane([](double v, double s) { return std::copysign(v, s); }, x, sign);
 }
 
 // Found by the unqualified calls through the namespace of their integer lanes.

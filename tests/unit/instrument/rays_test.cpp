@@ -78,7 +78,7 @@ TEST(Overlap, IsTheShareOfRaysOnTheDetector) {
   for (const Case& c : cases) {
     auto scene = table_1_shifted(c.shift_m);
     scene.obstruction_diameter_m = c.obstruction_m;
-    const double eta = make_telescope<double>(scene).overlap(c.z, c.tan_off_axis);
+    const double eta = make_telescope<double>(scene).overlap(1 / c.z, c.tan_off_axis);
     const int hits = rays_on_detector(scene, c.z, c.tan_off_axis, random);
     EXPECT_GT(p_value(hits, eta), 0.01 / static_cast<double>(cases.size()))
         << c.what << ": eta " << eta << ", rays " << hits / double{rays};
@@ -88,7 +88,7 @@ TEST(Overlap, IsTheShareOfRaysOnTheDetector) {
 TEST(Overlap, OfTheNearFieldBehindTheObstructionIsNothing) {
   auto scene = table_1();
   scene.obstruction_diameter_m = 0.2;
-  EXPECT_EQ(make_telescope<double>(scene).overlap(3.0, 0.0), 0);
+  EXPECT_EQ(make_telescope<double>(scene).overlap(1 / 3.0, 0.0), 0);
 }
 
 // Random telescopes, half of the points near the edge of the image. At 1 % for the whole family.
@@ -105,7 +105,7 @@ TEST(Overlap, OfRandomTelescopesIsTheShareOfRaysOnTheDetector) {
     const double edge =
         random.between(std::abs(blur - t.detector_radius), blur + t.detector_radius);
     const double tan_off_axis = (i % 4 == 0 ? 0.0 : edge) / t.detector_distance;
-    const double eta = t.overlap(z, tan_off_axis);
+    const double eta = t.overlap(1 / z, tan_off_axis);
     partly += eta > 0.001 && eta < 0.999;
     const int hits = rays_on_detector(scene, z, tan_off_axis, random);
     EXPECT_GT(p_value(hits, eta), 0.01 / telescopes)

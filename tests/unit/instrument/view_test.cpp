@@ -12,10 +12,9 @@ constexpr double n = 1.34;
 
 /// A point in the water as a telescope sees it.
 struct Sight {
-  double tx,
-      ty;  ///< what the quick test is asked: the paraxial tangent, and where the light moves aside
-  double overlap;   ///< what is on the detector
-  double off_axis;  ///< [rad]
+  double x, y, rise;  ///< what the quick test is asked: the way aside, and the paraxial rise
+  double overlap;     ///< what is on the detector
+  double off_axis;    ///< [rad]
 };
 
 /// Follows a ray from the lens, `off` from the axis at some azimuth, back into the water to a
@@ -30,12 +29,11 @@ bool look(const Telescope<double>& t, double off, double azimuth, double depth, 
   const double in_water = depth / cos_water;
   const double aside = in_air * sin_air + in_water * sin_water;
   // Towards the telescope.
-  const double tangent_over_sine =
-      sin_air > 0 ? n * aside / (n * t.position.z + depth) / sin_air : 0;
-  sight.tx = -ray.x * tangent_over_sine;
-  sight.ty = -ray.y * tangent_over_sine;
+  sight.x = sin_air > 0 ? -ray.x * aside / sin_air : 0;
+  sight.y = sin_air > 0 ? -ray.y * aside / sin_air : 0;
+  sight.rise = t.position.z + depth / n;
   const double apparent = in_air + in_water / n;
-  sight.overlap = t.overlap(apparent * std::cos(off), std::tan(off));
+  sight.overlap = t.overlap(1 / (apparent * std::cos(off)), std::tan(off));
   sight.off_axis = off;
   return true;
 }
@@ -57,7 +55,7 @@ TEST(MaySeeBeyond, NeverLeavesOutWhatIsSeen) {
       Sight sight{};
       if (!look(t, off, random.between(0, 2 * pi), depth, sight)) continue;
       ++asked;
-      const bool kept = t.may_see_beyond(sight.tx, sight.ty);
+      const bool kept = t.may_see_beyond(sight.x, sight.y, sight.rise);
       if (sight.overlap > 0) {
         ++seen;
         ASSERT_TRUE(kept) << "off axis " << off << " depth " << depth << " height " << t.position.z;
@@ -77,7 +75,7 @@ TEST(MaySeeBeyond, LeavesOutMostOfWhatIsNotSeen) {
     ASSERT_TRUE(
         look(t, random.between(0.1, 1), random.between(0, 2 * pi), random.scale(0.1, 50), sight));
     ASSERT_EQ(sight.overlap, 0);
-    ASSERT_FALSE(t.may_see_beyond(sight.tx, sight.ty)) << sight.off_axis;
+    ASSERT_FALSE(t.may_see_beyond(sight.x, sight.y, sight.rise)) << sight.off_axis;
   }
 }
 

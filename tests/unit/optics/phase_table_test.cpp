@@ -7,18 +7,17 @@
 namespace photic::optics {
 namespace {
 
-double edge(int cell) {
-  return octave_edge<double>(cell + PhaseView::core_exponent * (1 << PhaseView::cell_bits),
-                             PhaseView::cell_bits);
-}
+constexpr int outer_cells = PhaseView::cells - 1;
+double edge(int outer_cell) { return PhaseView::edge<double>(outer_cell + 1); }
 
 /// The probability of less than x under the view's value(): the integral of straight lines.
 double probability_below(const PhaseView& view, double x) {
-  if (x < PhaseView::x_core) return 2 * pi * *view.core_value * x;
-  double sum = 2 * pi * *view.core_value * PhaseView::x_core;
-  for (int i = 0; i < PhaseView::cells && edge(i) < x; ++i) {
+  const double core_value = view.value(0.0);
+  if (x < PhaseView::x_core) return 2 * pi * core_value * x;
+  double sum = 2 * pi * core_value * PhaseView::x_core;
+  for (int i = 0; i < outer_cells && edge(i) < x; ++i) {
     const double end = std::min(x, edge(i + 1));
-    sum += pi * (view.node[i] + view.value(std::nextafter(end, 0.0))) * (end - edge(i));
+    sum += pi * (view.value(edge(i)) + view.value(std::nextafter(end, 0.0))) * (end - edge(i));
   }
   return sum;
 }
@@ -129,9 +128,10 @@ TEST(PhaseTable, SamplesTheEdgesOfItsCells) {
   };
   const PhaseTable table({p, 2 * PhaseView::x_core});
   const PhaseView view = table.view();
-  for (int i = 0; i < PhaseView::cells; ++i) {
-    const bool empty = view.cdf[i] == view.cdf[i + 1];
-    const double x = view.sample(view.cdf[i]);
+  for (int i = 0; i < outer_cells; ++i) {
+    const double* cell = view.cell + (i + 1) * PhaseView::fields;
+    const bool empty = cell[PhaseView::cdf] == cell[PhaseView::cdf_end];
+    const double x = view.sample(cell[PhaseView::cdf]);
     ASSERT_NEAR(x, empty ? 1.0 : edge(i), 1e-12) << i;
   }
 }

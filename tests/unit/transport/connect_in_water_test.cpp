@@ -71,7 +71,7 @@ TEST(ConnectInWater, DirectlyIsTheStraightLine) {
                 1e-9 * way.optical_depth);
     const double cosine = -dot(straight, scene.direction);
     const double eta = instrument::make_telescope<double>(scene).overlap(
-        distance * cosine, std::tan(std::acos(cosine)));
+        1 / (distance * cosine), std::tan(std::acos(cosine)));
     if (distance < 1) continue;  // nearer see LensSolidAngle
     ASSERT_NEAR(way.acceptance / (far_solid_angle(distance, cosine) * eta), 1,
                 distance > 10 ? 1e-4 : 0.02);
@@ -107,7 +107,7 @@ TEST(ConnectInWater, MirroredIsTheStraightLineToTheMirrorImage) {
                 1e-9 * way.optical_depth);
     const double cosine = -dot(arriving, scene.direction);
     const double eta = instrument::make_telescope<double>(scene).overlap(
-        distance * cosine, std::tan(std::acos(cosine)));
+        1 / (distance * cosine), std::tan(std::acos(cosine)));
     const double critical = std::asin(1 / light.refractive_index);
     const bool beyond = std::acos(straight.z) > critical;
     const double reflectance =

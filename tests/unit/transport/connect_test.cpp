@@ -89,7 +89,7 @@ TEST(ConnectThroughSurface, IsTheWayOfALightRay) {
     const double cos_off_axis = -dot(air, normalised(scene.direction));
     const double apparent = in_air + in_water / n;
     const double eta =
-        telescope.overlap(apparent * cos_off_axis, std::tan(std::acos(cos_off_axis)));
+        telescope.overlap(1 / (apparent * cos_off_axis), std::tan(std::acos(cos_off_axis)));
     const double area = pi * (0.1 * 0.1 - 0.025 * 0.025);
     const double factor =
         solid_angle_per_area(n, -photon.position.z, scene.position_m.z, std::acos(air.z));
@@ -122,7 +122,9 @@ TEST(ConnectThroughSurface, OutsideTheFieldOfViewIsADirectionOnlyForWhatAims) {
   EXPECT_TRUE(aimed.in_front);
   EXPECT_LT(aimed.direction.x, 0);
   // The refracted way, not the straight one: to a few per cent of its angle.
-  const double tangent = crossing_tangent(1.3415, 20.0, 12.0, 15.0, 0.5);
+  const double aside_squared = 15 * 15;
+  const double tangent = 15 * crossing(1.3415, 20.0, 12.0, aside_squared,
+                                       crossing_start(1 / 1.3415, 20.0, 12.0, aside_squared));
   EXPECT_NEAR(-aimed.direction.x, std::sin(std::atan(tangent)) / 1.3415, 0.02);
   EXPECT_EQ(connect_through_surface(sea.view(), telescope, far_aside, 0, false).acceptance, 0);
 }

@@ -14,7 +14,7 @@ namespace {
 using test::Random;
 
 // Seen red: before lanes that are done were kept from Newton's further steps.
-TEST(LanesOf, CrossingTangent) {
+TEST(LanesOf, Crossing) {
   Random random(21);
   for (int g = 0; g < groups; ++g) {
     Four<double> n, depth, height, aside;
@@ -26,17 +26,16 @@ TEST(LanesOf, CrossingTangent) {
     }
     const auto at = [](const auto& n_, const auto& depth_, const auto& height_,
                        const auto& aside_) {
-      const auto one = decltype(n_ + n_)(1);
-      const auto per_height = one / (n_ * height_ + depth_);
       const auto start =
-          crossing_tangent_start(one / n_, depth_ * per_height, n_ * aside_ * per_height);
-      return std::pair(start, crossing_tangent(n_, depth_, height_, aside_, start));
+          crossing_start(decltype(n_ + n_)(1) / n_, depth_, height_, aside_ * aside_);
+      return std::pair(start, crossing(n_, depth_, height_, aside_ * aside_, start));
     };
-    const auto [start, tangent] = at(pack(n), pack(depth), pack(height), pack(aside));
+    const auto [start, per_rise] = at(pack(n), pack(depth), pack(height), pack(aside));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto [one_start, one] = at(n[i], depth[i], height[i], aside[i]);
-      expect_same(start[i], one_start, "start");
-      expect_same(tangent[i], one, "tangent");
+      expect_same(start.per_rise[i], one_start.per_rise, "start");
+      expect_same(start.error[i], one_start.error, "its error");
+      expect_same(per_rise[i], one, "crossing");
     }
   }
 }

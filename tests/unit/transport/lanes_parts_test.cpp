@@ -118,25 +118,26 @@ TEST(LanesOf, OverlapAndView) {
     const auto scene = instrument::random_telescope(random);
     const auto telescope = instrument::make_telescope<double>(scene);
     const auto telescope4 = instrument::make_telescope<Lanes4>(scene);
-    Four<double> z, tan_off_axis, tx, ty;
+    Four<double> per_range, tan_off_axis, x, y, rise;
     for (std::size_t i = 0; i < lanes; ++i) {
-      z[i] = random.scale(0.1, 1000);
+      per_range[i] = random.scale(1e-3, 10);
       if (random.chance(0.1)) {  // in focus, if the telescope has one
-        z[i] = 1 / std::abs(1 / scene.focal_length_m - 1 / telescope.detector_distance);
-        sharp += std::isfinite(z[i]);
+        per_range[i] = 1 / scene.focal_length_m - 1 / telescope.detector_distance;
+        ++sharp;
       }
       tan_off_axis[i] =
           telescope.detector_radius / telescope.detector_distance * random.between(0, 3);
       const double azimuth = random.between(0, 2 * pi);
       const double tangent = random.scale(0.01, 10);
-      tx[i] = tangent * std::cos(azimuth);
-      ty[i] = tangent * std::sin(azimuth);
+      rise[i] = random.scale(0.1, 1000);
+      x[i] = rise[i] * tangent * std::cos(azimuth);
+      y[i] = rise[i] * tangent * std::sin(azimuth);
     }
-    const auto eta = telescope4.overlap(pack(z), pack(tan_off_axis));
-    const auto kept = telescope4.may_see_beyond(pack(tx), pack(ty));
+    const auto eta = telescope4.overlap(pack(per_range), pack(tan_off_axis));
+    const auto kept = telescope4.may_see_beyond(pack(x), pack(y), pack(rise));
     for (std::size_t i = 0; i < lanes; ++i) {
-      expect_same(eta[i], telescope.overlap(z[i], tan_off_axis[i]), "overlap");
-      expect_same(kept[i], telescope.may_see_beyond(tx[i], ty[i]), "view");
+      expect_same(eta[i], telescope.overlap(per_range[i], tan_off_axis[i]), "overlap");
+      expect_same(kept[i], telescope.may_see_beyond(x[i], y[i], rise[i]), "view");
       in_view += kept[i];
     }
   }
