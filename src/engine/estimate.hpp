@@ -73,7 +73,7 @@ void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Tar
     const Vec3<T> centre = view.centre - photon.position;
     if (targets.count == target_capacity || dot(centre, centre) == T(0)) return;
     const Vec3<T> axis = normalised(centre);
-    const T to_entry = cone_around(axis, view.approach.entry - photon.position, view.radius);
+    const T to_entry = cone_around(axis, view.cone.entry - photon.position, view.radius);
     const T to_end = cone_around(axis, view.end - photon.position, view.radius);
     targets.add(axis, std::max(to_entry, to_end), true);
   }
@@ -97,7 +97,7 @@ template <class T>
 void score_conversions(const World<T>& world, transport::Photon<T> photon,
                        const transport::ForcedUniforms<T>& u, tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
-  if (photon.line != 0 || !transport::force_collision(sea, photon, world.approaches, u)) return;
+  if (photon.line != 0 || !transport::force_collision(sea, photon, world.cones, u)) return;
   for (Index<T> i = 0; i < sea.convertible_count[photon.layer]; ++i) {
     const Index<T> line = sea.convertible[photon.layer * sea.lines + i];
     score_line<T>(world, photon, line, T(sea.conversion[sea.at(line, photon.layer)]),

@@ -14,13 +14,13 @@
 
 namespace photic::engine {
 
-/// A telescope's view as seen by light that is still to be converted: a column along its axis from
-/// where it enters the water, as long as most of the converted light comes from.
+/// A telescope's view as seen by light that is still to be converted: a cone about its axis, and a
+/// column of it as long as most of the converted light comes from.
 template <class T>
 struct View {
-  transport::Approach<T> approach;
-  Vec3<T>
-      centre;  ///< of the column, one mean free path of the fastest attenuated line from the entry
+  transport::ViewCone<T> cone;
+  /// Of the column, one mean free path of the fastest attenuated line from the entry.
+  Vec3<T> centre;
   Vec3<T> end;
   T radius{};  ///< of the column at its centre
 };
@@ -44,14 +44,20 @@ View<T> make_view(const instrument::Telescope<T>& telescope, const medium::Mediu
     onward = normalised(
         Vec3<double>{axis.x / n, axis.y / n, -std::sqrt(1 - (1 - axis.z * axis.z) / (n * n))});
   }
-  const double apparent = in_air + 1 / (c * (telescope.submerged ? 1.0 : n));
-  const double blur = telescope.lens_radius *
-                      std::abs(1 - telescope.detector_distance * (telescope.power - 1 / apparent));
+  // Lateral reach of the view: detector and blur, seen from the lens.
+  const auto reach = [&](double in_water) {
+    const double apparent = in_air + in_water / (telescope.submerged ? 1.0 : n);
+    const double blur = apparent - telescope.detector_distance * (apparent * telescope.power - 1);
+    return (apparent * telescope.detector_radius + telescope.lens_radius * std::abs(blur)) /
+           telescope.detector_distance;
+  };
+  const double widening = std::max(0.0, (reach(2 / c) - reach(0)) * c / 2);
   View<T> view;
-  view.approach = {vec3_cast<T>(entry), vec3_cast<T>(onward), T(c)};
+  view.cone = {vec3_cast<T>(entry), vec3_cast<T>(onward), T(c),
+               T(std::max(reach(0), reach(2 / c) - widening * 2 / c)), T(widening)};
   view.centre = vec3_cast<T>(entry + (1 / c) * onward);
   view.end = vec3_cast<T>(entry + (2 / c) * onward);
-  view.radius = T(apparent * (telescope.detector_radius + blur) / telescope.detector_distance);
+  view.radius = T(reach(1 / c));
   return view;
 }
 
@@ -62,14 +68,14 @@ struct World {
   Index<T> laser_layer{};
   std::vector<instrument::Telescope<T>> telescopes;
   std::vector<Index<T>> telescope_layer;
-  std::vector<View<T>> views;  ///< of each telescope; none if nothing is converted
-  std::vector<transport::Approach<T>> approaches;  ///< of the views
-  T last_path{};                                   ///< end of the last gate [m]
-  T lowest_in_air{};           ///< height of the lowest telescope in the air [m]
-  std::vector<T> submerged_z;  ///< of the telescopes in the water
-  T least_group_index{};       ///< of all lines
-  T directed{};                ///< share of directions drawn towards a telescope
-  T conversion{};              ///< probability of a branch into the inelastic processes
+  std::vector<View<T>> views;                 ///< of each telescope; none if nothing is converted
+  std::vector<transport::ViewCone<T>> cones;  ///< of the views
+  T last_path{};                              ///< end of the last gate [m]
+  T lowest_in_air{};                          ///< height of the lowest telescope in the air [m]
+  std::vector<T> submerged_z;                 ///< of the telescopes in the water
+  T least_group_index{};                      ///< of all lines
+  T directed{};                               ///< share of directions drawn towards a telescope
+  T conversion{};  ///< probability of a branch into the inelastic processes
   bool makes_choices =
       false;  ///< whether collisions choose between phase functions, targets or lines at all
   T roulette_threshold{};
@@ -94,7 +100,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   for (std::size_t t = 0; medium.line.size() > 1 && t < world.telescopes.size(); ++t) {
     world.views.push_back(
         make_view(world.telescopes[t], medium, static_cast<std::size_t>(world.telescope_layer[t])));
-    world.approaches.push_back(world.views.back().approach);
+    world.cones.push_back(world.views.back().cone);
   }
   world.last_path = T(gates.last_path());
   world.lowest_in_air = std::numeric_limits<T>::max();

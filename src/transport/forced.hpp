@@ -12,60 +12,118 @@
 
 namespace photic::transport {
 
-/// The way that converted light takes to a telescope: from the depths of its view back along the
-/// (refracted) axis to where it enters the lens or the surface, attenuated with `rate` [1/m].
+/// A telescope's view in the water as sampling takes it: a cone about its (refracted) axis from
+/// where that enters the lens or the surface, whose light is attenuated with `rate` on its way to
+/// the entry.
 template <class T>
-struct Approach {
+struct ViewCone {
   Vec3<T> entry;
   Vec3<T> axis;  ///< unit vector into the water
-  T rate{};
+  T rate{};      ///< [1/m]
+  T radius{};    ///< at the entry [m]
+  T widening{};  ///< of the radius, per metre
 };
+
+/// The stretch of a ray in a view, and an exponential density on it that follows the view's
+/// attenuation: distances from its bright end.
+template <class T>
+struct Stretch {
+  Mask<T> exists;
+  T from, to;     ///< along the ray [m]
+  T rate;         ///< [1/m]
+  Mask<T> rises;  ///< the bright end is `to`
+
+  T from_bright_end(const T& distance) const {
+    return select(rises, to - distance, distance - from);
+  }
+  T whole() const { return T(1) - exp_minus(rate * (to - from)); }
+  T sample(const T& u) const {
+    const T y = minus_log(T(1) - u * whole()) / rate;
+    return select(rises, to - y, from + y);
+  }
+  T density(const T& distance) const {
+    const Mask<T> inside = exists & (distance >= from) & (distance <= to);
+    return select(inside,
+                  rate * exp_minus(select(inside, rate * from_bright_end(distance), T(0))) /
+                      select(exists, whole(), T(1)),
+                  T(0));
+  }
+};
+
+template <class T>
+Stretch<T> stretch_in(const ViewCone<T>& view, const Photon<T>& photon) {
+  using std::abs;
+  using std::sqrt;
+  const T longest(1e6);
+  const Vec3<T> out = photon.position - view.entry;
+  const T along = dot(out, view.axis);
+  const T speed = dot(photon.direction, view.axis);
+  // |out + t d|^2 - s^2 <= (radius + widening s)^2 with s = along + speed t: a t^2 + 2 b t + c <=
+  // 0.
+  const T cone = T(1) + view.widening * view.widening;
+  const T edge = view.radius * view.widening;
+  const T a = T(1) - speed * speed * cone;
+  const T b = dot(out, photon.direction) - along * speed * cone - edge * speed;
+  const T c =
+      dot(out, out) - along * along * cone - T(2) * edge * along - view.radius * view.radius;
+  const T discriminant = b * b - a * c;
+  // A ray along the axis is taken to be in the view all along.
+  const Mask<T> axial = a < T(1e-4);
+  const Mask<T> crosses = discriminant > T(0);
+  const T root = sqrt(select(crosses, discriminant, T(0)));
+  const T per_a = T(1) / select(axial, T(1), a);
+  T from = select(axial, T(0), (-b - root) * per_a);
+  T to = select(axial, longest, (root - b) * per_a);
+  // No farther than the entry.
+  const Mask<T> slanted = abs(speed) > T(1e-6);
+  const T entry = -along / select(slanted, speed, T(1));
+  const Mask<T> leaves = slanted & (speed < T(0)) & (entry < to);
+  const Mask<T> comes = slanted & (speed > T(0)) & (entry > from);
+  to = select(leaves, entry, to);
+  from = select(comes, entry, from);
+  from = select(from > T(0), from, T(0));
+
+  Stretch<T> stretch;
+  stretch.exists = (axial | crosses) & (to - from > T(1e-6)) & (slanted | (along > T(0)));
+  stretch.from = from;
+  stretch.to = select(stretch.exists, to, from + T(1));
+  const T rate = view.rate * abs(speed);
+  const T least = T(1e-3) / (stretch.to - from);
+  stretch.rate = select(rate > least, rate, least);
+  stretch.rises = speed < T(0);
+  return stretch;
+}
 
 template <class T>
 struct ForcedUniforms {
-  T choice, distance, approach;
+  T choice, distance, view;
 };
 
-/// Share of the points that are drawn from the approaches; the rest fall where photons collide by
+/// Share of the points that are drawn from the views; the rest fall where photons collide by
 /// themselves.
 inline constexpr double forced_share = 0.5;
 
 /// Moves a photon in the water to a point on its ray and multiplies its weight by the density of
 /// collisions there over that of the points, so that what is scored there is in the mean what the
-/// photon's next collision gives. Points come from the free flight, or lie on a photon's way
-/// towards a telescope's entry with a density that falls as its light does, in the distance to the
-/// entry along the axis. False: no point, the ray has left the water.
+/// photon's next collision gives. Points come from the free flight, or from the stretches of the
+/// ray in the telescopes' views. False: no point, the ray has left the water.
 template <class T>
 Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
-                        const std::vector<Approach<T>>& approaches, const ForcedUniforms<T>& u) {
-  using std::exp;
-  using std::log;
-  // The approaches this ray is on: at a distance `ahead` from the entry along the axis, nearing it
-  // by `speed` a metre.
-  const auto ahead_of = [&](const Approach<T>& a) {
-    return dot(photon.position - a.entry, a.axis);
-  };
-  const auto speed_to = [&](const Approach<T>& a) { return -dot(photon.direction, a.axis); };
-  const auto is_on = [&](const Approach<T>& a) {
-    const T ahead = ahead_of(a);
-    const T speed = speed_to(a);
-    return (ahead > T(0)) & (speed > T(1e-3));
-  };
+                        const std::vector<ViewCone<T>>& views, const ForcedUniforms<T>& u) {
+  const Photon<T> before = photon;
   T count(0);
-  for (const auto& a : approaches) count = count + select(is_on(a), T(1), T(0));
+  for (const auto& v : views) count = count + select(stretch_in(v, before).exists, T(1), T(0));
   const T share = select(count > T(0), T(forced_share), T(0));
 
-  // The distance along the ray: by the approach number floor(u count), or by a free flight.
+  // The distance along the ray: in the view number floor(u count), or by a free flight.
   const Mask<T> forced = u.choice < share;
   T distance(0);
-  T rest = u.approach * count;
-  for (const auto& a : approaches) {
-    const Mask<T> on = is_on(a);
-    const T ahead = select(on, ahead_of(a), T(1));
-    const T speed = select(on, speed_to(a), T(1));
-    const T left = -log(T(1) - u.distance * (T(1) - exp(-a.rate * ahead))) / a.rate;
-    distance = select(on & (rest >= T(0)) & (rest < T(1)), (ahead - left) / speed, distance);
-    rest = rest - select(on, T(1), T(0));
+  T rest = u.view * count;
+  for (const auto& v : views) {
+    const Stretch<T> stretch = stretch_in(v, before);
+    const Mask<T> taken = stretch.exists & (rest >= T(0)) & (rest < T(1));
+    distance = select(taken, stretch.sample(u.distance), distance);
+    rest = rest - select(stretch.exists, T(1), T(0));
   }
   Photon<T> flown = photon;
   const FlightEnd<T> end = fly(sea, flown, u.distance);
@@ -74,7 +132,6 @@ Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
   const Mask<T> reached = select(forced, in_water, !(end.surface | end.sea_bed));
   const T moved = select(forced, distance,
                          (flown.path - photon.path) / gather<T>(sea.group_index, photon.line));
-  const Photon<T> before = photon;
   photon.position = select(forced, placed.position, flown.position);
   photon.layer = select(forced, placed.layer, flown.layer);
   photon.path = select(forced, placed.path, flown.path);
@@ -86,19 +143,14 @@ Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
       sea.slant_optical_depth<T>(photon.line, before.layer, depth1, photon.layer, depth2, moved);
   const T walk_tau = sea.walk_slant_optical_depth<T>(photon.line, before.layer, depth1,
                                                      photon.layer, depth2, moved);
-  T density = (T(1) - share) * gather<T>(sea.walk_c, here) * exp(-walk_tau);
-  for (const auto& a : approaches) {
-    const T ahead = dot(before.position - a.entry, a.axis);
-    const T speed = -dot(before.direction, a.axis);
-    const Mask<T> on = (ahead > T(0)) & (speed > T(1e-3));
-    const T left = ahead - moved * speed;
-    const T norm = select(on, count * (T(1) - exp(-a.rate * ahead)), T(1));
-    density = density +
-              select(on & (left > T(0)), share * a.rate * speed * exp(-a.rate * left) / norm, T(0));
-  }
+  T density = (T(1) - share) * gather<T>(sea.walk_c, here) * exp_minus(walk_tau);
+  for (const auto& v : views)
+    density =
+        density + share / select(count > T(0), count, T(1)) * stretch_in(v, before).density(moved);
   photon.weight =
       photon.weight *
-      select(reached, gather<T>(sea.c, here) * exp(-tau) / select(reached, density, T(1)), T(0));
+      select(reached, gather<T>(sea.c, here) * exp_minus(tau) / select(reached, density, T(1)),
+             T(0));
   return reached;
 }
 

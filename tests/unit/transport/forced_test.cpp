@@ -19,28 +19,36 @@ struct Case {
   std::string what;
   V direction;
   double depth;
-  std::vector<Approach<double>> approaches;
+  std::vector<ViewCone<double>> views;
 };
 
 std::vector<Case> cases() {
   const V down{0, 0, -1};
-  const Approach<double> above{{0, 0, 0}, down, 0.9};
-  const Approach<double> aside{{5, 0, 0}, normalised(V{-0.5, 0, -1}), 0.4};
-  const Approach<double> submerged{{0, 1, -6}, {0, 0, 1}, 0.7};
+  const ViewCone<double> above{{0, 0, 0}, down, 0.9, 0.4, 0.01};
+  const ViewCone<double> wide{{0, 0, 0}, down, 0.3, 1.0, 0.7};
+  const ViewCone<double> aside{{5, 0, 0}, normalised(V{-0.5, 0, -1}), 0.4, 0.5, 0.0};
+  const ViewCone<double> submerged{{0, 1, -6}, {0, 0, 1}, 0.7, 0.2, 0.02};
+  const V out_of_view{0.8, 0, 0.6};
   return {
       {"no telescope", {0, 0.6, 0.8}, 14, {}},
-      {"away from the only telescope", {0, 0.6, -0.8}, 8, {above}},
-      {"towards a telescope", {0, 0.6, 0.8}, 14, {above}},
-      {"slowly towards a telescope", normalised(V{1, 0, 0.02}), 3, {above}},
-      {"towards two telescopes", {0, 0, 1}, 20, {above, aside}},
-      {"towards one of two telescopes", {0.6, 0, 0.8}, 14, {above, submerged}},
-      {"down into the view of a telescope in the water", {0, 0.6, -0.8}, 2, {above, submerged}}};
+      {"past the view of the only telescope", out_of_view, 8, {above}},
+      {"up a view", {0, 0, 1}, 14, {above}},
+      {"down a view", {0, 0, -1}, 2, {above}},
+      {"nearly along the axis", normalised(V{0.005, 0, 1}), 14, {above}},
+      {"level through a view", normalised(V{-1, 0.3, 0}), 3, {above}},
+      {"nearly level through a wide view", normalised(V{1, 0, 0.02}), 3, {wide}},
+      {"upwards through a wide view", normalised(V{0.5, 0.1, 1}), 12, {wide}},
+      {"downwards through a wide view", normalised(V{0.5, 0.1, -1}), 4, {wide}},
+      {"up two views", {0, 0, 1}, 20, {above, wide}},
+      {"up one view and past another", {0, 0, 1}, 14, {above, aside}},
+      {"through two of three views", normalised(V{-0.2, 0.1, 1}), 10, {wide, aside, submerged}},
+      {"up into the view of a telescope in the water", normalised(V{0, 0.2, 1}), 14, {submerged}}};
 }
 
 // Weighted numbers of points within each metre against the share of light that collides there, and
-// nothing where the ray has left the water. z-tests, 1 % for the family. Seen red: with one term of
-// the density left out; with the speed along the axis left out of the density; with the weight not
-// put to the density of collisions; with the approaches not counted.
+// nothing where the ray has left the water. z-tests, 1 % for the family. Seen red: with the free
+// flights left out of the density; with the views not counted in it; with the stretch's share of
+// the whole left out; with the weight not put to the density of collisions.
 TEST(ForcedCollision, TimesItsWeightLiesWherePhotonsCollide) {
   constexpr int samples = 200000;
   constexpr double bottom = 25;
@@ -63,7 +71,7 @@ TEST(ForcedCollision, TimesItsWeightLiesWherePhotonsCollide) {
       photon.direction = c.direction;
       photon.layer = sea.layer_at(c.depth);
       photon.path = 7;
-      const bool reached = force_collision(sea.view(), photon, c.approaches,
+      const bool reached = force_collision(sea.view(), photon, c.views,
                                            {random.uniform(), random.uniform(), random.uniform()});
       double distance = 1e9;
       if (reached) {
@@ -90,22 +98,29 @@ TEST(ForcedCollision, TimesItsWeightLiesWherePhotonsCollide) {
 }
 
 // What it is for: near the entry, where only a thousandth of the light from below collides, a third
-// of the points lie.
-TEST(ForcedCollision, ReachesTheEntryOfATelescope) {
+// of the points lie; and half of those of a ray that crosses a narrow view lie in it.
+TEST(ForcedCollision, ReachesTheViewOfATelescope) {
   const auto sea = make_sea(25);
+  const ViewCone<double> view{{0, 0, 0}, {0, 0, -1}, 0.9, 0.3, 0.01};
   test::Random random(92);
-  const V start{0, 0, -20};
-  int near = 0;
-  for (int i = 0; i < 10000; ++i) {
-    Photon<double> photon;
-    photon.position = start;
-    photon.direction = {0, 0, 1};
-    photon.layer = 2;
-    const bool reached = force_collision(sea.view(), photon, {{{0, 0, 0}, {0, 0, -1}, 0.9}},
-                                         {random.uniform(), random.uniform(), random.uniform()});
-    near += reached && photon.position.z > -1.5;
-  }
-  EXPECT_GT(near, 3300);
+  const auto count = [&](const V& start, const V& direction, const auto& is_there) {
+    int there = 0;
+    for (int i = 0; i < 10000; ++i) {
+      Photon<double> photon;
+      photon.position = start;
+      photon.direction = normalised(direction);
+      photon.layer = sea.layer_at(-start.z);
+      const bool reached = force_collision(sea.view(), photon, {view},
+                                           {random.uniform(), random.uniform(), random.uniform()});
+      there += reached && is_there(photon.position);
+    }
+    return there;
+  };
+  EXPECT_GT(count({0, 0, -20}, {0, 0, 1}, [](const V& p) { return p.z > -1.5; }), 3300);
+  const auto inside = [](const V& p) { return std::hypot(p.x, p.y) < 0.3 - 0.01 * p.z; };
+  EXPECT_GT(count({-8, 0.1, -2}, {1, 0, 0}, inside), 4800);
+  EXPECT_GT(count({-8, 0.1, -9}, {1, 0, 1}, inside), 4800);
+  EXPECT_LT(count({-8, 3, -2}, {1, 0, 0}, inside), 1);
 }
 
 }  // namespace

@@ -160,30 +160,31 @@ TEST(LanesOf, Advance) {
   EXPECT_GT(out, groups / 4);
 }
 
-// Approaches of two telescopes, above and in the water.
+// Views of two telescopes, above and in the water.
 TEST(LanesOf, ForceCollision) {
   Random random(18);
   const auto sea = make_sea(40);
   int reached = 0, left = 0;
   for (int g = 0; g < groups; ++g) {
-    std::vector<Approach<double>> approaches;
-    std::vector<Approach<Lanes4>> approaches4;
+    std::vector<ViewCone<double>> views;
+    std::vector<ViewCone<Lanes4>> views4;
     for (int k = random.below(3); k > 0; --k) {
       const Vec3<double> entry{random.between(-20, 20), random.between(-20, 20),
                                -random.between(0, 10)};
       const Vec3<double> axis = random.direction();
       const double rate = random.scale(0.05, 2);
-      approaches.push_back({entry, axis, rate});
-      approaches4.push_back({vec3_cast<Lanes4>(entry), vec3_cast<Lanes4>(axis), Lanes4(rate)});
+      const double radius = random.scale(0.1, 10),
+                   widening = random.chance(0.5) ? 0.0 : random.uniform();
+      views.push_back({entry, axis, rate, radius, widening});
+      views4.push_back({vec3_cast<Lanes4>(entry), vec3_cast<Lanes4>(axis), Lanes4(rate),
+                        Lanes4(radius), Lanes4(widening)});
     }
     auto scalar = random_photons(sea, random);
     auto packed = pack(scalar);
     const auto a = uniforms4(random), b = uniforms4(random), c = uniforms4(random);
-    const auto in_water =
-        force_collision(sea.view(), packed, approaches4, {pack(a), pack(b), pack(c)});
+    const auto in_water = force_collision(sea.view(), packed, views4, {pack(a), pack(b), pack(c)});
     for (std::size_t i = 0; i < lanes; ++i) {
-      expect_same(in_water[i],
-                  force_collision(sea.view(), scalar[i], approaches, {a[i], b[i], c[i]}),
+      expect_same(in_water[i], force_collision(sea.view(), scalar[i], views, {a[i], b[i], c[i]}),
                   "reached");
       expect_same(packed, i, scalar[i]);
       (in_water[i] ? reached : left) += 1;
