@@ -28,7 +28,7 @@ void score_line(const World<T>& world, const transport::Photon<T>& photon, const
                 Targets<T>* targets) {
   const auto offer = [&](std::size_t telescope, const transport::Connection<T>& way) {
     if (targets != nullptr && way.in_front && targets->count < target_capacity)
-      targets->add(way.direction, T(0), true);
+      targets->add(way.direction, T(0), T(1));
     if (!(way.acceptance > T(0))) return;
     const T p =
         world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction), phase);
@@ -54,28 +54,21 @@ void score_line(const World<T>& world, const transport::Photon<T>& photon, const
   }
 }
 
-/// 1 - cos of the half angle of a cone about `axis` that holds a ball of a radius at `there`; a
-/// hemisphere at most.
-template <class T>
-T cone_around(const Vec3<T>& axis, const Vec3<T>& there, const T& radius) {
-  const T cosine = dot(axis, there) / length(there);
-  const T angle = std::acos(std::clamp(cosine, T(-1), T(1))) + std::atan(radius / length(there));
-  return T(1) - std::cos(std::min(angle, T(pi / 2)));
-}
-
 /// Adds the views of the telescopes as targets for light that has yet to be converted: converted
 /// light leaves in all directions, so what counts is that the laser's light comes into view, at
-/// whatever angle. The cone holds the whole column, or light from the side could enter it by a
-/// direction that is drawn too rarely.
+/// whatever angle. The cones hold the whole of a view's parts, or light from the side could enter
+/// it by a direction that is drawn too rarely.
 template <class T>
 void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Targets<T>& targets) {
   for (const auto& view : world.views) {
-    const Vec3<T> centre = view.centre - photon.position;
-    if (targets.count == target_capacity || dot(centre, centre) == T(0)) return;
-    const Vec3<T> axis = normalised(centre);
-    const T to_entry = cone_around(axis, view.cone.entry - photon.position, view.radius);
-    const T to_end = cone_around(axis, view.end - photon.position, view.radius);
-    targets.add(axis, std::max(to_entry, to_end), true);
+    for (const auto& ball : view.part) {
+      const Vec3<T> there = ball.centre - photon.position;
+      const T squared = dot(there, there);
+      if (targets.count == target_capacity || squared == T(0)) return;
+      const T sine_squared = ball.radius * ball.radius / squared;
+      const T cone = sine_squared < T(1) ? T(1) - std::sqrt(T(1) - sine_squared) : T(1);
+      targets.add((T(1) / std::sqrt(squared)) * there, cone, T(1.0 / view_parts));
+    }
   }
 }
 

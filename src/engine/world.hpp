@@ -1,6 +1,7 @@
 // Everything a history needs, immutable and shared by all threads.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -14,15 +15,21 @@
 
 namespace photic::engine {
 
-/// A telescope's view as seen by light that is still to be converted: a cone about its axis, and a
-/// column of it as long as most of the converted light comes from.
+inline constexpr int view_parts = 3;
+
+/// A ball in the water.
+template <class T>
+struct Ball {
+  Vec3<T> centre;
+  T radius{};
+};
+
+/// A telescope's view as seen by light that is still to be converted: a cone about its axis, and
+/// balls along it that hold the part of it that most of the converted light comes from.
 template <class T>
 struct View {
   transport::ViewCone<T> cone;
-  /// Of the column, one mean free path of the fastest attenuated line from the entry.
-  Vec3<T> centre;
-  Vec3<T> end;
-  T radius{};  ///< of the column at its centre
+  std::array<Ball<T>, view_parts> part;
 };
 
 template <class T>
@@ -55,9 +62,12 @@ View<T> make_view(const instrument::Telescope<T>& telescope, const medium::Mediu
   View<T> view;
   view.cone = {vec3_cast<T>(entry), vec3_cast<T>(onward), T(c),
                T(std::max(reach(0), reach(2 / c) - widening * 2 / c)), T(widening)};
-  view.centre = vec3_cast<T>(entry + (1 / c) * onward);
-  view.end = vec3_cast<T>(entry + (2 / c) * onward);
-  view.radius = T(reach(1 / c));
+  constexpr std::array edge{0.0, 0.5, 1.2, 2.5};  // in mean free paths of the converted light
+  for (std::size_t i = 0; i < view.part.size(); ++i) {
+    const double middle = (edge[i] + edge[i + 1]) / 2 / c;
+    view.part[i] = {vec3_cast<T>(entry + middle * onward),
+                    T(std::hypot(reach(middle), (edge[i + 1] - edge[i]) / 2 / c))};
+  }
   return view;
 }
 

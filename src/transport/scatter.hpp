@@ -10,28 +10,27 @@
 
 namespace photic::transport {
 
-/// Where light is worth sending from where a photon stands; each usable target with equal
-/// probability. About its direction a target has either a lobe of the shape of a phase function, or
-/// a cone filled evenly.
+/// Where light is worth sending from where a photon stands, and how often. About its direction a
+/// target has either a lobe of the shape of a phase function, or a cone filled evenly.
 template <class T, int capacity>
 struct Targets {
   std::array<Vec3<T>, capacity> direction;
-  std::array<T, capacity> cone;  ///< 1 - cos of the half angle; 0: a lobe
-  std::array<Mask<T>, capacity> usable;
-  int count = 0;      ///< entries filled in
-  T usable_count{0};  ///< entries usable, lane by lane
+  std::array<T, capacity> cone;    ///< 1 - cos of the half angle; 0: a lobe
+  std::array<T, capacity> weight;  ///< a target's probability is in proportion to it; may be 0
+  int count = 0;
+  T total_weight{};
 
   void clear() {
     count = 0;
-    usable_count = T(0);
+    total_weight = T(0);
   }
 
-  void add(const Vec3<T>& towards, const T& one_minus_cos_cone, const Mask<T>& is_usable) {
+  void add(const Vec3<T>& towards, const T& one_minus_cos_cone, const T& target_weight) {
     const auto i = static_cast<std::size_t>(count++);
     direction[i] = towards;
     cone[i] = one_minus_cos_cone;
-    usable[i] = is_usable;
-    usable_count = usable_count + select(is_usable, T(1), T(0));
+    weight[i] = target_weight;
+    total_weight = total_weight + target_weight;
   }
 };
 
@@ -42,7 +41,7 @@ struct ScatterUniforms {
 };
 
 /// Turns a photon into a new direction drawn from the mixture
-///   q = (1 - e) p(old, new) + e mean over targets of lobe or cone(target, new),
+///   q = (1 - e) p(old, new) + e weighted mean over targets of lobe or cone(target, new),
 /// p and lobe being tables of the medium, e = `directed` where there are targets and 0 elsewhere;
 /// the weight is multiplied by p / q <= 1 / (1 - e), both terms always in q (Veach & Guibas,
 /// SIGGRAPH 95, balance heuristic).
@@ -52,7 +51,7 @@ void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& p
              const ScatterUniforms<T>& u) {
   const auto [cos_azimuth, sin_azimuth] = cos_sin_of_turns(u.azimuth);
   const Vec3<T> old = photon.direction;
-  const Mask<T> has_target = targets.usable_count > T(0);
+  const Mask<T> has_target = targets.total_weight > T(0);
   if (!any(has_target)) {
     photon.direction = turned(old, sea.phases.sample<T>(u.polar, phase), cos_azimuth, sin_azimuth);
     return;
@@ -60,16 +59,15 @@ void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& p
   const T share = select(has_target, directed, T(0));
   const Mask<T> towards = u.mixture < share;
 
-  // The target number floor(u count), counting the usable ones.
   Vec3<T> axis = old;
   T cone(0);
-  T rest = u.target * targets.usable_count;
+  T rest = u.target * targets.total_weight;
   for (int i = 0; i < targets.count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const Mask<T> taken = towards & targets.usable[k] & (rest >= T(0)) & (rest < T(1));
+    const Mask<T> taken = towards & (rest >= T(0)) & (rest < targets.weight[k]);
     axis = select(taken, targets.direction[k], axis);
     cone = select(taken, targets.cone[k], cone);
-    rest = rest - select(targets.usable[k], T(1), T(0));
+    rest = rest - targets.weight[k];
   }
   const T from_table = sea.phases.sample<T>(u.polar, select(towards, lobe, phase));
   const T x = select(cone > T(0), u.polar * cone, from_table);
@@ -84,10 +82,10 @@ void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& p
     const T even =
         select(off < targets.cone[k], T(0.5 / pi) / select(is_cone, targets.cone[k], T(1)), T(0));
     const T density = select(is_cone, even, sea.phases.value<T>(off, lobe));
-    towards_density = towards_density + select(targets.usable[k], density, T(0));
+    towards_density = towards_density + targets.weight[k] * density;
   }
-  const T per_target = share / select(has_target, targets.usable_count, T(1));
-  photon.weight = photon.weight * (p / ((T(1) - share) * p + per_target * towards_density));
+  const T per_weight = share / select(has_target, targets.total_weight, T(1));
+  photon.weight = photon.weight * (p / ((T(1) - share) * p + per_weight * towards_density));
 }
 
 }  // namespace photic::transport

@@ -110,14 +110,14 @@ TEST(LanesOf, ScatterWithAndWithoutTargets) {
     for (int k = 0; k < count; ++k) {
       Four<Vec3<double>> towards;
       Four<double> cone{};
-      Four<bool> usable{};
+      Four<double> weight{};
       for (std::size_t i = 0; i < lanes; ++i) {
         towards[i] = random.direction();
-        usable[i] = random.chance(0.5);
+        weight[i] = random.chance(0.5) ? random.uniform() : 0.0;
         cone[i] = random.chance(0.3) ? random.uniform() : 0.0;
-        targets[i].add(towards[i], cone[i], usable[i]);
+        targets[i].add(towards[i], cone[i], weight[i]);
       }
-      targets4.add(pack(towards), pack(cone), pack(usable));
+      targets4.add(pack(towards), pack(cone), pack(weight));
     }
     Four<std::int32_t> phase{}, lobe{};
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -130,8 +130,8 @@ TEST(LanesOf, ScatterWithAndWithoutTargets) {
     scatter(sea.view(), packed, pack(phase), pack(lobe), targets4, Lanes4(share),
             {pack(a), pack(b), pack(c), pack(d)});
     for (std::size_t i = 0; i < lanes; ++i) {
-      without += targets[i].usable_count == 0;
-      directed += targets[i].usable_count > 0 && c[i] < share;
+      without += targets[i].total_weight == 0;
+      directed += targets[i].total_weight > 0 && c[i] < share;
       scatter(sea.view(), scalar[i], phase[i], lobe[i], targets[i], share,
               {a[i], b[i], c[i], d[i]});
       expect_same(packed, i, scalar[i]);

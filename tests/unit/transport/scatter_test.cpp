@@ -23,7 +23,7 @@ using test::Mean;
 
 struct Target {
   V direction;
-  bool usable;
+  double weight;
   double cone = 0;  // 1 - cos of the half angle; 0: a lobe
 };
 
@@ -39,33 +39,33 @@ const V old_direction = normalised(V{0.3, -0.4, -0.8});
 std::vector<Case> cases() {
   const V aside = normalised(V{0.5, 0.1, -0.8});
   const V up{0, 0.1, std::sqrt(0.99)};
-  return {{"no target, smooth", 1, 1, {}},
-          {"no target, peaked", 0, 0, {}},
-          {"no usable target", 0, 0, {{up, false}, {aside, false}}},
-          {"one target, smooth", 1, 1, {{aside, true}}},
-          {"one target, peaked", 0, 0, {{up, true}}},
-          {"one target straight back", 0, 0, {{-old_direction, true}}},
-          {"one target straight ahead", 1, 0, {{old_direction, true}}},
-          {"three targets, one not usable", 0, 0, {{up, true}, {aside, false}, {-aside, true}}},
-          {"converted, peaked lobe", 3, 0, {{up, true}}},
-          {"converted, smooth lobe", 4, 1, {{up, true}, {aside, true}}},
-          {"one cone", 1, 1, {{aside, true, 0.02}}},
-          {"a hemisphere, peaked", 0, 0, {{up, true, 1.0}}},
-          {"lobe and two cones, one not usable",
-           0,
-           0,
-           {{up, true}, {aside, true, 0.1}, {-aside, false, 0.5}}}};
+  return {
+      {"no target, smooth", 1, 1, {}},
+      {"no target, peaked", 0, 0, {}},
+      {"no usable target", 0, 0, {{up, 0}, {aside, 0}}},
+      {"one target, smooth", 1, 1, {{aside, 1}}},
+      {"one target, peaked", 0, 0, {{up, 1}}},
+      {"one target straight back", 0, 0, {{-old_direction, 1}}},
+      {"one target straight ahead", 1, 0, {{old_direction, 1}}},
+      {"three targets, one not usable", 0, 0, {{up, 1}, {aside, 0}, {-aside, 1}}},
+      {"targets of unequal weight", 0, 0, {{up, 0.2}, {aside, 1.5}, {-aside, 0.7, 0.3}}},
+      {"converted, peaked lobe", 3, 0, {{up, 1}}},
+      {"converted, smooth lobe", 4, 1, {{up, 1}, {aside, 1}}},
+      {"one cone", 1, 1, {{aside, 1, 0.02}}},
+      {"a hemisphere, peaked", 0, 0, {{up, 1, 1.0}}},
+      {"lobe and two cones, one not usable", 0, 0, {{up, 1}, {aside, 1, 0.1}, {-aside, 0, 0.5}}}};
 }
 
 Aims aims(const Case& c) {
   Aims out;
   out.clear();
-  for (const auto& [direction, usable, cone] : c.targets) out.add(direction, cone, usable);
+  for (const auto& [direction, weight, cone] : c.targets) out.add(direction, cone, weight);
   return out;
 }
 
 bool has_usable(const Case& c) {
-  return std::any_of(c.targets.begin(), c.targets.end(), [](const Target& t) { return t.usable; });
+  return std::any_of(c.targets.begin(), c.targets.end(),
+                     [](const Target& t) { return t.weight > 0; });
 }
 
 /// Edges in x = 1 - cos of cells that hold known shares of a phase function.
@@ -77,8 +77,8 @@ std::size_t cell_of(const std::vector<double>& edges, double x) {
 
 // Weighted shares of the cells, mean weight, mean cosine and mean azimuth: z-tests, 1 % for the
 // family. Seen red: with the weight left alone; with the lobe left out of the density; with
-// unusable targets counted; with the phase function's own table for the lobe's density; with the
-// share of the targets not split between them; with the density of a cone over 4 pi.
+// targets without weight counted; with the phase function's own table for the lobe's density; with the
+// share of the targets not split by their weights; with the density of a cone over 4 pi.
 TEST(Scatter, TimesItsWeightFollowsThePhaseFunction) {
   constexpr int samples = 200000;
   const auto sea = make_sea(40);
@@ -138,7 +138,7 @@ TEST(Scatter, HasTheMeanCosineOfHenyeyAndGreenstein) {
     photon.direction = old_direction;
     Aims targets;
     targets.clear();
-    targets.add({0, 0, 1}, 0.0, true);
+    targets.add({0, 0, 1}, 0.0, 1.0);
     scatter(sea.view(), photon, 1, 1, targets, directed,
             {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
     cosine.add(photon.weight * dot(old_direction, photon.direction));
@@ -148,11 +148,11 @@ TEST(Scatter, HasTheMeanCosineOfHenyeyAndGreenstein) {
 }
 
 // What directed sampling is for: half of the directions follow the lobe about the targets, each
-// usable one alike. At 0.1 %.
-TEST(Scatter, AimsAtEachTargetAlike) {
+// of equal weight alike. At 0.1 %.
+TEST(Scatter, AimsAtTargetsByTheirWeight) {
   constexpr int samples = 100000;
   const auto sea = make_sea(40);
-  const Case c{"", 0, 0, {{{0, 0, 1}, true}, {{1, 0, 0}, false}, {{0, 0.6, 0.8}, true}}};
+  const Case c{"", 0, 0, {{{0, 0, 1}, 1}, {{1, 0, 0}, 0}, {{0, 0.6, 0.8}, 1}}};
   const Aims targets = aims(c);
   const double near = sea.view().phases.sample<double>(0.4, 0);  // 40 % of the lobe
   Random random(73);
