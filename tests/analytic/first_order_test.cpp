@@ -57,6 +57,8 @@ void compare(const std::string& toml,
   for (std::size_t t = 0; t < result.telescopes(); ++t) {
     for (std::size_t c = 0; c < result.channels(); ++c) {
       const auto equation = expected(problem, t, c, phase_of_channel[c]);
+      // Gates are independent of each other; channels and telescopes see the same collisions.
+      ZFamily gates(level / static_cast<double>(result.telescopes() * result.channels()));
       for (std::size_t g = 0; g < result.gates(); ++g) {
         const std::size_t i = (t * result.channels() + c) * result.gates() + g;
         const double mean = result.echo.mean[i];
@@ -71,12 +73,13 @@ void compare(const std::string& toml,
         EXPECT_LT(std::abs(mean - equation[g]), largest_difference * equation[g]) << where;
         largest = std::max(largest, std::abs(mean / equation[g] - 1));
         family.add(mean, equation[g], error, where);
+        gates.add(mean, equation[g], error, where);
       }
+      gates.judge_spread();
     }
   }
   std::printf("largest difference %.2f %% in %zu gates\n", 100 * largest, family.size());
   family.judge();
-  family.judge_spread();
 }
 
 std::function<double(double)> shape(const optics::PhaseShape& s) {
