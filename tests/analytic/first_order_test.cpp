@@ -89,7 +89,9 @@ std::function<double(double)> shape(const optics::PhaseShape& s) {
 /// One scattering each; enough photons for 0.2 % in every gate.
 std::string first_order() { return simulation(5e7, 7, "max_order = 1\norders_kept = 1"); }
 
-// Seen red: n^2 left out of the refraction factor, half for full divergence.
+// Seen red: with n^2 left out of the refraction factor; with half for full divergence; with the
+// refractive index for the group index on the way out, or on the way home; with nothing reflected
+// where light leaves the water; with 1 % too much in c / c', or in the absorption along the way.
 TEST(FirstOrder, FlatSea) {
   compare(ship_instrument + channel("elastic") +
               water(0.03, 0.03, "{ model = \"henyey-greenstein\", g = 0.6 }") + depth_gates(50, 2) +
@@ -97,6 +99,9 @@ TEST(FirstOrder, FlatSea) {
           {shape(optics::henyey_greenstein(0.6))});
 }
 
+// Seen red: with the obstruction left out of the lens' area, or of its image; with the blur of an
+// infinitely far point; with a free path that crosses one edge at most; with the rest of a free
+// path, or the absorption along it, by the coefficient of the layer it began in.
 TEST(FirstOrder, ThreeLayersAndThreeTelescopes) {
   compare(ship_instrument + R"(
 [[telescope]]
@@ -135,6 +140,9 @@ depth_step_m = 2.5
           {shape(optics::fournier_forand(1.10, 3.5835))});
 }
 
+// Seen red: with the laser's wavelength for the emitted one in the optical depth, the refractive
+// index or the group index of the way home; with the refractive index for the group index on the
+// way out.
 TEST(FirstOrder, RamanAndFluorescenceHaveTwoWavelengths) {
   const auto lambert = [](double) { return 1 / (4 * pi); };
   compare(ship_instrument + channel("elastic") + channel("raman") + channel("chlorophyll") + R"(
@@ -154,7 +162,10 @@ depth_step_m = 2.5
           {shape(optics::rayleigh(0.039)), shape(optics::raman_phase(0.17)), lambert});
 }
 
-TEST(FirstOrder, Tilted30Degrees) {
+// Seen red: with the optical depth of the way home straight up; with the absorption of a slanting
+// way across an edge straight down, or by the coefficient of the layer it began in; with the rest
+// of a free path by that layer's.
+TEST(FirstOrder, Tilted30DegreesInTwoLayers) {
   compare(R"(
 [source]
 wavelength_nm = 532.0
@@ -171,7 +182,11 @@ half_field_of_view_mrad = 30.0
 )" + channel("elastic") +
               R"(
 [[sea.layer]]
+bottom_depth_m = 15.0
 iop = [ { wavelength_nm = 532.0, a_per_m = 0.03, b_per_m = 0.03 } ]
+phase_function = { model = "henyey-greenstein", g = 0.6 }
+[[sea.layer]]
+iop = [ { wavelength_nm = 532.0, a_per_m = 0.02, b_per_m = 0.035 } ]
 phase_function = { model = "henyey-greenstein", g = 0.6 }
 [gates]
 range_min_m = 14.0
@@ -181,6 +196,9 @@ range_step_m = 2.5
           {shape(optics::henyey_greenstein(0.6))});
 }
 
+// Seen red: with the refractive index for the group index on the way out, or on the way home; with
+// 1 % too much in c / c'; with the absorption across an edge by the coefficient of the layer it
+// began in.
 TEST(FirstOrder, Submerged) {
   compare(R"(
 [source]

@@ -35,7 +35,8 @@ void compare(const tally::Result& a, const tally::Result& b, std::size_t least) 
   family.judge();
 }
 
-// On a broad phase function the plain walk converges too.
+// On a broad phase function the plain walk converges too. Seen red: with 1 - e left out of the
+// mixture of a direction; with one target too many in the count.
 TEST(Agreement, DirectedSamplingAndPlainWalk) {
   const auto layers = water(0.1, 0.2, broad_phase);
   const auto directed =
@@ -45,18 +46,29 @@ TEST(Agreement, DirectedSamplingAndPlainWalk) {
   compare(directed, engine::run(plain_scene), 15);
 }
 
-// Inelastic echoes do not depend on how often light is converted or directed.
+// Inelastic echoes do not depend on how often light is converted or directed, or whether it is
+// directed at all. Seen red: with scattered light not divided by 1 - the probability of a
+// conversion; with converted light not divided by its own; with the density of a lobe, or that of
+// the phase function, from the other's table.
 TEST(Agreement, ConversionProbabilityDoesNotMatter) {
-  const std::string algae = "[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n";
+  const std::string algae =
+      "[[sea.layer]]\niop = [ { wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.1, "
+      "a_phytoplankton_per_m = 0.02 }, { wavelength_nm = 700.0, a_per_m = 0.2, b_per_m = 0.1 } ]\n"
+      "phase_function = " +
+      broad_phase + "\n";
   const auto channels = channel("elastic") + channel("raman") + channel("chlorophyll");
   const auto often = engine::run(
       read(ship(algae, channels, 2e6, "conversion_probability = 0.5\ndirected_fraction = 0.3")));
-  auto rare = read(ship(algae, channels, 4e6, "conversion_probability = 0.1"));
+  auto rare =
+      read(ship(algae, channels, 4e6, "conversion_probability = 0.1\ndirected_fraction = 0.0"));
   rare.simulation.seed = 6;
-  compare(often, engine::run(rare), 20);
+  compare(often, engine::run(rare), 50);
 }
 
-// Water cut into layers of the same water is the same water.
+// Water cut into layers of the same water is the same water. Seen red: with depths instead of
+// thicknesses in the optical depths of the edges; with a free path that ends at the edge it meets;
+// with the rest of a free path counted from the wrong edge; with a slanting way across an edge as
+// short as its depths are apart.
 TEST(Agreement, OneLayerOrThree) {
   const std::string properties =
       "iop = [ { wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.1 } ]\nphase_function = " +
@@ -68,7 +80,20 @@ TEST(Agreement, OneLayerOrThree) {
       engine::run(read(ship(water(0.06, 0.1, broad_phase), channel("elastic"), 2e6, "")));
   auto three = read(ship(cut, channel("elastic"), 2e6, ""));
   three.simulation.seed = 6;
-  compare(one, engine::run(three), 18);
+  const auto in_three = engine::run(three);
+  compare(one, in_three, 18);
+
+  // Slanting ways, that the echo in a narrow view shows little of. Nearly all shares are between 0
+  // and 1, so that their variance is below their mean.
+  ZFamily ledger(0.01);
+  const auto photons = static_cast<double>(one.photons);
+  const auto add = [&](double a, double b, const std::string& what) {
+    ledger.add(a, b, std::sqrt((a + b) / photons), what);
+  };
+  add(one.ledger.absorbed, in_three.ledger.absorbed, "absorbed");
+  add(one.ledger.escaped, in_three.ledger.escaped, "escaped");
+  add(one.ledger.cut_by_time, in_three.ledger.cut_by_time, "too late");
+  ledger.judge();
 }
 
 template <class T>
@@ -83,21 +108,25 @@ tally::Result run_in(const scene::Scene& scene, int threads) {
   return result;
 }
 
-// The same histories but for rounding: closer than their own errors by far.
+// The same histories but for rounding: closer than their own errors by far. A phase function with
+// a peak, for which a small angle must keep its digits. Seen red in float: with 1 - cos as one less
+// a product; with a logarithm without its series; with uniforms of 15 bits.
 TEST(Agreement, FloatAndDouble) {
-  const auto scene = read(ship(water(0.06, 0.1, broad_phase), channel("elastic"), 4e5, ""));
+  const auto scene = read(ship(water(0.06, 0.1, peaked_phase), channel("elastic"), 4e5, ""));
   const auto in_double = run_in<double>(scene, 2);
   const auto in_float = run_in<float>(scene, 2);
   for (std::size_t g = 0; g < in_double.gates(); ++g) {
     EXPECT_NEAR(in_float.echo.mean[g], in_double.echo.mean[g],
-                0.3 * in_double.echo.standard_error[g])
+                0.03 * in_double.echo.standard_error[g])
         << "gate " << g;
   }
-  EXPECT_NEAR(in_float.ledger.escaped, in_double.ledger.escaped, 1e-3 * in_double.ledger.escaped);
+  EXPECT_NEAR(in_float.ledger.escaped, in_double.ledger.escaped, 1e-5 * in_double.ledger.escaped);
   EXPECT_NE(in_float.echo.mean,
             in_double.echo.mean);  // or the comparison would be of one with itself
 }
 
+// Seen red: with batches merged as they come; with any of a tally's ledger, depths, largest scores
+// or octaves left as they were from one batch to the next.
 TEST(Agreement, BitsDoNotDependOnThreads) {
   const std::string algae =
       "[[sea.layer]]\nbottom_depth_m = 5.0\nchlorophyll_mg_m3 = 1.0\n[[sea.layer]]\n";
@@ -115,8 +144,9 @@ TEST(Agreement, BitsDoNotDependOnThreads) {
   }
 }
 
-// A lidar that looks up from below sees what is mirrored in the surface; near a submerged lens
-// nothing blows up.
+// A lidar that looks up from below sees what is mirrored in the surface. Seen red: with 1 - e
+// left out of the mixture of a direction; with the density of the first target alone; with one
+// target too many in the count.
 TEST(Agreement, LookingUpDirectedAndPlain) {
   const auto rov = [](const std::string& more, std::uint64_t seed, double photons) {
     return read(R"(

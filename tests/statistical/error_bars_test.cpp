@@ -58,7 +58,9 @@ void check(const std::string& phase, double depth) {
       "%g m\n",
       converged, gates, shallow.share(), shallow.flagged_converged, deep.share(),
       deep.flagged_converged, depth);
-  EXPECT_GT(shallow.share(), 0.88);
+  EXPECT_GE(shallow.flagged_converged, 0.8 * seeds * static_cast<double>(gates))
+      << "flags are timid";
+  EXPECT_GT(shallow.share(), 0.91);
   EXPECT_LT(shallow.share(), 0.99);
   // Deeper gates may be flagged as not converged, but not be wrong without a flag.
   if (deep.flagged_converged > 50) {
@@ -66,7 +68,11 @@ void check(const std::string& phase, double depth) {
   }
 }
 
+// Seen red: with errors 1.2 or 1.5 times too small; with errors 1.5 times too large; with no flags
+// at all; without the flag of a heavy tail; with a largest score of 0.05 % enough for a flag.
 TEST(ErrorBars, HoldOnHenyeyGreensteinWaterTo20m) { check(henyey_greenstein_phase, 20); }
+// Seen red: with errors 1.2 or 1.5 times too small; with errors 1.3 times too large; with no flags
+// at all; with a largest score of 0.05 % enough for a flag.
 TEST(ErrorBars, HoldOnPeakedWaterTo10m) { check(peaked_phase, 10); }
 
 }  // namespace

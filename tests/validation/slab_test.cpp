@@ -48,7 +48,8 @@ double error_bound(double share, std::uint64_t photons) {
 
 // van de Hulst 1980, Multiple Light Scattering, vol. 2, table 35: optical thickness 2, albedo 0.9,
 // g = 0.75, normal incidence, no refraction: R = 0.09739, T = 0.66096. Seen red: the sign of g; the
-// free path on a log base 10.
+// free path on a log base 10; c / c' left out; absorption along the way left out; 1 % too little
+// booked as absorbed.
 TEST(Slab, VanDeHulst) {
   const auto result = engine::run(read(scene("1.0", van_de_hulst_layer, 0.0, 4e6)));
   ZFamily family(0.01);
@@ -61,7 +62,8 @@ TEST(Slab, VanDeHulst) {
 
 // Giovanelli 1955, Opt. Acta 2, 153: semi-infinite, isotropic, albedo 0.9, n = 1.5: R = 0.2600, of
 // which 0.0400 is reflected by the surface itself. A layer of optical thickness 60 stands for the
-// infinite one. Seen red: internal reflection left out.
+// infinite one. Seen red: internal reflection left out, or all of it but
+// total reflection; c / c' left out; absorption along the way left out.
 TEST(Slab, Giovanelli) {
   const auto result = engine::run(read(scene("1.5", R"(
 [[sea.layer]]
@@ -76,19 +78,20 @@ phase_function = { model = "isotropic" }
 }
 
 // What is emitted is absorbed, leaves, or is cut off, in the mean: free paths drawn from scattering
-// alone, directed sampling and conversions keep weights right on average, not history by history. A
-// million photons know the sum to a few parts in a thousand.
+// alone, directed sampling and conversions keep weights right on average, not history by history.
+// Four million photons know the sum to 3e-4. Seen red: with c / c' left out; with absorption along
+// the way left out; with 1 % too little booked as absorbed.
 TEST(Slab, PhotonsAreConserved) {
   for (const double directed_fraction : {0.0, 0.1}) {
     const auto l =
-        engine::run(read(scene("1.34", van_de_hulst_layer, directed_fraction, 1e6))).ledger;
+        engine::run(read(scene("1.34", van_de_hulst_layer, directed_fraction, 4e6))).ledger;
     const double sum =
         l.absorbed + l.escaped + l.sea_bed + l.cut_by_time + l.cut_by_order + l.roulette + l.lost;
-    EXPECT_NEAR(sum, 1.0, 4e-3) << directed_fraction;
+    EXPECT_NEAR(sum, 1.0, 1e-3) << directed_fraction;
   }
 }
 
-// A conservative slab gives everything back: R + T = 1.
+// A conservative slab gives everything back: R + T = 1. Seen red: with 0.1 % lost at every event.
 TEST(Slab, Conservative) {
   const auto result = engine::run(read(scene("1.34", R"(
 [[sea.layer]]
