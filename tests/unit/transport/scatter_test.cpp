@@ -77,8 +77,8 @@ std::size_t cell_of(const std::vector<double>& edges, double x) {
 
 // Weighted shares of the cells, mean weight, mean cosine and mean azimuth: z-tests, 1 % for the
 // family. Seen red: with the weight left alone; with the lobe left out of the density; with
-// targets without weight counted; with the phase function's own table for the lobe's density; with the
-// share of the targets not split by their weights; with the density of a cone over 4 pi.
+// targets without weight counted; with the phase function's own table for the lobe's density; with
+// the share of the targets not split by their weights; with the density of a cone over 4 pi.
 TEST(Scatter, TimesItsWeightFollowsThePhaseFunction) {
   constexpr int samples = 200000;
   const auto sea = make_sea(40);
