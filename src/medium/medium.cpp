@@ -15,7 +15,7 @@ using optics::PhaseView;
 /// c.
 constexpr double least_walk_share = 0.2;
 
-constexpr std::size_t table_size = PhaseView::cells * PhaseView::fields;
+constexpr std::size_t table_size = std::size_t{PhaseView::cells} * PhaseView::fields;
 
 }  // namespace
 
