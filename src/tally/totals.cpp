@@ -28,9 +28,20 @@ double error_of_sum(const Sums& s, double photons, double batches) {
 
 void TailSums::add(double score, double photons) {
   low.add(score, photons);
-  const double y = score / photons;
-  xxx += score * y * y;
-  xxxx += score * y * y * y;
+  const double mean = score / photons;
+  if (photons_ == 0) origin_ = mean;
+  photons_ += photons;
+  double weighted = photons;
+  for (double& sum : power_) sum += weighted *= mean - origin_;
+}
+
+TailSums::Moments TailSums::central(double all_photons) const {
+  std::array<double, 4> about_origin{};
+  double missed = all_photons - photons_;
+  for (std::size_t k = 0; k < about_origin.size(); ++k)
+    about_origin[k] = (power_[k] + (missed *= -origin_)) / all_photons;
+  const auto& [m1, m2, m3, m4] = about_origin;
+  return {std::max(0.0, m2 - m1 * m1), m4 - 4 * m1 * m3 + 6 * m1 * m1 * m2 - 3 * m1 * m1 * m1 * m1};
 }
 
 Totals::Totals(const Shape& shape)
@@ -122,11 +133,7 @@ Totals::Health Totals::health(std::size_t cell) const {
   const auto n = static_cast<double>(photons_);
   const auto b = static_cast<double>(batches_);
   const double m = s.low.x / n;
-  // Second and fourth central moments of the batches' means, each batch weighted by its photons.
-  const double second = std::max(0.0, s.low.xx / n - m * m);
-  const double fourth =
-      s.xxxx / n - 4 * m * s.xxx / n + 6 * m * m * s.low.xx / n - 3 * m * m * m * m;
-
+  const auto [second, fourth] = s.central(n);
   Health health;
   health.variance_of_variance =
       second > 0 ? std::max(0.0, fourth / (second * second) - 1) / b : 0.0;

@@ -1,10 +1,11 @@
 // Sums over batches, and the estimates made of them.
 //
-// A batch of n photons that scored X in a cell enters as X, X^2/n, X^3/n^2, X^4/n^3; means and
-// errors follow without any batch being kept. Batches are merged in their order, so that sums do
-// not depend on threads.
+// A batch of n photons that scored X in a cell enters as X and X^2/n; means and errors follow
+// without any batch being kept. Batches are merged in their order, so that sums do not depend on
+// threads.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,8 +26,20 @@ struct Sums {
 /// The same with what the shape of the distribution needs.
 struct TailSums {
   Sums low;
-  double xxx = 0, xxxx = 0;
   void add(double score, double photons);
+
+  /// Second and fourth central moments of the batches' means per photon, each batch weighted by its
+  /// photons; of `all_photons`, those whose batches did not score included.
+  struct Moments {
+    double second = 0, fourth = 0;
+  };
+  [[nodiscard]] Moments central(double all_photons) const;
+
+ private:
+  // Powers of the distance from the first batch that scored: raw powers of a quiet gate would
+  // differ from its moments in all digits.
+  double origin_ = 0, photons_ = 0;
+  std::array<double, 4> power_{};  ///< sums of n (X/n - origin)^k, k = 1 … 4
 };
 
 /// The state of one echo cell at an earlier number of batches.

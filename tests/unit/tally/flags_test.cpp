@@ -106,6 +106,24 @@ TEST(Flags, UncertainVariance) {
   EXPECT_NE(flags(u) & uncertain_variance, 0);
 }
 
+// Of gates so quiet that raw fourth powers have no digits left, and of gates that many batches
+// miss. Seen red: with raw moments (quiet); with the batches that miss left out (missed).
+TEST(Flags, TheVarianceOfTheVarianceKeepsItsDigits) {
+  const auto quiet = [](int batch) { return 1e-3 * (1 + 1e-5 * (steady(batch) / 1e-3 - 1)); };
+  const auto missed = [](int batch) { return batch % 3 == 1 ? steady(batch) : 0.0; };
+  for (const auto& gate : {std::function<double(int)>(quiet), std::function<double(int)>(missed)}) {
+    std::vector<double> batches;
+    Tallies t;
+    for (int b = 0; b < 64; ++b) {
+      batches.push_back(gate(b));
+      if (gate(b) > 0) t.score(0, gate(b));
+      t.end_batch(1000);
+    }
+    const double expected = variance_of_variance(batches);
+    EXPECT_NEAR(t.totals.health(0).variance_of_variance / expected, 1, 1e-6);
+  }
+}
+
 /// 64 batches that all have the same scores: `small` of 2^-20, and in every other one a large one.
 void add_tail(Tallies& t, int small, double large) {
   for (int b = 0; b < 64; ++b) {
