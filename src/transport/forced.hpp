@@ -3,9 +3,12 @@
 // telescope it is scored although few photons happen to collide there.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
+#include "core/elementary.hpp"
 #include "medium/medium.hpp"
 #include "transport/flight.hpp"
 #include "transport/photon.hpp"
@@ -31,22 +34,18 @@ struct Stretch {
   Mask<T> exists;
   T from, to;     ///< along the ray [m]
   T rate;         ///< [1/m]
+  T whole;        ///< of the exponential on it: 1 - exp(-rate (to - from))
   Mask<T> rises;  ///< the bright end is `to`
 
-  T from_bright_end(const T& distance) const {
-    return select(rises, to - distance, distance - from);
-  }
-  T whole() const { return T(1) - exp_minus(rate * (to - from)); }
   T sample(const T& u) const {
-    const T y = minus_log(T(1) - u * whole()) / rate;
+    const T y = minus_log(T(1) - u * whole) / rate;
     return select(rises, to - y, from + y);
   }
   T density(const T& distance) const {
     const Mask<T> inside = exists & (distance >= from) & (distance <= to);
-    return select(inside,
-                  rate * exp_minus(select(inside, rate * from_bright_end(distance), T(0))) /
-                      select(exists, whole(), T(1)),
-                  T(0));
+    const T from_bright_end = select(rises, to - distance, distance - from);
+    const T y = select(inside, from_bright_end, T(0));
+    return select(inside, rate * exp_minus(rate * y) / whole, T(0));
   }
 };
 
@@ -90,6 +89,7 @@ Stretch<T> stretch_in(const ViewCone<T>& view, const Photon<T>& photon) {
   const T rate = view.rate * abs(speed);
   const T least = T(1e-3) / (stretch.to - from);
   stretch.rate = select(rate > least, rate, least);
+  stretch.whole = T(1) - exp_minus(stretch.rate * (stretch.to - from));
   stretch.rises = speed < T(0);
   return stretch;
 }
@@ -103,6 +103,9 @@ struct ForcedUniforms {
 /// themselves.
 inline constexpr double forced_share = 0.5;
 
+/// Conversions in the views beyond are found by free flights, and in the others' views.
+inline constexpr std::size_t most_forced_views = 16;
+
 /// Moves a photon in the water to a point on its ray and multiplies its weight by the density of
 /// collisions there over that of the points, so that what is scored there is in the mean what the
 /// photon's next collision gives. Points come from the free flight, or from the stretches of the
@@ -111,19 +114,23 @@ template <class T>
 Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
                         const std::vector<ViewCone<T>>& views, const ForcedUniforms<T>& u) {
   const Photon<T> before = photon;
+  const std::size_t taking_part = std::min(most_forced_views, views.size());
+  std::array<Stretch<T>, most_forced_views> stretch;
   T count(0);
-  for (const auto& v : views) count = count + select(stretch_in(v, before).exists, T(1), T(0));
+  for (std::size_t k = 0; k < taking_part; ++k) {
+    stretch[k] = stretch_in(views[k], before);
+    count = count + select(stretch[k].exists, T(1), T(0));
+  }
   const T share = select(count > T(0), T(forced_share), T(0));
 
   // The distance along the ray: in the view number floor(u count), or by a free flight.
   const Mask<T> forced = u.choice < share;
   T distance(0);
   T rest = u.view * count;
-  for (const auto& v : views) {
-    const Stretch<T> stretch = stretch_in(v, before);
-    const Mask<T> taken = stretch.exists & (rest >= T(0)) & (rest < T(1));
-    distance = select(taken, stretch.sample(u.distance), distance);
-    rest = rest - select(stretch.exists, T(1), T(0));
+  for (std::size_t k = 0; k < taking_part; ++k) {
+    const Mask<T> taken = stretch[k].exists & (rest >= T(0)) & (rest < T(1));
+    distance = select(taken, stretch[k].sample(u.distance), distance);
+    rest = rest - select(stretch[k].exists, T(1), T(0));
   }
   Photon<T> flown = photon;
   const FlightEnd<T> end = fly(sea, flown, u.distance);
@@ -144,9 +151,9 @@ Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
   const T walk_tau = sea.walk_slant_optical_depth<T>(photon.line, before.layer, depth1,
                                                      photon.layer, depth2, moved);
   T density = (T(1) - share) * gather<T>(sea.walk_c, here) * exp_minus(walk_tau);
-  for (const auto& v : views)
-    density =
-        density + share / select(count > T(0), count, T(1)) * stretch_in(v, before).density(moved);
+  const T per_view = share / select(count > T(0), count, T(1));
+  for (std::size_t k = 0; k < taking_part; ++k)
+    density = density + per_view * stretch[k].density(moved);
   photon.weight =
       photon.weight *
       select(reached, gather<T>(sea.c, here) * exp_minus(tau) / select(reached, density, T(1)),
