@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "engine/bidirectional.hpp"
 #include "engine/history.hpp"
 #include "engine/problem.hpp"
 #include "engine/run.hpp"
@@ -105,8 +106,16 @@ class BatchRunner {
   void simulate(std::uint64_t batch, tally::BatchTally& tally) const {
     tally.photons = conductor_.photons_of(batch);
     const std::uint64_t first = batch * batch_photons;
-    for (std::uint64_t photon = first; photon < first + tally.photons; ++photon)
-      follow(world_, photon, tally);
+    if (world_.walks == 0) {
+      for (std::uint64_t photon = first; photon < first + tally.photons; ++photon)
+        follow(world_, photon, tally);
+      return;
+    }
+    WalkSet<T> set(world_.walks);
+    for (std::uint64_t done = 0; done < tally.photons; done += world_.walks) {
+      const auto count = std::min<std::uint64_t>(world_.walks, tally.photons - done);
+      follow_set(world_, first + done, count, set, tally);
+    }
   }
 
   void merge_what_is_due() {

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/random.hpp"
 #include "engine/world.hpp"
 #include "tally/batch_tally.hpp"
-#include "transport/connect.hpp"
+#include "transport/connect_ray.hpp"
 #include "transport/scatter.hpp"
 
 namespace photic::engine {
@@ -17,6 +18,20 @@ inline constexpr int target_capacity = 16;
 template <class T>
 using Targets = transport::Targets<T, target_capacity>;
 
+/// Which point of each telescope's lens takes part in a local estimate of single rays.
+template <class T>
+struct LensChoice {
+  const RandomPlace<T>& place;
+  std::size_t pair;  ///< of the four uniforms of a block: 0 or 1
+
+  [[nodiscard]] instrument::PlanePoint<T> point(std::size_t number,
+                                                const instrument::Telescope<T>& telescope) const {
+    const auto u = uniforms(RandomPlace<T>{place.seed, place.photon, 0},
+                            4 + static_cast<std::uint32_t>(number));
+    return lens_point(telescope, u[0], u[1]);
+  }
+};
+
 /// Scores one line's light of a collision in all telescopes: weight before the collision x share of
 /// the process x phase function x acceptance x exp(-optical depth back at the emitted wavelength)
 /// (docs/theory.md, "The local estimate"). Adds the ways to the telescopes to `targets`, if given,
@@ -24,8 +39,8 @@ using Targets = transport::Targets<T, target_capacity>;
 /// telescope and then enters its view is what a plain walk finds too rarely.
 template <class T>
 void score_line(const World<T>& world, const transport::Photon<T>& photon, const Index<T>& line,
-                const T& share, const Index<T>& phase, tally::BatchTally& tally,
-                Targets<T>* targets) {
+                const T& share, const Index<T>& phase, const LensChoice<T>& choice,
+                tally::BatchTally& tally, Targets<T>* targets) {
   const auto offer = [&](std::size_t telescope, const transport::Connection<T>& way) {
     if (targets != nullptr && way.in_front && targets->count < target_capacity)
       targets->add(way.direction, T(0), T(1));
@@ -43,6 +58,15 @@ void score_line(const World<T>& world, const transport::Photon<T>& photon, const
   };
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const auto& telescope = world.telescopes[t];
+    if (world.single_rays) {
+      const auto lens = choice.point(t, telescope);
+      for (const bool mirrored : {false, true}) {
+        if (mirrored && !telescope.submerged) continue;
+        offer(t, transport::connect_ray(world.sea, telescope, world.telescope_layer[t], photon,
+                                        line, lens, mirrored));
+      }
+      continue;
+    }
     if (!telescope.submerged) {
       offer(t, transport::connect_through_surface(world.sea, telescope, photon, line,
                                                   targets != nullptr));
@@ -76,25 +100,27 @@ void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Tar
 /// targets of the direction it may take next.
 template <class T>
 void score_scattering(const World<T>& world, const transport::Photon<T>& photon,
-                      tally::BatchTally& tally, Targets<T>& targets) {
+                      const RandomPlace<T>& place, tally::BatchTally& tally, Targets<T>& targets) {
   const medium::MediumView& sea = world.sea;
   const Index<T> here = sea.at(photon.line, photon.layer);
   targets.clear();
-  score_line(world, photon, photon.line, T(sea.albedo[here]), sea.elastic_phase[here], tally,
-             world.directed > T(0) ? &targets : nullptr);
+  score_line(world, photon, photon.line, T(sea.albedo[here]), sea.elastic_phase[here], {place, 0},
+             tally, world.directed > T(0) ? &targets : nullptr);
   if (photon.line == 0 && world.directed > T(0)) aim_at_views(world, photon, targets);
 }
 
 /// Scores what the telescopes expect of the conversions on a photon's way to its next collision.
 template <class T>
 void score_conversions(const World<T>& world, transport::Photon<T> photon,
-                       const transport::ForcedUniforms<T>& u, tally::BatchTally& tally) {
+                       const RandomPlace<T>& place, tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
-  if (photon.line != 0 || !transport::force_collision(sea, photon, world.cones, u)) return;
+  const auto u = uniforms(place, 2);
+  if (photon.line != 0 || !transport::force_collision(sea, photon, world.cones, {u[0], u[1], u[2]}))
+    return;
   for (Index<T> i = 0; i < sea.convertible_count[photon.layer]; ++i) {
     const Index<T> line = sea.convertible[photon.layer * sea.lines + i];
     score_line<T>(world, photon, line, T(sea.conversion[sea.at(line, photon.layer)]),
-                  sea.conversion_phase[line], tally, nullptr);
+                  sea.conversion_phase[line], {place, 1}, tally, nullptr);
   }
 }
 

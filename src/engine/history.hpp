@@ -47,10 +47,7 @@ template <class T>
   while (place.event < most_events) {
     ++place.event;
     const auto u = uniforms(place, 0);
-    if (!world.views.empty()) {
-      const auto w = uniforms(place, 2);
-      score_conversions(world, photon, {w[0], w[1], w[2]}, tally);
-    }
+    if (!world.views.empty()) score_conversions(world, photon, place, tally);
     const auto end = fly(world.sea, photon, u[0]);
     if (end.sea_bed) return void(ledger.sea_bed += photon.weight);
     if (!in_time(world, photon)) return void(ledger.cut_by_time += photon.weight);
@@ -58,7 +55,7 @@ template <class T>
       ledger.escaped += reflect_down(world.sea, photon);
     } else {
       ++tally.collisions;
-      score_scattering(world, photon, tally, targets);
+      score_scattering(world, photon, place, tally, targets);
       if (photon.order + 1 == world.last_order) return void(ledger.cut_by_order += photon.weight);
 
       ledger.absorbed +=

@@ -1,12 +1,14 @@
 // Everything a history needs, immutable and shared by all threads.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "instrument/laser.hpp"
 #include "instrument/telescope.hpp"
+#include "medium/lines.hpp"
 #include "medium/medium.hpp"
 #include "scene/scene.hpp"
 #include "tally/gates.hpp"
@@ -71,6 +73,14 @@ View<T> make_view(const instrument::Telescope<T>& telescope, const medium::Mediu
   return view;
 }
 
+/// A telescope as the bidirectional estimator's walks begin there: detecting one line.
+template <class T>
+struct Receiver {
+  std::size_t number = 0;  ///< among the receivers
+  std::size_t telescope = 0;
+  Index<T> layer{}, line{};
+};
+
 template <class T>
 struct World {
   medium::MediumView sea;
@@ -85,13 +95,21 @@ struct World {
   std::vector<T> submerged_z;                 ///< of the telescopes in the water
   T least_group_index{};                      ///< of all lines
   T directed{};                               ///< share of directions drawn towards a telescope
-  T conversion{};  ///< probability of a branch into the inelastic processes
+  T conversion{};            ///< probability of a branch into the inelastic processes
+  bool single_rays = false;  ///< local estimates take one point of the lens instead of its mean
   bool makes_choices =
       false;  ///< whether collisions choose between phase functions, targets or lines at all
+  std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
+  std::size_t walks = 0;               ///< of the laser in a set; 0: the forward estimator
+  std::int32_t most_vertices = 0;      ///< of a walk that is to be connected
   T roulette_threshold{};
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   std::uint64_t seed = 0;
 };
+
+/// A walk that is to be connected is cut after so many vertices; what it carries then is counted as
+/// lost.
+inline constexpr std::int32_t most_vertices = 128;
 
 /// Below this analog weight absorption is by Russian roulette, as in a plain walk.
 inline constexpr double roulette_threshold = 1e-8;
@@ -122,9 +140,23 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   for (const auto& line : medium.line) least = std::min(least, line.group_index);
   world.least_group_index = T(least);
   world.directed = T(scene.simulation.directed_fraction);
+  world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);
   world.makes_choices = scene.simulation.directed_fraction > 0 || medium.line.size() > 1;
   world.roulette_threshold = T(roulette_threshold);
+  if (scene.simulation.estimator == "bidirectional")
+    world.walks = static_cast<std::size_t>(scene.simulation.walks);
+  world.most_vertices = most_vertices;
+  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
+    for (std::size_t l = 0; l < medium.line.size(); ++l) {
+      const bool counted =
+          std::any_of(scene.channel.begin(), scene.channel.end(),
+                      [&](const auto& channel) { return medium::counts(channel, medium.line[l]); });
+      if (counted)
+        world.receivers.push_back(
+            {world.receivers.size(), t, world.telescope_layer[t], static_cast<Index<T>>(l)});
+    }
+  }
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
   world.seed = scene.simulation.seed;

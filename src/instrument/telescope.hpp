@@ -15,7 +15,9 @@ template <class T>
 struct Telescope {
   Vec3<T> position;  ///< centre of the lens [m]
   Vec3<T> axis;      ///< where it looks, a unit vector
-  T lens_radius{};   ///< [m]
+  Vec3<T> across;    ///< with `up` the directions of the lens' plane: unit vectors, at right angles
+  Vec3<T> up;
+  T lens_radius{};  ///< [m]
   T obstruction_radius{};
   T power{};  ///< 1 / focal length [1/m]
   T detector_radius{};
@@ -23,6 +25,7 @@ struct Telescope {
   T least_defocus{};       ///< a sharp image counts as a disc of 1e-5 of the detector's radius
   T cos_squared_widest{};  ///< see cos_squared_of_widest_view()
   bool submerged = false;
+  bool upright = false;  ///< its axis is vertical
 
   /// Whether light that rises from below may fall on the detector of a telescope in the air, if it
   /// moves aside in the direction of (x, y) at an angle to the vertical whose tangent is at least
@@ -90,7 +93,10 @@ template <class T>
 Telescope<T> make_telescope(const scene::Telescope& s) {
   Telescope<T> t;
   t.position = vec3_cast<T>(s.position_m);
-  t.axis = vec3_cast<T>(normalised(s.direction));
+  const Vec3<double> axis = normalised(s.direction);
+  t.axis = vec3_cast<T>(axis);
+  t.across = vec3_cast<T>(turned(axis, 1.0, 1.0, 0.0));
+  t.up = vec3_cast<T>(turned(axis, 1.0, 0.0, 1.0));
   t.lens_radius = T(s.diameter_m / 2);
   t.obstruction_radius = T(s.obstruction_diameter_m / 2);
   t.power = T(1 / s.focal_length_m);
@@ -98,6 +104,7 @@ Telescope<T> make_telescope(const scene::Telescope& s) {
   t.detector_distance = T(s.focal_length_m + s.detector_shift_m);
   t.least_defocus = T(1e-5) * t.detector_radius / t.lens_radius;
   t.submerged = s.position_m.z < 0;
+  t.upright = std::abs(axis.z) == 1;
   t.cos_squared_widest = T(cos_squared_of_widest_view(s));
   return t;
 }

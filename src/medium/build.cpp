@@ -60,7 +60,8 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
     add_line_tables(scene, optics_of, emitted, l, medium);
     medium.conversion_phase.push_back(conversion_phase(medium, medium.line[l].process, library));
   }
-  medium.finish();
+  const bool connects = scene.simulation.estimator == "bidirectional";
+  medium.finish(connects ? std::optional(scene.simulation.walk_attenuation) : std::nullopt);
   return medium;
 }
 

@@ -51,7 +51,7 @@ std::vector<double> Medium::depth_integrals(const std::vector<double>& coefficie
   return out;
 }
 
-void Medium::finish() {
+void Medium::finish(std::optional<double> walk_share) {
   const auto n_layers = static_cast<std::size_t>(layers());
   const std::size_t n_lines = line.size();
   const std::size_t cells = n_layers * n_lines;
@@ -67,7 +67,7 @@ void Medium::finish() {
     group_index_.push_back(l.group_index);
   }
   for (std::size_t i = 0; i < cells; ++i) {
-    const double share = std::max(albedo[i], least_walk_share);
+    const double share = walk_share.value_or(std::max(albedo[i], least_walk_share));
     walk_c_.push_back(c[i] * share);
     continuous_c_.push_back(c[i] * (1 - share));
     collision_gain_.push_back(1 / share);

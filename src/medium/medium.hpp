@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -121,8 +122,10 @@ class Medium {
   /// Adds a phase function, or finds the equal one that is there already; returns its number.
   std::int32_t add_phase(const optics::PhaseTable& table);
 
-  /// Fills in what follows from the tables above; call once they are complete.
-  void finish();
+  /// Fills in what follows from the tables above; call once they are complete. `walk_share`: the
+  /// share of c that free paths are drawn from; by default from scattering alone, absorption being
+  /// continuous along them.
+  void finish(std::optional<double> walk_share = {});
 
   [[nodiscard]] MediumView view() const;
   [[nodiscard]] std::int32_t layers() const { return static_cast<std::int32_t>(top.size()) - 1; }

@@ -41,7 +41,7 @@ void describe(V& v, Gates& g) {
 
 template <class V>
 void describe(V& v, Simulation& s) {
-  v.optional("estimator", s.estimator, Choice{{"forward"}, {"bidirectional", "auto"}},
+  v.optional("estimator", s.estimator, Choice{{"forward", "bidirectional"}, {"auto"}},
              "how echoes are estimated");
   v.any_of([&](auto& w) {
     w.optional("photons", s.photons, Count{}, "end after this many photons");
@@ -55,11 +55,20 @@ void describe(V& v, Simulation& s) {
       "orders_kept", s.orders_kept, Count{1, 1000},
       "echoes are told apart by scattering order up to this one, which counts all above too");
   v.optional("seed", s.seed, Count{.low = 0}, "the seed of the random numbers");
+  v.optional("reception", s.reception, Choice{{"ray", "overlap"}, {}},
+             "of the forward estimator: local estimates of single rays through the lens, which is "
+             "exact, or the mean over the lens as if light fell evenly on it");
   v.optional("directed_fraction", s.directed_fraction,
              Number{.low = 0.0, .high = 1.0, .high_open = true},
              "the share of directions drawn towards a telescope; 0 turns that off");
   v.optional("conversion_probability", s.conversion_probability, between(0.0, 1.0),
              "the share of collisions followed into an inelastic process");
+  v.optional("walks", s.walks, Count{1, 100},
+             "of the bidirectional estimator: walks from the laser, and from each telescope, that "
+             "are all connected with each other");
+  v.optional("walk_attenuation", s.walk_attenuation, between(0.0, 1.0),
+             "of the bidirectional estimator: the share of the water's attenuation that its free "
+             "paths are drawn from");
 }
 
 template <class V>

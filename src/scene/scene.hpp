@@ -140,9 +140,12 @@ struct Simulation {
   std::optional<std::int64_t> max_order;  ///< none: no limit
   std::int64_t orders_kept = 6;
   std::uint64_t seed = 1;
+  std::string reception = "ray";  ///< forward: ray | overlap
   double directed_fraction =
       0.5;  ///< share of directions drawn towards a telescope; 0 turns it off
   double conversion_probability = 0.15;  ///< of a branch into an inelastic process, per collision
+  std::int64_t walks = 1;  ///< bidirectional: of the laser, and of each telescope, in a set
+  double walk_attenuation = 0.5;  ///< bidirectional: share of c that free paths are drawn from
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };
 

@@ -8,7 +8,7 @@
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
-#include "transport/flight.hpp"
+#include "transport/crossing.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -23,64 +23,6 @@ struct Connection {
   T optical_depth{};  ///< of the way
   T path{};           ///< length times group index [m]
 };
-
-/// A point in the water is seen from the air as if it stood on its own vertical at the apparent
-/// rise h + d / sqrt(n^2 + (n^2-1) t^2) below: h the height over the flat surface, d the point's
-/// depth, t the tangent of the angle in air. 1 over that rise is the root s of
-///   s (h + d / sqrt(n^2 + (n^2-1) s^2 aside^2)) = 1
-/// and this its series in t^2, never above the root.
-template <class T>
-struct CrossingStart {
-  T per_rise;
-  T error;  ///< relative, about what the series leaves out: its next term
-};
-template <class T>
-CrossingStart<T> crossing_start(const T& inverse_n, const T& depth, const T& height,
-                                const T& aside_squared) {
-  const T seen_depth = depth * inverse_n;
-  const T paraxial = T(1) / (height + seen_depth);
-  const T share = seen_depth * paraxial;
-  const T bend = (T(1) - inverse_n * inverse_n) * (aside_squared * paraxial * paraxial);
-  const T series = T(0.5) + bend * (T(0.75) * share - T(0.375) +
-                                    bend * (T(1.5) * share * (share - T(1)) + T(0.3125)));
-  const T correction = select(bend < T(0.25), bend * series, T(0.15)) * share;
-  const T squared = bend * bend;
-  return {paraxial + paraxial * correction, T(35.0 / 128) * share * squared * squared};
-}
-
-/// The root by Newton's steps from there. The left side is concave in s: steps from above the root
-/// lead below it, steps from below rise towards it and never overshoot. A step squares the error,
-/// times no more than t^2: this tells which one is the last. Small angles need none.
-template <class T>
-T crossing(const T& n, const T& depth, const T& height, const T& aside_squared,
-           const CrossingStart<T>& start) {
-  using std::sqrt;
-  const T n2 = n * n;
-  T s = start.per_rise;
-  // A lane that is done rests, whatever the others still need.
-  Mask<T> open = start.error > T(4 * std::numeric_limits<Element<T>>::epsilon());
-  for (int step = 0; step < 60 && any(open); ++step) {
-    const T t2 = s * s * aside_squared;
-    const T q = T(1) / (n2 + (n2 - T(1)) * t2);
-    const T root = sqrt(q);
-    const T excess = s * (height + depth * root) - T(1);
-    s = select(open, s - excess / (height + depth * n2 * q * root), s);
-    open = open & (excess * excess * t2 > T(std::numeric_limits<Element<T>>::epsilon()));
-  }
-  return s;
-}
-
-/// Solid angle in medium 1 (index n, path l1, cosine c1 to the vertical) per area across the ray in
-/// air (path l2, cosine c2): both curvatures of the refracted wave front, not the paraxial one
-/// [1/m^2]. `inverse_n` is 1 / n.
-template <class T>
-T refracted_solid_angle_per_area(const T& inverse_n, const T& l1, const T& c1, const T& l2,
-                                 const T& c2) {
-  const T across = l2 + l1 * inverse_n;
-  const T ratio = c2 / c1;
-  const T along = l2 + l1 * inverse_n * ratio * ratio;
-  return ratio * inverse_n * inverse_n / (across * along);
-}
 
 /// From a photon's position through the surface to a telescope in the air, at the given line. If
 /// nothing `aims` at the telescope, directions are left out where its detector cannot see the
@@ -107,14 +49,9 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   if (any(near_view))
     per_rise = select(near_view, crossing(n, depth, height, aside_squared, start), per_rise);
 
-  const T tangent_squared = per_rise * per_rise * aside_squared;
-  const T secant_air = sqrt(T(1) + tangent_squared);
-  const T slowness = sqrt(n * n + (n * n - T(1)) * tangent_squared);  // n secant_air cos_water
-  const T cos_air = T(1) / secant_air;
-  const T cos_water = slowness * cos_air * inverse_n;
-  const T sideways = per_rise * cos_air * inverse_n;
-  way.direction = {dx * sideways, dy * sideways, cos_water};
-  const Vec3<T> arriving{dx * per_rise, dy * per_rise, T(1)};  // times secant_air
+  const RefractedRay<T> ray = refracted_ray(n, inverse_n, dx, dy, aside_squared, per_rise);
+  const auto& [direction, arriving, secant_air, cos_air, cos_water, slowness] = ray;
+  way.direction = direction;
   const T towards = -dot(arriving, telescope.axis);
   way.in_front = towards > T(0);
   if (!any(near_view)) return way;

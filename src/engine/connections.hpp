@@ -1,0 +1,272 @@
+// The connections of a telescope's walk: with the laser, with the laser's walks, and of those with
+// the telescope (docs/theory.md, "The bidirectional estimator").
+#pragma once
+
+#include <cmath>
+
+#include "engine/walk.hpp"
+#include "tally/batch_tally.hpp"
+#include "transport/joint.hpp"
+#include "transport/way.hpp"
+
+namespace photic::engine {
+
+template <class T>
+class Connections {
+ public:
+  Connections(const World<T>& world, const Receiver<T>& receiver,
+              const transport::Samples<T>& samples, const Walk<T>& telescope_walk,
+              tally::BatchTally& tally)
+      : world_(world),
+        sea_(world.sea),
+        telescope_(world.telescopes[receiver.telescope]),
+        receiver_(receiver),
+        samples_(samples),
+        back_(telescope_walk),
+        tally_(tally) {}
+
+  /// The laser's walk with the walk's point of the lens: the local estimate of a single ray.
+  void to_telescope(const Walk<T>& laser) const;
+  /// The telescope's walk with the laser.
+  void to_laser() const;
+  /// Every vertex of the laser's walk with every vertex of the telescope's.
+  void between(const Walk<T>& laser) const;
+  /// The telescope's walk shifted, so that its rays meet the vertices of the laser's.
+  void shifted(const Walk<T>& laser) const;
+
+ private:
+  using Vertex = transport::Vertex<T>;
+  using Joint = transport::Joint<T>;
+
+  void to_telescope(const Vertex& v, std::int32_t order, const transport::Way<T>& way,
+                    bool mirrored) const;
+  void to_laser(const Vertex& v, std::int32_t order, const transport::Way<T>& way,
+                bool mirrored) const;
+  void between(const Vertex& v, const Vertex& w, T shift_area, std::int32_t order) const;
+  void along(Index<T> line, const Joint& from, const Joint& to, const Vertex& v, const Vertex& w,
+             T length, T shift_area, std::int32_t order) const;
+  void shifted(const Vertex& v, const transport::Ray<T>& ray, int number, T length,
+               std::int32_t order) const;
+
+  /// Whether light of the laser's line can leave a layer as light of a line.
+  [[nodiscard]] bool emits(Index<T> line, Index<T> layer) const {
+    return line == 0 || sea_.conversion[sea_.at(line, layer)] > 0;
+  }
+  [[nodiscard]] bool beyond_last(std::int32_t order) const {
+    return world_.last_order > 0 && order > world_.last_order;
+  }
+  [[nodiscard]] Joint leaving_laser(const Vertex& v, const Vec3<T>& direction, Index<T> line,
+                                    T chance, T shift_chance, T shift_area) const {
+    return line == 0 ? scattering_from_laser(sea_, v, direction, shift_chance, shift_area)
+                     : conversion_from_laser(sea_, v, direction, line, world_.conversion, chance,
+                                             shift_chance, shift_area);
+  }
+  /// `first`: of the telescope's walk, in whose layer light was last scattered.
+  void score(T value, T path, const Vertex& first, std::int32_t order) const {
+    tally::Score s;
+    s.telescope = receiver_.telescope;
+    s.line = receiver_.line;
+    s.order = order;
+    s.depth = -first.position.z;
+    s.path = path;
+    s.value = value;
+    tally_.score(s);
+  }
+
+  const World<T>& world_;
+  const medium::MediumView& sea_;
+  const instrument::Telescope<T>& telescope_;
+  const Receiver<T>& receiver_;
+  const transport::Samples<T>& samples_;
+  const Walk<T>& back_;
+  tally::BatchTally& tally_;
+};
+
+template <class T>
+void Connections<T>::to_telescope(const Walk<T>& laser) const {
+  const Index<T> line = receiver_.line;
+  const Vec3<T> at = in_space(telescope_, back_.lens);
+  for (int i = 0; i < laser.size; ++i) {
+    const Vertex v = laser.vertex_in_path(i, i + 1, world_.most_vertices);
+    if (!emits(line, v.layer)) continue;
+    if (telescope_.submerged) {
+      for (const bool mirrored : {false, true})
+        to_telescope(v, i + 1, transport::way_in_water(sea_, v.position, line, at, mirrored),
+                     mirrored);
+      continue;
+    }
+    const Vec3<T> there = telescope_.position - v.position;
+    const T rise = telescope_.position.z - v.position.z * T(sea_.inverse_index[line]);
+    if (telescope_.may_see_beyond(there.x, there.y, rise))
+      to_telescope(v, i + 1, transport::way_through_surface(sea_, v.position, line, at, true),
+                   false);
+  }
+}
+
+template <class T>
+void Connections<T>::to_telescope(const Vertex& v, std::int32_t order, const transport::Way<T>& way,
+                                  bool mirrored) const {
+  const Index<T> line = receiver_.line;
+  const auto seen = sight(telescope_, back_.lens, way.arriving);
+  const T path = v.path + way.length_air + way.length_water * T(sea_.group_index[line]);
+  if (!way.exists || !seen.on_detector || !(path < world_.last_path)) return;
+  const T depth = -v.position.z;
+  const auto tau = telescope_.submerged
+                       ? depths_in_water(sea_, way, line, v.layer, depth, receiver_.layer,
+                                         way.length_water, mirrored)
+                       : depths_through_surface(sea_, way, line, v.layer, depth);
+  const T solid_angle = detector_solid_angle(telescope_, seen.cos_off_axis);
+  const T etendue = telescope_.area() * seen.cos_off_axis * solid_angle / way.index_squared;
+  const T shift_area = mirrored ? T(0) : instrument::shift_area(telescope_, seen.cos_off_axis);
+  const Joint from = leaving_laser(v, way.direction, line, T(1), T(1), shift_area);
+  const T area =
+      samples_.to_instrument * from.share * solid_angle / (way.per_area * way.index_squared) +
+      samples_.shifted * from.shift_share * shift_area * std::abs(way.direction.z);
+  score(from.weight * way.passed * etendue *
+            transport::balance(area, tau.all, tau.walk, from.end, transport::End<T>{}),
+        path, v, order);
+}
+
+template <class T>
+void Connections<T>::to_laser() const {
+  const auto& laser = world_.laser;
+  const Vec3<T> vertex = transport::fictitious_vertex(laser);
+  if (!(transport::connectable_solid_angle(laser, vertex) > T(0))) return;
+  for (int m = 0; m < back_.size; ++m) {
+    const Vertex w = back_.vertex_in_path(m, m + 1, world_.most_vertices);
+    if (!emits(w.line, w.layer)) continue;
+    if (!laser.submerged) {
+      to_laser(w, m + 1,
+               transport::way_through_surface(sea_, w.position, Index<T>(0), vertex, true), false);
+      continue;
+    }
+    for (const bool mirrored : {false, true})
+      to_laser(w, m + 1, transport::way_in_water(sea_, w.position, Index<T>(0), vertex, mirrored),
+               mirrored);
+  }
+}
+
+template <class T>
+void Connections<T>::to_laser(const Vertex& w, std::int32_t order, const transport::Way<T>& way,
+                              bool mirrored) const {
+  const auto& laser = world_.laser;
+  const Vec3<T> leaving = -way.arriving;
+  const bool in_cone = one_minus_cos(leaving, laser.axis) < laser.one_minus_cos_divergence;
+  if (!way.exists || !in_cone) return;
+  // The way from the disc on; the fictitious vertex lies behind it.
+  const T hidden = laser.vertex_distance / dot(leaving, laser.axis);
+  const T air = laser.submerged ? T(0) : way.length_air - hidden;
+  const T water = laser.submerged ? way.length_water - hidden : way.length_water;
+  const T path = w.path + air + water * T(sea_.group_index[0]);
+  if (!(water > T(0)) || !(path < world_.last_path)) return;
+  const T depth = -w.position.z;
+  const auto tau = laser.submerged ? depths_in_water(sea_, way, Index<T>(0), w.layer, depth,
+                                                     world_.laser_layer, water, mirrored)
+                                   : depths_through_surface(sea_, way, Index<T>(0), w.layer, depth);
+  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.conversion);
+  const T solid_angle =
+      transport::connectable_solid_angle(laser, transport::fictitious_vertex(laser));
+  const T area =
+      samples_.to_instrument * to.share * solid_angle / (way.per_area * way.index_squared);
+  score(to.weight * way.passed *
+            transport::balance(area, tau.all, tau.walk, transport::End<T>{}, to.end),
+        path, back_.vertex.front(), order);
+}
+
+template <class T>
+[[gnu::flatten]] void Connections<T>::between(const Walk<T>& laser) const {
+  for (int i = 0; i < laser.size; ++i) {
+    for (int m = 0; m < back_.size; ++m) {
+      const std::int32_t order = i + m + 2;
+      if (beyond_last(order)) break;
+      if (!(laser.vertex[i].path + back_.vertex[m].path < world_.last_path)) break;
+      // A walk that has all the vertices it may have does not set out from the last one.
+      const T shift_area = m + 1 < world_.most_vertices ? back_.shift_area : T(0);
+      between(laser.vertex_in_path(i, order, world_.most_vertices),
+              back_.vertex_in_path(m, order, world_.most_vertices), shift_area, order);
+    }
+  }
+}
+
+template <class T>
+void Connections<T>::between(const Vertex& v, const Vertex& w, T shift_area,
+                             std::int32_t order) const {
+  const Vec3<T> there = w.position - v.position;
+  const T length = std::sqrt(dot(there, there));
+  const Vec3<T> direction = (T(1) / length) * there;
+  if (emits(w.line, w.layer)) {
+    const Joint to = arrival_from_laser(sea_, w, -direction, world_.conversion);
+    along(0, scattering_from_laser(sea_, v, direction, to.shift_share, back_.shift_area), to, v, w,
+          length, shift_area, order);
+  }
+  if (w.line != 0 && emits(w.line, v.layer)) {
+    const T goes_on =
+        T(1) - transport::conversion_chance<T>(sea_, w.line, w.layer, world_.conversion);
+    along(w.line,
+          conversion_from_laser(sea_, v, direction, w.line, world_.conversion, w.chance,
+                                w.chance * goes_on, back_.shift_area),
+          scattering_of_converted(sea_, w, -direction), v, w, length, shift_area, order);
+  }
+}
+
+template <class T>
+void Connections<T>::along(Index<T> line, const Joint& from, const Joint& to, const Vertex& v,
+                           const Vertex& w, T length, T shift_area, std::int32_t order) const {
+  const T path = v.path + w.path + length * T(sea_.group_index[line]);
+  if (!(path < world_.last_path)) return;
+  const T depth = -v.position.z;
+  const T end = -w.position.z;
+  const T tau = sea_.slant_optical_depth<T>(line, v.layer, depth, w.layer, end, length);
+  const T walk_tau = sea_.walk_slant_optical_depth<T>(line, v.layer, depth, w.layer, end, length);
+  const T steep = std::abs(end - depth) / length;
+  const T area =
+      samples_.between * from.share * to.share * length * length +
+      samples_.shifted * from.shift_share * to.shift_share * shift_area * steep * to.end.p;
+  score(from.weight * to.weight * balance(area, tau, walk_tau, from.end, to.end), path,
+        back_.vertex.front(), order);
+}
+
+template <class T>
+[[gnu::flatten]] void Connections<T>::shifted(const Walk<T>& laser) const {
+  if (!(back_.shift_area > T(0))) return;
+  for (int m = 0; m < back_.rays; ++m) {
+    const transport::Ray<T>& ray = back_.ray[m];
+    for (int i = 0; i < laser.size; ++i) {
+      const Vertex& v = laser.vertex[i];
+      const std::int32_t order = i + m + 1;
+      if (beyond_last(order) || !(v.path + ray.path < world_.last_path)) break;
+      const auto meeting = shift_to(v.position, ray, telescope_, back_.lens);
+      if (!meeting.through_lens || !emits(ray.line, v.layer)) continue;
+      if (!sight(telescope_, meeting.lens, -back_.outward).on_detector) continue;
+      shifted(laser.vertex_in_path(i, order, world_.most_vertices), ray, m, meeting.length, order);
+    }
+  }
+}
+
+template <class T>
+void Connections<T>::shifted(const Vertex& v, const transport::Ray<T>& ray, int number, T length,
+                             std::int32_t order) const {
+  const Index<T> line = ray.line;
+  const T path = v.path + ray.path + length * T(sea_.group_index[line]);
+  if (!(path < world_.last_path)) return;
+  const T depth = -v.position.z;
+  const T end = -ray.position.z;
+  const T tau = sea_.slant_optical_depth<T>(line, v.layer, depth, ray.layer, end, length);
+  const T walk_tau = sea_.walk_slant_optical_depth<T>(line, v.layer, depth, ray.layer, end, length);
+  const Joint from =
+      leaving_laser(v, -ray.direction, line, ray.chance, ray.shift_chance, back_.shift_area);
+  const T steep = std::abs(ray.direction.z);
+  const T connected = number > 0
+                          ? samples_.between * length * length / ray.p
+                          : samples_.to_instrument * back_.begin.spread.solid_angle /
+                                solid_angle_per_area(sea_, back_.begin.spread, line, length, steep);
+  const T area = (line == 0 ? ray.chance : from.share) * connected +
+                 (line == 0 ? ray.shift_chance : from.shift_share) * samples_.shifted *
+                     back_.shift_area * steep;
+  transport::End<T> to;
+  to.closed = back_.closed_behind_ray(number, order, world_.most_vertices);
+  score(from.weight * ray.weight * balance(area, tau, walk_tau, from.end, to), path,
+        number > 0 ? back_.vertex.front() : v, order);
+}
+
+}  // namespace photic::engine

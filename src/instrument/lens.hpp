@@ -1,0 +1,97 @@
+// Single rays through a telescope's thin lens: what the overlap of telescope.hpp is the mean of, at
+// one range. A ray through the lens at p (a point of its plane) that moves aside by t per metre of
+// its way along the axis falls on the detector's plane at p + x_d (t - p / f), from the lens'
+// centre (docs/theory.md, "The telescope").
+#pragma once
+
+#include <cmath>
+
+#include "core/turn.hpp"
+#include "instrument/telescope.hpp"
+
+namespace photic::instrument {
+
+/// A point of the lens or the detector along the telescope's directions `across` and `up` [m].
+template <class T>
+struct PlanePoint {
+  T x, y;
+};
+
+/// An even choice of a point of the ring between two radii, from two uniforms.
+template <class T>
+PlanePoint<T> ring_point(const T& inner, const T& outer, const T& u_radius, const T& u_turn) {
+  using std::sqrt;
+  const T radius = sqrt(inner * inner + u_radius * (outer * outer - inner * inner));
+  const auto [cosine, sine] = cos_sin_of_turns(u_turn);
+  return {radius * cosine, radius * sine};
+}
+
+/// An even choice of a point of the open lens.
+template <class T>
+PlanePoint<T> lens_point(const Telescope<T>& telescope, const T& u_radius, const T& u_turn) {
+  return ring_point(telescope.obstruction_radius, telescope.lens_radius, u_radius, u_turn);
+}
+
+/// Where a point of the lens is.
+template <class T>
+Vec3<T> in_space(const Telescope<T>& telescope, const PlanePoint<T>& p) {
+  return telescope.position + (p.x * telescope.across + p.y * telescope.up);
+}
+
+/// What a detector sees through one point of the lens.
+template <class T>
+struct Sight {
+  Mask<T> on_detector{};  ///< whether a ray is seen
+  T cos_off_axis{1};      ///< of the ray outside, to the axis
+};
+
+/// The solid angle that the whole detector sees through a point of the lens, as if all of it stood
+/// at the off-axis angle of the given cosine: its directions are dense there as 1 over this [sr].
+template <class T>
+T detector_solid_angle(const Telescope<T>& telescope, const T& cos_off_axis) {
+  const T ratio = telescope.detector_radius / telescope.detector_distance;
+  return T(pi) * ratio * ratio * cos_off_axis * cos_off_axis * cos_off_axis;
+}
+
+/// How far a ray from the lens may be shifted sideways, as an area: with directions chosen as
+/// outward() does for even points of lens and detector, and the lens' points evenly, rays of this
+/// direction are as dense on a horizontal plane as 1 over this [m^2]. 0 where the lens is tilted,
+/// since a shift would then change a ray's length too.
+template <class T>
+T shift_area(const Telescope<T>& telescope, const T& cos_off_axis) {
+  using std::sqrt;
+  if (!telescope.upright) return T(0);
+  const T sine_squared = T(1) - cos_off_axis * cos_off_axis;
+  const T tangent = sqrt(select(sine_squared > T(0), sine_squared, T(0))) / cos_off_axis;
+  return telescope.area() * telescope.overlap(T(0), tangent);
+}
+
+/// Light that arrives at a point of the lens in a direction.
+template <class T>
+Sight<T> sight(const Telescope<T>& telescope, const PlanePoint<T>& p, const Vec3<T>& arriving) {
+  Sight<T> seen;
+  const T towards = -dot(arriving, telescope.axis);
+  const Mask<T> in_front = towards > T(0);
+  seen.cos_off_axis = select(in_front, towards, T(1));
+  const T per_axis = T(1) / seen.cos_off_axis;
+  const T x = p.x + telescope.detector_distance *
+                        (dot(arriving, telescope.across) * per_axis - p.x * telescope.power);
+  const T y = p.y + telescope.detector_distance *
+                        (dot(arriving, telescope.up) * per_axis - p.y * telescope.power);
+  const T radius = telescope.detector_radius;
+  seen.on_detector = in_front & (x * x + y * y < radius * radius);
+  return seen;
+}
+
+/// The direction out into the world of the ray from a point of the detector through one of the
+/// lens: the way back of the light that falls there.
+template <class T>
+Vec3<T> outward(const Telescope<T>& telescope, const PlanePoint<T>& p,
+                const PlanePoint<T>& on_detector) {
+  const T per_distance = T(1) / telescope.detector_distance;
+  const T aside = (on_detector.x - p.x) * per_distance + p.x * telescope.power;
+  const T upward = (on_detector.y - p.y) * per_distance + p.y * telescope.power;
+  return normalised(telescope.axis - (aside * telescope.across + upward * telescope.up));
+}
+
+}  // namespace photic::instrument

@@ -1,0 +1,47 @@
+// The straight way from a point in the water to one point of a telescope's lens: the local estimate
+// of a single ray. Its mean over the lens is exact, where connect.hpp takes phase function and
+// solid angle to be the same all over the lens (docs/theory.md, "The telescope").
+#pragma once
+
+#include "instrument/lens.hpp"
+#include "transport/connect.hpp"
+#include "transport/way.hpp"
+
+namespace photic::transport {
+
+/// As connect_through_surface (not `mirrored`) or connect_in_water give it, for a lens all of which
+/// is at one of its points.
+template <class T>
+Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+                          const Index<T>& telescope_layer, const Photon<T>& at,
+                          const Index<T>& line, const instrument::PlanePoint<T>& lens,
+                          bool mirrored) {
+  const T depth = -at.position.z;
+  const Vec3<T> to = in_space(telescope, lens);
+  Way<T> way;
+  if (telescope.submerged) {
+    way = way_in_water(sea, at.position, line, to, mirrored);
+  } else {
+    const T rise = telescope.position.z + depth * gather<T>(sea.inverse_index, line);
+    const Mask<T> near_view = telescope.may_see_beyond(telescope.position.x - at.position.x,
+                                                       telescope.position.y - at.position.y, rise);
+    way = way_through_surface(sea, at.position, line, to, near_view);
+  }
+  const auto seen = sight(telescope, lens, way.arriving);
+  Connection<T> connection;
+  connection.direction = way.direction;
+  connection.in_front = -dot(way.arriving, telescope.axis) > T(0);
+  const Mask<T> detected = way.exists & seen.on_detector;
+  if (!any(detected)) return connection;
+  const auto tau = telescope.submerged
+                       ? depths_in_water(sea, way, line, at.layer, depth, telescope_layer,
+                                         way.length_water, mirrored)
+                       : depths_through_surface(sea, way, line, at.layer, depth);
+  connection.acceptance =
+      select(detected, way.per_area * telescope.area() * seen.cos_off_axis * way.passed, T(0));
+  connection.optical_depth = tau.all;
+  connection.path = way.length_air + way.length_water * gather<T>(sea.group_index, line);
+  return connection;
+}
+
+}  // namespace photic::transport

@@ -1,0 +1,95 @@
+// Where light from a point in the water passes the flat surface to reach a point in the air
+// (docs/theory.md, "The local estimate").
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "core/vec3.hpp"
+
+namespace photic::transport {
+
+/// A point in the water is seen from the air as if it stood on its own vertical at the apparent
+/// rise h + d / sqrt(n^2 + (n^2-1) t^2) below: h the height over the flat surface, d the point's
+/// depth, t the tangent of the angle in air. 1 over that rise is the root s of
+///   s (h + d / sqrt(n^2 + (n^2-1) s^2 aside^2)) = 1
+/// and this its series in t^2, never above the root.
+template <class T>
+struct CrossingStart {
+  T per_rise;
+  T error;  ///< relative, about what the series leaves out: its next term
+};
+template <class T>
+CrossingStart<T> crossing_start(const T& inverse_n, const T& depth, const T& height,
+                                const T& aside_squared) {
+  const T seen_depth = depth * inverse_n;
+  const T paraxial = T(1) / (height + seen_depth);
+  const T share = seen_depth * paraxial;
+  const T bend = (T(1) - inverse_n * inverse_n) * (aside_squared * paraxial * paraxial);
+  const T series = T(0.5) + bend * (T(0.75) * share - T(0.375) +
+                                    bend * (T(1.5) * share * (share - T(1)) + T(0.3125)));
+  const T correction = select(bend < T(0.25), bend * series, T(0.15)) * share;
+  const T squared = bend * bend;
+  return {paraxial + paraxial * correction, T(35.0 / 128) * share * squared * squared};
+}
+
+/// The root by Newton's steps from there. The left side is concave in s: steps from above the root
+/// lead below it, steps from below rise towards it and never overshoot. A step squares the error,
+/// times no more than t^2: this tells which one is the last. Small angles need none.
+template <class T>
+T crossing(const T& n, const T& depth, const T& height, const T& aside_squared,
+           const CrossingStart<T>& start) {
+  using std::sqrt;
+  const T n2 = n * n;
+  T s = start.per_rise;
+  // A lane that is done rests, whatever the others still need.
+  Mask<T> open = start.error > T(4 * std::numeric_limits<Element<T>>::epsilon());
+  for (int step = 0; step < 60 && any(open); ++step) {
+    const T t2 = s * s * aside_squared;
+    const T q = T(1) / (n2 + (n2 - T(1)) * t2);
+    const T root = sqrt(q);
+    const T excess = s * (height + depth * root) - T(1);
+    s = select(open, s - excess / (height + depth * n2 * q * root), s);
+    open = open & (excess * excess * t2 > T(std::numeric_limits<Element<T>>::epsilon()));
+  }
+  return s;
+}
+
+/// Solid angle in medium 1 (index n, path l1, cosine c1 to the vertical) per area across the ray in
+/// air (path l2, cosine c2): both curvatures of the refracted wave front, not the paraxial one
+/// [1/m^2]. `inverse_n` is 1 / n.
+template <class T>
+T refracted_solid_angle_per_area(const T& inverse_n, const T& l1, const T& c1, const T& l2,
+                                 const T& c2) {
+  const T across = l2 + l1 * inverse_n;
+  const T ratio = c2 / c1;
+  const T along = l2 + l1 * inverse_n * ratio * ratio;
+  return ratio * inverse_n * inverse_n / (across * along);
+}
+
+/// The ray to the crossing whose apparent rise is 1 / per_rise, for a way that leads aside by (dx,
+/// dy).
+template <class T>
+struct RefractedRay {
+  Vec3<T> direction;  ///< in the water, a unit vector upwards
+  Vec3<T> arriving;   ///< in the air, times secant_air
+  T secant_air, cos_air, cos_water;
+  T slowness;  ///< n secant_air cos_water
+};
+template <class T>
+RefractedRay<T> refracted_ray(const T& n, const T& inverse_n, const T& dx, const T& dy,
+                              const T& aside_squared, const T& per_rise) {
+  using std::sqrt;
+  RefractedRay<T> ray;
+  const T tangent_squared = per_rise * per_rise * aside_squared;
+  ray.secant_air = sqrt(T(1) + tangent_squared);
+  ray.slowness = sqrt(n * n + (n * n - T(1)) * tangent_squared);
+  ray.cos_air = T(1) / ray.secant_air;
+  ray.cos_water = ray.slowness * ray.cos_air * inverse_n;
+  const T sideways = per_rise * ray.cos_air * inverse_n;
+  ray.direction = {dx * sideways, dy * sideways, ray.cos_water};
+  ray.arriving = {dx * per_rise, dy * per_rise, T(1)};
+  return ray;
+}
+
+}  // namespace photic::transport

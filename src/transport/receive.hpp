@@ -1,0 +1,79 @@
+// Where the walks of the bidirectional estimator begin: the laser's light, and the way back of the
+// light that falls on a telescope's detector.
+#pragma once
+
+#include "instrument/lens.hpp"
+#include "transport/emit.hpp"
+#include "transport/vertex.hpp"
+
+namespace photic::transport {
+
+/// A walk that stands in the water, and how its light has spread on the way there.
+template <class T>
+struct Beginning {
+  Mask<T> exists{};
+  Photon<T> photon;
+  Spread<T> spread;
+};
+
+template <class T>
+Beginning<T> enter_if_above(const medium::MediumView& sea, const Photon<T>& photon,
+                            const T& solid_angle, const T& before, bool submerged) {
+  Beginning<T> begin;
+  begin.photon = photon;
+  begin.spread.solid_angle = solid_angle;
+  begin.spread.before = before;
+  begin.exists = Mask<T>(true);
+  if (submerged) return begin;
+  begin.exists = enter_water(sea, begin.photon);
+  begin.spread.through_surface = true;
+  begin.spread.before = before + (begin.photon.path - photon.path);
+  begin.spread.cos_air = select(begin.exists, -photon.direction.z, T(1));
+  return begin;
+}
+
+/// The solid angle of a laser's cone; 0 of one that no connection can meet [sr].
+template <class T>
+T connectable_solid_angle(const instrument::Laser<T>& laser, const Vec3<T>& vertex) {
+  const bool meets = !laser.collimated && (laser.submerged || vertex.z > T(0));
+  return meets ? T(2 * pi) * laser.one_minus_cos_divergence : T(0);
+}
+
+/// The fictitious point that a laser's rays come from.
+template <class T>
+Vec3<T> fictitious_vertex(const instrument::Laser<T>& laser) {
+  return laser.centre - laser.vertex_distance * laser.axis;
+}
+
+/// The laser's walk.
+template <class T>
+Beginning<T> begin_at_laser(const medium::MediumView& sea, const instrument::Laser<T>& laser,
+                            const Index<T>& layer, const T& u_polar, const T& u_azimuth) {
+  const Photon<T> photon = emit(laser, layer, u_polar, u_azimuth);
+  return enter_if_above(sea, photon, connectable_solid_angle(laser, fictitious_vertex(laser)),
+                        laser.vertex_distance / dot(photon.direction, laser.axis), laser.submerged);
+}
+
+/// A telescope's walk from a point of its lens in a direction that its detector sees. It carries
+/// étendue: the weight begins with that of all such rays, and takes T (n_i / n_t)^2 at the surface.
+template <class T>
+Beginning<T> begin_at_telescope(const medium::MediumView& sea,
+                                const instrument::Telescope<T>& telescope, const Index<T>& layer,
+                                const Index<T>& line, const instrument::PlanePoint<T>& lens,
+                                const Vec3<T>& outward) {
+  Photon<T> photon;
+  photon.position = in_space(telescope, lens);
+  photon.direction = outward;
+  photon.line = line;
+  photon.layer = layer;
+  const T cos_off_axis = dot(photon.direction, telescope.axis);
+  const T solid_angle = detector_solid_angle(telescope, cos_off_axis);
+  photon.weight = telescope.area() * cos_off_axis * solid_angle;
+  auto begin = enter_if_above(sea, photon, solid_angle, T(0), telescope.submerged);
+  if (telescope.submerged) return begin;
+  const T inverse_n = gather<T>(sea.inverse_index, line);
+  begin.photon.weight = begin.photon.weight * (inverse_n * inverse_n);
+  return begin;
+}
+
+}  // namespace photic::transport

@@ -1,0 +1,108 @@
+// The straight ways from a point in the water to one point of an instrument: through the flat
+// surface, directly, or mirrored in the surface from below. What the telescope's field of view is
+// to connect.hpp, the single ray is here.
+#pragma once
+
+#include <cmath>
+
+#include "medium/medium.hpp"
+#include "optics/fresnel.hpp"
+#include "transport/crossing.hpp"
+
+namespace photic::transport {
+
+template <class T>
+struct Way {
+  Mask<T> exists{};
+  Vec3<T> direction;  ///< in which light leaves the point in the water, a unit vector
+  Vec3<T> arriving;   ///< in which it reaches the instrument, a unit vector
+  T length_water{};   ///< [m]
+  T length_air{};     ///< [m]
+  T per_area{};  ///< solid angle in the water per area across the ray at the instrument [1/m^2]
+  T index_squared{1};  ///< of the water against the instrument's medium
+  T passed{1};         ///< share that passes the surface, or is reflected by it
+};
+
+/// Through the surface to a point above it. Where `wanted` is false nothing is promised.
+template <class T>
+Way<T> way_through_surface(const medium::MediumView& sea, const Vec3<T>& from, const Index<T>& line,
+                           const Vec3<T>& to, const Mask<T>& wanted) {
+  const T n = gather<T>(sea.index, line);
+  const T inverse_n = gather<T>(sea.inverse_index, line);
+  const T depth = -from.z;
+  const T dx = to.x - from.x;
+  const T dy = to.y - from.y;
+  const T aside_squared = dx * dx + dy * dy;
+  const auto start = crossing_start(inverse_n, depth, to.z, aside_squared);
+  const T per_rise = select(wanted, crossing(n, depth, to.z, aside_squared, start), start.per_rise);
+  const RefractedRay<T> ray = refracted_ray(n, inverse_n, dx, dy, aside_squared, per_rise);
+
+  Way<T> way;
+  way.exists = wanted;
+  way.direction = ray.direction;
+  way.arriving = ray.cos_air * ray.arriving;
+  way.length_water = depth / ray.cos_water;
+  way.length_air = to.z * ray.secant_air;
+  way.per_area = refracted_solid_angle_per_area(inverse_n, way.length_water, ray.cos_water,
+                                                way.length_air, ray.cos_air);
+  way.index_squared = n * n;
+  way.passed = T(1) - optics::fresnel_reflectance(n, T(1), ray.cos_water, ray.cos_air);
+  return way;
+}
+
+/// Within the water, directly or by way of the surface seen from below.
+template <class T>
+Way<T> way_in_water(const medium::MediumView& sea, const Vec3<T>& from, const Index<T>& line,
+                    const Vec3<T>& to, bool mirrored) {
+  using std::abs;
+  using std::sqrt;
+  const Vec3<T> there = Vec3<T>{to.x, to.y, mirrored ? -to.z : to.z} - from;
+  const T squared = dot(there, there);
+  Way<T> way;
+  way.exists = squared > T(0);
+  const T safe = select(way.exists, squared, T(1));
+  way.length_water = sqrt(safe);
+  way.direction = (T(1) / way.length_water) * there;
+  way.arriving = {way.direction.x, way.direction.y, mirrored ? -way.direction.z : way.direction.z};
+  way.per_area = T(1) / safe;
+  if (mirrored)
+    way.passed =
+        optics::refract(gather<T>(sea.index, line), T(1), abs(way.direction.z)).reflectance;
+  return way;
+}
+
+/// Optical depths of a way's first `length` in the water, which ends in a layer: of the light, and
+/// of the coefficient that free paths are drawn from.
+template <class T>
+struct OpticalDepths {
+  T all, walk;
+};
+template <class T>
+OpticalDepths<T> depths_through_surface(const medium::MediumView& sea, const Way<T>& way,
+                                        const Index<T>& line, const Index<T>& layer,
+                                        const T& depth) {
+  const T secant = way.length_water / depth;
+  return {sea.optical_depth<T>(line, layer, depth) * secant,
+          sea.walk_optical_depth<T>(line, layer, depth) * secant};
+}
+template <class T>
+OpticalDepths<T> depths_in_water(const medium::MediumView& sea, const Way<T>& way,
+                                 const Index<T>& line, const Index<T>& layer, const T& depth,
+                                 const Index<T>& end_layer, const T& length, bool mirrored) {
+  using std::abs;
+  if (mirrored) {
+    const T steep = abs(way.direction.z);
+    const T end_depth = length * steep - depth;
+    return {(sea.optical_depth<T>(line, layer, depth) +
+             sea.optical_depth<T>(line, end_layer, end_depth)) /
+                steep,
+            (sea.walk_optical_depth<T>(line, layer, depth) +
+             sea.walk_optical_depth<T>(line, end_layer, end_depth)) /
+                steep};
+  }
+  const T end_depth = depth - length * way.direction.z;
+  return {sea.slant_optical_depth<T>(line, layer, depth, end_layer, end_depth, length),
+          sea.walk_slant_optical_depth<T>(line, layer, depth, end_layer, end_depth, length)};
+}
+
+}  // namespace photic::transport
