@@ -24,7 +24,7 @@ template <class T, class InTime>
   const medium::MediumView& sea = world.sea;
   Photon<T> photon = walk.begin.photon;
   Leg<T> leg;
-  Departure<T> departure;
+  walk.add(first_ray(photon));
   for (place.event = 1; place.event < most_events; ++place.event) {
     const auto u = uniforms(place, stream);
     const Photon<T> before = photon;
@@ -37,16 +37,14 @@ template <class T, class InTime>
       leg.mirrored = true;
     } else {
       ++tally.collisions;
-      walk.add(walk.size == 0
-                   ? first_vertex(sea, photon, walk.begin.spread, leg, walk.shift_area, samples)
-                   : next_vertex(photon, walk.last(), departure, leg, walk.shift_area, samples));
-      if (walk.size == world.last_order) return void(ledger.cut_by_order += photon.weight);
-      if (walk.size == world.most_vertices) return void(ledger.lost += photon.weight);
+      walk.add(vertex_on(sea, walk.last_ray(), walk.spread(walk.rays - 1), photon, leg, samples));
+      if (walk.vertices == world.last_order) return void(ledger.cut_by_order += photon.weight);
+      if (walk.vertices == world.most_vertices) return void(ledger.lost += photon.weight);
       const T weight = photon.weight;
       const T branch = photon.line > 0 ? uniforms(place, stream + 1)[0] : T(1);
-      departure = depart(sea, photon, world.conversion, {u[1], u[2], branch});
+      const auto departure = depart(sea, photon, world.conversion, {u[1], u[2], branch});
       ledger.absorbed += weight - photon.weight;
-      if (walk.shift_area > T(0)) walk.add(next_ray(photon, walk.last(), departure));
+      walk.add(next_ray(photon, walk.last_vertex(), departure));
       leg = {};
     }
     const T heavy = photon.weight;
@@ -84,13 +82,19 @@ void walk_from_laser(const World<T>& world, const transport::Samples<T>& samples
       tally.ledger);
 }
 
+/// The first of the random blocks of a receiver; the laser has those below.
+template <class T>
+std::uint32_t stream_of(const Receiver<T>& receiver) {
+  return 4 + 4 * static_cast<std::uint32_t>(receiver.number);
+}
+
 /// The walk of a telescope that goes with this photon.
 template <class T>
 void walk_from_telescope(const World<T>& world, const Receiver<T>& receiver,
                          const transport::Samples<T>& samples, std::uint64_t photon, Walk<T>& walk,
                          tally::BatchTally& tally) {
   const auto& telescope = world.telescopes[receiver.telescope];
-  const auto stream = 4 + 4 * static_cast<std::uint32_t>(receiver.number);
+  const auto stream = stream_of(receiver);
   const RandomPlace<T> place{world.seed, photon, 0};
   const auto u = uniforms(place, stream);
   walk.clear();
@@ -101,7 +105,6 @@ void walk_from_telescope(const World<T>& world, const Receiver<T>& receiver,
   walk.begin = transport::begin_at_telescope(world.sea, telescope, receiver.layer, receiver.line,
                                              walk.lens, walk.outward);
   if (!walk.begin.exists) return;
-  if (walk.shift_area > T(0)) walk.add(transport::first_ray(walk.begin.photon));
   tally::Ledger unused;  // the ledger is the laser's light's
   take_walk(
       world, samples, [&world](const auto& p) { return in_time_from_laser(world, p); }, place,
@@ -113,7 +116,7 @@ template <class T>
 void follow_set(const World<T>& world, std::uint64_t first, std::size_t count, WalkSet<T>& set,
                 tally::BatchTally& tally) {
   // An echo is per photon emitted, and so are the samples.
-  const transport::Samples<T> samples{T(1), T(1), T(count)};
+  const transport::Samples<T> samples{T(1), T(1), world.meetings_per_metre * T(count)};
   for (std::size_t g = 0; g < count; ++g)
     walk_from_laser(world, samples, first + g, set.from_laser[g], tally);
   for (const Receiver<T>& receiver : world.receivers) {
@@ -125,7 +128,9 @@ void follow_set(const World<T>& world, std::uint64_t first, std::size_t count, W
       connections.to_telescope(set.from_laser[g]);
       connections.to_laser();
       connections.between(set.from_laser[g]);
-      for (std::size_t i = 0; i < count; ++i) connections.shifted(set.from_laser[i]);
+      const T offset =
+          uniforms(RandomPlace<T>{world.seed, first + g, 0}, stream_of(receiver) + 2)[0];
+      for (std::size_t i = 0; i < count; ++i) connections.meetings(set.from_laser[i], offset);
     }
   }
 }

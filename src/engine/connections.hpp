@@ -7,6 +7,7 @@
 #include "engine/walk.hpp"
 #include "tally/batch_tally.hpp"
 #include "transport/joint.hpp"
+#include "transport/meet.hpp"
 #include "transport/way.hpp"
 
 namespace photic::engine {
@@ -31,8 +32,9 @@ class Connections {
   void to_laser() const;
   /// Every vertex of the laser's walk with every vertex of the telescope's.
   void between(const Walk<T>& laser) const;
-  /// The telescope's walk shifted, so that its rays meet the vertices of the laser's.
-  void shifted(const Walk<T>& laser) const;
+  /// Every ray of the laser's walk with every ray of the telescope's, at depths that lie on a grid
+  /// from `offset` (0 to 1 of its step) on.
+  void meetings(const Walk<T>& laser, T offset) const;
 
  private:
   using Vertex = transport::Vertex<T>;
@@ -42,11 +44,11 @@ class Connections {
                     bool mirrored) const;
   void to_laser(const Vertex& v, std::int32_t order, const transport::Way<T>& way,
                 bool mirrored) const;
-  void between(const Vertex& v, const Vertex& w, T shift_area, std::int32_t order) const;
+  void between(const Vertex& v, const Vertex& w, const Usable& usable, std::int32_t edge) const;
   void along(Index<T> line, const Joint& from, const Joint& to, const Vertex& v, const Vertex& w,
-             T length, T shift_area, std::int32_t order) const;
-  void shifted(const Vertex& v, const transport::Ray<T>& ray, int number, T length,
-               std::int32_t order) const;
+             T length, const Usable& usable, std::int32_t edge) const;
+  void meetings(const Walk<T>& laser, std::int32_t i, std::int32_t m, const Usable& usable,
+                const transport::Chord<T>& chord, T offset) const;
 
   /// Whether light of the laser's line can leave a layer as light of a line.
   [[nodiscard]] bool emits(Index<T> line, Index<T> layer) const {
@@ -55,19 +57,21 @@ class Connections {
   [[nodiscard]] bool beyond_last(std::int32_t order) const {
     return world_.last_order > 0 && order > world_.last_order;
   }
+  /// Where the light of the telescope's walk was last scattered.
+  [[nodiscard]] T last_depth() const { return -back_.vertex.front().position.z; }
   [[nodiscard]] Joint leaving_laser(const Vertex& v, const Vec3<T>& direction, Index<T> line,
-                                    T chance, T shift_chance, T shift_area) const {
-    return line == 0 ? scattering_from_laser(sea_, v, direction, shift_chance, shift_area)
+                                    T chance, T goes_on, T shift_area) const {
+    return line == 0 ? scattering_from_laser(sea_, v, direction, goes_on, shift_area)
                      : conversion_from_laser(sea_, v, direction, line, world_.conversion, chance,
-                                             shift_chance, shift_area);
+                                             goes_on, shift_area);
   }
-  /// `first`: of the telescope's walk, in whose layer light was last scattered.
-  void score(T value, T path, const Vertex& first, std::int32_t order) const {
+  /// `last`: the depth at which light was last scattered.
+  void score(T value, T path, T last, std::int32_t order) const {
     tally::Score s;
     s.telescope = receiver_.telescope;
     s.line = receiver_.line;
     s.order = order;
-    s.depth = -first.position.z;
+    s.depth = last;
     s.path = path;
     s.value = value;
     tally_.score(s);
@@ -86,8 +90,8 @@ template <class T>
 void Connections<T>::to_telescope(const Walk<T>& laser) const {
   const Index<T> line = receiver_.line;
   const Vec3<T> at = in_space(telescope_, back_.lens);
-  for (int i = 0; i < laser.size; ++i) {
-    const Vertex v = laser.vertex_in_path(i, i + 1, world_.most_vertices);
+  for (std::int32_t i = 0; i < laser.vertices; ++i) {
+    const Vertex v = laser.in_path(i, {i + 1, world_.most_vertices});
     if (!emits(line, v.layer)) continue;
     if (telescope_.submerged) {
       for (const bool mirrored : {false, true})
@@ -121,10 +125,10 @@ void Connections<T>::to_telescope(const Vertex& v, std::int32_t order, const tra
   const Joint from = leaving_laser(v, way.direction, line, T(1), T(1), shift_area);
   const T area =
       samples_.to_instrument * from.share * solid_angle / (way.per_area * way.index_squared) +
-      samples_.shifted * from.shift_share * shift_area * std::abs(way.direction.z);
+      shift_area * from.meeting;
   score(from.weight * way.passed * etendue *
             transport::balance(area, tau.all, tau.walk, from.end, transport::End<T>{}),
-        path, v, order);
+        path, depth, order);
 }
 
 template <class T>
@@ -132,8 +136,8 @@ void Connections<T>::to_laser() const {
   const auto& laser = world_.laser;
   const Vec3<T> vertex = transport::fictitious_vertex(laser);
   if (!(transport::connectable_solid_angle(laser, vertex) > T(0))) return;
-  for (int m = 0; m < back_.size; ++m) {
-    const Vertex w = back_.vertex_in_path(m, m + 1, world_.most_vertices);
+  for (std::int32_t m = 0; m < back_.vertices; ++m) {
+    const Vertex w = back_.in_path(m, {m + 1, world_.most_vertices});
     if (!emits(w.line, w.layer)) continue;
     if (!laser.submerged) {
       to_laser(w, m + 1,
@@ -160,44 +164,43 @@ void Connections<T>::to_laser(const Vertex& w, std::int32_t order, const transpo
   const T path = w.path + air + water * T(sea_.group_index[0]);
   if (!(water > T(0)) || !(path < world_.last_path)) return;
   const T depth = -w.position.z;
+  const T shift_area = mirrored ? T(0) : back_.shift_area;
   const auto tau = laser.submerged ? depths_in_water(sea_, way, Index<T>(0), w.layer, depth,
                                                      world_.laser_layer, water, mirrored)
                                    : depths_through_surface(sea_, way, Index<T>(0), w.layer, depth);
-  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.conversion);
+  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.conversion, shift_area);
   const T solid_angle =
       transport::connectable_solid_angle(laser, transport::fictitious_vertex(laser));
   const T area =
-      samples_.to_instrument * to.share * solid_angle / (way.per_area * way.index_squared);
+      samples_.to_instrument * to.share * solid_angle / (way.per_area * way.index_squared) +
+      shift_area * to.meeting;
   score(to.weight * way.passed *
             transport::balance(area, tau.all, tau.walk, transport::End<T>{}, to.end),
-        path, back_.vertex.front(), order);
+        path, last_depth(), order);
 }
 
 template <class T>
 [[gnu::flatten]] void Connections<T>::between(const Walk<T>& laser) const {
-  for (int i = 0; i < laser.size; ++i) {
-    for (int m = 0; m < back_.size; ++m) {
-      const std::int32_t order = i + m + 2;
-      if (beyond_last(order)) break;
+  for (std::int32_t i = 0; i < laser.vertices; ++i) {
+    for (std::int32_t m = 0; m < back_.vertices; ++m) {
+      const Usable usable{i + m + 2, world_.most_vertices};
+      if (beyond_last(usable.order)) break;
       if (!(laser.vertex[i].path + back_.vertex[m].path < world_.last_path)) break;
-      // A walk that has all the vertices it may have does not set out from the last one.
-      const T shift_area = m + 1 < world_.most_vertices ? back_.shift_area : T(0);
-      between(laser.vertex_in_path(i, order, world_.most_vertices),
-              back_.vertex_in_path(m, order, world_.most_vertices), shift_area, order);
+      between(laser.in_path(i, usable), back_.in_path(m, usable), usable, i + 1);
     }
   }
 }
 
 template <class T>
-void Connections<T>::between(const Vertex& v, const Vertex& w, T shift_area,
-                             std::int32_t order) const {
+void Connections<T>::between(const Vertex& v, const Vertex& w, const Usable& usable,
+                             std::int32_t edge) const {
   const Vec3<T> there = w.position - v.position;
   const T length = std::sqrt(dot(there, there));
   const Vec3<T> direction = (T(1) / length) * there;
   if (emits(w.line, w.layer)) {
-    const Joint to = arrival_from_laser(sea_, w, -direction, world_.conversion);
-    along(0, scattering_from_laser(sea_, v, direction, to.shift_share, back_.shift_area), to, v, w,
-          length, shift_area, order);
+    const Joint to = arrival_from_laser(sea_, w, -direction, world_.conversion, back_.shift_area);
+    along(0, scattering_from_laser(sea_, v, direction, to.goes_on, back_.shift_area), to, v, w,
+          length, usable, edge);
   }
   if (w.line != 0 && emits(w.line, v.layer)) {
     const T goes_on =
@@ -205,68 +208,67 @@ void Connections<T>::between(const Vertex& v, const Vertex& w, T shift_area,
     along(w.line,
           conversion_from_laser(sea_, v, direction, w.line, world_.conversion, w.chance,
                                 w.chance * goes_on, back_.shift_area),
-          scattering_of_converted(sea_, w, -direction), v, w, length, shift_area, order);
+          scattering_of_converted(sea_, w, -direction), v, w, length, usable, edge);
   }
 }
 
 template <class T>
 void Connections<T>::along(Index<T> line, const Joint& from, const Joint& to, const Vertex& v,
-                           const Vertex& w, T length, T shift_area, std::int32_t order) const {
+                           const Vertex& w, T length, const Usable& usable,
+                           std::int32_t edge) const {
   const T path = v.path + w.path + length * T(sea_.group_index[line]);
   if (!(path < world_.last_path)) return;
   const T depth = -v.position.z;
   const T end = -w.position.z;
   const T tau = sea_.slant_optical_depth<T>(line, v.layer, depth, w.layer, end, length);
   const T walk_tau = sea_.walk_slant_optical_depth<T>(line, v.layer, depth, w.layer, end, length);
-  const T steep = std::abs(end - depth) / length;
+  T meeting(0);
+  if (usable.meeting(edge)) meeting += from.meeting * to.end.p;
+  if (usable.meeting(edge + 1)) meeting += to.meeting * from.end.p;
   const T area =
-      samples_.between * from.share * to.share * length * length +
-      samples_.shifted * from.shift_share * to.shift_share * shift_area * steep * to.end.p;
+      samples_.between * from.share * to.share * length * length + back_.shift_area * meeting;
   score(from.weight * to.weight * balance(area, tau, walk_tau, from.end, to.end), path,
-        back_.vertex.front(), order);
+        last_depth(), usable.order);
 }
 
 template <class T>
-[[gnu::flatten]] void Connections<T>::shifted(const Walk<T>& laser) const {
+[[gnu::flatten]] void Connections<T>::meetings(const Walk<T>& laser, T offset) const {
   if (!(back_.shift_area > T(0))) return;
-  for (int m = 0; m < back_.rays; ++m) {
-    const transport::Ray<T>& ray = back_.ray[m];
-    for (int i = 0; i < laser.size; ++i) {
-      const Vertex& v = laser.vertex[i];
-      const std::int32_t order = i + m + 1;
-      if (beyond_last(order) || !(v.path + ray.path < world_.last_path)) break;
-      const auto meeting = shift_to(v.position, ray, telescope_, back_.lens);
-      if (!meeting.through_lens || !emits(ray.line, v.layer)) continue;
-      if (!sight(telescope_, meeting.lens, -back_.outward).on_detector) continue;
-      shifted(laser.vertex_in_path(i, order, world_.most_vertices), ray, m, meeting.length, order);
+  for (std::int32_t m = 0; m < back_.rays; ++m) {
+    const transport::Ray<T>& back = back_.ray[m];
+    for (std::int32_t i = 0; i < laser.rays; ++i) {
+      const transport::Ray<T>& out = laser.ray[i];
+      const Usable usable{i + m + 1, world_.most_vertices};
+      if (beyond_last(usable.order) || !(out.path + back.path < world_.last_path)) break;
+      if (!(out.direction.z * back.direction.z > T(0))) continue;
+      const auto chord = transport::chord(out, back, telescope_, back_.lens, world_.deepest);
+      if (chord.exists) meetings(laser, i, m, usable, chord, offset);
     }
   }
 }
 
 template <class T>
-void Connections<T>::shifted(const Vertex& v, const transport::Ray<T>& ray, int number, T length,
-                             std::int32_t order) const {
-  const Index<T> line = ray.line;
-  const T path = v.path + ray.path + length * T(sea_.group_index[line]);
-  if (!(path < world_.last_path)) return;
-  const T depth = -v.position.z;
-  const T end = -ray.position.z;
-  const T tau = sea_.slant_optical_depth<T>(line, v.layer, depth, ray.layer, end, length);
-  const T walk_tau = sea_.walk_slant_optical_depth<T>(line, v.layer, depth, ray.layer, end, length);
-  const Joint from =
-      leaving_laser(v, -ray.direction, line, ray.chance, ray.shift_chance, back_.shift_area);
-  const T steep = std::abs(ray.direction.z);
-  const T connected = number > 0
-                          ? samples_.between * length * length / ray.p
-                          : samples_.to_instrument * back_.begin.spread.solid_angle /
-                                solid_angle_per_area(sea_, back_.begin.spread, line, length, steep);
-  const T area = (line == 0 ? ray.chance : from.share) * connected +
-                 (line == 0 ? ray.shift_chance : from.shift_share) * samples_.shifted *
-                     back_.shift_area * steep;
-  transport::End<T> to;
-  to.closed = back_.closed_behind_ray(number, order, world_.most_vertices);
-  score(from.weight * ray.weight * balance(area, tau, walk_tau, from.end, to), path,
-        number > 0 ? back_.vertex.front() : v, order);
+void Connections<T>::meetings(const Walk<T>& laser, std::int32_t i, std::int32_t m,
+                              const Usable& usable, const transport::Chord<T>& chord,
+                              T offset) const {
+  const transport::Ray<T>& out = laser.ray[i];
+  const transport::Ray<T>& back = back_.ray[m];
+  const T per_metre = samples_.meeting;
+  for (T j = std::ceil(chord.from * per_metre - offset); (j + offset) < chord.to * per_metre;
+       j += T(1)) {
+    const T depth = (j + offset) / per_metre;
+    const instrument::PlanePoint<T> lens{chord.lens.x + depth * chord.per_depth.x,
+                                         chord.lens.y + depth * chord.per_depth.y};
+    if (!open_at(telescope_, lens) || !sight(telescope_, lens, -back_.outward).on_detector)
+      continue;
+    const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
+    if (!emits(back.line, layer)) continue;
+    const auto meeting =
+        meet(sea_, out, laser.spread(i), laser.behind(i, usable), back, back_.spread(m),
+             back_.behind(m, usable), depth, layer, back_.shift_area, world_.conversion, samples_);
+    if (meeting.path < world_.last_path)
+      score(meeting.value, meeting.path, m > 0 ? last_depth() : depth, usable.order);
+  }
 }
 
 }  // namespace photic::engine

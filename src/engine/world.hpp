@@ -100,8 +100,10 @@ struct World {
   bool makes_choices =
       false;  ///< whether collisions choose between phase functions, targets or lines at all
   std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
-  std::size_t walks = 0;               ///< of the laser in a set; 0: the forward estimator
-  std::int32_t most_vertices = 0;      ///< of a walk that is to be connected
+  T deepest{};                     ///< where light may turn back within the last gate, at most [m]
+  T meetings_per_metre{};          ///< of depth, between two rays of walks
+  std::size_t walks = 0;           ///< of the laser in a set; 0: the forward estimator
+  std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
   T roulette_threshold{};
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   std::uint64_t seed = 0;
@@ -113,6 +115,27 @@ inline constexpr std::int32_t most_vertices = 128;
 
 /// Below this analog weight absorption is by Russian roulette, as in a plain walk.
 inline constexpr double roulette_threshold = 1e-8;
+
+/// How deep light can turn back within the last gate, and how far below the instruments that is.
+struct Reach {
+  double deepest, range;
+};
+inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium,
+                      const tally::Gates& gates, double least_group_index) {
+  const auto above = [](double z) { return std::max(0.0, z); };
+  const auto depth = [](double z) { return std::max(0.0, -z); };
+  const double source = scene.source.position_m.z;
+  Reach reach{0, 0};
+  for (const auto& t : scene.telescope) {
+    const double in_water = gates.last_path() - above(source) - above(t.position_m.z);
+    const double higher = std::min(depth(source), depth(t.position_m.z));
+    const double lower = std::max(depth(source), depth(t.position_m.z));
+    const double deepest = std::max(lower, (in_water / least_group_index + higher + lower) / 2);
+    reach = {std::max(reach.deepest, deepest), std::max(reach.range, deepest - higher)};
+  }
+  reach.deepest = std::min(reach.deepest, medium.top.back());
+  return reach;
+}
 
 template <class T>
 World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
@@ -139,6 +162,9 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   double least = medium.line.front().group_index;
   for (const auto& line : medium.line) least = std::min(least, line.group_index);
   world.least_group_index = T(least);
+  const Reach reach = reach_of(scene, medium, gates, least);
+  world.deepest = T(reach.deepest);
+  world.meetings_per_metre = T(scene.simulation.meetings / reach.range);
   world.directed = T(scene.simulation.directed_fraction);
   world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);

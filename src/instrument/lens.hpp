@@ -32,6 +32,14 @@ PlanePoint<T> lens_point(const Telescope<T>& telescope, const T& u_radius, const
   return ring_point(telescope.obstruction_radius, telescope.lens_radius, u_radius, u_turn);
 }
 
+/// Whether a point of the lens' plane is open.
+template <class T>
+Mask<T> open_at(const Telescope<T>& telescope, const PlanePoint<T>& p) {
+  const T squared = p.x * p.x + p.y * p.y;
+  return (squared < telescope.lens_radius * telescope.lens_radius) &
+         (squared >= telescope.obstruction_radius * telescope.obstruction_radius);
+}
+
 /// Where a point of the lens is.
 template <class T>
 Vec3<T> in_space(const Telescope<T>& telescope, const PlanePoint<T>& p) {

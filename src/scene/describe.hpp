@@ -66,6 +66,9 @@ void describe(V& v, Simulation& s) {
   v.optional("walks", s.walks, Count{1, 100},
              "of the bidirectional estimator: walks from the laser, and from each telescope, that "
              "are all connected with each other");
+  v.optional("meetings", s.meetings, positive,
+             "of the bidirectional estimator: how often two rays are made to meet, over the range "
+             "of the gates");
   v.optional("walk_attenuation", s.walk_attenuation, between(0.0, 1.0),
              "of the bidirectional estimator: the share of the water's attenuation that its free "
              "paths are drawn from");

@@ -72,22 +72,25 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
   return end;
 }
 
+/// The layer of a depth, from a layer nearby on.
+template <class T>
+Index<T> layer_at(const medium::MediumView& sea, Index<T> layer, const T& depth) {
+  const Index<T> last(sea.layers - 1);
+  for (;;) {
+    const Mask<T> deeper = (layer < last) & (depth > gather<T>(sea.top, layer + Index<T>(1)));
+    const Mask<T> higher = (layer > Index<T>(0)) & (depth < gather<T>(sea.top, layer));
+    if (!any(deeper | higher)) return layer;
+    layer = layer + select(deeper, Index<T>(1), select(higher, Index<T>(-1), Index<T>(0)));
+  }
+}
+
 /// Moves a photon by a distance, whatever it passes. Tells whether it is still in the water.
 template <class T>
 Mask<T> advance(const medium::MediumView& sea, Photon<T>& photon, const T& distance) {
   photon.position = photon.position + distance * photon.direction;
   photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
   const T depth = -photon.position.z;
-  const Index<T> last(sea.layers - 1);
-  for (;;) {
-    const Mask<T> deeper =
-        (photon.layer < last) & (depth > gather<T>(sea.top, photon.layer + Index<T>(1)));
-    const Mask<T> higher =
-        (photon.layer > Index<T>(0)) & (depth < gather<T>(sea.top, photon.layer));
-    if (!any(deeper | higher)) break;
-    photon.layer =
-        photon.layer + select(deeper, Index<T>(1), select(higher, Index<T>(-1), Index<T>(0)));
-  }
+  photon.layer = layer_at(sea, photon.layer, depth);
   return (depth > T(0)) & (depth < gather<T>(sea.top, Index<T>(sea.layers)));
 }
 

@@ -1,12 +1,22 @@
-// The vertices of walks that are to be connected (docs/theory.md, "The bidirectional estimator").
+// The vertices and rays of walks that are to be connected (docs/theory.md, "The bidirectional
+// estimator").
 //
-// A path x_1 … x_k has edges 0 (laser to x_1), 1 … k-1 and k (x_k to the telescope). Strategy j
-// draws everything but edge j by walks, x_1 … x_j from the laser and x_k … x_{j+1} from the
-// telescope, and connects what is left open; n_j samples of it exist in a set of walks. Its density
-// is in proportion to h_j / g_j, where g_j is what edge j contributes to the path when it is walked
-// and h_j the chance that the walks choose, at every vertex between scattering and conversion, as
-// the path does. A vertex carries the sums of n h / g over the edges behind it, so that a
-// connection knows the densities of all strategies at once.
+// A path x_1 … x_k has edges 0 (laser to x_1), 1 … k-1 and k (x_k to the telescope). Two families
+// of strategies draw it. Strategy j draws everything but edge j by walks, x_1 … x_j from the laser
+// and x_k … x_{j+1} from the telescope, and connects what is left open. And since the sea is the
+// same all over a horizontal plane, a telescope's walk may be shifted sideways as long as it still
+// comes through the lens: strategy "meeting at x_i" draws everything but x_i, a ray of the laser's
+// walk and one of the telescope's towards it included, and shifts the second so that they meet at a
+// chosen depth. It alone draws the peaks of phase functions on both sides of the point where light
+// turns back.
+//
+// The density of a strategy is in proportion to n h / g: n samples of it exist in a set of walks; h
+// is the chance that walks choose, between scattering and conversion, as the path does; and
+//   1 / g = d^2 exp(tau) / (P_j P_{j+1})                 connecting edge j of length d,
+//   1 / g = A |cos cos'| exp(tau + tau') / (c' P_i)      meeting at x_i, per metre of depth,
+// with tau by the coefficient c' that free paths are drawn from, cos, cos', tau, tau' of the edges
+// on both sides and A the telescope's shift_area. Vertices carry the sums of n h / g over what lies
+// behind them, so that a connection knows the densities of all strategies at once.
 #pragma once
 
 #include "core/elementary.hpp"
@@ -16,35 +26,75 @@
 
 namespace photic::transport {
 
-//
-// The sea is the same all over a horizontal plane. A telescope's walk can therefore be shifted
-// sideways, as long as it still comes through the lens and falls on the detector, and so it can be
-// made to meet a vertex x_i of the laser's walk: the strategies that draw everything but P_i, peaks
-// of phase functions on both sides included. With the telescope's shift_area A, for these
-//   1 / g_i = A |cos of edge i to the vertical| exp(tau of edge i) / P_i.
 /// How many samples a set of walks makes of a strategy, per photon that the laser emits.
 template <class T>
 struct Samples {
-  T to_instrument{1};  ///< that connects a walk to the instrument at the other end
-  T between{1};        ///< that connects two walks
-  T shifted{1};        ///< that shifts a telescope's walk to a vertex of the laser's
+  T to_instrument{1};  ///< connecting a walk to the instrument at the other end
+  T between{1};        ///< connecting two walks
+  T meeting{1};        ///< meetings of two rays, per metre of depth
+};
+
+/// Sums of n h / g.
+template <class T>
+struct Densities {
+  T edges{};     ///< of connecting edges
+  T meetings{};  ///< of meetings, over the telescope's shift_area [1/m^2]
+};
+
+/// How a walk's light spreads from its instrument: from a point, in directions that are dense as
+/// 1 / solid_angle.
+template <class T>
+struct Spread {
+  bool through_surface = false;
+  T before{};       ///< length from that point to where the ray in the water begins [m]
+  T cos_air{1};     ///< of the ray in the air, to the vertical
+  T solid_angle{};  ///< [sr]; 0: parallel rays, which no connection can meet
+};
+
+/// Solid angle at the instrument's point per area across the ray in the water [1/m^2].
+template <class T>
+T solid_angle_per_area(const medium::MediumView& sea, const Spread<T>& spread, const Index<T>& line,
+                       const T& length, const T& cos_water) {
+  if (!spread.through_surface) {
+    const T whole = spread.before + length;
+    return T(1) / (whole * whole);
+  }
+  const T n = gather<T>(sea.index, line);
+  return n * n *
+         refracted_solid_angle_per_area(gather<T>(sea.inverse_index, line), length, cos_water,
+                                        spread.before, spread.cos_air);
+}
+
+/// A walk as it leaves its instrument, or a vertex.
+template <class T>
+struct Ray {
+  Vec3<T> position;  ///< where it enters the water, or of the vertex
+  Vec3<T> direction;
+  T weight{};  ///< of the walk: the path's contribution over the density drawn from, without the
+               ///< chances h
+  T path{};    ///< [m]
+  Index<T> line{}, layer{};
+  T left_chance{1};     ///< h of a walk that ends at the vertex
+  T chance{1};          ///< h of this ray
+  T per_p{1};           ///< 1 over the phase function's value at the vertex [sr]
+  Densities<T> last;    ///< of what is complete by this ray's direction
+  Densities<T> behind;  ///< of all that is complete
+  T meeting{};  ///< n h / g of meeting at the vertex, but for what is this ray's: P included
 };
 
 template <class T>
 struct Vertex {
   Vec3<T> position;
   Vec3<T> direction;  ///< in which the walk arrives
-  T weight{};  ///< of the walk before this collision: the path's contribution over the density
-               ///< drawn from, without the chances h
-  T path{};    ///< [m]
+  T weight{};         ///< of the walk before this collision
+  T path{};           ///< [m]
   Index<T> line{}, layer{};
-  T chance{1};  ///< h of a connection made here
-  T open{};     ///< n h / g of the last edge, times this vertex' phase function: of connecting it,
-             ///< and of a telescope's walk also of shifting it by that edge; 0: neither is possible
-  T before{};                   ///< n h / g of what was open at the vertex before
-  T closed{};                   ///< sum of n h / g of all that is complete
-  T before_shifts{}, shifts{};  ///< of the laser's walk the same of shifts by the edges behind, per
-                                ///< area
+  T chance{1};          ///< h of a walk that ends here
+  T open{};             ///< n h / g of connecting the last edge, times P here; 0: it cannot be
+  T meeting{};          ///< n h / g of meeting here, but for P and for the edge beyond; its sign is
+                        ///< that of the arriving direction's z
+  Densities<T> last;    ///< of what has become complete by the last edge
+  Densities<T> behind;  ///< of all that is complete
 };
 
 /// A walk's way from its last vertex, or its instrument, to where it is.
@@ -66,57 +116,25 @@ void add_flight(const medium::MediumView& sea, const Photon<T>& before, const Ph
                                                      photon.layer, -photon.position.z, moved);
 }
 
-/// How a walk's light spreads from its instrument: from a point, in directions that are dense as
-/// 1 / solid_angle.
+/// The part of n h / g of a meeting that follows from both directions' z: only where light turns
+/// back up or down do rays meet.
 template <class T>
-struct Spread {
-  bool through_surface = false;
-  T before{};       ///< length from that point to where the leg in the water begins [m]
-  T cos_air{1};     ///< of the ray in the air, to the vertical
-  T solid_angle{};  ///< [sr]; 0: parallel rays, which no connection can meet
-};
-
-/// Solid angle at the instrument's point per area across the ray in the water [1/m^2].
-template <class T>
-T solid_angle_per_area(const medium::MediumView& sea, const Spread<T>& spread, const Index<T>& line,
-                       const T& length, const T& cos_water) {
-  if (!spread.through_surface) {
-    const T whole = spread.before + length;
-    return T(1) / (whole * whole);
-  }
-  const T n = gather<T>(sea.index, line);
-  return n * n *
-         refracted_solid_angle_per_area(gather<T>(sea.inverse_index, line), length, cos_water,
-                                        spread.before, spread.cos_air);
+T turning(const T& meeting, const T& z) {
+  const T product = T(0) - meeting * z;
+  return select(product > T(0), product, T(0));
 }
 
-/// The vertex at which a walk collides, without what lies behind it.
+/// The ray of a photon that enters the water.
 template <class T>
-Vertex<T> vertex_at(const Photon<T>& photon) {
-  Vertex<T> v;
-  v.position = photon.position;
-  v.direction = photon.direction;
-  v.weight = photon.weight;
-  v.path = photon.path;
-  v.line = photon.line;
-  v.layer = photon.layer;
-  return v;
-}
-
-/// The first vertex of a walk; `shift_area` is that of a telescope's walk, 0 for the laser's.
-template <class T>
-Vertex<T> first_vertex(const medium::MediumView& sea, const Photon<T>& photon,
-                       const Spread<T>& spread, const Leg<T>& leg, const T& shift_area,
-                       const Samples<T>& samples) {
-  using std::abs;
-  const T steep = abs(photon.direction.z);
-  Vertex<T> v = vertex_at(photon);
-  const T shift = select(leg.mirrored, T(0), samples.shifted * shift_area * steep);
-  v.open = (samples.to_instrument * spread.solid_angle /
-                solid_angle_per_area(sea, spread, photon.line, leg.length, steep) +
-            shift) /
-           exp_minus(leg.walk_tau);
-  return v;
+Ray<T> first_ray(const Photon<T>& photon) {
+  Ray<T> ray;
+  ray.position = photon.position;
+  ray.direction = photon.direction;
+  ray.weight = photon.weight;
+  ray.path = photon.path;
+  ray.line = photon.line;
+  ray.layer = photon.layer;
+  return ray;
 }
 
 /// How a walk left a vertex.
@@ -125,25 +143,58 @@ struct Departure {
   T p{1};        ///< phase function's value [1/sr]
   T chance{1};   ///< of the choice between scattering and conversion
   T density{1};  ///< c' of the line that a walk from the laser would have come with, over that of
-                 ///< the walk's own; 0: the path's edges behind can be drawn by no connection
+                 ///< the walk's own; 0: the path's edges behind can be drawn by no other strategy
 };
 
-/// The vertex after `last`.
+/// The ray in which the photon has departed from a vertex.
 template <class T>
-Vertex<T> next_vertex(const Photon<T>& photon, const Vertex<T>& last, const Departure<T>& departure,
-                      const Leg<T>& leg, const T& shift_area, const Samples<T>& samples) {
+Ray<T> next_ray(const Photon<T>& photon, const Vertex<T>& from, const Departure<T>& departure) {
+  Ray<T> ray = first_ray(photon);
+  ray.left_chance = from.chance;
+  ray.chance = from.chance * departure.chance;
+  ray.per_p = T(1) / departure.p;
+  ray.last.edges = departure.density * from.open * ray.per_p;
+  ray.last.meetings = from.last.meetings;
+  ray.behind.edges = from.behind.edges + ray.last.edges;
+  ray.behind.meetings = from.behind.meetings;
+  ray.meeting = select(departure.density > T(0), from.meeting * ray.per_p, T(0));
+  return ray;
+}
+
+/// n h / g of connecting the edge along a ray to a point `length` away, times P there and the
+/// walked exp(-tau). `spread` if the ray leaves an instrument.
+template <class T>
+T connecting_area(const medium::MediumView& sea, const Ray<T>& ray, const Spread<T>* spread,
+                  const T& length, const Samples<T>& samples) {
   using std::abs;
-  const T per_p = T(1) / departure.p;
-  const T growth = select(leg.mirrored, T(0), T(1) / exp_minus(leg.walk_tau));
-  const T shift = samples.shifted * growth * abs(photon.direction.z);
-  Vertex<T> v = vertex_at(photon);
-  v.chance = last.chance * departure.chance;
-  v.before = departure.density * last.open * per_p;
-  v.closed = last.closed + v.before;
-  v.open = last.chance * samples.between * growth * leg.length * leg.length * per_p +
-           v.chance * shift * shift_area;
-  v.before_shifts = shift * per_p;
-  v.shifts = last.shifts + v.before_shifts;
+  if (spread == nullptr) return samples.between * ray.left_chance * ray.per_p * (length * length);
+  return samples.to_instrument * spread->solid_angle /
+         solid_angle_per_area(sea, *spread, ray.line, length, T(abs(ray.direction.z)));
+}
+
+/// The vertex where a photon collides that came by a ray.
+template <class T>
+Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Spread<T>* spread,
+                    const Photon<T>& photon, const Leg<T>& leg, const Samples<T>& samples) {
+  Vertex<T> v;
+  v.position = photon.position;
+  v.direction = photon.direction;
+  v.weight = photon.weight;
+  v.path = photon.path;
+  v.line = photon.line;
+  v.layer = photon.layer;
+  v.chance = ray.chance;
+  const T growth = T(1) / exp_minus(leg.walk_tau);
+  const T straight = select(leg.mirrored, T(0), growth);
+  // A mirrored first edge can be connected: to the instrument's mirror image.
+  v.open = connecting_area(sea, ray, spread, leg.length, samples) *
+           (spread == nullptr ? straight : growth);
+  v.meeting = samples.meeting * ray.chance * straight * photon.direction.z /
+              gather<T>(sea.walk_c, sea.at(photon.line, photon.layer));
+  v.last.edges = ray.last.edges;
+  v.last.meetings = turning(ray.meeting, straight * photon.direction.z);
+  v.behind.edges = ray.behind.edges;
+  v.behind.meetings = ray.behind.meetings + v.last.meetings;
   return v;
 }
 
@@ -151,8 +202,8 @@ Vertex<T> next_vertex(const Photon<T>& photon, const Vertex<T>& last, const Depa
 template <class T>
 struct End {
   T p{1};
-  T open{};    ///< n h / g of the last edge times p
-  T closed{};  ///< sum of n h / g of those before it
+  T open{};    ///< n h / g of connecting the last edge, times p
+  T behind{};  ///< sum of n h / g of what is complete
 };
 
 /// Weight of a connection by the balance heuristic over all strategies that can be used for its
@@ -164,7 +215,7 @@ T balance(const T& area, const T& tau, const T& walk_tau, const End<T>& a, const
   const T both = a.p * b.p;
   return both * exp_minus(tau) /
          (area +
-          exp_minus(walk_tau) * (a.open * b.p + b.open * a.p + (a.closed + b.closed) * both));
+          exp_minus(walk_tau) * (a.open * b.p + b.open * a.p + (a.behind + b.behind) * both));
 }
 
 }  // namespace photic::transport
