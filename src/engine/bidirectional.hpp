@@ -116,7 +116,7 @@ template <class T>
 void follow_set(const World<T>& world, std::uint64_t first, std::size_t count, WalkSet<T>& set,
                 tally::BatchTally& tally) {
   // An echo is per photon emitted, and so are the samples.
-  const transport::Samples<T> samples{T(1), T(1), world.meetings_per_metre * T(count)};
+  const transport::Samples<T> samples{T(1), T(1), T(count), world.meeting_grid};
   for (std::size_t g = 0; g < count; ++g)
     walk_from_laser(world, samples, first + g, set.from_laser[g], tally);
   for (const Receiver<T>& receiver : world.receivers) {

@@ -253,10 +253,10 @@ void Connections<T>::meetings(const Walk<T>& laser, std::int32_t i, std::int32_t
                               T offset) const {
   const transport::Ray<T>& out = laser.ray[i];
   const transport::Ray<T>& back = back_.ray[m];
-  const T per_metre = samples_.meeting;
-  for (T j = std::ceil(chord.from * per_metre - offset); (j + offset) < chord.to * per_metre;
-       j += T(1)) {
-    const T depth = (j + offset) / per_metre;
+  const auto& grid = samples_.grid;
+  const T last = grid.number(chord.to) - offset;
+  for (T j = std::ceil(grid.number(chord.from) - offset); j < last; j += T(1)) {
+    const T depth = grid.depth(j + offset);
     const instrument::PlanePoint<T> lens{chord.lens.x + depth * chord.per_depth.x,
                                          chord.lens.y + depth * chord.per_depth.y};
     if (!open_at(telescope_, lens) || !sight(telescope_, lens, -back_.outward).on_detector)

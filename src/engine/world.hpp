@@ -14,6 +14,7 @@
 #include "tally/gates.hpp"
 #include "tally/shape.hpp"
 #include "transport/forced.hpp"
+#include "transport/vertex.hpp"
 
 namespace photic::engine {
 
@@ -100,10 +101,10 @@ struct World {
   bool makes_choices =
       false;  ///< whether collisions choose between phase functions, targets or lines at all
   std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
-  T deepest{};                     ///< where light may turn back within the last gate, at most [m]
-  T meetings_per_metre{};          ///< of depth, between two rays of walks
-  std::size_t walks = 0;           ///< of the laser in a set; 0: the forward estimator
-  std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
+  T deepest{};  ///< where light may turn back within the last gate, at most [m]
+  transport::MeetingGrid<T> meeting_grid;  ///< of the bidirectional estimator
+  std::size_t walks = 0;                   ///< of the laser in a set; 0: the forward estimator
+  std::int32_t most_vertices = 0;          ///< of a walk that is to be connected
   T roulette_threshold{};
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   std::uint64_t seed = 0;
@@ -164,7 +165,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.least_group_index = T(least);
   const Reach reach = reach_of(scene, medium, gates, least);
   world.deepest = T(reach.deepest);
-  world.meetings_per_metre = T(scene.simulation.meetings / reach.range);
+  world.meeting_grid = {T(std::max(0.0, -scene.source.position_m.z)), T(reach.range),
+                        T(scene.simulation.meetings)};
   world.directed = T(scene.simulation.directed_fraction);
   world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);

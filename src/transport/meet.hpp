@@ -96,7 +96,7 @@ Meeting<T> meet(const medium::MediumView& sea, const Ray<T>& laser, const Spread
 
   // Strategies, each with n h / g times p and the walked exp(-tau) of both rays.
   const T steep = laser.direction.z * back.direction.z;
-  const T here_met = samples.meeting * shift_area * back.chance * steep / walk_c;
+  const T here_met = samples.meeting(depth) * shift_area * back.chance * steep / walk_c;
   const T ratio = walk_c_ratio<T>(sea, line, layer);
   const T connected =
       back.chance * connecting_area(sea, laser, laser_spread, out, samples) * walked_home +

@@ -26,12 +26,43 @@
 
 namespace photic::transport {
 
+/// The depths at which rays are made to meet: a grid that is the denser the deeper, since few rays
+/// come so close to each other far down.
+template <class T>
+struct MeetingGrid {
+  T level{};    ///< depth at which it begins, upwards and downwards [m]
+  T range{1};   ///< [m]
+  T points{1};  ///< on that range
+
+  /// Points per metre.
+  T density(const T& depth) const {
+    using std::abs;
+    return T(2) * points / (range * range) * abs(depth - level);
+  }
+  /// The number of points between the level and a depth, negative above it; and the inverse.
+  T number(const T& depth) const {
+    using std::abs;
+    const T x = (depth - level) / range;
+    return points * x * abs(x);
+  }
+  T depth(const T& number) const {
+    using std::abs;
+    using std::copysign;
+    using std::sqrt;
+    return level + copysign(range * sqrt(abs(number) / points), number);
+  }
+};
+
 /// How many samples a set of walks makes of a strategy, per photon that the laser emits.
 template <class T>
 struct Samples {
   T to_instrument{1};  ///< connecting a walk to the instrument at the other end
   T between{1};        ///< connecting two walks
-  T meeting{1};        ///< meetings of two rays, per metre of depth
+  T pairs{1};          ///< of walks whose rays meet
+  MeetingGrid<T> grid;
+
+  /// Of meetings, per metre of depth.
+  T meeting(const T& depth) const { return pairs * grid.density(depth); }
 };
 
 /// Sums of n h / g.
@@ -189,7 +220,7 @@ Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Spre
   // A mirrored first edge can be connected: to the instrument's mirror image.
   v.open = connecting_area(sea, ray, spread, leg.length, samples) *
            (spread == nullptr ? straight : growth);
-  v.meeting = samples.meeting * ray.chance * straight * photon.direction.z /
+  v.meeting = samples.meeting(-photon.position.z) * ray.chance * straight * photon.direction.z /
               gather<T>(sea.walk_c, sea.at(photon.line, photon.layer));
   v.last.edges = ray.last.edges;
   v.last.meetings = turning(ray.meeting, straight * photon.direction.z);
