@@ -41,8 +41,8 @@ template <class T, class InTime>
       if (walk.vertices == world.last_order) return void(ledger.cut_by_order += photon.weight);
       if (walk.vertices == world.most_vertices) return void(ledger.lost += photon.weight);
       const T weight = photon.weight;
-      const T branch = photon.line > 0 ? uniforms(place, stream + 1)[0] : T(1);
-      const auto departure = depart(sea, photon, world.conversion, {u[1], u[2], branch});
+      const auto v = photon.line > 0 ? uniforms(place, stream + 1) : std::array<T, 4>{1, 1, 1, 1};
+      const auto departure = depart(sea, photon, world.reversal, {u[1], u[2], v[0], v[1]});
       ledger.absorbed += weight - photon.weight;
       walk.add(next_ray(photon, walk.last_vertex(), departure));
       leg = {};

@@ -62,7 +62,7 @@ class Connections {
   [[nodiscard]] Joint leaving_laser(const Vertex& v, const Vec3<T>& direction, Index<T> line,
                                     T chance, T goes_on, T shift_area) const {
     return line == 0 ? scattering_from_laser(sea_, v, direction, goes_on, shift_area)
-                     : conversion_from_laser(sea_, v, direction, line, world_.conversion, chance,
+                     : conversion_from_laser(sea_, v, direction, line, world_.reversal, chance,
                                              goes_on, shift_area);
   }
   /// `last`: the depth at which light was last scattered.
@@ -168,7 +168,7 @@ void Connections<T>::to_laser(const Vertex& w, std::int32_t order, const transpo
   const auto tau = laser.submerged ? depths_in_water(sea_, way, Index<T>(0), w.layer, depth,
                                                      world_.laser_layer, water, mirrored)
                                    : depths_through_surface(sea_, way, Index<T>(0), w.layer, depth);
-  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.conversion, shift_area);
+  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, shift_area);
   const T solid_angle =
       transport::connectable_solid_angle(laser, transport::fictitious_vertex(laser));
   const T area =
@@ -198,15 +198,14 @@ void Connections<T>::between(const Vertex& v, const Vertex& w, const Usable& usa
   const T length = std::sqrt(dot(there, there));
   const Vec3<T> direction = (T(1) / length) * there;
   if (emits(w.line, w.layer)) {
-    const Joint to = arrival_from_laser(sea_, w, -direction, world_.conversion, back_.shift_area);
+    const Joint to = arrival_from_laser(sea_, w, -direction, world_.reversal, back_.shift_area);
     along(0, scattering_from_laser(sea_, v, direction, to.goes_on, back_.shift_area), to, v, w,
           length, usable, edge);
   }
   if (w.line != 0 && emits(w.line, v.layer)) {
-    const T goes_on =
-        T(1) - transport::conversion_chance<T>(sea_, w.line, w.layer, world_.conversion);
+    const T goes_on = T(1) - world_.reversal.chance(sea_, w.line, w.layer);
     along(w.line,
-          conversion_from_laser(sea_, v, direction, w.line, world_.conversion, w.chance,
+          conversion_from_laser(sea_, v, direction, w.line, world_.reversal, w.chance,
                                 w.chance * goes_on, back_.shift_area),
           scattering_of_converted(sea_, w, -direction), v, w, length, usable, edge);
   }
@@ -265,7 +264,7 @@ void Connections<T>::meetings(const Walk<T>& laser, std::int32_t i, std::int32_t
     if (!emits(back.line, layer)) continue;
     const auto meeting =
         meet(sea_, out, laser.spread(i), laser.behind(i, usable), back, back_.spread(m),
-             back_.behind(m, usable), depth, layer, back_.shift_area, world_.conversion, samples_);
+             back_.behind(m, usable), depth, layer, back_.shift_area, world_.reversal, samples_);
     if (meeting.path < world_.last_path)
       score(meeting.value, meeting.path, m > 0 ? last_depth() : depth, usable.order);
   }

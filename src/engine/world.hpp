@@ -13,6 +13,7 @@
 #include "scene/scene.hpp"
 #include "tally/gates.hpp"
 #include "tally/shape.hpp"
+#include "transport/depart.hpp"
 #include "transport/forced.hpp"
 #include "transport/vertex.hpp"
 
@@ -96,6 +97,7 @@ struct World {
   std::vector<T> submerged_z;                 ///< of the telescopes in the water
   T least_group_index{};                      ///< of all lines
   T directed{};                               ///< share of directions drawn towards a telescope
+  transport::Reversal<T> reversal;            ///< of conversions, by walks from telescopes
   T conversion{};            ///< probability of a branch into the inelastic processes
   bool single_rays = false;  ///< local estimates take one point of the lens instead of its mean
   bool makes_choices =
@@ -116,6 +118,19 @@ inline constexpr std::int32_t most_vertices = 128;
 
 /// Below this analog weight absorption is by Russian roulette, as in a plain walk.
 inline constexpr double roulette_threshold = 1e-8;
+
+/// Share of the directions in which a walk from a telescope goes on after a conversion that are
+/// drawn about the laser's beam.
+inline constexpr double directed_reversal = 0.5;
+
+/// The axis of a laser's light in the water.
+template <class T>
+Vec3<T> beam_in_water(const instrument::Laser<T>& laser, const T& n) {
+  const Vec3<T>& axis = laser.axis;
+  if (laser.submerged || !(axis.z < T(0))) return axis;
+  return normalised(
+      Vec3<T>{axis.x / n, axis.y / n, -std::sqrt(T(1) - (T(1) - axis.z * axis.z) / (n * n))});
+}
 
 /// How deep light can turn back within the last gate, and how far below the instruments that is.
 struct Reach {
@@ -170,6 +185,9 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.directed = T(scene.simulation.directed_fraction);
   world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);
+  world.reversal = {world.conversion, T(directed_reversal),
+                    beam_in_water(world.laser, T(medium.line.front().refractive_index)),
+                    medium.beam_lobe};
   world.makes_choices = scene.simulation.directed_fraction > 0 || medium.line.size() > 1;
   world.roulette_threshold = T(roulette_threshold);
   if (scene.simulation.estimator == "bidirectional")

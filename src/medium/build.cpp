@@ -10,6 +10,9 @@
 namespace photic::medium {
 namespace {
 
+/// Of the lobe in which walks look for the laser's beam: some degrees wide, as light spreads in it.
+constexpr double beam_lobe_g = 0.97;
+
 std::int32_t conversion_phase(Medium& medium, Process process, const optics::Library& library) {
   if (process == Process::elastic) return 0;  // never used
   const bool is_raman = process == Process::raman;
@@ -60,6 +63,8 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
     add_line_tables(scene, optics_of, emitted, l, medium);
     medium.conversion_phase.push_back(conversion_phase(medium, medium.line[l].process, library));
   }
+  if (medium.line.size() > 1)
+    medium.beam_lobe = medium.add_phase(optics::PhaseTable(optics::henyey_greenstein(beam_lobe_g)));
   const bool connects = scene.simulation.estimator == "bidirectional";
   medium.finish(connects ? std::optional(scene.simulation.walk_attenuation) : std::nullopt);
   return medium;

@@ -117,6 +117,7 @@ class Medium {
   std::vector<Line> line;
   std::vector<double> top, c, albedo, conversion, absorption;
   std::vector<std::int32_t> elastic_phase, conversion_phase;
+  std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam
   std::vector<std::string> sources;  ///< "quantity = value: source [status]"
 
   /// Adds a phase function, or finds the equal one that is there already; returns its number.

@@ -8,14 +8,27 @@
 
 namespace photic::transport {
 
-/// The chance that a walk from a telescope which detects `line` turns conversion back in a layer:
-/// 0 for the laser's line and where that line is not emitted.
+/// How a walk from a telescope turns conversions back: how often, and where to. Converted light
+/// leaves in all directions, but the light it was made of comes along the laser's beam.
 template <class T>
-T conversion_chance(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
-                    const T& probability) {
-  const T emitted = gather<T>(sea.conversion, sea.at(line, layer));
-  return select((line > Index<T>(0)) & (emitted > T(0)), probability, T(0));
-}
+struct Reversal {
+  T probability{};  ///< at a vertex
+  T directed{};     ///< share of directions drawn about the beam, with the shape `lobe`
+  Vec3<T> beam;     ///< of the laser in the water, a unit vector
+  Index<T> lobe{};  ///< a table of the medium
+
+  /// Where a telescope detects `line`: 0 for the laser's own and where that line is not emitted.
+  T chance(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer) const {
+    const T emitted = gather<T>(sea.conversion, sea.at(line, layer));
+    return select((line > Index<T>(0)) & (emitted > T(0)), probability, T(0));
+  }
+
+  /// The density of directions drawn over the phase function's value `p`.
+  T over_phase(const medium::MediumView& sea, const Vec3<T>& direction, const T& p) const {
+    const T x = one_minus_cos(beam, direction);
+    return T(1) - directed + directed * sea.phases.template value<T>(x, lobe) / p;
+  }
+};
 
 /// c' of the laser's line over that of a line.
 template <class T>
@@ -33,18 +46,18 @@ T conversion_per_emitted_c(const medium::MediumView& sea, const Index<T>& line,
 
 template <class T>
 struct DepartUniforms {
-  T polar, azimuth, branch;
+  T polar, azimuth, branch, mixture;
 };
 
 /// Sends a walk on from the vertex it stands at. Its weight takes b / c, or for a conversion its
 /// coefficient over c; that it was drawn with a chance is left to the connections, which know the
 /// chances of all strategies.
 template <class T>
-Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon, const T& probability,
+Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon, const Reversal<T>& reversal,
                     const DepartUniforms<T>& u) {
   const Index<T> here = sea.at(photon.line, photon.layer);
   const T albedo = gather<T>(sea.albedo, here);
-  const T chance = conversion_chance<T>(sea, photon.line, photon.layer, probability);
+  const T chance = reversal.chance(sea, photon.line, photon.layer);
   const Mask<T> converts = u.branch < chance;
   const Mask<T> inelastic = photon.line > Index<T>(0);
   Departure<T> departure;
@@ -60,10 +73,16 @@ Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon, const T& p
   photon.line = select(converts, Index<T>(0), photon.line);
   photon.order = photon.order + Index<T>(1);
 
-  const T x = sea.phases.template sample<T>(u.polar, phase);
-  departure.p = sea.phases.template value<T>(x, phase);
+  const Mask<T> to_beam = converts & (u.mixture < reversal.directed);
+  const T x = sea.phases.template sample<T>(u.polar, select(to_beam, reversal.lobe, phase));
   const auto [cosine, sine] = cos_sin_of_turns(u.azimuth);
-  photon.direction = turned(photon.direction, x, cosine, sine);
+  const Vec3<T> old = photon.direction;
+  photon.direction = turned(select(to_beam, reversal.beam, old), x, cosine, sine);
+  departure.p =
+      sea.phases.template value<T>(select(to_beam, one_minus_cos(old, photon.direction), x), phase);
+  departure.chance =
+      departure.chance *
+      select(converts, reversal.over_phase(sea, photon.direction, departure.p), T(1));
   return departure;
 }
 

@@ -45,13 +45,15 @@ Joint<T> scattering_from_laser(const medium::MediumView& sea, const Vertex<T>& v
 /// both 1 where the other end is a telescope.
 template <class T>
 Joint<T> conversion_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
-                               const Vec3<T>& direction, const Index<T>& line, const T& probability,
-                               const T& chance, const T& goes_on, const T& shift_area) {
+                               const Vec3<T>& direction, const Index<T>& line,
+                               const Reversal<T>& reversal, const T& chance, const T& goes_on,
+                               const T& shift_area) {
   const T ratio = walk_c_ratio<T>(sea, line, v.layer);
-  const T converted = goes_on * conversion_chance<T>(sea, line, v.layer, probability);
   Joint<T> joint;
   joint.end.p = phase_value(sea, v, direction, gather_index<T>(sea.conversion_phase, line));
   joint.end.open = goes_on * v.open;
+  const T converted = goes_on * reversal.chance(sea, line, v.layer) *
+                      reversal.over_phase(sea, -v.direction, joint.end.p);
   joint.end.behind = converted * (v.behind.edges + shift_area * v.behind.meetings);
   joint.meeting = goes_on * ratio * turning(v.meeting, direction.z);
   joint.weight = v.weight * ratio * gather<T>(sea.conversion, sea.at(line, v.layer));
@@ -63,7 +65,8 @@ Joint<T> conversion_from_laser(const medium::MediumView& sea, const Vertex<T>& v
 /// its conversion back, else converted here. `direction`: in which the walk would go on.
 template <class T>
 Joint<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
-                            const Vec3<T>& direction, const T& probability, const T& shift_area) {
+                            const Vec3<T>& direction, const Reversal<T>& reversal,
+                            const T& shift_area) {
   const Index<T> here = sea.at(v.line, v.layer);
   const Mask<T> converts = v.line > Index<T>(0);
   const T ratio = walk_c_ratio<T>(sea, v.line, v.layer);  // 1 for the laser's line
@@ -77,8 +80,10 @@ Joint<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
   joint.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),
                                    gather<T>(sea.albedo, here));
   joint.share = v.chance;
-  joint.goes_on =
-      v.chance * select(converts, conversion_chance<T>(sea, v.line, v.layer, probability), T(1));
+  joint.goes_on = v.chance * select(converts,
+                                    reversal.chance(sea, v.line, v.layer) *
+                                        reversal.over_phase(sea, direction, joint.end.p),
+                                    T(1));
   return joint;
 }
 

@@ -71,7 +71,7 @@ template <class T>
 Meeting<T> meet(const medium::MediumView& sea, const Ray<T>& laser, const Spread<T>* laser_spread,
                 const Densities<T>& laser_behind, const Ray<T>& back, const Spread<T>* spread,
                 const Densities<T>& behind, const T& depth, const Index<T>& layer,
-                const T& shift_area, const T& probability, const Samples<T>& samples) {
+                const T& shift_area, const Reversal<T>& reversal, const Samples<T>& samples) {
   const Index<T> line = back.line;
   const Index<T> here = sea.at(line, layer);
   const Mask<T> converts = line > Index<T>(0);
@@ -101,8 +101,10 @@ Meeting<T> meet(const medium::MediumView& sea, const Ray<T>& laser, const Spread
   const T connected =
       back.chance * connecting_area(sea, laser, laser_spread, out, samples) * walked_home +
       ratio * connecting_area(sea, back, spread, home, samples) * walked_out;
-  const T goes_on =
-      back.chance * select(converts, conversion_chance<T>(sea, line, layer, probability), T(1));
+  const T goes_on = back.chance * select(converts,
+                                         reversal.chance(sea, line, layer) *
+                                             reversal.over_phase(sea, -laser.direction, p),
+                                         T(1));
   const T met_next =
       shift_area * (goes_on * turning(laser.meeting, laser.direction.z) * walked_home +
                     turning(back.meeting, back.direction.z) * walked_out);
