@@ -116,7 +116,7 @@ template <class T>
 void follow_set(const World<T>& world, std::uint64_t first, std::size_t count, WalkSet<T>& set,
                 tally::BatchTally& tally) {
   // An echo is per photon emitted, and so are the samples.
-  const transport::Samples<T> samples{T(1), T(1), T(count), world.meeting_grid};
+  const transport::Samples<T> samples{T(1), world.connected, T(count), world.meeting_grid};
   for (std::size_t g = 0; g < count; ++g)
     walk_from_laser(world, samples, first + g, set.from_laser[g], tally);
   for (const Receiver<T>& receiver : world.receivers) {
@@ -127,10 +127,9 @@ void follow_set(const World<T>& world, std::uint64_t first, std::size_t count, W
       const Connections<T> connections(world, receiver, samples, back, tally);
       connections.to_telescope(set.from_laser[g]);
       connections.to_laser();
-      connections.between(set.from_laser[g]);
-      const T offset =
-          uniforms(RandomPlace<T>{world.seed, first + g, 0}, stream_of(receiver) + 2)[0];
-      for (std::size_t i = 0; i < count; ++i) connections.meetings(set.from_laser[i], offset);
+      const auto u = uniforms(RandomPlace<T>{world.seed, first + g, 0}, stream_of(receiver) + 2);
+      if (u[1] < world.connected) connections.between(set.from_laser[g]);
+      for (std::size_t i = 0; i < count; ++i) connections.meetings(set.from_laser[i], u[0]);
     }
   }
 }

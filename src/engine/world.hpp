@@ -105,8 +105,9 @@ struct World {
   std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
   T deepest{};  ///< where light may turn back within the last gate, at most [m]
   transport::MeetingGrid<T> meeting_grid;  ///< of the bidirectional estimator
-  std::size_t walks = 0;                   ///< of the laser in a set; 0: the forward estimator
-  std::int32_t most_vertices = 0;          ///< of a walk that is to be connected
+  T connected{1};         ///< share of the telescope's walks that are connected with a laser's walk
+  std::size_t walks = 0;  ///< of the laser in a set; 0: the forward estimator
+  std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
   T roulette_threshold{};
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   std::uint64_t seed = 0;
@@ -180,6 +181,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.least_group_index = T(least);
   const Reach reach = reach_of(scene, medium, gates, least);
   world.deepest = T(reach.deepest);
+  world.connected = T(scene.simulation.connected_fraction);
   world.meeting_grid = {T(std::max(0.0, -scene.source.position_m.z)), T(reach.range),
                         T(scene.simulation.meetings)};
   world.directed = T(scene.simulation.directed_fraction);

@@ -69,6 +69,10 @@ void describe(V& v, Simulation& s) {
   v.optional("meetings", s.meetings, positive,
              "of the bidirectional estimator: how often two rays are made to meet, over the range "
              "of the gates");
+  v.optional(
+      "connected_fraction", s.connected_fraction, Number{.low = 0.0, .high = 1.0, .low_open = true},
+      "of the bidirectional estimator: the share of the telescopes' walks whose vertices are "
+      "connected with those of a laser's walk; the others only meet it");
   v.optional("walk_attenuation", s.walk_attenuation, between(0.0, 1.0),
              "of the bidirectional estimator: the share of the water's attenuation that its free "
              "paths are drawn from");
