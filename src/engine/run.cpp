@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/batches.hpp"
+#include "engine/choose.hpp"
 #include "engine/problem.hpp"
 
 namespace photic::engine {
@@ -46,7 +47,8 @@ void warn(tally::Result& result) {
 
 }  // namespace
 
-tally::Result run(const scene::Scene& scene, const RunOptions& options) {
+tally::Result run(const scene::Scene& asked, const RunOptions& options) {
+  const scene::Scene scene = choose_estimator(asked, options);
   const Problem problem = make_problem(scene);
   Conductor conductor(scene.simulation, options);
   const tally::Totals totals = run_batches<double>(problem, conductor);

@@ -41,8 +41,10 @@ void describe(V& v, Gates& g) {
 
 template <class V>
 void describe(V& v, Simulation& s) {
-  v.optional("estimator", s.estimator, Choice{{"forward", "bidirectional"}, {"auto"}},
-             "how echoes are estimated");
+  v.optional("estimator", s.estimator, Choice{{"auto", "bidirectional", "forward"}, {}},
+             "how echoes are estimated; auto compares the others in short pilot runs");
+  v.optional("estimator_reason", s.estimator_reason, Text{},
+             "why auto chose this estimator; written by a run");
   v.any_of([&](auto& w) {
     w.optional("photons", s.photons, Count{}, "end after this many photons");
     w.optional("target_relative_error", s.target_relative_error, between(0.0, 1.0),

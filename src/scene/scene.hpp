@@ -133,8 +133,9 @@ struct Gates {
 };
 
 struct Simulation {
-  std::string estimator = "forward";
-  std::optional<std::uint64_t> photons;  ///< at least one of these three is given
+  std::string estimator = "auto";               ///< auto | bidirectional | forward
+  std::optional<std::string> estimator_reason;  ///< why "auto" chose it
+  std::optional<std::uint64_t> photons;         ///< at least one of these three is given
   std::optional<double> target_relative_error;
   std::optional<double> max_time_s;
   std::optional<std::int64_t> max_order;  ///< none: no limit
@@ -145,8 +146,9 @@ struct Simulation {
       0.5;  ///< share of directions drawn towards a telescope; 0 turns it off
   double conversion_probability = 0.15;  ///< of a branch into an inelastic process, per collision
   std::int64_t walks = 1;  ///< bidirectional: of the laser, and of each telescope, in a set
-  double meetings = 50;     ///< bidirectional: of two rays, if all depths of the gates let them meet
-  double connected_fraction = 0.3;  ///< bidirectional: share of walks whose vertices are all connected
+  double meetings = 50;    ///< bidirectional: of two rays, if all depths of the gates let them meet
+  double connected_fraction =
+      0.3;  ///< bidirectional: share of walks whose vertices are all connected
   double walk_attenuation = 0.5;  ///< bidirectional: share of c that free paths are drawn from
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };

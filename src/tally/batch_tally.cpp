@@ -16,6 +16,7 @@ BatchTally::BatchTally(const Shape& shape, const Gates& gates)
       gates_(&gates) {}
 
 void BatchTally::score(const Score& s) {
+  ++scores;
   if (!(s.value > 0)) {
     if (std::isnan(s.value)) ++not_finite;
     return;
@@ -64,7 +65,7 @@ void BatchTally::clear() {
   touched_cells.clear();
   touched_depths.clear();
   ledger = {};
-  photons = collisions = too_many_events = not_finite = 0;
+  photons = collisions = scores = too_many_events = not_finite = 0;
 }
 
 }  // namespace photic::tally

@@ -46,7 +46,7 @@ class BatchTally {
   std::vector<std::uint32_t> touched_cells, touched_depths;
 
   Ledger ledger;  ///< sums of weights
-  std::uint64_t photons = 0, collisions = 0, too_many_events = 0, not_finite = 0;
+  std::uint64_t photons = 0, collisions = 0, scores = 0, too_many_events = 0, not_finite = 0;
 
  private:
   const Shape* shape_;

@@ -75,6 +75,7 @@ void Totals::merge(const BatchTally& batch) {
   photons_ += batch.photons;
   ++batches_;
   collisions_ += batch.collisions;
+  scores_ += batch.scores;
   too_many_events_ += batch.too_many_events;
   not_finite_ += batch.not_finite;
   ledger_.absorbed += batch.ledger.absorbed;

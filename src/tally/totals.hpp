@@ -76,13 +76,17 @@ class Totals {
   void fill(Result& result) const;
 
   [[nodiscard]] std::uint64_t photons() const { return photons_; }
+  [[nodiscard]] std::uint64_t scores() const {
+    return scores_;
+  }  ///< offered, seen in a gate or not
 
  private:
   [[nodiscard]] bool heavy_tail(std::size_t cell) const;
   [[nodiscard]] bool error_not_falling(std::size_t cell) const;
 
   const Shape* shape_;
-  std::uint64_t photons_ = 0, batches_ = 0, collisions_ = 0, too_many_events_ = 0, not_finite_ = 0;
+  std::uint64_t photons_ = 0, batches_ = 0, collisions_ = 0, scores_ = 0, too_many_events_ = 0,
+                not_finite_ = 0;
   std::vector<TailSums> echo_;
   std::vector<Sums> by_order_, by_process_, by_depth_;
   std::vector<double> cut_order_, largest_;

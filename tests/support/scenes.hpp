@@ -50,8 +50,10 @@ inline std::string depth_gates(double max_m, double step_m) {
 }
 
 /// `more` are further lines of the section.
-inline std::string simulation(double photons, std::uint64_t seed, const std::string& more = "") {
-  return fmt::format("[simulation]\nphotons = {:.0f}\nseed = {}\n{}\n", photons, seed, more);
+inline std::string simulation(double photons, std::uint64_t seed, const std::string& more = "",
+                              const std::string& estimator = "forward") {
+  return fmt::format("[simulation]\nestimator = \"{}\"\nphotons = {:.0f}\nseed = {}\n{}\n",
+                     estimator, photons, seed, more);
 }
 
 }  // namespace photic::test

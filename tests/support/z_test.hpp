@@ -49,6 +49,11 @@ class ZFamily {
   }
 
   [[nodiscard]] std::size_t size() const { return z_.size(); }
+  [[nodiscard]] double rms() const {
+    double sum = 0;
+    for (const double z : z_) sum += z * z;
+    return std::sqrt(sum / static_cast<double>(z_.size()));
+  }
 
  private:
   double level_;

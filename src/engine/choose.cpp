@@ -1,0 +1,132 @@
+#include "engine/choose.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "engine/batches.hpp"
+#include "engine/problem.hpp"
+
+namespace photic::engine {
+namespace {
+
+constexpr std::uint64_t pilot_batches = 10;
+/// A run of fewer photons would spend too much of its time on pilots.
+constexpr std::uint64_t least_photons = 20 * pilot_batches * batch_photons;
+/// Folded into the seed: pilots share no random number with the run.
+constexpr std::uint64_t pilot_stream = 0x9e3779b97f4a7c15;
+
+// What operations cost, in units of a collision of a walk that is to be connected. Fitted to runs
+// of the scenes in scenes/ (docs/decisions/0009).
+constexpr double cost_of_estimated_collision = 1.3;  // with its local estimates, per telescope
+constexpr double cost_of_score = 1.0;
+
+/// A gate whose error the pilot cannot know is taken to have at least this relative variance of the
+/// mean.
+constexpr double unknown_variance = 1.0;
+
+struct Candidate {
+  scene::Scene scene;
+  std::string name;
+  std::vector<double> relative_variance;  ///< of the mean, by cell; 0: nothing was scored
+  double cost = 0;
+};
+
+scene::Scene settled(const scene::Scene& scene, const std::string& estimator) {
+  scene::Scene out = scene;
+  out.simulation.estimator = estimator;
+  return out;
+}
+
+std::vector<Candidate> candidates(const scene::Scene& scene) {
+  std::vector<Candidate> out;
+  for (const double walk_attenuation : {0.35, 0.6}) {
+    Candidate c{settled(scene, "bidirectional"),
+                fmt::format("bidirectional with walk_attenuation = {}", walk_attenuation)};
+    c.scene.simulation.walk_attenuation = walk_attenuation;
+    out.push_back(std::move(c));
+  }
+  out.push_back({settled(scene, "forward"), "forward"});
+  return out;
+}
+
+void try_out(Candidate& candidate, const RunOptions& options) {
+  scene::Scene pilot = candidate.scene;
+  pilot.simulation.seed ^= pilot_stream;
+  pilot.simulation.photons = pilot_batches * batch_photons;
+  pilot.simulation.target_relative_error.reset();
+  pilot.simulation.max_time_s.reset();
+  RunOptions quiet;
+  quiet.threads = options.threads;
+  quiet.interrupt = options.interrupt;
+  const Problem problem = make_problem(pilot);
+  Conductor conductor(pilot.simulation, quiet);
+  const tally::Totals totals = run_batches<double>(problem, conductor);
+  tally::Result result = describe(problem);
+  totals.fill(result);
+
+  const auto collisions = static_cast<double>(result.collisions);
+  const bool forward = pilot.simulation.estimator == "forward";
+  candidate.cost = forward ? collisions * cost_of_estimated_collision *
+                                 static_cast<double>(pilot.telescope.size())
+                           : collisions + cost_of_score * static_cast<double>(totals.scores());
+  for (std::size_t cell = 0; cell < result.echo.mean.size(); ++cell) {
+    const double mean = result.echo.mean[cell];
+    const double relative = result.echo.standard_error[cell] / mean;
+    // A heavy tail shows too small an error.
+    const auto untrusted = tally::heavy_tail | tally::large_score | tally::uncertain_variance;
+    const bool known = (result.convergence_flags[cell] & untrusted) == 0;
+    candidate.relative_variance.push_back(
+        mean > 0 ? (known ? relative * relative : std::max(relative * relative, unknown_variance))
+                 : 0);
+  }
+}
+
+/// Mean over the gates of the logarithm of the error's square at equal cost.
+double badness(const Candidate& candidate, const std::vector<bool>& counts) {
+  double sum = 0;
+  double cells = 0;
+  for (std::size_t cell = 0; cell < counts.size(); ++cell) {
+    if (!counts[cell]) continue;
+    const double v = candidate.relative_variance[cell];
+    sum += std::log((v > 0 ? v : unknown_variance) * candidate.cost);
+    cells += 1;
+  }
+  return cells > 0 ? sum / cells : 0.0;
+}
+
+}  // namespace
+
+scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options) {
+  if (scene.simulation.estimator != "auto") return scene;
+  if (scene.simulation.photons && *scene.simulation.photons < least_photons) {
+    scene::Scene out = settled(scene, "bidirectional");
+    out.simulation.estimator_reason =
+        fmt::format("fewer than {} photons: too few for pilot runs", least_photons);
+    return out;
+  }
+  auto all = candidates(scene);
+  for (Candidate& candidate : all) try_out(candidate, options);
+  std::vector<bool> counts(all.front().relative_variance.size());
+  for (const Candidate& candidate : all) {
+    for (std::size_t cell = 0; cell < counts.size(); ++cell)
+      counts[cell] = counts[cell] || candidate.relative_variance[cell] > 0;
+  }
+  const auto best = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+    return badness(a, counts) < badness(b, counts);
+  });
+  std::string reason = fmt::format(
+      "pilot runs of {} photons; squared error at equal cost, geometric mean over the gates:",
+      pilot_batches * batch_photons);
+  for (const Candidate& candidate : all) {
+    reason += fmt::format("{} {} {:.3g}", &candidate == &all.front() ? "" : ",", candidate.name,
+                          std::exp(badness(candidate, counts) - badness(*best, counts)));
+  }
+  best->scene.simulation.estimator_reason = reason;
+  return best->scene;
+}
+
+}  // namespace photic::engine
