@@ -16,6 +16,7 @@ Examples:
   photic check my.toml                    all that is wrong with it
   photic run my.toml                      simulate it; the result is my.nc
   photic run my.toml --target 1% --max-time 10min
+  photic run my.toml --continue my.nc --photons 1e9
   photic run my.toml --set sea.layer.0.chlorophyll_mg_m3=0.5 -o green.nc
   photic show my.nc                       the scene that a result came from
 
@@ -62,12 +63,31 @@ void add_scene_value(CLI::App& app, std::vector<scene::Override>& overrides,
       ->type_name(type);
 }
 
+void add_seconds(CLI::App& app, const std::string& flag, std::optional<double>& value,
+                 const std::string& description) {
+  app.add_option_function<std::string>(
+         flag,
+         [&value, flag](const std::string& text) {
+           try {
+             value = seconds(text);
+           } catch (const std::invalid_argument& problem) {
+             throw CLI::ValidationError(flag, problem.what());
+           }
+         },
+         description)
+      ->type_name("TIME");
+}
+
 void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags) {
   CLI::App& sub = *app.add_subcommand("run", "Simulate a scene and write its echoes");
-  sub.add_option("scene", run.scene, "The scene file")->required()->type_name("SCENE");
+  sub.add_option("scene", run.scene, "The scene file [with --continue: that of the earlier result]")
+      ->type_name("SCENE");
   sub.add_option("-o,--output", run.output,
                  "The result, .nc or .csv [default: the scene's name, .nc, in the current folder]")
       ->type_name("FILE");
+  sub.add_option("--continue", run.earlier,
+                 "Go on from this result or checkpoint of the same scene; photons are the total")
+      ->type_name("RESULT.nc");
   add_scene_value(sub, flags, "--photons", "N", "simulation.photons",
                   "Stop after N photons (1e7 is accepted)", photons_value);
   add_scene_value(sub, flags, "--target", "SHARE", "simulation.target_relative_error",
@@ -80,6 +100,8 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags
                  "Number of threads [default: all cores]; the result does not depend on it")
       ->type_name("T")
       ->check(CLI::Range(1, 4096));
+  add_seconds(sub, "--checkpoint", run.checkpoint_s,
+              "Write the result so far this often [default: every 30s, after the first minute]");
   add_overrides(sub, run.overrides);
   sub.add_flag("--json", run.json, "Print the table of echoes as JSON");
 }
@@ -143,6 +165,8 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   try {
     expect_known_subcommand(app, argc, argv);
     app.parse(argc, argv);
+    if (app.got_subcommand("run") && run.scene.empty() && run.earlier.empty())
+      throw CLI::RequiredError("scene");
   } catch (const CLI::ParseError& end) {
     return {std::nullopt, app.exit(end) == 0 ? done : bad_input};
   }

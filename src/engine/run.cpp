@@ -44,23 +44,37 @@ void warn(tally::Result& result) {
   }
 }
 
+/// The result of the totals so far; `stopped_by` says why they go no further.
+tally::Result result_of(const Problem& problem, const tally::Totals& totals, const Ending& ending,
+                        const std::string& stopped_by, const RunOptions& options) {
+  tally::Result result = describe(problem);
+  totals.fill(result);
+  result.engine = "scalar";
+  result.version = PHOTIC_VERSION;
+  result.stopped_by = stopped_by;
+  result.partial = stopped_by == "interrupt" || stopped_by == "checkpoint";
+  result.wall_time_s = ending.wall_time_s + (options.start ? options.start->wall_time_s : 0);
+  result.threads = ending.threads;
+  result.state = ending.whole ? *ending.whole : totals.state();
+  warn(result);
+  return result;
+}
+
 }  // namespace
 
 tally::Result run(const scene::Scene& scene, const RunOptions& options) {
   const Problem problem = make_problem(scene);
   Conductor conductor(scene.simulation, options);
+  const auto result = [&](const tally::Totals& totals, const std::string& stopped_by) {
+    return result_of(problem, totals, conductor.ending, stopped_by, options);
+  };
+  if (options.checkpoints.write) {
+    conductor.checkpoint = [&](const tally::Totals& totals) {
+      options.checkpoints.write(result(totals, "checkpoint"));
+    };
+  }
   const tally::Totals totals = run_batches<double>(problem, conductor);
-
-  tally::Result result = describe(problem);
-  totals.fill(result);
-  result.engine = "scalar";
-  result.version = PHOTIC_VERSION;
-  result.stopped_by = conductor.ending.stopped_by;
-  result.partial = result.stopped_by == "interrupt";
-  result.wall_time_s = conductor.ending.wall_time_s;
-  result.threads = conductor.ending.threads;
-  warn(result);
-  return result;
+  return result(totals, conductor.ending.stopped_by);
 }
 
 }  // namespace photic::engine
