@@ -21,8 +21,8 @@ class Checkpoint {
   /// Of a run of `scene` that will write `result`. `history` is that of the result.
   Checkpoint(const std::string& result, const scene::Scene& scene, std::string history);
 
-  /// One line that tells how to go on from the file, if a run of this scene left more than `photons`
-  /// there; else empty.
+  /// One line that tells how to go on from the file, if a run of this scene left more than
+  /// `photons` there; else empty.
   [[nodiscard]] std::string leftover(std::uint64_t photons) const;
 
   /// Writes the result so far. Never in the place of more photons of the same scene. A failure is

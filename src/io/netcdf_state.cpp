@@ -166,7 +166,8 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
                                   {"snapshot", tally::snapshots_at(file.count("batches"))}});
   tally::TotalsState state;
   describe(reader, state);
-  if (state.photons > photons) file.refuse("a damaged result: its state counts more photons than it does");
+  if (state.photons > photons)
+    file.refuse("a damaged result: its state counts more photons than it does");
   return state;
 }
 

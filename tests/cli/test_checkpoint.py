@@ -56,8 +56,7 @@ def killed(start, path, *arguments):
 
 
 def test_kill_9_loses_no_more_than_the_interval(photic, start, tmp_path):
-    # Seen red: with the clock of the checkpoints started anew at every batch; with the state of the first checkpoint
-    # in all of them.
+    # Seen red: with the clock of the checkpoints started anew at every batch; with one checkpoint only.
     process = start(*YEARS, "--checkpoint", "1s")
     checkpoint = tmp_path / "quick.checkpoint.nc"
     wait_for(process, checkpoint)
@@ -89,6 +88,7 @@ def test_a_run_that_ends_leaves_no_checkpoint(photic, scene, tmp_path):
 
 
 def test_a_short_run_writes_none(start, tmp_path):
+    # Seen red: with the first one after a second.
     process = start(*YEARS)
     wait_until_it_listens(process)
     time.sleep(2)
@@ -109,7 +109,8 @@ def test_a_csv_result_has_a_netcdf_checkpoint(photic, start, tmp_path):
 
 
 def test_what_a_killed_run_left_is_told_and_never_replaced_by_less(photic, start, tmp_path):
-    # Seen red: without the line; with a checkpoint of fewer photons written over it.
+    # Seen red: without the line; with a checkpoint of fewer photons written over it; with the removal of what holds more
+    # than the result.
     checkpoint = tmp_path / "quick.checkpoint.nc"
     photons = killed(start, checkpoint, "--checkpoint", "1s")
     done = photic("run", "quick.toml", "--photons", "60000", "--checkpoint", "0.001s")
@@ -129,6 +130,7 @@ def test_what_a_killed_run_left_is_told_and_never_replaced_by_less(photic, start
 
 
 def test_a_checkpoint_of_another_scene_is_not_offered(photic, start, tmp_path):
+    # Seen red: with the removal of what is no result.
     checkpoint = tmp_path / "quick.checkpoint.nc"
     killed(start, checkpoint, "--checkpoint", "0.2s", "--seed", "2")
     done = photic("run", "quick.toml")
@@ -178,6 +180,7 @@ def test_a_disk_that_is_full_at_the_end_leaves_the_checkpoint(start, tmp_path):
 
 
 def test_an_interrupted_run_goes_on(photic, start, tmp_path):
+    # Seen red: without the line that tells how.
     process = start(*YEARS)
     wait_until_it_listens(process)
     process.send_signal(signal.SIGTERM)

@@ -37,7 +37,6 @@ def test_two_sittings_equal_one_long_run(run, scene, tmp_path, earlier, threads)
 
 
 def test_the_scene_may_be_left_out_and_the_result_replaced(run, scene, tmp_path):
-    # Seen red: with the output named after the scene's title.
     run("quick.toml", "--set", "sea.layer.0.chlorophyll_mg_m3=0.4", "--photons", "41000", "-o", "long.nc")
     run("quick.toml", "--set", "sea.layer.0.chlorophyll_mg_m3=0.4", "--photons", "7000", "-o", "echo.nc")
     scene.unlink()
@@ -49,6 +48,7 @@ def test_the_scene_may_be_left_out_and_the_result_replaced(run, scene, tmp_path)
 
 
 def test_without_a_scene_and_with_a_checkpoint_the_result_has_the_result_s_name(run, scene, tmp_path):
+    # Seen red: with the name of the checkpoint.
     run("quick.toml", "-o", "echo.checkpoint.nc")
     assert "Result: echo.nc\n" in run("--continue", "echo.checkpoint.nc", "--photons", "30000").stdout
 
@@ -94,11 +94,13 @@ def test_another_scene_is_refused(run, scene, tmp_path, flags):
 
 
 def test_what_only_ends_a_run_may_change(run, scene):
+    # Seen red: with the time compared.
     run("quick.toml", "-o", "old.nc")
     run("quick.toml", "--continue", "old.nc", "--photons", "30000", "--target", "30%", "--max-time", "1h")
 
 
 def test_another_version_is_refused(run, scene, tmp_path):
+    # Seen red: without the check.
     run("quick.toml", "-o", "old.nc")
     with netCDF4.Dataset(tmp_path / "old.nc", "a") as old:
         now = old.version

@@ -95,6 +95,18 @@ TEST(Continued, AddsUpTheTime) {
   EXPECT_LT(result.wall_time_s, 1900);
 }
 
+// Seen red: without them.
+TEST(Continued, TellsThePhotonsOfEarlierSittings) {
+  std::vector<Progress> told;
+  RunOptions options;
+  options.start = start_of(run(scene_of(4'000)));
+  options.progress = [&](const Progress& progress) { told.push_back(progress); };
+  run(scene_of(20'000), options);
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.front().photons, 4'000U);
+  EXPECT_EQ(told.front().photons_before, 4'000U);
+}
+
 // The target is looked at before anything is added. Seen red: without that look.
 TEST(Continued, EndsWhereATargetIsMetAlready) {
   const scene::Scene scene =
@@ -127,10 +139,10 @@ TEST(Continued, FromOtherHistoriesIsRefused) {
   EXPECT_EQ(refusal([](tally::TotalsState&) {}), "none");
 }
 
-// Seen red: without the check.
+// Seen red: without either half of the check.
 TEST(Continued, FromWhatIsNoNumberOfBatchesIsRefused) {
-  EXPECT_EQ(refusal([](tally::TotalsState& state) { --state.photons; }),
-            "old.nc: a damaged result: 7999 photons in 4 batches");
+  EXPECT_EQ(refusal([](tally::TotalsState& state) { ++state.photons; }),
+            "old.nc: a damaged result: 8001 photons in 4 batches");
   EXPECT_EQ(refusal([](tally::TotalsState& state) { state.photons = 10'000; }),
             "old.nc: a damaged result: 10000 photons in 4 batches");
 }
@@ -140,7 +152,7 @@ TEST(Continued, ToLessIsABug) {
   EXPECT_THROW(go_on(earlier, scene_of(4'000)), ContractViolation);
 }
 
-// Seen red: with the checkpoint taken before the merge.
+// Seen red: with checkpoints that are not partial; with one where the run ends.
 TEST(Checkpoints, AreResultsThatCanBeGoneOnFrom) {
   const scene::Scene scene = scene_of(20'500);
   std::vector<tally::Result> checkpoints;

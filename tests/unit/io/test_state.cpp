@@ -117,8 +117,7 @@ TEST_F(WrittenState, OfMorePhotonsThanTheResultIsRefused) {
   EXPECT_EQ(refusal(), "a damaged result: its state counts more photons than it does");
 }
 
-// Seen red: without a look at types and numbers of values, as a write past the end under the
-// sanitizers.
+// Seen red: without a look at the number of values, as a write past the end.
 TEST_F(WrittenState, WithOtherAttributesIsRefused) {
   write();
   edit([](int group) { nc_put_att_text(group, NC_GLOBAL, "collisions", 4, "many"); });

@@ -28,8 +28,7 @@ void expect_same(const Estimates& a, const Estimates& b) {
   EXPECT_EQ(a.standard_error, b.standard_error);
 }
 
-// Seen red: with the ledger of the state left out; with the largest scores; with a member of Totals
-// beside the state that counts the batches.
+// Seen red: with the ledger of the state left out; with the largest scores; with the collisions.
 TEST(TotalsState, GoesOnToTheLastBit) {
   for (const int stop : {0, 1, 2, 21, 32, 39}) {
     SCOPED_TRACE(stop);
