@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* ending = ".checkpoint";
 
-}  // namespace
-
 std::string checkpoint_path(const std::string& result) {
   return fs::path(result).replace_extension(ending).string() + ".nc";
 }
+
+}  // namespace
 
 std::string without_checkpoint(const std::string& file) {
   const fs::path path(file);

@@ -1,4 +1,5 @@
-// The checkpoint of a run: its result so far, in a file beside the result that is to be.
+// The checkpoint of a run: its result so far, in out.checkpoint.nc beside the out.nc or out.csv
+// that is to be.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +11,8 @@
 
 namespace photic::app {
 
-/// "out.nc" or "out.csv" -> "out.checkpoint.nc".
-std::string checkpoint_path(const std::string& result);
-
-/// "out.checkpoint.nc" -> "out.nc"; other names as they are.
+/// The result that a checkpoint is beside: "out.checkpoint.nc" -> "out.nc"; other names as they
+/// are.
 std::string without_checkpoint(const std::string& file);
 
 class Checkpoint {

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include "photic/quantities.hpp"
@@ -46,15 +47,15 @@ void add_overrides(CLI::App& app, std::vector<scene::Override>& overrides) {
       ->allow_extra_args(false);
 }
 
-/// An option that stands for one value of the scene: the effective scene tells what ran.
-void add_scene_value(CLI::App& app, std::vector<scene::Override>& overrides,
-                     const std::string& flag, const std::string& type, const std::string& path,
-                     const std::string& description, std::string (*value)(const std::string&)) {
+/// An option whose text is looked at as it is taken: a std::invalid_argument is told with the flag.
+void add_checked(CLI::App& app, const std::string& flag, const std::string& type,
+                 const std::string& description,
+                 const std::function<void(const std::string& text)>& take) {
   app.add_option_function<std::string>(
          flag,
-         [&overrides, flag, path, value](const std::string& text) {
+         [flag, take](const std::string& text) {
            try {
-             overrides.push_back(path + "=" + value(text));
+             take(text);
            } catch (const std::invalid_argument& problem) {
              throw CLI::ValidationError(flag, problem.what());
            }
@@ -63,19 +64,13 @@ void add_scene_value(CLI::App& app, std::vector<scene::Override>& overrides,
       ->type_name(type);
 }
 
-void add_seconds(CLI::App& app, const std::string& flag, std::optional<double>& value,
-                 const std::string& description) {
-  app.add_option_function<std::string>(
-         flag,
-         [&value, flag](const std::string& text) {
-           try {
-             value = seconds(text);
-           } catch (const std::invalid_argument& problem) {
-             throw CLI::ValidationError(flag, problem.what());
-           }
-         },
-         description)
-      ->type_name("TIME");
+/// An option that stands for one value of the scene: the effective scene tells what ran.
+void add_scene_value(CLI::App& app, std::vector<scene::Override>& overrides,
+                     const std::string& flag, const std::string& type, const std::string& path,
+                     const std::string& description, std::string (*value)(const std::string&)) {
+  add_checked(app, flag, type, description, [&overrides, path, value](const std::string& text) {
+    overrides.push_back(path + "=" + value(text));
+  });
 }
 
 void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags) {
@@ -100,8 +95,9 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags
                  "Number of threads [default: all cores]; the result does not depend on it")
       ->type_name("T")
       ->check(CLI::Range(1, 4096));
-  add_seconds(sub, "--checkpoint", run.checkpoint_s,
-              "Write the result so far this often [default: every 30s, after the first minute]");
+  add_checked(sub, "--checkpoint", "TIME",
+              "Write the result so far this often [default: every 30s, after the first minute]",
+              [&run](const std::string& text) { run.checkpoint_s = seconds(text); });
   add_overrides(sub, run.overrides);
   sub.add_flag("--json", run.json, "Print the table of echoes as JSON");
 }

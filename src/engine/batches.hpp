@@ -33,7 +33,7 @@ struct Ending {
   std::optional<tally::TotalsState> whole;  ///< before an incomplete batch, if the run had one
 };
 
-/// Decides after each batch whether the run goes on, and tells of its progress.
+/// Decides after each batch whether the run goes on, tells of its progress, has checkpoints made.
 class Conductor {
  public:
   Conductor(const scene::Simulation& asked, const RunOptions& options);
@@ -48,7 +48,7 @@ class Conductor {
   void check_start(const tally::Shape& shape, const tally::BatchTally& first) const;
 
   /// Called before an incomplete batch is merged.
-  void keep(const tally::Totals& totals) { ending.whole = totals.state(); }
+  void keep_whole(const tally::Totals& totals) { ending.whole = totals.state(); }
   /// Called after every merge; true ends the run, and Ending says why.
   bool ends(const tally::Totals& totals, std::uint64_t merged_batches);
 
@@ -57,7 +57,7 @@ class Conductor {
 
  private:
   void tell(const tally::Totals& totals);
-  void mark(const tally::Totals& totals);
+  void checkpoint_if_due(const tally::Totals& totals);
   [[nodiscard]] double elapsed_s() const;
 
   scene::Simulation asked_;
@@ -148,7 +148,7 @@ class BatchRunner {
     for (auto due = done_.find(merged_); due != done_.end() && !ended_; due = done_.find(merged_)) {
       Tally tally = std::move(due->second);
       done_.erase(due);
-      if (tally->photons < batch_photons) conductor_.keep(totals_);
+      if (tally->photons < batch_photons) conductor_.keep_whole(totals_);
       totals_.merge(*tally);
       tally->clear();
       free_.push_back(std::move(tally));

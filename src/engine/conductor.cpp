@@ -70,7 +70,7 @@ bool Conductor::ends(const tally::Totals& totals, std::uint64_t merged_batches) 
   }
   if (asked_.max_time_s && ending.wall_time_s >= *asked_.max_time_s) return because("time");
   if (options_.interrupt != nullptr && options_.interrupt->load()) return because("interrupt");
-  mark(totals);
+  checkpoint_if_due(totals);
   return false;
 }
 
@@ -89,7 +89,7 @@ void Conductor::tell(const tally::Totals& totals) {
   options_.progress(progress);
 }
 
-void Conductor::mark(const tally::Totals& totals) {
+void Conductor::checkpoint_if_due(const tally::Totals& totals) {
   if (!checkpoint || ending.wall_time_s < next_checkpoint_s_) return;
   checkpoint(totals);
   next_checkpoint_s_ = elapsed_s() + options_.checkpoints.every_s;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "engine/batches.hpp"
 #include "engine/problem.hpp"
@@ -44,7 +45,7 @@ void warn(tally::Result& result) {
   }
 }
 
-/// The result of the totals so far; `stopped_by` says why they go no further.
+/// The result of the totals so far but for their state; `stopped_by` says why they go no further.
 tally::Result result_of(const Problem& problem, const tally::Totals& totals, const Ending& ending,
                         const std::string& stopped_by, const RunOptions& options) {
   tally::Result result = describe(problem);
@@ -55,7 +56,6 @@ tally::Result result_of(const Problem& problem, const tally::Totals& totals, con
   result.partial = stopped_by == "interrupt" || stopped_by == "checkpoint";
   result.wall_time_s = ending.wall_time_s + (options.start ? options.start->wall_time_s : 0);
   result.threads = ending.threads;
-  result.state = ending.whole ? *ending.whole : totals.state();
   warn(result);
   return result;
 }
@@ -65,16 +65,18 @@ tally::Result result_of(const Problem& problem, const tally::Totals& totals, con
 tally::Result run(const scene::Scene& scene, const RunOptions& options) {
   const Problem problem = make_problem(scene);
   Conductor conductor(scene.simulation, options);
-  const auto result = [&](const tally::Totals& totals, const std::string& stopped_by) {
-    return result_of(problem, totals, conductor.ending, stopped_by, options);
-  };
   if (options.checkpoints.write) {
     conductor.checkpoint = [&](const tally::Totals& totals) {
-      options.checkpoints.write(result(totals, "checkpoint"));
+      tally::Result result = result_of(problem, totals, conductor.ending, "checkpoint", options);
+      result.state = totals.state();
+      options.checkpoints.write(result);
     };
   }
-  const tally::Totals totals = run_batches<double>(problem, conductor);
-  return result(totals, conductor.ending.stopped_by);
+  tally::Totals totals = run_batches<double>(problem, conductor);
+  Ending& ending = conductor.ending;
+  tally::Result result = result_of(problem, totals, ending, ending.stopped_by, options);
+  result.state = ending.whole ? std::move(*ending.whole) : std::move(totals).state();
+  return result;
 }
 
 }  // namespace photic::engine

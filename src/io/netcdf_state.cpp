@@ -86,6 +86,7 @@ class StateWriter {
              const Fields& fields, const std::string& long_name) {
     using Number = std::remove_cvref_t<decltype(*fields(elements[0])[0])>;
     std::vector<Number> values;
+    if (!elements.empty()) values.reserve(elements.size() * fields(elements[0]).size());
     for (const T& element : elements)
       for (const Number* field : fields(element)) values.push_back(*field);
     file_.add_variable(name, dimensions, std::span<const Number>(values),

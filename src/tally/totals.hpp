@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "tally/batch_tally.hpp"
 #include "tally/result.hpp"
@@ -39,7 +40,8 @@ class Totals {
   void fill(Result& result) const;
 
   [[nodiscard]] std::uint64_t photons() const { return state_.photons; }
-  [[nodiscard]] const TotalsState& state() const { return state_; }
+  [[nodiscard]] const TotalsState& state() const& { return state_; }
+  [[nodiscard]] TotalsState state() && { return std::move(state_); }
 
  private:
   [[nodiscard]] bool heavy_tail(std::size_t cell) const;

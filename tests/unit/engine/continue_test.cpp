@@ -77,11 +77,15 @@ TEST(Continued, EqualsOneLongRun) {
   }
 }
 
+// Whatever the estimator does within a batch.
 TEST(Continued, InManySittingsEqualsOneLongRun) {
-  tally::Result result = run(scene_of(700));
-  for (std::uint64_t photons = 9'700; photons <= 90'700; photons += 9'000)
-    result = go_on(result, scene_of(photons), 2);
-  expect_same(result, run(scene_of(90'700)));
+  for (const std::string estimator :
+       {"estimator = \"forward\"", "estimator = \"bidirectional\"\nwalks = 3"}) {
+    tally::Result result = run(scene_of(700, estimator));
+    for (std::uint64_t photons = 9'700; photons <= 90'700; photons += 9'000)
+      result = go_on(result, scene_of(photons, estimator), 2);
+    expect_same(result, run(scene_of(90'700, estimator)));
+  }
 }
 
 // Seen red: without the time of the earlier sittings.
