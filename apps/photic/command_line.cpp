@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include "photic/quantities.hpp"
@@ -16,6 +17,7 @@ Examples:
   photic check my.toml                    all that is wrong with it
   photic run my.toml                      simulate it; the result is my.nc
   photic run my.toml --target 1% --max-time 10min
+  photic run my.toml --continue my.nc --photons 1e9
   photic run my.toml --set sea.layer.0.chlorophyll_mg_m3=0.5 -o green.nc
   photic show my.nc                       the scene that a result came from
 
@@ -45,15 +47,15 @@ void add_overrides(CLI::App& app, std::vector<scene::Override>& overrides) {
       ->allow_extra_args(false);
 }
 
-/// An option that stands for one value of the scene: the effective scene tells what ran.
-void add_scene_value(CLI::App& app, std::vector<scene::Override>& overrides,
-                     const std::string& flag, const std::string& type, const std::string& path,
-                     const std::string& description, std::string (*value)(const std::string&)) {
+/// An option whose text is looked at as it is taken: a std::invalid_argument is told with the flag.
+void add_checked(CLI::App& app, const std::string& flag, const std::string& type,
+                 const std::string& description,
+                 const std::function<void(const std::string& text)>& take) {
   app.add_option_function<std::string>(
          flag,
-         [&overrides, flag, path, value](const std::string& text) {
+         [flag, take](const std::string& text) {
            try {
-             overrides.push_back(path + "=" + value(text));
+             take(text);
            } catch (const std::invalid_argument& problem) {
              throw CLI::ValidationError(flag, problem.what());
            }
@@ -62,12 +64,25 @@ void add_scene_value(CLI::App& app, std::vector<scene::Override>& overrides,
       ->type_name(type);
 }
 
+/// An option that stands for one value of the scene: the effective scene tells what ran.
+void add_scene_value(CLI::App& app, std::vector<scene::Override>& overrides,
+                     const std::string& flag, const std::string& type, const std::string& path,
+                     const std::string& description, std::string (*value)(const std::string&)) {
+  add_checked(app, flag, type, description, [&overrides, path, value](const std::string& text) {
+    overrides.push_back(path + "=" + value(text));
+  });
+}
+
 void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags) {
   CLI::App& sub = *app.add_subcommand("run", "Simulate a scene and write its echoes");
-  sub.add_option("scene", run.scene, "The scene file")->required()->type_name("SCENE");
+  sub.add_option("scene", run.scene, "The scene file [with --continue: that of the earlier result]")
+      ->type_name("SCENE");
   sub.add_option("-o,--output", run.output,
                  "The result, .nc or .csv [default: the scene's name, .nc, in the current folder]")
       ->type_name("FILE");
+  sub.add_option("--continue", run.earlier,
+                 "Go on from this result or checkpoint of the same scene; photons are the total")
+      ->type_name("RESULT.nc");
   add_scene_value(sub, flags, "--photons", "N", "simulation.photons",
                   "Stop after N photons (1e7 is accepted)", photons_value);
   add_scene_value(sub, flags, "--target", "SHARE", "simulation.target_relative_error",
@@ -80,6 +95,9 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags
                  "Number of threads [default: all cores]; the result does not depend on it")
       ->type_name("T")
       ->check(CLI::Range(1, 4096));
+  add_checked(sub, "--checkpoint", "TIME",
+              "Write the result so far this often [default: every 30s, after the first minute]",
+              [&run](const std::string& text) { run.checkpoint_s = seconds(text); });
   add_overrides(sub, run.overrides);
   sub.add_flag("--json", run.json, "Print the table of echoes as JSON");
 }
@@ -143,6 +161,8 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   try {
     expect_known_subcommand(app, argc, argv);
     app.parse(argc, argv);
+    if (app.got_subcommand("run") && run.scene.empty() && run.earlier.empty())
+      throw CLI::RequiredError("scene");
   } catch (const CLI::ParseError& end) {
     return {std::nullopt, app.exit(end) == 0 ? done : bad_input};
   }

@@ -2,6 +2,7 @@
 // Each returns the exit code; problems are thrown and reported in one place (main.cpp).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,8 +17,10 @@ inline constexpr int bad_input = 2;  ///< a scene or a command line that cannot 
 
 /// photic run: simulates a scene and writes its echoes.
 struct RunCommand {
-  std::string scene;
-  std::string output;  ///< .nc or .csv; empty: the scene's name in the current folder
+  std::string scene;    ///< may be empty if there is an earlier result
+  std::string earlier;  ///< the result to go on from; empty: none
+  std::string output;   ///< .nc or .csv; empty: the scene's name in the current folder
+  std::optional<double> checkpoint_s;  ///< time between checkpoints; none: the usual
   std::vector<scene::Override> overrides;
   int threads = 0;  ///< 0: all cores
   bool json = false;

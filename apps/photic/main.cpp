@@ -14,7 +14,11 @@ using namespace photic;
 
 /// The file whose problems are counted; none where the command line itself is what was wrong.
 struct Subject {
-  std::string operator()(const app::RunCommand& c) const { return c.scene; }
+  const InputError& error;
+
+  std::string operator()(const app::RunCommand& c) const {
+    return error.diagnostics().front().file == c.earlier ? c.earlier : c.scene;
+  }
   std::string operator()(const app::CheckCommand& c) const { return c.scene; }
   std::string operator()(const app::ShowCommand& c) const { return c.file; }
   std::string operator()(const app::NewCommand& /*c*/) const { return {}; }
@@ -34,7 +38,7 @@ int follow(const app::Command& command) {
   try {
     return std::visit([](const auto& c) { return app::run(c); }, command);
   } catch (const InputError& error) {
-    report(error, std::visit(Subject{}, command));
+    report(error, std::visit(Subject{error}, command));
     return app::bad_input;
   } catch (const app::UsageError& error) {
     app::print_error(fmt::format("{}\n", error.what()));

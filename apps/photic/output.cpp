@@ -9,6 +9,8 @@
 #include <memory>
 
 #include "core/error.hpp"
+#include "photic/checkpoint.hpp"
+#include "photic/commands.hpp"
 
 namespace photic::app {
 namespace {
@@ -30,17 +32,26 @@ void print_out(std::string_view text) {
   if (std::fflush(stdout) != 0 || !written) fail("cannot write to standard output");
 }
 
-std::string result_path(const std::string& output, const std::string& scene) {
-  if (output.empty()) return fs::path(scene).filename().replace_extension(".nc").string();
+std::string result_path(const RunCommand& command) {
+  const std::string& output = command.output;
+  if (output.empty()) {
+    const std::string named_after =
+        command.scene.empty() ? without_checkpoint(command.earlier) : command.scene;
+    return fs::path(named_after).filename().replace_extension(".nc").string();
+  }
   const std::string kind = fs::path(output).extension().string();
   if (kind != ".nc" && kind != ".csv") {
     throw UsageError(output + ": the result's name ends neither in .nc nor in .csv (write -o " +
                      output + ".nc)");
   }
   std::error_code none;
-  if (fs::equivalent(output, scene, none))
+  if (fs::equivalent(output, command.scene, none))
     throw UsageError(output + ": the result would replace the scene (choose another name with -o)");
   return output;
+}
+
+std::string go_on_command(const std::string& earlier, const std::string& output) {
+  return fmt::format("photic run --continue {} -o {}", earlier, output);
 }
 
 void write_new_file(const std::string& path, std::string_view text) {

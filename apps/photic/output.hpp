@@ -7,6 +7,8 @@
 
 namespace photic::app {
 
+struct RunCommand;
+
 /// A command line that cannot be followed; the text says what to write instead.
 class UsageError : public std::runtime_error {
  public:
@@ -19,9 +21,13 @@ void print_error(std::string_view text);
 /// Writes the text to standard output. Throws EnvironmentError (a full disk behind a redirection).
 void print_out(std::string_view text);
 
-/// The output given, or the scene's name with .nc in the current folder.
-/// Throws UsageError unless it ends in .nc or .csv and is another file than the scene.
-std::string result_path(const std::string& output, const std::string& scene);
+/// The output of a run: the one given, or the scene's name with .nc in the current folder; where no
+/// scene is given, the name of the earlier result. Throws UsageError unless it ends in .nc or .csv
+/// and is another file than the scene.
+std::string result_path(const RunCommand& command);
+
+/// What goes on from a result file and writes the longer one.
+std::string go_on_command(const std::string& earlier, const std::string& output);
 
 /// Writes a file that must not exist yet. Throws UsageError if it does, EnvironmentError on
 /// failure.

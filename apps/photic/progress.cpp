@@ -23,12 +23,28 @@ int terminal_width() {
 
 double share(double part, double whole) { return whole > 0 ? std::min(1.0, part / whole) : 0.0; }
 
+double photons_per_second(const engine::Progress& p) {
+  return p.elapsed_s > 0 ? static_cast<double>(p.photons - p.photons_before) / p.elapsed_s : 0.0;
+}
+
 /// How far towards the limit that is nearest; none when only the target can end the run.
 std::optional<double> share_of_limits(const engine::Progress& p) {
   std::optional<double> out;
   if (p.photons_asked)
     out = share(static_cast<double>(p.photons), static_cast<double>(*p.photons_asked));
   if (p.max_time_s) out = std::max(out.value_or(0.0), share(p.elapsed_s, *p.max_time_s));
+  return out;
+}
+
+/// Until the first limit is reached; none as long as nobody knows.
+std::optional<double> seconds_left(const engine::Progress& p) {
+  std::optional<double> out;
+  if (p.photons_asked && photons_per_second(p) > 0)
+    out = static_cast<double>(*p.photons_asked - p.photons) / photons_per_second(p);
+  if (p.max_time_s) {
+    const double left = std::max(0.0, *p.max_time_s - p.elapsed_s);
+    out = std::min(out.value_or(left), left);
+  }
   return out;
 }
 
@@ -46,10 +62,9 @@ std::string progress_line(const engine::Progress& p, int width) {
       limits.value_or(share(static_cast<double>(p.gates_converged), static_cast<double>(p.gates)));
   std::string text = fmt::format("{:3.0f} %  {:.2g} photons", std::floor(100 * done),
                                  static_cast<double>(p.photons));
-  if (p.elapsed_s > 0)
-    text += fmt::format("  {:.2g}/s", static_cast<double>(p.photons) / p.elapsed_s);
+  if (photons_per_second(p) > 0) text += fmt::format("  {:.2g}/s", photons_per_second(p));
   text += fmt::format("  gates converged {}/{}", p.gates_converged, p.gates);
-  if (limits && *limits > 0) text += "  " + time_left(p.elapsed_s * (1 - *limits) / *limits);
+  if (const auto left = seconds_left(p)) text += "  " + time_left(*left);
   const int room = std::clamp(width - static_cast<int>(text.size()) - 3, 0, longest_bar);
   const int filled = static_cast<int>(std::lround(done * room));
   std::string line = fmt::format("[{:#<{}}{:<{}}] {}", "", filled, "", room - filled, text);
@@ -63,8 +78,9 @@ void ProgressBar::draw(const engine::Progress& progress) {
   drawn_ = true;
 }
 
-ProgressBar::~ProgressBar() {
+void ProgressBar::wipe() {
   if (drawn_) print_error(wipe_line);
+  drawn_ = false;
 }
 
 bool has_terminal() { return isatty(STDERR_FILENO) == 1; }

@@ -11,15 +11,17 @@ namespace photic::app {
 /// columns at most.
 std::string progress_line(const engine::Progress& progress, int width);
 
-/// Draws the line again at every call, on standard error, and wipes it when the run is over.
+/// Draws the line again at every call, on standard error; wipes it before a message and when the
+/// run is over.
 class ProgressBar {
  public:
   ProgressBar() = default;
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
-  ~ProgressBar();
+  ~ProgressBar() { wipe(); }
 
   void draw(const engine::Progress& progress);
+  void wipe();
 
  private:
   bool drawn_ = false;

@@ -61,7 +61,7 @@ std::string share_value(const std::string& text) {
   return fmt::format("{}", share);
 }
 
-std::string seconds_value(const std::string& text) {
+double seconds(const std::string& text) {
   const Measured value = measured(text).value_or(Measured{});
   const double scale = value.unit == "s"     ? 1.0
                        : value.unit == "min" ? 60.0
@@ -69,8 +69,10 @@ std::string seconds_value(const std::string& text) {
                                              : 0.0;
   if (scale == 0.0) refuse(text, "is not a time with its unit (write 60s, 10min or 2h)");
   if (!(value.number > 0)) refuse(text, "is not above 0 (write 60s, 10min or 2h)");
-  return fmt::format("{}", value.number * scale);
+  return value.number * scale;
 }
+
+std::string seconds_value(const std::string& text) { return fmt::format("{}", seconds(text)); }
 
 std::string seed_value(const std::string& text) {
   const auto number = whole(text);

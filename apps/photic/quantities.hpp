@@ -13,6 +13,7 @@ std::string photons_value(const std::string& text);
 std::string share_value(const std::string& text);
 
 /// "60s", "1.5min", "2h" -> seconds: above 0.
+double seconds(const std::string& text);
 std::string seconds_value(const std::string& text);
 
 /// A whole number from 0.

@@ -3,15 +3,18 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "core/error.hpp"
-#include "engine/problem.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv.hpp"
 #include "io/json.hpp"
 #include "io/netcdf.hpp"
 #include "io/table.hpp"
+#include "photic/checkpoint.hpp"
 #include "photic/commands.hpp"
+#include "photic/continuation.hpp"
 #include "photic/interrupt.hpp"
 #include "photic/output.hpp"
 #include "photic/progress.hpp"
@@ -19,56 +22,98 @@
 namespace photic::app {
 namespace {
 
-tally::Result simulate(const scene::Scene& scene, int threads) {
-  ProgressBar bar;
+/// What the command says of the run besides its scene.
+engine::RunOptions options_of(const RunCommand& command, std::optional<engine::Start> start) {
   engine::RunOptions options;
-  options.threads = threads;
+  options.threads = command.threads;
   options.interrupt = &interrupted();
+  options.start = std::move(start);
+  if (command.checkpoint_s)
+    options.checkpoints.first_s = options.checkpoints.every_s = *command.checkpoint_s;
+  return options;
+}
+
+tally::Result simulate(const scene::Scene& scene, engine::RunOptions options,
+                       Checkpoint& checkpoint) {
+  ProgressBar bar;
   if (has_terminal())
     options.progress = [&bar](const engine::Progress& progress) { bar.draw(progress); };
+  options.checkpoints.write = [&](const tally::Result& so_far) { checkpoint.write(so_far, bar); };
   return engine::run(scene, options);
 }
 
-void write(const tally::Result& result, const std::string& path, const std::string& command_line) {
+void write(const tally::Result& result, const std::string& path, const std::string& history) {
   if (std::filesystem::path(path).extension() == ".csv") {
     io::write_csv(result, path);
   } else {
-    io::write_netcdf(result, path, io::WriteInfo{.history = io::history_line(command_line)});
+    io::write_netcdf(result, path, {.history = history});
   }
 }
 
-std::string where_it_is(const tally::Result& result, const std::string& path) {
+std::string where_it_is(const tally::Result& result, const std::string& path,
+                        const std::string& checkpoint) {
   std::string out = fmt::format("\nResult{}: {}\n",
                                 result.partial ? " (partial: the run was interrupted)" : "", path);
   const std::filesystem::path file(path);
-  if (file.extension() == ".nc") {
+  const bool netcdf = file.extension() == ".nc";
+  if (result.partial && (netcdf || !checkpoint.empty()))
+    out += fmt::format("Go on:    {}\n", go_on_command(netcdf ? path : checkpoint, path));
+  if (netcdf) {
     out += fmt::format("Plot it:  python3 -m photic plot {} -o {}\n", path,
                        std::filesystem::path(file).replace_extension(".png").string());
   }
   return out;
 }
 
+/// A run as it is before it begins.
+struct Plan {
+  scene::Scene scene;
+  std::string path;  ///< of the result
+  std::string history;
+  std::optional<engine::Start> start;
+  std::uint64_t photons = 0;  ///< there already
+};
+
+Plan plan(const RunCommand& command) {
+  scene::Reading reading = read_scene_of(command);
+  for (const std::string& remark : reading.remarks) print_error(remark + '\n');
+  Plan plan;
+  plan.scene = std::move(reading.scene);
+  plan.path = result_path(command);
+  plan.history = io::history_line(command.command_line);
+  io::check_writable(plan.path);  // now, not after hours of work
+  if (command.earlier.empty()) return plan;
+  Earlier earlier = take_up(command.earlier, plan.scene);
+  plan.history = earlier.history + '\n' + plan.history;
+  plan.start = std::move(earlier.start);
+  plan.photons = earlier.photons;
+  if (plan.photons == plan.scene.simulation.photons)
+    print_error(fmt::format("{}: holds all {} photons asked for already (--photons is the total)\n",
+                            command.earlier, plan.photons));
+  return plan;
+}
+
 }  // namespace
 
 int run(const RunCommand& command) {
-  const scene::Reading reading =
-      scene::read_scene(command.scene, command.overrides, engine::check_optics);
-  for (const std::string& remark : reading.remarks) print_error(remark + '\n');
-  const std::string path = result_path(command.output, command.scene);
-  io::check_writable(path);  // now, not after hours of work
+  Plan plan = app::plan(command);
+  Checkpoint checkpoint(plan.path, plan.scene, plan.history);
+  print_error(checkpoint.leftover(plan.photons));
 
   listen_for_interrupts();
-  const tally::Result result = simulate(reading.scene, command.threads);
+  const tally::Result result =
+      simulate(plan.scene, options_of(command, std::move(plan.start)), checkpoint);
 
   const std::string table = command.json ? io::echo_json(result) : io::echo_table(result);
   try {
-    write(result, path, command.command_line);
+    write(result, plan.path, plan.history);
   } catch (const EnvironmentError&) {
-    print_out(table);  // all that is left of the run
+    print_out(table);  // all that is left of the run, but for its checkpoint
+    print_error(checkpoint.leftover(0));
     throw;
   }
+  const std::string place = where_it_is(result, plan.path, checkpoint.finish(result));
   print_out(table);
-  const std::string place = where_it_is(result, path);
   command.json ? print_error(place) : print_out(place);
   return result.partial ? interrupt_exit_code() : done;
 }

@@ -19,13 +19,16 @@ INTERRUPTED, TERMINATED = 128 + signal.SIGINT, 128 + signal.SIGTERM  # the resul
 PATIENCE_S = 10  # for the program to end a batch, after a signal
 
 
-def run(scene, set=None, photons=None, threads=None, output=None, program=None):
+def run(
+    scene, set=None, photons=None, threads=None, output=None, program=None, continue_from=None
+):
     """Simulates a scene file and returns the result as photic.open does.
 
     set      values that replace the scene's, e.g. {"sea.layer.0.chlorophyll_mg_m3": 0.5}; a number
              in the path counts from 0, a name of a layer, telescope or channel serves too
     photons  how many to emit; threads: how many to use (default: all cores)
     output   where to keep the result file (.nc); not kept by default
+    continue_from  a result of the same scene to go on from; photons are the total then
     program  the program to run; otherwise $PHOTIC_PROGRAM, the one this package was installed or
              built with, or the one in PATH
 
@@ -45,6 +48,8 @@ def run(scene, set=None, photons=None, threads=None, output=None, program=None):
             command += ["--photons", _count(photons)]
         if threads is not None:
             command += ["--threads", str(threads)]
+        if continue_from is not None:
+            command += ["--continue", os.fspath(continue_from)]
         code, remarks = _call(command)
         dataset = open_result(result)
     if code != 0:

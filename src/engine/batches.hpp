@@ -6,9 +6,11 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -26,11 +28,12 @@ inline constexpr std::uint64_t batch_photons = 2000;
 /// How a run ended.
 struct Ending {
   std::string stopped_by = "photons";  ///< photons | target | time | interrupt
-  double wall_time_s = 0;
+  double wall_time_s = 0;              ///< of this sitting
   int threads = 0;
+  std::optional<tally::TotalsState> whole;  ///< before an incomplete batch, if the run had one
 };
 
-/// Decides after each batch whether the run goes on, and tells of its progress.
+/// Decides after each batch whether the run goes on, tells of its progress, has checkpoints made.
 class Conductor {
  public:
   Conductor(const scene::Simulation& asked, const RunOptions& options);
@@ -39,20 +42,29 @@ class Conductor {
   [[nodiscard]] std::uint64_t batches() const { return batches_; }
   [[nodiscard]] std::uint64_t photons_of(std::uint64_t batch) const;
 
+  /// What the run goes on from: nothing yet, or where an earlier one stood.
+  [[nodiscard]] tally::Totals begin(const tally::Shape& shape) const;
+  /// Throws InputError unless an earlier run began with the batch at hand, the first of this one.
+  void check_start(const tally::Shape& shape, const tally::BatchTally& first) const;
+
+  /// Called before an incomplete batch is merged.
+  void keep_whole(const tally::Totals& totals) { ending.whole = totals.state(); }
   /// Called after every merge; true ends the run, and Ending says why.
   bool ends(const tally::Totals& totals, std::uint64_t merged_batches);
 
   Ending ending;
+  std::function<void(const tally::Totals&)> checkpoint;  ///< called when one is due
 
  private:
   void tell(const tally::Totals& totals);
+  void checkpoint_if_due(const tally::Totals& totals);
   [[nodiscard]] double elapsed_s() const;
 
   scene::Simulation asked_;
   const RunOptions& options_;
   std::uint64_t batches_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double told_s_ = -1;
+  double told_s_ = -1, next_checkpoint_s_;
 };
 
 /// The threads of one run.
@@ -60,7 +72,12 @@ template <class T>
 class BatchRunner {
  public:
   BatchRunner(const Problem& problem, const World<T>& world, Conductor& conductor)
-      : world_(world), conductor_(conductor), totals_(problem.shape) {
+      : shape_(problem.shape),
+        world_(world),
+        conductor_(conductor),
+        totals_(conductor.begin(problem.shape)),
+        next_batch_(totals_.state().batches),
+        merged_(next_batch_) {
     const int threads = conductor.ending.threads;
     // Spare tallies let a fast thread run ahead of the one whose batch is due.
     for (int i = 0; i < 2 * threads; ++i) {
@@ -69,6 +86,7 @@ class BatchRunner {
   }
 
   tally::Totals run() {
+    if (merged_ > 0) take_up();
     std::vector<std::jthread> workers;
     for (int i = 0; i < conductor_.ending.threads; ++i) workers.emplace_back([this] { work(); });
     workers.clear();
@@ -103,6 +121,14 @@ class BatchRunner {
     }
   }
 
+  /// Goes on from an earlier run, which may have been as long as this one is to be.
+  void take_up() {
+    simulate(0, *free_.front());
+    conductor_.check_start(shape_, *free_.front());
+    free_.front()->clear();
+    ended_ = conductor_.ends(totals_, merged_);
+  }
+
   void simulate(std::uint64_t batch, tally::BatchTally& tally) const {
     tally.photons = conductor_.photons_of(batch);
     const std::uint64_t first = batch * batch_photons;
@@ -122,6 +148,7 @@ class BatchRunner {
     for (auto due = done_.find(merged_); due != done_.end() && !ended_; due = done_.find(merged_)) {
       Tally tally = std::move(due->second);
       done_.erase(due);
+      if (tally->photons < batch_photons) conductor_.keep_whole(totals_);
       totals_.merge(*tally);
       tally->clear();
       free_.push_back(std::move(tally));
@@ -130,6 +157,7 @@ class BatchRunner {
     }
   }
 
+  const tally::Shape& shape_;
   const World<T>& world_;
   Conductor& conductor_;
   tally::Totals totals_;
@@ -137,7 +165,7 @@ class BatchRunner {
   std::condition_variable changed_;
   std::vector<Tally> free_;
   std::map<std::uint64_t, Tally> done_;
-  std::uint64_t next_batch_ = 0, merged_ = 0;
+  std::uint64_t next_batch_, merged_;
   bool ended_ = false;
   std::exception_ptr failure_;
 };

@@ -31,7 +31,7 @@ constexpr double unknown_variance = 1.0;
 struct Candidate {
   scene::Scene scene;
   std::string name;
-  std::vector<double> relative_variance;  ///< of the mean, by cell; 0: nothing was scored
+  std::vector<double> relative_variance{};  ///< of the mean, by cell; 0: nothing was scored
   double cost = 0;
 };
 

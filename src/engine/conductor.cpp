@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
+#include "core/error.hpp"
 #include "engine/batches.hpp"
 
 namespace photic::engine {
@@ -9,10 +12,15 @@ namespace {
 constexpr std::uint64_t batches_between_targets = 100;  // how often the target is looked at
 constexpr double seconds_between_tellings = 0.2;
 
+[[noreturn]] void refuse(const Start& start, const std::string& reason,
+                         const std::string& suggestion) {
+  throw InputError({{.file = start.file, .reason = reason, .suggestion = suggestion}});
+}
+
 }  // namespace
 
 Conductor::Conductor(const scene::Simulation& asked, const RunOptions& options)
-    : asked_(asked), options_(options) {
+    : asked_(asked), options_(options), next_checkpoint_s_(options.checkpoints.first_s) {
   constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
   batches_ = asked.photons ? (*asked.photons + batch_photons - 1) / batch_photons : unlimited;
   const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -21,6 +29,31 @@ Conductor::Conductor(const scene::Simulation& asked, const RunOptions& options)
 
 std::uint64_t Conductor::photons_of(std::uint64_t batch) const {
   return batch + 1 < batches_ ? batch_photons : *asked_.photons - batch * batch_photons;
+}
+
+tally::Totals Conductor::begin(const tally::Shape& shape) const {
+  if (!options_.start) return tally::Totals(shape);
+  const tally::TotalsState& state = options_.start->state;
+  if (state.photons % batch_photons != 0 || state.photons / batch_photons != state.batches) {
+    refuse(*options_.start,
+           fmt::format("a damaged result: {} photons in {} batches", state.photons, state.batches),
+           "");
+  }
+  expect(state.batches <= batches_, "a run that goes on is not shorter than what it goes on from");
+  return {shape, state};
+}
+
+void Conductor::check_start(const tally::Shape& shape, const tally::BatchTally& first) const {
+  tally::Totals totals(shape);
+  totals.merge(first);
+  // Versions and scenes that read the same may still differ in what lies behind them: the build,
+  // the data tables, the file of a phase function. The echo of the first batch shows it.
+  const auto& echo = totals.state().snapshot_echo;
+  if (std::equal(echo.begin(), echo.end(), options_.start->state.snapshot_echo.begin())) return;
+  refuse(*options_.start,
+         "made by another build of Photic, or with other data tables or another file of a phase "
+         "function: its first photons scored differently",
+         "go on with those, or start anew");
 }
 
 bool Conductor::ends(const tally::Totals& totals, std::uint64_t merged_batches) {
@@ -37,6 +70,7 @@ bool Conductor::ends(const tally::Totals& totals, std::uint64_t merged_batches) 
   }
   if (asked_.max_time_s && ending.wall_time_s >= *asked_.max_time_s) return because("time");
   if (options_.interrupt != nullptr && options_.interrupt->load()) return because("interrupt");
+  checkpoint_if_due(totals);
   return false;
 }
 
@@ -46,12 +80,19 @@ void Conductor::tell(const tally::Totals& totals) {
   told_s_ = now;
   Progress progress;
   progress.photons = totals.photons();
+  progress.photons_before = options_.start ? options_.start->state.photons : 0;
   progress.photons_asked = asked_.photons;
   progress.elapsed_s = now;
   progress.max_time_s = asked_.max_time_s;
   progress.gates_converged = totals.converged_cells();
   progress.gates = totals.scored_cells();
   options_.progress(progress);
+}
+
+void Conductor::checkpoint_if_due(const tally::Totals& totals) {
+  if (!checkpoint || ending.wall_time_s < next_checkpoint_s_) return;
+  checkpoint(totals);
+  next_checkpoint_s_ = elapsed_s() + options_.checkpoints.every_s;
 }
 
 double Conductor::elapsed_s() const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "engine/batches.hpp"
 #include "engine/choose.hpp"
@@ -45,23 +46,38 @@ void warn(tally::Result& result) {
   }
 }
 
+/// The result of the totals so far but for their state; `stopped_by` says why they go no further.
+tally::Result result_of(const Problem& problem, const tally::Totals& totals, const Ending& ending,
+                        const std::string& stopped_by, const RunOptions& options) {
+  tally::Result result = describe(problem);
+  totals.fill(result);
+  result.engine = "scalar";
+  result.version = PHOTIC_VERSION;
+  result.stopped_by = stopped_by;
+  result.partial = stopped_by == "interrupt" || stopped_by == "checkpoint";
+  result.wall_time_s = ending.wall_time_s + (options.start ? options.start->wall_time_s : 0);
+  result.threads = ending.threads;
+  warn(result);
+  return result;
+}
+
 }  // namespace
 
 tally::Result run(const scene::Scene& asked, const RunOptions& options) {
   const scene::Scene scene = choose_estimator(asked, options);
   const Problem problem = make_problem(scene);
   Conductor conductor(scene.simulation, options);
-  const tally::Totals totals = run_batches<double>(problem, conductor);
-
-  tally::Result result = describe(problem);
-  totals.fill(result);
-  result.engine = "scalar";
-  result.version = PHOTIC_VERSION;
-  result.stopped_by = conductor.ending.stopped_by;
-  result.partial = result.stopped_by == "interrupt";
-  result.wall_time_s = conductor.ending.wall_time_s;
-  result.threads = conductor.ending.threads;
-  warn(result);
+  if (options.checkpoints.write) {
+    conductor.checkpoint = [&](const tally::Totals& totals) {
+      tally::Result result = result_of(problem, totals, conductor.ending, "checkpoint", options);
+      result.state = totals.state();
+      options.checkpoints.write(result);
+    };
+  }
+  tally::Totals totals = run_batches<double>(problem, conductor);
+  Ending& ending = conductor.ending;
+  tally::Result result = result_of(problem, totals, ending, ending.stopped_by, options);
+  result.state = ending.whole ? std::move(*ending.whole) : std::move(totals).state();
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tally/result.hpp"
+#include "tally/shape.hpp"
 
 namespace photic::io {
 
@@ -27,5 +28,20 @@ void write_netcdf(const tally::Result& result, const std::string& path, const Wr
 /// The effective scene a result file was computed from, as TOML. Throws EnvironmentError if the
 /// file cannot be read and InputError if it is not a result of Photic.
 std::string read_scene_attribute(const std::string& path);
+
+/// What a result file says of its run, for one that goes on from it.
+struct RunSoFar {
+  std::string scene_toml, version, history;
+  std::uint64_t photons = 0;
+  double wall_time_s = 0;
+};
+
+/// Throws as read_scene_attribute does.
+RunSoFar read_run(const std::string& path);
+
+/// The state (tally::Result::state) in a result file of a scene of this shape. Throws as
+/// read_scene_attribute does, and InputError for a file without a state or with one of another
+/// shape.
+tally::TotalsState read_state(const std::string& path, const tally::Shape& shape);
 
 }  // namespace photic::io

@@ -53,6 +53,7 @@ int type_of(const Values& values) {
   return std::visit(Overloaded{[](std::span<const double>) { return NC_DOUBLE; },
                                [](std::span<const std::int32_t>) { return NC_INT; },
                                [](std::span<const std::int8_t>) { return NC_BYTE; },
+                               [](std::span<const std::uint64_t>) { return NC_UINT64; },
                                [](std::span<const std::string>) { return NC_STRING; }},
                     values);
 }
@@ -76,16 +77,21 @@ int put_values(int file, int variable, const Values& values) {
 NetcdfImage::NetcdfImage() {
   NC_memio memory = empty_file();  // netCDF takes it over
   check(nc_open_memio("photic", NC_WRITE, &memory, &file_), "making a file in memory");
+  group_ = file_;
 }
 
 NetcdfImage::~NetcdfImage() {
   if (file_ >= 0) nc_abort(file_);
 }
 
+void NetcdfImage::enter_group(const std::string& name) {
+  check(nc_def_grp(file_, name.c_str(), &group_), name);
+}
+
 void NetcdfImage::add_dimension(const std::string& name, std::size_t size) {
   expect(size > 0, "a dimension of at least 1: 0 would mean unlimited");
   int id = 0;
-  check(nc_def_dim(file_, name.c_str(), size, &id), name);
+  check(nc_def_dim(group_, name.c_str(), size, &id), name);
   dimensions_[name] = {id, size};
 }
 
@@ -99,26 +105,26 @@ void NetcdfImage::put_attribute(int variable, const std::string& name,
   const int status = std::visit(
       Overloaded{
           [&](const std::string& text) {
-            return nc_put_att_text(file_, variable, key, text.size(), text.data());
+            return nc_put_att_text(group_, variable, key, text.size(), text.data());
           },
           [&](const LongText& long_text) {
             const char* text = long_text.text.c_str();
-            return nc_put_att_string(file_, variable, key, 1, &text);
+            return nc_put_att_string(group_, variable, key, 1, &text);
           },
           [&](double number) {
-            return nc_put_att_double(file_, variable, key, NC_DOUBLE, 1, &number);
+            return nc_put_att_double(group_, variable, key, NC_DOUBLE, 1, &number);
           },
           [&](std::int32_t number) {
-            return nc_put_att_int(file_, variable, key, NC_INT, 1, &number);
+            return nc_put_att_int(group_, variable, key, NC_INT, 1, &number);
           },
           [&](std::uint64_t number) {
-            return nc_put_att(file_, variable, key, NC_UINT64, 1, &number);
+            return nc_put_att(group_, variable, key, NC_UINT64, 1, &number);
           },
           [&](const std::vector<std::int32_t>& numbers) {
-            return nc_put_att_int(file_, variable, key, NC_INT, numbers.size(), numbers.data());
+            return nc_put_att_int(group_, variable, key, NC_INT, numbers.size(), numbers.data());
           },
           [&](const std::vector<std::int8_t>& numbers) {
-            return nc_put_att_schar(file_, variable, key, NC_BYTE, numbers.size(), numbers.data());
+            return nc_put_att_schar(group_, variable, key, NC_BYTE, numbers.size(), numbers.data());
           }},
       value);
   check(status, "attribute " + name);
@@ -136,12 +142,12 @@ void NetcdfImage::add_variable(const std::string& name, const std::vector<std::s
   expect(std::visit([](auto span) { return span.size(); }, values) == size,
          "as many values as the dimensions of a variable ask for");
   int variable = 0;
-  check(nc_def_var(file_, name.c_str(), type_of(values), static_cast<int>(ids.size()), ids.data(),
+  check(nc_def_var(group_, name.c_str(), type_of(values), static_cast<int>(ids.size()), ids.data(),
                    &variable),
         name);
-  if (ids.size() > 1) check(nc_def_var_deflate(file_, variable, NC_SHUFFLE, 1, 4), name);
+  if (ids.size() > 1) check(nc_def_var_deflate(group_, variable, NC_SHUFFLE, 1, 4), name);
   for (const auto& [key, value] : attributes) put_attribute(variable, key, value);
-  check(put_values(file_, variable, values), name);
+  check(put_values(group_, variable, values), name);
 }
 
 std::string NetcdfImage::finish() {

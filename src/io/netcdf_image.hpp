@@ -22,7 +22,8 @@ using AttributeValue = std::variant<std::string, LongText, double, std::int32_t,
                                     std::vector<std::int32_t>, std::vector<std::int8_t>>;
 using Attributes = std::vector<std::pair<std::string, AttributeValue>>;
 using Values = std::variant<std::span<const double>, std::span<const std::int32_t>,
-                            std::span<const std::int8_t>, std::span<const std::string>>;
+                            std::span<const std::int8_t>, std::span<const std::uint64_t>,
+                            std::span<const std::string>>;
 
 class NetcdfImage {
  public:
@@ -31,6 +32,8 @@ class NetcdfImage {
   NetcdfImage& operator=(const NetcdfImage&) = delete;
   ~NetcdfImage();
 
+  /// Whatever is added afterwards goes into this group; it may use the dimensions added before.
+  void enter_group(const std::string& name);
   void add_dimension(const std::string& name, std::size_t size);
   void add_global(const std::string& name, const AttributeValue& value);
   /// Values with the last dimension fastest, compressed where the variable has more than one
@@ -43,7 +46,7 @@ class NetcdfImage {
  private:
   void put_attribute(int variable, const std::string& name, const AttributeValue& value);
 
-  int file_ = -1;
+  int file_ = -1, group_ = -1;
   std::map<std::string, std::pair<int, std::size_t>> dimensions_;  ///< name: id, size
 };
 

@@ -8,6 +8,7 @@
 #include "io/atomic_file.hpp"
 #include "io/netcdf.hpp"
 #include "io/netcdf_image.hpp"
+#include "io/netcdf_state.hpp"
 
 namespace photic::io {
 namespace {
@@ -237,6 +238,7 @@ void write_netcdf(const tally::Result& result, const std::string& path, const Wr
   add_gates(file, result);
   add_echoes(file, result);
   add_convergence(file, result);
+  if (result.state) add_state(file, *result.state);
   write_atomically(path, file.finish());
 }
 

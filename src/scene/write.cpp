@@ -2,16 +2,11 @@
 #include "scene/format.hpp"
 #include "scene/read.hpp"
 #include "scene/schema_builder.hpp"
+#include "scene/tree.hpp"
 #include "scene/writer.hpp"
 
 namespace photic::scene {
 namespace {
-
-Node tree_of(Scene scene) {
-  Writer writer;
-  describe(writer, scene);
-  return writer.take();
-}
 
 template <class Describe>
 Node definition(const Describe& keys) {
@@ -22,6 +17,12 @@ Node definition(const Describe& keys) {
 }
 
 }  // namespace
+
+Node tree_of(Scene scene) {
+  Writer writer;
+  describe(writer, scene);
+  return writer.take();
+}
 
 std::string write_scene(const Scene& scene) { return format_toml(tree_of(scene)); }
 

@@ -7,13 +7,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "tally/result.hpp"
 #include "tally/shape.hpp"
+#include "tally/state.hpp"
 
 namespace photic::tally {
 
-/// Scores are also counted by octave of their size: what shows a heavy tail.
-inline constexpr int score_octaves = 128;  ///< 2^-128 … 1
+/// The octave of a score's size, 0 … score_octaves - 1.
 inline int score_octave(double value) {
   const auto exponent = static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52) - 1023;
   return exponent < -score_octaves ? 0

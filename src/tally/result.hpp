@@ -3,8 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "tally/state.hpp"
 
 namespace photic::tally {
 
@@ -30,19 +33,6 @@ struct FlagMeaning {
   const char* explanation;  ///< one line for people
 };
 const std::vector<FlagMeaning>& flag_meanings();
-
-/// Where the weight of the emitted photons went, as shares of the photons emitted. Sums to 1 in
-/// expectation.
-struct Ledger {
-  double absorbed = 0;  ///< in the water, and not emitted again
-  double escaped =
-      0;  ///< through the surface (what a telescope detects is part of it) or never in the water
-  double sea_bed = 0;       ///< absorbed by the black sea bed
-  double cut_by_time = 0;   ///< could no longer come back within the last gate
-  double cut_by_order = 0;  ///< ended at max_order
-  double roulette = 0;      ///< killed less gained by Russian roulette; 0 in expectation
-  double lost = 0;          ///< too many events, or a number that is not finite
-};
 
 struct Result {
   // Axes.
@@ -70,17 +60,21 @@ struct Result {
   std::string title, scene_toml, version, engine, estimator;
   std::uint64_t seed = 0;
   std::uint64_t photons = 0;  ///< emitted
-  std::string stopped_by;     ///< photons | target | time | interrupt
-  bool partial = false;       ///< ended by an interrupt before what was asked for was reached
+  std::string stopped_by;     ///< photons | target | time | interrupt | checkpoint
+  bool partial = false;       ///< seen before what was asked for was reached
   std::uint64_t batches = 0;
   std::uint64_t collisions = 0;
   std::uint64_t lost_too_many_events = 0;  ///< photons
   std::uint64_t lost_not_finite = 0;       ///< photons
-  double wall_time_s = 0;
-  int threads = 0;
-  Ledger ledger;
+  double wall_time_s = 0;                  ///< of all sittings
+  int threads = 0;                         ///< of the last one
+  Ledger ledger;  ///< as shares of the photons emitted; sums to 1 in expectation
   std::vector<std::string> warnings;  ///< for the user, one sentence each
   std::vector<std::string> sources;   ///< "quantity = value: source [status]" of the optics used
+
+  /// What a longer run goes on from: the state after the last whole batch. An incomplete batch at
+  /// the end is not in it, since a longer run would have done that batch whole.
+  std::optional<TotalsState> state;
 
   [[nodiscard]] std::size_t telescopes() const { return telescope_name.size(); }
   [[nodiscard]] std::size_t channels() const { return channel_name.size(); }

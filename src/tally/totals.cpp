@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
+
+#include "core/error.hpp"
 
 namespace photic::tally {
 namespace {
@@ -24,35 +27,22 @@ double error_of_sum(const Sums& s, double photons, double batches) {
   return batches > 1 ? std::sqrt(spread / (batches - 1) * photons) : 0.0;
 }
 
+bool fits(const TotalsState& state, const Shape& shape) {
+  const std::size_t cells = shape.cells();
+  return state.echo.size() == cells && state.by_order.size() == cells * shape.orders &&
+         state.by_process.size() == cells * shape.processes &&
+         state.by_depth.size() == cells * shape.depths && state.cut_order.size() == cells &&
+         state.largest.size() == cells && state.octaves.size() == cells &&
+         state.snapshot_photons.size() == snapshots_at(state.batches) &&
+         state.snapshot_batches.size() == snapshots_at(state.batches) &&
+         state.snapshot_echo.size() == snapshots_at(state.batches) * cells;
+}
+
 }  // namespace
 
-void TailSums::add(double score, double photons) {
-  low.add(score, photons);
-  const double mean = score / photons;
-  if (photons_ == 0) origin_ = mean;
-  photons_ += photons;
-  double weighted = photons;
-  for (double& sum : power_) sum += weighted *= mean - origin_;
+Totals::Totals(const Shape& shape, TotalsState state) : shape_(&shape), state_(std::move(state)) {
+  expect(fits(state_, shape), "totals go on from a state of their own shape");
 }
-
-TailSums::Moments TailSums::central(double all_photons) const {
-  std::array<double, 4> about_origin{};
-  double missed = all_photons - photons_;
-  for (std::size_t k = 0; k < about_origin.size(); ++k)
-    about_origin[k] = (power_[k] + (missed *= -origin_)) / all_photons;
-  const auto& [m1, m2, m3, m4] = about_origin;
-  return {std::max(0.0, m2 - m1 * m1), m4 - 4 * m1 * m3 + 6 * m1 * m1 * m2 - 3 * m1 * m1 * m1 * m1};
-}
-
-Totals::Totals(const Shape& shape)
-    : shape_(&shape),
-      echo_(shape.cells()),
-      by_order_(shape.cells() * shape.orders),
-      by_process_(shape.cells() * shape.processes),
-      by_depth_(shape.cells() * shape.depths),
-      cut_order_(shape.cells()),
-      largest_(shape.cells()),
-      octaves_(shape.cells()) {}
 
 void Totals::merge(const BatchTally& batch) {
   const auto n = static_cast<double>(batch.photons);
@@ -60,44 +50,45 @@ void Totals::merge(const BatchTally& batch) {
     double echo = 0;
     for (std::size_t o = cell * shape_->orders; o < (cell + 1) * shape_->orders; ++o) {
       echo += batch.by_order[o];
-      if (batch.by_order[o] > 0) by_order_[o].add(batch.by_order[o], n);
+      if (batch.by_order[o] > 0) state_.by_order[o].add(batch.by_order[o], n);
     }
     for (std::size_t p = cell * shape_->processes; p < (cell + 1) * shape_->processes; ++p) {
-      if (batch.by_process[p] > 0) by_process_[p].add(batch.by_process[p], n);
+      if (batch.by_process[p] > 0) state_.by_process[p].add(batch.by_process[p], n);
     }
-    echo_[cell].add(echo, n);
-    cut_order_[cell] += batch.cut_order[cell];
-    largest_[cell] = std::max(largest_[cell], batch.largest[cell]);
-    for (std::size_t k = 0; k < score_octaves; ++k) octaves_[cell][k] += batch.octaves[cell][k];
+    state_.echo[cell].add(echo, n);
+    state_.cut_order[cell] += batch.cut_order[cell];
+    state_.largest[cell] = std::max(state_.largest[cell], batch.largest[cell]);
+    for (std::size_t k = 0; k < score_octaves; ++k)
+      state_.octaves[cell][k] += batch.octaves[cell][k];
   }
-  for (const std::uint32_t k : batch.touched_depths) by_depth_[k].add(batch.by_depth[k], n);
+  for (const std::uint32_t k : batch.touched_depths) state_.by_depth[k].add(batch.by_depth[k], n);
 
-  photons_ += batch.photons;
-  ++batches_;
-  collisions_ += batch.collisions;
-  scores_ += batch.scores;
-  too_many_events_ += batch.too_many_events;
-  not_finite_ += batch.not_finite;
-  ledger_.absorbed += batch.ledger.absorbed;
-  ledger_.escaped += batch.ledger.escaped;
-  ledger_.sea_bed += batch.ledger.sea_bed;
-  ledger_.cut_by_time += batch.ledger.cut_by_time;
-  ledger_.cut_by_order += batch.ledger.cut_by_order;
-  ledger_.roulette += batch.ledger.roulette;
-  ledger_.lost += batch.ledger.lost;
+  state_.photons += batch.photons;
+  ++state_.batches;
+  state_.collisions += batch.collisions;
+  state_.scores += batch.scores;
+  state_.too_many_events += batch.too_many_events;
+  state_.not_finite += batch.not_finite;
+  state_.ledger.absorbed += batch.ledger.absorbed;
+  state_.ledger.escaped += batch.ledger.escaped;
+  state_.ledger.sea_bed += batch.ledger.sea_bed;
+  state_.ledger.cut_by_time += batch.ledger.cut_by_time;
+  state_.ledger.cut_by_order += batch.ledger.cut_by_order;
+  state_.ledger.roulette += batch.ledger.roulette;
+  state_.ledger.lost += batch.ledger.lost;
 
-  if (std::has_single_bit(batches_)) {
-    Snapshot now{static_cast<double>(photons_), static_cast<double>(batches_), {}};
-    for (const TailSums& s : echo_) now.echo.push_back(s.low);
-    snapshots_.push_back(std::move(now));
+  if (std::has_single_bit(state_.batches)) {
+    state_.snapshot_photons.push_back(static_cast<double>(state_.photons));
+    state_.snapshot_batches.push_back(static_cast<double>(state_.batches));
+    for (const TailSums& s : state_.echo) state_.snapshot_echo.push_back(s.low);
   }
 }
 
-double Totals::mean(const Sums& sums) const { return sums.x / static_cast<double>(photons_); }
+double Totals::mean(const Sums& sums) const { return sums.x / static_cast<double>(state_.photons); }
 
 double Totals::standard_error(const Sums& sums) const {
-  const auto photons = static_cast<double>(photons_);
-  return error_of_sum(sums, photons, static_cast<double>(batches_)) / photons;
+  const auto photons = static_cast<double>(state_.photons);
+  return error_of_sum(sums, photons, static_cast<double>(state_.batches)) / photons;
 }
 
 bool Totals::heavy_tail(std::size_t cell) const {
@@ -105,7 +96,7 @@ bool Totals::heavy_tail(std::size_t cell) const {
   double top = 0;
   double all = 0;
   for (int k = score_octaves - 1; k >= 0; --k) {
-    const auto count = static_cast<double>(octaves_[cell][static_cast<std::size_t>(k)]);
+    const auto count = static_cast<double>(state_.octaves[cell][static_cast<std::size_t>(k)]);
     if (count == 0) continue;
     const double square =
         std::ldexp(1.0, 2 * (k - score_octaves));  // of a score of this octave, about
@@ -118,27 +109,30 @@ bool Totals::heavy_tail(std::size_t cell) const {
 }
 
 bool Totals::error_not_falling(std::size_t cell) const {
-  if (snapshots_.size() < 3) return false;
-  const Snapshot& before = snapshots_[snapshots_.size() - 3];
-  const auto photons = static_cast<double>(photons_);
+  if (state_.snapshot_photons.size() < 3) return false;
+  const std::size_t before = state_.snapshot_photons.size() - 3;
+  const double photons_then = state_.snapshot_photons[before];
+  const auto photons = static_cast<double>(state_.photons);
   const double now =
-      error_of_sum(echo_[cell].low, photons, static_cast<double>(batches_)) / std::sqrt(photons);
-  const double then =
-      error_of_sum(before.echo[cell], before.photons, before.batches) / std::sqrt(before.photons);
+      error_of_sum(state_.echo[cell].low, photons, static_cast<double>(state_.batches)) /
+      std::sqrt(photons);
+  const double then = error_of_sum(state_.snapshot_echo[before * state_.echo.size() + cell],
+                                   photons_then, state_.snapshot_batches[before]) /
+                      std::sqrt(photons_then);
   return now > largest_error_growth * then;
 }
 
 Totals::Health Totals::health(std::size_t cell) const {
-  const TailSums& s = echo_[cell];
+  const TailSums& s = state_.echo[cell];
   if (s.low.x == 0) return {no_score, 0, 0};
-  const auto n = static_cast<double>(photons_);
-  const auto b = static_cast<double>(batches_);
+  const auto n = static_cast<double>(state_.photons);
+  const auto b = static_cast<double>(state_.batches);
   const double m = s.low.x / n;
   const auto [second, fourth] = s.central(n);
   Health health;
   health.variance_of_variance =
       second > 0 ? std::max(0.0, fourth / (second * second) - 1) / b : 0.0;
-  health.largest_score_share = largest_[cell] / s.low.x;
+  health.largest_score_share = state_.largest[cell] / s.low.x;
   const auto raise = [&](bool condition, ConvergenceFlag flag) {
     health.flags |= condition ? flag : 0;
   };
@@ -152,8 +146,8 @@ Totals::Health Totals::health(std::size_t cell) const {
 }
 
 bool Totals::all_converged(double relative_error) const {
-  for (std::size_t cell = 0; cell < echo_.size(); ++cell) {
-    const Sums& s = echo_[cell].low;
+  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
+    const Sums& s = state_.echo[cell].low;
     if (s.x == 0) continue;
     if (standard_error(s) > relative_error * mean(s) || health(cell).flags != 0) return false;
   }
@@ -162,13 +156,13 @@ bool Totals::all_converged(double relative_error) const {
 
 std::size_t Totals::converged_cells() const {
   std::size_t count = 0;
-  for (std::size_t cell = 0; cell < echo_.size(); ++cell) count += health(cell).flags == 0;
+  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) count += health(cell).flags == 0;
   return count;
 }
 
 std::size_t Totals::scored_cells() const {
   std::size_t count = 0;
-  for (const TailSums& s : echo_) count += s.low.x > 0;
+  for (const TailSums& s : state_.echo) count += s.low.x > 0;
   return count;
 }
 
@@ -178,40 +172,41 @@ void Totals::fill(Result& result) const {
     out.standard_error.push_back(standard_error(s));
   };
   const auto gates = shape_->gates;
-  for (std::size_t cell = 0; cell < echo_.size(); ++cell) {
-    estimate(result.echo, echo_[cell].low);
+  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
+    estimate(result.echo, state_.echo[cell].low);
     const Health h = health(cell);
     result.convergence_flags.push_back(h.flags);
     result.variance_of_variance.push_back(h.variance_of_variance);
     result.largest_score_share.push_back(h.largest_score_share);
-    const double x = echo_[cell].low.x;
-    result.order_cut_share.push_back(x > 0 ? cut_order_[cell] / x : 0.0);
+    const double x = state_.echo[cell].low.x;
+    result.order_cut_share.push_back(x > 0 ? state_.cut_order[cell] / x : 0.0);
   }
   // The result has gates last but for the depths.
   for (std::size_t tc = 0; tc < shape_->telescopes * shape_->channels; ++tc) {
     for (std::size_t p = 0; p < shape_->processes; ++p) {
       for (std::size_t g = 0; g < gates; ++g) {
-        estimate(result.echo_by_process, by_process_[(tc * gates + g) * shape_->processes + p]);
+        estimate(result.echo_by_process,
+                 state_.by_process[(tc * gates + g) * shape_->processes + p]);
       }
     }
     for (std::size_t o = 0; o < shape_->orders; ++o) {
       for (std::size_t g = 0; g < gates; ++g) {
-        estimate(result.echo_by_order, by_order_[(tc * gates + g) * shape_->orders + o]);
+        estimate(result.echo_by_order, state_.by_order[(tc * gates + g) * shape_->orders + o]);
       }
     }
   }
-  for (const Sums& s : by_depth_) estimate(result.echo_by_depth, s);
+  for (const Sums& s : state_.by_depth) estimate(result.echo_by_depth, s);
 
-  const double per_photon = photons_ > 0 ? 1.0 / static_cast<double>(photons_) : 0.0;
-  result.ledger = {ledger_.absorbed * per_photon,     ledger_.escaped * per_photon,
-                   ledger_.sea_bed * per_photon,      ledger_.cut_by_time * per_photon,
-                   ledger_.cut_by_order * per_photon, ledger_.roulette * per_photon,
-                   ledger_.lost * per_photon};
-  result.photons = photons_;
-  result.batches = batches_;
-  result.collisions = collisions_;
-  result.lost_too_many_events = too_many_events_;
-  result.lost_not_finite = not_finite_;
+  const double per_photon = state_.photons > 0 ? 1.0 / static_cast<double>(state_.photons) : 0.0;
+  result.ledger = {state_.ledger.absorbed * per_photon,     state_.ledger.escaped * per_photon,
+                   state_.ledger.sea_bed * per_photon,      state_.ledger.cut_by_time * per_photon,
+                   state_.ledger.cut_by_order * per_photon, state_.ledger.roulette * per_photon,
+                   state_.ledger.lost * per_photon};
+  result.photons = state_.photons;
+  result.batches = state_.batches;
+  result.collisions = state_.collisions;
+  result.lost_too_many_events = state_.too_many_events;
+  result.lost_not_finite = state_.not_finite;
 }
 
 }  // namespace photic::tally

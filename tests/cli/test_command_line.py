@@ -46,6 +46,9 @@ REFUSED = {
     "(write 60s, 10min or 2h)",
     ("run", "quick.toml", "--max-time", "60m"): "--max-time: '60m' is not a time with its unit",
     ("run", "quick.toml", "--max-time", "0s"): "--max-time: '0s' is not above 0",
+    ("run", "quick.toml", "--checkpoint", "5"): "--checkpoint: '5' is not a time with its unit (write 60s, 10min or 2h)",
+    ("run", "quick.toml", "--checkpoint", "0s"): "--checkpoint: '0s' is not above 0",
+    ("run", "--photons", "5"): "scene is required",
     ("run", "quick.toml", "--seed", "-1"): "--seed: '-1' is not a whole number from 0 to 2^63 - 1",
     ("run", "quick.toml", "--threads", "0"): "--threads",
     ("run", "quick.toml", "-o", "echo.txt"): "echo.txt: the result's name ends neither in .nc nor in .csv "

@@ -32,6 +32,15 @@ def test_coordinates(sample):
     assert echo.channel_wavelength == 649.8
 
 
+def test_what_a_run_goes_on_from_is_not_shown(sample):
+    with netCDF4.Dataset(sample) as file:
+        assert list(file.groups) == ["continuation"]
+    ds = photic.open(sample)
+    axes = {"telescope", "channel", "process", "order", "gate", "depth", "bnds"}
+    assert set(ds.sizes) == axes
+    assert not [name for name in ds.variables if "sums" in name]
+
+
 # Seen red: left as bytes, where ~ gives -1 and -2, both true.
 def test_converged_is_bool(sample):
     ds = photic.open(sample)

@@ -79,6 +79,15 @@ def test_output_is_kept(scene, tmp_path):
     assert ds.identical(photic.open(tmp_path / "kept.nc"))
 
 
+# Seen red: without passing it on.
+def test_a_run_goes_on(scene, tmp_path):
+    photic.run(scene, photons=6000, output=tmp_path / "old.nc")
+    ds = photic.run(scene, continue_from=tmp_path / "old.nc")
+    assert ds.attrs["photons"] == 20000
+    assert len(ds.attrs["history"].splitlines()) == 2
+    assert numpy.array_equal(ds.echo, photic.run(scene).echo)
+
+
 def test_all_errors_of_a_scene(scene):
     with pytest.raises(photic.Error) as error:
         photic.run(scene, set={"sea.layer.0.chlorophyl": 1.0, "source.diameter_m": -1.0})

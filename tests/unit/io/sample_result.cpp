@@ -26,6 +26,7 @@ class Maker {
     for (std::size_t t = 0; t < 2; ++t)
       for (std::size_t c = 0; c < 3; ++c) channel(looks[c], t, c);
     run();
+    state();
     return std::move(result_);
   }
 
@@ -130,6 +131,34 @@ class Maker {
                        "chlorophyll yield = 0.01: [placeholder]"};
   }
 
+  /// No number twice, so that none can be taken for another.
+  void state() {
+    tally::TotalsState state(sample_shape());
+    state.photons = 19'998'000;
+    state.batches = 9999;
+    state.collisions = 187'654'000;
+    state.too_many_events = 2;
+    state.not_finite = 1;
+    state.ledger = {next(), next(), next(), next(), next(), next(), next()};
+    for (auto& s : state.echo)
+      s = {{next(), next()}, next(), next(), {next(), next(), next(), next()}};
+    for (auto* sums : {&state.by_order, &state.by_process, &state.by_depth})
+      for (auto& s : *sums) s = {next(), next()};
+    for (auto* values : {&state.cut_order, &state.largest})
+      for (double& value : *values) value = next();
+    for (auto& counts : state.octaves)
+      for (auto& count : counts) count = (std::uint64_t{1} << 60) + ++numbers_;
+    for (std::size_t k = 0; k < tally::snapshots_at(state.batches); ++k) {
+      state.snapshot_photons.push_back(next());
+      state.snapshot_batches.push_back(next());
+      for (std::size_t cell = 0; cell < state.echo.size(); ++cell)
+        state.snapshot_echo.push_back({next(), next()});
+    }
+    result_.state = std::move(state);
+  }
+
+  double next() { return std::sqrt(static_cast<double>(++numbers_)); }
+
   static void push(tally::Estimates& estimates, double mean, double standard_error) {
     estimates.mean.push_back(mean);
     estimates.standard_error.push_back(standard_error);
@@ -138,10 +167,22 @@ class Maker {
   tally::Result result_;
   std::mt19937 random_{7};
   std::normal_distribution<double> normal_;
+  std::uint64_t numbers_ = 0;
 };
 
 }  // namespace
 
 tally::Result sample_result() { return Maker().make(); }
+
+tally::Shape sample_shape() {
+  tally::Shape shape;
+  shape.telescopes = 2;
+  shape.channels = 3;
+  shape.processes = 3;
+  shape.orders = 6;
+  shape.gates = gates;
+  shape.depths = gates;
+  return shape;
+}
 
 }  // namespace photic::test

@@ -3,11 +3,15 @@
 #pragma once
 
 #include "tally/result.hpp"
+#include "tally/shape.hpp"
 
 namespace photic::test {
 
 /// Two telescopes, three channels, 100 gates of 0.5 m, orders 1 … 6 and above. Deep gates are not
 /// converged, the deepest have seen nothing; one diagnostic is NaN.
 tally::Result sample_result();
+
+/// The extents of its tallies.
+tally::Shape sample_shape();
 
 }  // namespace photic::test

@@ -1,0 +1,41 @@
+// The checkpoint of a run: its result so far, in out.checkpoint.nc beside the out.nc or out.csv
+// that is to be.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "photic/progress.hpp"
+#include "scene/scene.hpp"
+#include "tally/result.hpp"
+
+namespace photic::app {
+
+/// The result that a checkpoint is beside: "out.checkpoint.nc" -> "out.nc"; other names as they
+/// are.
+std::string without_checkpoint(const std::string& file);
+
+class Checkpoint {
+ public:
+  /// Of a run of `scene` that will write `result`. `history` is that of the result.
+  Checkpoint(const std::string& result, const scene::Scene& scene, std::string history);
+
+  /// One line that tells how to go on from the file, if a run of this scene left more than
+  /// `photons` there; else empty.
+  [[nodiscard]] std::string leftover(std::uint64_t photons) const;
+
+  /// Writes the result so far. Never in the place of more photons of the same scene. A failure is
+  /// told once, and leaves the last good checkpoint.
+  void write(const tally::Result& so_far, ProgressBar& bar);
+
+  /// Removes what the result, now written, holds as well. A partial result that no run can go on
+  /// from leaves the checkpoint; then its path is returned.
+  std::string finish(const tally::Result& result);
+
+ private:
+  std::string result_, path_, history_;
+  std::uint64_t photons_;  ///< of this scene that the file holds
+  bool warned_ = false;
+};
+
+}  // namespace photic::app

@@ -1,0 +1,103 @@
+#include "photic/continuation.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "engine/problem.hpp"
+#include "io/netcdf.hpp"
+#include "scene/compare.hpp"
+
+namespace photic::app {
+namespace {
+
+std::string folder_of(const std::string& file) {
+  return std::filesystem::path(file).parent_path().string();
+}
+
+/// The scene with the estimator that an earlier run of it chose, if it leaves the choice open.
+scene::Scene as_chosen(scene::Scene now, const scene::Scene& then) {
+  if (now.simulation.estimator != "auto" || !then.simulation.estimator_reason) return now;
+  now.simulation.estimator = then.simulation.estimator;
+  now.simulation.estimator_reason = then.simulation.estimator_reason;
+  now.simulation.walk_attenuation = then.simulation.walk_attenuation;
+  return now;
+}
+
+/// Why the photons of a run are not those of a scene.
+std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& file,
+                                  const scene::Scene& asked) {
+  if (run.version != PHOTIC_VERSION) {
+    return {{.file = file,
+             .reason = fmt::format("made by Photic {}; this one, {}, may simulate other photons",
+                                   run.version, PHOTIC_VERSION),
+             .suggestion = fmt::format("go on with Photic {}, or start anew", run.version)}};
+  }
+  scene::Scene then = scene::read_scene_text(run.scene_toml, file, folder_of(file)).scene;
+  const scene::Scene now = as_chosen(asked, then);
+  then.simulation.photons = now.simulation.photons;
+  then.simulation.target_relative_error = now.simulation.target_relative_error;
+  then.simulation.max_time_s = now.simulation.max_time_s;
+  std::vector<Diagnostic> out;
+  for (const scene::Difference& d : scene::differences(then, now)) {
+    out.push_back({.file = file,
+                   .reason = fmt::format("{} was {} and is {} now", d.path, d.left, d.right),
+                   .suggestion = ""});
+  }
+  if (!out.empty()) {
+    out.back().suggestion =
+        "a run that goes on may change photons, target_relative_error and max_time_s alone";
+  }
+  return out;
+}
+
+}  // namespace
+
+scene::Reading read_scene_of(const RunCommand& command) {
+  if (!command.scene.empty()) {
+    scene::Reading reading =
+        scene::read_scene(command.scene, command.overrides, engine::check_optics);
+    if (!command.earlier.empty()) {
+      const auto text = io::read_run(command.earlier).scene_toml;
+      const auto then =
+          scene::read_scene_text(text, command.earlier, folder_of(command.earlier)).scene;
+      reading.scene = as_chosen(std::move(reading.scene), then);
+    }
+    return reading;
+  }
+  return scene::read_scene_text(io::read_run(command.earlier).scene_toml, command.earlier,
+                                folder_of(command.earlier), command.overrides,
+                                engine::check_optics);
+}
+
+Earlier take_up(const std::string& file, const scene::Scene& scene) {
+  const io::RunSoFar run = io::read_run(file);
+  std::vector<Diagnostic> problems = obstacles(run, file, scene);
+  const auto asked = scene.simulation.photons;
+  if (asked && *asked < run.photons) {
+    problems.push_back(
+        {.file = file,
+         .reason = fmt::format("holds {} photons already, more than the {} asked for", run.photons,
+                               *asked),
+         .suggestion = "--photons is the total, not what is added"});
+  }
+  if (!problems.empty()) throw InputError(problems);
+  return {.start = {.state = io::read_state(file, engine::make_problem(scene).shape),
+                    .wall_time_s = run.wall_time_s,
+                    .file = file},
+          .photons = run.photons,
+          .history = run.history};
+}
+
+std::uint64_t photons_to_take_up(const std::string& file, const scene::Scene& scene) {
+  try {
+    const io::RunSoFar run = io::read_run(file);
+    return obstacles(run, file, scene).empty() ? run.photons : 0;
+  } catch (const InputError&) {
+  } catch (const EnvironmentError&) {
+  }
+  return 0;
+}
+
+}  // namespace photic::app

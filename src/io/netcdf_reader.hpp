@@ -1,0 +1,52 @@
+// A result file opened for reading. Nothing in it is believed: whatever is not of the type and size
+// asked for is an InputError that names the file.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace photic::io {
+
+class NetcdfReader {
+ public:
+  /// Throws EnvironmentError if the file cannot be read, InputError if it is no netCDF file.
+  explicit NetcdfReader(std::string path);
+  NetcdfReader(const NetcdfReader&) = delete;
+  NetcdfReader& operator=(const NetcdfReader&) = delete;
+  ~NetcdfReader();
+
+  /// Throws InputError unless the file is a result of Photic of a format that is known.
+  void expect_result() const;
+
+  /// Whatever is read afterwards comes from this group; false if there is none.
+  bool enter_group(const std::string& name);
+
+  // Attributes.
+  [[nodiscard]] std::string text(const std::string& name) const;
+  [[nodiscard]] std::uint64_t count(const std::string& name) const;
+  [[nodiscard]] double number(const std::string& name) const;
+
+  // Variables whose dimensions have these lengths, the last fastest.
+  [[nodiscard]] std::vector<double> numbers(const std::string& name,
+                                            const std::vector<std::size_t>& lengths) const;
+  [[nodiscard]] std::vector<std::uint64_t> counts(const std::string& name,
+                                                  const std::vector<std::size_t>& lengths) const;
+
+  /// Throws InputError about the file.
+  [[noreturn]] void refuse(const std::string& reason) const;
+
+ private:
+  template <class T>
+  [[nodiscard]] std::vector<T> values(const std::string& name, int type,
+                                      const std::vector<std::size_t>& lengths) const;
+  [[nodiscard]] bool is_single(const std::string& name, int type) const;
+  [[nodiscard]] std::vector<std::size_t> lengths_of(int variable) const;
+  void check(int status, const std::string& name) const;
+
+  std::string path_;
+  int file_ = -1, group_ = -1;
+};
+
+}  // namespace photic::io

@@ -1,0 +1,176 @@
+#include "io/netcdf_state.hpp"
+
+#include <array>
+#include <map>
+#include <type_traits>
+
+#include "io/netcdf.hpp"
+#include "io/netcdf_reader.hpp"
+
+namespace photic::io {
+namespace {
+
+constexpr const char* group = "continuation";
+
+using Names = std::vector<std::string>;
+
+// Where the numbers of an element are, in the order of the file's last dimension.
+constexpr auto itself = [](auto& x) { return std::array{&x}; };
+constexpr auto sums = [](auto& s) { return std::array{&s.x, &s.xx}; };
+constexpr auto tail_sums = [](auto& s) {
+  auto& [a, b, c, d] = s.power;
+  return std::array{&s.low.x, &s.low.xx, &s.origin, &s.photons, &a, &b, &c, &d};
+};
+constexpr auto octaves = [](auto& counts) {
+  std::array<decltype(&counts[0]), tally::score_octaves> out{};
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = &counts[k];
+  return out;
+};
+
+const std::string of_sums =
+    ": sums over the batches of the score and of its square over the photons of the batch";
+
+/// All of a state under its names in the file: for the visitor that writes, and the one that reads.
+template <class Visitor, class State>
+void describe(Visitor& v, State& s) {
+  v.count("photons", s.photons);
+  v.count("batches", s.batches);
+  v.count("collisions", s.collisions);
+  v.count("scores", s.scores);
+  v.count("photons_lost_too_many_events", s.too_many_events);
+  v.count("photons_lost_not_finite", s.not_finite);
+  v.number("weight_absorbed", s.ledger.absorbed);
+  v.number("weight_escaped", s.ledger.escaped);
+  v.number("weight_sea_bed", s.ledger.sea_bed);
+  v.number("weight_cut_by_time", s.ledger.cut_by_time);
+  v.number("weight_cut_by_order", s.ledger.cut_by_order);
+  v.number("weight_roulette", s.ledger.roulette);
+  v.number("weight_lost", s.ledger.lost);
+
+  const Names cell{"telescope", "channel", "gate"};
+  const auto in_cell = [&](const Names& more) {
+    Names all = cell;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  v.array("echo_sums", in_cell({"tail_sum"}), s.echo, tail_sums,
+          "echo" + of_sums +
+              "; mean score per photon of the first batch that scored, photons of those that did, "
+              "and sums of photons times powers 1 to 4 of the distance from that mean");
+  v.array("echo_by_order_sums", in_cell({"order", "sum"}), s.by_order, sums,
+          "echo by order of scattering" + of_sums);
+  v.array("echo_by_process_sums", in_cell({"process", "sum"}), s.by_process, sums,
+          "echo by process" + of_sums);
+  v.array("echo_by_depth_sums", in_cell({"depth", "sum"}), s.by_depth, sums,
+          "echo by depth of the last scattering" + of_sums);
+  v.array("order_cut_sum", cell, s.cut_order, itself, "first order cut off: sum of the scores");
+  v.array("largest_score", cell, s.largest, itself, "largest single score");
+  v.array("score_octaves", in_cell({"octave"}), s.octaves, octaves,
+          "number of scores by octave of their size, 2^-128 to 1");
+  if (s.batches == 0) return;
+  v.array("snapshot_photons", {"snapshot"}, s.snapshot_photons, itself,
+          "photons when there were 1, 2, 4, 8 … batches");
+  v.array("snapshot_batches", {"snapshot"}, s.snapshot_batches, itself, "batches at that time");
+  v.array("snapshot_echo_sums", {"snapshot", "telescope", "channel", "gate", "sum"},
+          s.snapshot_echo, sums, "echo at that time" + of_sums);
+}
+
+class StateWriter {
+ public:
+  explicit StateWriter(NetcdfImage& file) : file_(file) {}
+
+  void count(const char* name, std::uint64_t value) { file_.add_global(name, value); }
+  void number(const char* name, double value) { file_.add_global(name, value); }
+
+  template <class T, class Fields>
+  void array(const char* name, const Names& dimensions, const std::vector<T>& elements,
+             const Fields& fields, const std::string& long_name) {
+    using Number = std::remove_cvref_t<decltype(*fields(elements[0])[0])>;
+    std::vector<Number> values;
+    if (!elements.empty()) values.reserve(elements.size() * fields(elements[0]).size());
+    for (const T& element : elements)
+      for (const Number* field : fields(element)) values.push_back(*field);
+    file_.add_variable(name, dimensions, std::span<const Number>(values),
+                       {{"long_name", long_name}, {"units", "1"}});
+  }
+
+ private:
+  NetcdfImage& file_;
+};
+
+class StateReader {
+ public:
+  StateReader(const NetcdfReader& file, std::map<std::string, std::size_t> lengths)
+      : file_(file), lengths_(std::move(lengths)) {}
+
+  void count(const char* name, std::uint64_t& value) const { value = file_.count(name); }
+  void number(const char* name, double& value) const { value = file_.number(name); }
+
+  template <class T, class Fields>
+  void array(const char* name, const Names& dimensions, std::vector<T>& elements,
+             const Fields& fields, const std::string& /*long_name*/) const {
+    std::vector<std::size_t> lengths;
+    for (const std::string& dimension : dimensions) lengths.push_back(lengths_.at(dimension));
+    T element{};
+    using Number = std::remove_cvref_t<decltype(*fields(element)[0])>;
+    const std::vector<Number> values = read<Number>(name, lengths);
+    elements.clear();
+    for (auto value = values.begin(); value != values.end();) {
+      for (Number* field : fields(element)) *field = *value++;
+      elements.push_back(element);
+    }
+  }
+
+ private:
+  template <class Number>
+  [[nodiscard]] std::vector<Number> read(const char* name,
+                                         const std::vector<std::size_t>& lengths) const {
+    if constexpr (std::is_same_v<Number, double>)
+      return file_.numbers(name, lengths);
+    else
+      return file_.counts(name, lengths);
+  }
+
+  const NetcdfReader& file_;
+  std::map<std::string, std::size_t> lengths_;
+};
+
+}  // namespace
+
+void add_state(NetcdfImage& file, const tally::TotalsState& state) {
+  file.enter_group(group);
+  file.add_global("comment",
+                  "what `photic run --continue` goes on from: the sums of all whole "
+                  "batches, exact to the last bit");
+  file.add_dimension("sum", 2);
+  file.add_dimension("tail_sum", 8);
+  file.add_dimension("octave", tally::score_octaves);
+  if (state.batches > 0) file.add_dimension("snapshot", state.snapshot_photons.size());
+  StateWriter writer(file);
+  describe(writer, state);
+}
+
+tally::TotalsState read_state(const std::string& path, const tally::Shape& shape) {
+  NetcdfReader file(path);
+  file.expect_result();
+  const std::uint64_t photons = file.count("photons");
+  if (!file.enter_group(group))
+    file.refuse(std::string("a result that no run can go on from: it has no group ") + group);
+  const StateReader reader(file, {{"telescope", shape.telescopes},
+                                  {"channel", shape.channels},
+                                  {"process", shape.processes},
+                                  {"order", shape.orders},
+                                  {"gate", shape.gates},
+                                  {"depth", shape.depths},
+                                  {"sum", 2},
+                                  {"tail_sum", 8},
+                                  {"octave", tally::score_octaves},
+                                  {"snapshot", tally::snapshots_at(file.count("batches"))}});
+  tally::TotalsState state;
+  describe(reader, state);
+  if (state.photons > photons)
+    file.refuse("a damaged result: its state counts more photons than it does");
+  return state;
+}
+
+}  // namespace photic::io

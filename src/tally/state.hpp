@@ -1,0 +1,84 @@
+// All that is known of the batches merged so far, as plain values: what a run goes on from.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace photic::tally {
+
+struct Shape;
+
+/// Where the weight of the emitted photons went.
+struct Ledger {
+  double absorbed = 0;  ///< in the water, and not emitted again
+  double escaped =
+      0;  ///< through the surface (what a telescope detects is part of it) or never in the water
+  double sea_bed = 0;       ///< absorbed by the black sea bed
+  double cut_by_time = 0;   ///< could no longer come back within the last gate
+  double cut_by_order = 0;  ///< ended at max_order
+  double roulette = 0;      ///< killed less gained by Russian roulette; 0 in expectation
+  double lost = 0;          ///< too many events, or a number that is not finite
+  friend bool operator==(const Ledger&, const Ledger&) = default;
+};
+
+/// Power sums of the batches' scores in one cell. A batch of n photons that scored X enters as X
+/// and X^2/n.
+struct Sums {
+  double x = 0, xx = 0;
+  void add(double score, double photons) {
+    x += score;
+    xx += score * score / photons;
+  }
+  friend bool operator==(const Sums&, const Sums&) = default;
+};
+
+/// The same with what the shape of the distribution needs.
+struct TailSums {
+  Sums low;
+  // Powers of the distance from the first batch that scored: raw powers of a quiet gate would
+  // differ from its moments in all digits.
+  double origin = 0, photons = 0;  ///< of the batches that scored
+  std::array<double, 4> power{};   ///< sums of n (X/n - origin)^k, k = 1 … 4
+
+  void add(double score, double batch_photons);
+
+  /// Second and fourth central moments of the batches' means per photon, each batch weighted by its
+  /// photons; of `all_photons`, those whose batches did not score included.
+  struct Moments {
+    double second = 0, fourth = 0;
+  };
+  [[nodiscard]] Moments central(double all_photons) const;
+  friend bool operator==(const TailSums&, const TailSums&) = default;
+};
+
+/// Scores are also counted by octave of their size: what shows a heavy tail.
+inline constexpr int score_octaves = 128;  ///< 2^-128 … 1
+
+/// The whole state of Totals. Two of the same scene that are equal go on alike to the last bit.
+struct TotalsState {
+  TotalsState() = default;
+  /// Of no batch yet.
+  explicit TotalsState(const Shape& shape);
+
+  std::uint64_t photons = 0, batches = 0, collisions = 0, scores = 0, too_many_events = 0,
+                not_finite = 0;
+  Ledger ledger;                  ///< sums of weights
+  std::vector<TailSums> echo;     ///< [cell]
+  std::vector<Sums> by_order;     ///< [cell][order]
+  std::vector<Sums> by_process;   ///< [cell][process]
+  std::vector<Sums> by_depth;     ///< [cell][depth]
+  std::vector<double> cut_order;  ///< [cell] first order beyond max_order
+  std::vector<double> largest;    ///< [cell] largest single score
+  std::vector<std::array<std::uint64_t, score_octaves>> octaves;  ///< [cell]
+  // The echo when there were 2^k batches, one snapshot after the other.
+  std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot]
+  std::vector<Sums> snapshot_echo;                         ///< [snapshot][cell]
+  friend bool operator==(const TotalsState&, const TotalsState&) = default;
+};
+
+/// How many snapshots a state of so many batches holds.
+[[nodiscard]] std::size_t snapshots_at(std::uint64_t batches);
+
+}  // namespace photic::tally
