@@ -13,26 +13,30 @@
 namespace photic::engine {
 namespace {
 
-constexpr std::uint64_t pilot_batches = 10;
+constexpr std::uint64_t pilot_batches = 10;  // of the bidirectional estimator
+/// Photons of the forward estimator cost so much less that its pilot has more of them.
+constexpr std::uint64_t forward_pilot_batches = 8 * pilot_batches;
 /// A run of fewer photons would spend too much of its time on pilots.
 constexpr std::uint64_t least_photons = 20 * pilot_batches * batch_photons;
 /// Folded into the seed: pilots share no random number with the run.
-constexpr std::uint64_t pilot_stream = 0x9e3779b97f4a7c15;
+constexpr std::uint64_t pilot_stream = 0x1e3779b97f4a7c15;
 
 // What operations cost, in units of a collision of a walk that is to be connected. Fitted to runs
 // of the scenes in scenes/ (docs/decisions/0009).
 constexpr double cost_of_estimated_collision = 1.3;  // with its local estimates, per telescope
 constexpr double cost_of_score = 1.0;
 
-/// A gate whose error the pilot cannot know is taken to have at least this relative variance of the
-/// mean.
-constexpr double unknown_variance = 1.0;
+/// A short run of a heavy-tailed estimator looks better than it is. Where a single score carries
+/// more than this share of a gate, the squared error is taken to be larger by as much as it does.
+constexpr double largest_known_score = 2e-3;
+/// And where nothing was scored at all:
+constexpr double unknown_squared_error = 1.0;
 
 struct Candidate {
   scene::Scene scene;
   std::string name;
-  std::vector<double> relative_variance{};  ///< of the mean, by cell; 0: nothing was scored
   double cost = 0;
+  std::vector<double> squared_error{};  ///< relative, of the mean, by cell; 0: nothing was scored
 };
 
 scene::Scene settled(const scene::Scene& scene, const std::string& estimator) {
@@ -43,7 +47,7 @@ scene::Scene settled(const scene::Scene& scene, const std::string& estimator) {
 
 std::vector<Candidate> candidates(const scene::Scene& scene) {
   std::vector<Candidate> out;
-  for (const double walk_attenuation : {0.35, 0.6}) {
+  for (const double walk_attenuation : {0.35, 0.6, 0.9}) {
     Candidate c{settled(scene, "bidirectional"),
                 fmt::format("bidirectional with walk_attenuation = {}", walk_attenuation)};
     c.scene.simulation.walk_attenuation = walk_attenuation;
@@ -56,7 +60,8 @@ std::vector<Candidate> candidates(const scene::Scene& scene) {
 void try_out(Candidate& candidate, const RunOptions& options) {
   scene::Scene pilot = candidate.scene;
   pilot.simulation.seed ^= pilot_stream;
-  pilot.simulation.photons = pilot_batches * batch_photons;
+  const bool forward = pilot.simulation.estimator == "forward";
+  pilot.simulation.photons = (forward ? forward_pilot_batches : pilot_batches) * batch_photons;
   pilot.simulation.target_relative_error.reset();
   pilot.simulation.max_time_s.reset();
   RunOptions quiet;
@@ -69,30 +74,25 @@ void try_out(Candidate& candidate, const RunOptions& options) {
   totals.fill(result);
 
   const auto collisions = static_cast<double>(result.collisions);
-  const bool forward = pilot.simulation.estimator == "forward";
   candidate.cost = forward ? collisions * cost_of_estimated_collision *
                                  static_cast<double>(pilot.telescope.size())
                            : collisions + cost_of_score * static_cast<double>(totals.scores());
   for (std::size_t cell = 0; cell < result.echo.mean.size(); ++cell) {
     const double mean = result.echo.mean[cell];
-    const double relative = result.echo.standard_error[cell] / mean;
-    // A heavy tail shows too small an error.
-    const auto untrusted = tally::heavy_tail | tally::large_score | tally::uncertain_variance;
-    const bool known = (result.convergence_flags[cell] & untrusted) == 0;
-    candidate.relative_variance.push_back(
-        mean > 0 ? (known ? relative * relative : std::max(relative * relative, unknown_variance))
-                 : 0);
+    const double relative = mean > 0 ? result.echo.standard_error[cell] / mean : 0.0;
+    const double tail = std::max(1.0, result.largest_score_share[cell] / largest_known_score);
+    candidate.squared_error.push_back(relative * relative * tail);
   }
 }
 
-/// Mean over the gates of the logarithm of the error's square at equal cost.
+/// Mean over the gates of the logarithm of the squared error times the cost.
 double badness(const Candidate& candidate, const std::vector<bool>& counts) {
   double sum = 0;
   double cells = 0;
   for (std::size_t cell = 0; cell < counts.size(); ++cell) {
     if (!counts[cell]) continue;
-    const double v = candidate.relative_variance[cell];
-    sum += std::log((v > 0 ? v : unknown_variance) * candidate.cost);
+    const double e = candidate.squared_error[cell];
+    sum += std::log((e > 0 ? e : unknown_squared_error) * candidate.cost);
     cells += 1;
   }
   return cells > 0 ? sum / cells : 0.0;
@@ -110,17 +110,19 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
   }
   auto all = candidates(scene);
   for (Candidate& candidate : all) try_out(candidate, options);
-  std::vector<bool> counts(all.front().relative_variance.size());
+  std::vector<bool> counts(all.front().squared_error.size());  // gates that light reaches
   for (const Candidate& candidate : all) {
     for (std::size_t cell = 0; cell < counts.size(); ++cell)
-      counts[cell] = counts[cell] || candidate.relative_variance[cell] > 0;
+      counts[cell] = counts[cell] || candidate.squared_error[cell] > 0;
   }
   const auto best = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
     return badness(a, counts) < badness(b, counts);
   });
   std::string reason = fmt::format(
-      "pilot runs of {} photons; squared error at equal cost, geometric mean over the gates:",
-      pilot_batches * batch_photons);
+      "pilot runs of {} photons (forward {}); squared error at equal cost, geometric mean over {} "
+      "gates:",
+      pilot_batches * batch_photons, forward_pilot_batches * batch_photons,
+      std::count(counts.begin(), counts.end(), true));
   for (const Candidate& candidate : all) {
     reason += fmt::format("{} {} {:.3g}", &candidate == &all.front() ? "" : ",", candidate.name,
                           std::exp(badness(candidate, counts) - badness(*best, counts)));
