@@ -39,7 +39,10 @@ template <class T, class InTime>
       ++tally.collisions;
       walk.add(vertex_on(sea, walk.last_ray(), walk.spread(walk.rays - 1), photon, leg, samples));
       if (walk.vertices == world.last_order) return void(ledger.cut_by_order += photon.weight);
-      if (walk.vertices == world.most_vertices) return void(ledger.lost += photon.weight);
+      if (walk.vertices == world.most_vertices) {
+        ++tally.too_many_events;
+        return void(ledger.lost += photon.weight);
+      }
       const T weight = photon.weight;
       const auto v = photon.line > 0 ? uniforms(place, stream + 1) : std::array<T, 4>{1, 1, 1, 1};
       const auto departure = depart(sea, photon, world.reversal, {u[1], u[2], v[0], v[1]});

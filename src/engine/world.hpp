@@ -36,6 +36,14 @@ struct View {
   std::array<Ball<T>, view_parts> part;
 };
 
+/// The axis of an instrument as it goes on in the water, of index n.
+template <class T>
+Vec3<T> axis_in_water(const Vec3<T>& axis, bool submerged, const T& n) {
+  if (submerged || !(axis.z < T(0))) return axis;
+  return normalised(
+      Vec3<T>{axis.x / n, axis.y / n, -std::sqrt(T(1) - (T(1) - axis.z * axis.z) / (n * n))});
+}
+
 template <class T>
 View<T> make_view(const instrument::Telescope<T>& telescope, const medium::Medium& medium,
                   std::size_t layer) {
@@ -47,13 +55,11 @@ View<T> make_view(const instrument::Telescope<T>& telescope, const medium::Mediu
   const auto axis = vec3_cast<double>(telescope.axis);
   const auto lens = vec3_cast<double>(telescope.position);
   Vec3<double> entry = lens;
-  Vec3<double> onward = axis;
+  const Vec3<double> onward = axis_in_water(axis, telescope.submerged, n);
   double in_air = 0;
   if (!telescope.submerged && axis.z < 0) {
     in_air = lens.z / -axis.z;
     entry = lens + in_air * axis;
-    onward = normalised(
-        Vec3<double>{axis.x / n, axis.y / n, -std::sqrt(1 - (1 - axis.z * axis.z) / (n * n))});
   }
   // Lateral reach of the view: detector and blur, seen from the lens.
   const auto reach = [&](double in_water) {
@@ -124,15 +130,6 @@ inline constexpr double roulette_threshold = 1e-8;
 /// drawn about the laser's beam.
 inline constexpr double directed_reversal = 0.5;
 
-/// The axis of a laser's light in the water.
-template <class T>
-Vec3<T> beam_in_water(const instrument::Laser<T>& laser, const T& n) {
-  const Vec3<T>& axis = laser.axis;
-  if (laser.submerged || !(axis.z < T(0))) return axis;
-  return normalised(
-      Vec3<T>{axis.x / n, axis.y / n, -std::sqrt(T(1) - (T(1) - axis.z * axis.z) / (n * n))});
-}
-
 /// How deep light can turn back within the last gate, and how far below the instruments that is.
 struct Reach {
   double deepest, range;
@@ -188,7 +185,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);
   world.reversal = {world.conversion, T(directed_reversal),
-                    beam_in_water(world.laser, T(medium.line.front().refractive_index)),
+                    axis_in_water(world.laser.axis, world.laser.submerged,
+                                  T(medium.line.front().refractive_index)),
                     medium.beam_lobe};
   world.makes_choices = scene.simulation.directed_fraction > 0 || medium.line.size() > 1;
   world.roulette_threshold = T(roulette_threshold);

@@ -123,7 +123,8 @@ INSTANTIATE_TEST_SUITE_P(
                  range_gates,
              1.2e7, 4e5, 4, 8},
         Case{"VehicleLookingUp",
-             vehicle("1.0", -8) + channel("elastic") + water(0.06, 0.1, wide_phase) + range_gates,
+             vehicle("1.0", -8) + channel("elastic") + water(0.06, 0.1, wide_phase) +
+                 "[gates]\nrange_min_m = 3.0\nrange_max_m = 8.0\nrange_step_m = 1.0\n",
              1.2e7, 4e5, 2, 6},
         Case{
             "AsideDefocusedObstructed",

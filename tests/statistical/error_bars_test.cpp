@@ -18,7 +18,7 @@ constexpr double gate_step = 0.5;
 
 std::string scene(const std::string& phase, double count, std::uint64_t seed) {
   return ship_instrument + channel("elastic") + water(0.06, 0.10, phase) +
-         depth_gates(50, gate_step) + simulation(count, seed);
+         depth_gates(50, gate_step) + simulation(count, seed, "reception = \"overlap\"");
 }
 
 struct Coverage {

@@ -47,10 +47,6 @@ model = "us-standard")"}},
       {"MiePhaseFunction",
        {{25, 25, R"(phase_function = "mie")"}},
        {R"(scene.toml:25:18: 'model' = "mie" is not available yet (available: henyey-greenstein, fournier-forand, petzold, rayleigh, isotropic, table and mixture))"}},
-      {"Estimator",
-       {{30, 30, R"(photons = 1e6
-estimator = "auto")"}},
-       {R"(scene.toml:31:13: 'estimator' = "auto" is not available yet (available: forward))"}},
       {"PaperSetWithChlorophyll",
        {{18, 18, R"([optics]
 set = "paper")"}},

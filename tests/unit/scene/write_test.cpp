@@ -161,12 +161,17 @@ depth_max_m = 50.0
 depth_step_m = 1.0
 
 [simulation]
-estimator = "forward"
+estimator = "auto"
 photons = 1000000
 orders_kept = 6
 seed = 1
+reception = "ray"
 directed_fraction = 0.5
 conversion_probability = 0.15
+walks = 1
+meetings = 50.0
+connected_fraction = 0.3
+walk_attenuation = 0.5
 )");
 }
 
