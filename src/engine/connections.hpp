@@ -262,8 +262,9 @@ void Connections<T>::meetings(const Walk<T>& laser, std::int32_t i, std::int32_t
     const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
     if (!emits(back.line, layer)) continue;
     const auto meeting =
-        meet(sea_, out, laser.spread(i), laser.behind(i, usable), back, back_.spread(m),
-             back_.behind(m, usable), depth, layer, back_.shift_area, world_.reversal, samples_);
+        meet(sea_, laser.ray_in_path(i, usable), laser.spread(i), laser.behind(i, usable),
+             back_.ray_in_path(m, usable), back_.spread(m), back_.behind(m, usable), depth, layer,
+             back_.shift_area, world_.reversal, samples_);
     if (meeting.path < world_.last_path)
       score(meeting.value, meeting.path, m > 0 ? last_depth() : depth, usable.order);
   }
