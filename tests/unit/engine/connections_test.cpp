@@ -252,6 +252,25 @@ TEST(Strategies, ByWayOfTheSurfaceAgree) {
   EXPECT_GT(met, 100);
 }
 
+// No connection can meet parallel light.
+TEST(Strategies, OfACollimatedLaserAgree) {
+  Random random(107);
+  int met = 0;
+  auto source = laser_at({0.5, 0, 8}, {0, 0, -1});
+  source.half_divergence_mrad = 0;
+  Sea sea(source, telescope_at({0, 0, 10}, {0, 0, -1}));
+  for (int n = 0; n < 100; ++n) {
+    auto path = random_path(random, 3, 1, 20);
+    path.vertex[0].x = 0.5;
+    path.vertex[0].y = 0;
+    SCOPED_TRACE("path " + std::to_string(n));
+    const auto counts = expect_same_of_all(sea, path);
+    EXPECT_EQ(counts.connected, 3);
+    met += counts.met;
+  }
+  EXPECT_GT(met, 50);
+}
+
 TEST(Strategies, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
   Random random(106);
   int met = 0;
