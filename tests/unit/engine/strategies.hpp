@@ -23,10 +23,11 @@ struct Strategies {
   double shift_area = 0;
   std::vector<Edge> edge;  ///< 0 … k
   double common = 1;       ///< n h / g of a strategy times what it gives if it is the only one
+  std::int32_t most;       ///< vertices of a walk: it does not set out from the last one
 
   Strategies(const World<double>& world_, const medium::Medium& medium_,
-             const transport::Samples<double>& samples_, const Path& path_)
-      : world(world_), medium(medium_), samples(samples_), path(path_) {
+             const transport::Samples<double>& samples_, const Path& path_, std::int32_t most_)
+      : world(world_), medium(medium_), samples(samples_), path(path_), most(most_) {
     add_first();
     for (std::int32_t e = 1; e < path.order(); ++e) add_inner(e);
     add_last();
@@ -40,29 +41,28 @@ struct Strategies {
     return sum;
   }
 
-  /// n h / g of connecting edge e; 0 where that does not draw the path.
+  /// n h / g of connecting edge e; 0 if that does not draw the path.
   [[nodiscard]] double connecting(std::int32_t e) const {
     const auto& [leaving, arriving, tau, walk_tau, length, spread, mirrored] = at(e);
+    if (e > most || path.order() - e > most) return 0;
     if (mirrored && e > 0 && e < path.order()) return 0;
     return spread * std::exp(walk_tau) * chance_of_connecting(e) /
            ((e > 0 ? phase(e) : 1) * (e < path.order() ? phase(e + 1) : 1));
   }
   /// The same of meeting at vertex i.
   [[nodiscard]] double meeting(std::int32_t i) const {
+    if (i > most || path.order() - i + 1 > most) return 0;
     const double steep = -at(i - 1).arriving.z * at(i).leaving.z;
     if (steep <= 0 || at(i - 1).mirrored || at(i).mirrored) return 0;
     return samples.meeting(-path.x(i).z) * shift_area * steep *
            std::exp(at(i - 1).walk_tau + at(i).walk_tau) * chance_of_meeting(i) /
            (walk_c(i) * phase(i));
   }
-  /// What each strategy gives if they can use walks of so many vertices.
-  [[nodiscard]] double value(std::int32_t most) const {
-    const Usable usable{path.order(), most};
+  /// What each strategy gives.
+  [[nodiscard]] double value() const {
     double sum = 0;
-    for (std::int32_t e = 0; e <= path.order(); ++e)
-      if (usable.connecting(e)) sum += connecting(e);
-    for (std::int32_t i = 1; i <= path.order(); ++i)
-      if (usable.meeting(i)) sum += meeting(i);
+    for (std::int32_t e = 0; e <= path.order(); ++e) sum += connecting(e);
+    for (std::int32_t i = 1; i <= path.order(); ++i) sum += meeting(i);
     return common / sum;
   }
 
