@@ -13,11 +13,9 @@
 namespace photic::engine {
 namespace {
 
-constexpr std::uint64_t pilot_batches = 10;  // of the bidirectional estimator
+constexpr std::uint64_t pilot_batches = 5;  // of the bidirectional estimator
 /// Photons of the forward estimator cost so much less that its pilot has more of them.
 constexpr std::uint64_t forward_pilot_batches = 8 * pilot_batches;
-/// A run of fewer photons would spend too much of its time on pilots.
-constexpr std::uint64_t least_photons = 20 * pilot_batches * batch_photons;
 /// Folded into the seed: pilots share no random number with the run.
 constexpr std::uint64_t pilot_stream = 0x1e3779b97f4a7c15;
 
@@ -102,12 +100,6 @@ double badness(const Candidate& candidate, const std::vector<bool>& counts) {
 
 scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options) {
   if (scene.simulation.estimator != "auto") return scene;
-  if (scene.simulation.photons && *scene.simulation.photons < least_photons) {
-    scene::Scene out = settled(scene, "bidirectional");
-    out.simulation.estimator_reason =
-        fmt::format("fewer than {} photons: too few for pilot runs", least_photons);
-    return out;
-  }
   auto all = candidates(scene);
   for (Candidate& candidate : all) try_out(candidate, options);
   std::vector<bool> counts(all.front().squared_error.size());  // gates that light reaches

@@ -121,11 +121,11 @@ void Connections<T>::to_telescope(const Vertex& v, std::int32_t order, const tra
                        : depths_through_surface(sea_, way, line, v.layer, depth);
   const T solid_angle = detector_solid_angle(telescope_, seen.cos_off_axis);
   const T etendue = telescope_.area() * seen.cos_off_axis * solid_angle / way.index_squared;
-  const T shift_area = mirrored ? T(0) : instrument::shift_area(telescope_, seen.cos_off_axis);
+  const T shift_area = instrument::shift_area(telescope_, seen.cos_off_axis);
   const Joint from = leaving_laser(v, way.direction, line, T(1), T(1), shift_area);
   const T area =
       samples_.to_instrument * from.share * solid_angle / (way.per_area * way.index_squared) +
-      shift_area * from.meeting;
+      (mirrored ? T(0) : shift_area * from.meeting);
   score(from.weight * way.passed * etendue *
             transport::balance(area, tau.all, tau.walk, from.end, transport::End<T>{}),
         path, depth, order);
@@ -164,16 +164,15 @@ void Connections<T>::to_laser(const Vertex& w, std::int32_t order, const transpo
   const T path = w.path + air + water * T(sea_.group_index[0]);
   if (!(water > T(0)) || !(path < world_.last_path)) return;
   const T depth = -w.position.z;
-  const T shift_area = mirrored ? T(0) : back_.shift_area;
   const auto tau = laser.submerged ? depths_in_water(sea_, way, Index<T>(0), w.layer, depth,
                                                      world_.laser_layer, water, mirrored)
                                    : depths_through_surface(sea_, way, Index<T>(0), w.layer, depth);
-  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, shift_area);
+  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, back_.shift_area);
   const T solid_angle =
       transport::connectable_solid_angle(laser, transport::fictitious_vertex(laser));
   const T area =
       samples_.to_instrument * to.share * solid_angle / (way.per_area * way.index_squared) +
-      shift_area * to.meeting;
+      (mirrored ? T(0) : back_.shift_area * to.meeting);
   score(to.weight * way.passed *
             transport::balance(area, tau.all, tau.walk, transport::End<T>{}, to.end),
         path, last_depth(), order);
@@ -263,8 +262,9 @@ void Connections<T>::meetings(const Walk<T>& laser, std::int32_t i, std::int32_t
     const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
     if (!emits(back.line, layer)) continue;
     const auto meeting =
-        meet(sea_, out, laser.spread(i), laser.behind(i, usable), back, back_.spread(m),
-             back_.behind(m, usable), depth, layer, back_.shift_area, world_.reversal, samples_);
+        meet(sea_, laser.ray_in_path(i, usable), laser.spread(i), laser.behind(i, usable),
+             back_.ray_in_path(m, usable), back_.spread(m), back_.behind(m, usable), depth, layer,
+             back_.shift_area, world_.reversal, samples_);
     if (meeting.path < world_.last_path)
       score(meeting.value, meeting.path, m > 0 ? last_depth() : depth, usable.order);
   }

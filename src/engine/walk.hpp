@@ -60,6 +60,12 @@ struct Walk {
     if (!usable.connecting(from_telescope ? usable.order - i : i)) v.open = T(0);
     return v;
   }
+  /// Ray m, without meetings at the vertex it leaves where those cannot be used.
+  [[nodiscard]] transport::Ray<T> ray_in_path(std::int32_t m, const Usable& usable) const {
+    transport::Ray<T> r = ray[static_cast<std::size_t>(m)];
+    if (!usable.meeting(passed(m, usable))) r.meeting = T(0);
+    return r;
+  }
   [[nodiscard]] transport::Densities<T> behind(std::int32_t m, const Usable& usable) const {
     const transport::Ray<T>& r = ray[static_cast<std::size_t>(m)];
     if (usable.all() || m == 0) return r.behind;

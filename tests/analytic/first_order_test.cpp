@@ -30,8 +30,8 @@ const Precision forward{
     simulation(5e7, 7, "max_order = 1\norders_kept = 1\nreception = \"overlap\""), 0.005, 0.005,
     true};
 /// Meetings of one pair of walks are seen in many gates.
-const Precision bidirectional{simulation(3e6, 7, "max_order = 1\norders_kept = 1", "bidirectional"),
-                              0.01, 0.015, false};
+const Precision bidirectional{
+    simulation(1.5e6, 7, "max_order = 1\norders_kept = 1", "bidirectional"), 0.015, 0.02, false};
 
 /// What a scene's first order should be in one channel and telescope.
 std::vector<double> expected(const engine::Problem& problem, std::size_t telescope,

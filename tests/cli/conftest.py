@@ -37,6 +37,7 @@ chlorophyll_mg_m3 = 1.0
 depth_max_m = 10.0
 depth_step_m = 1.0
 [simulation]
+estimator = "forward"
 photons = 20000
 """
 

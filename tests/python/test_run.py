@@ -32,6 +32,7 @@ phase_function = { model = "henyey-greenstein", g = 0.924 }
 depth_max_m = 10.0
 depth_step_m = 1.0
 [simulation]
+estimator = "forward"
 photons = 20000
 seed = 1
 """

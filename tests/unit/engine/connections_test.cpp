@@ -1,0 +1,351 @@
+// Connections of walks: for one and the same path every strategy must give the same, its
+// contribution over the sum of all strategies' densities. Else the balance heuristic's weights do
+// not add up to 1.
+#include "engine/connections.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/random.hpp"
+#include "support/ship_scene.hpp"
+#include "unit/engine/strategies.hpp"
+#include "unit/transport/sea.hpp"
+
+namespace photic::engine {
+namespace {
+
+using test::Random;
+
+/// Scores of one telescope whose group path is within a tenth of a millimetre of a path's: other
+/// connections of the same walks are left out, and wrong path lengths too.
+struct Window {
+  Window(const medium::Medium& medium, double path) : gates(scene(path), medium.line) {
+    shape.telescopes = shape.channels = shape.processes = shape.gates = shape.depths = 1;
+    shape.orders = 8;
+    for (std::size_t l = 0; l < medium.line.size(); ++l) {
+      shape.channels_of_line.push_back({0});
+      shape.process_of_line.push_back(0);
+    }
+  }
+  static scene::Scene scene(double path) {
+    auto scene = test::ship_scene();
+    scene.gates.depth_m.reset();
+    scene.gates.time_ns = {(path - 1e-4) / metre_per_nanosecond,
+                           (path + 1e-4) / metre_per_nanosecond, 2e-4 / metre_per_nanosecond};
+    return scene;
+  }
+  tally::Shape shape;
+  tally::Gates gates;
+};
+
+struct Sea {
+  World<double> world;
+  medium::Medium medium = transport::make_sea(40);
+
+  Sea(const scene::Source& source, const scene::Telescope& telescope) {
+    world.sea = medium.view();
+    world.laser = instrument::make_laser<double>(source);
+    world.laser_layer = medium.layer_at(std::max(0.0, -source.position_m.z));
+    world.telescopes = {instrument::make_telescope<double>(telescope)};
+    world.telescope_layer = {medium.layer_at(std::max(0.0, -telescope.position_m.z))};
+    world.reversal = {0.3, 0.5, beam_in_water(world.laser, medium.line[0].refractive_index), 1};
+    world.last_path = 1e4;
+    world.deepest = 40;
+    world.most_vertices = most_vertices;
+  }
+  Sea(const Sea&) = delete;  // the world looks into the medium
+  Sea& operator=(const Sea&) = delete;
+};
+
+const transport::Samples<double> samples{1, 0.3, 2, {0, 30, 20}};
+
+scene::Source laser_at(const V& position, const V& direction) {
+  scene::Source source;
+  source.position_m = position;
+  source.direction = direction;
+  source.diameter_m = 0.02;
+  source.half_divergence_mrad = 1200;
+  return source;
+}
+
+/// It sees 65 degrees about its axis.
+scene::Telescope telescope_at(const V& position, const V& direction) {
+  scene::Telescope t;
+  t.position_m = position;
+  t.direction = direction;
+  t.diameter_m = 0.3;
+  t.obstruction_diameter_m = 0.1;
+  t.focal_length_m = 0.5;
+  t.detector_diameter_m = 2.2;
+  return t;
+}
+
+/// What the engine scores for a path by each strategy that draws it, by name.
+class Scores {
+ public:
+  Scores(const World<double>& world, const medium::Medium& medium, const Path& path, double length)
+      : world_(world), path_(path), window_(medium, length), tally_(window_.shape, window_.gates) {
+    receiver_ = {0, 0, world.telescope_layer[0], path.line};
+  }
+
+  double connecting(std::int32_t edge) {
+    const std::int32_t k = path_.order();
+    const auto laser = laser_walk(world_, samples, path_, edge, false);
+    const auto back = telescope_walk(world_, samples, path_, k - edge, false);
+    const Connections<double> connections(world_, receiver_, samples, back, tally_);
+    if (edge == 0) {
+      connections.to_laser();
+    } else if (edge == k) {
+      connections.to_telescope(laser);
+    } else {
+      connections.between(laser);
+    }
+    return taken();
+  }
+
+  double meeting(std::int32_t i) {
+    const auto laser = laser_walk(world_, samples, path_, i - 1, true);
+    const auto back = telescope_walk(world_, samples, path_, path_.order() - i, true);
+    const Connections<double> connections(world_, receiver_, samples, back, tally_);
+    const double number = samples.grid.number(-path_.x(i).z);
+    connections.meetings(laser, number - std::floor(number));
+    return taken();
+  }
+
+ private:
+  double taken() {
+    const double sum = tally_.by_order[static_cast<std::size_t>(path_.order() - 1)];
+    tally_.clear();
+    return sum;
+  }
+
+  const World<double>& world_;
+  const Path& path_;
+  Receiver<double> receiver_;
+  Window window_;
+  tally::BatchTally tally_;
+};
+
+struct Counts {
+  int connected = 0, met = 0;
+};
+
+/// Every strategy that draws the path with walks of at most `most` vertices gives what the direct
+/// sum says.
+Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_vertices) {
+  Counts counts;
+  sea.world.most_vertices = most;
+  const Strategies expected(sea.world, sea.medium, samples, path, most);
+  const double value = expected.value();
+  Scores scores(sea.world, sea.medium, path, expected.group_path());
+  for (std::int32_t e = 0; e <= path.order(); ++e) {
+    if (expected.connecting(e) == 0) continue;
+    EXPECT_NEAR(scores.connecting(e) / value, 1, 1e-10) << "connecting edge " << e;
+    ++counts.connected;
+  }
+  for (std::int32_t i = 1; i <= path.order(); ++i) {
+    if (expected.meeting(i) == 0) continue;
+    EXPECT_NEAR(scores.meeting(i) / value, 1, 1e-10) << "meeting at " << i;
+    ++counts.met;
+  }
+  return counts;
+}
+
+/// Random vertices between two depths that the laser's cone and the telescope's view hold.
+Path random_path(Random& random, std::int32_t order, double upper, double lower) {
+  Path path;
+  for (std::int32_t i = 0; i < order; ++i)
+    path.vertex.push_back(
+        {random.between(-2, 2), random.between(-2, 2), -random.between(upper, lower)});
+  path.lens = instrument::ring_point(0.05, 0.15, random.uniform(), random.uniform());
+  return path;
+}
+
+struct Place {
+  const char* what;
+  scene::Source source;
+  scene::Telescope telescope;
+  bool shifts = true;  ///< the telescope is upright
+  bool mirrored_out = false, mirrored_home = false;
+};
+
+std::vector<Place> above_water() {
+  const V down{0, 0, -1};
+  return {{"upright", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, 10}, down)},
+          {"tilted", laser_at({0.5, 0, 8}, {0.1, 0, -1}), telescope_at({0, 0, 10}, {0.1, 0.2, -1}),
+           false}};
+}
+
+/// In the water at 4 or 10 m, above or below the vertices; or one of both above it.
+std::vector<Place> submerged() {
+  const V down{0, 0, -1};
+  const V up{0, 0, 1};
+  return {{"down", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, -4.5}, down)},
+          {"up", laser_at({0.5, 0, -10}, up), telescope_at({0, 0, -9}, up)},
+          {"laser up, telescope down", laser_at({0.5, 0, -10}, up), telescope_at({0, 0, -4}, down)},
+          {"laser alone", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, 10}, down)},
+          {"telescope alone", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, -4}, down)},
+          {"tilted", laser_at({0.5, 0, -4}, {0.1, 0, -1}), telescope_at({0, 0, -4}, {0, 0.1, -1}),
+           false}};
+}
+
+/// The first edge, or the last, or both by way of the surface.
+std::vector<Place> looking_at_the_surface() {
+  const V down{0, 0, -1};
+  const V up{0, 0, 1};
+  return {
+      {"both", laser_at({0.5, 0, -4}, up), telescope_at({0, 0, -4.5}, up), true, true, true},
+      {"laser", laser_at({0.5, 0, -4}, up), telescope_at({0, 0, -4.5}, down), true, true, false},
+      {"telescope", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, -4.5}, up), true, false,
+       true},
+      {"tilted", laser_at({0.5, 0, -4}, {0.1, 0, 1}), telescope_at({0, 0, -4}, {0, 0.1, 1}), false,
+       true, true}};
+}
+
+// In one layer and through all three. Seen red: with n for n^2 in the spread of a ray through the
+// surface; with the way in the air left out of it; with the sign in turning() lost.
+TEST(Strategies, OfElasticLightAgree) {
+  Random random(101);
+  int met = 0;
+  for (const Place& place : above_water()) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 100; ++n) {
+      const auto path = random_path(random, 3, 1, n % 2 == 0 ? 4.9 : 25);
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      const auto counts = expect_same_of_all(sea, path);
+      EXPECT_EQ(counts.connected, 4);
+      EXPECT_TRUE(place.shifts || counts.met == 0);
+      met += counts.met;
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
+// Seen red: with the way from the fictitious vertex to the disc left out of the laser's spread.
+TEST(Strategies, InTheWaterAgree) {
+  Random random(102);
+  int met = 0;
+  for (const Place& place : submerged()) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 100; ++n) {
+      const auto path = random_path(random, 3, 6, 7.5);
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      const auto counts = expect_same_of_all(sea, path);
+      EXPECT_EQ(counts.connected, 4);
+      met += counts.met;
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
+// Meetings need both edges straight, others need not. Seen red: without the meetings behind a
+// mirrored way to an instrument; with a meeting at such a way's vertex; with a mirrored leg taken
+// for a straight one; with no connection of a mirrored first edge.
+TEST(Strategies, ByWayOfTheSurfaceAgree) {
+  Random random(103);
+  int met = 0;
+  for (const Place& place : looking_at_the_surface()) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 100; ++n) {
+      auto path = random_path(random, 3, 6, 20);
+      path.mirrored[0] = place.mirrored_out;
+      path.mirrored[3] = place.mirrored_home;
+      if (n % 2 == 1 && path.x(1 + n / 2 % 3).z > -12) {
+        path.converted = 1 + n / 2 % 3;
+        path.line = 1 + n / 6 % 2;
+      }
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      const auto counts = expect_same_of_all(sea, path);
+      EXPECT_EQ(counts.connected, path.line > 0 ? path.converted + 1 : 4);
+      met += counts.met;
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
+// No connection can meet parallel light.
+TEST(Strategies, OfACollimatedLaserAgree) {
+  Random random(107);
+  int met = 0;
+  auto source = laser_at({0.5, 0, 8}, {0, 0, -1});
+  source.half_divergence_mrad = 0;
+  Sea sea(source, telescope_at({0, 0, 10}, {0, 0, -1}));
+  for (int n = 0; n < 100; ++n) {
+    auto path = random_path(random, 3, 1, 20);
+    path.vertex[0].x = 0.5;
+    path.vertex[0].y = 0;
+    SCOPED_TRACE("path " + std::to_string(n));
+    const auto counts = expect_same_of_all(sea, path);
+    EXPECT_EQ(counts.connected, 3);
+    met += counts.met;
+  }
+  EXPECT_GT(met, 50);
+}
+
+// Seen red: with a mirrored leg taken for a straight one; with a meeting before one.
+TEST(Strategies, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
+  Random random(106);
+  int met = 0;
+  for (const Place& place : above_water()) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 100; ++n) {
+      auto path = random_path(random, 4, 1, 20);
+      path.mirrored[static_cast<std::size_t>(1 + n % 3)] = true;
+      path.line = n / 2 % 2;
+      if (path.line > 0) path.converted = 1 + n / 4 % 4;
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      if (path.line > 0 && path.x(path.converted).z < -12) continue;
+      met += expect_same_of_all(sea, path).met;
+    }
+  }
+  EXPECT_GT(met, 50);
+}
+
+// Each vertex converts in turn. Seen red: without a departure's density; with the chance of a ray
+// for that of a walk that ends at its vertex, in edges and in meetings; with meetings behind a
+// scattering of converted light; without the ratio of walk coefficients in a connection, in a
+// meeting behind it; without the telescope's chance, or where it turns conversions back; with the
+// last scattering of converted light taken for certain.
+TEST(Strategies, OfConvertedLightAgree) {
+  Random random(104);
+  int met = 0;
+  for (const Place& place : above_water()) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 120; ++n) {
+      auto path = random_path(random, 3, n % 2 == 0 ? 5.1 : 0.5, 20);
+      path.line = 1 + n / 2 % 2;
+      path.converted = 1 + n / 4 % 3;
+      // Where the line is emitted: the first only there, in the second layer.
+      V& x = path.vertex[static_cast<std::size_t>(path.converted - 1)];
+      x.z = -random.between(path.line == 1 ? 0.5 : 5.1, 11.9);
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      const auto counts = expect_same_of_all(sea, path);
+      EXPECT_EQ(counts.connected, path.converted + 1);
+      met += counts.met;
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
+// Seen red: with a walk that sets out from its last vertex; with edges that no two walks reach;
+// with the last vertex' densities left out; with unusable meetings beside a connection, beside a
+// meeting.
+TEST(Strategies, OfWalksThatEndEarlyAgree) {
+  Random random(105);
+  int met = 0;
+  for (const Place& place : above_water()) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 200; ++n) {
+      const std::int32_t order = 3 + n % 3;
+      auto path = random_path(random, order, 0.5, 11.9);
+      path.line = n / 3 % 2;
+      if (path.line > 0) path.converted = 1 + n / 6 % order;
+      const std::int32_t most = 2 + n / 2 % 2;
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      met += expect_same_of_all(sea, path, most).met;
+    }
+  }
+  EXPECT_GT(met, 30);
+}
+
+}  // namespace
+}  // namespace photic::engine

@@ -1,0 +1,170 @@
+// Paths of light with given vertices, and the walks that would have drawn them.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "engine/walk.hpp"
+#include "transport/flight.hpp"
+#include "transport/joint.hpp"
+#include "transport/way.hpp"
+
+namespace photic::engine {
+
+using V = Vec3<double>;
+
+/// From the laser's fictitious vertex by x_1 … x_k to a point of telescope 0's lens.
+struct Path {
+  std::vector<V> vertex;
+  instrument::PlanePoint<double> lens;
+  std::int32_t line = 0;           ///< in which it is detected
+  std::int32_t converted = 0;      ///< the number of the vertex that converts; 0: none
+  std::array<bool, 8> mirrored{};  ///< edges by way of the surface
+
+  [[nodiscard]] std::int32_t order() const { return static_cast<std::int32_t>(vertex.size()); }
+  /// Vertex i of 1 … k.
+  [[nodiscard]] const V& x(std::int32_t i) const { return vertex[static_cast<std::size_t>(i - 1)]; }
+  /// The line of edge e of 0 … k.
+  [[nodiscard]] std::int32_t line_of(std::int32_t edge) const {
+    return edge < converted ? 0 : line;
+  }
+  [[nodiscard]] bool is_mirrored(std::int32_t edge) const {
+    return mirrored[static_cast<std::size_t>(edge)];
+  }
+};
+
+/// The direction from one place to another, by way of the surface if it is mirrored.
+inline V direction_to(const V& from, const V& to, bool mirrored) {
+  return normalised(V{to.x, to.y, mirrored ? -to.z : to.z} - from);
+}
+
+inline transport::Way<double> way_to(const World<double>& world, const V& from, std::int32_t line,
+                                     const V& to, bool mirrored) {
+  return to.z < 0 ? transport::way_in_water(world.sea, from, line, to, mirrored)
+                  : transport::way_through_surface(world.sea, from, line, to, true);
+}
+inline transport::Way<double> way_to_laser(const World<double>& world, const Path& path) {
+  return way_to(world, path.x(1), 0, transport::fictitious_vertex(world.laser),
+                path.is_mirrored(0));
+}
+inline transport::Way<double> way_to_lens(const World<double>& world, const Path& path) {
+  return way_to(world, path.x(path.order()), path.line, in_space(world.telescopes[0], path.lens),
+                path.is_mirrored(path.order()));
+}
+
+/// Writes a walk along given places as take_walk() would have drawn it.
+class Writer {
+ public:
+  Writer(const World<double>& world, const transport::Samples<double>& samples,
+         const transport::Beginning<double>& begin)
+      : world_(world), samples_(samples), photon_(begin.photon) {
+    walk.begin = begin;
+    walk.add(transport::first_ray(photon_));
+  }
+
+  void collide_at(const V& place, bool mirrored) {
+    transport::Leg<double> leg;
+    if (mirrored) {
+      const double rise = -photon_.position.z / photon_.direction.z;
+      fly_to(photon_.position + rise * photon_.direction, leg);
+      transport::reflect_down(world_.sea, photon_);
+      leg.mirrored = true;
+    }
+    fly_to(place, leg);
+    photon_.weight *= world_.sea.collision_gain[here()];
+    walk.add(transport::vertex_on(world_.sea, walk.last_ray(), walk.spread(walk.rays - 1), photon_,
+                                  leg, samples_));
+  }
+
+  /// Goes on towards the next place. Only a telescope's walk `converts`.
+  void leave_for(const V& next, bool mirrored, bool converts) {
+    const V old = photon_.direction;
+    photon_.direction = direction_to(photon_.position, next, mirrored);
+    transport::Departure<double> departure;
+    const double p = world_.sea.phases.value<double>(
+        one_minus_cos(old, photon_.direction),
+        converts ? world_.sea.conversion_phase[photon_.line] : world_.sea.elastic_phase[here()]);
+    const double chance = world_.reversal.chance(world_.sea, photon_.line, photon_.layer);
+    departure.p = p;
+    departure.chance = 1 - chance;
+    departure.density = photon_.line > 0 ? 0 : 1;
+    if (converts) {
+      departure.chance = chance * world_.reversal.over_phase(world_.sea, photon_.direction, p);
+      departure.density = transport::walk_c_ratio<double>(world_.sea, photon_.line, photon_.layer);
+      photon_.weight *=
+          transport::conversion_per_emitted_c<double>(world_.sea, photon_.line, photon_.layer);
+      photon_.line = 0;
+    } else {
+      photon_.weight *= world_.sea.albedo[here()];
+    }
+    walk.add(transport::next_ray(photon_, walk.last_vertex(), departure));
+  }
+
+  Walk<double> walk;
+
+ private:
+  [[nodiscard]] std::int32_t here() const { return world_.sea.at(photon_.line, photon_.layer); }
+
+  void fly_to(const V& place, transport::Leg<double>& leg) {
+    const auto before = photon_;
+    const double distance = length(place - before.position);
+    photon_.position = place;
+    photon_.layer = transport::layer_at(world_.sea, before.layer, -place.z);
+    photon_.path += distance * world_.sea.group_index[photon_.line];
+    photon_.weight *= std::exp(-world_.sea.continuous_slant_optical_depth<double>(
+        photon_.line, before.layer, -before.position.z, photon_.layer, -place.z, distance));
+    transport::add_flight(world_.sea, before, photon_, leg);
+  }
+
+  const World<double>& world_;
+  const transport::Samples<double>& samples_;
+  transport::Photon<double> photon_;
+};
+
+/// The laser's walk with the first vertices of a path, and on its way to the next if it `leaves`.
+inline Walk<double> laser_walk(const World<double>& world,
+                               const transport::Samples<double>& samples, const Path& path,
+                               std::int32_t vertices, bool leaves) {
+  const auto& laser = world.laser;
+  const V vertex = transport::fictitious_vertex(laser);
+  transport::Photon<double> photon;
+  photon.direction = -way_to_laser(world, path).arriving;
+  photon.layer = world.laser_layer;
+  const double before = laser.vertex_distance / dot(photon.direction, laser.axis);
+  photon.position = vertex + before * photon.direction;
+  Writer writer(world, samples,
+                transport::enter_if_above(world.sea, photon,
+                                          transport::connectable_solid_angle(laser, vertex), before,
+                                          laser.submerged));
+  for (std::int32_t i = 1; i <= vertices; ++i) {
+    writer.collide_at(path.x(i), path.is_mirrored(i - 1));
+    if (i < vertices || leaves) writer.leave_for(path.x(i + 1), path.is_mirrored(i), false);
+  }
+  return writer.walk;
+}
+
+/// The telescope's walk with the last vertices of a path, and on its way to the next.
+inline Walk<double> telescope_walk(const World<double>& world,
+                                   const transport::Samples<double>& samples, const Path& path,
+                                   std::int32_t vertices, bool leaves) {
+  const auto& telescope = world.telescopes[0];
+  const V outward = -way_to_lens(world, path).arriving;
+  Writer writer(world, samples,
+                transport::begin_at_telescope(world.sea, telescope, world.telescope_layer[0],
+                                              path.line, path.lens, outward));
+  Walk<double>& walk = writer.walk;
+  walk.from_telescope = true;
+  walk.lens = path.lens;
+  walk.outward = outward;
+  walk.shift_area = shift_area(telescope, dot(outward, telescope.axis));
+  const std::int32_t k = path.order();
+  for (std::int32_t i = k; i > k - vertices; --i) {
+    writer.collide_at(path.x(i), path.is_mirrored(i));
+    if (i > k - vertices + 1 || leaves)
+      writer.leave_for(path.x(i - 1), path.is_mirrored(i - 1), i == path.converted);
+  }
+  return walk;
+}
+
+}  // namespace photic::engine

@@ -1,0 +1,129 @@
+// The local estimate of single rays: their mean over the lens is that of the whole lens.
+#include "transport/connect_ray.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/mean.hpp"
+#include "support/random.hpp"
+#include "support/z_test.hpp"
+#include "unit/transport/sea.hpp"
+
+namespace photic::transport {
+namespace {
+
+using test::Random;
+using V = Vec3<double>;
+
+/// A lens that is small against all distances here, with a detector that its blur nearly fills.
+scene::Telescope small_telescope(const V& position, const V& direction) {
+  scene::Telescope t;
+  t.position_m = position;
+  t.direction = direction;
+  t.diameter_m = 0.05;
+  t.obstruction_diameter_m = 0.02;
+  t.focal_length_m = 0.5;
+  t.detector_shift_m = 0.4;
+  t.detector_diameter_m = 0.04;
+  return t;
+}
+
+Photon<double> photon_at(const medium::Medium& sea, const V& position) {
+  Photon<double> photon;
+  photon.position = position;
+  photon.layer = sea.layer_at(-position.z);
+  return photon;
+}
+
+Connection<double> connect_ray(const medium::Medium& sea, const scene::Telescope& scene,
+                               const Photon<double>& at, std::int32_t line,
+                               const instrument::PlanePoint<double>& lens, bool mirrored) {
+  return transport::connect_ray(sea.view(), instrument::make_telescope<double>(scene),
+                                sea.layer_at(std::max(0.0, -scene.position_m.z)), at, line, lens,
+                                mirrored);
+}
+Connection<double> connect(const medium::Medium& sea, const scene::Telescope& scene,
+                           const Photon<double>& at, std::int32_t line, bool mirrored) {
+  const auto telescope = instrument::make_telescope<double>(scene);
+  if (!telescope.submerged) return connect_through_surface(sea.view(), telescope, at, line, false);
+  return connect_in_water(sea.view(), telescope, sea.layer_at(-scene.position_m.z), at, line,
+                          mirrored);
+}
+
+/// Points about a place, lines, and lens points; z-tests, 1 % for the family.
+void expect_same_mean(const scene::Telescope& scene, const V& place, bool mirrored,
+                      std::uint64_t seed) {
+  constexpr int rays = 4000;
+  const auto sea = make_sea(60);
+  const auto telescope = instrument::make_telescope<double>(scene);
+  Random random(seed);
+  test::ZFamily family(0.01);
+  for (int n = 0; n < 100; ++n) {
+    const auto at = photon_at(sea, place + V{random.between(-0.7, 0.7), random.between(-0.7, 0.7),
+                                             random.between(-1, 1)});
+    const std::int32_t line = random.below(3);
+    const auto whole = connect(sea, scene, at, line, mirrored);
+    test::Mean mean;
+    int seen = 0;
+    for (int i = 0; i < rays; ++i) {
+      const auto ray =
+          connect_ray(sea, scene, at, line,
+                      lens_point(telescope, random.uniform(), random.uniform()), mirrored);
+      mean.add(ray.acceptance);
+      if (!(ray.acceptance > 0)) continue;
+      ++seen;
+      ASSERT_LT(length(ray.direction - whole.direction), 0.01);
+      ASSERT_TRUE(ray.in_front);
+      ASSERT_NEAR(ray.optical_depth / whole.optical_depth, 1, 0.01);
+      ASSERT_NEAR(ray.path / whole.path, 1, 0.01);
+    }
+    if (whole.acceptance == 0) {
+      ASSERT_LT(seen, 0.01 * rays);
+    } else if (mean.error() > 2e-3 * mean.value()) {
+      family.add(mean.value(), whole.acceptance, mean.error(), "point " + std::to_string(n));
+    } else {
+      ASSERT_NEAR(mean.value() / whole.acceptance, 1, 1e-3);
+    }
+  }
+  EXPECT_GT(family.size(), 30);
+  family.judge();
+}
+
+TEST(ConnectRay, OverTheLensIsTheWholeThroughTheSurface) {
+  expect_same_mean(small_telescope({0, 0, 10}, {0, 0, -1}), {0, 0, -15}, false, 301);
+  expect_same_mean(small_telescope({1, 2, 12}, {0.3, 0, -1}), {6.3, 2, -8}, false, 302);
+}
+
+TEST(ConnectRay, OverTheLensIsTheWholeInTheWater) {
+  expect_same_mean(small_telescope({0, 0, -3}, {0, 0.2, -1}), {0, 3, -18}, false, 303);
+  expect_same_mean(small_telescope({0, 0, -6}, {0, 1, 1}), {0, 20, -14}, true, 304);
+}
+
+// Seen red: TODO
+TEST(ConnectRay, IsNoneOffTheDetector) {
+  Random random(305);
+  const auto sea = make_sea(60);
+  int seen = 0, unseen = 0;
+  for (const bool submerged : {false, true}) {
+    for (int n = 0; n < 2000; ++n) {
+      const bool mirrored = submerged && n % 2 == 0;
+      const auto scene = small_telescope({0, 0, submerged ? -6.0 : 10.0},
+                                         {0, mirrored ? 1.0 : 0.0, mirrored ? 1.0 : -1.0});
+      const auto telescope = instrument::make_telescope<double>(scene);
+      const auto at = photon_at(sea, V{0, mirrored ? 20.0 : 0.0, -14} +
+                                         V{random.between(-1, 1), random.between(-1, 1), 0});
+      const auto lens = lens_point(telescope, random.uniform(), random.uniform());
+      const V there = in_space(telescope, lens);
+      const auto way = submerged ? way_in_water(sea.view(), at.position, 0, there, mirrored)
+                                 : way_through_surface(sea.view(), at.position, 0, there, true);
+      const bool on_detector = sight(telescope, lens, way.arriving).on_detector;
+      const auto ray = connect_ray(sea, scene, at, 0, lens, mirrored);
+      ASSERT_EQ(ray.acceptance > 0, on_detector);
+      (on_detector ? seen : unseen) += 1;
+    }
+  }
+  EXPECT_GT(seen, 500);
+  EXPECT_GT(unseen, 500);
+}
+
+}  // namespace
+}  // namespace photic::transport

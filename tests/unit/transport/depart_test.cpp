@@ -1,0 +1,160 @@
+// What walks that are to be connected do at a vertex.
+#include "transport/depart.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/chi_squared.hpp"
+#include "support/random.hpp"
+#include "unit/transport/sea.hpp"
+#include "unit/transport/straight_ways.hpp"
+
+namespace photic::transport {
+namespace {
+
+using test::Random;
+using V = Vec3<double>;
+
+constexpr std::int32_t henyey_greenstein = 1;  // of the tables of make_sea()
+
+Reversal<double> reversal() { return {0.3, 0.6, normalised(V{0.3, -0.2, -1}), henyey_greenstein}; }
+
+Photon<double> photon_in(std::int32_t line, std::int32_t layer, Random& random) {
+  Photon<double> photon;
+  photon.direction = random.direction();
+  photon.line = line;
+  photon.layer = layer;
+  photon.weight = 0.7;
+  photon.analog_weight = 0.6;
+  photon.order = 4;
+  return photon;
+}
+
+DepartUniforms<double> uniforms(Random& random) {
+  return {random.uniform(), random.uniform(), random.uniform(), random.uniform()};
+}
+
+/// A value [line][layer].
+double of(const std::vector<double>& table, std::int32_t line, std::int32_t layer) {
+  return table[static_cast<std::size_t>(line * 3 + layer)];
+}
+
+double phase(const medium::Medium& sea, std::int32_t table, const V& a, const V& b) {
+  return sea.view().phases.value<double>(one_minus_cos(a, b), table);
+}
+
+// Light of the laser's line, and of lines that the layer does not emit. Seen red: TODO
+TEST(Depart, ScattersWhatCannotBeConvertedLight) {
+  Random random(401);
+  const auto sea = make_sea(40);
+  const std::vector<std::pair<std::int32_t, std::int32_t>> line_and_layer{{0, 0}, {0, 1}, {0, 2},
+                                                                          {1, 2}, {2, 0}, {2, 2}};
+  for (const auto& [line, layer] : line_and_layer) {
+    for (int i = 0; i < 1000; ++i) {
+      const auto before = photon_in(line, layer, random);
+      auto photon = before;
+      const auto departure = depart(sea.view(), photon, reversal(), uniforms(random));
+      ASSERT_EQ(photon.line, line);
+      ASSERT_EQ(photon.order, 5);
+      ASSERT_EQ(departure.chance, 1);
+      ASSERT_EQ(departure.density, line == 0 ? 1 : 0);
+      ASSERT_NEAR(photon.weight, 0.7 * of(sea.albedo, line, layer), 1e-15);
+      ASSERT_NEAR(photon.analog_weight, 0.6 * of(sea.albedo, line, layer), 1e-15);
+      const std::int32_t table = sea.elastic_phase[static_cast<std::size_t>(3 * line + layer)];
+      ASSERT_NEAR(departure.p / phase(sea, table, before.direction, photon.direction), 1, 1e-5);
+    }
+  }
+}
+
+// Seen red: TODO
+TEST(Depart, TurnsConversionsBackWithItsChance) {
+  Random random(402);
+  const auto sea = make_sea(40);
+  const auto back = reversal();
+  constexpr int samples = 20000;
+  const std::vector<std::pair<std::int32_t, std::int32_t>> line_and_layer{{1, 0}, {1, 1}, {2, 1}};
+  for (const auto& [line, layer] : line_and_layer) {
+    std::vector<double> count(2, 0.0);
+    for (int i = 0; i < samples; ++i) {
+      const auto before = photon_in(line, layer, random);
+      auto photon = before;
+      const auto departure = depart(sea.view(), photon, back, uniforms(random));
+      ASSERT_EQ(photon.order, 5);
+      ASSERT_NEAR(length(photon.direction), 1, 1e-14);
+      const bool converted = photon.line == 0;
+      count[converted ? 1 : 0] += 1;
+      if (!converted) {
+        ASSERT_EQ(photon.line, line);
+        ASSERT_EQ(departure.chance, 0.7);
+        ASSERT_EQ(departure.density, 0);
+        ASSERT_NEAR(photon.weight, 0.7 * of(sea.albedo, line, layer), 1e-15);
+        ASSERT_NEAR(photon.analog_weight, 0.6 * of(sea.albedo, line, layer), 1e-15);
+        continue;
+      }
+      const auto walk_c = walk_coefficients(sea);
+      ASSERT_NEAR(departure.density, of(walk_c, 0, layer) / of(walk_c, line, layer), 1e-14);
+      const double emitted = of(sea.conversion, line, layer) * of(sea.c, 0, layer);
+      ASSERT_NEAR(photon.weight, 0.7 * emitted / of(sea.c, line, layer), 1e-16);
+      ASSERT_EQ(photon.analog_weight, 0.6);
+      const double p = phase(sea, sea.conversion_phase[static_cast<std::size_t>(line)],
+                             before.direction, photon.direction);
+      ASSERT_NEAR(departure.p / p, 1, 1e-9);
+      const double lobe = phase(sea, henyey_greenstein, back.beam, photon.direction);
+      ASSERT_NEAR(departure.chance, 0.3 * (0.4 + 0.6 * lobe / p), 1e-9 * departure.chance);
+    }
+    test::expect_chi_squared(count, {0.7, 0.3}, samples, 0.001, "conversions");
+  }
+}
+
+/// What over_phase() says of how likely directions are between two angles to the beam.
+double probability_between(const medium::Medium& sea, const V& old, std::int32_t line, double x0,
+                           double x1) {
+  constexpr int steps = 64;
+  const auto back = reversal();
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; j < steps; ++j) {
+      const double azimuth = 2 * pi * j / steps;
+      const V direction = turned(back.beam, x0 + (x1 - x0) * (i + 0.5) / steps, std::cos(azimuth),
+                                 std::sin(azimuth));
+      const double p =
+          phase(sea, sea.conversion_phase[static_cast<std::size_t>(line)], old, direction);
+      sum += p * back.over_phase(sea.view(), direction, p);
+    }
+  }
+  return 2 * pi * (x1 - x0) * sum / (steps * steps);
+}
+
+// Chi-squared of cosines to the beam, each line at 0.1 %. Seen red: TODO
+TEST(Depart, DrawsConvertedDirectionsAsDenseAsItSays) {
+  Random random(403);
+  const auto sea = make_sea(40);
+  const V old = normalised(V{0.5, 0.1, 1});
+  constexpr int samples = 200000;
+  for (const std::int32_t line : {1, 2}) {
+    std::vector<double> count(40, 0.0), probability;
+    const double cell = 2.0 / static_cast<double>(count.size());
+    for (std::size_t k = 0; k < count.size(); ++k) {
+      const double from = cell * static_cast<double>(k);
+      probability.push_back(probability_between(sea, old, line, from, from + cell));
+    }
+    for (int i = 0; i < samples; ++i) {
+      Photon<double> photon;
+      photon.direction = old;
+      photon.line = line;
+      photon.layer = 1;
+      depart(sea.view(), photon, reversal(),
+             {random.uniform(), random.uniform(), 0, random.uniform()});
+      ASSERT_EQ(photon.line, 0);
+      const double x = one_minus_cos(reversal().beam, photon.direction);
+      count[static_cast<std::size_t>(x / cell)] += 1;
+    }
+    double whole = 0;
+    for (const double p : probability) whole += p;
+    EXPECT_NEAR(whole, 1, 1e-4) << "a density";
+    for (double& p : probability) p /= whole;
+    test::expect_chi_squared(count, probability, samples, 0.001, "line " + std::to_string(line));
+  }
+}
+
+}  // namespace
+}  // namespace photic::transport

@@ -1,0 +1,198 @@
+// The parts of what the bidirectional estimator handles, one by one: to put four scalars into four
+// lanes and to compare each lane with its scalar.
+#pragma once
+
+#include "transport/connect_ray.hpp"
+#include "transport/joint.hpp"
+#include "transport/meet.hpp"
+#include "unit/transport/packs.hpp"
+
+namespace photic::transport {
+
+template <class P, template <class> class S>
+inline constexpr bool is_packed = std::same_as<std::remove_const_t<P>, S<Lanes4>>;
+
+// fields(packed, one, f) calls f(lanes, scalar, name) for every part.
+template <class P, class S, class F>
+  requires is_packed<P, Vec3>
+void fields(P& a, S& b, F f) {
+  f(a.x, b.x, "x");
+  f(a.y, b.y, "y");
+  f(a.z, b.z, "z");
+}
+template <class P, class S, class F>
+  requires is_packed<P, instrument::PlanePoint>
+void fields(P& a, S& b, F f) {
+  f(a.x, b.x, "x");
+  f(a.y, b.y, "y");
+}
+template <class P, class S, class F>
+  requires is_packed<P, instrument::Sight>
+void fields(P& a, S& b, F f) {
+  f(a.on_detector, b.on_detector, "on detector");
+  f(a.cos_off_axis, b.cos_off_axis, "cosine");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Photon>
+void fields(P& a, S& b, F f) {
+  fields(a.position, b.position, f);
+  fields(a.direction, b.direction, f);
+  f(a.weight, b.weight, "weight");
+  f(a.analog_weight, b.analog_weight, "analog weight");
+  f(a.path, b.path, "path");
+  f(a.line, b.line, "line");
+  f(a.layer, b.layer, "layer");
+  f(a.order, b.order, "order");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Way>
+void fields(P& a, S& b, F f) {
+  f(a.exists, b.exists, "exists");
+  fields(a.direction, b.direction, f);
+  fields(a.arriving, b.arriving, f);
+  f(a.length_water, b.length_water, "length in water");
+  f(a.length_air, b.length_air, "length in air");
+  f(a.per_area, b.per_area, "per area");
+  f(a.index_squared, b.index_squared, "index squared");
+  f(a.passed, b.passed, "passed");
+}
+template <class P, class S, class F>
+  requires is_packed<P, OpticalDepths>
+void fields(P& a, S& b, F f) {
+  f(a.all, b.all, "optical depth");
+  f(a.walk, b.walk, "walked optical depth");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Densities>
+void fields(P& a, S& b, F f) {
+  f(a.edges, b.edges, "edges");
+  f(a.meetings, b.meetings, "meetings");
+}
+/// Of four that all go through the surface, or none.
+template <class P, class S, class F>
+  requires is_packed<P, Spread>
+void fields(P& a, S& b, F f) {
+  f(a.before, b.before, "before");
+  f(a.cos_air, b.cos_air, "cosine in air");
+  f(a.solid_angle, b.solid_angle, "solid angle");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Ray>
+void fields(P& a, S& b, F f) {
+  fields(a.position, b.position, f);
+  fields(a.direction, b.direction, f);
+  f(a.weight, b.weight, "weight");
+  f(a.path, b.path, "path");
+  f(a.line, b.line, "line");
+  f(a.layer, b.layer, "layer");
+  f(a.left_chance, b.left_chance, "chance before");
+  f(a.chance, b.chance, "chance");
+  f(a.per_p, b.per_p, "per p");
+  fields(a.last, b.last, f);
+  fields(a.behind, b.behind, f);
+  f(a.meeting, b.meeting, "meeting");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Vertex>
+void fields(P& a, S& b, F f) {
+  fields(a.position, b.position, f);
+  fields(a.direction, b.direction, f);
+  f(a.weight, b.weight, "weight");
+  f(a.path, b.path, "path");
+  f(a.line, b.line, "line");
+  f(a.layer, b.layer, "layer");
+  f(a.chance, b.chance, "chance");
+  f(a.open, b.open, "open");
+  f(a.meeting, b.meeting, "meeting");
+  fields(a.last, b.last, f);
+  fields(a.behind, b.behind, f);
+}
+template <class P, class S, class F>
+  requires is_packed<P, Leg>
+void fields(P& a, S& b, F f) {
+  f(a.length, b.length, "length");
+  f(a.walk_tau, b.walk_tau, "walked optical depth");
+  f(a.mirrored, b.mirrored, "mirrored");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Departure>
+void fields(P& a, S& b, F f) {
+  f(a.p, b.p, "p");
+  f(a.chance, b.chance, "chance");
+  f(a.density, b.density, "density");
+}
+template <class P, class S, class F>
+  requires is_packed<P, End>
+void fields(P& a, S& b, F f) {
+  f(a.p, b.p, "p");
+  f(a.open, b.open, "open");
+  f(a.behind, b.behind, "behind");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Joint>
+void fields(P& a, S& b, F f) {
+  fields(a.end, b.end, f);
+  f(a.weight, b.weight, "weight");
+  f(a.share, b.share, "share");
+  f(a.goes_on, b.goes_on, "goes on");
+  f(a.meeting, b.meeting, "meeting");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Reversal>
+void fields(P& a, S& b, F f) {
+  f(a.probability, b.probability, "probability");
+  f(a.directed, b.directed, "directed");
+  fields(a.beam, b.beam, f);
+  f(a.lobe, b.lobe, "lobe");
+}
+template <class P, class S, class F>
+  requires is_packed<P, MeetingGrid>
+void fields(P& a, S& b, F f) {
+  f(a.level, b.level, "level");
+  f(a.range, b.range, "range");
+  f(a.points, b.points, "points");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Samples>
+void fields(P& a, S& b, F f) {
+  f(a.to_instrument, b.to_instrument, "to instrument");
+  f(a.between, b.between, "between");
+  f(a.pairs, b.pairs, "pairs");
+  fields(a.grid, b.grid, f);
+}
+template <class P, class S, class F>
+  requires is_packed<P, Chord>
+void fields(P& a, S& b, F f) {
+  f(a.exists, b.exists, "exists");
+  f(a.from, b.from, "from");
+  f(a.to, b.to, "to");
+  fields(a.lens, b.lens, f);
+  fields(a.per_depth, b.per_depth, f);
+}
+template <class P, class S, class F>
+  requires is_packed<P, Meeting>
+void fields(P& a, S& b, F f) {
+  f(a.value, b.value, "value");
+  f(a.path, b.path, "path");
+}
+
+template <template <class> class S>
+S<Lanes4> pack_fields(const Four<S<double>>& values) {
+  S<Lanes4> out{};
+  for (std::size_t i = 0; i < lanes; ++i)
+    fields(out, values[i], [i](auto& lane, const auto& one, const char*) { lane[i] = one; });
+  return out;
+}
+/// The same in all lanes.
+template <template <class> class S>
+S<Lanes4> in_all_lanes(const S<double>& one) {
+  return pack_fields<S>({one, one, one, one});
+}
+template <template <class> class S>
+void expect_same_fields(const S<Lanes4>& packed, std::size_t i, const S<double>& scalar) {
+  fields(packed, scalar, [i](const auto& lane, const auto& one, const char* what) {
+    expect_same(lane[i], one, what);
+  });
+}
+
+}  // namespace photic::transport
