@@ -47,7 +47,9 @@ struct Sea {
     world.laser_layer = medium.layer_at(std::max(0.0, -source.position_m.z));
     world.telescopes = {instrument::make_telescope<double>(telescope)};
     world.telescope_layer = {medium.layer_at(std::max(0.0, -telescope.position_m.z))};
-    world.reversal = {0.3, 0.5, beam_in_water(world.laser, medium.line[0].refractive_index), 1};
+    world.reversal = {
+        0.3, 0.5,
+        axis_in_water(world.laser.axis, world.laser.submerged, medium.line[0].refractive_index), 1};
     world.last_path = 1e4;
     world.deepest = 40;
     world.most_vertices = most_vertices;
