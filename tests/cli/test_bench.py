@@ -20,24 +20,36 @@ CANDIDATES = [
 ]
 
 
+WATER = """\
+[[sea.layer]]
+iop = [{ wavelength_nm = 532.0, a_per_m = 0.1, b_per_m = 0.1 }]
+phase_function = { model = "henyey-greenstein", g = 0.5 }
+[gates]
+depth_max_m = 6.0
+depth_step_m = 1.0
+"""
+
+
 @pytest.fixture
 def shallow(scene):
-    """Few gates, so that a reference of two seconds settles there."""
-    text = scene.read_text().replace("depth_max_m = 10.0", "depth_max_m = 6.0")
-    scene.write_text(text.replace('[[channel]]\nname = "raman"\nprocess = "raman"\n', ""))
+    """Few gates in water without a sharp peak: a reference settles there in a second, on a busy machine too."""
+    head, rest = scene.read_text().split('[[channel]]\nname = "raman"')
+    scene.write_text(head + WATER + rest[rest.index("[simulation]") :])
     return scene
 
 
 def test_the_table(photic, shallow):
-    # Seen red: with a candidate left out; with no recommendation; with headings of another channel's name.
+    # Seen red: with a candidate left out; with keys that no scene has in the recommended lines.
     done = photic("bench", "quick.toml", "--time", "4s", "--threads", "2")
     assert (done.returncode, done.stderr) == (0, "")
     for name in CANDIDATES:
         assert len(re.findall(rf"^{re.escape(name)}  +[0-9]", done.stdout, re.M)) == 2, "by depth and over all gates"
     assert "channel elastic, telescope telescope0" in done.stdout
     assert "A figure of merit from 12 repeats is uncertain by about 41 %." in done.stdout
-    name = re.search(r"^recommended: (.*), by these lines of \[simulation\]$", done.stdout, re.M)[1]
+    name, lines = re.search(r"^recommended: (.*), by these lines .*\n((?:  .*\n)+)", done.stdout, re.M).groups()
     assert name in CANDIDATES
+    shallow.write_text(shallow.read_text() + lines)
+    assert photic("check", "quick.toml").returncode == 0
     assert 'estimator = "auto" would take\n  estimator = "bidirectional"\n' in done.stdout
     assert "too few for pilot runs" in done.stdout
 
@@ -48,7 +60,7 @@ def test_as_json(photic, shallow):
     assert (done.returncode, done.stderr) == (0, "")
     out = json.loads(done.stdout)
     assert (out["scene"], out["repeats"]) == ("quick.toml", 12)
-    assert out["reference"]["photons"] > 0 and out["reference"]["cpu_s"] > 1
+    assert out["reference"]["photons"] > 0 and out["reference"]["cpu_s"] > 0
     gates = out["gates"]
     assert gates["all"] == gates["not_converged"] + gates["uncertain"] + gates["compared"] == 6
     assert gates["compared"] > 0
@@ -69,11 +81,13 @@ def test_as_json(photic, shallow):
     assert out["auto"]["estimator"] == "bidirectional"
 
 
-def test_the_recommended_lines_are_lines_of_a_scene(photic, shallow):
-    out = photic("bench", "quick.toml", "--time", "1s").stdout
-    lines = re.search(r"^recommended: .*\n((?:  .*\n)+)", out, re.M)[1]
-    shallow.write_text(shallow.read_text() + lines)
-    assert photic("check", "quick.toml").returncode == 0
+def test_gates_that_no_light_comes_from(photic, shallow):
+    # Seen red: with gates that have not converged in the reference compared.
+    shallow.write_text(shallow.read_text().replace("depth_max_m = 6.0", "depth_min_m = 900.0\ndepth_max_m = 901.0"))
+    done = photic("bench", "quick.toml", "--time", "1s")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "0 of 1 gates compared; left out: 1 not converged in the reference, 0 where" in done.stdout
+    assert "recommended: nothing, since no gate can be compared (give more --time)" in done.stdout
 
 
 def test_a_bad_scene(photic, shallow):
