@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_columns = 6;
 
-/// The lines of [simulation] that set an estimator and the options that contenders differ in.
+/// The lines of [simulation] that set an estimator and the options that candidates differ in.
 Json settings_of(const scene::Simulation& s) {
   if (s.estimator == "forward") return {{"estimator", s.estimator}, {"reception", s.reception}};
   return {{"estimator", s.estimator},
@@ -39,8 +39,8 @@ std::string merit_text(const std::optional<double>& merit) {
   return merit ? fmt::format("{:.3g}", *merit) : "-";
 }
 
-std::string name_of(const engine::Contender& contender) {
-  return contender.name + (contender.exact ? "" : " (approximate)");
+std::string name_of(const engine::Candidate& candidate) {
+  return candidate.name + (candidate.exact ? "" : " (approximate)");
 }
 
 /// Gates [begin, end) of one telescope and channel in one column.
@@ -70,7 +70,7 @@ std::string row(const std::string& name, const std::vector<std::string>& cells) 
   return out + '\n';
 }
 
-/// One telescope's and channel's gates: columns of depths, a row for each contender.
+/// One telescope's and channel's gates: columns of depths, a row for each candidate.
 std::string block(const engine::Comparison& comparison, std::size_t telescope,
                   std::size_t channel) {
   const tally::Result& result = comparison.reference;
@@ -90,12 +90,12 @@ std::string block(const engine::Comparison& comparison, std::size_t telescope,
                                 result.telescope_name[telescope]) +
                     row(result.gate_depth_is_range ? "range [m]" : "depth [m]", headings) +
                     row("gates compared", counts);
-  for (const engine::Contender& contender : comparison.contenders) {
+  for (const engine::Candidate& candidate : comparison.candidates) {
     std::vector<std::string> cells;
     for (const Column& c : all)
       cells.push_back(
-          merit_text(engine::mean_merit(comparison, contender, first + c.begin, first + c.end)));
-    out += row(name_of(contender), cells);
+          merit_text(engine::mean_merit(comparison, candidate, first + c.begin, first + c.end)));
+    out += row(name_of(candidate), cells);
   }
   return out;
 }
@@ -118,13 +118,13 @@ GateCounts count_gates(const engine::Comparison& comparison) {
 }
 
 std::optional<double> mean_over_all(const engine::Comparison& comparison,
-                                    const engine::Contender& contender) {
-  return engine::mean_merit(comparison, contender, 0, comparison.compared.size());
+                                    const engine::Candidate& candidate) {
+  return engine::mean_merit(comparison, candidate, 0, comparison.compared.size());
 }
 
 std::string summary(const engine::Comparison& comparison) {
   std::string out = '\n' + row("", {"all gates", "photons", "CPU s"});
-  for (const engine::Contender& c : comparison.contenders)
+  for (const engine::Candidate& c : comparison.candidates)
     out += row(name_of(c), {merit_text(mean_over_all(comparison, c)), fmt::format("{}", c.photons),
                             fmt::format("{:.3g}", c.cpu_s)});
   const GateCounts gates = count_gates(comparison);
@@ -138,9 +138,9 @@ std::string summary(const engine::Comparison& comparison) {
 
 std::string recommendation(const engine::Comparison& comparison) {
   std::string out = "\nrecommended: ";
-  if (comparison.best) {
-    const engine::Contender& best = comparison.contenders[*comparison.best];
-    out += best.name + ", by these lines of [simulation]\n" + as_toml(settings_of(best.simulation));
+  if (const engine::Candidate* best = engine::best_of(comparison)) {
+    out +=
+        best->name + ", by these lines of [simulation]\n" + as_toml(settings_of(best->simulation));
   } else {
     out += "nothing, since no gate can be compared (give more --time)\n";
   }
@@ -161,11 +161,11 @@ std::string table(const engine::Comparison& comparison) {
   return out + summary(comparison) + recommendation(comparison);
 }
 
-Json gates_json(const engine::Comparison& comparison, const engine::Contender& contender) {
+Json gates_json(const engine::Comparison& comparison, const engine::Candidate& candidate) {
   const tally::Result& result = comparison.reference;
   Json out = Json::array();
-  for (std::size_t cell = 0; cell < contender.merit.size(); ++cell) {
-    if (!contender.merit[cell].known) continue;
+  for (std::size_t cell = 0; cell < candidate.merit.size(); ++cell) {
+    if (!candidate.merit[cell].known) continue;
     const std::size_t gate = cell % result.gates();
     const std::size_t channel = cell / result.gates() % result.channels();
     const double* edge = &result.gate_depth_edge_m[channel * (result.gates() + 1) + gate];
@@ -173,8 +173,8 @@ Json gates_json(const engine::Comparison& comparison, const engine::Contender& c
                    {"channel", result.channel_name[channel]},
                    {"gate", gate},
                    {"depth_m", (edge[0] + edge[1]) / 2},
-                   {"relative_variance", contender.merit[cell].relative_variance},
-                   {"figure_of_merit_per_s", contender.merit[cell].figure_of_merit},
+                   {"relative_variance", candidate.merit[cell].relative_variance},
+                   {"figure_of_merit_per_s", candidate.merit[cell].figure_of_merit},
                    {"compared", static_cast<bool>(comparison.compared[cell])}});
   }
   return out;
@@ -198,7 +198,7 @@ std::string json(const engine::Comparison& comparison, const std::string& scene)
       {"candidates", Json::array()},
       {"recommended", nullptr},
       {"auto", settings_of(chosen)}};
-  for (const engine::Contender& c : comparison.contenders) {
+  for (const engine::Candidate& c : comparison.candidates) {
     const auto mean = mean_over_all(comparison, c);
     out["candidates"].push_back({{"name", c.name},
                                  {"exact", c.exact},
@@ -208,8 +208,8 @@ std::string json(const engine::Comparison& comparison, const std::string& scene)
                                  {"figure_of_merit_per_s", mean ? Json(*mean) : Json()},
                                  {"gates", gates_json(comparison, c)}});
   }
-  if (comparison.best)
-    out["recommended"] = settings_of(comparison.contenders[*comparison.best].simulation);
+  if (const engine::Candidate* best = engine::best_of(comparison))
+    out["recommended"] = settings_of(best->simulation);
   out["auto_reason"] = chosen.estimator_reason.value_or("");
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

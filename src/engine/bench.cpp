@@ -21,15 +21,15 @@ constexpr double reference_share = 0.5;  // of the time
 constexpr double largest_own_share = 0.25;
 
 constexpr std::uint64_t first_trial_photons = 100;
-constexpr double trial_share = 0.02;  // of a contender's time: long enough to measure its speed
+constexpr double trial_share = 0.02;  // of a candidate's time: long enough to measure its speed
 
 /// Folded into the seed: no repeat shares a random number with a run of the scene, or with pilots.
 constexpr std::uint64_t bench_stream = 0x3c6ef372fe94f82a;
 
-Contender contender(const scene::Scene& scene, const std::string& estimator,
+Candidate candidate(const scene::Scene& scene, const std::string& estimator,
                     const std::string& name) {
   const scene::Simulation defaults;
-  Contender c{.name = name, .simulation = scene.simulation};
+  Candidate c{.name = name, .simulation = scene.simulation};
   scene::Simulation& s = c.simulation;
   s.estimator = estimator;
   s.estimator_reason.reset();
@@ -42,20 +42,20 @@ Contender contender(const scene::Scene& scene, const std::string& estimator,
   return c;
 }
 
-std::vector<Contender> contenders(const scene::Scene& scene) {
-  std::vector<Contender> out;
-  out.push_back(contender(scene, "forward", "forward, ray"));
-  out.push_back(contender(scene, "forward", "forward, overlap"));
+std::vector<Candidate> candidates(const scene::Scene& scene) {
+  std::vector<Candidate> out;
+  out.push_back(candidate(scene, "forward", "forward, ray"));
+  out.push_back(candidate(scene, "forward", "forward, overlap"));
   out.back().simulation.reception = "overlap";
   out.back().exact = false;
   for (const double walk_attenuation : {0.35, 0.6, 0.9}) {
     out.push_back(
-        contender(scene, "bidirectional", fmt::format("bidirectional, {}", walk_attenuation)));
+        candidate(scene, "bidirectional", fmt::format("bidirectional, {}", walk_attenuation)));
     out.back().simulation.walk_attenuation = walk_attenuation;
   }
-  out.push_back(contender(scene, "bidirectional", "bidirectional, 0.6, walks 4"));
+  out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, walks 4"));
   out.back().simulation.walks = 4;
-  out.push_back(contender(scene, "bidirectional", "bidirectional, 0.6, all connected"));
+  out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, all connected"));
   out.back().simulation.connected_fraction = 1;
   return out;
 }
@@ -69,7 +69,7 @@ struct Timed {
   double cpu_s = 0;
 };
 
-/// Runs of one contender on threads; every one has random numbers of its own.
+/// Runs of one candidate on threads; every one has random numbers of its own.
 class Bench {
  public:
   Bench(scene::Scene scene, const scene::Simulation& simulation, const BenchOptions& options)
@@ -123,45 +123,38 @@ std::uint64_t photons_in(double cpu_s, double trial_cpu_s, Bench& bench, std::ui
   return out < batch_photons ? out : out / batch_photons * batch_photons;
 }
 
-void measure(Contender& contender, std::size_t place, const scene::Scene& scene,
+void measure(Candidate& candidate, std::size_t place, const scene::Scene& scene,
              const Comparison& comparison, double cpu_s, const BenchOptions& options) {
-  Bench bench(scene, contender.simulation, options);
+  Bench bench(scene, candidate.simulation, options);
   std::uint64_t number = 1 + place * (repeats + 1);  // 0 is the reference's
-  contender.photons = photons_in(cpu_s / repeats, trial_share * cpu_s, bench, number);
+  candidate.photons = photons_in(cpu_s / repeats, trial_share * cpu_s, bench, number);
   const tally::Result& reference = comparison.reference;
   std::vector<std::vector<double>> echo(reference.echo.mean.size());
   double cpu_sum_s = 0;
   for (int i = 0; i < repeats; ++i) {
-    const Timed repeat = bench.run(++number, contender.photons);
+    const Timed repeat = bench.run(++number, candidate.photons);
     cpu_sum_s += repeat.cpu_s;
     const tally::Result result = bench.result(repeat.totals);
     for (std::size_t cell = 0; cell < echo.size(); ++cell)
       echo[cell].push_back(result.echo.mean[cell]);
   }
-  contender.cpu_s = cpu_sum_s / repeats;
+  candidate.cpu_s = cpu_sum_s / repeats;
   for (std::size_t cell = 0; cell < echo.size(); ++cell) {
     const bool converged = reference.convergence_flags[cell] == 0;
-    contender.merit.push_back(
+    candidate.merit.push_back(
         converged
             ? merit_of(echo[cell], {reference.echo.mean[cell], reference.echo.standard_error[cell]},
-                       contender.cpu_s)
+                       candidate.cpu_s)
             : Merit{});
   }
 }
 
-void compare(Comparison& comparison) {
+void find_compared(Comparison& comparison) {
   const std::size_t cells = comparison.reference.echo.mean.size();
   for (std::size_t cell = 0; cell < cells; ++cell) {
     comparison.compared.push_back(
-        std::all_of(comparison.contenders.begin(), comparison.contenders.end(),
-                    [cell](const Contender& c) { return c.merit[cell].known; }));
-  }
-  std::optional<double> largest;
-  for (std::size_t i = 0; i < comparison.contenders.size(); ++i) {
-    const auto mean = mean_merit(comparison, comparison.contenders[i], 0, cells);
-    if (!comparison.contenders[i].exact || !mean || (largest && *mean <= *largest)) continue;
-    largest = mean;
-    comparison.best = i;
+        std::all_of(comparison.candidates.begin(), comparison.candidates.end(),
+                    [cell](const Candidate& c) { return c.merit[cell].known; }));
   }
 }
 
@@ -172,20 +165,20 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   Comparison out;
   out.repeats = repeats;
   tell("the reference");
-  Bench bench(scene, contender(scene, "bidirectional", "").simulation, options);
+  Bench bench(scene, candidate(scene, "bidirectional", "").simulation, options);
   const Timed reference = bench.run(0, {}, reference_share * options.time_s);
   out.reference = bench.result(reference.totals);
   out.reference_cpu_s = reference.cpu_s;
 
-  out.contenders = contenders(scene);
-  // The reference has had all threads for as long as the contenders have together.
+  out.candidates = candidates(scene);
+  // The reference has had all threads for as long as the candidates have together.
   const double cpu_s = reference.cpu_s * (1 - reference_share) / reference_share /
-                       static_cast<double>(out.contenders.size());
-  for (std::size_t i = 0; i < out.contenders.size(); ++i) {
-    tell(out.contenders[i].name);
-    measure(out.contenders[i], i, scene, out, cpu_s, options);
+                       static_cast<double>(out.candidates.size());
+  for (std::size_t i = 0; i < out.candidates.size(); ++i) {
+    tell(out.candidates[i].name);
+    measure(out.candidates[i], i, scene, out, cpu_s, options);
   }
-  compare(out);
+  find_compared(out);
 
   tell("what auto chooses");
   scene::Scene open = scene;
@@ -217,17 +210,29 @@ Merit merit_of(const std::vector<double>& repeats, const ReferenceEcho& referenc
 
 double relative_uncertainty(int repeats) { return std::sqrt(2.0 / repeats); }
 
-std::optional<double> mean_merit(const Comparison& comparison, const Contender& contender,
+std::optional<double> mean_merit(const Comparison& comparison, const Candidate& candidate,
                                  std::size_t first, std::size_t last) {
   double sum = 0;
   double gates = 0;
   for (std::size_t cell = first; cell < last; ++cell) {
     if (!comparison.compared[cell]) continue;
-    sum += std::log(contender.merit[cell].figure_of_merit);
+    sum += std::log(candidate.merit[cell].figure_of_merit);
     gates += 1;
   }
   if (gates == 0) return std::nullopt;
   return std::exp(sum / gates);
+}
+
+const Candidate* best_of(const Comparison& comparison) {
+  const Candidate* best = nullptr;
+  double largest = 0;
+  for (const Candidate& c : comparison.candidates) {
+    const auto mean = mean_merit(comparison, c, 0, comparison.compared.size());
+    if (!c.exact || !mean || *mean <= largest) continue;
+    largest = *mean;
+    best = &c;
+  }
+  return best;
 }
 
 std::optional<Comparison> compare_estimators(const scene::Scene& scene,

@@ -35,7 +35,7 @@ Merit merit_of(const std::vector<double>& repeats, const ReferenceEcho& referenc
 double relative_uncertainty(int repeats);
 
 /// One way to simulate the scene, as it was measured.
-struct Contender {
+struct Candidate {
   std::string name;
   bool exact = true;             ///< false: has a bias by construction
   scene::Simulation simulation;  ///< its estimator and options
@@ -47,26 +47,29 @@ struct Contender {
 struct Comparison {
   tally::Result reference;  ///< names and gates too
   double reference_cpu_s = 0;
-  int repeats = 0;  ///< of each contender
-  std::vector<Contender> contenders;
-  std::vector<bool> compared;  ///< gates converged in the reference and known of all contenders
-  std::optional<std::size_t> best;     ///< of the exact ones, by mean_merit over all gates
+  int repeats = 0;  ///< of each candidate
+  std::vector<Candidate> candidates;
+  std::vector<bool> compared;  ///< gates converged in the reference and known of all candidates
   scene::Simulation chosen_by_auto{};  ///< what estimator = "auto" takes, and why
 };
 
-/// Geometric mean [1/s] of a contender's figures of merit over the compared gates [first, last) of
+/// Geometric mean [1/s] of a candidate's figures of merit over the compared gates [first, last) of
 /// the flat cells; none if there is none.
-std::optional<double> mean_merit(const Comparison& comparison, const Contender& contender,
+std::optional<double> mean_merit(const Comparison& comparison, const Candidate& candidate,
                                  std::size_t first, std::size_t last);
 
+/// The exact candidate of the largest mean over all compared gates; none if there are no such
+/// gates.
+const Candidate* best_of(const Comparison& comparison);
+
 struct BenchOptions {
-  double time_s = 60;  ///< wall time: half for the reference, the rest for the contenders
+  double time_s = 60;  ///< wall time: half for the reference, the rest for the candidates
   int threads = 0;     ///< 0: all cores
   const std::atomic<bool>* interrupt = nullptr;  ///< set to end it at the next batch end
   std::function<void(const std::string&)> tell;  ///< what begins now, one line
 };
 
-/// Measures all contenders; none if interrupted. How much is simulated goes by the clock, so no two
+/// Measures all candidates; none if interrupted. How much is simulated goes by the clock, so no two
 /// answers are alike. Throws what run() throws.
 std::optional<Comparison> compare_estimators(const scene::Scene& scene,
                                              const BenchOptions& options);

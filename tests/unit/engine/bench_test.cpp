@@ -47,13 +47,30 @@ TEST(Merit, OfTwelveRepeatsIsUncertainByFortyPercent) {
 
 TEST(MeanMerit, IsGeometricOverTheComparedGates) {
   // Seen red: with the arithmetic mean; with gates that are not compared.
-  Contender contender;
-  for (const double f : {1.0, 100.0, 1e6}) contender.merit.push_back({1.0, f, true});
+  Candidate candidate;
+  for (const double f : {1.0, 100.0, 1e6}) candidate.merit.push_back({1.0, f, true});
   Comparison comparison;
   comparison.compared = {true, true, false};
-  EXPECT_NEAR(mean_merit(comparison, contender, 0, 3).value(), 10.0, 1e-12);
-  EXPECT_NEAR(mean_merit(comparison, contender, 1, 3).value(), 100.0, 1e-12);
-  EXPECT_FALSE(mean_merit(comparison, contender, 2, 3).has_value());
+  EXPECT_NEAR(mean_merit(comparison, candidate, 0, 3).value(), 10.0, 1e-12);
+  EXPECT_NEAR(mean_merit(comparison, candidate, 1, 3).value(), 100.0, 1e-12);
+  EXPECT_FALSE(mean_merit(comparison, candidate, 2, 3).has_value());
+}
+
+TEST(BestOf, IsExactAndHasTheLargestMean) {
+  // Seen red: with the approximate one; with the least mean.
+  Comparison comparison;
+  comparison.compared = {false, true};
+  const auto enter = [&](const char* name, bool exact, double figure_of_merit) {
+    comparison.candidates.push_back({.name = name, .exact = exact, .simulation = {}});
+    comparison.candidates.back().merit = {{1.0, 1e9, true}, {1.0, figure_of_merit, true}};
+  };
+  enter("slow", true, 1.0);
+  enter("fast", true, 3.0);
+  enter("approximate", false, 9.0);
+  enter("medium", true, 2.0);
+  EXPECT_EQ(best_of(comparison)->name, "fast");
+  comparison.compared = {false, false};
+  EXPECT_EQ(best_of(comparison), nullptr);
 }
 
 }  // namespace
