@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <memory>
 #include <utility>
 
 #include "core/error.hpp"
@@ -15,7 +16,7 @@
 namespace photic::engine {
 namespace {
 
-constexpr int repeats = 12;
+constexpr int repeat_count = 12;
 constexpr double reference_share = 0.5;  // of the time
 /// Of the squared distance from the reference, at most so much may be the reference's own.
 constexpr double largest_own_share = 0.25;
@@ -126,19 +127,19 @@ std::uint64_t photons_in(double cpu_s, double trial_cpu_s, Bench& bench, std::ui
 void measure(Candidate& candidate, std::size_t place, const scene::Scene& scene,
              const Comparison& comparison, double cpu_s, const BenchOptions& options) {
   Bench bench(scene, candidate.simulation, options);
-  std::uint64_t number = 1 + place * (repeats + 1);  // 0 is the reference's
-  candidate.photons = photons_in(cpu_s / repeats, trial_share * cpu_s, bench, number);
+  std::uint64_t number = 1 + place * (repeat_count + 1);  // 0 is the reference's
+  candidate.photons = photons_in(cpu_s / repeat_count, trial_share * cpu_s, bench, number);
   const tally::Result& reference = comparison.reference;
   std::vector<std::vector<double>> echo(reference.echo.mean.size());
   double cpu_sum_s = 0;
-  for (int i = 0; i < repeats; ++i) {
+  for (int i = 0; i < repeat_count; ++i) {
     const Timed repeat = bench.run(++number, candidate.photons);
     cpu_sum_s += repeat.cpu_s;
     const tally::Result result = bench.result(repeat.totals);
     for (std::size_t cell = 0; cell < echo.size(); ++cell)
       echo[cell].push_back(result.echo.mean[cell]);
   }
-  candidate.cpu_s = cpu_sum_s / repeats;
+  candidate.cpu_s = cpu_sum_s / repeat_count;
   for (std::size_t cell = 0; cell < echo.size(); ++cell) {
     const bool converged = reference.convergence_flags[cell] == 0;
     candidate.merit.push_back(
@@ -163,7 +164,7 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
     if (options.tell) options.tell(line);
   };
   Comparison out;
-  out.repeats = repeats;
+  out.repeats = repeat_count;
   tell("the reference");
   Bench bench(scene, candidate(scene, "bidirectional", "").simulation, options);
   const Timed reference = bench.run(0, {}, reference_share * options.time_s);
