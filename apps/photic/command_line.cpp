@@ -19,6 +19,7 @@ Examples:
   photic run my.toml --target 1% --max-time 10min
   photic run my.toml --continue my.nc --photons 1e9
   photic run my.toml --set sea.layer.0.chlorophyll_mg_m3=0.5 -o green.nc
+  photic bench my.toml                    which estimator suits it best
   photic show my.nc                       the scene that a result came from
 
 Exit codes: 0 done, 1 failed (disk, memory), 2 bad input, 130 after Ctrl-C, 143 after SIGTERM.)";
@@ -73,6 +74,15 @@ void add_scene_value(CLI::App& app, std::vector<scene::Override>& overrides,
   });
 }
 
+void add_seed(CLI::App& app, std::vector<scene::Override>& overrides) {
+  add_scene_value(app, overrides, "--seed", "S", "simulation.seed", "Seed of the random numbers",
+                  seed_value);
+}
+
+void add_threads(CLI::App& app, int& threads, const std::string& description) {
+  app.add_option("--threads", threads, description)->type_name("T")->check(CLI::Range(1, 4096));
+}
+
 void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags) {
   CLI::App& sub = *app.add_subcommand("run", "Simulate a scene and write its echoes");
   sub.add_option("scene", run.scene, "The scene file [with --continue: that of the earlier result]")
@@ -89,17 +99,25 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags
                   "Stop when every gate is converged below this relative error (1%)", share_value);
   add_scene_value(sub, flags, "--max-time", "TIME", "simulation.max_time_s",
                   "Stop after this time (60s, 10min, 2h)", seconds_value);
-  add_scene_value(sub, flags, "--seed", "S", "simulation.seed", "Seed of the random numbers",
-                  seed_value);
-  sub.add_option("--threads", run.threads,
-                 "Number of threads [default: all cores]; the result does not depend on it")
-      ->type_name("T")
-      ->check(CLI::Range(1, 4096));
+  add_seed(sub, flags);
+  add_threads(sub, run.threads,
+              "Number of threads [default: all cores]; the result does not depend on it");
   add_checked(sub, "--checkpoint", "TIME",
               "Write the result so far this often [default: every 30s, after the first minute]",
               [&run](const std::string& text) { run.checkpoint_s = seconds(text); });
   add_overrides(sub, run.overrides);
   sub.add_flag("--json", run.json, "Print the table of echoes as JSON");
+}
+
+void add_bench(CLI::App& app, BenchCommand& bench, std::vector<scene::Override>& flags) {
+  CLI::App& sub = *app.add_subcommand("bench", "Measure which estimator suits a scene best");
+  sub.add_option("scene", bench.scene, "The scene file")->required()->type_name("SCENE");
+  add_checked(sub, "--time", "TIME", "Time for all of it [default: 60s]",
+              [&bench](const std::string& text) { bench.time_s = bench_seconds(text); });
+  add_threads(sub, bench.threads, "Number of threads [default: all cores]");
+  add_seed(sub, flags);
+  add_overrides(sub, bench.overrides);
+  sub.add_flag("--json", bench.json, "Print as JSON");
 }
 
 void add_check(CLI::App& app, CheckCommand& check) {
@@ -148,11 +166,13 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   app.footer(examples);
 
   RunCommand run;
+  BenchCommand bench;
   CheckCommand check;
   ShowCommand show;
   NewCommand starter;
   std::vector<scene::Override> flags;  // after --set: the flag that names a value wins
   add_run(app, run, flags);
+  add_bench(app, bench, flags);
   add_check(app, check);
   add_show(app, show);
   add_new(app, starter);
@@ -166,9 +186,11 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& end) {
     return {std::nullopt, app.exit(end) == 0 ? done : bad_input};
   }
-  run.overrides.insert(run.overrides.end(), flags.begin(), flags.end());
+  for (auto* overrides : {&run.overrides, &bench.overrides})
+    overrides->insert(overrides->end(), flags.begin(), flags.end());
   run.command_line = as_typed(argc, argv);
   if (app.got_subcommand("run")) return {run, done};
+  if (app.got_subcommand("bench")) return {bench, done};
   if (app.got_subcommand("check")) return {check, done};
   if (app.got_subcommand("show")) return {show, done};
   if (app.got_subcommand("new")) return {starter, done};

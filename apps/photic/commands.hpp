@@ -27,6 +27,15 @@ struct RunCommand {
   std::string command_line;  ///< as typed, for the history of the result
 };
 
+/// photic bench: compares the estimators on a scene.
+struct BenchCommand {
+  std::string scene;
+  std::vector<scene::Override> overrides;
+  double time_s = 60;
+  int threads = 0;  ///< 0: all cores
+  bool json = false;
+};
+
 /// photic check: tells every problem of a scene.
 struct CheckCommand {
   std::string scene;
@@ -50,9 +59,11 @@ struct NewCommand {
 /// photic schema: prints the JSON Schema of scene files.
 struct SchemaCommand {};
 
-using Command = std::variant<RunCommand, CheckCommand, ShowCommand, NewCommand, SchemaCommand>;
+using Command =
+    std::variant<RunCommand, BenchCommand, CheckCommand, ShowCommand, NewCommand, SchemaCommand>;
 
 int run(const RunCommand& command);
+int run(const BenchCommand& command);
 int run(const CheckCommand& command);
 int run(const ShowCommand& command);
 int run(const NewCommand& command);

@@ -19,6 +19,7 @@ struct Subject {
   std::string operator()(const app::RunCommand& c) const {
     return error.diagnostics().front().file == c.earlier ? c.earlier : c.scene;
   }
+  std::string operator()(const app::BenchCommand& c) const { return c.scene; }
   std::string operator()(const app::CheckCommand& c) const { return c.scene; }
   std::string operator()(const app::ShowCommand& c) const { return c.file; }
   std::string operator()(const app::NewCommand& /*c*/) const { return {}; }

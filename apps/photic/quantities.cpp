@@ -74,6 +74,12 @@ double seconds(const std::string& text) {
 
 std::string seconds_value(const std::string& text) { return fmt::format("{}", seconds(text)); }
 
+double bench_seconds(const std::string& text) {
+  const double time = seconds(text);
+  if (!(time >= 1 && time <= 86400)) refuse(text, "is not from 1s to 24h");
+  return time;
+}
+
 std::string seed_value(const std::string& text) {
   const auto number = whole(text);
   if (!number || *number < 0) refuse(text, "is not a whole number from 0 to 2^63 - 1");

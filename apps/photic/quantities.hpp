@@ -16,6 +16,9 @@ std::string share_value(const std::string& text);
 double seconds(const std::string& text);
 std::string seconds_value(const std::string& text);
 
+/// As seconds(): from 1 s to a day, the time of a comparison.
+double bench_seconds(const std::string& text);
+
 /// A whole number from 0.
 std::string seed_value(const std::string& text);
 

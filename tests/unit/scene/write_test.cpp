@@ -171,7 +171,7 @@ conversion_probability = 0.15
 walks = 1
 meetings = 50.0
 connected_fraction = 0.3
-walk_attenuation = 0.5
+walk_attenuation = 0.6
 )");
 }
 

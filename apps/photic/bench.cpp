@@ -1,0 +1,236 @@
+#include "engine/bench.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/problem.hpp"
+#include "photic/commands.hpp"
+#include "photic/interrupt.hpp"
+#include "photic/output.hpp"
+#include "photic/progress.hpp"
+
+namespace photic::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_columns = 6;
+
+/// The lines of [simulation] that set an estimator and the options that candidates differ in.
+Json settings_of(const scene::Simulation& s) {
+  if (s.estimator == "forward") return {{"estimator", s.estimator}, {"reception", s.reception}};
+  return {{"estimator", s.estimator},
+          {"walk_attenuation", s.walk_attenuation},
+          {"walks", s.walks},
+          {"connected_fraction", s.connected_fraction}};
+}
+
+std::string as_toml(const Json& settings) {
+  std::string out;
+  for (const auto& [key, value] : settings.items())
+    out += fmt::format("  {} = {}\n", key, value.dump());
+  return out;
+}
+
+std::string merit_text(const std::optional<double>& merit) {
+  return merit ? fmt::format("{:.3g}", *merit) : "-";
+}
+
+std::string name_of(const engine::Candidate& candidate) {
+  return candidate.name + (candidate.exact ? "" : " (approximate)");
+}
+
+/// Gates [begin, end) of one telescope and channel in one column.
+struct Column {
+  std::size_t begin, end;
+  std::string heading;
+};
+
+std::vector<Column> columns(const tally::Result& result, std::size_t channel) {
+  const std::size_t gates = result.gates();
+  const std::size_t count = std::min(most_columns, gates);
+  std::vector<Column> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    Column column{i * gates / count, (i + 1) * gates / count, ""};
+    const auto edge = [&](std::size_t gate) {
+      return result.gate_depth_edge_m[channel * (gates + 1) + gate];
+    };
+    column.heading = fmt::format("{:.3g}-{:.3g}", edge(column.begin), edge(column.end));
+    out.push_back(column);
+  }
+  return out;
+}
+
+std::string row(const std::string& name, const std::vector<std::string>& cells) {
+  std::string out = fmt::format("{:<36}", name);
+  for (const std::string& cell : cells) out += fmt::format(" {:>10}", cell);
+  return out + '\n';
+}
+
+/// One telescope's and channel's gates: columns of depths, a row for each candidate.
+std::string block(const engine::Comparison& comparison, std::size_t telescope,
+                  std::size_t channel) {
+  const tally::Result& result = comparison.reference;
+  const std::size_t first = (telescope * result.channels() + channel) * result.gates();
+  const auto all = columns(result, channel);
+  std::vector<std::string> headings;
+  std::vector<std::string> counts;
+  for (const Column& c : all) {
+    const auto compared = comparison.compared.begin() + static_cast<std::ptrdiff_t>(first);
+    headings.push_back(c.heading);
+    counts.push_back(fmt::format("{}/{}",
+                                 std::count(compared + static_cast<std::ptrdiff_t>(c.begin),
+                                            compared + static_cast<std::ptrdiff_t>(c.end), true),
+                                 c.end - c.begin));
+  }
+  std::string out = fmt::format("\nchannel {}, telescope {}\n", result.channel_name[channel],
+                                result.telescope_name[telescope]) +
+                    row(result.gate_depth_is_range ? "range [m]" : "depth [m]", headings) +
+                    row("gates compared", counts);
+  for (const engine::Candidate& candidate : comparison.candidates) {
+    std::vector<std::string> cells;
+    for (const Column& c : all)
+      cells.push_back(
+          merit_text(engine::mean_merit(comparison, candidate, first + c.begin, first + c.end)));
+    out += row(name_of(candidate), cells);
+  }
+  return out;
+}
+
+/// Why gates were left out of the comparison.
+struct GateCounts {
+  std::size_t all = 0, not_converged = 0, compared = 0;
+  [[nodiscard]] std::size_t uncertain() const { return all - not_converged - compared; }
+};
+
+GateCounts count_gates(const engine::Comparison& comparison) {
+  const auto& flags = comparison.reference.convergence_flags;
+  GateCounts out;
+  out.all = flags.size();
+  out.not_converged =
+      flags.size() - static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 0));
+  out.compared = static_cast<std::size_t>(
+      std::count(comparison.compared.begin(), comparison.compared.end(), true));
+  return out;
+}
+
+std::optional<double> mean_over_all(const engine::Comparison& comparison,
+                                    const engine::Candidate& candidate) {
+  return engine::mean_merit(comparison, candidate, 0, comparison.compared.size());
+}
+
+std::string summary(const engine::Comparison& comparison) {
+  std::string out = '\n' + row("", {"all gates", "photons", "CPU s"});
+  for (const engine::Candidate& c : comparison.candidates)
+    out += row(name_of(c), {merit_text(mean_over_all(comparison, c)), fmt::format("{}", c.photons),
+                            fmt::format("{:.3g}", c.cpu_s)});
+  const GateCounts gates = count_gates(comparison);
+  out += fmt::format(
+      "\n{} of {} gates compared; left out: {} not converged in the reference, {} where it is too "
+      "uncertain\nA figure of merit from {} repeats is uncertain by about {:.0f} %.\n",
+      gates.compared, gates.all, gates.not_converged, gates.uncertain(), comparison.repeats,
+      100 * engine::relative_uncertainty(comparison.repeats));
+  return out;
+}
+
+std::string recommendation(const engine::Comparison& comparison) {
+  std::string out = "\nrecommended: ";
+  if (const engine::Candidate* best = engine::best_of(comparison)) {
+    out +=
+        best->name + ", by these lines of [simulation]\n" + as_toml(settings_of(best->simulation));
+  } else {
+    out += "nothing, since no gate can be compared (give more --time)\n";
+  }
+  const scene::Simulation& chosen = comparison.chosen_by_auto;
+  return out + "estimator = \"auto\" would take\n" + as_toml(settings_of(chosen)) +
+         "  because of " + chosen.estimator_reason.value_or("") + '\n';
+}
+
+std::string table(const engine::Comparison& comparison) {
+  const tally::Result& reference = comparison.reference;
+  std::string out = fmt::format(
+      "Figure of merit: 1 / (relative variance * CPU time) [1/s], geometric means over gates;\n"
+      "reference: bidirectional, 0.6, {} photons in {:.3g} CPU s; each below: {} repeats\n",
+      reference.photons, comparison.reference_cpu_s, comparison.repeats);
+  for (std::size_t t = 0; t < reference.telescopes(); ++t) {
+    for (std::size_t c = 0; c < reference.channels(); ++c) out += block(comparison, t, c);
+  }
+  return out + summary(comparison) + recommendation(comparison);
+}
+
+Json gates_json(const engine::Comparison& comparison, const engine::Candidate& candidate) {
+  const tally::Result& result = comparison.reference;
+  Json out = Json::array();
+  for (std::size_t cell = 0; cell < candidate.merit.size(); ++cell) {
+    if (!candidate.merit[cell].known) continue;
+    const std::size_t gate = cell % result.gates();
+    const std::size_t channel = cell / result.gates() % result.channels();
+    const double* edge = &result.gate_depth_edge_m[channel * (result.gates() + 1) + gate];
+    out.push_back({{"telescope", result.telescope_name[cell / result.gates() / result.channels()]},
+                   {"channel", result.channel_name[channel]},
+                   {"gate", gate},
+                   {"depth_m", (edge[0] + edge[1]) / 2},
+                   {"relative_variance", candidate.merit[cell].relative_variance},
+                   {"figure_of_merit_per_s", candidate.merit[cell].figure_of_merit},
+                   {"compared", static_cast<bool>(comparison.compared[cell])}});
+  }
+  return out;
+}
+
+std::string json(const engine::Comparison& comparison, const std::string& scene) {
+  const GateCounts gates = count_gates(comparison);
+  const tally::Result& reference = comparison.reference;
+  const scene::Simulation& chosen = comparison.chosen_by_auto;
+  Json out = {
+      {"scene", scene},
+      {"repeats", comparison.repeats},
+      {"relative_uncertainty", engine::relative_uncertainty(comparison.repeats)},
+      {"reference", {{"photons", reference.photons}, {"cpu_s", comparison.reference_cpu_s}}},
+      {"depth_is_range", reference.gate_depth_is_range},
+      {"gates",
+       {{"all", gates.all},
+        {"not_converged", gates.not_converged},
+        {"uncertain", gates.uncertain()},
+        {"compared", gates.compared}}},
+      {"candidates", Json::array()},
+      {"recommended", nullptr},
+      {"auto", settings_of(chosen)}};
+  for (const engine::Candidate& c : comparison.candidates) {
+    const auto mean = mean_over_all(comparison, c);
+    out["candidates"].push_back({{"name", c.name},
+                                 {"exact", c.exact},
+                                 {"settings", settings_of(c.simulation)},
+                                 {"photons", c.photons},
+                                 {"cpu_s", c.cpu_s},
+                                 {"figure_of_merit_per_s", mean ? Json(*mean) : Json()},
+                                 {"gates", gates_json(comparison, c)}});
+  }
+  if (const engine::Candidate* best = engine::best_of(comparison))
+    out["recommended"] = settings_of(best->simulation);
+  out["auto_reason"] = chosen.estimator_reason.value_or("");
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace
+
+int run(const BenchCommand& command) {
+  const scene::Reading reading =
+      scene::read_scene(command.scene, command.overrides, engine::check_optics);
+  for (const std::string& remark : reading.remarks) print_error(remark + '\n');
+  engine::BenchOptions options;
+  options.time_s = command.time_s;
+  options.threads = command.threads;
+  options.interrupt = &interrupted();
+  if (has_terminal())
+    options.tell = [](const std::string& line) { print_error("measuring " + line + '\n'); };
+  listen_for_interrupts();
+  const auto comparison = engine::compare_estimators(reading.scene, options);
+  if (!comparison) return interrupt_exit_code();
+  print_out(command.json ? json(*comparison, command.scene) : table(*comparison));
+  return done;
+}
+
+}  // namespace photic::app
