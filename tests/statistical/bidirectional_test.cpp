@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"VehicleLookingUp",
              vehicle("1.0", -8) + channel("elastic") + water(0.06, 0.1, wide_phase) +
                  "[gates]\nrange_min_m = 3.0\nrange_max_m = 8.0\nrange_step_m = 1.0\n",
-             1.2e7, 4e5, 2, 6},
+             1.2e7, 4e5, 1, 3},
         Case{
             "AsideDefocusedObstructed",
             "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, 12.0]\ndirection = [0.01, "
@@ -182,7 +182,8 @@ TEST(Bidirectional, ConversionProbabilityDoesNotMatter) {
 }
 
 // Walks that end at their second vertex still draw all paths of up to four, with strategies that
-// they can use. Seen red: with the sum taken over all strategies.
+// they can use. At order four that is a single inner edge, whose variance is infinite: this is held
+// exactly by unit/engine, and the others here. Seen red: with the sum taken over all strategies.
 TEST(Bidirectional, WalksOfTwoVertices) {
   // Broad phase functions: so few strategies would not converge on peaks.
   const std::string scene = ship_instrument + three_channels +
@@ -190,7 +191,7 @@ TEST(Bidirectional, WalksOfTwoVertices) {
                             inelastic_water(0.1, broad_phase, 0) + depth_gates(12, 2);
   const auto simulate_capped = [&](std::int32_t most_vertices, std::uint64_t seed) {
     const auto problem =
-        engine::make_problem(read(scene + simulation(4e5, seed, "max_order = 4", "bidirectional")));
+        engine::make_problem(read(scene + simulation(4e5, seed, "max_order = 3", "bidirectional")));
     auto world = engine::make_world<double>(problem.scene, problem.medium, problem.gates);
     world.most_vertices = most_vertices;
     const engine::RunOptions options;
@@ -214,7 +215,7 @@ TEST(Bidirectional, WalksOfTwoVertices) {
 // too. How many gates are flagged although the run is right is told, not yet judged.
 TEST(Bidirectional, ErrorBarsHold) {
   constexpr int seeds = 100;
-  constexpr double photons = 6e4;
+  constexpr double photons = 1.2e5;
   constexpr double two_sided_95 = 1.96;
   const std::string scene =
       ship_instrument + channel("elastic") + water(0.06, 0.1, peaked_phase) + depth_gates(50, 2);
