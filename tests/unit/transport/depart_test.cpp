@@ -66,9 +66,9 @@ TEST(Depart, ScattersWhatCannotBeConvertedLight) {
   }
 }
 
-// Seen red: with no conversions; with the chance of one for its complement; with the coefficient
-// over c of the emitted line left in collisions of the laser's;
-// with the analog weight times the albedo; with p of the angle to the beam.
+// Seen red: with no conversions; with the chance of one for its complement; without the laser's c
+// in a conversion's coefficient; with the analog weight times the albedo; with p of the angle to
+// the beam.
 TEST(Depart, TurnsConversionsBackWithItsChance) {
   Random random(402);
   const auto sea = make_sea(40);
