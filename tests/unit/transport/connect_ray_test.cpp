@@ -88,17 +88,44 @@ void expect_same_mean(const scene::Telescope& scene, const V& place, bool mirror
   family.judge();
 }
 
+// Seen red: with all rays to the lens' centre; with rays beside the detector; with the reflected
+// share; with the length in water by the angle in air.
 TEST(ConnectRay, OverTheLensIsTheWholeThroughTheSurface) {
   expect_same_mean(small_telescope({0, 0, 10}, {0, 0, -1}), {0, 0, -15}, false, 301);
   expect_same_mean(small_telescope({1, 2, 12}, {0.3, 0, -1}), {6.3, 2, -8}, false, 302);
 }
 
+// Seen red: with all rays to the lens' centre; with rays beside the detector; with the optical
+// depth of the mirrored end subtracted; with the arriving ray not mirrored.
 TEST(ConnectRay, OverTheLensIsTheWholeInTheWater) {
   expect_same_mean(small_telescope({0, 0, -3}, {0, 0.2, -1}), {0, 3, -18}, false, 303);
   expect_same_mean(small_telescope({0, 0, -6}, {0, 1, 1}), {0, 20, -14}, true, 304);
 }
 
-// Seen red: TODO
+// All rays are seen, under 15 to 24 degrees to the axis; the lens is small to 1 in 10^4. Seen red:
+// without the cosine to the axis.
+TEST(ConnectRay, TakesTheLensAtItsAngle) {
+  Random random(306);
+  const auto sea = make_sea(60);
+  for (const double height : {10.0, -3.0}) {
+    auto scene = small_telescope({0, 0, height}, {0, 0, -1});
+    scene.detector_diameter_m = 2;
+    const auto telescope = instrument::make_telescope<double>(scene);
+    for (int n = 0; n < 100; ++n) {
+      const auto at = photon_at(sea, {random.between(5, 7), random.between(-1, 1), -17});
+      const auto whole = connect(sea, scene, at, 0, false);
+      ASSERT_GT(whole.acceptance, 0);
+      test::Mean mean;
+      for (int i = 0; i < 200; ++i) {
+        const auto lens = lens_point(telescope, random.uniform(), random.uniform());
+        mean.add(connect_ray(sea, scene, at, 0, lens, false).acceptance);
+      }
+      ASSERT_NEAR(mean.value() / whole.acceptance, 1, 1e-3);
+    }
+  }
+}
+
+// Seen red: with rays beside the detector; with all rays to the lens' centre.
 TEST(ConnectRay, IsNoneOffTheDetector) {
   Random random(305);
   const auto sea = make_sea(60);

@@ -42,7 +42,8 @@ double phase(const medium::Medium& sea, std::int32_t table, const V& a, const V&
   return sea.view().phases.value<double>(one_minus_cos(a, b), table);
 }
 
-// Light of the laser's line, and of lines that the layer does not emit. Seen red: TODO
+// Light of the laser's line, and of lines that the layer does not emit. Seen red: with conversions
+// where no light is emitted; with the chance of a conversion for its complement.
 TEST(Depart, ScattersWhatCannotBeConvertedLight) {
   Random random(401);
   const auto sea = make_sea(40);
@@ -65,7 +66,9 @@ TEST(Depart, ScattersWhatCannotBeConvertedLight) {
   }
 }
 
-// Seen red: TODO
+// Seen red: with no conversions; with the chance of one for its complement; without the laser's c
+// in a conversion's coefficient; with the analog weight times the albedo; with p of the angle to
+// the beam.
 TEST(Depart, TurnsConversionsBackWithItsChance) {
   Random random(402);
   const auto sea = make_sea(40);
@@ -124,7 +127,9 @@ double probability_between(const medium::Medium& sea, const V& old, std::int32_t
   return 2 * pi * (x1 - x0) * sum / (steps * steps);
 }
 
-// Chi-squared of cosines to the beam, each line at 0.1 %. Seen red: TODO
+// Chi-squared of cosines to the beam, each line at 0.1 %. Seen red: with
+// the shares of the mixture swapped; with the lobe about the walk's direction; with the lobe not
+// over p.
 TEST(Depart, DrawsConvertedDirectionsAsDenseAsItSays) {
   Random random(403);
   const auto sea = make_sea(40);

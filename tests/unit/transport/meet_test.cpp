@@ -13,7 +13,7 @@ namespace {
 using test::Random;
 using V = Vec3<double>;
 
-// Seen red: TODO
+// Seen red: with half the density; without the sign above the level.
 TEST(MeetingGrid, NumbersPointsAsDenselyAsItSays) {
   Random random(501);
   for (int i = 0; i < 1000; ++i) {
@@ -63,7 +63,9 @@ bool can_meet(const Pair& pair, const instrument::Telescope<double>& telescope,
          reach(pair.back) > 0 && std::hypot(shifted.x, shifted.y) < telescope.lens_radius;
 }
 
-// Seen red: TODO
+// Seen red: with rays that go different ways; with rays beyond the upper one's beginning; with
+// depths above the lower; with the middle mirrored in the surface; with one division by the square
+// missing; with the lens' rim asked of parallel rays.
 TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
   Random random(502);
   constexpr double deepest = 40;

@@ -32,7 +32,9 @@ void expect_depths(const OpticalDepths<double>& depths, const medium::Medium& se
 
 // Light that leaves in the way's direction is refracted by Snell's law and must arrive at the
 // point; its spread is that of the rays beside it, its transmittance that of light going the other
-// way. Seen red: TODO
+// way. Seen red: with the cosines of air and water swapped in the spread; with
+// n for n^2; with the length in water by the angle in air; with the arriving ray times the cosine
+// in water; with the reflected share.
 TEST(WayThroughSurface, IsTheWayOfALightRay) {
   Random random(201);
   const auto sea = make_sea(60);
@@ -75,7 +77,7 @@ TEST(WayThroughSurface, IsNoneThatIsNotWanted) {
   EXPECT_FALSE(way_through_surface(sea.view(), V{0, 0, -3}, 0, to, false).exists);
 }
 
-// Seen red: TODO
+// Seen red: with the end as deep below as it is above; with 1 / distance for its square.
 TEST(WayInWater, IsTheStraightLine) {
   Random random(202);
   const auto sea = make_sea(40);
@@ -102,7 +104,9 @@ TEST(WayInWater, IsTheStraightLine) {
   }
 }
 
-// Unfolded it ends in the mirror image above the surface. Seen red: TODO
+// Unfolded it ends in the mirror image above the surface. Seen red: with the lens for its image;
+// with the arriving ray not mirrored; with the depth of the end subtracted; with c for the walked
+// coefficient.
 TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
   Random random(203);
   const auto sea = make_sea(40);
