@@ -24,7 +24,7 @@ template <class T, class InTime>
   const medium::MediumView& sea = world.sea;
   Photon<T> photon = walk.begin.photon;
   Leg<T> leg;
-  walk.add(first_ray(photon));
+  walk.add(Ray<T>{walk_point(photon)});
   for (place.event = 1; place.event < most_events; ++place.event) {
     const auto u = uniforms(place, stream);
     const Photon<T> before = photon;

@@ -96,36 +96,40 @@ T solid_angle_per_area(const medium::MediumView& sea, const Spread<T>& spread, c
                                         spread.before, spread.cos_air);
 }
 
-/// A walk as it leaves its instrument, or a vertex.
+/// Where a walk stands.
 template <class T>
-struct Ray {
-  Vec3<T> position;  ///< where it enters the water, or of the vertex
-  Vec3<T> direction;
-  T weight{};  ///< of the walk: the path's contribution over the density drawn from, without the
-               ///< chances h
+struct WalkPoint {
+  Vec3<T> position;
+  Vec3<T> direction;  ///< in which it arrives or leaves
+  T weight{};  ///< the path's contribution over the density drawn from, without the chances h
   T path{};    ///< [m]
   Index<T> line{}, layer{};
-  T left_chance{1};     ///< h of a walk that ends at the vertex
-  T chance{1};          ///< h of this ray
-  T per_p{1};           ///< 1 over the phase function's value at the vertex [sr]
-  Densities<T> last;    ///< of what is complete by this ray's direction
-  Densities<T> behind;  ///< of all that is complete
+};
+template <class T>
+WalkPoint<T> walk_point(const Photon<T>& photon) {
+  return {photon.position, photon.direction, photon.weight, photon.path, photon.line, photon.layer};
+}
+
+/// A walk as it leaves a vertex, the collision's weight included, or enters the water.
+template <class T>
+struct Ray : WalkPoint<T> {
+  T left_chance{1};       ///< h of a walk that ends at the vertex
+  T chance{1};            ///< h of this ray
+  T per_p{1};             ///< 1 over the phase function's value at the vertex [sr]
+  Densities<T> last{};    ///< of what is complete by this ray's direction
+  Densities<T> behind{};  ///< of all that is complete
   T meeting{};  ///< n h / g of meeting at the vertex, but for what is this ray's: P included
 };
 
+/// A walk as it arrives where it collides, before this collision.
 template <class T>
-struct Vertex {
-  Vec3<T> position;
-  Vec3<T> direction;  ///< in which the walk arrives
-  T weight{};         ///< of the walk before this collision
-  T path{};           ///< [m]
-  Index<T> line{}, layer{};
+struct Vertex : WalkPoint<T> {
   T chance{1};          ///< h of a walk that ends here
   T open{};             ///< n h / g of connecting the last edge, times P here; 0: it cannot be
   T meeting{};          ///< n h / g of meeting here, but for P and for the edge beyond; its sign is
                         ///< that of the arriving direction's z
-  Densities<T> last;    ///< of what has become complete by the last edge
-  Densities<T> behind;  ///< of all that is complete
+  Densities<T> last{};  ///< of what has become complete by the last edge
+  Densities<T> behind{};  ///< of all that is complete
 };
 
 /// A walk's way from its last vertex, or its instrument, to where it is.
@@ -155,19 +159,6 @@ T turning(const T& meeting, const T& z) {
   return select(product > T(0), product, T(0));
 }
 
-/// The ray of a photon that enters the water.
-template <class T>
-Ray<T> first_ray(const Photon<T>& photon) {
-  Ray<T> ray;
-  ray.position = photon.position;
-  ray.direction = photon.direction;
-  ray.weight = photon.weight;
-  ray.path = photon.path;
-  ray.line = photon.line;
-  ray.layer = photon.layer;
-  return ray;
-}
-
 /// How a walk left a vertex.
 template <class T>
 struct Departure {
@@ -180,7 +171,7 @@ struct Departure {
 /// The ray in which the photon has departed from a vertex.
 template <class T>
 Ray<T> next_ray(const Photon<T>& photon, const Vertex<T>& from, const Departure<T>& departure) {
-  Ray<T> ray = first_ray(photon);
+  Ray<T> ray{walk_point(photon)};
   ray.left_chance = from.chance;
   ray.chance = from.chance * departure.chance;
   ray.per_p = T(1) / departure.p;
@@ -207,13 +198,7 @@ T connecting_area(const medium::MediumView& sea, const Ray<T>& ray, const Spread
 template <class T>
 Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Spread<T>* spread,
                     const Photon<T>& photon, const Leg<T>& leg, const Samples<T>& samples) {
-  Vertex<T> v;
-  v.position = photon.position;
-  v.direction = photon.direction;
-  v.weight = photon.weight;
-  v.path = photon.path;
-  v.line = photon.line;
-  v.layer = photon.layer;
+  Vertex<T> v{walk_point(photon)};
   v.chance = ray.chance;
   const T growth = T(1) / exp_minus(leg.walk_tau);
   const T straight = select(leg.mirrored, T(0), growth);

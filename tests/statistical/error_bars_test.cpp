@@ -75,5 +75,15 @@ TEST(ErrorBars, HoldOnHenyeyGreensteinWaterTo20m) { check(henyey_greenstein_phas
 // at all; with a largest score of 0.05 % enough for a flag.
 TEST(ErrorBars, HoldOnPeakedWaterTo10m) { check(peaked_phase, 10); }
 
+// A plain walk on peaked water, whose deep gates live on scores that it has hardly seen, says so.
+TEST(ErrorBars, OfANaiveRunAreFlaggedBelow10m) {
+  const auto run =
+      engine::run(read(ship_instrument + channel("elastic") + water(0.06, 0.10, peaked_phase) +
+                       depth_gates(50, gate_step) +
+                       simulation(2e7, 1, "directed_fraction = 0.0\nreception = \"overlap\"")));
+  for (std::size_t g = static_cast<std::size_t>(10 / gate_step); g < run.gates(); ++g)
+    EXPECT_NE(run.convergence_flags[g], 0) << "gate " << g;
+}
+
 }  // namespace
 }  // namespace photic::test

@@ -60,7 +60,7 @@ class Writer {
          const transport::Beginning<double>& begin)
       : world_(world), samples_(samples), photon_(begin.photon) {
     walk.begin = begin;
-    walk.add(transport::first_ray(photon_));
+    walk.add(transport::Ray<double>{transport::walk_point(photon_)});
   }
 
   void collide_at(const V& place, bool mirrored) {

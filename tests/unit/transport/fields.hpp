@@ -76,15 +76,20 @@ void fields(P& a, S& b, F f) {
   f(a.cos_air, b.cos_air, "cosine in air");
   f(a.solid_angle, b.solid_angle, "solid angle");
 }
+/// What rays and vertices have in common.
 template <class P, class S, class F>
-  requires is_packed<P, Ray>
-void fields(P& a, S& b, F f) {
+void walk_point_fields(P& a, S& b, F f) {
   fields(a.position, b.position, f);
   fields(a.direction, b.direction, f);
   f(a.weight, b.weight, "weight");
   f(a.path, b.path, "path");
   f(a.line, b.line, "line");
   f(a.layer, b.layer, "layer");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Ray>
+void fields(P& a, S& b, F f) {
+  walk_point_fields(a, b, f);
   f(a.left_chance, b.left_chance, "chance before");
   f(a.chance, b.chance, "chance");
   f(a.per_p, b.per_p, "per p");
@@ -95,12 +100,7 @@ void fields(P& a, S& b, F f) {
 template <class P, class S, class F>
   requires is_packed<P, Vertex>
 void fields(P& a, S& b, F f) {
-  fields(a.position, b.position, f);
-  fields(a.direction, b.direction, f);
-  f(a.weight, b.weight, "weight");
-  f(a.path, b.path, "path");
-  f(a.line, b.line, "line");
-  f(a.layer, b.layer, "layer");
+  walk_point_fields(a, b, f);
   f(a.chance, b.chance, "chance");
   f(a.open, b.open, "open");
   f(a.meeting, b.meeting, "meeting");

@@ -177,7 +177,7 @@ Densities<double> random_densities(Random& random) {
 }
 
 Ray<double> random_ray(const medium::Medium& sea, Random& random) {
-  Ray<double> ray = first_ray(random_photon(sea, random));
+  Ray<double> ray{walk_point(random_photon(sea, random))};
   ray.left_chance = random.uniform();
   ray.chance = random.uniform();
   ray.per_p = random.scale(1e-3, 1e3);
