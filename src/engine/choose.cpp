@@ -19,10 +19,10 @@ constexpr std::uint64_t forward_pilot_batches = 8 * pilot_batches;
 /// Folded into the seed: pilots share no random number with the run.
 constexpr std::uint64_t pilot_stream = 0x1e3779b97f4a7c15;
 
-// What operations cost, in units of a collision of a walk that is to be connected. Fitted to runs
-// of the scenes in scenes/ (docs/decisions/0009).
-constexpr double cost_of_estimated_collision = 1.3;  // with its local estimates, per telescope
-constexpr double cost_of_score = 1.0;
+/// What a score offered to the tallies costs, in units of a collision: of a walk that is to be
+/// connected, or of the forward estimator, there for each telescope. Fitted to CPU times, which it
+/// gives within a factor of 1.9 (docs/decisions/0009).
+constexpr double cost_of_score = 0.43;
 
 /// A short run of a heavy-tailed estimator looks better than it is. Where a single score carries
 /// more than this share of a gate, the squared error is taken to be larger by as much as it does.
@@ -62,19 +62,17 @@ void try_out(Candidate& candidate, const RunOptions& options) {
   pilot.simulation.photons = (forward ? forward_pilot_batches : pilot_batches) * batch_photons;
   pilot.simulation.target_relative_error.reset();
   pilot.simulation.max_time_s.reset();
-  RunOptions quiet;
+  RunOptions quiet;  // and not interrupted: half a pilot would choose otherwise
   quiet.threads = options.threads;
-  quiet.interrupt = options.interrupt;
   const Problem problem = make_problem(pilot);
   Conductor conductor(pilot.simulation, quiet);
   const tally::Totals totals = run_batches<double>(problem, conductor);
   tally::Result result = describe(problem);
   totals.fill(result);
 
-  const auto collisions = static_cast<double>(result.collisions);
-  candidate.cost = forward ? collisions * cost_of_estimated_collision *
-                                 static_cast<double>(pilot.telescope.size())
-                           : collisions + cost_of_score * static_cast<double>(totals.scores());
+  const double per_collision = forward ? static_cast<double>(pilot.telescope.size()) : 1.0;
+  candidate.cost = per_collision * static_cast<double>(result.collisions) +
+                   cost_of_score * static_cast<double>(totals.scores());
   for (std::size_t cell = 0; cell < result.echo.mean.size(); ++cell) {
     const double mean = result.echo.mean[cell];
     const double relative = mean > 0 ? result.echo.standard_error[cell] / mean : 0.0;
