@@ -144,7 +144,7 @@ struct Simulation {
   std::string reception = "ray";  ///< forward: ray | overlap
   double directed_fraction =
       0.5;  ///< share of directions drawn towards a telescope; 0 turns it off
-  double conversion_probability = 0.15;  ///< of a branch into an inelastic process, per collision
+  double conversion_probability = 0.3;  ///< of a branch into an inelastic process, per collision
   std::int64_t walks = 1;  ///< bidirectional: of the laser, and of each telescope, in a set
   double meetings = 50;    ///< bidirectional: of two rays, if all depths of the gates let them meet
   double connected_fraction =
