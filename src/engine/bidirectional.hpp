@@ -37,7 +37,8 @@ template <class T, class InTime>
       leg.mirrored = true;
     } else {
       ++tally.collisions;
-      walk.add(vertex_on(sea, walk.last_ray(), walk.spread(walk.rays - 1), photon, leg, samples));
+      walk.add(vertex_on(sea, walk.last_ray(), walk.spread(walk.rays - 1), photon, leg, walk.axis,
+                         samples));
       if (walk.vertices == world.last_order) return void(ledger.cut_by_order += photon.weight);
       if (walk.vertices == world.most_vertices) {
         ++tally.too_many_events;
@@ -47,6 +48,7 @@ template <class T, class InTime>
       const auto v = photon.line > 0 ? uniforms(place, stream + 1) : std::array<T, 4>{1, 1, 1, 1};
       const auto departure = depart(sea, photon, world.reversal, {u[1], u[2], v[0], v[1]});
       ledger.absorbed += weight - photon.weight;
+      if (photon.line != before.line) walk.converts();
       walk.add(next_ray(photon, walk.last_vertex(), departure));
       leg = {};
     }
@@ -119,7 +121,8 @@ template <class T>
 void follow_set(const World<T>& world, std::uint64_t first, std::size_t count, WalkSet<T>& set,
                 tally::BatchTally& tally) {
   // An echo is per photon emitted, and so are the samples.
-  const transport::Samples<T> samples{T(1), world.connected, T(count), world.meeting_grid};
+  const transport::Samples<T> samples{T(1), world.connected, T(count),
+                                      world.turns ? T(count) : T(0), world.meeting_grid};
   for (std::size_t g = 0; g < count; ++g)
     walk_from_laser(world, samples, first + g, set.from_laser[g], tally);
   for (const Receiver<T>& receiver : world.receivers) {
@@ -132,7 +135,10 @@ void follow_set(const World<T>& world, std::uint64_t first, std::size_t count, W
       connections.to_laser();
       const auto u = uniforms(RandomPlace<T>{world.seed, first + g, 0}, stream_of(receiver) + 2);
       if (u[1] < world.connected) connections.between(set.from_laser[g]);
-      for (std::size_t i = 0; i < count; ++i) connections.meetings(set.from_laser[i], u[0]);
+      for (std::size_t i = 0; i < count; ++i) {
+        connections.shifted(set.from_laser[i], u[0]);
+        connections.turned(set.from_laser[i]);
+      }
     }
   }
 }

@@ -32,23 +32,31 @@ class Connections {
   void to_laser() const;
   /// Every vertex of the laser's walk with every vertex of the telescope's.
   void between(const Walk<T>& laser) const;
-  /// Every ray of the laser's walk with every ray of the telescope's, at depths that lie on a grid
-  /// from `offset` (0 to 1 of its step) on.
-  void meetings(const Walk<T>& laser, T offset) const;
+  /// Every ray of the laser's walk with every ray of the telescope's, shifted so that they meet at
+  /// depths that lie on a grid from `offset` (0 to 1 of its step) on.
+  void shifted(const Walk<T>& laser, T offset) const;
+  /// Every ray of the laser's walk with every ray of the telescope's beyond where it converts,
+  /// turned so that they meet.
+  void turned(const Walk<T>& laser) const;
 
  private:
   using Vertex = transport::Vertex<T>;
   using Joint = transport::Joint<T>;
 
-  void to_telescope(const Vertex& v, std::int32_t order, const transport::Way<T>& way,
+  void to_telescope(const Vertex& v, T turned, std::int32_t order, const transport::Way<T>& way,
                     bool mirrored) const;
   void to_laser(const Vertex& v, std::int32_t order, const transport::Way<T>& way,
                 bool mirrored) const;
-  void between(const Vertex& v, const Vertex& w, const Usable& usable, std::int32_t edge) const;
+  void between(const Walk<T>& laser, std::int32_t i, std::int32_t m) const;
   void along(Index<T> line, const Joint& from, const Joint& to, const Vertex& v, const Vertex& w,
              T length, const Usable& usable, std::int32_t edge) const;
-  void meetings(const Walk<T>& laser, std::int32_t i, std::int32_t m, const Usable& usable,
-                const transport::Chord<T>& chord, T offset) const;
+  void shifted(const Walk<T>& laser, std::int32_t i, std::int32_t m, const Usable& usable,
+               const transport::Chord<T>& chord, T offset) const;
+  template <class Act>
+  void each_pair(const Walk<T>& laser, std::int32_t first, Act act) const;
+  void meet_at(const Walk<T>& laser, std::int32_t i, std::int32_t m, const Usable& usable,
+               const transport::Ray<T>& back, const transport::Vertical<T>& axis, T depth,
+               T gain) const;
 
   /// Whether light of the laser's line can leave a layer as light of a line.
   [[nodiscard]] bool emits(Index<T> line, Index<T> layer) const {
@@ -59,11 +67,14 @@ class Connections {
   }
   /// Where the light of the telescope's walk was last scattered.
   [[nodiscard]] T last_depth() const { return -back_.vertex.front().position.z; }
-  [[nodiscard]] Joint leaving_laser(const Vertex& v, const Vec3<T>& direction, Index<T> line,
-                                    T chance, T goes_on, T shift_area) const {
-    return line == 0 ? scattering_from_laser(sea_, v, direction, goes_on, shift_area)
-                     : conversion_from_laser(sea_, v, direction, line, world_.reversal, chance,
-                                             goes_on, shift_area);
+  /// How the telescope's walk may be turned in paths that convert at a place.
+  [[nodiscard]] transport::Vertical<T> vertical_at(const Vec3<T>& place) const {
+    return {receiver_.line > 0, place.x, place.y};
+  }
+  /// How it may be moved in paths that come to its vertex w in the laser's line, if only by being
+  /// converted there.
+  [[nodiscard]] transport::Freedom<T> freedom_at(const Vertex& w) const {
+    return {back_.shift_area, w.line == 0 ? back_.axis : vertical_at(w.position)};
   }
   /// `last`: the depth at which light was last scattered.
   void score(T value, T path, T last, std::int32_t order) const {
@@ -91,25 +102,28 @@ void Connections<T>::to_telescope(const Walk<T>& laser) const {
   const Index<T> line = receiver_.line;
   const Vec3<T> at = in_space(telescope_, back_.lens);
   for (std::int32_t i = 0; i < laser.vertices; ++i) {
-    const Vertex v = laser.in_path(i, {i + 1, world_.most_vertices});
+    const Usable usable{i + 1, world_.most_vertices};
+    Vertex room;
+    const Vertex& v = laser.in_path(i, usable, room);
     if (!emits(line, v.layer)) continue;
+    const T turned = laser.turned_before(i, usable, vertical_at(v.position));
     if (telescope_.submerged) {
       for (const bool mirrored : {false, true})
-        to_telescope(v, i + 1, transport::way_in_water(sea_, v.position, line, at, mirrored),
-                     mirrored);
+        to_telescope(v, turned, i + 1,
+                     transport::way_in_water(sea_, v.position, line, at, mirrored), mirrored);
       continue;
     }
     const Vec3<T> there = telescope_.position - v.position;
     const T rise = telescope_.position.z - v.position.z * T(sea_.inverse_index[line]);
     if (telescope_.may_see_beyond(there.x, there.y, rise))
-      to_telescope(v, i + 1, transport::way_through_surface(sea_, v.position, line, at, true),
-                   false);
+      to_telescope(v, turned, i + 1,
+                   transport::way_through_surface(sea_, v.position, line, at, true), false);
   }
 }
 
 template <class T>
-void Connections<T>::to_telescope(const Vertex& v, std::int32_t order, const transport::Way<T>& way,
-                                  bool mirrored) const {
+void Connections<T>::to_telescope(const Vertex& v, T turned, std::int32_t order,
+                                  const transport::Way<T>& way, bool mirrored) const {
   const Index<T> line = receiver_.line;
   const auto seen = sight(telescope_, back_.lens, way.arriving);
   const T path = v.path + way.length_air + way.length_water * T(sea_.group_index[line]);
@@ -121,11 +135,16 @@ void Connections<T>::to_telescope(const Vertex& v, std::int32_t order, const tra
                        : depths_through_surface(sea_, way, line, v.layer, depth);
   const T solid_angle = detector_solid_angle(telescope_, seen.cos_off_axis);
   const T etendue = telescope_.area() * seen.cos_off_axis * solid_angle / way.index_squared;
-  const T shift_area = instrument::shift_area(telescope_, seen.cos_off_axis);
-  const Joint from = leaving_laser(v, way.direction, line, T(1), T(1), shift_area);
+  const transport::Freedom<T> freedom{instrument::shift_area(telescope_, seen.cos_off_axis),
+                                      vertical_at(v.position)};
+  const T behind = v.behind.all(freedom.shift_area) + turned;
+  const Joint from = line == 0
+                         ? scattering_from_laser(sea_, v, behind, way.direction, T(1), freedom)
+                         : conversion_from_laser(sea_, v, behind, way.direction, line,
+                                                 world_.reversal, T(1), T(1), freedom);
   const T area =
       samples_.to_instrument * from.share * solid_angle / (way.per_area * way.index_squared) +
-      (mirrored ? T(0) : shift_area * from.meeting);
+      (mirrored ? T(0) : from.meeting);
   score(from.weight * way.passed * etendue *
             transport::balance(area, tau.all, tau.walk, from.end, transport::End<T>{}),
         path, depth, order);
@@ -137,7 +156,8 @@ void Connections<T>::to_laser() const {
   const Vec3<T> vertex = transport::fictitious_vertex(laser);
   if (!(transport::connectable_solid_angle(laser, vertex) > T(0))) return;
   for (std::int32_t m = 0; m < back_.vertices; ++m) {
-    const Vertex w = back_.in_path(m, {m + 1, world_.most_vertices});
+    Vertex room;
+    const Vertex& w = back_.in_path(m, {m + 1, world_.most_vertices}, room);
     if (!emits(w.line, w.layer)) continue;
     if (!laser.submerged) {
       to_laser(w, m + 1,
@@ -167,12 +187,12 @@ void Connections<T>::to_laser(const Vertex& w, std::int32_t order, const transpo
   const auto tau = laser.submerged ? depths_in_water(sea_, way, Index<T>(0), w.layer, depth,
                                                      world_.laser_layer, water, mirrored)
                                    : depths_through_surface(sea_, way, Index<T>(0), w.layer, depth);
-  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, back_.shift_area);
+  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, freedom_at(w));
   const T solid_angle =
       transport::connectable_solid_angle(laser, transport::fictitious_vertex(laser));
   const T area =
       samples_.to_instrument * to.share * solid_angle / (way.per_area * way.index_squared) +
-      (mirrored ? T(0) : back_.shift_area * to.meeting);
+      (mirrored ? T(0) : to.meeting);
   score(to.weight * way.passed *
             transport::balance(area, tau.all, tau.walk, transport::End<T>{}, to.end),
         path, last_depth(), order);
@@ -182,31 +202,39 @@ template <class T>
 [[gnu::flatten]] void Connections<T>::between(const Walk<T>& laser) const {
   for (std::int32_t i = 0; i < laser.vertices; ++i) {
     for (std::int32_t m = 0; m < back_.vertices; ++m) {
-      const Usable usable{i + m + 2, world_.most_vertices};
-      if (beyond_last(usable.order)) break;
+      if (beyond_last(i + m + 2)) break;
       if (!(laser.vertex[i].path + back_.vertex[m].path < world_.last_path)) break;
-      between(laser.in_path(i, usable), back_.in_path(m, usable), usable, i + 1);
+      between(laser, i, m);
     }
   }
 }
 
 template <class T>
-void Connections<T>::between(const Vertex& v, const Vertex& w, const Usable& usable,
-                             std::int32_t edge) const {
+void Connections<T>::between(const Walk<T>& laser, std::int32_t i, std::int32_t m) const {
+  const Usable usable{i + m + 2, world_.most_vertices};
+  Vertex v_room, w_room;
+  const Vertex& v = laser.in_path(i, usable, v_room);
+  const Vertex& w = back_.in_path(m, usable, w_room);
   const Vec3<T> there = w.position - v.position;
   const T length = std::sqrt(dot(there, there));
   const Vec3<T> direction = (T(1) / length) * there;
   if (emits(w.line, w.layer)) {
-    const Joint to = arrival_from_laser(sea_, w, -direction, world_.reversal, back_.shift_area);
-    along(0, scattering_from_laser(sea_, v, direction, to.goes_on, back_.shift_area), to, v, w,
-          length, usable, edge);
+    const transport::Freedom<T> freedom = freedom_at(w);
+    const T behind =
+        v.behind.all(freedom.shift_area) + laser.turned_before(i, usable, freedom.axis);
+    const Joint to = arrival_from_laser(sea_, w, -direction, world_.reversal, freedom);
+    along(0, scattering_from_laser(sea_, v, behind, direction, to.goes_on, freedom), to, v, w,
+          length, usable, i + 1);
   }
   if (w.line != 0 && emits(w.line, v.layer)) {
+    const transport::Freedom<T> freedom{back_.shift_area, vertical_at(v.position)};
+    const T behind =
+        v.behind.all(freedom.shift_area) + laser.turned_before(i, usable, freedom.axis);
     const T goes_on = T(1) - world_.reversal.chance(sea_, w.line, w.layer);
     along(w.line,
-          conversion_from_laser(sea_, v, direction, w.line, world_.reversal, w.chance,
-                                w.chance * goes_on, back_.shift_area),
-          scattering_of_converted(sea_, w, -direction), v, w, length, usable, edge);
+          conversion_from_laser(sea_, v, behind, direction, w.line, world_.reversal, w.chance,
+                                w.chance * goes_on, freedom),
+          scattering_of_converted(sea_, w, -direction), v, w, length, usable, i + 1);
   }
 }
 
@@ -223,34 +251,41 @@ void Connections<T>::along(Index<T> line, const Joint& from, const Joint& to, co
   T meeting(0);
   if (usable.meeting(edge)) meeting += from.meeting * to.end.p;
   if (usable.meeting(edge + 1)) meeting += to.meeting * from.end.p;
-  const T area =
-      samples_.between * from.share * to.share * length * length + back_.shift_area * meeting;
+  const T area = samples_.between * from.share * to.share * length * length + meeting;
   score(from.weight * to.weight * balance(area, tau, walk_tau, from.end, to.end), path,
         last_depth(), usable.order);
 }
 
+/// Calls act(i, m, usable) for all rays i of the laser's walk and m of the telescope's, from
+/// `first` on, that may meet in time.
 template <class T>
-[[gnu::flatten]] void Connections<T>::meetings(const Walk<T>& laser, T offset) const {
-  if (!(back_.shift_area > T(0))) return;
-  for (std::int32_t m = 0; m < back_.rays; ++m) {
+template <class Act>
+void Connections<T>::each_pair(const Walk<T>& laser, std::int32_t first, Act act) const {
+  for (std::int32_t m = first; m < back_.rays; ++m) {
     const transport::Ray<T>& back = back_.ray[m];
     for (std::int32_t i = 0; i < laser.rays; ++i) {
       const transport::Ray<T>& out = laser.ray[i];
       const Usable usable{i + m + 1, world_.most_vertices};
       if (beyond_last(usable.order) || !(out.path + back.path < world_.last_path)) break;
-      if (!(out.direction.z * back.direction.z > T(0))) continue;
-      const auto chord = transport::chord(out, back, telescope_, back_.lens, world_.deepest);
-      if (chord.exists) meetings(laser, i, m, usable, chord, offset);
+      if (out.direction.z * back.direction.z > T(0)) act(i, m, usable);
     }
   }
 }
 
 template <class T>
-void Connections<T>::meetings(const Walk<T>& laser, std::int32_t i, std::int32_t m,
-                              const Usable& usable, const transport::Chord<T>& chord,
-                              T offset) const {
-  const transport::Ray<T>& out = laser.ray[i];
-  const transport::Ray<T>& back = back_.ray[m];
+[[gnu::flatten]] void Connections<T>::shifted(const Walk<T>& laser, T offset) const {
+  if (!(back_.shift_area > T(0))) return;
+  each_pair(laser, 0, [&](std::int32_t i, std::int32_t m, const Usable& usable) {
+    const auto chord =
+        transport::chord(laser.ray[i], back_.ray[m], telescope_, back_.lens, world_.deepest);
+    if (chord.exists) shifted(laser, i, m, usable, chord, offset);
+  });
+}
+
+template <class T>
+void Connections<T>::shifted(const Walk<T>& laser, std::int32_t i, std::int32_t m,
+                             const Usable& usable, const transport::Chord<T>& chord,
+                             T offset) const {
   const auto& grid = samples_.grid;
   const T last = grid.number(chord.to) - offset;
   for (T j = std::ceil(grid.number(chord.from) - offset); j < last; j += T(1)) {
@@ -259,15 +294,55 @@ void Connections<T>::meetings(const Walk<T>& laser, std::int32_t i, std::int32_t
                                          chord.lens.y + depth * chord.per_depth.y};
     if (!open_at(telescope_, lens) || !sight(telescope_, lens, -back_.outward).on_detector)
       continue;
-    const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
-    if (!emits(back.line, layer)) continue;
-    const auto meeting =
-        meet(sea_, laser.ray_in_path(i, usable), laser.spread(i), laser.behind(i, usable),
-             back_.ray_in_path(m, usable), back_.spread(m), back_.behind(m, usable), depth, layer,
-             back_.shift_area, world_.reversal, samples_);
-    if (meeting.path < world_.last_path)
-      score(meeting.value, meeting.path, m > 0 ? last_depth() : depth, usable.order);
+    const Vec3<T> shift = in_space(telescope_, lens) - in_space(telescope_, back_.lens);
+    transport::Vertical<T> axis = back_.axis;
+    axis.x += shift.x;
+    axis.y += shift.y;
+    meet_at(laser, i, m, usable, back_.ray[m], axis, depth, T(1));
   }
+}
+
+template <class T>
+[[gnu::flatten]] void Connections<T>::turned(const Walk<T>& laser) const {
+  if (!(samples_.turned > T(0)) || !back_.axis.exists) return;
+  const transport::Vertex<T>& converting = back_.vertex[back_.converted];
+  const transport::Ray<T>& left = back_.ray[back_.converted + 1];
+  const Index<T> phase = sea_.conversion_phase[receiver_.line];
+  each_pair(laser, back_.converted + 1, [&](std::int32_t i, std::int32_t m, const Usable& usable) {
+    const transport::Ray<T>& back = back_.ray[m];
+    const auto crossings = transport::crossings(laser.ray[i], back, back_.axis, world_.deepest);
+    for (std::size_t n = 0; n < crossings.depth.size(); ++n) {
+      if (!crossings.exists[n]) continue;
+      const T depth = crossings.depth[n];
+      const auto turn = transport::turn_to_meet(laser.ray[i], back, back_.axis, depth);
+      transport::Ray<T> moved = back;
+      moved.position = turn.of_place(back.position);
+      moved.direction = turn.of_direction(back.direction);
+      // The angle of the conversion has changed, and with it all densities of the walk alike.
+      const T gain =
+          left.per_p * phase_value(sea_, converting, turn.of_direction(left.direction), phase);
+      meet_at(laser, i, m, usable, moved, back_.axis, depth, gain);
+    }
+  });
+}
+
+/// `back`: the telescope's ray m, `axis`: its walk's, as they have been moved.
+template <class T>
+void Connections<T>::meet_at(const Walk<T>& laser, std::int32_t i, std::int32_t m,
+                             const Usable& usable, const transport::Ray<T>& back,
+                             const transport::Vertical<T>& axis, T depth, T gain) const {
+  const transport::Ray<T>& out = laser.ray[i];
+  const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
+  if (!emits(back.line, layer)) return;
+  const T reach = (-depth - out.position.z) / out.direction.z;
+  const transport::Freedom<T> freedom{
+      back_.shift_area, back.line == 0 ? axis : vertical_at(out.position + reach * out.direction)};
+  transport::Side<T> home = back_.side(m, usable, {back_.shift_area, back_.axis});
+  const auto meeting =
+      meet(sea_, laser.side(i, usable, freedom), {back, home.spread, home.behind, home.last}, depth,
+           layer, freedom, world_.reversal, samples_);
+  if (meeting.path < world_.last_path)
+    score(gain * meeting.value, meeting.path, m > 0 ? last_depth() : depth, usable.order);
 }
 
 }  // namespace photic::engine

@@ -111,6 +111,7 @@ struct World {
   std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
   T deepest{};  ///< where light may turn back within the last gate, at most [m]
   transport::MeetingGrid<T> meeting_grid;  ///< of the bidirectional estimator
+  bool turns = false;     ///< a telescope's walk may be turned about where it converts
   T connected{1};         ///< share of the telescope's walks that are connected with a laser's walk
   std::size_t walks = 0;  ///< of the laser in a set; 0: the forward estimator
   std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
@@ -188,6 +189,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
                     axis_in_water(world.laser.axis, world.laser.submerged,
                                   T(medium.line.front().refractive_index)),
                     medium.beam_lobe};
+  world.turns = world.reversal.beam.x == T(0) && world.reversal.beam.y == T(0);
   world.makes_choices = scene.simulation.directed_fraction > 0 || medium.line.size() > 1;
   world.roulette_threshold = T(roulette_threshold);
   if (scene.simulation.estimator == "bidirectional")

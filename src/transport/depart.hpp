@@ -2,6 +2,7 @@
 // telescope with converted light, becomes light of the laser's line.
 #pragma once
 
+#include "core/constants.hpp"
 #include "core/turn.hpp"
 #include "medium/medium.hpp"
 #include "transport/vertex.hpp"
@@ -9,11 +10,13 @@
 namespace photic::transport {
 
 /// How a walk from a telescope turns conversions back: how often, and where to. Converted light
-/// leaves in all directions, but the light it was made of comes along the laser's beam.
+/// leaves in all directions, but the light it was made of comes along the laser's beam. Where that
+/// is vertical, the densities depend on the angle to the vertical alone.
 template <class T>
 struct Reversal {
   T probability{};  ///< at a vertex
-  T directed{};     ///< share of directions drawn about the beam, with the shape `lobe`
+  T directed{};     ///< share of directions drawn about the beam, with the shape `lobe`; the rest
+                    ///< is drawn from all alike
   Vec3<T> beam;     ///< of the laser in the water, a unit vector
   Index<T> lobe{};  ///< a table of the medium
 
@@ -26,7 +29,8 @@ struct Reversal {
   /// The density of directions drawn over the phase function's value `p`.
   T over_phase(const medium::MediumView& sea, const Vec3<T>& direction, const T& p) const {
     const T x = one_minus_cos(beam, direction);
-    return T(1) - directed + directed * sea.phases.template value<T>(x, lobe) / p;
+    return ((T(1) - directed) * T(0.25 / pi) + directed * sea.phases.template value<T>(x, lobe)) /
+           p;
   }
 };
 
@@ -74,12 +78,13 @@ Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon, const Reve
   photon.order = photon.order + Index<T>(1);
 
   const Mask<T> to_beam = converts & (u.mixture < reversal.directed);
-  const T x = sea.phases.template sample<T>(u.polar, select(to_beam, reversal.lobe, phase));
+  const T drawn = sea.phases.template sample<T>(u.polar, select(to_beam, reversal.lobe, phase));
+  const T x = select(converts, select(to_beam, drawn, T(2) * u.polar), drawn);
   const auto [cosine, sine] = cos_sin_of_turns(u.azimuth);
   const Vec3<T> old = photon.direction;
-  photon.direction = turned(select(to_beam, reversal.beam, old), x, cosine, sine);
-  departure.p =
-      sea.phases.template value<T>(select(to_beam, one_minus_cos(old, photon.direction), x), phase);
+  photon.direction = turned(select(converts, reversal.beam, old), x, cosine, sine);
+  departure.p = sea.phases.template value<T>(
+      select(converts, one_minus_cos(old, photon.direction), x), phase);
   departure.chance =
       departure.chance *
       select(converts, reversal.over_phase(sea, photon.direction, departure.p), T(1));

@@ -16,7 +16,19 @@ struct Joint {
   T weight{};    ///< of the walk with this collision
   T share{1};    ///< h of a connection
   T goes_on{1};  ///< h on the laser's side of the edge, as far as this end decides it
-  T meeting{};   ///< n h / g of meeting at this end, as far as this end decides it, over A
+  T meeting{};   ///< n h / g of meeting at this end, as far as this end decides it
+};
+
+/// How the telescope's walk of a path may be moved as a whole.
+template <class T>
+struct Freedom {
+  T shift_area{};    ///< sideways [m^2]
+  Vertical<T> axis;  ///< or turned, beyond where it converts
+
+  /// n h / g of meeting at a vertex that is left in a direction, but for P and the edge beyond.
+  T meeting(const Vertex<T>& v, const Vec3<T>& direction) const {
+    return shift_area * turning(v.meeting, direction.z) + turn_at(v, direction).about(axis);
+  }
 };
 
 template <class T>
@@ -26,16 +38,17 @@ T phase_value(const medium::MediumView& sea, const Vertex<T>& v, const Vec3<T>& 
 }
 
 /// The laser's walk, scattered into a direction of the laser's light. `goes_on`: of the other end;
-/// `shift_area`: of the telescope's walk.
+/// `behind`: the densities behind the vertex.
 template <class T>
-Joint<T> scattering_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
-                               const Vec3<T>& direction, const T& goes_on, const T& shift_area) {
+Joint<T> scattering_from_laser(const medium::MediumView& sea, const Vertex<T>& v, const T& behind,
+                               const Vec3<T>& direction, const T& goes_on,
+                               const Freedom<T>& freedom) {
   const Index<T> here = sea.at(v.line, v.layer);
   Joint<T> joint;
   joint.end.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
   joint.end.open = goes_on * v.open;
-  joint.end.behind = goes_on * (v.behind.edges + shift_area * v.behind.meetings);
-  joint.meeting = goes_on * turning(v.meeting, direction.z);
+  joint.end.behind = goes_on * behind;
+  joint.meeting = goes_on * freedom.meeting(v, direction);
   joint.weight = v.weight * gather<T>(sea.albedo, here);
   return joint;
 }
@@ -44,18 +57,17 @@ Joint<T> scattering_from_laser(const medium::MediumView& sea, const Vertex<T>& v
 /// this light: `chance` is that of a walk up to it, `goes_on` with its not being converted there;
 /// both 1 where the other end is a telescope.
 template <class T>
-Joint<T> conversion_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
+Joint<T> conversion_from_laser(const medium::MediumView& sea, const Vertex<T>& v, const T& behind,
                                const Vec3<T>& direction, const Index<T>& line,
                                const Reversal<T>& reversal, const T& chance, const T& goes_on,
-                               const T& shift_area) {
+                               const Freedom<T>& freedom) {
   const T ratio = walk_c_ratio<T>(sea, line, v.layer);
   Joint<T> joint;
   joint.end.p = phase_value(sea, v, direction, gather_index<T>(sea.conversion_phase, line));
   joint.end.open = goes_on * v.open;
-  const T converted = goes_on * reversal.chance(sea, line, v.layer) *
-                      reversal.over_phase(sea, -v.direction, joint.end.p);
-  joint.end.behind = converted * (v.behind.edges + shift_area * v.behind.meetings);
-  joint.meeting = goes_on * ratio * turning(v.meeting, direction.z);
+  joint.end.behind = goes_on * reversal.chance(sea, line, v.layer) *
+                     reversal.over_phase(sea, -v.direction, joint.end.p) * behind;
+  joint.meeting = goes_on * ratio * freedom.meeting(v, direction);
   joint.weight = v.weight * ratio * gather<T>(sea.conversion, sea.at(line, v.layer));
   joint.share = chance * ratio;
   return joint;
@@ -66,7 +78,7 @@ Joint<T> conversion_from_laser(const medium::MediumView& sea, const Vertex<T>& v
 template <class T>
 Joint<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
                             const Vec3<T>& direction, const Reversal<T>& reversal,
-                            const T& shift_area) {
+                            const Freedom<T>& freedom) {
   const Index<T> here = sea.at(v.line, v.layer);
   const Mask<T> converts = v.line > Index<T>(0);
   const T ratio = walk_c_ratio<T>(sea, v.line, v.layer);  // 1 for the laser's line
@@ -75,8 +87,8 @@ Joint<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
                             select(converts, gather_index<T>(sea.conversion_phase, v.line),
                                    gather_index<T>(sea.elastic_phase, here)));
   joint.end.open = ratio * v.open;
-  joint.end.behind = v.behind.edges + shift_area * v.behind.meetings;  // 0 before a conversion
-  joint.meeting = turning(v.meeting, direction.z);
+  joint.end.behind = v.behind.all(freedom.shift_area);  // 0 before a conversion
+  joint.meeting = freedom.meeting(v, direction);
   joint.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),
                                    gather<T>(sea.albedo, here));
   joint.share = v.chance;

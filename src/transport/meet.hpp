@@ -1,14 +1,36 @@
 // Meetings of a ray of the laser's walk with one of a telescope's walk, which is shifted sideways
-// for it (vertex.hpp tells why).
+// for it, or turned about where it converts (vertex.hpp tells why).
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "instrument/lens.hpp"
 #include "transport/depart.hpp"
+#include "transport/joint.hpp"
 #include "transport/vertex.hpp"
 
 namespace photic::transport {
+
+/// The depths that two rays have in common if both go down or both up.
+template <class T>
+struct Span {
+  Mask<T> exists;
+  T from, to;  ///< depth [m]
+};
+/// `deepest`: of the water [m].
+template <class T>
+Span<T> common_span(const Ray<T>& laser, const Ray<T>& back, const T& deepest) {
+  const Mask<T> down = laser.direction.z < T(0);
+  const T laser_depth = -laser.position.z;
+  const T back_depth = -back.position.z;
+  const T lower = select(laser_depth > back_depth, laser_depth, back_depth);
+  const T upper = select(laser_depth < back_depth, laser_depth, back_depth);
+  const T from = select(down, lower, T(0));
+  const T to = select(down, deepest, upper);
+  const Mask<T> same_way = laser.direction.z * back.direction.z > T(0);
+  return {Mask<T>(same_way & (to > from)), from, to};
+}
 
 /// The depths between which two rays can meet so that the telescope's walk comes through the lens.
 template <class T>
@@ -44,18 +66,84 @@ Chord<T> chord(const Ray<T>& laser, const Ray<T>& back, const instrument::Telesc
   c.from = select(moves, middle, T(0)) - reach;
   c.to = select(moves, middle, T(0)) + reach;
 
-  const Mask<T> down = laser.direction.z < T(0);
-  const T laser_depth = -laser.position.z;
-  const T back_depth = -back.position.z;
-  const T lower = select(laser_depth > back_depth, laser_depth, back_depth);
-  const T upper = select(laser_depth < back_depth, laser_depth, back_depth);
-  const T least = select(down, lower, T(0));
-  const T most = select(down, deepest, upper);
-  c.from = select(c.from > least, c.from, least);
-  c.to = select(c.to < most, c.to, most);
-  const Mask<T> same_way = laser.direction.z * back.direction.z > T(0);
-  c.exists = same_way & select(moves, half > T(0), inside) & (c.to > c.from);
+  const Span<T> span = common_span(laser, back, deepest);
+  c.from = select(c.from > span.from, c.from, span.from);
+  c.to = select(c.to < span.to, c.to, span.to);
+  c.exists = span.exists & select(moves, half > T(0), inside) & (c.to > c.from);
   return c;
+}
+
+/// The depths, at most two, at which a telescope's ray meets a laser's if it is turned about a
+/// vertical: where both are as far from it.
+template <class T>
+struct Crossings {
+  std::array<Mask<T>, 2> exists;
+  std::array<T, 2> depth;  ///< [m]
+};
+
+template <class T>
+Crossings<T> crossings(const Ray<T>& laser, const Ray<T>& back, const Vertical<T>& axis,
+                       const T& deepest) {
+  using std::copysign;
+  using std::sqrt;
+  const Span<T> span = common_span(laser, back, deepest);
+  const T a = T(-1) / laser.direction.z;
+  const T b = T(-1) / back.direction.z;
+  const T out = (span.from + laser.position.z) * a;
+  const T home = (span.from + back.position.z) * b;
+  // From the axis, at the depth where the span begins; and per metre of depth.
+  const instrument::PlanePoint<T> at{laser.position.x + out * laser.direction.x - axis.x,
+                                     laser.position.y + out * laser.direction.y - axis.y};
+  const instrument::PlanePoint<T> bt{back.position.x + home * back.direction.x - axis.x,
+                                     back.position.y + home * back.direction.y - axis.y};
+  const instrument::PlanePoint<T> am{a * laser.direction.x, a * laser.direction.y};
+  const instrument::PlanePoint<T> bm{b * back.direction.x, b * back.direction.y};
+  const T square = am.x * am.x + am.y * am.y - (bm.x * bm.x + bm.y * bm.y);
+  const T half = at.x * am.x + at.y * am.y - (bt.x * bm.x + bt.y * bm.y);
+  const T constant = (at.x - bt.x) * (at.x + bt.x) + (at.y - bt.y) * (at.y + bt.y);
+  const T discriminant = half * half - square * constant;
+  const Mask<T> real = axis.exists & span.exists & (discriminant > T(0));
+  const T root = sqrt(select(real, discriminant, T(0)));
+  const T q = -(half + copysign(root, half));
+  const T length = span.to - span.from;
+  Crossings<T> c;
+  const std::array<T, 2> beyond{q / square, constant / q};
+  for (std::size_t i = 0; i < 2; ++i) {
+    c.depth[i] = span.from + beyond[i];
+    c.exists[i] = real & (beyond[i] > T(0)) & (beyond[i] < length);
+  }
+  return c;
+}
+
+/// A turn about a vertical.
+template <class T>
+struct Rotation {
+  Vertical<T> axis;
+  T cosine, sine;
+
+  Vec3<T> of_direction(const Vec3<T>& d) const {
+    return {cosine * d.x - sine * d.y, sine * d.x + cosine * d.y, d.z};
+  }
+  Vec3<T> of_place(const Vec3<T>& p) const {
+    const Vec3<T> foot{axis.x, axis.y, T(0)};
+    return foot + of_direction(p - foot);
+  }
+};
+
+/// The turn that brings a telescope's ray to a laser's at a depth where both are as far from the
+/// vertical.
+template <class T>
+Rotation<T> turn_to_meet(const Ray<T>& laser, const Ray<T>& back, const Vertical<T>& axis,
+                         const T& depth) {
+  using std::sqrt;
+  const T out = (-laser.position.z - depth) / laser.direction.z;
+  const T home = (-back.position.z - depth) / back.direction.z;
+  const T ax = laser.position.x + out * laser.direction.x - axis.x;
+  const T ay = laser.position.y + out * laser.direction.y - axis.y;
+  const T bx = back.position.x + home * back.direction.x - axis.x;
+  const T by = back.position.y + home * back.direction.y - axis.y;
+  const T per = T(1) / sqrt((ax * ax + ay * ay) * (bx * bx + by * by));
+  return {axis, per * (ax * bx + ay * by), per * (bx * ay - by * ax)};
 }
 
 /// What a meeting contributes, and where.
@@ -65,13 +153,22 @@ struct Meeting {
   T path{};  ///< [m]
 };
 
-/// A laser's ray and a telescope's that meet at a depth in a layer. `laser_behind`, `behind`: the
-/// densities behind the rays; a spread is that of a ray from an instrument.
+/// One side of a meeting.
 template <class T>
-Meeting<T> meet(const medium::MediumView& sea, const Ray<T>& laser, const Spread<T>* laser_spread,
-                const Densities<T>& laser_behind, const Ray<T>& back, const Spread<T>* spread,
-                const Densities<T>& behind, const T& depth, const Index<T>& layer,
-                const T& shift_area, const Reversal<T>& reversal, const Samples<T>& samples) {
+struct Side {
+  const Ray<T>& ray;
+  const Spread<T>* spread;  ///< if it is the instrument's ray
+  T behind{};               ///< densities behind the ray
+  T last{};                 ///< of meeting where the ray begins, but for what is beyond it
+};
+
+/// A laser's ray and a telescope's that meet at a depth in a layer.
+template <class T>
+Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const Side<T>& side,
+                const T& depth, const Index<T>& layer, const Freedom<T>& freedom,
+                const Reversal<T>& reversal, const Samples<T>& samples) {
+  const Ray<T>& laser = laser_side.ray;
+  const Ray<T>& back = side.ray;
   const Index<T> line = back.line;
   const Index<T> here = sea.at(line, layer);
   const Mask<T> converts = line > Index<T>(0);
@@ -96,21 +193,21 @@ Meeting<T> meet(const medium::MediumView& sea, const Ray<T>& laser, const Spread
 
   // Strategies, each with n h / g times p and the walked exp(-tau) of both rays.
   const T steep = laser.direction.z * back.direction.z;
-  const T here_met = samples.meeting(depth) * shift_area * back.chance * steep / walk_c;
+  const T swept = sweep(laser.position + out * laser.direction, laser.direction, back.direction)
+                      .about(freedom.axis);
+  const T here_met =
+      (samples.meeting(depth) * freedom.shift_area * steep + samples.turned * T(2 * pi) * swept) *
+      back.chance / walk_c;
   const T ratio = walk_c_ratio<T>(sea, line, layer);
   const T connected =
-      back.chance * connecting_area(sea, laser, laser_spread, out, samples) * walked_home +
-      ratio * connecting_area(sea, back, spread, home, samples) * walked_out;
+      back.chance * connecting_area(sea, laser, laser_side.spread, out, samples) * walked_home +
+      ratio * connecting_area(sea, back, side.spread, home, samples) * walked_out;
   const T goes_on = back.chance * select(converts,
                                          reversal.chance(sea, line, layer) *
                                              reversal.over_phase(sea, -laser.direction, p),
                                          T(1));
-  const T met_next =
-      shift_area * (goes_on * turning(laser.meeting, laser.direction.z) * walked_home +
-                    turning(back.meeting, back.direction.z) * walked_out);
-  const T met_behind = walked_out * walked_home *
-                       (goes_on * (laser_behind.edges + shift_area * laser_behind.meetings) +
-                        behind.edges + shift_area * behind.meetings);
+  const T met_next = goes_on * laser_side.last * walked_home + side.last * walked_out;
+  const T met_behind = walked_out * walked_home * (goes_on * laser_side.behind + side.behind);
   Meeting<T> meeting;
   meeting.value = laser.weight * back.weight * coefficient * p * exp_minus(tau) /
                   (here_met + connected + p * (met_next + met_behind));

@@ -7,18 +7,23 @@
 // same all over a horizontal plane, a telescope's walk may be shifted sideways as long as it still
 // comes through the lens: strategy "meeting at x_i" draws everything but x_i, a ray of the laser's
 // walk and one of the telescope's towards it included, and shifts the second so that they meet at a
-// chosen depth. It alone draws the peaks of phase functions on both sides of the point where light
-// turns back.
+// chosen depth. It draws the peaks of phase functions on both sides of the point where light turns
+// back. "Turning about x_q at x_i", i < q, does the same for light that is converted at x_q: it
+// leaves there with densities that depend on the angle to the vertical alone, so that the
+// telescope's walk beyond x_q may be turned about the vertical through it, until the two rays meet.
 //
 // The density of a strategy is in proportion to n h / g: n samples of it exist in a set of walks; h
 // is the chance that walks choose, between scattering and conversion, as the path does; and
 //   1 / g = d^2 exp(tau) / (P_j P_{j+1})                 connecting edge j of length d,
 //   1 / g = A |cos cos'| exp(tau + tau') / (c' P_i)      meeting at x_i, per metre of depth,
+//   1 / g = 2 pi S exp(tau + tau') / (c' P_i)            turning so that they meet at x_i,
 // with tau by the coefficient c' that free paths are drawn from, cos, cos', tau, tau' of the edges
-// on both sides and A the telescope's shift_area. Vertices carry the sums of n h / g over what lies
-// behind them, so that a connection knows the densities of all strategies at once.
+// on both sides, A the telescope's shift_area and S the Sweep of both directions. Vertices carry
+// the sums of n h / g over what lies behind them, so that a connection knows the densities of all
+// strategies at once.
 #pragma once
 
+#include "core/constants.hpp"
 #include "core/elementary.hpp"
 #include "medium/medium.hpp"
 #include "transport/crossing.hpp"
@@ -59,10 +64,45 @@ struct Samples {
   T to_instrument{1};  ///< connecting a walk to the instrument at the other end
   T between{1};        ///< connecting two walks
   T pairs{1};          ///< of walks whose rays meet
+  T turned{};          ///< of walks turned so that their rays meet
   MeetingGrid<T> grid;
 
   /// Of meetings, per metre of depth.
   T meeting(const T& depth) const { return pairs * grid.density(depth); }
+};
+
+/// A vertical about which a walk may be turned: that through where it converts.
+template <class T>
+struct Vertical {
+  Mask<T> exists{};
+  T x{}, y{};  ///< [m]
+};
+
+/// |e_z x (x - axis) . (w x w')|, S: the volume that two rays of directions w and w' sweep about
+/// where they meet, per solid angle of both and turn about the axis. A walk turned about the axis
+/// keeps it.
+template <class T>
+struct Sweep {
+  T x{}, y{};          ///< where they meet [m]
+  T along{}, aside{};  ///< w x w', its horizontal part
+
+  T about(const Vertical<T>& axis) const {
+    using std::abs;
+    return select(axis.exists, T(abs((x - axis.x) * aside - (y - axis.y) * along)), T(0));
+  }
+};
+template <class T>
+Sweep<T> sweep(const Vec3<T>& place, const Vec3<T>& a, const Vec3<T>& b) {
+  return {place.x, place.y, a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z};
+}
+
+/// n h / g of turning a walk so that rays meet at a vertex.
+template <class T>
+struct Turn {
+  T density{};  ///< over the sweep [1/m]
+  Sweep<T> sweep{};
+
+  T about(const Vertical<T>& axis) const { return density * sweep.about(axis); }
 };
 
 /// Sums of n h / g.
@@ -70,6 +110,9 @@ template <class T>
 struct Densities {
   T edges{};     ///< of connecting edges
   T meetings{};  ///< of meetings, over the telescope's shift_area [1/m^2]
+  T turned{};    ///< of turning, about the walk's own vertical
+
+  T all(const T& shift_area) const { return edges + shift_area * meetings + turned; }
 };
 
 /// How a walk's light spreads from its instrument: from a point, in directions that are dense as
@@ -118,7 +161,8 @@ struct Ray : WalkPoint<T> {
   T per_p{1};             ///< 1 over the phase function's value at the vertex [sr]
   Densities<T> last{};    ///< of what is complete by this ray's direction
   Densities<T> behind{};  ///< of all that is complete
-  T meeting{};  ///< n h / g of meeting at the vertex, but for what is this ray's: P included
+  T meeting{};   ///< n h / g of meeting at the vertex, but for what is this ray's: P included
+  Turn<T> turn{};  ///< the same of turning
 };
 
 /// A walk as it arrives where it collides, before this collision.
@@ -128,6 +172,8 @@ struct Vertex : WalkPoint<T> {
   T open{};             ///< n h / g of connecting the last edge, times P here; 0: it cannot be
   T meeting{};          ///< n h / g of meeting here, but for P and for the edge beyond; its sign is
                         ///< that of the arriving direction's z
+  T turn{};             ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
+  Turn<T> last_turn{};    ///< of turning to meet at the vertex before, complete by the last edge
   Densities<T> last{};  ///< of what has become complete by the last edge
   Densities<T> behind{};  ///< of all that is complete
 };
@@ -159,6 +205,14 @@ T turning(const T& meeting, const T& z) {
   return select(product > T(0), product, T(0));
 }
 
+/// n h / g of turning walks to meet at a vertex that is left in a direction, but for P and the edge
+/// beyond.
+template <class T>
+Turn<T> turn_at(const Vertex<T>& v, const Vec3<T>& direction) {
+  const Mask<T> turns_back = v.direction.z * direction.z < T(0);
+  return {select(turns_back, v.turn, T(0)), sweep(v.position, v.direction, direction)};
+}
+
 /// How a walk left a vertex.
 template <class T>
 struct Departure {
@@ -177,9 +231,13 @@ Ray<T> next_ray(const Photon<T>& photon, const Vertex<T>& from, const Departure<
   ray.per_p = T(1) / departure.p;
   ray.last.edges = departure.density * from.open * ray.per_p;
   ray.last.meetings = from.last.meetings;
+  ray.last.turned = from.last.turned;
+  ray.behind = from.behind;
   ray.behind.edges = from.behind.edges + ray.last.edges;
-  ray.behind.meetings = from.behind.meetings;
-  ray.meeting = select(departure.density > T(0), from.meeting * ray.per_p, T(0));
+  const Mask<T> known = departure.density > T(0);
+  ray.meeting = select(known, from.meeting * ray.per_p, T(0));
+  ray.turn = turn_at(from, photon.direction);
+  ray.turn.density = select(known, ray.turn.density * ray.per_p, T(0));
   return ray;
 }
 
@@ -194,10 +252,11 @@ T connecting_area(const medium::MediumView& sea, const Ray<T>& ray, const Spread
          solid_angle_per_area(sea, *spread, ray.line, length, T(abs(ray.direction.z)));
 }
 
-/// The vertex where a photon collides that came by a ray.
+/// The vertex where a photon collides that came by a ray. `axis`: that of the walk.
 template <class T>
 Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Spread<T>* spread,
-                    const Photon<T>& photon, const Leg<T>& leg, const Samples<T>& samples) {
+                    const Photon<T>& photon, const Leg<T>& leg, const Vertical<T>& axis,
+                    const Samples<T>& samples) {
   Vertex<T> v{walk_point(photon)};
   v.chance = ray.chance;
   const T growth = T(1) / exp_minus(leg.walk_tau);
@@ -205,12 +264,17 @@ Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Spre
   // A mirrored first edge can be connected: to the instrument's mirror image.
   v.open = connecting_area(sea, ray, spread, leg.length, samples) *
            (spread == nullptr ? straight : growth);
-  v.meeting = samples.meeting(-photon.position.z) * ray.chance * straight * photon.direction.z /
-              gather<T>(sea.walk_c, sea.at(photon.line, photon.layer));
+  const T drawn = ray.chance * straight / gather<T>(sea.walk_c, sea.at(photon.line, photon.layer));
+  v.meeting = samples.meeting(-photon.position.z) * drawn * photon.direction.z;
+  v.turn = samples.turned * T(2 * pi) * drawn;
+  v.last_turn = ray.turn;
+  v.last_turn.density = ray.turn.density * straight;
   v.last.edges = ray.last.edges;
   v.last.meetings = turning(ray.meeting, straight * photon.direction.z);
+  v.last.turned = v.last_turn.about(axis);
   v.behind.edges = ray.behind.edges;
   v.behind.meetings = ray.behind.meetings + v.last.meetings;
+  v.behind.turned = ray.behind.turned + v.last.turned;
   return v;
 }
 

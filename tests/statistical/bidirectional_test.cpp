@@ -89,7 +89,8 @@ class Estimators : public testing::TestWithParam<Case> {};
 // that of the emitted one where light is converted.
 TEST_P(Estimators, AgreeInEveryGateAndOrder) {
   const Case& c = GetParam();
-  const auto forward = simulate(c, "forward", c.forward_photons);
+  // The forward estimator converges faster if it converts less often.
+  const auto forward = simulate(c, "forward", c.forward_photons, "conversion_probability = 0.15\n");
   const auto bidirectional = simulate(c, "bidirectional", c.bidirectional_photons);
   const Compared compared = compare(bidirectional, forward);
   std::printf("%s: %zu gates, rms z %.2f; %zu orders, rms z %.2f\n", c.name.c_str(),
@@ -122,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"VehicleLookingDown",
              vehicle("-1.0", -5) + three_channels + inelastic_water(0.06, wide_phase, 0) +
                  range_gates,
-             1.2e7, 4e5, 4, 8},
+             1.2e7, 8e5, 4, 8},
         Case{"VehicleLookingUp",
              vehicle("1.0", -8) + channel("elastic") + water(0.06, 0.1, wide_phase) +
                  "[gates]\nrange_min_m = 3.0\nrange_max_m = 8.0\nrange_step_m = 1.0\n",

@@ -58,7 +58,9 @@ struct Sea {
   Sea& operator=(const Sea&) = delete;
 };
 
-const transport::Samples<double> samples{1, 0.3, 2, {0, 30, 20}};
+constexpr transport::MeetingGrid<double> grid{0, 30, 20};
+/// Also of walks that may be turned: as many as of those that may be shifted.
+const transport::Samples<double> shifted{1, 0.3, 2, 0, grid}, turned{1, 0.3, 2, 2, grid};
 
 scene::Source laser_at(const V& position, const V& direction) {
   scene::Source source;
@@ -84,16 +86,21 @@ scene::Telescope telescope_at(const V& position, const V& direction) {
 /// What the engine scores for a path by each strategy that draws it, by name.
 class Scores {
  public:
-  Scores(const World<double>& world, const medium::Medium& medium, const Path& path, double length)
-      : world_(world), path_(path), window_(medium, length), tally_(window_.shape, window_.gates) {
+  Scores(const World<double>& world, const transport::Samples<double>& samples,
+         const medium::Medium& medium, const Path& path, double length)
+      : world_(world),
+        samples_(samples),
+        path_(path),
+        window_(medium, length),
+        tally_(window_.shape, window_.gates) {
     receiver_ = {0, 0, world.telescope_layer[0], path.line};
   }
 
   double connecting(std::int32_t edge) {
     const std::int32_t k = path_.order();
-    const auto laser = laser_walk(world_, samples, path_, edge, false);
-    const auto back = telescope_walk(world_, samples, path_, k - edge, false);
-    const Connections<double> connections(world_, receiver_, samples, back, tally_);
+    const auto laser = laser_walk(world_, samples_, path_, edge, false);
+    const auto back = telescope_walk(world_, samples_, path_, k - edge, false);
+    const Connections<double> connections(world_, receiver_, samples_, back, tally_);
     if (edge == 0) {
       connections.to_laser();
     } else if (edge == k) {
@@ -104,12 +111,29 @@ class Scores {
     return taken();
   }
 
+  /// Connecting edge 0 by a telescope's walk that goes on to other places and is converted there.
+  double connecting_first_of_a_longer(const Path& longer) {
+    const auto back = telescope_walk(world_, samples_, longer, longer.order(), false);
+    Connections<double>(world_, receiver_, samples_, back, tally_).to_laser();
+    return taken();
+  }
+
   double meeting(std::int32_t i) {
-    const auto laser = laser_walk(world_, samples, path_, i - 1, true);
-    const auto back = telescope_walk(world_, samples, path_, path_.order() - i, true);
-    const Connections<double> connections(world_, receiver_, samples, back, tally_);
-    const double number = samples.grid.number(-path_.x(i).z);
-    connections.meetings(laser, number - std::floor(number));
+    const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
+    const auto back = telescope_walk(world_, samples_, path_, path_.order() - i, true);
+    const Connections<double> connections(world_, receiver_, samples_, back, tally_);
+    const double number = grid.number(-path_.x(i).z);
+    connections.shifted(laser, number - std::floor(number));
+    return taken();
+  }
+
+  /// The telescope's walk comes otherwise turned than the path.
+  double turning(std::int32_t i, double angle) {
+    const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
+    const auto other = turned_before_conversion(path_, angle);
+    const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true);
+    const Connections<double> connections(world_, receiver_, samples_, back, tally_);
+    connections.turned(laser);
     return taken();
   }
 
@@ -121,6 +145,7 @@ class Scores {
   }
 
   const World<double>& world_;
+  const transport::Samples<double>& samples_;
   const Path& path_;
   Receiver<double> receiver_;
   Window window_;
@@ -128,7 +153,7 @@ class Scores {
 };
 
 struct Counts {
-  int connected = 0, met = 0;
+  int connected = 0, met = 0, turned = 0;
 };
 
 /// Every strategy that draws the path with walks of at most `most` vertices gives what the direct
@@ -136,9 +161,11 @@ struct Counts {
 Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_vertices) {
   Counts counts;
   sea.world.most_vertices = most;
+  const bool turns = sea.world.reversal.beam.x == 0 && sea.world.reversal.beam.y == 0;
+  const auto& samples = turns ? turned : shifted;
   const Strategies expected(sea.world, sea.medium, samples, path, most);
   const double value = expected.value();
-  Scores scores(sea.world, sea.medium, path, expected.group_path());
+  Scores scores(sea.world, samples, sea.medium, path, expected.group_path());
   for (std::int32_t e = 0; e <= path.order(); ++e) {
     if (expected.connecting(e) == 0) continue;
     EXPECT_NEAR(scores.connecting(e) / value, 1, 1e-10) << "connecting edge " << e;
@@ -148,6 +175,11 @@ Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_v
     if (expected.meeting(i) == 0) continue;
     EXPECT_NEAR(scores.meeting(i) / value, 1, 1e-10) << "meeting at " << i;
     ++counts.met;
+  }
+  for (std::int32_t i = 1; i < path.converted; ++i) {
+    if (expected.turning(i) == 0) continue;
+    EXPECT_NEAR(scores.turning(i, 1.0 + i) / value, 1, 1e-8) << "turning to meet at " << i;
+    ++counts.turned;
   }
   return counts;
 }
@@ -347,6 +379,27 @@ TEST(Strategies, OfWalksThatEndEarlyAgree) {
     }
   }
   EXPECT_GT(met, 30);
+}
+
+// What a walk does beyond a path's vertices is no part of the path. Seen red: with the vertical of
+// the telescope's walk for that of the path, where the laser's light arrives.
+TEST(Strategies, OfPathsThatAWalkGoesBeyondAgree) {
+  Random random(108);
+  const Place place = above_water()[0];
+  Sea sea(place.source, place.telescope);
+  for (int n = 0; n < 100; ++n) {
+    auto path = random_path(random, 2, 5.1, 11.9);
+    path.line = 2;
+    path.converted = 1 + n % 2;
+    auto longer = path;
+    longer.vertex.insert(longer.vertex.begin(), random_path(random, 2, 5.1, 11.9).vertex[0]);
+    longer.converted = n % 2 == 0 ? 1 : 3;
+    SCOPED_TRACE("path " + std::to_string(n));
+    sea.world.most_vertices = most_vertices;
+    const Strategies expected(sea.world, sea.medium, turned, path, most_vertices);
+    Scores scores(sea.world, turned, sea.medium, path, expected.group_path());
+    EXPECT_NEAR(scores.connecting_first_of_a_longer(longer) / expected.value(), 1, 1e-10);
+  }
 }
 
 }  // namespace

@@ -34,6 +34,20 @@ struct Path {
   }
 };
 
+/// The path with all that is drawn from the telescope beyond the conversion turned about the
+/// vertical through it.
+inline Path turned_before_conversion(const Path& path, double angle) {
+  Path turned = path;
+  const V& axis = path.x(path.converted);
+  for (std::int32_t i = 1; i < path.converted; ++i) {
+    const V from = path.x(i) - axis;
+    V& to = turned.vertex[static_cast<std::size_t>(i - 1)];
+    to.x = axis.x + (std::cos(angle) * from.x - std::sin(angle) * from.y);
+    to.y = axis.y + (std::sin(angle) * from.x + std::cos(angle) * from.y);
+  }
+  return turned;
+}
+
 /// The direction from one place to another, by way of the surface if it is mirrored.
 inline V direction_to(const V& from, const V& to, bool mirrored) {
   return normalised(V{to.x, to.y, mirrored ? -to.z : to.z} - from);
@@ -74,7 +88,7 @@ class Writer {
     fly_to(place, leg);
     photon_.weight *= world_.sea.collision_gain[here()];
     walk.add(transport::vertex_on(world_.sea, walk.last_ray(), walk.spread(walk.rays - 1), photon_,
-                                  leg, samples_));
+                                  leg, walk.axis, samples_));
   }
 
   /// Goes on towards the next place. Only a telescope's walk `converts`.
@@ -95,6 +109,7 @@ class Writer {
       photon_.weight *=
           transport::conversion_per_emitted_c<double>(world_.sea, photon_.line, photon_.layer);
       photon_.line = 0;
+      walk.converts();
     } else {
       photon_.weight *= world_.sea.albedo[here()];
     }

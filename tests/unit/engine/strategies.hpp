@@ -51,22 +51,34 @@ struct Strategies {
   }
   /// The same of meeting at vertex i.
   [[nodiscard]] double meeting(std::int32_t i) const {
-    if (i > most || path.order() - i + 1 > most) return 0;
     const double steep = -at(i - 1).arriving.z * at(i).leaving.z;
-    if (steep <= 0 || at(i - 1).mirrored || at(i).mirrored) return 0;
-    return samples.meeting(-path.x(i).z) * shift_area * steep *
-           std::exp(at(i - 1).walk_tau + at(i).walk_tau) * chance_of_meeting(i) /
-           (walk_c(i) * phase(i));
+    return samples.meeting(-path.x(i).z) * shift_area * steep * drawn_but(i);
+  }
+  /// The same of turning about the conversion so that rays meet at vertex i.
+  [[nodiscard]] double turning(std::int32_t i) const {
+    if (i >= path.converted) return 0;
+    const V radius = path.x(i) - path.x(path.converted);
+    const V around{-radius.y, radius.x, 0};
+    return samples.turned * 2 * pi *
+           std::abs(dot(around, cross(at(i - 1).arriving, at(i).leaving))) * drawn_but(i);
   }
   /// What each strategy gives.
   [[nodiscard]] double value() const {
     double sum = 0;
     for (std::int32_t e = 0; e <= path.order(); ++e) sum += connecting(e);
-    for (std::int32_t i = 1; i <= path.order(); ++i) sum += meeting(i);
+    for (std::int32_t i = 1; i <= path.order(); ++i) sum += meeting(i) + turning(i);
     return common / sum;
   }
 
  private:
+  /// Where rays can meet at vertex i: 1 over what is not drawn of it.
+  [[nodiscard]] double drawn_but(std::int32_t i) const {
+    if (i > most || path.order() - i + 1 > most) return 0;
+    if (at(i - 1).arriving.z * at(i).leaving.z >= 0 || at(i - 1).mirrored || at(i).mirrored)
+      return 0;
+    return std::exp(at(i - 1).walk_tau + at(i).walk_tau) * chance_of_meeting(i) /
+           (walk_c(i) * phase(i));
+  }
   [[nodiscard]] const Edge& at(std::int32_t e) const { return edge[static_cast<std::size_t>(e)]; }
   [[nodiscard]] std::int32_t layer(std::int32_t i) const { return medium.layer_at(-path.x(i).z); }
   /// A value [line][layer] at a vertex.
@@ -110,7 +122,8 @@ struct Strategies {
     const auto& r = world.reversal;
     const double lobe = world.sea.phases.value<double>(
         one_minus_cos(r.beam, -at(path.converted - 1).arriving), r.lobe);
-    return reversal(path.converted) * (1 - r.directed + r.directed * lobe / phase(path.converted));
+    return reversal(path.converted) * ((1 - r.directed) / (4 * pi) + r.directed * lobe) /
+           phase(path.converted);
   }
   [[nodiscard]] double chance_of_connecting(std::int32_t e) const {
     if (path.converted == 0) return 1;

@@ -102,7 +102,8 @@ TEST(Depart, TurnsConversionsBackWithItsChance) {
                              before.direction, photon.direction);
       ASSERT_NEAR(departure.p / p, 1, 1e-9);
       const double lobe = phase(sea, henyey_greenstein, back.beam, photon.direction);
-      ASSERT_NEAR(departure.chance, 0.3 * (0.4 + 0.6 * lobe / p), 1e-9 * departure.chance);
+      ASSERT_NEAR(departure.chance, 0.3 * (0.4 / (4 * pi) + 0.6 * lobe) / p,
+                  1e-9 * departure.chance);
     }
     test::expect_chi_squared(count, {0.7, 0.3}, samples, 0.001, "conversions");
   }

@@ -67,6 +67,29 @@ template <class P, class S, class F>
 void fields(P& a, S& b, F f) {
   f(a.edges, b.edges, "edges");
   f(a.meetings, b.meetings, "meetings");
+  f(a.turned, b.turned, "turned");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Vertical>
+void fields(P& a, S& b, F f) {
+  f(a.exists, b.exists, "axis exists");
+  f(a.x, b.x, "axis x");
+  f(a.y, b.y, "axis y");
+}
+template <class P, class S, class F>
+  requires is_packed<P, Freedom>
+void fields(P& a, S& b, F f) {
+  f(a.shift_area, b.shift_area, "shift area");
+  fields(a.axis, b.axis, f);
+}
+template <class P, class S, class F>
+  requires is_packed<P, Turn>
+void fields(P& a, S& b, F f) {
+  f(a.density, b.density, "turn density");
+  f(a.sweep.x, b.sweep.x, "sweep x");
+  f(a.sweep.y, b.sweep.y, "sweep y");
+  f(a.sweep.along, b.sweep.along, "sweep along");
+  f(a.sweep.aside, b.sweep.aside, "sweep aside");
 }
 /// Of four that all go through the surface, or none.
 template <class P, class S, class F>
@@ -96,6 +119,7 @@ void fields(P& a, S& b, F f) {
   fields(a.last, b.last, f);
   fields(a.behind, b.behind, f);
   f(a.meeting, b.meeting, "meeting");
+  fields(a.turn, b.turn, f);
 }
 template <class P, class S, class F>
   requires is_packed<P, Vertex>
@@ -104,6 +128,8 @@ void fields(P& a, S& b, F f) {
   f(a.chance, b.chance, "chance");
   f(a.open, b.open, "open");
   f(a.meeting, b.meeting, "meeting");
+  f(a.turn, b.turn, "turn");
+  fields(a.last_turn, b.last_turn, f);
   fields(a.last, b.last, f);
   fields(a.behind, b.behind, f);
 }
@@ -158,6 +184,7 @@ void fields(P& a, S& b, F f) {
   f(a.to_instrument, b.to_instrument, "to instrument");
   f(a.between, b.between, "between");
   f(a.pairs, b.pairs, "pairs");
+  f(a.turned, b.turned, "turned");
   fields(a.grid, b.grid, f);
 }
 template <class P, class S, class F>
@@ -168,6 +195,13 @@ void fields(P& a, S& b, F f) {
   f(a.to, b.to, "to");
   fields(a.lens, b.lens, f);
   fields(a.per_depth, b.per_depth, f);
+}
+template <class P, class S, class F>
+  requires is_packed<P, Rotation>
+void fields(P& a, S& b, F f) {
+  fields(a.axis, b.axis, f);
+  f(a.cosine, b.cosine, "cosine");
+  f(a.sine, b.sine, "sine");
 }
 template <class P, class S, class F>
   requires is_packed<P, Meeting>

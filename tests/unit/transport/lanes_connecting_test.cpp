@@ -167,13 +167,27 @@ TEST(LanesOf, ConnectRay) {
 }
 
 Samples<double> random_samples(Random& random) {
-  return {1, random.uniform(), 5, {random.between(0, 5), 30, random.scale(1, 100)}};
+  return {1,
+          random.uniform(),
+          5,
+          random.below(3) * 1.0,
+          {random.between(0, 5), 30, random.scale(1, 100)}};
 }
 Reversal<double> random_reversal(Random& random) {
   return {random.uniform(), random.uniform(), random.direction(), random.below(5)};
 }
 Densities<double> random_densities(Random& random) {
-  return {random.scale(1e-3, 1e3), random.scale(1e-3, 1e3)};
+  return {random.scale(1e-3, 1e3), random.scale(1e-3, 1e3), random.scale(1e-3, 1e3)};
+}
+Vertical<double> random_vertical(Random& random) {
+  return {random.chance(0.7), random.between(-5, 5), random.between(-5, 5)};
+}
+Freedom<double> random_freedom(Random& random) {
+  return {random.uniform(), random_vertical(random)};
+}
+Turn<double> random_turn(Random& random) {
+  const auto place = 5 * random.direction();
+  return {random.uniform(), sweep(place, random.direction(), random.direction())};
 }
 
 Ray<double> random_ray(const medium::Medium& sea, Random& random) {
@@ -184,6 +198,7 @@ Ray<double> random_ray(const medium::Medium& sea, Random& random) {
   ray.last = random_densities(random);
   ray.behind = random_densities(random);
   ray.meeting = random.between(-1, 1);
+  ray.turn = random_turn(random);
   return ray;
 }
 
@@ -198,6 +213,8 @@ Vertex<double> random_vertex(const medium::Medium& sea, Random& random) {
           random.uniform(),
           random.chance(0.2) ? 0 : random.uniform(),
           random.between(-1, 1),
+          random.uniform(),
+          random_turn(random),
           random_densities(random),
           random_densities(random)};
 }
@@ -226,6 +243,7 @@ TEST(LanesOf, VertexOn) {
     const auto samples = random_samples(random);
     const auto ray = four([&] { return random_ray(sea, random); });
     const auto before = four([&] { return random_photon(sea, random); });
+    const auto axis = four([&] { return random_vertical(random); });
     auto photon = four([&] { return random_photon(sea, random); });
     Four<Leg<double>> leg;
     for (auto& one : leg) one.mirrored = random.chance(0.3);
@@ -238,14 +256,15 @@ TEST(LanesOf, VertexOn) {
     const bool first = random.chance(0.5);
     auto leg4 = pack_fields<Leg>(leg);
     add_flight(sea.view(), pack(before), pack(photon), leg4);
-    const auto vertex4 = vertex_on(sea.view(), pack_fields<Ray>(ray), first ? &spread4 : nullptr,
-                                   pack(photon), leg4, in_all_lanes(samples));
+    const auto vertex4 =
+        vertex_on(sea.view(), pack_fields<Ray>(ray), first ? &spread4 : nullptr, pack(photon), leg4,
+                  pack_fields<Vertical>(axis), in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
       add_flight(sea.view(), before[i], photon[i], leg[i]);
       expect_same_fields(leg4, i, leg[i]);
-      expect_same_fields(
-          vertex4, i,
-          vertex_on(sea.view(), ray[i], first ? &spread[i] : nullptr, photon[i], leg[i], samples));
+      expect_same_fields(vertex4, i,
+                         vertex_on(sea.view(), ray[i], first ? &spread[i] : nullptr, photon[i],
+                                   leg[i], axis[i], samples));
     }
   }
 }
@@ -290,24 +309,27 @@ TEST(LanesOf, Joints) {
     const auto direction = four([&] { return random.direction(); });
     const auto line = four([&] { return random.below(3); });
     const auto chance = uniforms4(random), goes_on = uniforms4(random), area = uniforms4(random),
-               tau = uniforms4(random), walk_tau = uniforms4(random);
-    const auto scattered4 =
-        scattering_from_laser(view, vertex4, pack(direction), pack(goes_on), pack(area));
+               behind = uniforms4(random), tau = uniforms4(random), walk_tau = uniforms4(random);
+    const auto freedom = four([&] { return random_freedom(random); });
+    const auto freedom4 = pack_fields<Freedom>(freedom);
+    const auto scattered4 = scattering_from_laser(view, vertex4, pack(behind), pack(direction),
+                                                  pack(goes_on), freedom4);
     const auto converted4 =
-        conversion_from_laser(view, vertex4, pack(direction), pack(line), reversal4, pack(chance),
-                              pack(goes_on), pack(area));
-    const auto arrived4 = arrival_from_laser(view, vertex4, pack(direction), reversal4, pack(area));
+        conversion_from_laser(view, vertex4, pack(behind), pack(direction), pack(line), reversal4,
+                              pack(chance), pack(goes_on), freedom4);
+    const auto arrived4 = arrival_from_laser(view, vertex4, pack(direction), reversal4, freedom4);
     const auto last4 = scattering_of_converted(view, vertex4, pack(direction));
     const auto balance4 =
         balance(pack(area), pack(tau), pack(walk_tau), scattered4.end, arrived4.end);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& v = vertex[i];
-      const auto scattered = scattering_from_laser(view, v, direction[i], goes_on[i], area[i]);
-      const auto arrived = arrival_from_laser(view, v, direction[i], reversal, area[i]);
+      const auto scattered =
+          scattering_from_laser(view, v, behind[i], direction[i], goes_on[i], freedom[i]);
+      const auto arrived = arrival_from_laser(view, v, direction[i], reversal, freedom[i]);
       expect_same_fields(scattered4, i, scattered);
       expect_same_fields(converted4, i,
-                         conversion_from_laser(view, v, direction[i], line[i], reversal, chance[i],
-                                               goes_on[i], area[i]));
+                         conversion_from_laser(view, v, behind[i], direction[i], line[i], reversal,
+                                               chance[i], goes_on[i], freedom[i]));
       expect_same_fields(arrived4, i, arrived);
       expect_same_fields(last4, i, scattering_of_converted(view, v, direction[i]));
       expect_same(balance4[i], balance(area[i], tau[i], walk_tau[i], scattered.end, arrived.end),
@@ -350,23 +372,24 @@ TEST(LanesOf, ChordAndMeet) {
     });
     auto spread4 = pack_fields<Spread>(spread);
     spread4.through_surface = true;
-    const auto a = four([&] { return random_densities(random); });
-    const auto b = four([&] { return random_densities(random); });
-    const auto area = uniforms4(random);
-    const auto meeting4 =
-        meet(sea.view(), laser4, first ? &spread4 : nullptr, pack_fields<Densities>(a), back4,
-             last ? &spread4 : nullptr, pack_fields<Densities>(b), pack(depth), pack(layer),
-             pack(area), in_all_lanes(reversal), in_all_lanes(samples));
+    const auto a = uniforms4(random), a_last = uniforms4(random), b = uniforms4(random),
+               b_last = uniforms4(random);
+    const auto freedom = four([&] { return random_freedom(random); });
+    const auto meeting4 = meet<Lanes4>(
+        sea.view(), {laser4, first ? &spread4 : nullptr, pack(a), pack(a_last)},
+        {back4, last ? &spread4 : nullptr, pack(b), pack(b_last)}, pack(depth), pack(layer),
+        pack_fields<Freedom>(freedom), in_all_lanes(reversal), in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto c = chord(laser[i], back[i], telescope, lens[i], 40.0);
       expect_same_fields(chord4, i, c);
       exists += c.exists;
       const auto meeting =
-          meet(sea.view(), laser[i], first ? &spread[i] : nullptr, a[i], back[i],
-               last ? &spread[i] : nullptr, b[i], depth[i], layer[i], area[i], reversal, samples);
-      // A meeting is promised ahead of both rays alone.
+          meet<double>(sea.view(), {laser[i], first ? &spread[i] : nullptr, a[i], a_last[i]},
+                       {back[i], last ? &spread[i] : nullptr, b[i], b_last[i]}, depth[i], layer[i],
+                       freedom[i], reversal, samples);
+      // A meeting is promised ahead of both rays alone, none of them level.
       const auto ahead = [&](const Ray<double>& r) {
-        return (-depth[i] - r.position.z) / r.direction.z > 0;
+        return r.direction.z != 0 && (-depth[i] - r.position.z) / r.direction.z > 0;
       };
       if (!ahead(laser[i]) || !ahead(back[i])) continue;
       expect_same_fields(meeting4, i, meeting);
@@ -375,6 +398,38 @@ TEST(LanesOf, ChordAndMeet) {
   }
   EXPECT_GT(exists, groups / 4);
   EXPECT_GT(met, groups / 4);
+}
+
+TEST(LanesOf, CrossingsAndTurns) {
+  Random random(70);
+  const auto sea = make_sea(40);
+  int crossed = 0;
+  for (int g = 0; g < groups; ++g) {
+    auto laser = four([&] { return random_ray(sea, random); });
+    auto back = four([&] { return random_ray(sea, random); });
+    for (std::size_t i = 0; i < lanes; ++i)
+      if (random.chance(0.8)) back[i].direction.z = laser[i].direction.z;
+    const auto axis = four([&] { return random_vertical(random); });
+    const auto depth = four([&] { return random.between(0, 39); });
+    const auto laser4 = pack_fields<Ray>(laser), back4 = pack_fields<Ray>(back);
+    const auto axis4 = pack_fields<Vertical>(axis);
+    const auto crossings4 = crossings(laser4, back4, axis4, Lanes4(40));
+    const auto turn4 = turn_to_meet(laser4, back4, axis4, pack(depth));
+    const auto place4 = turn4.of_place(back4.position);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const auto c = crossings(laser[i], back[i], axis[i], 40.0);
+      for (std::size_t n = 0; n < 2; ++n) {
+        expect_same(crossings4.exists[n][i], c.exists[n], "crosses");
+        if (!c.exists[n]) continue;
+        expect_same(crossings4.depth[n][i], c.depth[n], "depth");
+        ++crossed;
+      }
+      const auto turn = turn_to_meet(laser[i], back[i], axis[i], depth[i]);
+      expect_same_fields(turn4, i, turn);
+      expect_same(place4, i, turn.of_place(back[i].position), "place");
+    }
+  }
+  EXPECT_GT(crossed, groups / 4);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "support/random.hpp"
 #include "unit/instrument/telescopes.hpp"
 #include "unit/transport/refracted_rays.hpp"
@@ -101,6 +103,115 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
   EXPECT_GT(parallel, 100);
   EXPECT_GT(inside, 10000);
   EXPECT_GT(outside, 10000);
+}
+
+/// How far a ray's place at a depth is from a vertical, squared.
+double off_axis(const Ray<double>& ray, const Vertical<double>& axis, double depth) {
+  const V place = ray.position + (-depth - ray.position.z) / ray.direction.z * ray.direction;
+  const double x = place.x - axis.x, y = place.y - axis.y;
+  return x * x + y * y;
+}
+
+// Against a search in small steps; and the turn brings the rays together.
+TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
+  Random random(503);
+  constexpr double deepest = 40;
+  constexpr int steps = 2000;
+  int crossed = 0, twice = 0, none = 0;
+  scene::Telescope scene = instrument::random_telescope(random);
+  const auto telescope = instrument::make_telescope<double>(scene);
+  for (int n = 0; n < 2000; ++n) {
+    const Pair pair = random_pair(telescope, random);
+    const Vertical<double> axis{true, random.between(-5, 5), random.between(-5, 5)};
+    const auto c = crossings(pair.laser, pair.back, axis, deepest);
+    int found = 0;
+    const bool same_way = pair.laser.direction.z * pair.back.direction.z > 0;
+    const bool down = pair.laser.direction.z < 0;
+    const double a = -pair.laser.position.z, b = -pair.back.position.z;
+    const double from = down ? std::max(a, b) : 0, to = down ? deepest : std::min(a, b);
+    const auto difference = [&](double depth) {
+      return off_axis(pair.laser, axis, depth) - off_axis(pair.back, axis, depth);
+    };
+    for (int i = 0; same_way && to > from && i < steps; ++i) {
+      const double upper = from + (to - from) * i / steps;
+      const double lower = from + (to - from) * (i + 1) / steps;
+      if (difference(upper) * difference(lower) >= 0) continue;
+      ++found;
+      EXPECT_TRUE((c.exists[0] && c.depth[0] > upper - 1e-9 && c.depth[0] < lower + 1e-9) ||
+                  (c.exists[1] && c.depth[1] > upper - 1e-9 && c.depth[1] < lower + 1e-9))
+          << n << " " << upper;
+    }
+    const int told = c.exists[0] + c.exists[1];
+    // Two crossings may hide in one step.
+    if (told != 2 || found != 0) {
+      ASSERT_EQ(told, found) << n;
+    }
+    (told == 0 ? none : told == 1 ? crossed : twice) += 1;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!c.exists[i]) continue;
+      const auto turn = turn_to_meet(pair.laser, pair.back, axis, c.depth[i]);
+      const auto at = [&](const Ray<double>& r) {
+        return r.position + (-c.depth[i] - r.position.z) / r.direction.z * r.direction;
+      };
+      Ray<double> back = pair.back;
+      back.position = turn.of_place(back.position);
+      back.direction = turn.of_direction(back.direction);
+      EXPECT_LT(length(at(back) - at(pair.laser)), 1e-5) << n;
+      EXPECT_NEAR(length(back.direction), 1, 1e-14);
+      EXPECT_NEAR(off_axis(back, axis, 3), off_axis(pair.back, axis, 3),
+                  1e-12 * off_axis(back, axis, 3));
+    }
+  }
+  EXPECT_GT(crossed, 200);
+  EXPECT_GT(twice, 50);
+  EXPECT_GT(none, 300);
+}
+
+// The volume that two rays sweep about where they meet, against finite differences: how the place
+// where they meet, and the turn, follow from both directions.
+TEST(Sweep, IsVolumePerSolidAngleAndTurn) {
+  Random random(504);
+  for (int n = 0; n < 1000; ++n) {
+    const V laser{random.between(-1, 1), random.between(-1, 1), -1};
+    const V back{random.between(-1, 1), random.between(-1, 1), -2};
+    const V met{random.between(-8, 8), random.between(-8, 8), -random.between(10, 30)};
+    const Vertical<double> axis{true, random.between(-1, 1), random.between(-1, 1)};
+    // Columns: how both directions change with the place in x, y, z, and with the turn of `back`.
+    const auto directions = [&](const V& place, double angle) {
+      const V foot{axis.x, axis.y, 0};
+      const V r = place - foot;
+      const V turned{std::cos(angle) * r.x - std::sin(angle) * r.y,
+                     std::sin(angle) * r.x + std::cos(angle) * r.y, r.z};
+      return std::array<V, 2>{normalised(place - laser), normalised(foot + turned - back)};
+    };
+    const auto [w, v] = directions(met, 0);
+    // Two directions across each.
+    const V wa = normalised(cross(w, V{0.3, 0.5, 0.8})), wb = cross(w, wa);
+    const V va = normalised(cross(v, V{0.3, 0.5, 0.8})), vb = cross(v, va);
+    std::array<std::array<double, 4>, 4> m{};
+    const std::array<V, 3> axes{V{1, 0, 0}, V{0, 1, 0}, V{0, 0, 1}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto at = [&](double h) {
+        return directions(k < 3 ? met + h * axes[k] : met, k < 3 ? 0 : h);
+      };
+      const std::array<V, 4> across{wa, wb, va, vb};
+      for (std::size_t i = 0; i < 4; ++i)
+        m[i][k] = derivative([&](double h) { return dot(at(h)[i / 2], across[i]); }, 0, 1e-3);
+    }
+    double determinant = 1;  // by elimination
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::size_t pivot = k;
+      for (std::size_t i = k + 1; i < 4; ++i)
+        if (std::abs(m[i][k]) > std::abs(m[pivot][k])) pivot = i;
+      std::swap(m[k], m[pivot]);
+      determinant *= m[k][k];
+      for (std::size_t i = k + 1; i < 4; ++i)
+        for (std::size_t j = 4; j-- > k;) m[i][j] -= m[i][k] / m[k][k] * m[k][j];
+    }
+    const double t = length(met - laser), s = length(met - back);
+    const double expected = sweep(met, w, v).about(axis);
+    ASSERT_NEAR(std::abs(determinant) * t * t * s * s, expected, 1e-6 * (1 + expected)) << n;
+  }
 }
 
 }  // namespace
