@@ -392,8 +392,9 @@ TEST(Strategies, OfPathsThatAWalkGoesBeyondAgree) {
     path.line = 2;
     path.converted = 1 + n % 2;
     auto longer = path;
-    longer.vertex.insert(longer.vertex.begin(), random_path(random, 2, 5.1, 11.9).vertex[0]);
-    longer.converted = n % 2 == 0 ? 1 : 3;
+    const auto beyond = random_path(random, 2, 5.1, 11.9);
+    longer.vertex.insert(longer.vertex.begin(), beyond.vertex.begin(), beyond.vertex.end());
+    longer.converted = n % 2 == 0 ? 2 : 4;
     SCOPED_TRACE("path " + std::to_string(n));
     sea.world.most_vertices = most_vertices;
     const Strategies expected(sea.world, sea.medium, turned, path, most_vertices);
