@@ -1,7 +1,6 @@
 #include "optics/mie.hpp"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/tools/fraction.hpp>
 #include <cmath>
 #include <limits>
@@ -48,15 +47,14 @@ Complex coefficient(Complex factor, double psi, double psi_before, double chi, d
   return numerator / (numerator + Complex(-rest.imag(), rest.real()));
 }
 
-/// Angles that are summed side by side, in the lanes of the processor.
+/// Angles that are summed side by side, in the compilers' vector extension.
 constexpr std::size_t abreast = 4;
-using Angles = std::array<double, abreast>;
+using Angles = double __attribute__((vector_size(abreast * sizeof(double))));
 
-/// Sum and difference of S1 and S2 [abreast].
+/// Sum and difference of S1 and S2.
 struct Sums {
   Angles plus_re{}, plus_im{}, minus_re{}, minus_im{};
 
-  /// Half of both, by angle.
   [[nodiscard]] MieAmplitudes at(std::size_t j) const {
     const Complex plus(plus_re[j], plus_im[j]), minus(minus_re[j], minus_im[j]);
     return {0.5 * (plus + minus), 0.5 * (plus - minus)};
@@ -64,27 +62,23 @@ struct Sums {
 };
 
 /// Wiscombe 1980, sec. III: S1 +- S2 are sums of (a +- b) (pi +- tau).
-Sums sum_orders(const std::vector<Complex>& a, const std::vector<Complex>& b,
-                const Angles& cosine) {
-  Sums sums;
-  Angles pi_before{}, pi;
-  pi.fill(1);
+void sum_orders(const std::vector<Complex>& a, const std::vector<Complex>& b, const Angles& cosine,
+                Sums& sums) {
+  Angles pi_before{}, pi = pi_before + 1;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double n = static_cast<double>(i) + 1;
-    const double weight = (2 * n + 1) / (n * (n + 1));
+    const double weight = (2 * n + 1) / (n * (n + 1)), ratio = (n + 1) / n;
     const Complex plus = weight * (a[i] + b[i]), minus = weight * (a[i] - b[i]);
-    for (std::size_t j = 0; j < abreast; ++j) {
-      const double rise = cosine[j] * pi[j] - pi_before[j];
-      const double tau = n * rise - pi_before[j];
-      const double add = pi[j] + tau, subtract = pi[j] - tau;
-      sums.plus_re[j] += plus.real() * add;
-      sums.plus_im[j] += plus.imag() * add;
-      sums.minus_re[j] += minus.real() * subtract;
-      sums.minus_im[j] += minus.imag() * subtract;
-      pi_before[j] = std::exchange(pi[j], cosine[j] * pi[j] + (n + 1) / n * rise);
-    }
+    const Angles along = cosine * pi, rise = along - pi_before;
+    const Angles tau = n * rise - pi_before;
+    const Angles add = pi + tau, subtract = pi - tau;
+    sums.plus_re += plus.real() * add;
+    sums.plus_im += plus.imag() * add;
+    sums.minus_re += minus.real() * subtract;
+    sums.minus_im += minus.imag() * subtract;
+    pi_before = pi;
+    pi = along + ratio * rise;
   }
-  return sums;
 }
 
 }  // namespace
@@ -141,8 +135,9 @@ void MieSphere::amplitudes(std::span<const double> cosines, std::span<MieAmplitu
   for (std::size_t first = 0; first < out.size(); first += abreast) {
     const std::size_t count = std::min(abreast, out.size() - first);
     Angles cosine{};
-    std::copy_n(cosines.begin() + static_cast<std::ptrdiff_t>(first), count, cosine.begin());
-    const Sums sums = sum_orders(a_, b_, cosine);
+    for (std::size_t j = 0; j < count; ++j) cosine[j] = cosines[first + j];
+    Sums sums;
+    sum_orders(a_, b_, cosine, sums);
     for (std::size_t j = 0; j < count; ++j) out[first + j] = sums.at(j);
   }
 }
