@@ -93,7 +93,8 @@ TEST(Constituents, ScatterAsPetzoldMeasuredIfAsked) {
   EXPECT_NE(m.view().phases.value<double>(2.0, m.elastic_phase[0]), forward);
 }
 
-// At the laser's wavelength and at Raman's, with the index that water has there.
+// At the laser's wavelength and at Raman's, with the index that water has there. Seen red: with the
+// paper's minerals; with the wavelength in air; with the laser's for both.
 TEST(Constituents, ScatterAsThePapersSpheresIfAsked) {
   auto scene = scene_of({algae_layer(1)}, {test::channel_of("elastic"), test::channel_of("raman")});
   scene.optics.phytoplankton_phase = "mie";

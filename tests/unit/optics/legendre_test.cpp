@@ -20,7 +20,8 @@ TEST(Legendre, IntegratesPolynomialsAndSmoothFunctions) {
   }
 }
 
-// Henyey & Greenstein's function, whose coefficients are (2 l + 1) g^l / (4 pi).
+// Henyey & Greenstein's function, whose coefficients are (2 l + 1) g^l / (4 pi). Seen red: with 2 l
+// for 2 l + 1; with 2 l + 2 in the recurrence.
 TEST(Legendre, HoldsAFunctionByItsValuesAtTheNodes) {
   const double g = 0.9;
   const PhaseShape function = henyey_greenstein(g);
@@ -44,6 +45,7 @@ TEST(Legendre, KeepsTheDigitsOfSmallAngles) {
   EXPECT_NEAR(slope, -90 * 91 / 2.0, 0.05);
 }
 
+// Seen red: with odd numbers of nodes let through.
 TEST(Legendre, RefusesWhatMakesNoSense) {
   EXPECT_THROW(GaussRule(0), ContractViolation);
   EXPECT_THROW(GaussRule(7), ContractViolation);

@@ -1,7 +1,5 @@
 #include "optics/spheres.hpp"
 
-#include <ctime>
-
 #include "optics/mie.hpp"
 #include "optics/refractive_index.hpp"
 #include "optics/sea_particles.hpp"
@@ -60,6 +58,8 @@ struct Direct {
   }
 };
 
+// Seen red: with panels never halved; with the error estimated as 0; with half the angles; with p
+// over extinction; without absorption.
 TEST(Spheres, AreTheDirectSumOverTheirSizes) {
   const std::vector<double> degrees{0, 0.01, 1, 7, 33.3, 90, 120, 150, 170, 177, 179.5, 180};
   for (const Spheres& spheres : all_kinds()) {
@@ -74,7 +74,8 @@ TEST(Spheres, AreTheDirectSumOverTheirSizes) {
   }
 }
 
-// Over the angles, against the sums of coefficients.
+// Over the angles, against the sums of coefficients. Seen red: with p over extinction; with g not
+// weighted by the scattering.
 TEST(Spheres, ConserveEnergy) {
   for (const Spheres& spheres : all_kinds()) {
     const SpheresOptics optics = optics_of_spheres(spheres);
@@ -100,7 +101,8 @@ TEST(Spheres, OfOneSizeAreOneSphere) {
 }
 
 // Radii 0.01-1 um and 0.1-10 um in water of index 1.34: computed before with at least 160 radii a
-// distribution, by another program, to the digits given.
+// distribution, by another program, to the digits given. Seen red: with numbers per radius
+// for those per ln(radius); without absorption.
 TEST(Spheres, OfThePaperScatterAsWasComputedBefore) {
   const auto b_back = [](const Spheres& s) {
     return PhaseTable(phase_of_spheres(shared(s))).backscatter_fraction();
@@ -144,7 +146,8 @@ TEST(Spheres, FitIntoAPhaseTable) {
   }
 }
 
-// The forward peak of minerals up to 10 um, and what a table makes of their glory.
+// The forward peak of minerals up to 10 um, outside the glory, which is narrower than the table's
+// cells. Seen red: with half the core's share.
 TEST(Spheres, KeepTheForwardPeakOfLargeSpheres) {
   const auto optics = shared(in_water(paper_minerals));
   const PhaseShape shape = phase_of_spheres(optics);
@@ -156,21 +159,20 @@ TEST(Spheres, KeepTheForwardPeakOfLargeSpheres) {
   EXPECT_NEAR(shape.core_mass / (2 * pi * PhaseView::x_core * optics->phase.at(0)), 1, 1e-3);
 }
 
+// Seen red: with the refusal left out.
 TEST(Spheres, TooLargeForAPhaseTableAreRefused) {
   const auto optics = shared({0.4 * um, 1.5, 0, Junge{4, 10 * um, 10.001 * um}});
   expect_contains(message<InputError>([&] { phase_of_spheres(optics); }),
                   "has detail that is too fine: as tabulated by the program it integrates to");
 }
 
-// Processor time, since a machine has other things to do.
-TEST(Spheres, OfThePaperTakeLessThanTwoSeconds) {
-  for (const SeaParticles& particles : {paper_phytoplankton, paper_minerals}) {
-    const std::clock_t start = std::clock();
-    optics_of_spheres(in_water(particles));
-    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 2.0);
-  }
+// What its time goes with: at most a second for either of these.
+TEST(Spheres, OfThePaperNeedFewRadii) {
+  EXPECT_LE(optics_of_spheres(in_water(paper_phytoplankton)).radii, 300);
+  EXPECT_LE(optics_of_spheres(in_water(paper_minerals)).radii, 5000);
 }
 
+// Seen red: computed each time.
 TEST(Spheres, AreComputedOnceForEachKind) {
   const SpheresCache cache;
   const Spheres first = all_kinds()[0];
