@@ -33,8 +33,8 @@ void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of,
     medium.conversion.push_back(l == 0 ? 0.0 : emitted[l - 1].coefficient_per_m[k] / medium.c[k]);
     const double given_back = l == 0 ? emitted_per_m(emitted, scene, k, water.a_per_m) : 0.0;
     medium.absorption.push_back((water.a_per_m - given_back) / c);
-    medium.elastic_phase.push_back(
-        medium.add_phase(optics::PhaseTable(optics_of.phase(layer, water))));
+    medium.elastic_phase.push_back(medium.add_phase(
+        optics::PhaseTable(optics_of.phase(layer, medium.line[l].wavelength_nm, water))));
     for (const auto& source : water.sources) {
       medium.sources.push_back(
           fmt::format("layer {} at {:.2f} nm: {}", k, medium.line[l].wavelength_nm, source));

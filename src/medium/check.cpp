@@ -37,6 +37,8 @@ class Checker {
  private:
   void drop_bad_channels();
   void check_phase_function(const scene::PhaseFunction& function, const std::string& path);
+  void check_spheres(const scene::PhaseFunction& function, const std::string& path,
+                     const Wavelength& light);
   void check_inelastic_light(const std::vector<std::optional<WaterOptics>>& at_laser);
   void check_index(Process process, const Wavelength& light);
   std::vector<std::optional<WaterOptics>> check_layers(const Wavelength& light);
@@ -99,9 +101,22 @@ void Checker::check_phase_function(const scene::PhaseFunction& function, const s
     const std::string file = below(path, "file");
     const auto table = ask(file, [&] { return phase_of_file(function.file); });
     if (table && !table->remark.empty()) findings_.remark(file, table->remark);
-  } else {
-    ask(path, [&] { return optics_of_.shape(function); });
+  } else if (function.model != "mie") {
+    ask(path, [&] { return optics_of_.shape(function, scene_.source.wavelength_nm); });
   }
+}
+
+/// The one model that depends on the wavelength; what its index lacks has been told.
+void Checker::check_spheres(const scene::PhaseFunction& function, const std::string& path,
+                            const Wavelength& light) {
+  for (std::size_t i = 0; i < function.components.size(); ++i)
+    check_spheres(function.components[i], below(below(path, "components"), i), light);
+  if (function.model != "mie" || !findings_.good({path})) return;
+  const auto index = [&] { return refractive_index(scene_.sea, light.nm); };
+  if (!ask(light.path, index, light.why_here)) return;
+  ask(
+      path, [&] { return optics_of_.shape(function, light.nm); },
+      fmt::format("at {:.6g} nm: {}", light.nm, light.why_there));
 }
 
 void Checker::check_phase_functions() {
@@ -119,6 +134,8 @@ void Checker::check_index(Process process, const Wavelength& light) {
 std::optional<WaterOptics> Checker::check_layer(std::size_t k, const Wavelength& light) {
   const auto& layer = scene_.sea.layer[k];
   const auto all = [&] { return optics_of_(layer, light.nm); };
+  if (layer.phase_function)
+    check_spheres(*layer.phase_function, below(layer_path(k), "phase_function"), light);
   if (!readable_[k]) return std::nullopt;
   if (!layer.iop.empty()) return ask(below(layer_path(k), "iop"), all, light.why_there);
   if (!findings_.good({"optics.set", "optics.water_absorption", "optics.water_scattering",

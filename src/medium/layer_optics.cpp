@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "medium/lines.hpp"
 #include "optics/cdom.hpp"
 #include "optics/data_table.hpp"
 #include "optics/fournier_forand.hpp"
 #include "optics/phase_functions.hpp"
+#include "optics/sea_particles.hpp"
+#include "optics/spheres.hpp"
 #include "optics/water_absorption.hpp"
 #include "optics/water_scattering.hpp"
 
@@ -114,19 +117,23 @@ WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavel
   return water;
 }
 
-optics::PhaseShape LayerOptics::phase(const scene::Layer& layer, const WaterOptics& water) const {
-  if (layer.phase_function) return shape(*layer.phase_function);
+optics::PhaseShape LayerOptics::phase(const scene::Layer& layer, double wavelength_nm,
+                                      const WaterOptics& water) const {
+  if (layer.phase_function) return shape(*layer.phase_function, wavelength_nm);
   auto molecules = optics::rayleigh(scene_->optics.water_depolarisation);
   const double particles = water.b_per_m - water.b_molecular_per_m;
   if (particles <= 0) return molecules;
-  const auto algae = scene_->optics.phytoplankton_phase == "petzold"
+  const std::string& model = scene_->optics.phytoplankton_phase;
+  const auto algae = model == "mie" ? spheres(optics::paper_phytoplankton, wavelength_nm)
+                     : model == "petzold"
                          ? optics::petzold(*library_)
                          : optics::fournier_forand(default_ff_index, default_ff_slope);
   return optics::mixture(
       {{water.b_molecular_per_m / water.b_per_m, molecules}, {particles / water.b_per_m, algae}});
 }
 
-optics::PhaseShape LayerOptics::shape(const scene::PhaseFunction& function) const {
+optics::PhaseShape LayerOptics::shape(const scene::PhaseFunction& function,
+                                      double wavelength_nm) const {
   if (function.model == "henyey-greenstein") return optics::henyey_greenstein(function.g);
   if (function.model == "fournier-forand")
     return optics::fournier_forand(function.refractive_index, function.slope);
@@ -134,12 +141,20 @@ optics::PhaseShape LayerOptics::shape(const scene::PhaseFunction& function) cons
   if (function.model == "rayleigh") return optics::rayleigh(function.depolarisation);
   if (function.model == "isotropic") return optics::isotropic();
   if (function.model == "table") return phase_of_file(function.file).shape;
+  if (function.model == "mie") return spheres(function.particles, wavelength_nm);
   expect(function.model == "mixture", "the scene's reader knows the phase function's model");
   double sum = 0;  // 1, but for the digits of the user
   for (const auto& part : function.components) sum += part.fraction;
   std::vector<std::pair<double, optics::PhaseShape>> parts;
-  for (const auto& part : function.components) parts.emplace_back(part.fraction / sum, shape(part));
+  for (const auto& part : function.components)
+    parts.emplace_back(part.fraction / sum, shape(part, wavelength_nm));
   return optics::mixture(parts);
+}
+
+optics::PhaseShape LayerOptics::spheres(const optics::SeaParticles& particles,
+                                        double wavelength_nm) const {
+  return optics::phase_of_spheres(library_->spheres(optics::spheres_in_water(
+      particles, wavelength_nm, refractive_index(scene_->sea, wavelength_nm))));
 }
 
 optics::TabulatedPhase phase_of_file(const std::string& path) {

@@ -35,11 +35,15 @@ class LayerOptics {
                                                     double wavelength_nm) const;
 
   /// The phase function of all scattering in the layer.
-  [[nodiscard]] optics::PhaseShape phase(const scene::Layer& layer, const WaterOptics& water) const;
+  [[nodiscard]] optics::PhaseShape phase(const scene::Layer& layer, double wavelength_nm,
+                                         const WaterOptics& water) const;
   /// One that is given by name. Throws InputError if its table or its parameters are of no use.
-  [[nodiscard]] optics::PhaseShape shape(const scene::PhaseFunction& function) const;
+  [[nodiscard]] optics::PhaseShape shape(const scene::PhaseFunction& function,
+                                         double wavelength_nm) const;
 
  private:
+  [[nodiscard]] optics::PhaseShape spheres(const optics::SeaParticles& particles,
+                                           double wavelength_nm) const;
   [[nodiscard]] WaterOptics of_constituents(const scene::Layer& layer, double wavelength_nm) const;
 
   const scene::Scene* scene_;

@@ -39,16 +39,20 @@ void add(const scene::Scene& scene, std::size_t layer, Process process,
 
 }  // namespace
 
+double refractive_index(const scene::Sea& sea, double wavelength_nm) {
+  return sea.refractive_index
+             ? *sea.refractive_index
+             : optics::refractive_index(wavelength_nm, sea.salinity_psu, sea.temperature_c);
+}
+
 Line make_line(const scene::Sea& sea, Process process, double wavelength_nm) {
-  const auto quan_fry = [&](auto index) {
-    return index(wavelength_nm, sea.salinity_psu, sea.temperature_c);
-  };
   Line line;
   line.process = process;
   line.wavelength_nm = wavelength_nm;
-  line.refractive_index =
-      sea.refractive_index ? *sea.refractive_index : quan_fry(optics::refractive_index);
-  line.group_index = sea.group_index ? *sea.group_index : quan_fry(optics::group_index);
+  line.refractive_index = refractive_index(sea, wavelength_nm);
+  line.group_index = sea.group_index
+                         ? *sea.group_index
+                         : optics::group_index(wavelength_nm, sea.salinity_psu, sea.temperature_c);
   return line;
 }
 

@@ -10,6 +10,9 @@
 
 namespace photic::medium {
 
+/// The index that bends rays. Throws InputError where it has no data.
+double refractive_index(const scene::Sea& sea, double wavelength_nm);
+
 /// Light of a process and wavelength in a sea. Throws InputError where its indices have no data.
 Line make_line(const scene::Sea& sea, Process process, double wavelength_nm);
 

@@ -8,6 +8,7 @@
 #include "core/interpolation.hpp"
 #include "optics/data_table.hpp"
 #include "optics/phase_from_table.hpp"
+#include "optics/spheres.hpp"
 
 namespace photic::optics {
 
@@ -75,6 +76,8 @@ class Library {
   const TabulatedPhase petzold;
   const GaussianBand raman_band;
   const Parameters raman, fluorescence;
+
+  const SpheresCache spheres;  ///< no table: what Mie theory gives, computed once
 };
 
 }  // namespace photic::optics

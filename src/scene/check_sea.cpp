@@ -53,28 +53,35 @@ void check_iop(const Layer& layer, std::size_t i, Findings& findings) {
 }
 
 void check_mixture(const PhaseFunction& mixture, const std::string& path, Findings& findings) {
-  const std::string components = path + ".components";
-  if (mixture.components.empty()) return;
   double sum = 0.0;
-  for (std::size_t k = 0; k < mixture.components.size(); ++k) {
-    check_mixture(mixture.components[k], below(components, k), findings);
-    sum += mixture.components[k].fraction;
-  }
+  for (const PhaseFunction& component : mixture.components) sum += component.fraction;
   constexpr double tolerance = 1e-6;
-  if (findings.good({components}) && std::fabs(sum - 1.0) > tolerance)
-    findings.add(components,
+  if (findings.good({path}) && std::fabs(sum - 1.0) > tolerance)
+    findings.add(path,
                  fmt::format("the fractions of the mixture sum to {}, not to 1", plain_number(sum)),
                  "");
 }
 
-void check_phytoplankton_phase(const Scene& scene, Findings& findings) {
-  const std::string path = "optics.phytoplankton_phase";
-  if (scene.optics.phytoplankton_phase != "mie" || !findings.good({path, "optics.set"})) return;
-  const auto has_chlorophyll = [](const Layer& l) { return l.chlorophyll_mg_m3 > 0.0; };
-  if (std::none_of(scene.sea.layer.begin(), scene.sea.layer.end(), has_chlorophyll)) return;
-  findings.add(path, findings.place_of(findings.given(path) ? path : "optics.set"),
-               "the phase function of phytoplankton \"mie\" is not available yet",
-               "set phytoplankton_phase = \"fournier-forand\" or \"petzold\" in [optics]");
+void check_radii(const optics::SeaParticles& particles, const std::string& path,
+                 Findings& findings) {
+  const std::string max = path + ".max_radius_um";
+  if (!findings.good({path + ".min_radius_um", max}) ||
+      particles.max_radius_um > particles.min_radius_um)
+    return;
+  findings.add(
+      max, findings.place_of(findings.given(max) ? max : path + ".min_radius_um"),
+      fmt::format("the largest radius, {} um, is not above the smallest, {} um",
+                  plain_number(particles.max_radius_um), plain_number(particles.min_radius_um)),
+      "");
+}
+
+void check_phase_function(const PhaseFunction& function, const std::string& path,
+                          Findings& findings) {
+  const std::string components = path + ".components";
+  for (std::size_t k = 0; k < function.components.size(); ++k)
+    check_phase_function(function.components[k], below(components, k), findings);
+  if (!function.components.empty()) check_mixture(function, components, findings);
+  if (function.model == "mie") check_radii(function.particles, path, findings);
 }
 
 }  // namespace
@@ -92,10 +99,9 @@ void check_sea(const Scene& scene, Findings& findings) {
   for (std::size_t i = 0; i < layers.size(); ++i) {
     check_iop(layers[i], i, findings);
     if (layers[i].phase_function)
-      check_mixture(*layers[i].phase_function, below(below("sea.layer", i), "phase_function"),
-                    findings);
+      check_phase_function(*layers[i].phase_function,
+                           below(below("sea.layer", i), "phase_function"), findings);
   }
-  check_phytoplankton_phase(scene, findings);
 }
 
 }  // namespace photic::scene

@@ -23,9 +23,9 @@ void describe(V& v, Optics& o) {
       "the depolarisation ratio of natural light scattered by water, for its phase function");
   v.optional("phytoplankton", o.phytoplankton, Choice{{"bricaud", "prieur-sathyendranath"}},
              "the absorption and scattering of phytoplankton by chlorophyll");
-  v.optional(
-      "phytoplankton_phase", o.phytoplankton_phase, Choice{{"fournier-forand", "petzold", "mie"}},
-      "the phase function of phytoplankton; mie is not available yet where there is chlorophyll");
+  v.optional("phytoplankton_phase", o.phytoplankton_phase,
+             Choice{{"fournier-forand", "petzold", "mie"}},
+             "the phase function of phytoplankton; mie is that of the paper's spheres");
   v.optional("raman", o.raman, Choice{{"bartlett", "marshall-smith"}},
              "the Raman scattering coefficient of water");
 }
@@ -49,8 +49,7 @@ template <class V>
 void describe(V& v, PhaseFunction& p) {
   v.required(model_key, p.model,
              Choice{{"henyey-greenstein", "fournier-forand", "petzold", "rayleigh", "isotropic",
-                     "table", "mixture"},
-                    {"mie"}},
+                     "table", "mie", "mixture"}},
              "the model of the phase function");
   v.when(model_key, p.model, "henyey-greenstein", [&](auto& w) {
     w.required("g", p.g,
@@ -70,6 +69,18 @@ void describe(V& v, PhaseFunction& p) {
   });
   v.when(model_key, p.model, "table", [&](auto& w) {
     w.required("file", p.file, File{}, "a CSV file of angle_deg, phase_function_per_sr");
+  });
+  v.when(model_key, p.model, "mie", [&](auto& w) {
+    w.optional("relative_index", p.particles.relative_index, from_to(0.5, 3.0),
+               "the spheres' real refractive index relative to water");
+    w.optional("absorption_index", p.particles.absorption_index, from_to(0.0, 3.0),
+               "how much they absorb: k of their index n - ik relative to water");
+    w.optional("junge_slope", p.particles.junge_slope, from_to(0.0, 10.0),
+               "the exponent of their Junge distribution: numbers per radius go as radius^-slope");
+    w.optional("min_radius_um", p.particles.min_radius_um, from_to(0.001, 20.0),
+               "the smallest radius in um");
+    w.optional("max_radius_um", p.particles.max_radius_um, from_to(0.001, 20.0),
+               "the largest radius in um");
   });
   v.when(model_key, p.model, "mixture", [&](auto& w) {
     w.tables("components", p.components, "the phase functions mixed, each with its fraction",

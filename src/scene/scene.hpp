@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/vec3.hpp"
+#include "optics/sea_particles.hpp"
 
 namespace photic::scene {
 
@@ -56,7 +57,7 @@ struct Optics {
   std::string water_scattering;   ///< zhang | smith-baker
   double water_depolarisation{};  ///< of natural light, for the molecular phase function
   std::string phytoplankton;      ///< bricaud | prieur-sathyendranath
-  std::string phytoplankton_phase;  ///< fournier-forand | petzold   (mie: refused until it exists)
+  std::string phytoplankton_phase;  ///< fournier-forand | petzold | mie
   std::string raman;                ///< bartlett | marshall-smith
   friend bool operator==(const Optics&, const Optics&) = default;
 };
@@ -73,11 +74,12 @@ struct IopEntry {
 /// A phase function by name and parameters; a mixture holds others.
 struct PhaseFunction {
   std::string model;  ///< henyey-greenstein | fournier-forand | petzold | rayleigh | isotropic |
-                      ///< table | mixture
+                      ///< table | mie | mixture
   double g{};         ///< henyey-greenstein
-  double refractive_index{};  ///< fournier-forand
-  double slope{};             ///< fournier-forand
-  double depolarisation{};    ///< rayleigh
+  double refractive_index{};                                     ///< fournier-forand
+  double slope{};                                                ///< fournier-forand
+  double depolarisation{};                                       ///< rayleigh
+  optics::SeaParticles particles = optics::paper_phytoplankton;  ///< mie
   std::string file;   ///< table: a CSV of angle_deg, phase_function_per_sr; absolute once read
   double fraction{};  ///< as a component of a mixture: its share of the scattering
   std::vector<PhaseFunction> components;  ///< mixture

@@ -72,6 +72,22 @@ const std::vector<Case>& cases() {
             " cover 200-800 nm (choose another wavelength, or give the layer's iop at this one)",
         "scene.toml:3:17: no water scattering data at 810 nm: " + library().smith_baker_b.source +
             " cover 200-800 nm (choose another wavelength, or give the layer's iop at this one)"}},
+      {"SpheresWithoutIndex",
+       {{3, 3, "wavelength_nm = 1200.0"},
+        {22, 25,
+         "iop = [{ wavelength_nm = 1200, a_per_m = 0.06, b_per_m = 0.1 }]\nphase_function = "
+         "\"mie\""}},
+       {"scene.toml:3:17: no refractive index data at 1200 nm: Quan & Fry 1995, Appl. Opt. 34, "
+        "3477, eq. (3) [verified] cover 200-1100 nm (choose another wavelength, or give "
+        "refractive_index and group_index of the sea)"}},
+      {"SpheresTooLarge",
+       {{25, 25,
+         "phase_function = { model = \"mie\", relative_index = 1.5, absorption_index = 0, "
+         "min_radius_um = 10, max_radius_um = 10.001 }"}},
+       {"scene.toml:25:18: the phase function of these spheres has detail that is too fine: as "
+        "tabulated by the program it integrates to 1.00042, not 1; at 532 nm: the source emits "
+        "there "
+        "(take smaller spheres, or a wider range of sizes)"}},
       {"LaserWithoutAnything",
        {{3, 3, "wavelength_nm = 1200.0"}},
        {"scene.toml:3:17: no refractive index data at 1200 nm: Quan & Fry 1995, Appl. Opt. 34, "
@@ -269,6 +285,7 @@ std::string random_scene(std::mt19937& random) {
            pick({"\"petzold\"", "{ model = \"henyey-greenstein\", g = 0.9999 }",
                  "{ model = \"henyey-greenstein\", g = -0.4 }",
                  "{ model = \"fournier-forand\", refractive_index = 1.005, slope = 4.999 }",
+                 "\"mie\"",
                  "{ model = \"mixture\", components = [{ fraction = 0.3333333, model = "
                  "\"isotropic\" }, { fraction = 0.6666666, model = \"petzold\" }] }"});
   };
@@ -287,7 +304,7 @@ std::string random_scene(std::mt19937& random) {
                  {17, 17, channel},
                  {18, 19,
                   "[optics]\nset = " + pick({"\"modern\"", "\"paper\""}) +
-                      "\nphytoplankton_phase = \"petzold\"\n[sea]\n" +
+                      "\nphytoplankton_phase = " + pick({"\"petzold\"", "\"mie\""}) + "\n[sea]\n" +
                       pick({"", "refractive_index = 1.33\ngroup_index = 1.35"})},
                  {20, 25, layer() + "\nbottom_depth_m = 20\n" + layer()}});
 }

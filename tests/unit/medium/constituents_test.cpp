@@ -3,6 +3,9 @@
 #include "optics/fournier_forand.hpp"
 #include "optics/phase_functions.hpp"
 #include "optics/phytoplankton.hpp"
+#include "optics/refractive_index.hpp"
+#include "optics/sea_particles.hpp"
+#include "optics/spheres.hpp"
 #include "optics/water_absorption.hpp"
 #include "optics/water_scattering.hpp"
 #include "unit/medium/scenes.hpp"
@@ -90,6 +93,27 @@ TEST(Constituents, ScatterAsPetzoldMeasuredIfAsked) {
   EXPECT_NE(m.view().phases.value<double>(2.0, m.elastic_phase[0]), forward);
 }
 
+// At the laser's wavelength and at Raman's, with the index that water has there. Seen red: with the
+// paper's minerals; with the wavelength in air; with the laser's for both.
+TEST(Constituents, ScatterAsThePapersSpheresIfAsked) {
+  auto scene = scene_of({algae_layer(1)}, {test::channel_of("elastic"), test::channel_of("raman")});
+  scene.optics.phytoplankton_phase = "mie";
+  const auto m = medium_of(scene);
+  for (std::size_t l = 0; l < 2; ++l) {
+    const double nm = m.line[l].wavelength_nm;
+    const Parts parts = parts_at(nm, 1);
+    const double share = parts.algae.b_per_m / (parts.b_water + parts.algae.b_per_m);
+    const auto spheres = optics::optics_of_spheres(optics::spheres_in_water(
+        optics::paper_phytoplankton, nm, optics::refractive_index(nm, 35, 20)));
+    for (const double x : {0.001, 1.0, 2.0}) {
+      const double expected =
+          share * spheres.phase.at(x) + (1 - share) * optics::rayleigh(0.039).p(x);
+      EXPECT_NEAR(m.view().phases.value<double>(x, m.elastic_phase[l]) / expected, 1, 1e-4)
+          << l << " " << x;
+    }
+  }
+}
+
 scene::PhaseFunction function_of(const std::string& model) {
   scene::PhaseFunction function;
   function.model = model;
@@ -119,6 +143,10 @@ TEST(IopLayer, ScattersWithTheNamedPhaseFunction) {
   mixture.components = {ff, rayleigh};
   auto table = function_of("table");
   table.file = PHOTIC_SOURCE_DIR "/data/particles_petzold_average.csv";
+  auto mie = function_of("mie");
+  mie.particles = {1.1, 0.002, 4.5, 0.2, 2};
+  const auto spheres = optics::phase_of_spheres(library().spheres(
+      optics::spheres_in_water(mie.particles, 532, optics::refractive_index(532, 35, 20))));
   for (const double x : {0.001, 0.3, 2.0}) {
     const double expected_ff = at(optics::fournier_forand(1.08, 3.4), x);
     const double expected_rayleigh = at(optics::rayleigh(0.09), x);
@@ -128,6 +156,7 @@ TEST(IopLayer, ScattersWithTheNamedPhaseFunction) {
     EXPECT_EQ(value_of(function_of("isotropic"), x), at(optics::isotropic(), x));
     EXPECT_EQ(value_of(function_of("petzold"), x), at(optics::petzold(library()), x));
     EXPECT_EQ(value_of(table, x), at(optics::petzold(library()), x));
+    EXPECT_EQ(value_of(mie, x), at(spheres, x));
     EXPECT_NEAR(value_of(mixture, x) / (0.7 * expected_ff + 0.3 * expected_rayleigh), 1, 2e-5);
   }
 }

@@ -244,7 +244,7 @@ phase_function = "petzold")"}},
         "depolarisation ratio of natural light)"}},
       {"WordUnknown",
        {{25, 25, R"(phase_function = "petzhold")"}},
-       {R"(scene.toml:25:18: 'model' must be "henyey-greenstein", "fournier-forand", "petzold", "rayleigh", "isotropic", "table" or "mixture", not text "petzhold" (did you mean 'petzold'?))"}},
+       {R"(scene.toml:25:18: 'model' must be "henyey-greenstein", "fournier-forand", "petzold", "rayleigh", "isotropic", "table", "mie" or "mixture", not text "petzhold" (did you mean 'petzold'?))"}},
       {"MixtureWithoutComponents",
        {{25, 25, R"(phase_function = { model = "mixture" })"}},
        {"scene.toml:25:18: 'components' is missing in 'phase_function' (add it: the phase "
@@ -259,7 +259,8 @@ phase_function = "petzold")"}},
       {"FractionOutsideMixture",
        {{25, 25, R"(phase_function = { model = "petzold", fraction = 1 })"}},
        {"scene.toml:25:39: unknown key 'fraction' in 'phase_function' (known here: model, g, "
-        "refractive_index, slope, depolarisation, file, components)"}},
+        "refractive_index, slope, depolarisation, file, relative_index, absorption_index, "
+        "junge_slope, min_radius_um, max_radius_um, components)"}},
   };
   return all;
 }

@@ -44,23 +44,11 @@ model = "us-standard")"}},
          "iop = [{ wavelength_nm = 532, a_per_m = 0.06, b_per_m = 0.1, a_cdom_per_m = 0.01 }]"}},
        {"scene.toml:24:62: 'a_cdom_per_m' is not available yet (CDOM does not fluoresce in this "
         "version: count it in a_per_m)"}},
-      {"MiePhaseFunction",
-       {{25, 25, R"(phase_function = "mie")"}},
-       {R"(scene.toml:25:18: 'model' = "mie" is not available yet (available: henyey-greenstein, fournier-forand, petzold, rayleigh, isotropic, table and mixture))"}},
-      {"PaperSetWithChlorophyll",
-       {{18, 18, R"([optics]
-set = "paper")"}},
-       {R"(scene.toml:19:7: the phase function of phytoplankton "mie" is not available yet (set phytoplankton_phase = "fournier-forand" or "petzold" in [optics]))"}},
-      {"MieOfPhytoplankton",
-       {{18, 18, R"([optics]
-phytoplankton_phase = "mie")"}},
-       {R"(scene.toml:19:23: the phase function of phytoplankton "mie" is not available yet (set phytoplankton_phase = "fournier-forand" or "petzold" in [optics]))"}},
   };
   return all;
 }
 
-// Seen red: keys of later versions taken for unknown ones; the paper's set without its Mie
-// function.
+// Seen red: keys of later versions taken for unknown ones.
 TEST(NotAvailableYet, EveryTextWithLineAndColumn) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);

@@ -44,6 +44,7 @@ std::set<std::string> keys_of_scenes() {
             "sea.layer.1.phase_function={ model = \"mixture\", components = [{ fraction = 0.5, "
             "model = \"fournier-forand\", refractive_index = 1.1, slope = 3.6 }, { fraction = 0.5, "
             "model = \"rayleigh\", depolarisation = 0.04 }] }"},
+           {"sea.layer.1.phase_function=mie"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"}})
     collect_keys(json::parse(write_scene_json(base_scene(overrides))), keys);
   return keys;

@@ -186,6 +186,13 @@ fwhm_nm = -3)"}},
         "1.35, not 1",
         "scene.toml:25:77: 'slope' must be a finite number, greater than 3 and less than 5, not "
         "5"}},
+      {"MieOutOfRange",
+       {{25, 25,
+         R"(phase_function = { model = "mie", relative_index = 0.4, max_radius_um = 21 })"}},
+       {"scene.toml:25:52: 'relative_index' must be a finite number, at least 0.5 and at most 3, "
+        "not 0.4",
+        "scene.toml:25:73: 'max_radius_um' must be a finite number, at least 0.001 and at most 20, "
+        "not 21"}},
       {"RayleighOutOfRange",
        {{25, 25, R"(phase_function = { model = "rayleigh", depolarisation = 1.01 })"}},
        {"scene.toml:25:57: 'depolarisation' must be a finite number, at least 0 and at most 1, not "

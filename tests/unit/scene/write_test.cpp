@@ -44,7 +44,8 @@ std::vector<Override> everything() {
       "sea.layer.1.phase_function={ model = \"mixture\", components = [{ fraction = 0.9, model = "
       "\"fournier-forand\", refractive_index = 1.1, slope = 3.5835 }, { fraction = 0.1, model = "
       "\"mixture\", components = [{ fraction = 0.7, model = \"rayleigh\", depolarisation = 0.039 "
-      "}, { fraction = 0.3, model = \"isotropic\" }] }] }",
+      "}, { fraction = 0.3, model = \"mie\", absorption_index = 1e-9, max_radius_um = "
+      "0.30000000000000004 }] }] }",
       "sea.layer.1.bottom_depth_m=60",
       "gates.depth_min_m=-0.7",
       "simulation.target_relative_error=0.01",
@@ -68,6 +69,9 @@ TEST(Write, ReadsBackToTheLastBit) {
   EXPECT_EQ(scene.sea.layer[0].cdom_a440_per_m, 0.1 + 0.2);
   EXPECT_EQ(scene.sea.layer[1].iop[0].a_per_m, 1e-300);
   EXPECT_EQ(scene.sea.layer[1].phase_function->components[1].components[0].depolarisation, 0.039);
+  const auto& spheres = scene.sea.layer[1].phase_function->components[1].components[1].particles;
+  EXPECT_EQ(spheres.absorption_index, 1e-9);
+  EXPECT_EQ(spheres.max_radius_um, 0.1 + 0.2);
   EXPECT_EQ(scene.simulation.seed, 9223372036854775807U);
   EXPECT_EQ(scene.simulation.conversion_probability, 0.123456789012345678);
 }

@@ -1,0 +1,55 @@
+// The optics of many spheres of one material: Mie theory integrated over their sizes.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "optics/legendre.hpp"
+#include "optics/phase_table.hpp"
+#include "optics/size_distribution.hpp"
+
+namespace photic::optics {
+
+struct Spheres {
+  double wavelength_m = 0;      ///< of the light in the medium around: in vacuum over its index
+  double index = 0;             ///< n of m = n - ik, relative to the medium
+  double absorption_index = 0;  ///< k
+  SizeDistribution sizes;
+  friend auto operator<=>(const Spheres&, const Spheres&) = default;
+};
+
+/// Means over all spheres.
+struct SpheresOptics {
+  double extinction_m2 = 0, scattering_m2 = 0, absorption_m2 = 0;  ///< cross-sections of one
+  double mean_cosine = 0;                                          ///< g of what is scattered
+  double volume_m3 = 0;                                            ///< of one
+  LegendreSeries phase;  ///< p [1/sr], 1 over the sphere; exact between its nodes, too
+  double error = 0;      ///< estimated relative error of the worst of cross-sections and p
+  int radii = 0;         ///< for how many Mie theory was evaluated
+};
+
+/// The integration over sizes goes on until its estimated error is below this; the true one is
+/// smaller still. Resonances of large spheres that hardly absorb keep the estimate above.
+inline constexpr double spheres_tolerance = 1e-4;
+
+/// Takes as long as the cube of the largest size parameter: a tenth of a second at 100, some ten at
+/// 1000, where it ends with what it has reached. Throws ContractViolation for what Mie theory
+/// cannot do or for a distribution that is none.
+SpheresOptics optics_of_spheres(const Spheres& spheres);
+
+/// The phase function for a PhaseTable. Throws InputError if it has detail too fine for one, as
+/// that of large spheres near 180 degrees may be.
+PhaseShape phase_of_spheres(std::shared_ptr<const SpheresOptics> optics);
+
+/// Computes each kind of spheres once. May be used by several threads.
+class SpheresCache {
+ public:
+  std::shared_ptr<const SpheresOptics> operator()(const Spheres& spheres) const;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::map<Spheres, std::shared_ptr<const SpheresOptics>> known_;
+};
+
+}  // namespace photic::optics
