@@ -30,6 +30,10 @@ constexpr double largest_known_score = 2e-3;
 /// And where nothing was scored at all:
 constexpr double unknown_squared_error = 1.0;
 
+/// Where c' is smaller than b, weights grow at every vertex. The tail that this makes is longer
+/// than a pilot, so such settings are no candidates.
+constexpr double least_attenuation_per_albedo = 0.9;
+
 struct Candidate {
   scene::Scene scene;
   std::string name;
@@ -43,9 +47,17 @@ scene::Scene settled(const scene::Scene& scene, const std::string& estimator) {
   return out;
 }
 
+/// b / c of the laser's light where it is largest.
+double highest_albedo(const scene::Scene& scene) {
+  const medium::Medium medium = make_problem(settled(scene, "bidirectional")).medium;
+  return *std::max_element(medium.albedo.begin(), medium.albedo.begin() + medium.layers());
+}
+
 std::vector<Candidate> candidates(const scene::Scene& scene) {
   std::vector<Candidate> out;
+  const double least = least_attenuation_per_albedo * highest_albedo(scene);
   for (const double walk_attenuation : {0.35, 0.6, 0.9}) {
+    if (walk_attenuation < least) continue;
     Candidate c{settled(scene, "bidirectional"),
                 fmt::format("bidirectional with walk_attenuation = {}", walk_attenuation)};
     c.scene.simulation.walk_attenuation = walk_attenuation;

@@ -1,6 +1,7 @@
 // What estimator = "auto" takes.
 #include "engine/choose.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "scene/read.hpp"
@@ -63,6 +64,25 @@ TEST(Choose, TakesWhatIsBestOnPeakedWater) {
   const auto chosen = choose_estimator(peaked, {}).simulation;
   EXPECT_EQ(chosen.estimator, "bidirectional");
   EXPECT_EQ(chosen.walk_attenuation, 0.6);
+}
+
+// A walk whose weight grows at every vertex looks good in a pilot. Seen red: without the limit
+// (0.35 is taken); with one for the first layer alone.
+TEST(Choose, NeverLetsWeightsGrow) {
+  for (const auto& [upper, lower] : {std::pair{0.06, 0.06}, std::pair{0.4, 0.01}}) {
+    const auto layer = [](double a, const std::string& bottom) {
+      return fmt::format(
+          "[[sea.layer]]\niop = [ {{ wavelength_nm = 532.0, a_per_m = {}, b_per_m = 0.1 }} ]\n"
+          "phase_function = {}\n{}",
+          a, test::peaked_phase, bottom);
+    };
+    const auto scene = test::read(test::ship_instrument + test::channel("elastic") +
+                                  layer(upper, "bottom_depth_m = 2.0\n") + layer(lower, "") +
+                                  test::depth_gates(30, 3) + test::simulation(5000, 3, "", "auto"));
+    const auto chosen = choose_estimator(scene, {}).simulation;
+    EXPECT_GE(chosen.walk_attenuation, 0.9 * 0.1 / (lower + 0.1));
+    EXPECT_EQ(chosen.estimator_reason->find("0.35"), std::string::npos);
+  }
 }
 
 // Seen red: with "auto" left in the scene.
