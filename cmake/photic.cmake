@@ -32,6 +32,16 @@ function(photic_test_label result)
   set(${result} ${kind} PARENT_SCOPE)
 endfunction()
 
+# The headers that all tests share, read once. Linked like a test, for the same flags.
+function(photic_test_headers)
+  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp CONTENT "")
+  add_library(test_headers STATIC ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
+  target_link_libraries(test_headers PRIVATE photic_core GTest::gtest_main photic_flags)
+  target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <fmt/format.h> <Random123/philox.h>
+                            <boost/math/distributions/chi_squared.hpp> <boost/math/distributions/normal.hpp>
+                            <algorithm> <cmath> <filesystem> <functional> <map> <optional> <random> <string> <vector>)
+endfunction()
+
 # photic_test(name SOURCES a.cpp … USES core …)  → one test program; ctest knows each of its tests,
 # under the name of their folder of tests/ as label (ctest -L unit); target tests_unit builds a folder's
 function(photic_test name)
@@ -44,6 +54,7 @@ function(photic_test name)
   target_link_libraries(${name} PRIVATE ${ARG_USES} ${ARG_LINKS} photic_flags GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE PHOTIC_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_precompile_headers(${name} REUSE_FROM test_headers)
   photic_test_label(label)
   gtest_discover_tests(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${label} DISCOVERY_TIMEOUT 60)
   if(NOT TARGET tests_${label})

@@ -2,7 +2,7 @@
 # What ./demo and ./test share; sourced by them from the root of the repository.
 
 # ccache makes the second build quick where it happens to be installed.
-if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
+if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_SLOPPINESS=pch_defines,time_macros; fi
 
 step() { printf '\n== %s\n' "$*"; }
 

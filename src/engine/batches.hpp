@@ -177,4 +177,7 @@ tally::Totals run_batches(const Problem& problem, Conductor& conductor) {
   return BatchRunner<T>(problem, world, conductor).run();
 }
 
+// Compiled once, in run.cpp: each copy of the whole walk costs a compiler ten seconds.
+extern template tally::Totals run_batches<double>(const Problem& problem, Conductor& conductor);
+
 }  // namespace photic::engine

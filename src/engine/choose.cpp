@@ -31,10 +31,10 @@ constexpr double largest_known_score = 2e-3;
 constexpr double unknown_squared_error = 1.0;
 
 /// Where c' is smaller than b, weights grow at every vertex. The tail that this makes is longer
-/// than a pilot, so such settings are no candidates.
+/// than a pilot, so such settings do not contend.
 constexpr double least_attenuation_per_albedo = 0.9;
 
-struct Candidate {
+struct Contender {
   scene::Scene scene;
   std::string name;
   double cost = 0;
@@ -53,12 +53,12 @@ double highest_albedo(const scene::Scene& scene) {
   return *std::max_element(medium.albedo.begin(), medium.albedo.begin() + medium.layers());
 }
 
-std::vector<Candidate> candidates(const scene::Scene& scene) {
-  std::vector<Candidate> out;
+std::vector<Contender> contenders(const scene::Scene& scene) {
+  std::vector<Contender> out;
   const double least = least_attenuation_per_albedo * highest_albedo(scene);
   for (const double walk_attenuation : {0.35, 0.6, 0.9}) {
     if (walk_attenuation < least) continue;
-    Candidate c{settled(scene, "bidirectional"),
+    Contender c{settled(scene, "bidirectional"),
                 fmt::format("bidirectional with walk_attenuation = {}", walk_attenuation)};
     c.scene.simulation.walk_attenuation = walk_attenuation;
     out.push_back(std::move(c));
@@ -67,8 +67,8 @@ std::vector<Candidate> candidates(const scene::Scene& scene) {
   return out;
 }
 
-void try_out(Candidate& candidate, const RunOptions& options) {
-  scene::Scene pilot = candidate.scene;
+void try_out(Contender& contender, const RunOptions& options) {
+  scene::Scene pilot = contender.scene;
   pilot.simulation.seed ^= pilot_stream;
   const bool forward = pilot.simulation.estimator == "forward";
   pilot.simulation.photons = (forward ? forward_pilot_batches : pilot_batches) * batch_photons;
@@ -83,24 +83,24 @@ void try_out(Candidate& candidate, const RunOptions& options) {
   totals.fill(result);
 
   const double per_collision = forward ? static_cast<double>(pilot.telescope.size()) : 1.0;
-  candidate.cost = per_collision * static_cast<double>(result.collisions) +
+  contender.cost = per_collision * static_cast<double>(result.collisions) +
                    cost_of_score * static_cast<double>(totals.scores());
   for (std::size_t cell = 0; cell < result.echo.mean.size(); ++cell) {
     const double mean = result.echo.mean[cell];
     const double relative = mean > 0 ? result.echo.standard_error[cell] / mean : 0.0;
     const double tail = std::max(1.0, result.largest_score_share[cell] / largest_known_score);
-    candidate.squared_error.push_back(relative * relative * tail);
+    contender.squared_error.push_back(relative * relative * tail);
   }
 }
 
 /// Mean over the gates of the logarithm of the squared error times the cost.
-double badness(const Candidate& candidate, const std::vector<bool>& counts) {
+double badness(const Contender& contender, const std::vector<bool>& counts) {
   double sum = 0;
   double cells = 0;
   for (std::size_t cell = 0; cell < counts.size(); ++cell) {
     if (!counts[cell]) continue;
-    const double e = candidate.squared_error[cell];
-    sum += std::log((e > 0 ? e : unknown_squared_error) * candidate.cost);
+    const double e = contender.squared_error[cell];
+    sum += std::log((e > 0 ? e : unknown_squared_error) * contender.cost);
     cells += 1;
   }
   return cells > 0 ? sum / cells : 0.0;
@@ -110,12 +110,12 @@ double badness(const Candidate& candidate, const std::vector<bool>& counts) {
 
 scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options) {
   if (scene.simulation.estimator != "auto") return scene;
-  auto all = candidates(scene);
-  for (Candidate& candidate : all) try_out(candidate, options);
+  auto all = contenders(scene);
+  for (Contender& contender : all) try_out(contender, options);
   std::vector<bool> counts(all.front().squared_error.size());  // gates that light reaches
-  for (const Candidate& candidate : all) {
+  for (const Contender& contender : all) {
     for (std::size_t cell = 0; cell < counts.size(); ++cell)
-      counts[cell] = counts[cell] || candidate.squared_error[cell] > 0;
+      counts[cell] = counts[cell] || contender.squared_error[cell] > 0;
   }
   const auto best = std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
     return badness(a, counts) < badness(b, counts);
@@ -125,9 +125,9 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
       "gates:",
       pilot_batches * batch_photons, forward_pilot_batches * batch_photons,
       std::count(counts.begin(), counts.end(), true));
-  for (const Candidate& candidate : all) {
-    reason += fmt::format("{} {} {:.3g}", &candidate == &all.front() ? "" : ",", candidate.name,
-                          std::exp(badness(candidate, counts) - badness(*best, counts)));
+  for (const Contender& contender : all) {
+    reason += fmt::format("{} {} {:.3g}", &contender == &all.front() ? "" : ",", contender.name,
+                          std::exp(badness(contender, counts) - badness(*best, counts)));
   }
   best->scene.simulation.estimator_reason = reason;
   return best->scene;

@@ -63,6 +63,8 @@ tally::Result result_of(const Problem& problem, const tally::Totals& totals, con
 
 }  // namespace
 
+template tally::Totals run_batches<double>(const Problem& problem, Conductor& conductor);
+
 tally::Result run(const scene::Scene& asked, const RunOptions& options) {
   const scene::Scene scene = choose_estimator(asked, options);
   const Problem problem = make_problem(scene);

@@ -3,13 +3,13 @@
 namespace photic::optics {
 namespace {
 
-constexpr const char* quantity = "water absorption";
+constexpr const char* absorption = "water absorption";
 
 Sourced mason_ioccg(const Library& library, double nm, double salinity_psu, double temperature_c) {
   const LinearTable& mason = library.mason_a.values;
   const LinearTable& ioccg = library.ioccg_a.values;
   if (nm < ioccg.min() || nm > mason.max()) {
-    no_data(quantity, nm, "Mason 2016 / IOCCG 2018", ioccg.min(), mason.max());
+    no_data(absorption, nm, "Mason 2016 / IOCCG 2018", ioccg.min(), mason.max());
   }
   if (nm < mason.min()) return {ioccg(nm), library.ioccg_a.source};
   // The table is for pure water at 20 C.
@@ -27,9 +27,9 @@ Sourced water_absorption_per_m(const Library& library, const std::string& model,
   if (model == "mason-ioccg")
     return mason_ioccg(library, wavelength_nm, salinity_psu, temperature_c);
   if (model == "smith-baker") {
-    return {library.smith_baker_a.at(wavelength_nm, quantity), library.smith_baker_a.source};
+    return {library.smith_baker_a.at(wavelength_nm, absorption), library.smith_baker_a.source};
   }
-  no_model(quantity, model, "mason-ioccg, smith-baker");
+  no_model(absorption, model, "mason-ioccg, smith-baker");
 }
 
 }  // namespace photic::optics

@@ -10,7 +10,7 @@ namespace {
 
 // The equations of Zhang, Hu & He 2009, Opt. Express 17, 5698, with the sources they take their
 // terms from. S in PSU, T in C.
-constexpr const char* quantity = "water scattering";
+constexpr const char* scattering = "water scattering";
 constexpr const char* zhang_source = "Zhang, Hu & He 2009, Opt. Express 17, 5698 [verified]";
 constexpr double depolarisation = 0.039;  // Farinato & Rowell 1976, J. Chem. Phys. 65, 593
 constexpr double molar_mass_kg = 0.018;   // of water
@@ -59,7 +59,7 @@ double density_derivative(double n) {
 
 double zhang(double nm, double s, double t) {
   if (!(nm >= refractive_index_min_nm && nm <= refractive_index_max_nm))
-    no_data(quantity, nm, zhang_source, refractive_index_min_nm, refractive_index_max_nm);
+    no_data(scattering, nm, zhang_source, refractive_index_min_nm, refractive_index_max_nm);
   const double air = index_of_air(nm);
   const double n = refractive_index(nm, s, t) * air;
   const double dn_ds = refractive_index_per_psu(nm, t) * air;
@@ -80,9 +80,9 @@ Sourced water_scattering_per_m(const Library& library, const std::string& model,
                                double wavelength_nm, double salinity_psu, double temperature_c) {
   if (model == "zhang") return {zhang(wavelength_nm, salinity_psu, temperature_c), zhang_source};
   if (model == "smith-baker") {
-    return {library.smith_baker_b.at(wavelength_nm, quantity), library.smith_baker_b.source};
+    return {library.smith_baker_b.at(wavelength_nm, scattering), library.smith_baker_b.source};
   }
-  no_model(quantity, model, "zhang, smith-baker");
+  no_model(scattering, model, "zhang, smith-baker");
 }
 
 }  // namespace photic::optics

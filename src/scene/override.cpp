@@ -14,9 +14,9 @@ namespace photic::scene {
 namespace {
 
 /// One --set on its way down the document.
-class Override {
+class Assignment {
  public:
-  Override(Place place, Findings& findings) : place_(std::move(place)), findings_(findings) {}
+  Assignment(Place place, Findings& findings) : place_(std::move(place)), findings_(findings) {}
 
   void apply(Node& document, const std::vector<std::string>& keys, Node value) {
     Node* node = &document;
@@ -114,15 +114,16 @@ void apply_override(const std::string& override_text, Node& document, Findings& 
   const std::size_t equals = override_text.find('=');
   const std::string path = override_text.substr(0, equals);
   const Place place{"--set " + path, 0, 0};
-  Override override(place, findings);
+  Assignment assignment(place, findings);
   const std::vector<std::string> keys = split(path);
-  if (equals == std::string::npos) return override.refuse("there is no value", "write path=value");
+  if (equals == std::string::npos)
+    return assignment.refuse("there is no value", "write path=value");
   if (std::find(keys.begin(), keys.end(), "") != keys.end())
-    return override.refuse("there is an empty name in the path",
-                           "write names and numbers with dots between");
+    return assignment.refuse("there is an empty name in the path",
+                             "write names and numbers with dots between");
   const auto value = parse_value(override_text.substr(equals + 1), place);
-  if (!value) return override.refuse("the value is not UTF-8 text", "");
-  override.apply(document, keys, *value);
+  if (!value) return assignment.refuse("the value is not UTF-8 text", "");
+  assignment.apply(document, keys, *value);
 }
 
 }  // namespace photic::scene
