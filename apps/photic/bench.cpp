@@ -25,7 +25,8 @@ Json settings_of(const scene::Simulation& s) {
   return {{"estimator", s.estimator},
           {"walk_attenuation", s.walk_attenuation},
           {"walks", s.walks},
-          {"connected_fraction", s.connected_fraction}};
+          {"connected_fraction", s.connected_fraction},
+          {"sampling", s.sampling}};
 }
 
 std::string as_toml(const Json& settings) {

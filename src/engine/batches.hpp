@@ -23,8 +23,6 @@
 
 namespace photic::engine {
 
-inline constexpr std::uint64_t batch_photons = 2000;
-
 /// How a run ended.
 struct Ending {
   std::string stopped_by = "photons";  ///< photons | target | time | interrupt

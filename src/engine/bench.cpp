@@ -40,6 +40,7 @@ Candidate candidate(const scene::Scene& scene, const std::string& estimator,
   s.walks = defaults.walks;
   s.connected_fraction = defaults.connected_fraction;
   s.walk_attenuation = 0.6;
+  s.sampling = defaults.sampling;
   return c;
 }
 
@@ -58,6 +59,8 @@ std::vector<Candidate> candidates(const scene::Scene& scene) {
   out.back().simulation.walks = 4;
   out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, all connected"));
   out.back().simulation.connected_fraction = 1;
+  out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, random"));
+  out.back().simulation.sampling = "random";
   return out;
 }
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "core/random.hpp"
 #include "engine/connections.hpp"
+#include "engine/draws.hpp"
 #include "engine/history.hpp"
 #include "engine/walk.hpp"
 #include "transport/depart.hpp"
@@ -18,15 +18,15 @@ namespace photic::engine {
 /// takes what ends.
 template <class T, class InTime>
 [[gnu::flatten]] void take_walk(const World<T>& world, const transport::Samples<T>& samples,
-                                InTime in_time, RandomPlace<T> place, std::uint32_t stream,
-                                Walk<T>& walk, tally::BatchTally& tally, tally::Ledger& ledger) {
+                                InTime in_time, const Draws<T>& draws, Walk<T>& walk,
+                                tally::BatchTally& tally, tally::Ledger& ledger) {
   using namespace transport;
   const medium::MediumView& sea = world.sea;
   Photon<T> photon = walk.begin.photon;
   Leg<T> leg;
   walk.add(Ray<T>{walk_point(photon)});
-  for (place.event = 1; place.event < most_events; ++place.event) {
-    const auto u = uniforms(place, stream);
+  for (std::int32_t event = 1; event < most_events; ++event) {
+    const auto u = draws(event, 0);
     const Photon<T> before = photon;
     const auto end = fly(sea, photon, u[0]);
     add_flight(sea, before, photon, leg);
@@ -45,7 +45,7 @@ template <class T, class InTime>
         return void(ledger.lost += photon.weight);
       }
       const T weight = photon.weight;
-      const auto v = photon.line > 0 ? uniforms(place, stream + 1) : std::array<T, 4>{1, 1, 1, 1};
+      const auto v = photon.line > 0 ? draws(event, 1) : std::array<T, 4>{1, 1, 1, 1};
       const auto departure = depart(sea, photon, world.reversal, {u[1], u[2], v[0], v[1]});
       ledger.absorbed += weight - photon.weight;
       if (photon.line != before.line) walk.converts();
@@ -76,32 +76,30 @@ bool in_time_from_laser(const World<T>& world, const transport::Photon<T>& photo
 template <class T>
 void walk_from_laser(const World<T>& world, const transport::Samples<T>& samples,
                      std::uint64_t photon, Walk<T>& walk, tally::BatchTally& tally) {
-  const RandomPlace<T> place{world.seed, photon, 0};
-  const auto u = uniforms(place, 0);
+  const Draws<T> draws{world, photon, 0, 0};
+  const auto u = draws(0, 0);
   walk.clear();
   walk.begin = transport::begin_at_laser(world.sea, world.laser, world.laser_layer, u[0], u[1]);
   tally.ledger.escaped += T(1) - (walk.begin.exists ? walk.begin.photon.weight : T(0));
   if (!walk.begin.exists) return;
   take_walk(
-      world, samples, [&world](const auto& p) { return in_time(world, p); }, place, 0, walk, tally,
+      world, samples, [&world](const auto& p) { return in_time(world, p); }, draws, walk, tally,
       tally.ledger);
 }
 
-/// The first of the random blocks of a receiver; the laser has those below.
+/// The random numbers of a telescope's walk; the laser has the blocks below.
 template <class T>
-std::uint32_t stream_of(const Receiver<T>& receiver) {
-  return 4 + 4 * static_cast<std::uint32_t>(receiver.number);
+Draws<T> draws_of(const World<T>& world, const Receiver<T>& receiver, std::uint64_t photon) {
+  return {world, photon, 4 + 4 * static_cast<std::uint32_t>(receiver.number), 1};
 }
 
 /// The walk of a telescope that goes with this photon.
 template <class T>
 void walk_from_telescope(const World<T>& world, const Receiver<T>& receiver,
-                         const transport::Samples<T>& samples, std::uint64_t photon, Walk<T>& walk,
+                         const transport::Samples<T>& samples, const Draws<T>& draws, Walk<T>& walk,
                          tally::BatchTally& tally) {
   const auto& telescope = world.telescopes[receiver.telescope];
-  const auto stream = stream_of(receiver);
-  const RandomPlace<T> place{world.seed, photon, 0};
-  const auto u = uniforms(place, stream);
+  const auto u = draws(0, 0);
   walk.clear();
   walk.lens = lens_point(telescope, u[0], u[1]);
   walk.outward = outward(telescope, walk.lens,
@@ -112,8 +110,8 @@ void walk_from_telescope(const World<T>& world, const Receiver<T>& receiver,
   if (!walk.begin.exists) return;
   tally::Ledger unused;  // the ledger is the laser's light's
   take_walk(
-      world, samples, [&world](const auto& p) { return in_time_from_laser(world, p); }, place,
-      stream, walk, tally, unused);
+      world, samples, [&world](const auto& p) { return in_time_from_laser(world, p); }, draws, walk,
+      tally, unused);
 }
 
 /// Follows photons `first` … `first + count - 1` from the laser, as one set of walks.
@@ -128,12 +126,13 @@ void follow_set(const World<T>& world, std::uint64_t first, std::size_t count, W
   for (const Receiver<T>& receiver : world.receivers) {
     for (std::size_t g = 0; g < count; ++g) {
       Walk<T>& back = set.from_telescope;
-      walk_from_telescope(world, receiver, samples, first + g, back, tally);
+      const auto draws = draws_of(world, receiver, first + g);
+      walk_from_telescope(world, receiver, samples, draws, back, tally);
       if (!back.begin.exists) continue;
       const Connections<T> connections(world, receiver, samples, back, tally);
       connections.to_telescope(set.from_laser[g]);
       connections.to_laser();
-      const auto u = uniforms(RandomPlace<T>{world.seed, first + g, 0}, stream_of(receiver) + 2);
+      const auto u = draws(0, 1);
       if (u[1] < world.connected) connections.between(set.from_laser[g]);
       for (std::size_t i = 0; i < count; ++i) {
         connections.shifted(set.from_laser[i], u[0]);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/sobol.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/telescope.hpp"
 #include "medium/lines.hpp"
@@ -18,6 +19,8 @@
 #include "transport/vertex.hpp"
 
 namespace photic::engine {
+
+inline constexpr std::uint64_t batch_photons = 2000;
 
 inline constexpr int view_parts = 3;
 
@@ -118,11 +121,19 @@ struct World {
   T roulette_threshold{};
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   std::uint64_t seed = 0;
+  SobolPoints points;  ///< of a batch; none: all numbers are drawn independently
 };
 
 /// A walk that is to be connected is cut after so many vertices; what it carries then is counted as
 /// lost.
 inline constexpr std::int32_t most_vertices = 128;
+
+/// The coordinates of a batch's points: four for each block of random numbers, of which an event of
+/// the laser's walk has one and an event of a telescope's two.
+inline constexpr std::uint32_t quasi_random_events = 3;
+inline constexpr std::uint32_t quasi_random_blocks = 3;
+inline constexpr std::uint32_t quasi_random_dimensions =
+    4 * quasi_random_blocks * quasi_random_events;
 
 /// Below this analog weight absorption is by Russian roulette, as in a plain walk.
 inline constexpr double roulette_threshold = 1e-8;
@@ -208,6 +219,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
   world.seed = scene.simulation.seed;
+  if (scene.simulation.sampling == "quasi-random")
+    world.points = {batch_photons, quasi_random_dimensions};
   return world;
 }
 

@@ -17,6 +17,7 @@ CANDIDATES = [
     "bidirectional, 0.9",
     "bidirectional, 0.6, walks 4",
     "bidirectional, 0.6, all connected",
+    "bidirectional, 0.6, random",
 ]
 
 

@@ -119,13 +119,13 @@ def test_what_a_killed_run_left_is_told_and_never_replaced_by_less(photic, start
     # than the result.
     checkpoint = tmp_path / "quick.checkpoint.nc"
     photons = killed(start, checkpoint, "--checkpoint", "1s")
-    done = photic("run", "quick.toml", "--photons", "60000", "--checkpoint", "0.001s")
+    done = photic("run", "quick.toml", "--photons", "4000", "--checkpoint", "0.001s")
     assert done.returncode == 0
     assert done.stderr == (
         f"quick.checkpoint.nc: left by a run of this scene that did not end, with {photons} photons "
         "(go on from it: photic run --continue quick.checkpoint.nc -o quick.nc)\n"
     )
-    assert photons_in(tmp_path / "quick.nc") == 60000, "not used by itself"
+    assert photons_in(tmp_path / "quick.nc") == 4000, "not used by itself"
     assert photons_in(checkpoint) == photons
 
     total = photons + 2000

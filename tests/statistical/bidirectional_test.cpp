@@ -178,6 +178,10 @@ TEST(Bidirectional, WalksOfASetDoNotMatter) { expect_same_echo("walks = 4", "wal
 TEST(Bidirectional, AttenuationOfTheWalksDoesNotMatter) {
   expect_same_echo("walk_attenuation = 0.3", "walk_attenuation = 0.9");
 }
+// Seen red: with the same key for the free path and the direction.
+TEST(Bidirectional, EvenlySpreadWalksDoNotMatter) {
+  expect_same_echo("sampling = \"quasi-random\"", "sampling = \"random\"");
+}
 TEST(Bidirectional, ConversionProbabilityDoesNotMatter) {
   expect_same_echo("conversion_probability = 0.05", "conversion_probability = 0.6");
 }

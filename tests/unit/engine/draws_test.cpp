@@ -1,0 +1,79 @@
+// The random numbers of walks, drawn independently or spread over a batch.
+#include "engine/draws.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <set>
+
+#include "engine/problem.hpp"
+#include "support/scenes.hpp"
+
+namespace photic::engine {
+namespace {
+
+World<double> world_with(const std::string& sampling) {
+  using namespace test;
+  const auto problem = make_problem(read(
+      ship_instrument + channel("elastic") + water(0.06, 0.1, "{ model = \"isotropic\" }") +
+      depth_gates(10, 2) + simulation(1e4, 5, "sampling = \"" + sampling + "\"", "bidirectional")));
+  return make_world<double>(problem.scene, problem.medium, problem.gates);
+}
+
+constexpr std::uint32_t laser = 0, telescope = 1;
+
+TEST(Draws, AreIndependentIfAskedTo) {
+  const auto world = world_with("random");
+  const Draws<double> draws{world, 7, 4, telescope};
+  EXPECT_EQ(draws(1, 1), uniforms(RandomPlace<double>{world.seed, 7, 1}, 5));
+}
+
+// Seen red: with photons numbered through from one batch to the next.
+TEST(Draws, OfAnyBatchFillTheirRange) {
+  const auto world = world_with("quasi-random");
+  for (const std::uint64_t batch : {0U, 3U}) {
+    for (std::int32_t event = 0; event < 3; ++event) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        std::set<int> cells;
+        for (std::uint64_t n = 0; n < 1024; ++n) {
+          const Draws<double> draws{world, batch * batch_photons + n, 4, telescope};
+          cells.insert(static_cast<int>(1024 * draws(event, 1)[i]));
+        }
+        EXPECT_EQ(cells.size(), 1024U) << batch << ", " << event << ", " << i;
+      }
+    }
+  }
+}
+
+// Seen red: with keys that do not know the batch, the event or the block; with one coordinate for
+// all four numbers.
+TEST(Draws, OfBatchesEventsAndBlocksDiffer) {
+  const auto world = world_with("quasi-random");
+  std::set<double> seen;
+  std::size_t drawn = 0;
+  const auto note = [&](const Draws<double>& draws, std::uint32_t block) {
+    for (std::int32_t event = 0; event < 5; ++event) {
+      for (const double u : draws(event, block)) {
+        seen.insert(u);
+        ++drawn;
+      }
+    }
+  };
+  for (const std::uint64_t photon : {std::uint64_t{0}, batch_photons, 2 * batch_photons}) {
+    note({world, photon, 0, laser}, 0);
+    for (const std::uint32_t receiver : {0U, 1U}) {
+      note({world, photon, 4 + 4 * receiver, telescope}, 0);
+      note({world, photon, 4 + 4 * receiver, telescope}, 1);
+    }
+  }
+  EXPECT_EQ(seen.size(), drawn);
+}
+
+TEST(Draws, OfLaterEventsAreIndependent) {
+  const auto world = world_with("quasi-random");
+  const Draws<double> draws{world, 7, 0, laser};
+  EXPECT_EQ(draws(3, 0), uniforms(RandomPlace<double>{world.seed, 7, 3}, 0));
+}
+
+}  // namespace
+}  // namespace photic::engine
