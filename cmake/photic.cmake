@@ -4,7 +4,7 @@ add_library(photic_flags INTERFACE)
 target_compile_features(photic_flags INTERFACE cxx_std_20)
 # No contraction: the same bits from every schedule of the same formulas (docs/decisions).
 target_compile_options(photic_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                       -Wno-sign-conversion -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math)
+                       -Wno-sign-conversion -Wno-psabi -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
 # photic_library(name SOURCES a.cpp … USES core … [LINKS …])  → target photic_name, headers under src/
 function(photic_library name)

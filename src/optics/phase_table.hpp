@@ -11,6 +11,7 @@
 
 #include "core/constants.hpp"
 #include "core/lanes.hpp"
+#include "core/twin_table.hpp"
 
 namespace photic::optics {
 
@@ -31,7 +32,7 @@ struct PhaseView {
     slope,    ///< dp/dx [1/sr]
     fields
   };
-  const double* cell = nullptr;         ///< [cells][fields]
+  Table cell;                           ///< [cells][fields]
   const std::int32_t* guide = nullptr;  ///< last cell whose cdf is <= k / guides
 
   /// Lower edge of a cell but the core.
@@ -63,7 +64,7 @@ struct PhaseView {
 
   template <class T>
   T look_up(Field field, const Index<T>& i) const {
-    return gather<T>(cell + field, i * Index<T>(fields));
+    return gather<T>(cell + field, i * Index<T>(static_cast<std::int32_t>(fields)));
   }
 };
 
@@ -91,7 +92,7 @@ class PhaseTable {
  private:
   [[nodiscard]] double at(std::int32_t cell, PhaseView::Field field) const;
 
-  std::vector<double> cell_;  ///< [cells][fields]
+  TwinTable cell_;  ///< [cells][fields]
   std::vector<std::int32_t> guide_;
 };
 

@@ -1,0 +1,17 @@
+#include "core/elementary.hpp"
+
+#include <cmath>
+
+namespace photic {
+namespace {
+
+constexpr double cells = OctaveTables::cells;
+
+}  // namespace
+
+const OctaveTables octave_tables{
+    FixedTable<OctaveTables::cells>([](double i) { return std::exp2(-i / cells); }),
+    FixedTable<OctaveTables::cells>([](double i) { return std::log1p(i / cells); }),
+    FixedTable<OctaveTables::cells>([](double i) { return 1 / (cells * (1 + i / cells)); })};
+
+}  // namespace photic
