@@ -113,13 +113,19 @@ std::int32_t gather_index(const IndexTable& table, std::int32_t i) {
   return table.data[i];
 }
 
-/// The value of one lane; and one bit for each lane of a mask, the first lane's lowest.
+/// The values of all lanes; and one bit for each lane of a mask, the first lane's lowest.
 template <class V>
   requires std::is_arithmetic_v<V>
-constexpr V lane(V value, int) {
-  return value;
+constexpr std::array<V, 1> each_lane(V value) {
+  return {value};
 }
 constexpr std::uint32_t lane_bits(bool mask) { return mask ? 1 : 0; }
+
+/// How many lanes a mask has.
+template <class M>
+std::uint32_t count(const M& mask) {
+  return static_cast<std::uint32_t>(std::popcount(lane_bits(mask)));
+}
 
 /// Calls visit(i) for every lane i of a mask, in their order.
 template <class M, class Visit>

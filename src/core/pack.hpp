@@ -120,7 +120,11 @@ struct Pack {
   friend Pack select(const PackMask<N>& mask, const Pack& yes, const Pack& no) {
     return of(native::blend<N, E>(mask.value, yes.v, no.v));
   }
-  friend E lane(const Pack& a, int i) { return a.v[i]; }
+  friend std::array<E, N> each_lane(const Pack& a) {
+    std::array<E, N> out;
+    a.store(out.data());
+    return out;
+  }
 };
 
 template <class T>
@@ -178,6 +182,11 @@ template <std::floating_point E, int N>
 Pack<std::int32_t, N> floor_index(const Pack<E, N>& x) {
   return Pack<std::int32_t, N>::of(
       __builtin_convertvector(x.v, native::Vector<std::int32_t, N>));
+}
+
+template <int N>
+Pack<double, N> to_double(const Pack<float, N>& x) {
+  return Pack<double, N>::of(__builtin_convertvector(x.v, native::Vector<double, N>));
 }
 
 template <class T, class Stored>

@@ -29,6 +29,15 @@ using Vector = typename VectorOf<E, N>::type;
 template <class E>
 using Bits = std::conditional_t<sizeof(E) == 4, std::int32_t, std::int64_t>;
 
+/// Floats in the registers that this is compiled for.
+#if defined(__AVX512F__)
+inline constexpr int float_lanes = 16;
+#elif defined(__AVX2__)
+inline constexpr int float_lanes = 8;
+#else
+inline constexpr int float_lanes = 4;
+#endif
+
 // Masks: with AVX-512 one bit for each lane, else a vector of 32-bit lanes that are 0 or -1.
 
 #if defined(__AVX512F__)

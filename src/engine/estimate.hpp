@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/random.hpp"
 #include "engine/world.hpp"
@@ -18,63 +20,73 @@ inline constexpr int target_capacity = 16;
 template <class T>
 using Targets = transport::Targets<T, target_capacity>;
 
-/// Which point of each telescope's lens takes part in a local estimate of single rays.
+/// Photons on their way, one in each lane.
 template <class T>
-struct LensChoice {
-  const RandomPlace<T>& place;
-  std::size_t pair;  ///< of the four uniforms of a block: 0 or 1
-
-  [[nodiscard]] instrument::PlanePoint<T> point(std::size_t number,
-                                                const instrument::Telescope<T>& telescope) const {
-    const auto u = uniforms(RandomPlace<T>{place.seed, place.photon, 0},
-                            4 + static_cast<std::uint32_t>(number));
-    return lens_point(telescope, u[0], u[1]);
-  }
+struct Travellers {
+  transport::Photon<T> photon;
+  RandomPlace<T> place;
+  std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
+                                                ///< part in local estimates of single rays
 };
 
-/// Scores one line's light of a collision in all telescopes: weight before the collision x share of
-/// the process x phase function x acceptance x exp(-optical depth back at the emitted wavelength)
-/// (docs/theory.md, "The local estimate"). Adds the ways to the telescopes to `targets`, if given,
-/// for directed sampling: those outside the field of view too, for light that first turns towards a
-/// telescope and then enters its view is what a plain walk finds too rarely.
+/// Where a telescope's lens is looked through by a photon, all its life.
 template <class T>
-void score_line(const World<T>& world, const transport::Photon<T>& photon, const Index<T>& line,
-                const T& share, const Index<T>& phase, const LensChoice<T>& choice,
+instrument::PlanePoint<T> chosen_lens_point(const World<T>& world, RandomPlace<T> place,
+                                            std::size_t telescope) {
+  place.event = Index<T>(0);
+  const auto u = uniforms(place, 4 + static_cast<std::uint32_t>(telescope));
+  return lens_point(world.telescopes[telescope], u[0], u[1]);
+}
+
+/// Scores the lanes of a mask, one after the other.
+template <class T>
+void score_lanes(const Mask<T>& seen, std::size_t telescope, const Index<T>& line,
+                 const transport::Photon<T>& photon, const T& path_back, const T& value,
+                 tally::BatchTally& tally) {
+  const auto lines = each_lane(line), orders = each_lane(photon.order);
+  const auto depths = each_lane(photon.position.z), paths = each_lane(photon.path + path_back),
+             values = each_lane(value);
+  for_each_lane(seen, [&](int lane) {
+    const auto i = static_cast<std::size_t>(lane);
+    tally.score({telescope, lines[i], orders[i] + 1, -depths[i], paths[i], values[i]});
+  });
+}
+
+/// Scores one line's light of the collisions of a mask in all telescopes: weight before the
+/// collision x share of the process x phase function x acceptance x exp(-optical depth back at the
+/// emitted wavelength) (docs/theory.md, "The local estimate"). Adds the ways to the telescopes to
+/// `targets`, if given, for directed sampling: those outside the field of view too, for light that
+/// first turns towards a telescope and then enters its view is what a plain walk finds too rarely.
+template <class T>
+void score_line(const World<T>& world, const Travellers<T>& at, const Mask<T>& colliding,
+                const Index<T>& line, const T& share, const Index<T>& phase,
                 tally::BatchTally& tally, Targets<T>* targets) {
-  const auto offer = [&](std::size_t telescope, const transport::Connection<T>& way) {
-    if (targets != nullptr && way.in_front && targets->count < target_capacity)
-      targets->add(way.direction, T(0), T(1));
-    if (!(way.acceptance > T(0))) return;
+  using namespace transport;
+  const Photon<T>& photon = at.photon;
+  const auto offer = [&](std::size_t telescope, const Connection<T>& way) {
+    if (targets != nullptr && any(way.in_front) && targets->count < target_capacity)
+      targets->add(way.direction, T(0), select(way.in_front, T(1), T(0)));
+    const Mask<T> seen = colliding & (way.acceptance > T(0));
+    if (!any(seen)) return;
     const T p =
         world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction), phase);
-    tally::Score score;
-    score.telescope = telescope;
-    score.line = line;
-    score.order = photon.order + 1;
-    score.depth = -photon.position.z;
-    score.path = photon.path + way.path;
-    score.value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
-    tally.score(score);
+    const T value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
+    score_lanes(seen, telescope, line, photon, way.path, value, tally);
   };
+  const bool aims = targets != nullptr;
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const auto& telescope = world.telescopes[t];
-    if (world.single_rays) {
-      const auto lens = choice.point(t, telescope);
-      for (const bool mirrored : {false, true}) {
-        if (mirrored && !telescope.submerged) continue;
-        offer(t, transport::connect_ray(world.sea, telescope, world.telescope_layer[t], photon,
-                                        line, lens, mirrored));
-      }
-      continue;
-    }
-    if (!telescope.submerged) {
-      offer(t, transport::connect_through_surface(world.sea, telescope, photon, line,
-                                                  targets != nullptr));
-      continue;
-    }
     const auto& layer = world.telescope_layer[t];
-    offer(t, transport::connect_in_water(world.sea, telescope, layer, photon, line, false));
-    offer(t, transport::connect_in_water(world.sea, telescope, layer, photon, line, true));
+    for (const bool mirrored : {false, true}) {
+      if (mirrored && !telescope.submerged) continue;
+      if (world.single_rays) {
+        offer(t, connect_ray(world.sea, telescope, layer, photon, line, at.lens[t], mirrored, aims));
+      } else if (telescope.submerged) {
+        offer(t, connect_in_water(world.sea, telescope, layer, photon, line, mirrored));
+      } else {
+        offer(t, connect_through_surface(world.sea, telescope, photon, line, aims));
+      }
+    }
   }
 }
 
@@ -84,43 +96,57 @@ void score_line(const World<T>& world, const transport::Photon<T>& photon, const
 /// it by a direction that is drawn too rarely.
 template <class T>
 void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Targets<T>& targets) {
+  using std::sqrt;
+  const Mask<T> convertible = photon.line == Index<T>(0);
+  if (!any(convertible)) return;
   for (const auto& view : world.views) {
     for (const auto& ball : view.part) {
+      if (targets.count == target_capacity) return;
       const Vec3<T> there = ball.centre - photon.position;
       const T squared = dot(there, there);
-      if (targets.count == target_capacity || squared == T(0)) return;
-      const T sine_squared = ball.radius * ball.radius / squared;
-      const T cone = sine_squared < T(1) ? T(1) - std::sqrt(T(1) - sine_squared) : T(1);
-      targets.add((T(1) / std::sqrt(squared)) * there, cone, T(1.0 / view_parts));
+      const Mask<T> apart = squared > T(0);
+      const T safe = select(apart, squared, T(1));
+      const T sine_squared = ball.radius * ball.radius / safe;
+      const T rest = T(1) - sine_squared;
+      const T cone = T(1) - sqrt(select(rest > T(0), rest, T(0)));
+      targets.add((T(1) / sqrt(safe)) * there, cone,
+                  select(convertible & apart, T(1.0 / view_parts), T(0)));
     }
   }
 }
 
-/// Scores what the telescopes expect of a photon that is scattered where it stands. Fills in the
-/// targets of the direction it may take next.
+/// Scores what the telescopes expect of photons that are scattered where they stand. Fills in the
+/// targets of the direction they may take next.
 template <class T>
-void score_scattering(const World<T>& world, const transport::Photon<T>& photon,
-                      const RandomPlace<T>& place, tally::BatchTally& tally, Targets<T>& targets) {
+void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask<T>& colliding,
+                      tally::BatchTally& tally, Targets<T>& targets) {
   const medium::MediumView& sea = world.sea;
-  const Index<T> here = sea.at(photon.line, photon.layer);
+  const Index<T> here = sea.at(at.photon.line, at.photon.layer);
   targets.clear();
-  score_line(world, photon, photon.line, T(sea.albedo[here]), sea.elastic_phase[here], {place, 0},
-             tally, world.directed > T(0) ? &targets : nullptr);
-  if (photon.line == 0 && world.directed > T(0)) aim_at_views(world, photon, targets);
+  Targets<T>* const aimed = world.directs ? &targets : nullptr;
+  score_line(world, at, colliding, at.photon.line, gather<T>(sea.albedo, here),
+             gather_index<T>(sea.elastic_phase, here), tally, aimed);
+  if (world.directs) aim_at_views(world, at.photon, targets);
 }
 
-/// Scores what the telescopes expect of the conversions on a photon's way to its next collision.
+/// Scores what the telescopes expect of the conversions on photons' way to their next collision.
 template <class T>
-void score_conversions(const World<T>& world, transport::Photon<T> photon,
-                       const RandomPlace<T>& place, tally::BatchTally& tally) {
+void score_conversions(const World<T>& world, Travellers<T> at, const Mask<T>& travelling,
+                       tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
-  const auto u = uniforms(place, 2);
-  if (photon.line != 0 || !transport::force_collision(sea, photon, world.cones, {u[0], u[1], u[2]}))
-    return;
-  for (Index<T> i = 0; i < sea.convertible_count[photon.layer]; ++i) {
-    const Index<T> line = sea.convertible[photon.layer * sea.lines + i];
-    score_line<T>(world, photon, line, T(sea.conversion[sea.at(line, photon.layer)]),
-                  sea.conversion_phase[line], {place, 1}, tally, nullptr);
+  const Mask<T> convertible = travelling & (at.photon.line == Index<T>(0));
+  if (!any(convertible)) return;
+  const auto u = uniforms(at.place, 2);
+  const Mask<T> reached =
+      convertible & transport::force_collision(sea, at.photon, world.cones, {u[0], u[1], u[2]});
+  const Index<T> count = gather_index<T>(sea.convertible_count, at.photon.layer);
+  Index<T> i(0);
+  for (Mask<T> on = reached & (i < count); any(on); on = reached & (i < count)) {
+    const Index<T> line =
+        gather_index<T>(sea.convertible, at.photon.layer * Index<T>(sea.lines) + i);
+    score_line<T>(world, at, on, line, gather<T>(sea.conversion, sea.at(line, at.photon.layer)),
+                  gather_index<T>(sea.conversion_phase, line), tally, nullptr);
+    i = i + Index<T>(1);
   }
 }
 

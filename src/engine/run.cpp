@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/batches.hpp"
 #include "engine/choose.hpp"
 #include "engine/problem.hpp"
+#include "engine/scalar.hpp"
 
 namespace photic::engine {
 namespace {
