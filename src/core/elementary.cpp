@@ -10,8 +10,8 @@ constexpr double cells = OctaveTables::cells;
 }  // namespace
 
 const OctaveTables octave_tables{
-    FixedTable<OctaveTables::cells>([](double i) { return std::exp2(-i / cells); }),
-    FixedTable<OctaveTables::cells>([](double i) { return std::log1p(i / cells); }),
-    FixedTable<OctaveTables::cells>([](double i) { return 1 / (cells * (1 + i / cells)); })};
+    Table64([](double i) { return std::exp2(-i / cells); }),
+    Table64([](double i) { return std::log1p(i / cells); }),
+    Table64([](double i) { return 1 / (cells * (1 + i / cells)); })};
 
 }  // namespace photic

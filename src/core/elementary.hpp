@@ -10,10 +10,10 @@ namespace photic {
 /// What the series below start from: an octave in `cells` parts.
 struct OctaveTables {
   static constexpr int bits = 6;
-  static constexpr int cells = 1 << bits;
-  FixedTable<cells> power;    ///< 2^(-i / cells)
-  FixedTable<cells> log;      ///< ln(1 + i / cells)
-  FixedTable<cells> inverse;  ///< 1 / (cells + i)
+  static constexpr int cells = Table64::size;
+  Table64 power;    ///< 2^(-i / cells)
+  Table64 log;      ///< ln(1 + i / cells)
+  Table64 inverse;  ///< 1 / (cells + i)
 };
 extern const OctaveTables octave_tables;
 inline constexpr double ln2 = 0.69314718055994530942;
@@ -34,7 +34,7 @@ T exp_minus(const T& y) {
   const T r2 = r * r;
   const T series =
       T(1) + r + r2 * (T(0.5) + r * T(1.0 / 6) + r2 * (T(1.0 / 24) + r * T(1.0 / 120)));
-  const T power = gather<T>(ShortTable(octave_tables.power), k & Index<T>(Tables::cells - 1));
+  const T power = gather<T>(octave_tables.power, k & Index<T>(Tables::cells - 1));
   const T result = power * series * octave_edge<T>(Index<T>(0) - (k >> Tables::bits), 0);
   return select(y < limit, result, T(0));
 }
@@ -45,12 +45,12 @@ T minus_log(const T& u) {
   using Tables = OctaveTables;
   const auto [cell, fraction] = octave_cell(u, Tables::bits);
   const Index<T> i = cell & Index<T>(Tables::cells - 1);
-  const T r = fraction * gather<T>(ShortTable(octave_tables.inverse), i);
+  const T r = fraction * gather<T>(octave_tables.inverse, i);
   const T r2 = r * r;
   const T series =
       r - r2 * (T(0.5) - r * T(1.0 / 3) +
                 r2 * (T(0.25) - r * T(0.2) + r2 * (T(1.0 / 6) - r * T(1.0 / 7) + r2 * T(0.125))));
-  return (T(-ln2) * to_real<T>(cell >> Tables::bits) - gather<T>(ShortTable(octave_tables.log), i)) -
+  return (T(-ln2) * to_real<T>(cell >> Tables::bits) - gather<T>(octave_tables.log, i)) -
          series;
 }
 

@@ -65,22 +65,21 @@ struct ShortTable : Table {
   std::int32_t size = 0;
 };
 
-/// A table whose length is known when it is compiled, and its owner.
-template <int length>
-  requires(length % table_padding == 0)
-class FixedTable {
+/// The table of 64 numbers that a function is made of.
+class Table64 {
  public:
-  /// f(i) for each entry.
+  static constexpr std::int32_t size = 64;
+  /// f(i) for each i.
   template <class F>
-  explicit FixedTable(F f) {
-    for (std::size_t i = 0; i < length; ++i)
+  explicit Table64(F f) {
+    for (std::size_t i = 0; i < size; ++i)
       rounded_[i] = static_cast<float>(exact_[i] = f(static_cast<double>(i)));
   }
-  operator ShortTable() const { return {{exact_.data(), rounded_.data()}, length}; }
+  [[nodiscard]] Table view() const { return {exact_.data(), rounded_.data()}; }
 
  private:
-  std::array<double, length> exact_{};
-  alignas(64) std::array<float, length> rounded_{};
+  std::array<double, size> exact_{};
+  alignas(64) std::array<float, size> rounded_{};
 };
 
 /// A short table of integers.
@@ -103,6 +102,10 @@ T gather(const Table& table, std::int32_t i) {
   } else {
     return table.exact[i];
   }
+}
+template <std::floating_point T>
+T gather(const Table64& table, std::int32_t i) {
+  return gather<T>(table.view(), i);
 }
 template <std::floating_point T>
 constexpr std::int32_t gather_index(const std::int32_t* data, std::int32_t i) {

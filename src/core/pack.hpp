@@ -76,6 +76,9 @@ struct Pack {
   }
   void store(E* to) const { std::memcpy(to, &v, sizeof v); }
 
+  /// The lanes of a mask one behind the other; up to N numbers are written.
+  void store(const PackMask<N>& mask, E* to) const { native::compress<N, E>(mask.value, v, to); }
+
   E operator[](std::size_t i) const { return v[i]; }
   void set(std::size_t i, E value) { v[i] = value; }
 
@@ -132,12 +135,49 @@ inline constexpr bool is_pack = false;
 template <class E, int N>
 inline constexpr bool is_pack<Pack<E, N>> = true;
 
+/// N lanes of 64 bits in two vectors: as many as fit into the registers that N floats fill.
+template <class E, int N>
+struct WidePack {
+  using Half = Pack<E, N / 2>;
+  Half first, second;
+
+  WidePack() = default;
+  WidePack(const Half& f, const Half& s) : first(f), second(s) {}
+  template <class A>
+    requires std::is_arithmetic_v<A>
+  explicit WidePack(A all) : first(all), second(all) {}
+  static WidePack load(const E* from) { return {Half::load(from), Half::load(from + N / 2)}; }
+  void store(E* to) const {
+    first.store(to);
+    second.store(to + N / 2);
+  }
+  E operator[](std::size_t i) const { return i < N / 2 ? first[i] : second[i - N / 2]; }
+  void set(std::size_t i, E value) {
+    i < N / 2 ? first.set(i, value) : second.set(i - N / 2, value);
+  }
+
+  friend WidePack operator+(const WidePack& a, const WidePack& b) {
+    return {a.first + b.first, a.second + b.second};
+  }
+  friend WidePack operator^(const WidePack& a, const WidePack& b) {
+    return {a.first ^ b.first, a.second ^ b.second};
+  }
+  friend WidePack operator>>(const WidePack& a, int places) {
+    return {a.first >> places, a.second >> places};
+  }
+  friend std::array<E, N> each_lane(const WidePack& a) {
+    std::array<E, N> out;
+    a.store(out.data());
+    return out;
+  }
+};
+
 template <std::floating_point E, int N>
 struct LaneTraits<Pack<E, N>> {
   using Element = E;
   using Mask = PackMask<N>;
   using Index = Pack<std::int32_t, N>;
-  using Counter = Pack<std::uint64_t, N>;
+  using Counter = WidePack<std::uint64_t, N>;
   static constexpr int lanes = N;
 };
 
@@ -185,8 +225,12 @@ Pack<std::int32_t, N> floor_index(const Pack<E, N>& x) {
 }
 
 template <int N>
-Pack<double, N> to_double(const Pack<float, N>& x) {
-  return Pack<double, N>::of(__builtin_convertvector(x.v, native::Vector<double, N>));
+WidePack<double, N> to_double(const Pack<float, N>& x) {
+  const auto part = [&x](bool upper) {
+    return Pack<double, N / 2>::of(__builtin_convertvector(native::half<N, float>(x.v, upper),
+                                                           native::Vector<double, N / 2>));
+  };
+  return {part(false), part(true)};
 }
 
 template <class T, class Stored>
@@ -216,6 +260,15 @@ T gather(const ShortTable& table, const Index<T>& i) {
     return T::of(native::gather_short<T::lanes>(table.rounded, table.size, i.v));
   } else {
     return gather<T>(table.exact, i);
+  }
+}
+template <class T>
+  requires is_pack<T>
+T gather(const Table64& table, const Index<T>& i) {
+  if constexpr (sizeof(Element<T>) == 4) {
+    return T::of(native::gather_64<T::lanes>(table.view().rounded, i.v));
+  } else {
+    return gather<T>(table.view().exact, i);
   }
 }
 template <class T>
@@ -255,24 +308,31 @@ T octave_edge(const Index<T>& cell, int bits) {
 // Random numbers in lanes (core/random.hpp).
 
 template <int N>
-Pack<std::uint64_t, N> multiply_low(const Pack<std::uint64_t, N>& a, std::uint32_t b) {
-  return Pack<std::uint64_t, N>::of(native::multiply_low<N>(a.v, b));
+WidePack<std::uint64_t, N> multiply_low(const WidePack<std::uint64_t, N>& a, std::uint32_t b) {
+  using Half = Pack<std::uint64_t, N / 2>;
+  return {Half::of(native::multiply_low<N / 2>(a.first.v, b)),
+          Half::of(native::multiply_low<N / 2>(a.second.v, b))};
 }
 template <class T>
   requires is_pack<T>
 Counter<T> to_counter(const Index<T>& i) {
-  return Counter<T>::of(__builtin_convertvector(i.v, typename Counter<T>::Vector));
+  constexpr int lanes = T::lanes / 2;
+  using Half = Pack<std::uint64_t, lanes>;
+  const auto part = [&i](bool upper) {
+    return Half::of(__builtin_convertvector(native::half<T::lanes, std::int32_t>(i.v, upper),
+                                            typename Half::Vector));
+  };
+  return {part(false), part(true)};
 }
 template <class T>
   requires is_pack<T>
 T uniform_from(const Counter<T>& word) {
-  const auto low = native::low_words<T::lanes>(word.v);
-  using E = Element<T>;
-  if constexpr (sizeof(E) == 4) {
+  const auto low = native::low_words<T::lanes>(word.first.v, word.second.v);
+  if constexpr (sizeof(Element<T>) == 4) {
     const auto part = (native::Vector<std::uint32_t, T::lanes>)low >> 9;
     return uniform_from_part<T>(to_real<T>(Index<T>::of((typename Index<T>::Vector)part)));
   } else {
-    const typename Counter<T>::Vector part = word.v & std::uint64_t{0xffffffff};
+    const auto part = (native::Vector<std::uint32_t, T::lanes>)low;
     return uniform_from_part<T>(T::of(__builtin_convertvector(part, typename T::Vector)));
   }
 }

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace photic::native {
 
@@ -196,22 +197,15 @@ Vector<E, N> gather(const E* data, const Vector<std::int32_t, N>& index) {
   return out;
 }
 
-/// The same of a table that is short and, beyond its end, readable up to a multiple of 64 bytes:
-/// from registers.
+/// The same of a table that is readable up to a multiple of 64 bytes: from registers where it is
+/// short.
 template <int N, class E>
 Vector<E, N> gather_short(const E* data, std::int32_t size, const Vector<std::int32_t, N>& index) {
   static_assert(sizeof(E) == 4);
 #if defined(__AVX512F__)
   if constexpr (N == 16) {
-    const auto part = [data](int i) { return _mm512_loadu_si512(data + 16 * i); };
-    const auto i = (__m512i)index;
-    if (size <= 16) return (Vector<E, N>)_mm512_permutexvar_epi32(i, part(0));
-    if (size <= 32) return (Vector<E, N>)_mm512_permutex2var_epi32(part(0), i, part(1));
-    if (size <= 64) {
-      const __mmask16 upper = _mm512_test_epi32_mask(i, _mm512_set1_epi32(32));
-      const __m512i low = _mm512_permutex2var_epi32(part(0), i, part(1));
-      const __m512i high = _mm512_permutex2var_epi32(part(2), i, part(3));
-      return (Vector<E, N>)_mm512_mask_blend_epi32(upper, low, high);
+    if (size <= 16) {
+      return (Vector<E, N>)_mm512_permutexvar_epi32((__m512i)index, _mm512_loadu_si512(data));
     }
   }
 #endif
@@ -228,55 +222,79 @@ Vector<E, N> gather_short(const E* data, std::int32_t size, const Vector<std::in
   return gather<N, E>(data, index);
 }
 
+/// The same of a table of exactly 64 numbers.
+template <int N, class E>
+Vector<E, N> gather_64(const E* data, const Vector<std::int32_t, N>& index) {
+#if defined(__AVX512F__)
+  if constexpr (N == 16) {
+    const auto i = (__m512i)index;
+    const auto half = [&](const E* from) {
+      return _mm512_permutex2var_epi32(_mm512_loadu_si512(from), i, _mm512_loadu_si512(from + 16));
+    };
+    const __mmask16 upper = _mm512_test_epi32_mask(i, _mm512_set1_epi32(32));
+    return (Vector<E, N>)_mm512_mask_blend_epi32(upper, half(data), half(data + 32));
+  }
+#endif
+  return gather<N, E>(data, index);
+}
+
+/// Lanes of a mask one behind the other, from `to` on; up to N numbers are written there.
+template <int N, class E>
+void compress(MaskBits<N> mask, const Vector<E, N>& lanes, E* to) {
+  static_assert(sizeof(E) == 4);
+#if defined(__AVX512F__)
+  if constexpr (N == 16) {
+    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(mask, (__m512i)lanes));
+    return;
+  }
+#endif
+  for (std::uint32_t left = bits<N>(mask); left != 0; left &= left - 1)
+    *to++ = lanes[std::countr_zero(left)];
+}
+
+/// The lower or the upper half of the lanes.
+template <int N, class E, std::size_t... i>
+Vector<E, N / 2> half(const Vector<E, N>& x, bool upper, std::index_sequence<i...>) {
+  if (upper) return __builtin_shufflevector(x, x, static_cast<int>(i + N / 2)...);
+  return __builtin_shufflevector(x, x, static_cast<int>(i)...);
+}
+template <int N, class E>
+Vector<E, N / 2> half(const Vector<E, N>& x, bool upper) {
+  return half<N, E>(x, upper, std::make_index_sequence<N / 2>{});
+}
+
 /// The products of the lower halves of 64-bit lanes with a 32-bit number.
 template <int N>
 Vector<std::uint64_t, N> multiply_low(const Vector<std::uint64_t, N>& a, std::uint32_t b) {
   using Lanes = Vector<std::uint64_t, N>;
 #if defined(__AVX512F__)
-  if constexpr (N % 8 == 0) {
-    __m512i part[N / 8];
-    std::memcpy(part, &a, sizeof a);
-    for (auto& p : part) p = _mm512_mul_epu32(p, _mm512_set1_epi64(b));
-    Lanes out;
-    std::memcpy(&out, part, sizeof out);
-    return out;
-  }
+  if constexpr (N == 8) return (Lanes)_mm512_mul_epu32((__m512i)a, _mm512_set1_epi64(b));
 #endif
 #if defined(__AVX2__)
-  if constexpr (N % 4 == 0) {
-    __m256i part[N / 4];
-    std::memcpy(part, &a, sizeof a);
-    for (auto& p : part) p = _mm256_mul_epu32(p, _mm256_set1_epi64x(b));
-    Lanes out;
-    std::memcpy(&out, part, sizeof out);
-    return out;
-  }
+  if constexpr (N == 4) return (Lanes)_mm256_mul_epu32((__m256i)a, _mm256_set1_epi64x(b));
 #endif
 #if defined(__SSE2__)
-  if constexpr (N % 2 == 0) {
-    __m128i part[N / 2];
-    std::memcpy(part, &a, sizeof a);
-    for (auto& p : part) p = _mm_mul_epu32(p, _mm_set1_epi64x(b));
-    Lanes out;
-    std::memcpy(&out, part, sizeof out);
-    return out;
-  }
+  if constexpr (N == 2) return (Lanes)_mm_mul_epu32((__m128i)a, _mm_set1_epi64x(b));
 #endif
   return (a & std::uint64_t{0xffffffff}) * std::uint64_t{b};
 }
 
-/// The lower halves of 64-bit lanes.
+/// The lower words of two vectors of 64-bit lanes, one behind the other.
 template <int N>
-Vector<std::int32_t, N> low_words(const Vector<std::uint64_t, N>& a) {
+Vector<std::int32_t, N> low_words(const Vector<std::uint64_t, N / 2>& first,
+                                  const Vector<std::uint64_t, N / 2>& second) {
 #if defined(__AVX512F__)
   if constexpr (N == 16) {
-    __m512i part[2];
-    std::memcpy(part, &a, sizeof a);
     const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
-    return (Vector<std::int32_t, N>)_mm512_permutex2var_epi32(part[0], even, part[1]);
+    return (Vector<std::int32_t, N>)_mm512_permutex2var_epi32((__m512i)first, even,
+                                                              (__m512i)second);
   }
 #endif
-  return __builtin_convertvector(a, Vector<std::int32_t, N>);
+  using Words = Vector<std::int32_t, N>;
+  const auto pick = [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return __builtin_shufflevector((Words)first, (Words)second, static_cast<int>(2 * i)...);
+  };
+  return pick(std::make_index_sequence<N>{});
 }
 
 }  // namespace photic::native

@@ -59,10 +59,11 @@ Mask<T> set_out(const World<T>& world, const Counter<T>& number, const Mask<T>& 
 /// direction, at another wavelength, or not.
 template <class T, class Ledger>
 void collision(const World<T>& world, Travellers<T>& travellers, const std::array<T, 4>& u,
-               Mask<T>& colliding, Ledger& ledger, tally::BatchTally& tally, Targets<T>& targets) {
+               Mask<T>& colliding, Ledger& ledger, tally::BatchTally& tally,
+               Estimates<T>& estimates) {
   using namespace transport;
   Photon<T>& photon = travellers.photon;
-  score_scattering(world, travellers, colliding, tally, targets);
+  score_scattering(world, travellers, colliding, estimates, tally);
   if (world.last_order > 0) {
     const Mask<T> last = colliding & (photon.order + Index<T>(1) == Index<T>(world.last_order));
     book(ledger.cut_by_order, last, photon.weight);
@@ -72,7 +73,7 @@ void collision(const World<T>& world, Travellers<T>& travellers, const std::arra
   book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
   const auto v = world.makes_choices ? uniforms(travellers.place, 1) : std::array<T, 4>{};
   const auto branch = collide(world.sea, photon, world.conversion, v[0], v[1]);
-  scatter(world.sea, photon, branch.phase, branch.lobe, targets, world.directed,
+  scatter(world.sea, photon, branch.phase, branch.lobe, estimates.targets, world.directed,
           {u[1], u[2], v[2], v[3]});
 }
 
@@ -80,12 +81,12 @@ void collision(const World<T>& world, Travellers<T>& travellers, const std::arra
 /// who goes on.
 template <class T, class Ledger>
 Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
-                   tally::BatchTally& tally, Targets<T>& targets) {
+                   tally::BatchTally& tally, Estimates<T>& estimates) {
   using namespace transport;
   Photon<T>& photon = travellers.photon;
   travellers.place.event = travellers.place.event + Index<T>(1);
   const auto u = uniforms(travellers.place, 0);
-  if (!world.views.empty()) score_conversions(world, travellers, on, tally);
+  if (!world.views.empty()) score_conversions(world, travellers, on, estimates, tally);
   const FlightEnd<T> end = fly(world.sea, photon, u[0]);
   book(ledger.sea_bed, on & end.sea_bed, photon.weight);
   on = on & !end.sea_bed;
@@ -99,14 +100,15 @@ Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on,
   if (any(reflected)) book(ledger.escaped, reflected, reflect_down(world.sea, down));
   if (any(colliding)) {
     tally.collisions += count(colliding);
-    collision(world, travellers, u, colliding, ledger, tally, targets);
+    collision(world, travellers, u, colliding, ledger, tally, estimates);
   }
   if (any(reflected)) photon = select(reflected, down, photon);
   on = reflected | colliding;
 
   const T before = photon.weight;
   const Mask<T> survives = roulette(photon, world.roulette_threshold, u[3]);
-  book(ledger.roulette, on, select(survives, before - photon.weight, before));
+  const Mask<T> played = on & !(survives & (photon.weight == before));
+  book(ledger.roulette, played, select(survives, before - photon.weight, before));
   on = on & survives;
   const Mask<T> finite = photon.weight <= T(std::numeric_limits<Element<T>>::max());
   tally.not_finite += count(on & !finite);
@@ -121,10 +123,9 @@ Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on,
 /// and scores its echoes. Flattened: what is called stays in registers, a tenth of the time.
 template <class T>
 [[gnu::flatten]] void follow(const World<T>& world, std::uint64_t number, Travellers<T>& photon,
-                             tally::BatchTally& tally) {
-  Targets<T> targets;
+                             Estimates<T>& estimates, tally::BatchTally& tally) {
   bool on = set_out(world, number, true, photon, tally.ledger);
-  while (on) on = next_event(world, photon, on, tally.ledger, tally, targets);
+  while (on) on = next_event(world, photon, on, tally.ledger, tally, estimates);
 }
 
 }  // namespace photic::engine

@@ -18,7 +18,7 @@ namespace photic::engine {
 /// Sums of weights, in double, each lane for itself.
 template <class T>
 struct LaneSum {
-  Pack<double, lanes_of<T>> lanes;
+  WidePack<double, lanes_of<T>> lanes;
   [[nodiscard]] double total() const {
     double sum = 0;
     for (const double lane : each_lane(lanes)) sum += lane;
@@ -27,6 +27,7 @@ struct LaneSum {
 };
 template <class T>
 void book(LaneSum<T>& account, const Mask<T>& mask, const T& weight) {
+  if (!any(mask)) return;
   account.lanes = account.lanes + to_double(select(mask, weight, T(0)));
 }
 /// The ledger of a pool.
@@ -55,6 +56,7 @@ class Pool {
   explicit Pool(const World<T>& world) : world_(world), lens_(world.telescopes.size()) {
     travellers_.place.seed = world.seed;
     travellers_.lens.resize(world.single_rays ? lens_.size() : 0);
+    estimates_.waiting.resize(lens_.size());
   }
 
   /// Follows photons `first` … `first + count - 1` to their ends. `witness` is told of the packs
@@ -71,13 +73,14 @@ class Pool {
       for (std::size_t k = 0; k < used_; k += width) {
         load(k);
         const Mask<T> before = first_lanes(used_ - k);
-        const Mask<T> on = next_event(world_, travellers_, before, ledger_, tally, targets_);
+        const Mask<T> on = next_event(world_, travellers_, before, ledger_, tally, estimates_);
         witness(travellers_, before, on);
         store(k);
         on_[k / width] = lane_bits(on);
       }
       replace();
     }
+    close_rooms(world_, estimates_, tally);
     tally.ledger = tally.ledger + ledger_.total();
     ledger_ = {};
   }
@@ -182,7 +185,7 @@ class Pool {
   std::size_t born_ = 0;
   std::uint64_t next_ = 0, last_ = 0;
   LaneLedger<T> ledger_;
-  Targets<T> targets_;
+  Estimates<T> estimates_;
 };
 
 }  // namespace photic::engine

@@ -19,7 +19,10 @@ class ScalarSimulator final : public Simulator {
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     if (world_.walks == 0) {
       Travellers<T> photon;
-      for (std::uint64_t i = 0; i < count; ++i) follow(world_, first + i, photon, tally);
+      Estimates<T> estimates;
+      estimates.waiting.resize(world_.telescopes.size());
+      for (std::uint64_t i = 0; i < count; ++i)
+        follow(world_, first + i, photon, estimates, tally);
       return;
     }
     WalkSet<T> set(world_.walks);

@@ -36,7 +36,7 @@ std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
       return static_cast<std::int32_t>(i);
   }
   phase_cells_.append(cells);
-  phase_guides_.insert(phase_guides_.end(), v.guide, v.guide + PhaseView::guides);
+  phase_guides_.insert(phase_guides_.end(), v.guide, v.guide + PhaseView::guides + 1);
   return static_cast<std::int32_t>(count);
 }
 

@@ -63,7 +63,7 @@ PhaseTable::PhaseTable(const PhaseShape& shape) {
   cell_ = TwinTable(numbers);
 
   std::int32_t last = 0;
-  for (int k = 0; k < PhaseView::guides; ++k) {
+  for (int k = 0; k <= PhaseView::guides; ++k) {
     const double u = static_cast<double>(k) / PhaseView::guides;
     while (last + 1 < PhaseView::cells && at(last + 1, PhaseView::cdf) <= u) ++last;
     guide_.push_back(last);

@@ -23,9 +23,7 @@ Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Teles
   if (telescope.submerged) {
     way = way_in_water(sea, at.position, line, to, mirrored);
   } else {
-    const T rise = telescope.position.z + depth * gather<T>(sea.inverse_index, line);
-    const Mask<T> near_view = telescope.may_see_beyond(telescope.position.x - at.position.x,
-                                                       telescope.position.y - at.position.y, rise);
+    const Mask<T> near_view = may_see(sea, telescope, at.position, line);
     if (!(aims || any(near_view))) return {};
     way = way_through_surface(sea, at.position, line, to, near_view);
   }
