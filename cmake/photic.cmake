@@ -34,7 +34,7 @@ endfunction()
 # object is sealed: a partial link resolves its groups of such functions, and then all its symbols but those that match
 # the entry are made local to it. Whatever it has inlined or instantiated is its own, at every level of optimisation and with
 # every standard library. What is left: nothing in such an object may run before main, on every processor. So headers
-# that it includes have no variables with constructors (tests/unit/engine/lanes_test.cpp looks for both).
+# that it includes have no variables with constructors (tests/unit/engine/check_sealed.py looks for both).
 function(photic_for_each_isa target source entry)
   set(flags_of_baseline "")
   set(flags_of_avx2 -mavx2 -mfma)
@@ -49,8 +49,9 @@ function(photic_for_each_isa target source entry)
     add_library(${object} OBJECT ${source})
     target_compile_definitions(${object} PRIVATE PHOTIC_ISA=${isa})
     # g++ 12 takes the operand that its own headers leave undefined on purpose for a mistake.
-    target_compile_options(${object} PRIVATE ${flags_of_${isa}} $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+    target_compile_options(${object} PRIVATE ${flags_of_${isa}} "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>")
     target_link_libraries(${object} PRIVATE ${ARGN} photic_flags)
+    target_include_directories(${object} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
     set(sealed ${CMAKE_CURRENT_BINARY_DIR}/${object}.sealed.o)
     add_custom_command(
       OUTPUT ${sealed}
@@ -58,6 +59,7 @@ function(photic_for_each_isa target source entry)
       COMMAND ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=${entry} ${sealed}
       DEPENDS ${object} $<TARGET_OBJECTS:${object}> VERBATIM)
     target_sources(${target} PRIVATE ${sealed})
+    set_property(TARGET ${target} APPEND PROPERTY PHOTIC_SEALED ${sealed})
     set_source_files_properties(${sealed} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
   endforeach()
 endfunction()

@@ -50,8 +50,7 @@ T minus_log(const T& u) {
   const T series =
       r - r2 * (T(0.5) - r * T(1.0 / 3) +
                 r2 * (T(0.25) - r * T(0.2) + r2 * (T(1.0 / 6) - r * T(1.0 / 7) + r2 * T(0.125))));
-  return (T(-ln2) * to_real<T>(cell >> Tables::bits) - gather<T>(octave_tables.log, i)) -
-         series;
+  return (T(-ln2) * to_real<T>(cell >> Tables::bits) - gather<T>(octave_tables.log, i)) - series;
 }
 
 }  // namespace photic

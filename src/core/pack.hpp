@@ -220,15 +220,14 @@ T to_real(const Index<T>& i) {
 }
 template <std::floating_point E, int N>
 Pack<std::int32_t, N> floor_index(const Pack<E, N>& x) {
-  return Pack<std::int32_t, N>::of(
-      __builtin_convertvector(x.v, native::Vector<std::int32_t, N>));
+  return Pack<std::int32_t, N>::of(__builtin_convertvector(x.v, native::Vector<std::int32_t, N>));
 }
 
 template <int N>
 WidePack<double, N> to_double(const Pack<float, N>& x) {
   const auto part = [&x](bool upper) {
-    return Pack<double, N / 2>::of(__builtin_convertvector(native::half<N, float>(x.v, upper),
-                                                           native::Vector<double, N / 2>));
+    return Pack<double, N / 2>::of(
+        __builtin_convertvector(native::half<N, float>(x.v, upper), native::Vector<double, N / 2>));
   };
   return {part(false), part(true)};
 }

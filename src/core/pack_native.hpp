@@ -285,7 +285,8 @@ Vector<std::int32_t, N> low_words(const Vector<std::uint64_t, N / 2>& first,
                                   const Vector<std::uint64_t, N / 2>& second) {
 #if defined(__AVX512F__)
   if constexpr (N == 16) {
-    const __m512i even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+    const __m512i even =
+        _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
     return (Vector<std::int32_t, N>)_mm512_permutex2var_epi32((__m512i)first, even,
                                                               (__m512i)second);
   }

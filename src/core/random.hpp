@@ -37,15 +37,15 @@ std::array<W, 4> philox_words(std::uint64_t seed, const W& photon, const W& even
   // Constants of the authors' Philox4x32: multipliers, and steps of the key between rounds.
   constexpr std::uint32_t multiplier0 = 0xd2511f53, multiplier1 = 0xcd9e8d57;
   constexpr std::uint32_t step0 = 0x9e3779b9, step1 = 0xbb67ae85;
-  auto key0 = static_cast<std::uint32_t>(seed), key1 = static_cast<std::uint32_t>(seed >> 32);
+  W key0(seed & 0xffffffff), key1(seed >> 32);
   std::array<W, 4> word{photon, photon >> 32, event, W(block)};
   for (int round = 0; round < 10; ++round) {
     const W product0 = multiply_low(word[0], multiplier0);
     const W product1 = multiply_low(word[2], multiplier1);
-    word = {(product1 >> 32) ^ word[1] ^ W(key0), product1, (product0 >> 32) ^ word[3] ^ W(key1),
+    word = {(product1 >> 32) ^ word[1] ^ key0, product1, (product0 >> 32) ^ word[3] ^ key1,
             product0};
-    key0 += step0;
-    key1 += step1;
+    key0 = key0 + W(step0);
+    key1 = key1 + W(step1);
   }
   return word;
 }
@@ -66,8 +66,8 @@ constexpr T uniform_from(std::uint64_t word) {
 /// Four uniforms of one event of one photon; an event that needs more asks for another block.
 template <class T>
 std::array<T, 4> uniforms(const RandomPlace<T>& place, std::uint32_t block) {
-  const auto w = philox_words<Counter<T>>(place.seed, place.photon, to_counter<T>(place.event),
-                                          block);
+  const auto w =
+      philox_words<Counter<T>>(place.seed, place.photon, to_counter<T>(place.event), block);
   return {uniform_from<T>(w[0]), uniform_from<T>(w[1]), uniform_from<T>(w[2]),
           uniform_from<T>(w[3])};
 }

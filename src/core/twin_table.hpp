@@ -38,9 +38,7 @@ class IndexTableOwner {
       : size_(numbers.size()), data_((size_ / table_padding + 1) * table_padding) {
     for (std::size_t i = 0; i < size_; ++i) data_[i] = numbers[i];
   }
-  [[nodiscard]] IndexTable view() const {
-    return {data_.data(), static_cast<std::int32_t>(size_)};
-  }
+  [[nodiscard]] IndexTable view() const { return {data_.data(), static_cast<std::int32_t>(size_)}; }
 
  private:
   std::size_t size_ = 0;

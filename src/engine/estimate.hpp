@@ -126,7 +126,7 @@ class WaitingRoom {
 /// What local estimates need besides the photons: a pool's, or one photon's.
 template <class T>
 struct Estimates {
-  Targets<T> targets;                  ///< of the directions that photons may take next
+  Targets<T> targets;                   ///< of the directions that photons may take next
   std::vector<WaitingRoom<T>> waiting;  ///< of each telescope
 };
 

@@ -139,8 +139,7 @@ class Pool {
   }
   /// Gives a slot to the newborn photon.
   void settle(std::size_t slot) {
-    columns(newborn_,
-            [&](const auto& member, auto& column) { column.slot[slot] = member[born_]; });
+    columns(newborn_, [&](const auto& member, auto& column) { column.slot[slot] = member[born_]; });
   }
   /// Gives the slots of those who have ended to new photons, or to the last ones.
   void replace() {
@@ -159,9 +158,8 @@ class Pool {
         }
         while (used_ > slot && ended(used_ - 1)) --used_;
         if (used_ <= slot) return;
-        columns(travellers_, [&](const auto&, auto& column) {
-          column.slot[slot] = column.slot[used_ - 1];
-        });
+        columns(travellers_,
+                [&](const auto&, auto& column) { column.slot[slot] = column.slot[used_ - 1]; });
         --used_;
       }
     }
@@ -176,7 +174,7 @@ class Pool {
   Real x_, y_, z_, u_, v_, w_, weight_, analog_weight_, path_;
   Integer line_, layer_, order_, event_;
   ColumnOf<std::uint64_t> number_;
-  std::vector<std::array<Real, 2>> lens_;  ///< of each telescope
+  std::vector<std::array<Real, 2>> lens_;          ///< of each telescope
   std::array<std::uint32_t, slots / width> on_{};  ///< who goes on, one bit for each lane
   std::size_t used_ = 0;
 

@@ -21,8 +21,7 @@ class ScalarSimulator final : public Simulator {
       Travellers<T> photon;
       Estimates<T> estimates;
       estimates.waiting.resize(world_.telescopes.size());
-      for (std::uint64_t i = 0; i < count; ++i)
-        follow(world_, first + i, photon, estimates, tally);
+      for (std::uint64_t i = 0; i < count; ++i) follow(world_, first + i, photon, estimates, tally);
       return;
     }
     WalkSet<T> set(world_.walks);

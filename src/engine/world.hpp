@@ -101,8 +101,8 @@ struct World {
   T lowest_in_air{};                          ///< height of the lowest telescope in the air [m]
   std::vector<T> submerged_z;                 ///< of the telescopes in the water
   T least_group_index{};                      ///< of all lines
-  T directed{};          ///< share of directions drawn towards a telescope
-  bool directs = false;  ///< whether any are
+  T directed{};                               ///< share of directions drawn towards a telescope
+  bool directs = false;                       ///< whether any are
   transport::Reversal<T> reversal;            ///< of conversions, by walks from telescopes
   T conversion{};            ///< probability of a branch into the inelastic processes
   bool single_rays = false;  ///< local estimates take one point of the lens instead of its mean
@@ -183,17 +183,16 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   const Reach reach = reach_of(scene, medium, gates, least);
   world.deepest = T(reach.deepest);
   world.connected = T(scene.simulation.connected_fraction);
-  world.meeting_grid = {T(depth(scene.source)), T(reach.range),
-                        T(scene.simulation.meetings)};
+  world.meeting_grid = {T(depth(scene.source)), T(reach.range), T(scene.simulation.meetings)};
   world.directed = T(scene.simulation.directed_fraction);
   world.directs = scene.simulation.directed_fraction > 0;
   world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);
-  world.reversal = {world.conversion, T(directed_reversal),
-                    vec3_cast<T>(axis_in_water(normalised(scene.source.direction),
-                                               world.laser.submerged,
-                                               medium.line.front().refractive_index)),
-                    Index<T>(medium.beam_lobe)};
+  world.reversal = {
+      world.conversion, T(directed_reversal),
+      vec3_cast<T>(axis_in_water(normalised(scene.source.direction), world.laser.submerged,
+                                 medium.line.front().refractive_index)),
+      Index<T>(medium.beam_lobe)};
   world.makes_choices = world.directs || medium.line.size() > 1;
   world.roulette_threshold = T(roulette_threshold);
   if (scene.simulation.estimator == "bidirectional")
@@ -205,8 +204,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
           std::any_of(scene.channel.begin(), scene.channel.end(),
                       [&](const auto& channel) { return medium::counts(channel, medium.line[l]); });
       if (counted)
-        world.receivers.push_back(
-            {world.receivers.size(), t, world.telescope_layer[t], Index<T>(static_cast<std::int32_t>(l))});
+        world.receivers.push_back({world.receivers.size(), t, world.telescope_layer[t],
+                                   Index<T>(static_cast<std::int32_t>(l))});
     }
   }
   world.last_order =

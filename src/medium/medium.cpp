@@ -98,8 +98,7 @@ void Medium::finish(std::optional<double> walk_share) {
     std::int32_t count = 0;
     for (std::size_t l = 1; l < n_lines; ++l) {
       if (conversion[l * n_layers + k] > 0) {
-        convertible[k * n_lines + static_cast<std::size_t>(count++)] =
-            static_cast<std::int32_t>(l);
+        convertible[k * n_lines + static_cast<std::size_t>(count++)] = static_cast<std::int32_t>(l);
       }
     }
     convertible_count.push_back(count);

@@ -24,22 +24,23 @@ const char* process_name(Process process);
 /// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
   std::int32_t layers = 0, lines = 0;
-  ShortTable top;  ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
-  ShortTable c;       ///< attenuation, [line][layer]
-  ShortTable albedo;  ///< b / c, [line][layer]
+  ShortTable top;        ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
+  ShortTable c;          ///< attenuation, [line][layer]
+  ShortTable albedo;     ///< b / c, [line][layer]
   ShortTable depth_tau;  ///< optical depth from the surface to a layer's top, [line][layers + 1]
-  ShortTable walk_c;  ///< coefficient that free paths are drawn from, [line][layer]
-  ShortTable walk_depth_tau;  ///< its integral from the surface to a layer's top, [line][layers + 1]
+  ShortTable walk_c;     ///< coefficient that free paths are drawn from, [line][layer]
+  ShortTable
+      walk_depth_tau;       ///< its integral from the surface to a layer's top, [line][layers + 1]
   ShortTable continuous_c;  ///< c less walk_c, absorbed along the way, [line][layer]
   ShortTable continuous_depth_tau;  ///< its integral, as above
   ShortTable collision_gain;        ///< c / walk_c, [line][layer]
   ShortTable conversion;  ///< share of a collision at line 0 that emits at this line, [line][layer]
   ShortTable absorption;  ///< share of a collision that ends the photon, [line][layer]
-  IndexTable convertible;  ///< the lines with conversion > 0, [layer][lines]
+  IndexTable convertible;        ///< the lines with conversion > 0, [layer][lines]
   IndexTable convertible_count;  ///< how many they are, [layer]
-  ShortTable index;                    ///< refractive index against air, [line]
-  ShortTable inverse_index;            ///< 1 / index, [line]
-  ShortTable group_index;              ///< [line]
+  ShortTable index;              ///< refractive index against air, [line]
+  ShortTable inverse_index;      ///< 1 / index, [line]
+  ShortTable group_index;        ///< [line]
   IndexTable elastic_phase;      ///< table in `phases`, [line][layer]
   IndexTable conversion_phase;   ///< table in `phases`, [line]; of line 0 unused
   optics::PhaseView phases;

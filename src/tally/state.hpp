@@ -22,9 +22,12 @@ struct Ledger {
   double lost = 0;          ///< too many events, or a number that is not finite
   friend bool operator==(const Ledger&, const Ledger&) = default;
   friend Ledger operator+(const Ledger& a, const Ledger& b) {
-    return {a.absorbed + b.absorbed,       a.escaped + b.escaped,
-            a.sea_bed + b.sea_bed,         a.cut_by_time + b.cut_by_time,
-            a.cut_by_order + b.cut_by_order, a.roulette + b.roulette,
+    return {a.absorbed + b.absorbed,
+            a.escaped + b.escaped,
+            a.sea_bed + b.sea_bed,
+            a.cut_by_time + b.cut_by_time,
+            a.cut_by_order + b.cut_by_order,
+            a.roulette + b.roulette,
             a.lost + b.lost};
   }
 };

@@ -15,8 +15,8 @@ namespace photic::transport {
 template <class T>
 Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                           const Index<T>& telescope_layer, const Photon<T>& at,
-                          const Index<T>& line, const instrument::PlanePoint<T>& lens, bool mirrored,
-                          bool aims) {
+                          const Index<T>& line, const instrument::PlanePoint<T>& lens,
+                          bool mirrored, bool aims) {
   const T depth = -at.position.z;
   const Vec3<T> to = in_space(telescope, lens);
   Way<T> way;

@@ -41,7 +41,8 @@ auto pack(const Four<S>& states, Member member) {
 }
 inline Vec3<Lanes4> pack(const Four<Vec3<double>>& values) {
   using V = Vec3<double>;
-  return {pack(values, [](const V& v) { return v.x; }), pack(values, [](const V& v) { return v.y; }),
+  return {pack(values, [](const V& v) { return v.x; }),
+          pack(values, [](const V& v) { return v.y; }),
           pack(values, [](const V& v) { return v.z; })};
 }
 inline Photon<Lanes4> pack(const Four<Photon<double>>& values) {
