@@ -1,6 +1,8 @@
 """Looks at objects made for one instruction set (cmake/photic.cmake): no symbol but their entry is seen by the linker,
 and nothing in them runs before main.
 
+Seen red: with an object as the compiler makes it.
+
 usage: check_sealed.py NM OBJDUMP ENTRY OBJECT...; exit code 1 if an object breaks the promise.
 """
 
