@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +33,7 @@ class WrittenResult : public testing::Test {
     // What a double could not hold.
     result_.photons = (std::uint64_t{1} << 63) + 12345;
     result_.seed = (std::uint64_t{1} << 53) + 1;
-    result_.scene_toml = std::string(300'000, 'x') + "häß\n";
+    result_.scene_toml = fmt::format("{:x>300000}häß\n", "");  // g++ 12 sees an overrun in a sum
     result_.partial = true;
     write_netcdf(result_, folder_.file("out.nc"), {"then: photic run"});
   }

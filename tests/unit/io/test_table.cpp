@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -104,7 +105,7 @@ TEST(EchoTable, EachTelescopeItsOwn) {
 TEST(EchoTable, FitsATerminalOf100Columns) {
   tally::Result result = small_result();
   for (int extra = 0; extra < 5; ++extra) {
-    result.channel_name.push_back("a channel of a long name " + std::to_string(extra));
+    result.channel_name.push_back(fmt::format("a channel of a long name {}", extra));
     for (std::size_t k = 0; k < 6; ++k) result.gate_depth_edge_m.push_back(static_cast<double>(k));
     for (std::size_t k = 0; k < 5; ++k) {
       result.echo.mean.push_back(1e-8);
