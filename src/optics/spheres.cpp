@@ -19,7 +19,10 @@ using Values = std::vector<double>;
 
 /// What is integrated over ln(radius): numbers of particles times the first few of these, then
 /// times the differential cross-section [m^2/sr] at each node of the angle.
-enum Quantity : std::size_t { number, volume, extinction, scattering, absorption, forward, angles };
+/// Places of the integrals over size.
+struct Of {
+  enum : std::size_t { number, volume, extinction, scattering, absorption, forward, angles };
+};
 
 class Integrand {
  public:
@@ -30,7 +33,7 @@ class Integrand {
         amplitude_(rule_.node.size()) {}
 
   [[nodiscard]] const GaussRule& rule() const { return rule_; }
-  [[nodiscard]] std::size_t size() const { return angles + rule_.node.size(); }
+  [[nodiscard]] std::size_t size() const { return Of::angles + rule_.node.size(); }
   [[nodiscard]] double work() const { return work_; }
   [[nodiscard]] int radii() const { return radii_; }
 
@@ -46,17 +49,17 @@ class Integrand {
     const MieSphere sphere(wave_number_ * radius, {spheres_.index, -spheres_.absorption_index});
     const MieEfficiencies q = sphere.efficiencies();
     const double area = n * pi * radius * radius;
-    out[number] = n;
-    out[volume] = area * 4 / 3 * radius;
-    out[extinction] = area * q.extinction;
-    out[scattering] = area * q.scattering;
-    out[absorption] = area * q.absorption;
-    out[forward] = area * q.scattering * q.mean_cosine;
+    out[Of::number] = n;
+    out[Of::volume] = area * 4 / 3 * radius;
+    out[Of::extinction] = area * q.extinction;
+    out[Of::scattering] = area * q.scattering;
+    out[Of::absorption] = area * q.absorption;
+    out[Of::forward] = area * q.scattering * q.mean_cosine;
     sphere.amplitudes(rule_.node, amplitude_);
     work_ += static_cast<double>(rule_.node.size()) * mie_orders(wave_number_ * radius);
     ++radii_;
     for (std::size_t i = 0; i < amplitude_.size(); ++i)
-      out[angles + i] = n * mueller(amplitude_[i]).s11 / (wave_number_ * wave_number_);
+      out[Of::angles + i] = n * mueller(amplitude_[i]).s11 / (wave_number_ * wave_number_);
   }
 
  private:
@@ -104,7 +107,7 @@ Panel integrate(Integrand& f, double from, double to) {
 double worst(const Values& error, const Values& integral) {
   double out = 0;
   for (std::size_t k = 0; k < integral.size(); ++k)
-    if (integral[k] > 0 && k != absorption && k != forward)
+    if (integral[k] > 0 && k != Of::absorption && k != Of::forward)
       out = std::max(out, error[k] / integral[k]);
   return out;
 }
@@ -179,14 +182,14 @@ SpheresOptics optics_of_spheres(const Spheres& spheres) {
   Integrand integrand(spheres);
   const AdaptiveIntegral integral(integrand, smooth_between_m(spheres.sizes));
   const Values& total = integral.total();
-  Values p(total.begin() + angles, total.end());
-  for (double& value : p) value /= total[scattering];
-  const double n = total[number];
-  return {.extinction_m2 = total[extinction] / n,
-          .scattering_m2 = total[scattering] / n,
-          .absorption_m2 = total[absorption] / n,
-          .mean_cosine = total[forward] / total[scattering],
-          .volume_m3 = total[volume] / n,
+  Values p(total.begin() + Of::angles, total.end());
+  for (double& value : p) value /= total[Of::scattering];
+  const double n = total[Of::number];
+  return {.extinction_m2 = total[Of::extinction] / n,
+          .scattering_m2 = total[Of::scattering] / n,
+          .absorption_m2 = total[Of::absorption] / n,
+          .mean_cosine = total[Of::forward] / total[Of::scattering],
+          .volume_m3 = total[Of::volume] / n,
           .phase = LegendreSeries(integrand.rule(), p),
           .error = integral.error(),
           .radii = integrand.radii()};
