@@ -38,10 +38,19 @@ def shallow(scene):
     return scene
 
 
+def bench_until_compared(photic, none_compared, *arguments):
+    """The bench with the first of a few times that lets this machine compare gates: it may be slow or busy."""
+    for seconds in (4, 16, 64):
+        done = photic("bench", "quick.toml", "--time", f"{seconds}s", *arguments)
+        assert (done.returncode, done.stderr) == (0, "")
+        if none_compared not in done.stdout:
+            break
+    return done
+
+
 def test_the_table(photic, shallow):
     # Seen red: with a candidate left out; with keys that no scene has in the recommended lines.
-    done = photic("bench", "quick.toml", "--time", "4s", "--threads", "2")
-    assert (done.returncode, done.stderr) == (0, "")
+    done = bench_until_compared(photic, "0 of 6 gates compared", "--threads", "2")
     for name in CANDIDATES:
         assert len(re.findall(rf"^{re.escape(name)}  +[0-9]", done.stdout, re.M)) == 2, "by depth and over all gates"
     assert "channel elastic, telescope telescope0" in done.stdout
@@ -57,8 +66,7 @@ def test_the_table(photic, shallow):
 def test_as_json(photic, shallow):
     # Seen red: with a candidate left out; with the candidate of the least merit recommended; with keys that no scene
     # has in the settings of a candidate.
-    done = photic("bench", "quick.toml", "--time", "4s", "--seed", "3", "--json")
-    assert (done.returncode, done.stderr) == (0, "")
+    done = bench_until_compared(photic, '"compared": 0\n', "--seed", "3", "--json")
     out = json.loads(done.stdout)
     assert (out["scene"], out["repeats"]) == ("quick.toml", 12)
     assert out["reference"]["photons"] > 0 and out["reference"]["cpu_s"] > 0
