@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/flatten.hpp"
 #include "core/random.hpp"
 #include "engine/estimate.hpp"
 #include "engine/world.hpp"
@@ -122,8 +123,8 @@ Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on,
 /// Follows photon number `number` from the laser until it is absorbed, escapes or comes too late,
 /// and scores its echoes. Flattened: what is called stays in registers, a tenth of the time.
 template <class T>
-[[gnu::flatten]] void follow(const World<T>& world, std::uint64_t number, Travellers<T>& photon,
-                             Estimates<T>& estimates, tally::BatchTally& tally) {
+PHOTIC_FLATTEN void follow(const World<T>& world, std::uint64_t number, Travellers<T>& photon,
+                           Estimates<T>& estimates, tally::BatchTally& tally) {
   bool on = set_out(world, number, true, photon, tally.ledger);
   while (on) on = next_event(world, photon, on, tally.ledger, tally, estimates);
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <vector>
 
+#include "core/flatten.hpp"
 #include "core/pack.hpp"
 #include "engine/history.hpp"
 #include "engine/simulator.hpp"
@@ -62,8 +63,8 @@ class Pool {
   /// Follows photons `first` … `first + count - 1` to their ends. `witness` is told of the packs
   /// before and after each event.
   template <class Witness>
-  [[gnu::flatten]] void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
-                            Witness witness) {
+  PHOTIC_FLATTEN void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
+                          Witness witness) {
     next_ = first;
     last_ = first + count;
     born_ = width;
