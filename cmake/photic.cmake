@@ -48,8 +48,10 @@ function(photic_for_each_isa target source entry)
     set(object ${target}_${stem}_${isa})
     add_library(${object} OBJECT ${source})
     target_compile_definitions(${object} PRIVATE PHOTIC_ISA=${isa})
-    # g++ 12 takes the operand that its own headers leave undefined on purpose for a mistake.
-    target_compile_options(${object} PRIVATE ${flags_of_${isa}} "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>")
+    # g++ 12 takes the operand that its own headers leave undefined on purpose for a mistake. Symbols that are to be one in
+    # the whole process cannot be made local.
+    target_compile_options(${object} PRIVATE ${flags_of_${isa}}
+                           "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-fno-gnu-unique>")
     target_link_libraries(${object} PRIVATE ${ARGN} photic_flags)
     target_include_directories(${object} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
     set(sealed ${CMAKE_CURRENT_BINARY_DIR}/${object}.sealed.o)
