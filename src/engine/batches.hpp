@@ -36,6 +36,7 @@ struct Ending {
 class Conductor {
  public:
   Conductor(const scene::Simulation& asked, const RunOptions& options);
+  Conductor(const scene::Simulation& asked, RunOptions&& options) = delete;  ///< it keeps them
 
   /// Batches that the photons asked for make; no limit if none were asked for.
   [[nodiscard]] std::uint64_t batches() const { return batches_; }

@@ -130,7 +130,8 @@ tally::Result run_on(int threads, const scene::Scene& scene, Isa isa) {
 TEST(Lanes, EchoesAreThoseOfTheScalarEngineInFloat) {
   for (const auto& scene : {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene()}) {
     const Problem problem = make_problem(scene);
-    Conductor conductor(problem.scene.simulation, {});
+    const RunOptions options;
+    Conductor conductor(problem.scene.simulation, options);
     tally::Result scalar = describe(problem);
     run_batches<float>(problem, conductor).fill(scalar);
     for (const Isa isa : sets_here()) {
