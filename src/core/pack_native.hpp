@@ -21,7 +21,8 @@ namespace photic::native {
 
 template <class E, int N>
 struct VectorOf {
-  typedef E type __attribute__((vector_size(N * sizeof(E))));  // an alias takes no such attribute
+  // NOLINTNEXTLINE(modernize-use-using): an alias takes no such attribute
+  typedef E type __attribute__((vector_size(N * sizeof(E))));
 };
 template <class E, int N>
 using Vector = typename VectorOf<E, N>::type;

@@ -20,8 +20,9 @@ class TwinTable {
     for (std::size_t i = 0; i < exact_.size(); ++i) rounded_[i] = static_cast<float>(exact_[i]);
   }
 
+  [[nodiscard]] Table table() const { return {exact_.data(), rounded_.data()}; }
   [[nodiscard]] ShortTable view() const {
-    return {{exact_.data(), rounded_.data()}, static_cast<std::int32_t>(exact_.size())};
+    return {table(), static_cast<std::int32_t>(exact_.size())};
   }
   [[nodiscard]] std::span<const double> numbers() const { return exact_; }
 

@@ -129,7 +129,7 @@ MediumView Medium::view() const {
   v.group_index = group_index_.view();
   v.elastic_phase = elastic_phase_.view();
   v.conversion_phase = conversion_phase_.view();
-  v.phases.cell = phase_cells_.view();
+  v.phases.cell = phase_cells_.table();
   v.phases.guide = phase_guides_.data();
   return v;
 }

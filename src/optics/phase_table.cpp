@@ -71,10 +71,10 @@ PhaseTable::PhaseTable(const PhaseShape& shape) {
 }
 
 double PhaseTable::at(std::int32_t cell, PhaseView::Field field) const {
-  return cell_.view()[cell * PhaseView::fields + field];
+  return cell_.table()[cell * PhaseView::fields + field];
 }
 
-PhaseView PhaseTable::view() const { return {cell_.view(), guide_.data()}; }
+PhaseView PhaseTable::view() const { return {cell_.table(), guide_.data()}; }
 
 double PhaseTable::mean_cosine() const {
   double mean_x = at(0, PhaseView::cdf_end) * PhaseView::x_core / 2;
