@@ -4,7 +4,7 @@ add_library(photic_flags INTERFACE)
 target_compile_features(photic_flags INTERFACE cxx_std_20)
 # No contraction: the same bits from every schedule of the same formulas (docs/decisions).
 target_compile_options(photic_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                       -Wno-sign-conversion -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math)
+                       -Wno-sign-conversion -Wno-psabi -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
 # photic_library(name SOURCES a.cpp … USES core … [LINKS …])  → target photic_name, headers under src/
 function(photic_library name)
@@ -23,6 +23,47 @@ function(photic_library name)
   target_include_directories(photic_${name} ${scope} ${PROJECT_SOURCE_DIR}/src)
   list(TRANSFORM ARG_USES PREPEND photic_)
   target_link_libraries(photic_${name} ${scope} ${ARG_USES} ${ARG_LINKS})
+endfunction()
+
+# photic_for_each_isa(target source.cpp "entry*" library…)  → the source compiled for each instruction set that is worth it,
+# in one program; PHOTIC_ISA is the set's name.
+#
+# The danger: an inline function or template, std::max<float> say, is compiled into each of these objects and into
+# ordinary ones, and the linker keeps one copy for the whole program. If that is one made of AVX-512, a program on a
+# processor without it dies in code that has nothing to do with lanes; if it is another, lanes lose their speed. So each
+# object is sealed: a partial link resolves its groups of such functions, and then all its symbols but those that match
+# the entry are made local to it. Whatever it has inlined or instantiated is its own, at every level of optimisation and with
+# every standard library. What is left: nothing in such an object may run before main, on every processor. So headers
+# that it includes have no variables with constructors (tests/unit/engine/check_sealed.py looks for both).
+function(photic_for_each_isa target source entry)
+  set(flags_of_baseline "")
+  set(flags_of_avx2 -mavx2 -mfma)
+  set(flags_of_avx512 -mavx2 -mfma -mavx512f -mavx512bw -mavx512dq -mavx512vl)
+  set(sets baseline)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND sets avx2 avx512)
+  endif()
+  cmake_path(GET source STEM stem)
+  foreach(isa IN LISTS sets)
+    set(object ${target}_${stem}_${isa})
+    add_library(${object} OBJECT ${source})
+    target_compile_definitions(${object} PRIVATE PHOTIC_ISA=${isa})
+    # g++ 12 takes the operand that its own headers leave undefined on purpose for a mistake. Symbols that are to be one in
+    # the whole process cannot be made local.
+    target_compile_options(${object} PRIVATE ${flags_of_${isa}}
+                           "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-fno-gnu-unique>")
+    target_link_libraries(${object} PRIVATE ${ARGN} photic_flags)
+    target_include_directories(${object} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
+    set(sealed ${CMAKE_CURRENT_BINARY_DIR}/${object}.sealed.o)
+    add_custom_command(
+      OUTPUT ${sealed}
+      COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${sealed} $<TARGET_OBJECTS:${object}>
+      COMMAND ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=${entry} ${sealed}
+      DEPENDS ${object} $<TARGET_OBJECTS:${object}> VERBATIM)
+    target_sources(${target} PRIVATE ${sealed})
+    set_property(TARGET ${target} APPEND PROPERTY PHOTIC_SEALED ${sealed})
+    set_source_files_properties(${sealed} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+  endforeach()
 endfunction()
 
 # The folder of tests/ that a test belongs to: unit, statistical, …
@@ -55,6 +96,9 @@ function(photic_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE PHOTIC_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_precompile_headers(${name} REUSE_FROM test_headers)
+  # g++ 12 takes strings of a precompiled <string> for overruns; the sanitizers find real ones.
+  target_compile_options(${name} PRIVATE -Wno-array-bounds)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   photic_test_label(label)
   gtest_discover_tests(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${label} DISCOVERY_TIMEOUT 60)
   if(NOT TARGET tests_${label})

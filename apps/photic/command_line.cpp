@@ -102,6 +102,16 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags
   add_seed(sub, flags);
   add_threads(sub, run.threads,
               "Number of threads [default: all cores]; the result does not depend on it");
+  sub.add_option("--engine", run.engine,
+                 "What walks the photons: scalar (in double, the reference) or lanes (many at a "
+                 "time in float; forward estimator) [default: scalar]")
+      ->type_name("ENGINE")
+      ->check(CLI::IsMember({"scalar", "lanes"}));
+  sub.add_option("--isa", run.isa,
+                 "Instructions of the lanes: avx512, avx2 or baseline [default: the best that the "
+                 "processor has]")
+      ->type_name("ISA")
+      ->check(CLI::IsMember({"avx512", "avx2", "baseline"}));
   add_checked(sub, "--checkpoint", "TIME",
               "Write the result so far this often [default: every 30s, after the first minute]",
               [&run](const std::string& text) { run.checkpoint_s = seconds(text); });

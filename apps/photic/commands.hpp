@@ -23,6 +23,8 @@ struct RunCommand {
   std::optional<double> checkpoint_s;  ///< time between checkpoints; none: the usual
   std::vector<scene::Override> overrides;
   int threads = 0;  ///< 0: all cores
+  std::string engine = "scalar";
+  std::string isa;  ///< of the lane engine; empty: the best there is
   bool json = false;
   std::string command_line;  ///< as typed, for the history of the result
 };

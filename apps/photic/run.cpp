@@ -26,6 +26,8 @@ namespace {
 engine::RunOptions options_of(const RunCommand& command, std::optional<engine::Start> start) {
   engine::RunOptions options;
   options.threads = command.threads;
+  if (command.engine == "lanes")
+    options.lanes = engine::isa_of(command.isa).value_or(engine::best_isa());
   options.interrupt = &interrupted();
   options.start = std::move(start);
   if (command.checkpoint_s)

@@ -1,7 +1,6 @@
 // exp and log of a walk, in lanes: for the arguments a walk has, without libm's calls and branches.
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include "core/lanes.hpp"
@@ -11,20 +10,12 @@ namespace photic {
 /// What the series below start from: an octave in `cells` parts.
 struct OctaveTables {
   static constexpr int bits = 6;
-  static constexpr int cells = 1 << bits;
-  std::array<double, cells> power{};    ///< 2^(-i / cells)
-  std::array<double, cells> log{};      ///< ln(1 + i / cells)
-  std::array<double, cells> inverse{};  ///< 1 / (cells + i)
-  OctaveTables() {
-    for (std::size_t i = 0; i < cells; ++i) {
-      const double part = static_cast<double>(i) / cells;
-      power[i] = std::exp2(-part);
-      log[i] = std::log1p(part);
-      inverse[i] = 1 / (cells * (1 + part));
-    }
-  }
+  static constexpr int cells = Table64::size;
+  Table64 power;    ///< 2^(-i / cells)
+  Table64 log;      ///< ln(1 + i / cells)
+  Table64 inverse;  ///< 1 / (cells + i)
 };
-inline const OctaveTables octave_tables;
+extern const OctaveTables octave_tables;
 inline constexpr double ln2 = 0.69314718055994530942;
 
 /// exp(-y) for y >= 0, to a few units of rounding; 0 beyond the smallest normal number.
@@ -43,7 +34,7 @@ T exp_minus(const T& y) {
   const T r2 = r * r;
   const T series =
       T(1) + r + r2 * (T(0.5) + r * T(1.0 / 6) + r2 * (T(1.0 / 24) + r * T(1.0 / 120)));
-  const T power = gather<T>(octave_tables.power.data(), k & Index<T>(Tables::cells - 1));
+  const T power = gather<T>(octave_tables.power, k & Index<T>(Tables::cells - 1));
   const T result = power * series * octave_edge<T>(Index<T>(0) - (k >> Tables::bits), 0);
   return select(y < limit, result, T(0));
 }
@@ -54,13 +45,12 @@ T minus_log(const T& u) {
   using Tables = OctaveTables;
   const auto [cell, fraction] = octave_cell(u, Tables::bits);
   const Index<T> i = cell & Index<T>(Tables::cells - 1);
-  const T r = fraction * gather<T>(octave_tables.inverse.data(), i);
+  const T r = fraction * gather<T>(octave_tables.inverse, i);
   const T r2 = r * r;
   const T series =
       r - r2 * (T(0.5) - r * T(1.0 / 3) +
                 r2 * (T(0.25) - r * T(0.2) + r2 * (T(1.0 / 6) - r * T(1.0 / 7) + r2 * T(0.125))));
-  return (T(-ln2) * to_real<T>(cell >> Tables::bits) - gather<T>(octave_tables.log.data(), i)) -
-         series;
+  return (T(-ln2) * to_real<T>(cell >> Tables::bits) - gather<T>(octave_tables.log, i)) - series;
 }
 
 }  // namespace photic

@@ -6,6 +6,7 @@
 // overloads them beside its own type, and the unqualified calls find it.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <concepts>
@@ -23,7 +24,8 @@ struct LaneTraits<T> {
   using Element = T;
   using Mask = bool;
   using Index = std::int32_t;
-  using Counter = std::uint64_t;  ///< photon numbers
+  using Counter = std::uint64_t;  ///< photon numbers, and the words of random numbers
+  static constexpr int lanes = 1;
 };
 
 template <class T>
@@ -34,6 +36,8 @@ template <class T>
 using Index = typename LaneTraits<T>::Index;
 template <class T>
 using Counter = typename LaneTraits<T>::Counter;
+template <class T>
+inline constexpr int lanes_of = LaneTraits<T>::lanes;
 
 /// mask ? yes : no, lane by lane.
 template <class V>
@@ -45,14 +49,92 @@ constexpr V select(bool mask, V yes, V no) {
 constexpr bool any(bool mask) { return mask; }
 constexpr bool all(bool mask) { return mask; }
 
+/// A table in double and in float: each lane type gathers what its element is.
+struct Table {
+  const double* exact = nullptr;
+  const float* rounded = nullptr;
+
+  double operator[](std::int32_t i) const { return exact[i]; }
+  Table operator+(std::int32_t entries) const { return {exact + entries, rounded + entries}; }
+};
+
+/// The same of a table that is often so short that a pack has it in its registers. The floats are
+/// readable beyond the end, up to a multiple of `table_padding`.
+inline constexpr std::size_t table_padding = 16;
+struct ShortTable : Table {
+  std::int32_t size = 0;
+};
+
+/// The table of 64 numbers that a function is made of.
+class Table64 {
+ public:
+  static constexpr std::int32_t size = 64;
+  /// f(i) for each i.
+  template <class F>
+  explicit Table64(F f) {
+    for (std::size_t i = 0; i < size; ++i)
+      rounded_[i] = static_cast<float>(exact_[i] = f(static_cast<double>(i)));
+  }
+  [[nodiscard]] Table view() const { return {exact_.data(), rounded_.data()}; }
+
+ private:
+  std::array<double, size> exact_{};
+  alignas(64) std::array<float, size> rounded_{};
+};
+
+/// A short table of integers.
+struct IndexTable {
+  const std::int32_t* data = nullptr;
+  std::int32_t size = 0;
+
+  std::int32_t operator[](std::int32_t i) const { return data[i]; }
+};
+
 /// data[i], lane by lane. T is the lane type wanted, whatever the table is stored as.
 template <std::floating_point T, class Stored>
 constexpr T gather(const Stored* data, std::int32_t i) {
   return static_cast<T>(data[i]);
 }
 template <std::floating_point T>
+T gather(const Table& table, std::int32_t i) {
+  if constexpr (std::same_as<T, float>) {
+    return table.rounded[i];
+  } else {
+    return table.exact[i];
+  }
+}
+template <std::floating_point T>
+T gather(const Table64& table, std::int32_t i) {
+  return gather<T>(table.view(), i);
+}
+template <std::floating_point T>
 constexpr std::int32_t gather_index(const std::int32_t* data, std::int32_t i) {
   return data[i];
+}
+template <std::floating_point T>
+std::int32_t gather_index(const IndexTable& table, std::int32_t i) {
+  return table.data[i];
+}
+
+/// The values of all lanes; and one bit for each lane of a mask, the first lane's lowest.
+template <class V>
+  requires std::is_arithmetic_v<V>
+constexpr std::array<V, 1> each_lane(V value) {
+  return {value};
+}
+constexpr std::uint32_t lane_bits(bool mask) { return mask ? 1 : 0; }
+
+/// How many lanes a mask has.
+template <class M>
+std::uint32_t count(const M& mask) {
+  return static_cast<std::uint32_t>(std::popcount(lane_bits(mask)));
+}
+
+/// Calls visit(i) for every lane i of a mask, in their order.
+template <class M, class Visit>
+void for_each_lane(const M& mask, Visit visit) {
+  for (std::uint32_t left = lane_bits(mask); left != 0; left &= left - 1)
+    visit(std::countr_zero(left));
 }
 
 /// Integer lanes to real lanes, and the floor of real lanes x >= 0 as integers.

@@ -1,11 +1,9 @@
 // Random numbers by counter: what a photon draws depends on its number alone, never on who walks
-// it.
+// it, nor on who walks beside it.
 //
-// Philox4x32-10 (Salmon et al., SC'11, 2011) from Random123. Counter: photon low, photon high,
-// event, block; key: the seed.
+// Philox4x32-10 (Salmon et al., SC'11, 2011). Counter: photon low, photon high, event, block; key:
+// the seed.
 #pragma once
-
-#include <Random123/philox.h>
 
 #include <array>
 #include <concepts>
@@ -23,32 +21,53 @@ struct RandomPlace {
   Index<T> event{};  ///< counts the photon's events: emission is 0
 };
 
-/// The four words of one block.
-inline std::array<std::uint32_t, 4> philox_words(std::uint64_t seed, std::uint64_t photon,
-                                                 std::uint32_t event, std::uint32_t block) {
-  const auto low = [](std::uint64_t u) { return static_cast<std::uint32_t>(u); };
-  const auto high = [](std::uint64_t u) { return static_cast<std::uint32_t>(u >> 32); };
-  const r123::Philox4x32::ctr_type counter = {{low(photon), high(photon), event, block}};
-  const r123::Philox4x32::key_type key = {{low(seed), high(seed)}};
-  const auto words = r123::Philox4x32{}(counter, key);
-  return {words[0], words[1], words[2], words[3]};
+/// The lower half of a word times a number of 32 bits.
+constexpr std::uint64_t multiply_low(std::uint64_t word, std::uint32_t by) {
+  return (word & 0xffffffff) * by;
+}
+template <std::floating_point T>
+constexpr std::uint64_t to_counter(std::int32_t i) {
+  return static_cast<std::uint32_t>(i);
 }
 
-/// A word as a number in (0, 1), never 0 nor 1: the middle of its cell.
-template <std::floating_point T>
-constexpr T uniform_from(std::uint32_t word) {
-  if constexpr (sizeof(T) == sizeof(float)) {
-    return (static_cast<T>(word >> 9) + T(0.5)) * T(1.0 / (1 << 23));
-  } else {
-    return (static_cast<T>(word) + T(0.5)) * T(1.0 / 4294967296.0);
+/// The four words of one block, each in the lower half of a W; the upper halves are scratch.
+template <class W>
+std::array<W, 4> philox_words(std::uint64_t seed, const W& photon, const W& event,
+                              std::uint32_t block) {
+  // Constants of the authors' Philox4x32: multipliers, and steps of the key between rounds.
+  constexpr std::uint32_t multiplier0 = 0xd2511f53, multiplier1 = 0xcd9e8d57;
+  constexpr std::uint32_t step0 = 0x9e3779b9, step1 = 0xbb67ae85;
+  W key0(seed & 0xffffffff), key1(seed >> 32);
+  std::array<W, 4> word{photon, photon >> 32, event, W(block)};
+  for (int round = 0; round < 10; ++round) {
+    const W product0 = multiply_low(word[0], multiplier0);
+    const W product1 = multiply_low(word[2], multiplier1);
+    word = {(product1 >> 32) ^ word[1] ^ key0, product1, (product0 >> 32) ^ word[3] ^ key1,
+            product0};
+    key0 = key0 + W(step0);
+    key1 = key1 + W(step1);
   }
+  return word;
+}
+
+/// The upper 23 or all 32 bits of a word as a number in (0, 1), never 0 nor 1: the middle of its
+/// cell.
+template <class T>
+constexpr T uniform_from_part(const T& part) {
+  constexpr bool is_float = sizeof(Element<T>) == sizeof(float);
+  return (part + T(0.5)) * T(is_float ? 0x1p-23 : 0x1p-32);
+}
+template <std::floating_point T>
+constexpr T uniform_from(std::uint64_t word) {
+  const auto low = static_cast<std::uint32_t>(word);
+  return uniform_from_part(static_cast<T>(sizeof(T) == sizeof(float) ? low >> 9 : low));
 }
 
 /// Four uniforms of one event of one photon; an event that needs more asks for another block.
-template <std::floating_point T>
+template <class T>
 std::array<T, 4> uniforms(const RandomPlace<T>& place, std::uint32_t block) {
   const auto w =
-      philox_words(place.seed, place.photon, static_cast<std::uint32_t>(place.event), block);
+      philox_words<Counter<T>>(place.seed, place.photon, to_counter<T>(place.event), block);
   return {uniform_from<T>(w[0]), uniform_from<T>(w[1]), uniform_from<T>(w[2]),
           uniform_from<T>(w[3])};
 }

@@ -34,14 +34,16 @@ constexpr std::uint32_t reversed_bits(std::uint32_t word) {
 }
 
 /// One coordinate of a point after Owen's scrambling (Owen, in: Monte Carlo and Quasi-Monte Carlo
-/// Methods, 1995), each bit turned or not by what `key` makes of the bits above it: Burley, J.
-/// Comput. Graph. Tech. 9(4), 1, 2020, with the constants of Laine and Karras (2011).
+/// Methods, 1995), each bit turned or not by what `key` makes of the bits above it: as Burley does
+/// (J. Comput. Graph. Tech. 9(4), 1, 2020), with the mixing of Vegdahl (Building a better LK hash,
+/// 2021), since that of Laine and Karras leaves neighbours alike.
 constexpr std::uint32_t scrambled(std::uint32_t word, std::uint32_t key) {
-  std::uint32_t x = reversed_bits(word) + key;  // now each step lets bits change those above only
-  x ^= x * 0x6c50b47c;
-  x ^= x * 0xb82f1e52;
-  x ^= x * 0xc7afe638;
-  x ^= x * 0x8d22f6e6;
+  std::uint32_t x = reversed_bits(word);  // now each step lets bits change those above only
+  x ^= x * 0x3d20adea;
+  x += key;
+  x *= (key >> 16) | 1;
+  x ^= x * 0x05526c56;
+  x ^= x * 0x53a22864;
   return reversed_bits(x);
 }
 

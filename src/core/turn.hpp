@@ -1,7 +1,6 @@
 // Cosine and sine of an angle given in turns.
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include "core/constants.hpp"
@@ -16,16 +15,10 @@ struct CosSin {
 
 /// Cosines and sines of the directions of a rose.
 struct Rose {
-  static constexpr int points = 64;
-  std::array<double, points> cosine{}, sine{};
-  Rose() {
-    for (std::size_t i = 0; i < points; ++i) {
-      cosine[i] = std::cos(2 * pi * static_cast<double>(i) / points);
-      sine[i] = std::sin(2 * pi * static_cast<double>(i) / points);
-    }
-  }
+  static constexpr int points = Table64::size;
+  Table64 cosine, sine;
 };
-inline const Rose rose;
+extern const Rose rose;
 
 /// cos(2 pi u) and sin(2 pi u) for 0 <= u <= 1, to a few units of rounding, without branches: the
 /// nearest direction of a rose of 64, and the Taylor series of what is left. (libm's sincos does
@@ -40,8 +33,8 @@ CosSin<T> cos_sin_of_turns(const T& u) {
   const T s = y * (T(1) - y2 * T(1.0 / 6) + y4 * (T(1.0 / 120) - y2 * T(1.0 / 5040)));
   const T versine = y2 * (T(0.5) - y2 * T(1.0 / 24) + y4 * (T(1.0 / 720) - y2 * T(1.0 / 40320)));
   const Index<T> i = nearest & Index<T>(Rose::points - 1);
-  const T c0 = gather<T>(rose.cosine.data(), i);
-  const T s0 = gather<T>(rose.sine.data(), i);
+  const T c0 = gather<T>(rose.cosine, i);
+  const T s0 = gather<T>(rose.sine, i);
   return {c0 - (c0 * versine + s0 * s), s0 + (c0 * s - s0 * versine)};
 }
 

@@ -15,10 +15,9 @@
 #include <thread>
 #include <vector>
 
-#include "engine/bidirectional.hpp"
-#include "engine/history.hpp"
 #include "engine/problem.hpp"
 #include "engine/run.hpp"
+#include "engine/simulator.hpp"
 #include "tally/totals.hpp"
 
 namespace photic::engine {
@@ -35,6 +34,7 @@ struct Ending {
 class Conductor {
  public:
   Conductor(const scene::Simulation& asked, const RunOptions& options);
+  Conductor(const scene::Simulation& asked, RunOptions&& options) = delete;  ///< it keeps them
 
   /// Batches that the photons asked for make; no limit if none were asked for.
   [[nodiscard]] std::uint64_t batches() const { return batches_; }
@@ -66,12 +66,11 @@ class Conductor {
 };
 
 /// The threads of one run.
-template <class T>
 class BatchRunner {
  public:
-  BatchRunner(const Problem& problem, const World<T>& world, Conductor& conductor)
+  BatchRunner(const Problem& problem, const Simulator& simulator, Conductor& conductor)
       : shape_(problem.shape),
-        world_(world),
+        simulator_(simulator),
         conductor_(conductor),
         totals_(conductor.begin(problem.shape)),
         next_batch_(totals_.state().batches),
@@ -129,17 +128,7 @@ class BatchRunner {
 
   void simulate(std::uint64_t batch, tally::BatchTally& tally) const {
     tally.photons = conductor_.photons_of(batch);
-    const std::uint64_t first = batch * batch_photons;
-    if (world_.walks == 0) {
-      for (std::uint64_t photon = first; photon < first + tally.photons; ++photon)
-        follow(world_, photon, tally);
-      return;
-    }
-    WalkSet<T> set(world_.walks);
-    for (std::uint64_t done = 0; done < tally.photons; done += world_.walks) {
-      const auto count = std::min<std::uint64_t>(world_.walks, tally.photons - done);
-      follow_set(world_, first + done, count, set, tally);
-    }
+    simulator_.simulate(batch * batch_photons, tally.photons, tally);
   }
 
   void merge_what_is_due() {
@@ -156,7 +145,7 @@ class BatchRunner {
   }
 
   const tally::Shape& shape_;
-  const World<T>& world_;
+  const Simulator& simulator_;
   Conductor& conductor_;
   tally::Totals totals_;
   std::mutex mutex_;
@@ -167,15 +156,5 @@ class BatchRunner {
   bool ended_ = false;
   std::exception_ptr failure_;
 };
-
-/// Runs a problem in the arithmetic of T.
-template <class T>
-tally::Totals run_batches(const Problem& problem, Conductor& conductor) {
-  const World<T> world = make_world<T>(problem.scene, problem.medium, problem.gates);
-  return BatchRunner<T>(problem, world, conductor).run();
-}
-
-// Compiled once, in run.cpp: each copy of the whole walk costs a compiler ten seconds.
-extern template tally::Totals run_batches<double>(const Problem& problem, Conductor& conductor);
 
 }  // namespace photic::engine

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "engine/batches.hpp"
 #include "engine/choose.hpp"
 #include "engine/problem.hpp"
+#include "engine/scalar.hpp"
 
 namespace photic::engine {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/flatten.hpp"
 #include "engine/connections.hpp"
 #include "engine/draws.hpp"
 #include "engine/history.hpp"
@@ -17,9 +18,9 @@ namespace photic::engine {
 /// echo. `in_time` tells whether light from where the photon stands can still count; the ledger
 /// takes what ends.
 template <class T, class InTime>
-[[gnu::flatten]] void take_walk(const World<T>& world, const transport::Samples<T>& samples,
-                                InTime in_time, const Draws<T>& draws, Walk<T>& walk,
-                                tally::BatchTally& tally, tally::Ledger& ledger) {
+PHOTIC_FLATTEN void take_walk(const World<T>& world, const transport::Samples<T>& samples,
+                              InTime in_time, const Draws<T>& draws, Walk<T>& walk,
+                              tally::BatchTally& tally, tally::Ledger& ledger) {
   using namespace transport;
   const medium::MediumView& sea = world.sea;
   Photon<T> photon = walk.begin.photon;

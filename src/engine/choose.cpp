@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/batches.hpp"
 #include "engine/problem.hpp"
+#include "engine/scalar.hpp"
 
 namespace photic::engine {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/flatten.hpp"
 #include "engine/walk.hpp"
 #include "tally/batch_tally.hpp"
 #include "transport/joint.hpp"
@@ -199,7 +200,7 @@ void Connections<T>::to_laser(const Vertex& w, std::int32_t order, const transpo
 }
 
 template <class T>
-[[gnu::flatten]] void Connections<T>::between(const Walk<T>& laser) const {
+PHOTIC_FLATTEN void Connections<T>::between(const Walk<T>& laser) const {
   for (std::int32_t i = 0; i < laser.vertices; ++i) {
     for (std::int32_t m = 0; m < back_.vertices; ++m) {
       if (beyond_last(i + m + 2)) break;
@@ -273,7 +274,7 @@ void Connections<T>::each_pair(const Walk<T>& laser, std::int32_t first, Act act
 }
 
 template <class T>
-[[gnu::flatten]] void Connections<T>::shifted(const Walk<T>& laser, T offset) const {
+PHOTIC_FLATTEN void Connections<T>::shifted(const Walk<T>& laser, T offset) const {
   if (!(back_.shift_area > T(0))) return;
   each_pair(laser, 0, [&](std::int32_t i, std::int32_t m, const Usable& usable) {
     const auto chord =
@@ -303,7 +304,7 @@ void Connections<T>::shifted(const Walk<T>& laser, std::int32_t i, std::int32_t 
 }
 
 template <class T>
-[[gnu::flatten]] void Connections<T>::turned(const Walk<T>& laser) const {
+PHOTIC_FLATTEN void Connections<T>::turned(const Walk<T>& laser) const {
   if (!(samples_.turned > T(0)) || !back_.axis.exists) return;
   const transport::Vertex<T>& converting = back_.vertex[back_.converted];
   const transport::Ray<T>& left = back_.ray[back_.converted + 1];

@@ -25,15 +25,14 @@ struct Draws {
   [[nodiscard]] std::array<T, 4> operator()(std::int32_t event, std::uint32_t block) const {
     if (world.points.dimensions() == 0 || static_cast<std::uint32_t>(event) >= quasi_random_events)
       return uniforms(RandomPlace<T>{world.seed, photon, event}, first_block + block);
-    const auto keys =
-        philox_words(world.seed, photon / batch_photons, static_cast<std::uint32_t>(event),
-                     key_blocks + first_block + block);
+    const auto keys = philox_words<std::uint64_t>(
+        world.seed, photon / batch_photons, to_counter<T>(event), key_blocks + first_block + block);
     const std::size_t first =
         4 * (static_cast<std::size_t>(event) * quasi_random_blocks + first_slot + block);
     std::array<T, 4> u;
     for (std::size_t i = 0; i < u.size(); ++i)
-      u[i] =
-          uniform_from<T>(scrambled(world.points.word(photon % batch_photons, first + i), keys[i]));
+      u[i] = uniform_from<T>(scrambled(world.points.word(photon % batch_photons, first + i),
+                                       static_cast<std::uint32_t>(keys[i])));
     return u;
   }
 };

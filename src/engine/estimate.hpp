@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "core/random.hpp"
 #include "engine/world.hpp"
@@ -18,63 +20,193 @@ inline constexpr int target_capacity = 16;
 template <class T>
 using Targets = transport::Targets<T, target_capacity>;
 
-/// Which point of each telescope's lens takes part in a local estimate of single rays.
+/// Photons on their way, one in each lane.
 template <class T>
-struct LensChoice {
-  const RandomPlace<T>& place;
-  std::size_t pair;  ///< of the four uniforms of a block: 0 or 1
-
-  [[nodiscard]] instrument::PlanePoint<T> point(std::size_t number,
-                                                const instrument::Telescope<T>& telescope) const {
-    const auto u = uniforms(RandomPlace<T>{place.seed, place.photon, 0},
-                            4 + static_cast<std::uint32_t>(number));
-    return lens_point(telescope, u[0], u[1]);
-  }
+struct Travellers {
+  transport::Photon<T> photon;
+  RandomPlace<T> place;
+  std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
+                                                ///< part in local estimates of single rays
 };
 
-/// Scores one line's light of a collision in all telescopes: weight before the collision x share of
-/// the process x phase function x acceptance x exp(-optical depth back at the emitted wavelength)
-/// (docs/theory.md, "The local estimate"). Adds the ways to the telescopes to `targets`, if given,
-/// for directed sampling: those outside the field of view too, for light that first turns towards a
-/// telescope and then enters its view is what a plain walk finds too rarely.
+/// Where a telescope's lens is looked through by a photon, all its life.
 template <class T>
-void score_line(const World<T>& world, const transport::Photon<T>& photon, const Index<T>& line,
-                const T& share, const Index<T>& phase, const LensChoice<T>& choice,
-                tally::BatchTally& tally, Targets<T>* targets) {
-  const auto offer = [&](std::size_t telescope, const transport::Connection<T>& way) {
-    if (targets != nullptr && way.in_front && targets->count < target_capacity)
-      targets->add(way.direction, T(0), T(1));
-    if (!(way.acceptance > T(0))) return;
-    const T p =
-        world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction), phase);
-    tally::Score score;
-    score.telescope = telescope;
-    score.line = line;
-    score.order = photon.order + 1;
-    score.depth = -photon.position.z;
-    score.path = photon.path + way.path;
-    score.value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
-    tally.score(score);
+instrument::PlanePoint<T> chosen_lens_point(const World<T>& world, RandomPlace<T> place,
+                                            std::size_t telescope) {
+  place.event = Index<T>(0);
+  const auto u = uniforms(place, 4 + static_cast<std::uint32_t>(telescope));
+  return lens_point(world.telescopes[telescope], u[0], u[1]);
+}
+
+/// Light of one line that leaves collisions, one in each lane.
+template <class T>
+struct Sources {
+  transport::Photon<T> photon;  ///< before the collision
+  Index<T> line{};
+  T share{};         ///< of the process in a collision
+  Index<T> phase{};  ///< its phase function
+  instrument::PlanePoint<T> lens{};
+
+  /// Calls f(member, column k of `waiting`) for each member.
+  template <class F>
+  void each_member(F f) {
+    f(photon.position.x, 0);
+    f(photon.position.y, 1);
+    f(photon.position.z, 2);
+    f(photon.direction.x, 3);
+    f(photon.direction.y, 4);
+    f(photon.direction.z, 5);
+    f(photon.weight, 6);
+    f(photon.path, 7);
+    f(share, 8);
+    f(lens.x, 9);
+    f(lens.y, 10);
+    f(photon.layer, 0);
+    f(photon.order, 1);
+    f(line, 2);
+    f(phase, 3);
+  }
+  static constexpr std::size_t reals = 11, integers = 4;
+};
+
+/// Where the few lanes wait that are worth a local estimate, until they fill a pack.
+template <class T>
+class WaitingRoom {
+ public:
+  /// Adds the lanes of a mask; calls score(sources, mask) when a pack is full.
+  template <class Score>
+  void admit(const Mask<T>& mask, Sources<T> sources, Score score) {
+    if constexpr (lanes_of<T> == 1) {
+      if (mask) score(sources, mask);
+    } else {
+      sources.each_member([&](const auto& member, int k) {
+        member.store(mask, column(member, k).data() + waiting_);
+      });
+      waiting_ += count(mask);
+      if (waiting_ < lanes_of<T>) return;
+      serve(Mask<T>(true), score);
+      waiting_ -= lanes_of<T>;
+      sources.each_member([&](const auto& member, int k) {
+        auto& c = column(member, k);
+        std::copy_n(c.begin() + lanes_of<T>, lanes_of<T>, c.begin());
+      });
+    }
+  }
+  /// Serves those who are left.
+  template <class Score>
+  void close(Score score) {
+    if constexpr (lanes_of<T> > 1) {
+      if (waiting_ > 0) serve(Mask<T>::of_bits((1U << waiting_) - 1), score);
+      waiting_ = 0;
+    }
+  }
+
+ private:
+  template <class E>
+  using Column = std::array<E, 2 * lanes_of<T>>;
+
+  Column<Element<T>>& column(const T&, int k) { return real_[static_cast<std::size_t>(k)]; }
+  Column<std::int32_t>& column(const Index<T>&, int k) {
+    return integer_[static_cast<std::size_t>(k)];
+  }
+  template <class Score>
+  void serve(const Mask<T>& mask, Score score) {
+    Sources<T> sources;
+    sources.each_member([&](auto& member, int k) {
+      member = std::decay_t<decltype(member)>::load(column(member, k).data());
+    });
+    score(sources, mask);
+  }
+
+  std::array<Column<Element<T>>, Sources<T>::reals> real_{};
+  std::array<Column<std::int32_t>, Sources<T>::integers> integer_{};
+  std::uint32_t waiting_ = 0;
+};
+
+/// What local estimates need besides the photons: a pool's, or one photon's.
+template <class T>
+struct Estimates {
+  Targets<T> targets;                   ///< of the directions that photons may take next
+  std::vector<WaitingRoom<T>> waiting;  ///< of each telescope
+};
+
+/// Scores the lanes of a mask, one after the other.
+template <class T>
+void score_lanes(const Mask<T>& seen, std::size_t telescope, const Sources<T>& from,
+                 const T& path_back, const T& value, tally::BatchTally& tally) {
+  const auto lines = each_lane(from.line), orders = each_lane(from.photon.order);
+  const auto depths = each_lane(from.photon.position.z),
+             paths = each_lane(from.photon.path + path_back), values = each_lane(value);
+  for_each_lane(seen, [&](int lane) {
+    const auto i = static_cast<std::size_t>(lane);
+    tally.score({telescope, lines[i], orders[i] + 1, -depths[i], paths[i], values[i]});
+  });
+}
+
+/// Scores light in one telescope: weight before the collision x share of the process x phase
+/// function x acceptance x exp(-optical depth back at the emitted wavelength) (docs/theory.md, "The
+/// local estimate"). Adds the ways to the telescope to `targets`, if given, for directed sampling:
+/// those outside the field of view too, for light that first turns towards a telescope and then
+/// enters its view is what a plain walk finds too rarely.
+template <class T>
+void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, const Mask<T>& mask,
+              tally::BatchTally& tally, Targets<T>* targets) {
+  using namespace transport;
+  const Photon<T>& photon = from.photon;
+  const auto offer = [&](const Connection<T>& way) {
+    if (targets != nullptr && any(way.in_front) && targets->count < target_capacity)
+      targets->add(way.direction, T(0), select(way.in_front, T(1), T(0)));
+    const Mask<T> seen = mask & (way.acceptance > T(0));
+    if (!any(seen)) return;
+    const T p = world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction),
+                                                   from.phase);
+    const T value = photon.weight * from.share * p * way.acceptance * exp_minus(way.optical_depth);
+    score_lanes(seen, t, from, way.path, value, tally);
   };
-  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
-    const auto& telescope = world.telescopes[t];
+  const bool aims = targets != nullptr;
+  const auto& telescope = world.telescopes[t];
+  const auto& layer = world.telescope_layer[t];
+  for (const bool mirrored : {false, true}) {
+    if (mirrored && !telescope.submerged) continue;
     if (world.single_rays) {
-      const auto lens = choice.point(t, telescope);
-      for (const bool mirrored : {false, true}) {
-        if (mirrored && !telescope.submerged) continue;
-        offer(t, transport::connect_ray(world.sea, telescope, world.telescope_layer[t], photon,
-                                        line, lens, mirrored));
-      }
+      offer(connect_ray(world.sea, telescope, layer, photon, from.line, from.lens, mirrored, aims));
+    } else if (telescope.submerged) {
+      offer(connect_in_water(world.sea, telescope, layer, photon, from.line, mirrored));
+    } else {
+      offer(connect_through_surface(world.sea, telescope, photon, from.line, aims));
+    }
+  }
+}
+
+/// Scores light of the collisions of a mask in all telescopes. Where nothing aims at them, only
+/// what they may see is looked at.
+template <class T>
+void score_light(const World<T>& world, const Travellers<T>& at, const Mask<T>& colliding,
+                 const Index<T>& line, const T& share, const Index<T>& phase,
+                 Estimates<T>& estimates, tally::BatchTally& tally, bool aims) {
+  Sources<T> from{at.photon, line, share, phase};
+  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
+    if (world.single_rays) from.lens = at.lens[t];
+    if (aims) {
+      score_in(world, t, from, colliding, tally, &estimates.targets);
       continue;
     }
-    if (!telescope.submerged) {
-      offer(t, transport::connect_through_surface(world.sea, telescope, photon, line,
-                                                  targets != nullptr));
-      continue;
-    }
-    const auto& layer = world.telescope_layer[t];
-    offer(t, transport::connect_in_water(world.sea, telescope, layer, photon, line, false));
-    offer(t, transport::connect_in_water(world.sea, telescope, layer, photon, line, true));
+    const Mask<T> seen =
+        colliding & transport::may_see(world.sea, world.telescopes[t], at.photon.position, line);
+    if (!any(seen)) continue;
+    estimates.waiting[t].admit(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
+      score_in<T>(world, t, full, mask, tally, nullptr);
+    });
+  }
+}
+
+/// Scores what still waits.
+template <class T>
+void close_rooms(const World<T>& world, Estimates<T>& estimates, tally::BatchTally& tally) {
+  for (std::size_t t = 0; t < estimates.waiting.size(); ++t) {
+    estimates.waiting[t].close([&](const Sources<T>& rest, const Mask<T>& mask) {
+      score_in<T>(world, t, rest, mask, tally, nullptr);
+    });
   }
 }
 
@@ -84,43 +216,56 @@ void score_line(const World<T>& world, const transport::Photon<T>& photon, const
 /// it by a direction that is drawn too rarely.
 template <class T>
 void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Targets<T>& targets) {
+  using std::sqrt;
+  const Mask<T> convertible = photon.line == Index<T>(0);
+  if (!any(convertible)) return;
   for (const auto& view : world.views) {
     for (const auto& ball : view.part) {
+      if (targets.count == target_capacity) return;
       const Vec3<T> there = ball.centre - photon.position;
       const T squared = dot(there, there);
-      if (targets.count == target_capacity || squared == T(0)) return;
-      const T sine_squared = ball.radius * ball.radius / squared;
-      const T cone = sine_squared < T(1) ? T(1) - std::sqrt(T(1) - sine_squared) : T(1);
-      targets.add((T(1) / std::sqrt(squared)) * there, cone, T(1.0 / view_parts));
+      const Mask<T> apart = squared > T(0);
+      const T safe = select(apart, squared, T(1));
+      const T sine_squared = ball.radius * ball.radius / safe;
+      const T rest = T(1) - sine_squared;
+      const T cone = T(1) - sqrt(select(rest > T(0), rest, T(0)));
+      targets.add((T(1) / sqrt(safe)) * there, cone,
+                  select(convertible & apart, T(1.0 / view_parts), T(0)));
     }
   }
 }
 
-/// Scores what the telescopes expect of a photon that is scattered where it stands. Fills in the
-/// targets of the direction it may take next.
+/// Scores what the telescopes expect of photons that are scattered where they stand. Fills in the
+/// targets of the direction they may take next.
 template <class T>
-void score_scattering(const World<T>& world, const transport::Photon<T>& photon,
-                      const RandomPlace<T>& place, tally::BatchTally& tally, Targets<T>& targets) {
+void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask<T>& colliding,
+                      Estimates<T>& estimates, tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
-  const Index<T> here = sea.at(photon.line, photon.layer);
-  targets.clear();
-  score_line(world, photon, photon.line, T(sea.albedo[here]), sea.elastic_phase[here], {place, 0},
-             tally, world.directed > T(0) ? &targets : nullptr);
-  if (photon.line == 0 && world.directed > T(0)) aim_at_views(world, photon, targets);
+  const Index<T> here = sea.at(at.photon.line, at.photon.layer);
+  estimates.targets.clear();
+  score_light(world, at, colliding, at.photon.line, gather<T>(sea.albedo, here),
+              gather_index<T>(sea.elastic_phase, here), estimates, tally, world.directs);
+  if (world.directs) aim_at_views(world, at.photon, estimates.targets);
 }
 
-/// Scores what the telescopes expect of the conversions on a photon's way to its next collision.
+/// Scores what the telescopes expect of the conversions on photons' way to their next collision.
 template <class T>
-void score_conversions(const World<T>& world, transport::Photon<T> photon,
-                       const RandomPlace<T>& place, tally::BatchTally& tally) {
+void score_conversions(const World<T>& world, Travellers<T> at, const Mask<T>& travelling,
+                       Estimates<T>& estimates, tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
-  const auto u = uniforms(place, 2);
-  if (photon.line != 0 || !transport::force_collision(sea, photon, world.cones, {u[0], u[1], u[2]}))
-    return;
-  for (Index<T> i = 0; i < sea.convertible_count[photon.layer]; ++i) {
-    const Index<T> line = sea.convertible[photon.layer * sea.lines + i];
-    score_line<T>(world, photon, line, T(sea.conversion[sea.at(line, photon.layer)]),
-                  sea.conversion_phase[line], {place, 1}, tally, nullptr);
+  const Mask<T> convertible = travelling & (at.photon.line == Index<T>(0));
+  if (!any(convertible)) return;
+  const auto u = uniforms(at.place, 2);
+  const Mask<T> reached =
+      convertible & transport::force_collision(sea, at.photon, world.cones, {u[0], u[1], u[2]});
+  const Index<T> count = gather_index<T>(sea.convertible_count, at.photon.layer);
+  Index<T> i(0);
+  for (Mask<T> on = reached & (i < count); any(on); on = reached & (i < count)) {
+    const Index<T> line =
+        gather_index<T>(sea.convertible, at.photon.layer * Index<T>(sea.lines) + i);
+    score_light(world, at, on, line, gather<T>(sea.conversion, sea.at(line, at.photon.layer)),
+                gather_index<T>(sea.conversion_phase, line), estimates, tally, false);
+    i = i + Index<T>(1);
   }
 }
 

@@ -1,6 +1,8 @@
 // A scene made ready to run: the medium, the gates and the shape of the tallies.
 #pragma once
 
+#include <cstdint>
+
 #include "medium/medium.hpp"
 #include "scene/findings.hpp"
 #include "scene/scene.hpp"
@@ -9,6 +11,9 @@
 #include "tally/shape.hpp"
 
 namespace photic::engine {
+
+/// The photons of a batch (batches.hpp).
+inline constexpr std::uint64_t batch_photons = 2000;
 
 struct Problem {
   scene::Scene scene;

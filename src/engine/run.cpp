@@ -6,9 +6,10 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/batches.hpp"
+#include "core/error.hpp"
 #include "engine/choose.hpp"
 #include "engine/problem.hpp"
+#include "engine/scalar.hpp"
 
 namespace photic::engine {
 namespace {
@@ -51,7 +52,7 @@ tally::Result result_of(const Problem& problem, const tally::Totals& totals, con
                         const std::string& stopped_by, const RunOptions& options) {
   tally::Result result = describe(problem);
   totals.fill(result);
-  result.engine = "scalar";
+  result.engine = options.lanes ? fmt::format("lanes ({})", isa_name(*options.lanes)) : "scalar";
   result.version = PHOTIC_VERSION;
   result.stopped_by = stopped_by;
   result.partial = stopped_by == "interrupt" || stopped_by == "checkpoint";
@@ -61,11 +62,33 @@ tally::Result result_of(const Problem& problem, const tally::Totals& totals, con
   return result;
 }
 
+/// Throws InputError for what the lane engine cannot do.
+void check_lanes(const scene::Scene& scene, Isa isa) {
+  if (!runs_here(isa)) {
+    throw InputError(
+        {{.file = fmt::format("--isa {}", isa_name(isa)),
+          .reason = "this processor does not have it",
+          .suggestion = fmt::format("leave it out, or choose {}", isa_name(best_isa()))}});
+  }
+  if (scene.simulation.estimator != "forward") {
+    throw InputError({{.file = "--engine lanes",
+                       .reason = fmt::format("has only the forward estimator, not \"{}\"",
+                                             scene.simulation.estimator),
+                       .suggestion = "--set simulation.estimator=forward, or leave it out"}});
+  }
+}
+
+tally::Totals run_batches(const Problem& problem, Conductor& conductor, std::optional<Isa> lanes) {
+  if (!lanes) return run_batches<double>(problem, conductor);
+  return BatchRunner(problem, *make_lanes(problem, *lanes), conductor).run();
+}
+
 }  // namespace
 
 template tally::Totals run_batches<double>(const Problem& problem, Conductor& conductor);
 
 tally::Result run(const scene::Scene& asked, const RunOptions& options) {
+  if (options.lanes) check_lanes(asked, *options.lanes);
   const scene::Scene scene = choose_estimator(asked, options);
   const Problem problem = make_problem(scene);
   Conductor conductor(scene.simulation, options);
@@ -76,7 +99,7 @@ tally::Result run(const scene::Scene& asked, const RunOptions& options) {
       options.checkpoints.write(result);
     };
   }
-  tally::Totals totals = run_batches<double>(problem, conductor);
+  tally::Totals totals = run_batches(problem, conductor, options.lanes);
   Ending& ending = conductor.ending;
   tally::Result result = result_of(problem, totals, ending, ending.stopped_by, options);
   result.state = ending.whole ? std::move(*ending.whole) : std::move(totals).state();

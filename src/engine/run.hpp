@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/lanes.hpp"
 #include "scene/scene.hpp"
 #include "tally/result.hpp"
 
@@ -38,7 +39,8 @@ struct Checkpoints {
 };
 
 struct RunOptions {
-  int threads = 0;  ///< 0: all cores
+  int threads = 0;           ///< 0: all cores
+  std::optional<Isa> lanes;  ///< the instruction set of the lane engine; none: the scalar engine
   std::function<void(const Progress&)>
       progress;  ///< called a few times a second from one thread at a time
   const std::atomic<bool>* interrupt = nullptr;  ///< set to end the run at the next batch end
@@ -48,7 +50,8 @@ struct RunOptions {
 
 /// Runs the scene to its photons, target or time limit. The result depends on the scene alone, not
 /// on the threads (max_time_s and interrupts decide only after which batch it ends). Throws
-/// InputError for optics without data at a wavelength, EnvironmentError for missing data files.
+/// InputError for optics without data at a wavelength and for what lanes cannot do here,
+/// EnvironmentError for missing data files.
 tally::Result run(const scene::Scene& scene, const RunOptions& options = {});
 
 }  // namespace photic::engine

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/sobol.hpp"
+#include "engine/problem.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/telescope.hpp"
 #include "medium/lines.hpp"
@@ -19,8 +20,6 @@
 #include "transport/vertex.hpp"
 
 namespace photic::engine {
-
-inline constexpr std::uint64_t batch_photons = 2000;
 
 inline constexpr int view_parts = 3;
 
@@ -40,23 +39,22 @@ struct View {
 };
 
 /// The axis of an instrument as it goes on in the water, of index n.
-template <class T>
-Vec3<T> axis_in_water(const Vec3<T>& axis, bool submerged, const T& n) {
-  if (submerged || !(axis.z < T(0))) return axis;
+inline Vec3<double> axis_in_water(const Vec3<double>& axis, bool submerged, double n) {
+  if (submerged || !(axis.z < 0)) return axis;
   return normalised(
-      Vec3<T>{axis.x / n, axis.y / n, -std::sqrt(T(1) - (T(1) - axis.z * axis.z) / (n * n))});
+      Vec3<double>{axis.x / n, axis.y / n, -std::sqrt(1 - (1 - axis.z * axis.z) / (n * n))});
 }
 
 template <class T>
-View<T> make_view(const instrument::Telescope<T>& telescope, const medium::Medium& medium,
+View<T> make_view(const instrument::Telescope<double>& telescope, const medium::Medium& medium,
                   std::size_t layer) {
   double c = 0;
   for (std::size_t l = 1; l < medium.line.size(); ++l) {
     c = std::max(c, medium.c[l * static_cast<std::size_t>(medium.layers()) + layer]);
   }
   const double n = medium.line.front().refractive_index;
-  const auto axis = vec3_cast<double>(telescope.axis);
-  const auto lens = vec3_cast<double>(telescope.position);
+  const Vec3<double>& axis = telescope.axis;
+  const Vec3<double>& lens = telescope.position;
   Vec3<double> entry = lens;
   const Vec3<double> onward = axis_in_water(axis, telescope.submerged, n);
   double in_air = 0;
@@ -106,6 +104,7 @@ struct World {
   std::vector<T> submerged_z;                 ///< of the telescopes in the water
   T least_group_index{};                      ///< of all lines
   T directed{};                               ///< share of directions drawn towards a telescope
+  bool directs = false;                       ///< whether any are
   transport::Reversal<T> reversal;            ///< of conversions, by walks from telescopes
   T conversion{};            ///< probability of a branch into the inelastic processes
   bool single_rays = false;  ///< local estimates take one point of the lens instead of its mean
@@ -169,39 +168,43 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   World<T> world;
   world.sea = medium.view();
   world.laser = instrument::make_laser<T>(scene.source);
-  world.laser_layer = Index<T>(medium.layer_at(std::max(0.0, -scene.source.position_m.z)));
+  const auto depth = [](const auto& instrument) { return std::max(0.0, -instrument.position_m.z); };
+  world.laser_layer = Index<T>(medium.layer_at(depth(scene.source)));
   for (const auto& t : scene.telescope) {
     world.telescopes.push_back(instrument::make_telescope<T>(t));
-    world.telescope_layer.push_back(Index<T>(medium.layer_at(std::max(0.0, -t.position_m.z))));
+    world.telescope_layer.push_back(Index<T>(medium.layer_at(depth(t))));
   }
   for (std::size_t t = 0; medium.line.size() > 1 && t < world.telescopes.size(); ++t) {
     world.views.push_back(
-        make_view(world.telescopes[t], medium, static_cast<std::size_t>(world.telescope_layer[t])));
+        make_view<T>(instrument::make_telescope<double>(scene.telescope[t]), medium,
+                     static_cast<std::size_t>(medium.layer_at(depth(scene.telescope[t])))));
     world.cones.push_back(world.views.back().cone);
   }
   world.last_path = T(gates.last_path());
-  world.lowest_in_air = std::numeric_limits<T>::max();
-  for (const auto& t : world.telescopes) {
-    if (t.submerged) world.submerged_z.push_back(t.position.z);
-    if (!t.submerged) world.lowest_in_air = std::min(world.lowest_in_air, t.position.z);
+  double lowest_in_air = std::numeric_limits<Element<T>>::max();
+  for (const auto& t : scene.telescope) {
+    const double z = t.position_m.z;
+    if (z < 0) world.submerged_z.push_back(T(z));
+    if (z >= 0) lowest_in_air = std::min(lowest_in_air, z);
   }
+  world.lowest_in_air = T(lowest_in_air);
   double least = medium.line.front().group_index;
   for (const auto& line : medium.line) least = std::min(least, line.group_index);
   world.least_group_index = T(least);
   const Reach reach = reach_of(scene, medium, gates, least);
   world.deepest = T(reach.deepest);
   world.connected = T(scene.simulation.connected_fraction);
-  world.meeting_grid = {T(std::max(0.0, -scene.source.position_m.z)), T(reach.range),
-                        T(scene.simulation.meetings)};
+  world.meeting_grid = {T(depth(scene.source)), T(reach.range), T(scene.simulation.meetings)};
   world.directed = T(scene.simulation.directed_fraction);
+  world.directs = scene.simulation.directed_fraction > 0;
   world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);
-  world.reversal = {world.conversion, T(directed_reversal),
-                    axis_in_water(world.laser.axis, world.laser.submerged,
-                                  T(medium.line.front().refractive_index)),
-                    medium.beam_lobe};
-  world.turns = world.reversal.beam.x == T(0) && world.reversal.beam.y == T(0);
-  world.makes_choices = scene.simulation.directed_fraction > 0 || medium.line.size() > 1;
+  const Vec3<double> beam = axis_in_water(normalised(scene.source.direction), world.laser.submerged,
+                                          medium.line.front().refractive_index);
+  world.reversal = {world.conversion, T(directed_reversal), vec3_cast<T>(beam),
+                    Index<T>(medium.beam_lobe)};
+  world.turns = beam.x == 0 && beam.y == 0;
+  world.makes_choices = world.directs || medium.line.size() > 1;
   world.roulette_threshold = T(roulette_threshold);
   if (scene.simulation.estimator == "bidirectional")
     world.walks = static_cast<std::size_t>(scene.simulation.walks);
@@ -212,8 +215,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
           std::any_of(scene.channel.begin(), scene.channel.end(),
                       [&](const auto& channel) { return medium::counts(channel, medium.line[l]); });
       if (counted)
-        world.receivers.push_back(
-            {world.receivers.size(), t, world.telescope_layer[t], static_cast<Index<T>>(l)});
+        world.receivers.push_back({world.receivers.size(), t, world.telescope_layer[t],
+                                   Index<T>(static_cast<std::int32_t>(l))});
     }
   }
   world.last_order =

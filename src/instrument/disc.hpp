@@ -14,15 +14,7 @@ namespace photic::instrument {
 inline constexpr int rim_points = 32;
 inline constexpr double far_radii = 100.0;
 
-struct RimCosines {
-  std::array<double, rim_points> value{};
-  RimCosines() {
-    for (int i = 0; i < rim_points; ++i)
-      value[static_cast<std::size_t>(i)] = std::cos(pi * (i + 0.5) / rim_points);
-  }
-};
-
-inline const RimCosines rim_cosines;
+extern const std::array<double, rim_points> rim_cosines;
 
 /// Solid angle [sr] of a disc of radius r seen from a point at height h > 0 over its plane and
 /// distance p >= 0 from its axis. By Stokes' theorem it is the rim integral of (x dy - y dx) / (s
@@ -33,7 +25,7 @@ template <class T>
 T disc_solid_angle(const T& r, const T& h, const T& p) {
   using std::sqrt;
   T sum(0);
-  for (const double cosine : rim_cosines.value) {
+  for (const double cosine : rim_cosines) {
     const T cross = r * (r + p * T(cosine));
     const T s = sqrt(h * h + p * p + r * r + T(2 * cosine) * p * r);
     sum = sum + cross / (s * (s + h));

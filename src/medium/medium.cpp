@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <span>
 
 #include "core/error.hpp"
 
@@ -26,14 +28,16 @@ const char* process_name(Process process) {
 
 std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
   const PhaseView v = table.view();
-  const std::int32_t count = static_cast<std::int32_t>(phase_cells_.size() / table_size);
-  for (std::int32_t i = 0; i < count; ++i) {
-    const auto* there = phase_cells_.data() + static_cast<std::size_t>(i) * table_size;
-    if (std::equal(v.cell, v.cell + table_size, there)) return i;
+  const std::span<const double> cells{v.cell.exact, table_size};
+  const auto there = phase_cells_.numbers();
+  const std::size_t count = there.size() / table_size;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::ranges::equal(cells, there.subspan(i * table_size, table_size)))
+      return static_cast<std::int32_t>(i);
   }
-  phase_cells_.insert(phase_cells_.end(), v.cell, v.cell + table_size);
-  phase_guides_.insert(phase_guides_.end(), v.guide, v.guide + PhaseView::guides);
-  return count;
+  phase_cells_.append(cells);
+  phase_guides_.insert(phase_guides_.end(), v.guide, v.guide + PhaseView::guides + 1);
+  return static_cast<std::int32_t>(count);
 }
 
 std::vector<double> Medium::depth_integrals(const std::vector<double>& coefficient) const {
@@ -61,56 +65,71 @@ void Medium::finish(std::optional<double> walk_share) {
              absorption.size() == cells && elastic_phase.size() == cells &&
              conversion_phase.size() == n_lines,
          "every table of the medium is complete");
-  for (const Line& l : line) {
-    index_.push_back(l.refractive_index);
-    inverse_index_.push_back(1 / l.refractive_index);
-    group_index_.push_back(l.group_index);
-  }
+  const auto of_lines = [&](auto value) {
+    std::vector<double> out;
+    std::ranges::transform(line, std::back_inserter(out), value);
+    return TwinTable(out);
+  };
+  index_ = of_lines([](const Line& l) { return l.refractive_index; });
+  inverse_index_ = of_lines([](const Line& l) { return 1 / l.refractive_index; });
+  group_index_ = of_lines([](const Line& l) { return l.group_index; });
+  std::vector<double> walk_c, continuous_c, gain;
   for (std::size_t i = 0; i < cells; ++i) {
     const double share = walk_share.value_or(std::max(albedo[i], least_walk_share));
-    walk_c_.push_back(c[i] * share);
-    continuous_c_.push_back(c[i] * (1 - share));
-    collision_gain_.push_back(1 / share);
+    walk_c.push_back(c[i] * share);
+    continuous_c.push_back(c[i] * (1 - share));
+    gain.push_back(1 / share);
   }
-  depth_tau_ = depth_integrals(c);
-  walk_depth_tau_ = depth_integrals(walk_c_);
-  continuous_depth_tau_ = depth_integrals(continuous_c_);
-  convertible_.assign(cells, 0);
+  top_ = TwinTable(top);
+  c_ = TwinTable(c);
+  albedo_ = TwinTable(albedo);
+  conversion_ = TwinTable(conversion);
+  absorption_ = TwinTable(absorption);
+  walk_c_ = TwinTable(walk_c);
+  continuous_c_ = TwinTable(continuous_c);
+  collision_gain_ = TwinTable(gain);
+  depth_tau_ = TwinTable(depth_integrals(c));
+  walk_depth_tau_ = TwinTable(depth_integrals(walk_c));
+  continuous_depth_tau_ = TwinTable(depth_integrals(continuous_c));
+  elastic_phase_ = IndexTableOwner(elastic_phase);
+  conversion_phase_ = IndexTableOwner(conversion_phase);
+  std::vector<std::int32_t> convertible(cells), convertible_count;
   for (std::size_t k = 0; k < n_layers; ++k) {
     std::int32_t count = 0;
     for (std::size_t l = 1; l < n_lines; ++l) {
       if (conversion[l * n_layers + k] > 0) {
-        convertible_[k * n_lines + static_cast<std::size_t>(count++)] =
-            static_cast<std::int32_t>(l);
+        convertible[k * n_lines + static_cast<std::size_t>(count++)] = static_cast<std::int32_t>(l);
       }
     }
-    convertible_count_.push_back(count);
+    convertible_count.push_back(count);
   }
+  convertible_ = IndexTableOwner(convertible);
+  convertible_count_ = IndexTableOwner(convertible_count);
 }
 
 MediumView Medium::view() const {
   MediumView v;
   v.layers = layers();
   v.lines = static_cast<std::int32_t>(line.size());
-  v.top = top.data();
-  v.c = c.data();
-  v.albedo = albedo.data();
-  v.depth_tau = depth_tau_.data();
-  v.walk_c = walk_c_.data();
-  v.walk_depth_tau = walk_depth_tau_.data();
-  v.continuous_c = continuous_c_.data();
-  v.continuous_depth_tau = continuous_depth_tau_.data();
-  v.collision_gain = collision_gain_.data();
-  v.conversion = conversion.data();
-  v.absorption = absorption.data();
-  v.convertible = convertible_.data();
-  v.convertible_count = convertible_count_.data();
-  v.index = index_.data();
-  v.inverse_index = inverse_index_.data();
-  v.group_index = group_index_.data();
-  v.elastic_phase = elastic_phase.data();
-  v.conversion_phase = conversion_phase.data();
-  v.phases.cell = phase_cells_.data();
+  v.top = top_.view();
+  v.c = c_.view();
+  v.albedo = albedo_.view();
+  v.depth_tau = depth_tau_.view();
+  v.walk_c = walk_c_.view();
+  v.walk_depth_tau = walk_depth_tau_.view();
+  v.continuous_c = continuous_c_.view();
+  v.continuous_depth_tau = continuous_depth_tau_.view();
+  v.collision_gain = collision_gain_.view();
+  v.conversion = conversion_.view();
+  v.absorption = absorption_.view();
+  v.convertible = convertible_.view();
+  v.convertible_count = convertible_count_.view();
+  v.index = index_.view();
+  v.inverse_index = inverse_index_.view();
+  v.group_index = group_index_.view();
+  v.elastic_phase = elastic_phase_.view();
+  v.conversion_phase = conversion_phase_.view();
+  v.phases.cell = phase_cells_.table();
   v.phases.guide = phase_guides_.data();
   return v;
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/lanes.hpp"
+#include "core/twin_table.hpp"
 #include "optics/phase_table.hpp"
 
 namespace photic::medium {
@@ -23,28 +24,25 @@ const char* process_name(Process process);
 /// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
   std::int32_t layers = 0, lines = 0;
-  const double* top =
-      nullptr;  ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
-  const double* c = nullptr;       ///< attenuation, [line][layer]
-  const double* albedo = nullptr;  ///< b / c, [line][layer]
-  const double* depth_tau =
-      nullptr;  ///< optical depth from the surface to a layer's top, [line][layers + 1]
-  const double* walk_c = nullptr;  ///< coefficient that free paths are drawn from, [line][layer]
-  const double* walk_depth_tau =
-      nullptr;  ///< its integral from the surface to a layer's top, [line][layers + 1]
-  const double* continuous_c = nullptr;  ///< c less walk_c, absorbed along the way, [line][layer]
-  const double* continuous_depth_tau = nullptr;  ///< its integral, as above
-  const double* collision_gain = nullptr;        ///< c / walk_c, [line][layer]
-  const double* conversion =
-      nullptr;  ///< share of a collision at line 0 that emits at this line, [line][layer]
-  const double* absorption = nullptr;  ///< share of a collision that ends the photon, [line][layer]
-  const std::int32_t* convertible = nullptr;  ///< the lines with conversion > 0, [layer][lines]
-  const std::int32_t* convertible_count = nullptr;  ///< how many they are, [layer]
-  const double* index = nullptr;                    ///< refractive index against air, [line]
-  const double* inverse_index = nullptr;            ///< 1 / index, [line]
-  const double* group_index = nullptr;              ///< [line]
-  const std::int32_t* elastic_phase = nullptr;      ///< table in `phases`, [line][layer]
-  const std::int32_t* conversion_phase = nullptr;   ///< table in `phases`, [line]; of line 0 unused
+  ShortTable top;        ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
+  ShortTable c;          ///< attenuation, [line][layer]
+  ShortTable albedo;     ///< b / c, [line][layer]
+  ShortTable depth_tau;  ///< optical depth from the surface to a layer's top, [line][layers + 1]
+  ShortTable walk_c;     ///< coefficient that free paths are drawn from, [line][layer]
+  ShortTable
+      walk_depth_tau;       ///< its integral from the surface to a layer's top, [line][layers + 1]
+  ShortTable continuous_c;  ///< c less walk_c, absorbed along the way, [line][layer]
+  ShortTable continuous_depth_tau;  ///< its integral, as above
+  ShortTable collision_gain;        ///< c / walk_c, [line][layer]
+  ShortTable conversion;  ///< share of a collision at line 0 that emits at this line, [line][layer]
+  ShortTable absorption;  ///< share of a collision that ends the photon, [line][layer]
+  IndexTable convertible;        ///< the lines with conversion > 0, [layer][lines]
+  IndexTable convertible_count;  ///< how many they are, [layer]
+  ShortTable index;              ///< refractive index against air, [line]
+  ShortTable inverse_index;      ///< 1 / index, [line]
+  ShortTable group_index;        ///< [line]
+  IndexTable elastic_phase;      ///< table in `phases`, [line][layer]
+  IndexTable conversion_phase;   ///< table in `phases`, [line]; of line 0 unused
   optics::PhaseView phases;
 
   template <class I>
@@ -83,13 +81,13 @@ struct MediumView {
 
  private:
   template <class T>
-  T down_to(const double* coefficient, const double* to_top, const Index<T>& line,
+  T down_to(const ShortTable& coefficient, const ShortTable& to_top, const Index<T>& line,
             const Index<T>& layer, const T& depth) const {
     const T above = gather<T>(to_top, line * Index<T>(layers + 1) + layer);
     return above + gather<T>(coefficient, at(line, layer)) * (depth - gather<T>(top, layer));
   }
   template <class T>
-  T slant(const double* coefficient, const double* to_top, const Index<T>& line,
+  T slant(const ShortTable& coefficient, const ShortTable& to_top, const Index<T>& line,
           const Index<T>& layer1, const T& depth1, const Index<T>& layer2, const T& depth2,
           const T& length) const {
     using std::abs;
@@ -137,10 +135,11 @@ class Medium {
   /// Integrals over depth from the surface to the layers' edges, [line][layers + 1].
   [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
 
-  std::vector<double> depth_tau_, walk_c_, walk_depth_tau_, continuous_c_, continuous_depth_tau_,
-      collision_gain_, index_, inverse_index_, group_index_;
-  std::vector<std::int32_t> convertible_, convertible_count_;
-  std::vector<double> phase_cells_;  ///< of all tables, one behind the other
+  /// The tables of the view, in both precisions.
+  TwinTable top_, c_, albedo_, conversion_, absorption_, depth_tau_, walk_c_, walk_depth_tau_,
+      continuous_c_, continuous_depth_tau_, collision_gain_, index_, inverse_index_, group_index_;
+  IndexTableOwner convertible_, convertible_count_, elastic_phase_, conversion_phase_;
+  TwinTable phase_cells_;  ///< of all phase functions, one behind the other
   std::vector<std::int32_t> phase_guides_;
 };
 

@@ -47,8 +47,9 @@ PhaseTable::PhaseTable(const PhaseShape& shape) {
   const double whole = table_integral(shape);
   expect(std::abs(whole - 1) <= 1e-4, "a phase function integrates to 1");
 
+  std::vector<double> numbers;
   const auto add = [&](double cdf, double mass, double p, double slope) {
-    cell_.insert(cell_.end(), {cdf, cdf + mass, p, slope});
+    numbers.insert(numbers.end(), {cdf, cdf + mass, p, slope});
     return cdf + mass;
   };
   const double core_mass = shape.core_mass / whole;
@@ -59,8 +60,10 @@ PhaseTable::PhaseTable(const PhaseShape& shape) {
     sum = add(sum, mass(node, i) / whole, node[k] / whole, slope / whole);
   }
 
+  cell_ = TwinTable(numbers);
+
   std::int32_t last = 0;
-  for (int k = 0; k < PhaseView::guides; ++k) {
+  for (int k = 0; k <= PhaseView::guides; ++k) {
     const double u = static_cast<double>(k) / PhaseView::guides;
     while (last + 1 < PhaseView::cells && at(last + 1, PhaseView::cdf) <= u) ++last;
     guide_.push_back(last);
@@ -68,10 +71,10 @@ PhaseTable::PhaseTable(const PhaseShape& shape) {
 }
 
 double PhaseTable::at(std::int32_t cell, PhaseView::Field field) const {
-  return cell_[static_cast<std::size_t>(cell * PhaseView::fields + field)];
+  return cell_.table()[cell * PhaseView::fields + field];
 }
 
-PhaseView PhaseTable::view() const { return {cell_.data(), guide_.data()}; }
+PhaseView PhaseTable::view() const { return {cell_.table(), guide_.data()}; }
 
 double PhaseTable::mean_cosine() const {
   double mean_x = at(0, PhaseView::cdf_end) * PhaseView::x_core / 2;

@@ -11,6 +11,7 @@
 
 #include "core/constants.hpp"
 #include "core/lanes.hpp"
+#include "core/twin_table.hpp"
 
 namespace photic::optics {
 
@@ -31,8 +32,8 @@ struct PhaseView {
     slope,    ///< dp/dx [1/sr]
     fields
   };
-  const double* cell = nullptr;         ///< [cells][fields]
-  const std::int32_t* guide = nullptr;  ///< last cell whose cdf is <= k / guides
+  Table cell;                           ///< [cells][fields]
+  const std::int32_t* guide = nullptr;  ///< last cell whose cdf is <= k / guides, 0 <= k <= guides
 
   /// Lower edge of a cell but the core.
   template <class T>
@@ -63,7 +64,7 @@ struct PhaseView {
 
   template <class T>
   T look_up(Field field, const Index<T>& i) const {
-    return gather<T>(cell + field, i * Index<T>(fields));
+    return gather<T>(cell + field, i * Index<T>(static_cast<std::int32_t>(fields)));
   }
 };
 
@@ -91,7 +92,7 @@ class PhaseTable {
  private:
   [[nodiscard]] double at(std::int32_t cell, PhaseView::Field field) const;
 
-  std::vector<double> cell_;  ///< [cells][fields]
+  TwinTable cell_;  ///< [cells][fields]
   std::vector<std::int32_t> guide_;
 };
 
@@ -99,15 +100,17 @@ template <class T>
 T PhaseView::sample(const T& u, const Index<T>& table) const {
   using std::sqrt;
   const Index<T> base = table * Index<T>(cells);
-  Index<T> i = gather_index<T>(guide, floor_index(u * T(guides)) + table * Index<T>(guides));
-  // The guide is at most a few cells short; the first step is taken without asking, which is seldom
-  // wrong.
-  const auto behind = [&](const Index<T>& k) {
-    return (k < Index<T>(cells - 1)) & (look_up<T>(cdf_end, base + k) <= u);
-  };
-  i = i + select(behind(i), Index<T>(1), Index<T>(0));
-  for (Mask<T> on = behind(i); any(on); on = behind(i))
-    i = i + select(on, Index<T>(1), Index<T>(0));
+  const Index<T> g = floor_index(u * T(guides)) + table * Index<T>(guides + 1);
+  Index<T> i = gather_index<T>(guide, g);
+  Index<T> last = gather_index<T>(guide, g + Index<T>(1));
+  // The cell is one of these. There are seldom more than two: the first step is taken without
+  // asking.
+  do {
+    const Index<T> middle = (i + last + Index<T>(1)) >> 1;
+    const Mask<T> reached = look_up<T>(cdf, base + middle) <= u;
+    i = select(reached, middle, i);
+    last = select(reached, last, middle - Index<T>(1));
+  } while (any(i < last));
 
   // Inverse of the cumulative of a straight line: 2 pi (p0 s + slope s^2 / 2) = u - below, solved
   // for s = x - x0.

@@ -21,6 +21,15 @@ struct Ledger {
   double roulette = 0;      ///< killed less gained by Russian roulette; 0 in expectation
   double lost = 0;          ///< too many events, or a number that is not finite
   friend bool operator==(const Ledger&, const Ledger&) = default;
+  friend Ledger operator+(const Ledger& a, const Ledger& b) {
+    return {a.absorbed + b.absorbed,
+            a.escaped + b.escaped,
+            a.sea_bed + b.sea_bed,
+            a.cut_by_time + b.cut_by_time,
+            a.cut_by_order + b.cut_by_order,
+            a.roulette + b.roulette,
+            a.lost + b.lost};
+  }
 };
 
 /// Power sums of the batches' scores in one cell. A batch of n photons that scored X enters as X

@@ -24,6 +24,18 @@ struct Connection {
   T path{};           ///< length times group index [m]
 };
 
+/// Whether a telescope's detector may see a point; cheap, for most lie far outside its field of
+/// view.
+template <class T>
+Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+                const Vec3<T>& position, const Index<T>& line) {
+  if (telescope.submerged) return Mask<T>(true);
+  // The true angle is never below the paraxial one.
+  const T rise = telescope.position.z - position.z * gather<T>(sea.inverse_index, line);
+  return telescope.may_see_beyond(telescope.position.x - position.x,
+                                  telescope.position.y - position.y, rise);
+}
+
 /// From a photon's position through the surface to a telescope in the air, at the given line. If
 /// nothing `aims` at the telescope, directions are left out where its detector cannot see the
 /// point.
@@ -41,8 +53,7 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T dy = telescope.position.y - at.position.y;
   const T aside_squared = dx * dx + dy * dy;
 
-  // Most points lie far outside the field of view; the true angle is never below the paraxial one.
-  const Mask<T> near_view = telescope.may_see_beyond(dx, dy, height + depth * inverse_n);
+  const Mask<T> near_view = may_see(sea, telescope, at.position, line);
   if (!(aims || any(near_view))) return way;
   const auto start = crossing_start(inverse_n, depth, height, aside_squared);
   T per_rise = start.per_rise;

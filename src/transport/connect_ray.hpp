@@ -10,21 +10,21 @@
 namespace photic::transport {
 
 /// As connect_through_surface (not `mirrored`) or connect_in_water give it, for a lens all of which
-/// is at one of its points.
+/// is at one of its points. If nothing `aims` at the telescope, directions are left out where its
+/// detector cannot see the point.
 template <class T>
 Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                           const Index<T>& telescope_layer, const Photon<T>& at,
                           const Index<T>& line, const instrument::PlanePoint<T>& lens,
-                          bool mirrored) {
+                          bool mirrored, bool aims) {
   const T depth = -at.position.z;
   const Vec3<T> to = in_space(telescope, lens);
   Way<T> way;
   if (telescope.submerged) {
     way = way_in_water(sea, at.position, line, to, mirrored);
   } else {
-    const T rise = telescope.position.z + depth * gather<T>(sea.inverse_index, line);
-    const Mask<T> near_view = telescope.may_see_beyond(telescope.position.x - at.position.x,
-                                                       telescope.position.y - at.position.y, rise);
+    const Mask<T> near_view = may_see(sea, telescope, at.position, line);
+    if (!(aims || any(near_view))) return {};
     way = way_through_surface(sea, at.position, line, to, near_view);
   }
   const auto seen = sight(telescope, lens, way.arriving);

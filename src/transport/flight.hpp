@@ -2,7 +2,9 @@
 // bed.
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "core/elementary.hpp"
 #include "medium/medium.hpp"
@@ -17,6 +19,29 @@ struct FlightEnd {
   Mask<T> sea_bed;  ///< the photon stands on the sea bed
 };                  ///< neither: it collides where it stands
 
+/// The layer in which the vertical optical depth `target` lies (the first or the last if in none),
+/// for a photon from a layer; that one where it is on its edge. By halving, for among many lanes
+/// one always has far to go. `row` is where the line's depths begin.
+template <class T>
+Index<T> layer_of_walk_tau(const medium::MediumView& sea, const Index<T>& row, const Index<T>& from,
+                           const T& target) {
+  const Index<T> last(sea.layers - 1);
+  const Mask<T> not_above =
+      (from == Index<T>(0)) | (target >= gather<T>(sea.walk_depth_tau, row + from));
+  const Mask<T> not_below =
+      (from == last) | (target <= gather<T>(sea.walk_depth_tau, row + from + Index<T>(1)));
+  const Mask<T> stays = not_above & not_below;
+  if (all(stays)) return from;
+  Index<T> layer(0);
+  for (auto step = std::bit_floor(static_cast<std::uint32_t>(sea.layers)); step > 0; step >>= 1) {
+    const Index<T> next = layer + Index<T>(step);
+    const Mask<T> exists = next <= last;
+    const T top = gather<T>(sea.walk_depth_tau, row + select(exists, next, last));
+    layer = select(exists & (target > top), next, layer);
+  }
+  return select(stays, from, layer);
+}
+
 /// Moves a photon in the water by a free path, across layers, or to the surface or the sea bed.
 /// Free paths -ln(u) are drawn from the medium's walk coefficient c', which is less than c; the
 /// weight takes the ratio of the true density of free paths to the drawn one: exp(-(tau - tau')),
@@ -28,18 +53,8 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
   const T depth = -photon.position.z;
   const T target = sea.walk_optical_depth<T>(photon.line, photon.layer, depth) + free_path * down;
 
-  // The layer in which the vertical optical depth `target` lies; the edge one goes through, if any.
   const Index<T> row = photon.line * Index<T>(sea.layers + 1);
-  const Index<T> last(sea.layers - 1);
-  Index<T> layer = photon.layer;
-  for (;;) {
-    const Mask<T> deeper =
-        (layer < last) & (target > gather<T>(sea.walk_depth_tau, row + layer + Index<T>(1)));
-    const Mask<T> higher =
-        (layer > Index<T>(0)) & (target < gather<T>(sea.walk_depth_tau, row + layer));
-    if (!any(deeper | higher)) break;
-    layer = layer + select(deeper, Index<T>(1), select(higher, Index<T>(-1), Index<T>(0)));
-  }
+  const Index<T> layer = layer_of_walk_tau(sea, row, photon.layer, target);
   FlightEnd<T> end;
   end.surface = (target <= T(0)) & (down < T(0));
   end.sea_bed = target > gather<T>(sea.walk_depth_tau, row + Index<T>(sea.layers));

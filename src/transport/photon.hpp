@@ -15,6 +15,17 @@ struct Photon {
   Index<T> line{};     ///< wavelength, a line of the medium
   Index<T> layer{};    ///< where it is in the water
   Index<T> order{};    ///< scatterings and conversions so far
+
+  friend Photon select(const Mask<T>& mask, const Photon& yes, const Photon& no) {
+    return {select<T>(mask, yes.position, no.position),
+            select<T>(mask, yes.direction, no.direction),
+            select(mask, yes.weight, no.weight),
+            select(mask, yes.analog_weight, no.analog_weight),
+            select(mask, yes.path, no.path),
+            select(mask, yes.line, no.line),
+            select(mask, yes.layer, no.layer),
+            select(mask, yes.order, no.order)};
+  }
 };
 
 }  // namespace photic::transport

@@ -33,8 +33,9 @@ Way<T> way_through_surface(const medium::MediumView& sea, const Vec3<T>& from, c
   const T dx = to.x - from.x;
   const T dy = to.y - from.y;
   const T aside_squared = dx * dx + dy * dy;
-  const auto start = crossing_start(inverse_n, depth, to.z, aside_squared);
-  const T per_rise = select(wanted, crossing(n, depth, to.z, aside_squared, start), start.per_rise);
+  auto start = crossing_start(inverse_n, depth, to.z, aside_squared);
+  start.error = select(wanted, start.error, T(0));  // no steps for the others
+  const T per_rise = crossing(n, depth, to.z, aside_squared, start);
   const RefractedRay<T> ray = refracted_ray(n, inverse_n, dx, dy, aside_squared, per_rise);
 
   Way<T> way;

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "engine/batches.hpp"
 #include "engine/problem.hpp"
 #include "engine/run.hpp"
+#include "engine/scalar.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 

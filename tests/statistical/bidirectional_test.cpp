@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <numeric>
 
-#include "engine/batches.hpp"
 #include "engine/problem.hpp"
 #include "engine/run.hpp"
+#include "engine/scalar.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 
@@ -195,7 +195,8 @@ tally::Result simulate_in(const std::string& scene, Change change) {
   const engine::RunOptions options;
   engine::Conductor conductor(problem.scene.simulation, options);
   tally::Result result = engine::describe(problem);
-  engine::BatchRunner<double>(problem, world, conductor).run().fill(result);
+  const engine::ScalarSimulator<double> simulator(world);
+  engine::BatchRunner(problem, simulator, conductor).run().fill(result);
   return result;
 }
 

@@ -51,8 +51,8 @@ TEST(LanesOf, ElementaryFunctions) {
   for (int g = 0; g < 10000; ++g) {
     test::Lanes4 y, u;
     for (std::size_t i = 0; i < test::lanes; ++i) {
-      y[i] = random.chance(0.05) ? 1000.0 : random.scale(1e-6, 700);
-      u[i] = random.uniform();
+      y.set(i, random.chance(0.05) ? 1000.0 : random.scale(1e-6, 700));
+      u.set(i, random.uniform());
     }
     const auto e = exp_minus(y);
     const auto l = minus_log(u);

@@ -129,7 +129,7 @@ TEST(PhaseTable, SamplesTheEdgesOfItsCells) {
   const PhaseTable table({p, 2 * PhaseView::x_core});
   const PhaseView view = table.view();
   for (int i = 0; i < outer_cells; ++i) {
-    const double* cell = view.cell + (i + 1) * PhaseView::fields;
+    const double* cell = view.cell.exact + (i + 1) * PhaseView::fields;
     const bool empty = cell[PhaseView::cdf] == cell[PhaseView::cdf_end];
     const double x = view.sample(cell[PhaseView::cdf]);
     ASSERT_NEAR(x, empty ? 1.0 : edge(i), 1e-12) << i;

@@ -176,6 +176,7 @@ walks = 1
 meetings = 50.0
 connected_fraction = 0.3
 walk_attenuation = 0.6
+sampling = "quasi-random"
 )");
 }
 

@@ -39,7 +39,7 @@ Connection<double> connect_ray(const medium::Medium& sea, const scene::Telescope
                                const instrument::PlanePoint<double>& lens, bool mirrored) {
   return transport::connect_ray(sea.view(), instrument::make_telescope<double>(scene),
                                 sea.layer_at(std::max(0.0, -scene.position_m.z)), at, line, lens,
-                                mirrored);
+                                mirrored, true);
 }
 Connection<double> connect(const medium::Medium& sea, const scene::Telescope& scene,
                            const Photon<double>& at, std::int32_t line, bool mirrored) {

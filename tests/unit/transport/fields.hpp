@@ -214,7 +214,7 @@ template <template <class> class S>
 S<Lanes4> pack_fields(const Four<S<double>>& values) {
   S<Lanes4> out{};
   for (std::size_t i = 0; i < lanes; ++i)
-    fields(out, values[i], [i](auto& lane, const auto& one, const char*) { lane[i] = one; });
+    fields(out, values[i], [i](auto& lane, const auto& one, const char*) { lane.set(i, one); });
   return out;
 }
 /// The same in all lanes.

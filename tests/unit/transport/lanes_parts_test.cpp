@@ -64,7 +64,8 @@ TEST(LanesOf, Turned) {
       x[i] = random.scale(1e-12, 2);
       azimuth[i] = random.between(0, 2 * pi);
     }
-    const auto out = turned(pack(w), pack(x), cos(pack(azimuth)), sin(pack(azimuth)));
+    const auto out = turned(pack(w), pack(x), pack(azimuth, [](double a) { return std::cos(a); }),
+                            pack(azimuth, [](double a) { return std::sin(a); }));
     const auto apart = one_minus_cos(pack(w), out);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto scalar = turned(w[i], x[i], std::cos(azimuth[i]), std::sin(azimuth[i]));

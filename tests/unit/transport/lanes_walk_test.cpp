@@ -76,8 +76,8 @@ TEST(LanesOf, FlyAndReflectDown) {
       bed += one.sea_bed;
       crossed += scalar[i].layer != layer;
       // What cannot reflect is turned, so that every lane may be asked.
-      if (scalar[i].direction.z < 0)
-        scalar[i].direction.z = packed.direction.z[i] = -scalar[i].direction.z;
+      if (scalar[i].direction.z < 0) scalar[i].direction.z = -scalar[i].direction.z;
+      packed.direction.z.set(i, scalar[i].direction.z);
     }
     const auto leaving = reflect_down(sea.view(), packed);
     for (std::size_t i = 0; i < lanes; ++i) {

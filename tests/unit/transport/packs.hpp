@@ -17,7 +17,6 @@ using test::Index4;
 using test::lanes;
 using test::Lanes4;
 using test::Mask4;
-using test::Pack4;
 
 /// Groups of four random states: 10,000 states.
 inline constexpr int groups = 2500;
@@ -26,31 +25,35 @@ template <class E>
 using Four = std::array<E, lanes>;
 
 template <class E>
-Pack4<E> pack(const Four<E>& values) {
-  Pack4<E> out;
-  out.lane = values;
+Pack<E, lanes> pack(const Four<E>& values) {
+  return Pack<E, lanes>::load(values.data());
+}
+inline Mask4 pack(const Four<bool>& values) {
+  Mask4 out;
+  for (std::size_t i = 0; i < lanes; ++i) out.set(i, values[i]);
   return out;
+}
+/// One member of four states.
+template <class S, class Member>
+auto pack(const Four<S>& states, Member member) {
+  return pack(Four<std::decay_t<decltype(member(states[0]))>>{
+      member(states[0]), member(states[1]), member(states[2]), member(states[3])});
 }
 inline Vec3<Lanes4> pack(const Four<Vec3<double>>& values) {
-  Vec3<Lanes4> out;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    out.x[i] = values[i].x;
-    out.y[i] = values[i].y;
-    out.z[i] = values[i].z;
-  }
-  return out;
+  using V = Vec3<double>;
+  return {pack(values, [](const V& v) { return v.x; }),
+          pack(values, [](const V& v) { return v.y; }),
+          pack(values, [](const V& v) { return v.z; })};
 }
 inline Photon<Lanes4> pack(const Four<Photon<double>>& values) {
+  using P = Photon<double>;
   Photon<Lanes4> out;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    const Photon<double>& one = values[i];
-    out.weight[i] = one.weight;
-    out.analog_weight[i] = one.analog_weight;
-    out.path[i] = one.path;
-    out.line[i] = one.line;
-    out.layer[i] = one.layer;
-    out.order[i] = one.order;
-  }
+  out.weight = pack(values, [](const P& p) { return p.weight; });
+  out.analog_weight = pack(values, [](const P& p) { return p.analog_weight; });
+  out.path = pack(values, [](const P& p) { return p.path; });
+  out.line = pack(values, [](const P& p) { return p.line; });
+  out.layer = pack(values, [](const P& p) { return p.layer; });
+  out.order = pack(values, [](const P& p) { return p.order; });
   out.position = pack(Four<Vec3<double>>{values[0].position, values[1].position, values[2].position,
                                          values[3].position});
   out.direction = pack(Four<Vec3<double>>{values[0].direction, values[1].direction,

@@ -1,0 +1,9 @@
+// PHOTIC_FLATTEN: everything that the function calls becomes part of it, which the loops of photons
+// live by. Not where a sanitizer would take minutes to see through what comes out.
+#pragma once
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define PHOTIC_FLATTEN
+#else
+#define PHOTIC_FLATTEN [[gnu::flatten]]
+#endif

@@ -1,0 +1,33 @@
+// The lane engine: the same physics, many photons at a time, in float.
+//
+// It is compiled once for each instruction set of x86 that is worth it; which one runs is chosen
+// when the program does.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/problem.hpp"
+#include "engine/simulator.hpp"
+
+namespace photic::engine {
+
+/// Instruction sets, from the least to the best.
+enum class Isa { baseline, avx2, avx512 };
+
+const char* isa_name(Isa isa);
+/// None if there is none of this name.
+std::optional<Isa> isa_of(std::string_view name);
+/// Whether this processor has it.
+bool runs_here(Isa isa);
+/// The best that this processor has.
+Isa best_isa();
+
+/// The forward estimator of a problem in lanes; the processor must have the instruction set. The
+/// problem must outlive what is returned.
+std::unique_ptr<Simulator> make_lanes(const Problem& problem, Isa isa);
+
+}  // namespace photic::engine

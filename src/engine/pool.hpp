@@ -1,0 +1,190 @@
+// Many photons on their way at once, walked a pack at a time.
+//
+// Photons live in the slots of a pool. A sweep takes every pack of slots through one event; then
+// the slots of those who have ended are given to new photons, so that packs stay full. Slots are
+// filled and packs are scored in an order that follows from the photons alone.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "core/flatten.hpp"
+#include "core/pack.hpp"
+#include "engine/history.hpp"
+#include "engine/simulator.hpp"
+
+namespace photic::engine {
+
+/// Sums of weights, in double, each lane for itself.
+template <class T>
+struct LaneSum {
+  WidePack<double, lanes_of<T>> lanes;
+  [[nodiscard]] double total() const {
+    double sum = 0;
+    for (const double lane : each_lane(lanes)) sum += lane;
+    return sum;
+  }
+};
+template <class T>
+void book(LaneSum<T>& account, const Mask<T>& mask, const T& weight) {
+  if (!any(mask)) return;
+  account.lanes = account.lanes + to_double(select(mask, weight, T(0)));
+}
+/// The ledger of a pool.
+template <class T>
+struct LaneLedger {
+  LaneSum<T> absorbed, escaped, sea_bed, cut_by_time, cut_by_order, roulette, lost;
+  [[nodiscard]] tally::Ledger total() const {
+    return {absorbed.total(),     escaped.total(),  sea_bed.total(), cut_by_time.total(),
+            cut_by_order.total(), roulette.total(), lost.total()};
+  }
+};
+
+/// One member of the photons of a pool, slot by slot.
+template <class E, std::size_t slots>
+struct alignas(64) Column {
+  std::array<E, slots> slot{};
+};
+
+template <class T>
+class Pool {
+ public:
+  /// Such that all of it stays in the first cache, and few packs are partly empty.
+  static constexpr std::size_t slots = 256;
+  static constexpr std::size_t width = lanes_of<T>;
+
+  explicit Pool(const World<T>& world) : world_(world), lens_(world.telescopes.size()) {
+    travellers_.place.seed = world.seed;
+    travellers_.lens.resize(world.single_rays ? lens_.size() : 0);
+    estimates_.waiting.resize(lens_.size());
+  }
+
+  /// Follows photons `first` … `first + count - 1` to their ends. `witness` is told of the packs
+  /// before and after each event.
+  template <class Witness>
+  PHOTIC_FLATTEN void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
+                          Witness witness) {
+    next_ = first;
+    last_ = first + count;
+    born_ = width;
+    used_ = 0;
+    while (used_ < slots && emerge()) settle(used_++);
+    while (used_ > 0) {
+      for (std::size_t k = 0; k < used_; k += width) {
+        load(k);
+        const Mask<T> before = first_lanes(used_ - k);
+        const Mask<T> on = next_event(world_, travellers_, before, ledger_, tally, estimates_);
+        witness(travellers_, before, on);
+        store(k);
+        on_[k / width] = lane_bits(on);
+      }
+      replace();
+    }
+    close_rooms(world_, estimates_, tally);
+    tally.ledger = tally.ledger + ledger_.total();
+    ledger_ = {};
+  }
+
+ private:
+  static Mask<T> first_lanes(std::size_t n) {
+    return Mask<T>::of_bits(n >= 32 ? ~0U : (1U << n) - 1U);
+  }
+
+  /// Calls f(a member of the travellers, its column) for every member that a slot keeps.
+  template <class F>
+  void columns(Travellers<T>& t, F f) {
+    f(t.photon.position.x, x_);
+    f(t.photon.position.y, y_);
+    f(t.photon.position.z, z_);
+    f(t.photon.direction.x, u_);
+    f(t.photon.direction.y, v_);
+    f(t.photon.direction.z, w_);
+    f(t.photon.weight, weight_);
+    f(t.photon.analog_weight, analog_weight_);
+    f(t.photon.path, path_);
+    f(t.photon.line, line_);
+    f(t.photon.layer, layer_);
+    f(t.photon.order, order_);
+    f(t.place.photon, number_);
+    f(t.place.event, event_);
+    for (std::size_t i = 0; i < t.lens.size(); ++i) {
+      f(t.lens[i].x, lens_[i][0]);
+      f(t.lens[i].y, lens_[i][1]);
+    }
+  }
+  void load(std::size_t k) {
+    columns(travellers_, [k](auto& member, const auto& column) {
+      member = std::decay_t<decltype(member)>::load(column.slot.data() + k);
+    });
+  }
+  void store(std::size_t k) {
+    columns(travellers_,
+            [k](const auto& member, auto& column) { member.store(column.slot.data() + k); });
+  }
+
+  /// Whether there is another photon that has reached the water: lane `born_` of the newborn.
+  bool emerge() {
+    for (;;) {
+      for (++born_; born_ < width; ++born_) {
+        if ((entered_ >> born_ & 1U) != 0) return true;
+      }
+      if (next_ >= last_) return false;
+      Counter<T> number;
+      for (std::size_t i = 0; i < width; ++i) number.set(i, next_ + i);
+      const Mask<T> exist = first_lanes(last_ - next_);
+      entered_ = lane_bits(set_out(world_, number, exist, newborn_, ledger_));
+      next_ += width;
+      born_ = static_cast<std::size_t>(-1);
+    }
+  }
+  /// Gives a slot to the newborn photon.
+  void settle(std::size_t slot) {
+    columns(newborn_, [&](const auto& member, auto& column) { column.slot[slot] = member[born_]; });
+  }
+  /// Gives the slots of those who have ended to new photons, or to the last ones.
+  void replace() {
+    const auto ended = [this](std::size_t slot) {
+      return (on_[slot / width] >> slot % width & 1U) == 0;
+    };
+    for (std::size_t k = 0; k < used_; k += width) {
+      auto gone = ~on_[k / width];
+      if (width < 32) gone &= (1U << width) - 1U;
+      for (; gone != 0; gone &= gone - 1) {
+        const std::size_t slot = k + static_cast<std::size_t>(std::countr_zero(gone));
+        if (slot >= used_) return;
+        if (emerge()) {
+          settle(slot);
+          continue;
+        }
+        while (used_ > slot && ended(used_ - 1)) --used_;
+        if (used_ <= slot) return;
+        columns(travellers_,
+                [&](const auto&, auto& column) { column.slot[slot] = column.slot[used_ - 1]; });
+        --used_;
+      }
+    }
+  }
+
+  template <class E>
+  using ColumnOf = Column<E, slots>;
+  using Real = ColumnOf<Element<T>>;
+  using Integer = ColumnOf<std::int32_t>;
+
+  const World<T>& world_;
+  Real x_, y_, z_, u_, v_, w_, weight_, analog_weight_, path_;
+  Integer line_, layer_, order_, event_;
+  ColumnOf<std::uint64_t> number_;
+  std::vector<std::array<Real, 2>> lens_;          ///< of each telescope
+  std::array<std::uint32_t, slots / width> on_{};  ///< who goes on, one bit for each lane
+  std::size_t used_ = 0;
+
+  Travellers<T> travellers_, newborn_;
+  std::uint32_t entered_ = 0;
+  std::size_t born_ = 0;
+  std::uint64_t next_ = 0, last_ = 0;
+  LaneLedger<T> ledger_;
+  Estimates<T> estimates_;
+};
+
+}  // namespace photic::engine

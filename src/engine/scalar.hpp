@@ -1,0 +1,48 @@
+// The scalar engine: one photon after the other.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/batches.hpp"
+#include "engine/bidirectional.hpp"
+#include "engine/history.hpp"
+
+namespace photic::engine {
+
+/// In the arithmetic of T.
+template <class T>
+class ScalarSimulator final : public Simulator {
+ public:
+  explicit ScalarSimulator(World<T> world) : world_(std::move(world)) {}
+
+  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
+    if (world_.walks == 0) {
+      Travellers<T> photon;
+      Estimates<T> estimates;
+      estimates.waiting.resize(world_.telescopes.size());
+      for (std::uint64_t i = 0; i < count; ++i) follow(world_, first + i, photon, estimates, tally);
+      return;
+    }
+    WalkSet<T> set(world_.walks);
+    for (std::uint64_t done = 0; done < count; done += world_.walks) {
+      const auto walks = std::min<std::uint64_t>(world_.walks, count - done);
+      follow_set(world_, first + done, walks, set, tally);
+    }
+  }
+
+ private:
+  World<T> world_;
+};
+
+/// Runs a problem in the arithmetic of T.
+template <class T>
+tally::Totals run_batches(const Problem& problem, Conductor& conductor) {
+  const ScalarSimulator<T> simulator(make_world<T>(problem.scene, problem.medium, problem.gates));
+  return BatchRunner(problem, simulator, conductor).run();
+}
+
+// Compiled once, in run.cpp: each copy of the whole walk costs a compiler ten seconds.
+extern template tally::Totals run_batches<double>(const Problem& problem, Conductor& conductor);
+
+}  // namespace photic::engine

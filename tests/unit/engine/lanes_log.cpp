@@ -1,0 +1,38 @@
+// The events of a pool of lanes. Compiled for each instruction set.
+#include "engine/pool.hpp"
+#include "unit/engine/event_log.hpp"
+
+namespace photic::engine {
+namespace {
+
+using Lanes = Pack<float, native::float_lanes>;
+
+LoggedEvent event_of(const transport::Photon<Lanes>& p, std::size_t i) {
+  return {true,
+          {p.position.x[i], p.position.y[i], p.position.z[i], p.direction.x[i], p.direction.y[i],
+           p.direction.z[i], p.weight[i], p.analog_weight[i], p.path[i]},
+          {p.line[i], p.layer[i], p.order[i]}};
+}
+
+}  // namespace
+
+namespace PHOTIC_ISA {
+EventLog log_lanes(const Problem& problem, std::uint64_t photons);
+EventLog log_lanes(const Problem& problem, std::uint64_t photons) {
+  const auto world = make_world<Lanes>(problem.scene, problem.medium, problem.gates);
+  tally::BatchTally tally(problem.shape, problem.gates);
+  EventLog log;
+  const auto witness = [&log](const Travellers<Lanes>& t, const Mask<Lanes>& before,
+                              const Mask<Lanes>& on) {
+    for_each_lane(before, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      LoggedEvent event = on[i] ? event_of(t.photon, i) : LoggedEvent{};
+      log.emplace(std::pair(t.place.photon[i], t.place.event[i]), event);
+    });
+  };
+  Pool<Lanes>(world).run(0, photons, tally, witness);
+  return log;
+}
+}  // namespace PHOTIC_ISA
+
+}  // namespace photic::engine
