@@ -21,11 +21,15 @@ constexpr double few_scores = 30;  // scores that make up the top of a distribut
 constexpr double largest_top_share = 0.50;  // of the second moment, in those few
 constexpr double largest_error_growth =
     1.4;  // of error * sqrt(photons), over a factor of four in photons
+constexpr double chance_growth = 2.58;  // standard deviations that chance alone seldom exceeds
 
 double error_of_sum(const Sums& s, double photons, double batches) {
   const double spread = std::max(0.0, s.xx - s.x * s.x / photons);
   return batches > 1 ? std::sqrt(spread / (batches - 1) * photons) : 0.0;
 }
+
+/// Standard deviation of the logarithm of an error that is estimated from normal batches.
+double log_spread(double batches) { return 1 / std::sqrt(2 * (batches - 1)); }
 
 bool fits(const TotalsState& state, const Shape& shape) {
   const std::size_t cells = shape.cells();
@@ -119,7 +123,10 @@ bool Totals::error_not_falling(std::size_t cell) const {
   const double then = error_of_sum(state_.snapshot_echo[before * state_.echo.size() + cell],
                                    photons_then, state_.snapshot_batches[before]) /
                       std::sqrt(photons_then);
-  return now > largest_error_growth * then;
+  const double by_chance =
+      chance_growth * std::hypot(log_spread(state_.snapshot_batches[before]),
+                                 log_spread(static_cast<double>(state_.batches)));
+  return now > std::max(largest_error_growth, std::exp(by_chance)) * then;
 }
 
 Totals::Health Totals::health(std::size_t cell) const {

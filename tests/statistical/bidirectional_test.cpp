@@ -245,39 +245,50 @@ TEST(Bidirectional, WalksOfTwoVertices) {
 }
 
 // Over many seeds 95 % intervals of converged gates cover the answer of a long run, on peaked water
-// too. How many gates are flagged although the run is right is told, not yet judged.
+// too; and what is known to half of what was asked for is seldom flagged. Seen red: with the growth
+// of errors by chance flagged (0.17).
 TEST(Bidirectional, ErrorBarsHold) {
   constexpr int seeds = 100;
-  constexpr double photons = 1.2e5;
+  constexpr double photons = 8e4;
+  constexpr double target = 0.05;  // what such a run is for
   constexpr double two_sided_95 = 1.96;
   const std::string scene =
       ship_instrument + channel("elastic") + water(0.06, 0.1, peaked_phase) + depth_gates(50, 2);
   const auto reference = engine::run(read(scene + simulation(3e6, 7, "", "bidirectional")));
+  std::vector<tally::Result> runs;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    runs.push_back(engine::run(read(
+        scene + simulation(photons, static_cast<std::uint64_t>(100 + seed), "", "bidirectional"))));
+  }
   double covered = 0;
   double converged = 0;
   double known = 0;
   double known_but_flagged = 0;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    const auto run = engine::run(read(
-        scene + simulation(photons, static_cast<std::uint64_t>(100 + seed), "", "bidirectional")));
-    for (std::size_t g = 0; g < run.gates(); ++g) {
-      ASSERT_EQ(reference.convergence_flags[g], 0) << "gate " << g << " of the reference";
-      const double off = std::abs(run.echo.mean[g] - reference.echo.mean[g]);
+  for (std::size_t g = 0; g < reference.gates(); ++g) {
+    ASSERT_EQ(reference.convergence_flags[g], 0) << "gate " << g << " of the reference";
+    const double truth = reference.echo.mean[g];
+    double squares = 0;
+    double flagged = 0;
+    for (const auto& run : runs) {
+      const double off = std::abs(run.echo.mean[g] - truth);
       const double error = std::hypot(run.echo.standard_error[g], reference.echo.standard_error[g]);
-      const bool flagged = run.convergence_flags[g] != 0;
-      converged += !flagged;
-      covered += !flagged && off < two_sided_95 * error;
-      // Errors of 5 % are what such a run is for.
-      const bool is_known = off < 0.025 * reference.echo.mean[g];
-      known += is_known;
-      known_but_flagged += is_known && flagged;
+      const bool has_converged = run.convergence_flags[g] == 0;
+      converged += has_converged;
+      covered += has_converged && off < two_sided_95 * error;
+      flagged += !has_converged;
+      squares += off * off;
     }
+    const bool is_known = std::sqrt(squares / seeds) < target / 2 * truth;
+    known += is_known ? seeds : 0;
+    known_but_flagged += is_known ? flagged : 0;
   }
   std::printf("covered %.3f of %.0f converged gates; flagged %.3f of %.0f known\n",
               covered / converged, converged, known_but_flagged / known, known);
   EXPECT_GT(converged, 0.5 * seeds * static_cast<double>(reference.gates()));
   EXPECT_GT(covered / converged, 0.92);
   EXPECT_LT(covered / converged, 0.98);
+  EXPECT_GT(known, 0.4 * seeds * static_cast<double>(reference.gates()));
+  EXPECT_LT(known_but_flagged / known, 0.1);
 }
 
 // Where the overlap's mean over the lens is not good enough: on peaked water the phase function of
