@@ -78,9 +78,10 @@ void describe(V& v, Simulation& s) {
   v.optional("walk_attenuation", s.walk_attenuation, between(0.0, 1.0),
              "of the bidirectional estimator: the share of the water's attenuation that its free "
              "paths are drawn from");
-  v.optional("sampling", s.sampling, Choice{{"quasi-random", "random"}, {}},
-             "of the bidirectional estimator: the walks of a batch begin spread evenly, at scrambled "
-             "Sobol' points, or independently");
+  v.optional(
+      "sampling", s.sampling, Choice{{"quasi-random", "random"}, {}},
+      "of the bidirectional estimator: the walks of a batch begin spread evenly, at scrambled "
+      "Sobol' points, or independently");
 }
 
 template <class V>

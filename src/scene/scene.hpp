@@ -151,7 +151,7 @@ struct Simulation {
   double meetings = 50;    ///< bidirectional: of two rays, if all depths of the gates let them meet
   double connected_fraction =
       0.3;  ///< bidirectional: share of walks whose vertices are all connected
-  double walk_attenuation = 0.6;    ///< bidirectional: share of c that free paths are drawn from
+  double walk_attenuation = 0.6;  ///< bidirectional: share of c that free paths are drawn from
   std::string sampling = "quasi-random";  ///< bidirectional: quasi-random | random
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };
