@@ -34,7 +34,7 @@ TEST(SobolPoints, FillEachAxisEvenlyScrambledOrNot) {
 }
 
 // The first two dimensions are a net: one point in each elementary interval of every shape. Seen
-// red: with the second dimension's bits reversed.
+// red: with the second dimension's words times an odd number.
 TEST(SobolPoints, OfTwoDimensionsAreANet) {
   const SobolPoints points(256, 2);
   for (int wide = 0; wide <= 8; ++wide) {
@@ -49,7 +49,7 @@ TEST(SobolPoints, OfTwoDimensionsAreANet) {
 }
 
 // Each point alone is uniform over all keys, and so is where two of the same half lie in it: what
-// keeps each batch unbiased. Seen red: with the key not added.
+// keeps each batch unbiased. Seen red: with the key not added; with the mixing of Laine and Karras.
 TEST(Scrambled, IsUniformOverKeys) {
   constexpr std::size_t cells = 64;
   constexpr std::uint64_t keys_drawn = 200 * cells;

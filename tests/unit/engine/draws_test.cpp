@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <set>
+#include <utility>
 
 #include "engine/problem.hpp"
 #include "support/scenes.hpp"
@@ -28,7 +29,7 @@ TEST(Draws, AreIndependentIfAskedTo) {
   EXPECT_EQ(draws(1, 1), uniforms(RandomPlace<double>{world.seed, 7, 1}, 5));
 }
 
-// Seen red: with photons numbered through from one batch to the next.
+// Seen red: with photons of later batches at other points than those of the first.
 TEST(Draws, OfAnyBatchFillTheirRange) {
   const auto world = world_with("quasi-random");
   for (const std::uint64_t batch : {0U, 3U}) {
@@ -45,8 +46,20 @@ TEST(Draws, OfAnyBatchFillTheirRange) {
   }
 }
 
-// Seen red: with keys that do not know the batch, the event or the block; with one coordinate for
-// all four numbers.
+// Where the laser's light leaves: one photon in each of 32 x 32 cells. Seen red: with one
+// coordinate for all four numbers.
+TEST(Draws, FillTheLasersDisc) {
+  const auto world = world_with("quasi-random");
+  std::set<std::pair<int, int>> cells;
+  for (std::uint64_t n = 0; n < 1024; ++n) {
+    const auto u = Draws<double>{world, n, 0, laser}(0, 0);
+    cells.emplace(static_cast<int>(32 * u[0]), static_cast<int>(32 * u[1]));
+  }
+  EXPECT_EQ(cells.size(), 1024U);
+}
+
+// Seen red: with keys that do not know the batch, the event or the block; with one key for all four
+// numbers.
 TEST(Draws, OfBatchesEventsAndBlocksDiffer) {
   const auto world = world_with("quasi-random");
   std::set<double> seen;
