@@ -161,7 +161,7 @@ struct Ray : WalkPoint<T> {
   T per_p{1};             ///< 1 over the phase function's value at the vertex [sr]
   Densities<T> last{};    ///< of what is complete by this ray's direction
   Densities<T> behind{};  ///< of all that is complete
-  T meeting{};   ///< n h / g of meeting at the vertex, but for what is this ray's: P included
+  T meeting{};     ///< n h / g of meeting at the vertex, but for what is this ray's: P included
   Turn<T> turn{};  ///< the same of turning
 };
 
@@ -173,7 +173,7 @@ struct Vertex : WalkPoint<T> {
   T meeting{};          ///< n h / g of meeting here, but for P and for the edge beyond; its sign is
                         ///< that of the arriving direction's z
   T turn{};             ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
-  Turn<T> last_turn{};    ///< of turning to meet at the vertex before, complete by the last edge
+  Turn<T> last_turn{};  ///< of turning to meet at the vertex before, complete by the last edge
   Densities<T> last{};  ///< of what has become complete by the last edge
   Densities<T> behind{};  ///< of all that is complete
 };
