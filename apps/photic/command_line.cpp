@@ -102,9 +102,10 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags
   add_seed(sub, flags);
   add_threads(sub, run.threads,
               "Number of threads [default: all cores]; the result does not depend on it");
-  sub.add_option("--engine", run.engine,
-                 "What walks the photons: scalar (in double, the reference) or lanes (many at a "
-                 "time in float; forward estimator) [default: scalar]")
+  sub.add_option(
+         "--engine", run.engine,
+         "What walks the photons: scalar (in double, the reference) or lanes (many at a "
+         "time in float; forward estimator) [default: scalar, or what --continue goes on from]")
       ->type_name("ENGINE")
       ->check(CLI::IsMember({"scalar", "lanes"}));
   sub.add_option("--isa", run.isa,

@@ -22,9 +22,9 @@ struct RunCommand {
   std::string output;   ///< .nc or .csv; empty: the scene's name in the current folder
   std::optional<double> checkpoint_s;  ///< time between checkpoints; none: the usual
   std::vector<scene::Override> overrides;
-  int threads = 0;  ///< 0: all cores
-  std::string engine = "scalar";
-  std::string isa;  ///< of the lane engine; empty: the best there is
+  int threads = 0;     ///< 0: all cores
+  std::string engine;  ///< empty: that of the result it goes on from, or scalar
+  std::string isa;     ///< of the lane engine; empty: the best there is
   bool json = false;
   std::string command_line;  ///< as typed, for the history of the result
 };

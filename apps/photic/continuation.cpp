@@ -86,6 +86,7 @@ Earlier take_up(const std::string& file, const scene::Scene& scene) {
   return {.start = {.state = io::read_state(file, engine::make_problem(scene).shape),
                     .wall_time_s = run.wall_time_s,
                     .file = file},
+          .lanes = engine::isa_of_engine(run.engine),
           .photons = run.photons,
           .history = run.history};
 }

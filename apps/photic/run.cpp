@@ -22,19 +22,6 @@
 namespace photic::app {
 namespace {
 
-/// What the command says of the run besides its scene.
-engine::RunOptions options_of(const RunCommand& command, std::optional<engine::Start> start) {
-  engine::RunOptions options;
-  options.threads = command.threads;
-  if (command.engine == "lanes")
-    options.lanes = engine::isa_of(command.isa).value_or(engine::best_isa());
-  options.interrupt = &interrupted();
-  options.start = std::move(start);
-  if (command.checkpoint_s)
-    options.checkpoints.first_s = options.checkpoints.every_s = *command.checkpoint_s;
-  return options;
-}
-
 tally::Result simulate(const scene::Scene& scene, engine::RunOptions options,
                        Checkpoint& checkpoint) {
   ProgressBar bar;
@@ -72,9 +59,43 @@ struct Plan {
   scene::Scene scene;
   std::string path;  ///< of the result
   std::string history;
+  std::optional<engine::Isa> lanes;  ///< none: the scalar engine
   std::optional<engine::Start> start;
   std::uint64_t photons = 0;  ///< there already
 };
+
+/// What the command says of the run besides its scene.
+engine::RunOptions options_of(const RunCommand& command, std::optional<engine::Isa> lanes,
+                              std::optional<engine::Start> start) {
+  engine::RunOptions options;
+  options.threads = command.threads;
+  options.lanes = lanes;
+  options.interrupt = &interrupted();
+  options.start = std::move(start);
+  if (command.checkpoint_s)
+    options.checkpoints.first_s = options.checkpoints.every_s = *command.checkpoint_s;
+  return options;
+}
+
+std::optional<engine::Isa> lanes_asked(const RunCommand& command) {
+  if (command.engine == "lanes") return engine::isa_of(command.isa).value_or(engine::best_isa());
+  if (command.isa.empty()) return std::nullopt;
+  throw InputError({{.file = "--isa " + command.isa,
+                     .reason = "only lanes are made of instructions to choose",
+                     .suggestion = "--engine lanes, or leave it out"}});
+}
+
+/// The engine of a run that goes on from one that ran in `before`: bits depend on it.
+std::optional<engine::Isa> lanes_going_on(const RunCommand& command,
+                                          const std::optional<engine::Isa>& before) {
+  if (command.engine.empty()) return before;
+  const auto now = lanes_asked(command);
+  if (now == before) return now;
+  throw InputError({{.file = command.earlier,
+                     .reason = fmt::format("ran in the engine {}, and is to go on in {}",
+                                           engine::engine_name(before), engine::engine_name(now)),
+                     .suggestion = "leave out --engine and --isa"}});
+}
 
 Plan plan(const RunCommand& command) {
   scene::Reading reading = read_scene_of(command);
@@ -84,9 +105,11 @@ Plan plan(const RunCommand& command) {
   plan.path = result_path(command);
   plan.history = io::history_line(command.command_line);
   io::check_writable(plan.path);  // now, not after hours of work
+  plan.lanes = lanes_asked(command);
   if (command.earlier.empty()) return plan;
   Earlier earlier = take_up(command.earlier, plan.scene);
   plan.history = earlier.history + '\n' + plan.history;
+  plan.lanes = lanes_going_on(command, earlier.lanes);
   plan.start = std::move(earlier.start);
   plan.photons = earlier.photons;
   if (plan.photons == plan.scene.simulation.photons)
@@ -104,7 +127,7 @@ int run(const RunCommand& command) {
 
   listen_for_interrupts();
   const tally::Result result =
-      simulate(plan.scene, options_of(command, std::move(plan.start)), checkpoint);
+      simulate(plan.scene, options_of(command, plan.lanes, std::move(plan.start)), checkpoint);
 
   const std::string table = command.json ? io::echo_json(result) : io::echo_table(result);
   try {

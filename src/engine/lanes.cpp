@@ -1,5 +1,7 @@
 #include "engine/lanes.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "core/error.hpp"
@@ -8,6 +10,7 @@ namespace photic::engine {
 namespace {
 
 constexpr std::array names{"baseline", "avx2", "avx512"};
+constexpr std::array sets{Isa::baseline, Isa::avx2, Isa::avx512};
 
 }  // namespace
 
@@ -25,8 +28,19 @@ std::unique_ptr<Simulator> make_lanes(const Problem& problem);
 const char* isa_name(Isa isa) { return names.at(static_cast<std::size_t>(isa)); }
 
 std::optional<Isa> isa_of(std::string_view name) {
-  for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
+  for (const Isa isa : sets) {
     if (name == isa_name(isa)) return isa;
+  }
+  return std::nullopt;
+}
+
+std::string engine_name(const std::optional<Isa>& lanes) {
+  return lanes ? fmt::format("lanes ({})", isa_name(*lanes)) : "scalar";
+}
+
+std::optional<Isa> isa_of_engine(std::string_view engine) {
+  for (const Isa isa : sets) {
+    if (engine == engine_name(isa)) return isa;
   }
   return std::nullopt;
 }

@@ -26,6 +26,11 @@ bool runs_here(Isa isa);
 /// The best that this processor has.
 Isa best_isa();
 
+/// What a result calls its engine: "scalar", or "lanes (avx2)".
+std::string engine_name(const std::optional<Isa>& lanes);
+/// The instruction set in such a name; none for the scalar engine.
+std::optional<Isa> isa_of_engine(std::string_view engine);
+
 /// The forward estimator of a problem in lanes; the processor must have the instruction set. The
 /// problem must outlive what is returned.
 std::unique_ptr<Simulator> make_lanes(const Problem& problem, Isa isa);

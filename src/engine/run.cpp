@@ -52,7 +52,7 @@ tally::Result result_of(const Problem& problem, const tally::Totals& totals, con
                         const std::string& stopped_by, const RunOptions& options) {
   tally::Result result = describe(problem);
   totals.fill(result);
-  result.engine = options.lanes ? fmt::format("lanes ({})", isa_name(*options.lanes)) : "scalar";
+  result.engine = engine_name(options.lanes);
   result.version = PHOTIC_VERSION;
   result.stopped_by = stopped_by;
   result.partial = stopped_by == "interrupt" || stopped_by == "checkpoint";

@@ -31,7 +31,7 @@ std::string read_scene_attribute(const std::string& path);
 
 /// What a result file says of its run, for one that goes on from it.
 struct RunSoFar {
-  std::string scene_toml, version, history;
+  std::string scene_toml, version, engine, history;
   std::uint64_t photons = 0;
   double wall_time_s = 0;
 };

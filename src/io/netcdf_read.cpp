@@ -14,6 +14,7 @@ RunSoFar read_run(const std::string& path) {
   reader.expect_result();
   return {.scene_toml = reader.text("scene"),
           .version = reader.text("version"),
+          .engine = reader.text("engine"),
           .history = reader.text("history"),
           .photons = reader.count("photons"),
           .wall_time_s = reader.number("wall_time_s")};

@@ -1,0 +1,55 @@
+"""photic run --engine lanes: what the processor has, the same bits on any number of threads, taken up in the same engine."""
+
+import netCDF4
+import pytest
+from test_reproducible import contents
+
+
+@pytest.fixture
+def run(photic):
+    def call(*arguments, code=0):
+        done = photic("run", "quick.toml", *arguments)
+        assert done.returncode == code, done.stderr
+        return done
+
+    return call
+
+
+def engine_of(path):
+    with netCDF4.Dataset(path) as file:
+        return file.engine
+
+
+def test_the_number_of_threads_does_not_matter(run, scene, tmp_path):
+    for threads in (1, 3):
+        run("--engine", "lanes", "--threads", threads, "-o", f"{threads}.nc")
+    assert contents(tmp_path / "1.nc") == contents(tmp_path / "3.nc")
+    assert engine_of(tmp_path / "1.nc").startswith("lanes (")
+    run("-o", "scalar.nc")
+    assert engine_of(tmp_path / "scalar.nc") == "scalar"
+    assert contents(tmp_path / "1.nc") != contents(tmp_path / "scalar.nc")
+
+
+def test_a_run_goes_on_in_its_engine(run, scene, tmp_path):
+    # Seen red: with the scalar engine as the default of runs that go on.
+    run("--engine", "lanes", "--isa", "baseline", "--photons", "21000", "-o", "long.nc")
+    run("--engine", "lanes", "--isa", "baseline", "--photons", "9000", "-o", "old.nc")
+    run("--photons", "21000", "--continue", "old.nc", "-o", "new.nc")
+    assert engine_of(tmp_path / "new.nc") == "lanes (baseline)"
+    assert contents(tmp_path / "new.nc") == contents(tmp_path / "long.nc")
+    done = run("--photons", "21000", "--continue", "old.nc", "-o", "x.nc", "--engine", "scalar", code=2)
+    assert done.stderr.startswith(
+        "old.nc: ran in the engine lanes (baseline), and is to go on in scalar (leave out --engine and --isa)\n"
+    )
+
+
+def test_what_lanes_cannot_do_is_refused(run, scene):
+    # Seen red: with --isa taken and not used.
+    done = run("--engine", "lanes", "--set", "simulation.estimator=bidirectional", code=2)
+    assert done.stderr.startswith(
+        '--engine lanes: has only the forward estimator, not "bidirectional" '
+        "(--set simulation.estimator=forward, or leave it out)\n"
+    )
+    for engine in ([], ["--engine", "scalar"]):
+        done = run("--isa", "baseline", *engine, code=2)
+        assert "--isa baseline: only lanes are made of instructions to choose" in done.stderr
