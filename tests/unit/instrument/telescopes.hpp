@@ -41,4 +41,11 @@ inline scene::Telescope random_telescope(test::Random& random) {
   return t;
 }
 
+/// One of them as it is walked with, and what it is made of; half of them upright.
+inline Telescope<double> random_telescope(test::Random& random, scene::Telescope& scene) {
+  scene = random_telescope(random);
+  if (random.chance(0.5)) scene.direction = {0, 0, -1};
+  return make_telescope<double>(scene);
+}
+
 }  // namespace photic::instrument

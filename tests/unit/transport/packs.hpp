@@ -24,6 +24,12 @@ inline constexpr int groups = 2500;
 template <class E>
 using Four = std::array<E, lanes>;
 
+/// Four of what `make` makes.
+template <class F>
+auto four(F make) {
+  return Four<decltype(make())>{make(), make(), make(), make()};
+}
+
 template <class E>
 Pack<E, lanes> pack(const Four<E>& values) {
   return Pack<E, lanes>::load(values.data());

@@ -1,0 +1,106 @@
+// What the engine scores for one path, strategy by strategy.
+#pragma once
+
+#include <cmath>
+
+#include "engine/connections.hpp"
+#include "support/ship_scene.hpp"
+#include "tally/batch_tally.hpp"
+#include "unit/engine/strategies.hpp"
+
+namespace photic::engine {
+
+/// Scores of one telescope whose group path is within a tenth of a millimetre of a path's: other
+/// connections of the same walks are left out, and wrong path lengths too.
+struct Window {
+  Window(const medium::Medium& medium, double path) : gates(scene(path), medium.line) {
+    shape.telescopes = shape.channels = shape.processes = shape.gates = shape.depths = 1;
+    shape.orders = 8;
+    for (std::size_t l = 0; l < medium.line.size(); ++l) {
+      shape.channels_of_line.push_back({0});
+      shape.process_of_line.push_back(0);
+    }
+  }
+  static scene::Scene scene(double path) {
+    auto scene = test::ship_scene();
+    scene.gates.depth_m.reset();
+    scene.gates.time_ns = {(path - 1e-4) / metre_per_nanosecond,
+                           (path + 1e-4) / metre_per_nanosecond, 2e-4 / metre_per_nanosecond};
+    return scene;
+  }
+  tally::Shape shape;
+  tally::Gates gates;
+};
+
+inline constexpr transport::MeetingGrid<double> grid{0, 30, 20};
+
+/// What the engine scores for a path by each strategy that draws it, by name.
+class Scores {
+ public:
+  Scores(const World<double>& world, const transport::Samples<double>& samples,
+         const medium::Medium& medium, const Path& path, double length)
+      : world_(world),
+        samples_(samples),
+        path_(path),
+        window_(medium, length),
+        tally_(window_.shape, window_.gates) {
+    receiver_ = {0, 0, world.telescope_layer[0], path.line};
+  }
+
+  double connecting(std::int32_t edge) {
+    const std::int32_t k = path_.order();
+    const auto laser = laser_walk(world_, samples_, path_, edge, false);
+    const auto back = telescope_walk(world_, samples_, path_, k - edge, false);
+    const Connections<double> connections(world_, receiver_, samples_, back, tally_);
+    if (edge == 0) {
+      connections.to_laser();
+    } else if (edge == k) {
+      connections.to_telescope(laser);
+    } else {
+      connections.between(laser);
+    }
+    return taken();
+  }
+
+  /// Connecting edge 0 by a telescope's walk that goes on to other places and is converted there.
+  double connecting_first_of_a_longer(const Path& longer) {
+    const auto back = telescope_walk(world_, samples_, longer, longer.order(), false);
+    Connections<double>(world_, receiver_, samples_, back, tally_).to_laser();
+    return taken();
+  }
+
+  double meeting(std::int32_t i) {
+    const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
+    const auto back = telescope_walk(world_, samples_, path_, path_.order() - i, true);
+    const Connections<double> connections(world_, receiver_, samples_, back, tally_);
+    const double number = grid.number(-path_.x(i).z);
+    connections.shifted(laser, number - std::floor(number));
+    return taken();
+  }
+
+  /// The telescope's walk comes otherwise turned than the path.
+  double turning(std::int32_t i, double angle) {
+    const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
+    const auto other = turned_before_conversion(path_, angle);
+    const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true);
+    const Connections<double> connections(world_, receiver_, samples_, back, tally_);
+    connections.turned(laser);
+    return taken();
+  }
+
+ private:
+  double taken() {
+    const double sum = tally_.by_order[static_cast<std::size_t>(path_.order() - 1)];
+    tally_.clear();
+    return sum;
+  }
+
+  const World<double>& world_;
+  const transport::Samples<double>& samples_;
+  const Path& path_;
+  Receiver<double> receiver_;
+  Window window_;
+  tally::BatchTally tally_;
+};
+
+}  // namespace photic::engine
