@@ -16,7 +16,7 @@ scene::Reading read_scene_of(const RunCommand& command);
 /// A result taken up by a run of the same scene.
 struct Earlier {
   engine::Start start;
-  std::optional<engine::Isa> lanes;  ///< that it ran in; none: the scalar engine
+  std::optional<Isa> lanes;  ///< that it ran in; none: the scalar engine
   std::uint64_t photons = 0;
   std::string history;
 };

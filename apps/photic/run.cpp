@@ -59,13 +59,13 @@ struct Plan {
   scene::Scene scene;
   std::string path;  ///< of the result
   std::string history;
-  std::optional<engine::Isa> lanes;  ///< none: the scalar engine
+  std::optional<Isa> lanes;  ///< none: the scalar engine
   std::optional<engine::Start> start;
   std::uint64_t photons = 0;  ///< there already
 };
 
 /// What the command says of the run besides its scene.
-engine::RunOptions options_of(const RunCommand& command, std::optional<engine::Isa> lanes,
+engine::RunOptions options_of(const RunCommand& command, std::optional<Isa> lanes,
                               std::optional<engine::Start> start) {
   engine::RunOptions options;
   options.threads = command.threads;
@@ -77,8 +77,8 @@ engine::RunOptions options_of(const RunCommand& command, std::optional<engine::I
   return options;
 }
 
-std::optional<engine::Isa> lanes_asked(const RunCommand& command) {
-  if (command.engine == "lanes") return engine::isa_of(command.isa).value_or(engine::best_isa());
+std::optional<Isa> lanes_asked(const RunCommand& command) {
+  if (command.engine == "lanes") return isa_of(command.isa).value_or(isas_here().back());
   if (command.isa.empty()) return std::nullopt;
   throw InputError({{.file = "--isa " + command.isa,
                      .reason = "only lanes are made of instructions to choose",
@@ -86,8 +86,7 @@ std::optional<engine::Isa> lanes_asked(const RunCommand& command) {
 }
 
 /// The engine of a run that goes on from one that ran in `before`: bits depend on it.
-std::optional<engine::Isa> lanes_going_on(const RunCommand& command,
-                                          const std::optional<engine::Isa>& before) {
+std::optional<Isa> lanes_going_on(const RunCommand& command, const std::optional<Isa>& before) {
   if (command.engine.empty()) return before;
   const auto now = lanes_asked(command);
   if (now == before) return now;

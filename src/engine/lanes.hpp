@@ -8,23 +8,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "core/isa.hpp"
 #include "engine/problem.hpp"
 #include "engine/simulator.hpp"
 
 namespace photic::engine {
-
-/// Instruction sets, from the least to the best.
-enum class Isa { baseline, avx2, avx512 };
-
-const char* isa_name(Isa isa);
-/// None if there is none of this name.
-std::optional<Isa> isa_of(std::string_view name);
-/// Whether this processor has it.
-bool runs_here(Isa isa);
-/// The best that this processor has.
-Isa best_isa();
 
 /// What a result calls its engine: "scalar", or "lanes (avx2)".
 std::string engine_name(const std::optional<Isa>& lanes);

@@ -68,7 +68,7 @@ void check_lanes(const scene::Scene& scene, Isa isa) {
     throw InputError(
         {{.file = fmt::format("--isa {}", isa_name(isa)),
           .reason = "this processor does not have it",
-          .suggestion = fmt::format("leave it out, or choose {}", isa_name(best_isa()))}});
+          .suggestion = fmt::format("leave it out, or choose {}", isa_name(isas_here().back()))}});
   }
   if (scene.simulation.estimator != "forward") {
     throw InputError({{.file = "--engine lanes",
