@@ -61,17 +61,11 @@ def test_kill_9_loses_no_more_than_the_interval(photic, start, tmp_path):
     checkpoint = tmp_path / "quick.checkpoint.nc"
     wait_for(process, checkpoint)
     first = photons_in(checkpoint)
-    written = [checkpoint.stat().st_mtime]
-    limit = time.monotonic() + 60
-    while len(written) < 4:
-        assert time.monotonic() < limit
-        time.sleep(0.02)
-        if checkpoint.stat().st_mtime > written[-1]:
-            written.append(checkpoint.stat().st_mtime)
+    time.sleep(2.5)
     process.kill()
+    age = time.time() - checkpoint.stat().st_mtime
     process.communicate()
-    gaps = [after - before for before, after in zip(written, written[1:])]
-    assert min(gaps) < 1 + 0.5, "the others may have had to wait for a busy machine"
+    assert age < 1 + 0.5, "half a second for a busy machine"
     photons = photons_in(checkpoint)
     assert photons > first
     assert not (tmp_path / "quick.nc").exists()
