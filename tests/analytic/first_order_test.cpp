@@ -57,18 +57,15 @@ std::vector<double> expected(const engine::Problem& problem, std::size_t telesco
   return first_order_echo(problem.scene.source, problem.scene.telescope[telescope], water, edges);
 }
 
-/// Runs a scene at first order and holds every gate of every telescope and channel against the
-/// equation.
-void compare(const std::string& instrument_and_sea, const Precision& precision,
-             const std::vector<std::function<double(double)>>& phase_of_channel) {
-  const auto scene = read(instrument_and_sea + precision.simulation);
-  const auto problem = engine::make_problem(scene);
-  const auto result = engine::run(scene);
+/// Runs a problem at first order and holds every gate of every telescope and channel against the
+/// equation, [telescope * channels + channel][gate].
+void compare(const tally::Result& result, const Precision& precision,
+             const std::vector<std::vector<double>>& equations) {
   ZFamily family(level);
   double largest = 0;
   for (std::size_t t = 0; t < result.telescopes(); ++t) {
     for (std::size_t c = 0; c < result.channels(); ++c) {
-      const auto equation = expected(problem, t, c, phase_of_channel[c]);
+      const auto& equation = equations[t * result.channels() + c];
       // Gates are independent of each other; channels and telescopes see the same collisions.
       ZFamily gates(level / static_cast<double>(result.telescopes() * result.channels()));
       for (std::size_t g = 0; g < result.gates(); ++g) {
@@ -102,9 +99,18 @@ std::function<double(double)> shape(const optics::PhaseShape& s) {
 /// By both estimators.
 void compare(const std::string& toml,
              const std::vector<std::function<double(double)>>& phase_of_channel) {
+  std::vector<std::vector<double>> equations;
   for (const Precision& precision : {forward, bidirectional}) {
     SCOPED_TRACE(precision.simulation);
-    compare(toml, precision, phase_of_channel);
+    const auto scene = read(toml + precision.simulation);
+    if (equations.empty()) {
+      const auto problem = engine::make_problem(scene);
+      for (std::size_t t = 0; t < scene.telescope.size(); ++t) {
+        for (std::size_t c = 0; c < phase_of_channel.size(); ++c)
+          equations.push_back(expected(problem, t, c, phase_of_channel[c]));
+      }
+    }
+    compare(engine::run(scene), precision, equations);
   }
 }
 

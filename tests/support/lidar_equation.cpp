@@ -210,9 +210,9 @@ std::vector<double> first_order_echo(const scene::Source& source, const scene::T
     };
     const auto density = [&](double s) {
       const Vec point = point_at(s);
-      const double cos_off_axis = [&] { return -dot(way_back(point).arriving, axis); }();
-      if (cos_off_axis <= 0) return 0.0;
       const WayBack way = way_back(point);
+      const double cos_off_axis = -dot(way.arriving, axis);
+      if (cos_off_axis <= 0) return 0.0;
       const double tan_psi =
           std::sqrt(std::max(0.0, 1 - cos_off_axis * cos_off_axis)) / cos_off_axis;
       const double eta = overlap_by_integration(telescope, way.apparent * cos_off_axis, tan_psi);
