@@ -98,7 +98,6 @@ function(photic_test name)
   target_precompile_headers(${name} REUSE_FROM test_headers)
   # g++ 12 takes strings of a precompiled <string> for overruns; the sanitizers find real ones.
   target_compile_options(${name} PRIVATE -Wno-array-bounds)
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   photic_test_label(label)
   gtest_discover_tests(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${label} DISCOVERY_TIMEOUT 60)
   if(NOT TARGET tests_${label})

@@ -14,4 +14,8 @@ tally::Result sample_result();
 /// The extents of its tallies.
 tally::Shape sample_shape();
 
+/// How messages about a file that is no result end.
+inline constexpr const char* wanted_result =
+    " (a result is what `photic run SCENE -o out.nc` writes)";
+
 }  // namespace photic::test

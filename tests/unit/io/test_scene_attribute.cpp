@@ -11,8 +11,6 @@ namespace {
 
 using test::TemporaryFolder;
 
-constexpr const char* wanted = " (a result is what `photic run SCENE -o out.nc` writes)";
-
 template <class Error>
 std::string error_of(const std::string& path) {
   try {
@@ -56,7 +54,7 @@ TEST(ReadScene, NotNetcdf) {
   const TemporaryFolder folder;
   const std::string path = folder.file("notes.nc");
   test::write_file(path, "these are notes");
-  EXPECT_EQ(error_of<InputError>(path), path + ": not a netCDF file" + wanted);
+  EXPECT_EQ(error_of<InputError>(path), path + ": not a netCDF file" + test::wanted_result);
 }
 
 TEST(ReadScene, Torn) {
@@ -75,7 +73,7 @@ TEST(ReadScene, SomeoneElsesNetcdf) {
   EXPECT_EQ(error_of<InputError>(path),
             path +
                 ": a netCDF file, but not a result of Photic: it has no attribute photic_format" +
-                wanted);
+                test::wanted_result);
 }
 
 TEST(ReadScene, NewerFormat) {
@@ -92,8 +90,9 @@ TEST(ReadScene, WithoutScene) {
   const TemporaryFolder folder;
   const std::string path = folder.file("bare.nc");
   write_other(path, 1);
-  EXPECT_EQ(error_of<InputError>(path),
-            path + ": a damaged result: it has no attribute scene that is a text" + wanted);
+  EXPECT_EQ(
+      error_of<InputError>(path),
+      path + ": a damaged result: it has no attribute scene that is a text" + test::wanted_result);
 }
 
 }  // namespace

@@ -15,8 +15,6 @@
 namespace photic::io {
 namespace {
 
-constexpr const char* wanted = " (a result is what `photic run SCENE -o out.nc` writes)";
-
 class WrittenState : public testing::Test {
  protected:
   WrittenState() : result_(test::sample_result()), path_(folder_.file("out.nc")) {}
@@ -29,7 +27,7 @@ class WrittenState : public testing::Test {
       read_state(path_, shape);
     } catch (const InputError& error) {
       const std::string text = error.what();
-      const std::size_t end = text.rfind(wanted);
+      const std::size_t end = text.rfind(test::wanted_result);
       if (text.rfind(path_ + ": ", 0) != 0 || end == std::string::npos) return "unlike: " + text;
       return text.substr(path_.size() + 2, end - path_.size() - 2);
     }

@@ -13,7 +13,7 @@ EmissionLine only_line(const Emission& emission) {
 }
 
 EmissionLine paper(double nm) { return only_line(raman(library(), "marshall-smith", nm)); }
-EmissionLine modern(double nm) { return only_line(raman(library(), "bartlett", nm)); }
+EmissionLine bartlett(double nm) { return only_line(raman(library(), "bartlett", nm)); }
 
 // Printed values of the formula, on the energy basis. Seen red: with wavenumbers in 1/m; with the
 // resonance frequency against the Raman instead of the laser's wavenumber; with the photon factor
@@ -32,16 +32,16 @@ TEST(Raman, OfThePaperHasItsWavelengths) {
 }
 
 TEST(Raman, OfBartlettFallsAsItsPowerFrom488Nm) {
-  EXPECT_NEAR(modern(488).coefficient_per_m, 2.7e-4, 1e-18);
-  EXPECT_NEAR(modern(532).coefficient_per_m, 2.7e-4 * std::pow(488.0 / 532, 5.3), 1e-18);
+  EXPECT_NEAR(bartlett(488).coefficient_per_m, 2.7e-4, 1e-18);
+  EXPECT_NEAR(bartlett(532).coefficient_per_m, 2.7e-4 * std::pow(488.0 / 532, 5.3), 1e-18);
   expect_contains(raman(library(), "bartlett", 532).source, "from memory; 20 %]");
   // Published in-situ coefficients agree to 20 %.
-  EXPECT_NEAR(modern(488).coefficient_per_m / paper(488).coefficient_per_m, 1, 0.2);
+  EXPECT_NEAR(bartlett(488).coefficient_per_m / paper(488).coefficient_per_m, 1, 0.2);
 }
 
 TEST(Raman, OfBartlettIsAtTheMeanOfWalrafensBand) {
   EXPECT_NEAR(library().raman_band.mean_per_cm(), 3384, 0.5);
-  EXPECT_NEAR(1e7 / 532 - 1e7 / modern(532).wavelength_nm, 3383.75, 1e-6);
+  EXPECT_NEAR(1e7 / 532 - 1e7 / bartlett(532).wavelength_nm, 3383.75, 1e-6);
 }
 
 // Light of 2955.3 nm has the 3383.75 1/cm of Walrafen's band, of 2941.2 nm the 3400 of the paper's.

@@ -101,7 +101,7 @@ struct Sphere {
   double size;
   Complex index;
 };
-const std::vector<Sphere>& all_kinds() {
+const std::vector<Sphere>& all_spheres() {
   static const std::vector<Sphere> all{
       {1e-3, {1.5, 0}},    {0.5, {1.05, -0.01}}, {4, {1.15, -0.001}}, {30, {1.05, -0.01}},
       {pi * 7, {1.33, 0}}, {150, {1.5, -0.5}},   {700, {0.75, 0}},    {2000, {10, -10}}};
@@ -111,7 +111,7 @@ const std::vector<Sphere>& all_kinds() {
 // The light scattered into all angles against the sums of coefficients. Seen red: with n (n + 1) /
 // (n + 2) in the sum for g; without its complex conjugate.
 TEST(Mie, ScattersAsMuchIntoAllAnglesAsItsEfficiencySays) {
-  for (const auto& [size, index] : all_kinds()) {
+  for (const auto& [size, index] : all_spheres()) {
     const MieSphere sphere(size, index);
     const MieEfficiencies q = sphere.efficiencies();
     const GaussRule rule(2 * mie_orders(size) + 2);
@@ -128,7 +128,7 @@ TEST(Mie, ScattersAsMuchIntoAllAnglesAsItsEfficiencySays) {
 
 // Seen red: with 2 n - 1 for 2 n + 1 in the extinction.
 TEST(Mie, TakesFromTheBeamWhatItScattersAndAbsorbs) {
-  for (const auto& [size, index] : all_kinds()) {
+  for (const auto& [size, index] : all_spheres()) {
     const MieEfficiencies q = MieSphere(size, index).efficiencies();
     EXPECT_NEAR(q.extinction, q.scattering + q.absorption, 1e-12 * q.extinction) << size;
     if (index.imag() == 0) {
@@ -141,7 +141,7 @@ TEST(Mie, TakesFromTheBeamWhatItScattersAndAbsorbs) {
 
 // Extinction from the field straight ahead, and Q_back from that straight back. Seen red: as above.
 TEST(Mie, ObeysTheOpticalTheorem) {
-  for (const auto& [size, index] : all_kinds()) {
+  for (const auto& [size, index] : all_spheres()) {
     const MieSphere sphere(size, index);
     const MieEfficiencies q = sphere.efficiencies();
     const MieAmplitudes forward = sphere.amplitudes(1), back = sphere.amplitudes(-1);

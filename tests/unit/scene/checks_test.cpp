@@ -6,7 +6,7 @@
 namespace photic::scene {
 namespace {
 
-const std::vector<Case>& cases() {
+const std::vector<Case>& checks_cases() {
   static const std::vector<Case> all{
       {"LayersInverted",
        {{25, 25, R"(phase_function = { model = "henyey-greenstein", g = 0.9 }
@@ -196,7 +196,7 @@ step_ns = 1)"}},
 // water without its slant, time gates without the way to the surface, memory without the depth
 // axis.
 TEST(Checks, EveryTextWithLineAndColumn) {
-  for (const Case& c : cases()) {
+  for (const Case& c : checks_cases()) {
     SCOPED_TRACE(c.name);
     EXPECT_EQ(diagnostics_of(edited(c.edits)), c.expected);
   }

@@ -6,7 +6,7 @@
 namespace photic::scene {
 namespace {
 
-const std::vector<Case>& cases() {
+const std::vector<Case>& keys_cases() {
   static const std::vector<Case> all{
       {"Syntax",
        {{3, 3, "wavelength_nm = = 532"}},
@@ -276,7 +276,7 @@ TEST(Keys, AnyCharacterMayStandInQuotesAndComments) {
 // Seen red: a missing key placed at the end of the file; diagnostics unsorted; foreign groups not
 // forgiven their missing keys.
 TEST(Keys, EveryTextWithLineAndColumn) {
-  for (const Case& c : cases()) {
+  for (const Case& c : keys_cases()) {
     SCOPED_TRACE(c.name);
     EXPECT_EQ(diagnostics_of(edited(c.edits)), c.expected);
   }

@@ -7,7 +7,7 @@
 namespace photic::scene {
 namespace {
 
-const std::vector<Case>& cases() {
+const std::vector<Case>& not_available_cases() {
   static const std::vector<Case> all{
       {"Sources",
        {{2, 2, R"([source]
@@ -50,7 +50,7 @@ model = "us-standard")"}},
 
 // Seen red: keys of later versions taken for unknown ones.
 TEST(NotAvailableYet, EveryTextWithLineAndColumn) {
-  for (const Case& c : cases()) {
+  for (const Case& c : not_available_cases()) {
     SCOPED_TRACE(c.name);
     EXPECT_EQ(diagnostics_of(edited(c.edits)), c.expected);
   }

@@ -12,7 +12,7 @@ struct SetCase {
   std::vector<std::string> expected;
 };
 
-const std::vector<SetCase>& cases() {
+const std::vector<SetCase>& override_cases() {
   static const std::vector<SetCase> all{
       {"Number",
        {"source.wavelength_nm=-1"},
@@ -108,7 +108,7 @@ seed=2)"},
 // Seen red: --set sorted before the file, values with line breaks read as several keys, the place
 // of a vector kept when one of its numbers is replaced.
 TEST(Override, EveryTextOfWhatIsWrong) {
-  for (const SetCase& c : cases()) {
+  for (const SetCase& c : override_cases()) {
     SCOPED_TRACE(c.name);
     EXPECT_EQ(diagnostics_of(edited({}), c.overrides), c.expected);
   }

@@ -6,7 +6,7 @@
 namespace photic::scene {
 namespace {
 
-const std::vector<Case>& cases() {
+const std::vector<Case>& values_cases() {
   static const std::vector<Case> all{
       {"NumberAsText",
        {{3, 3, R"(wavelength_nm = "532")"}},
@@ -218,7 +218,7 @@ fwhm_nm = -3)"}},
 
 // Seen red: infinities let through; a field of view of 0 allowed.
 TEST(Values, EveryTextWithLineAndColumn) {
-  for (const Case& c : cases()) {
+  for (const Case& c : values_cases()) {
     SCOPED_TRACE(c.name);
     EXPECT_EQ(diagnostics_of(edited(c.edits)), c.expected);
   }

@@ -23,23 +23,11 @@ scene::Telescope submerged(const V& position, const V& direction) {
   return t;
 }
 
-Photon<double> photon_at(const medium::Medium& sea, const V& position, std::int32_t line = 0) {
-  Photon<double> photon;
-  photon.position = position;
-  photon.line = line;
-  photon.layer = sea.layer_at(-position.z);
-  return photon;
-}
-
 Connection<double> connect(const medium::Medium& sea, const scene::Telescope& scene, const V& from,
                            std::int32_t line, bool mirrored) {
   return connect_in_water(sea.view(), instrument::make_telescope<double>(scene),
                           sea.layer_at(-scene.position_m.z), photon_at(sea, from, line), line,
                           mirrored);
-}
-
-V random_place(Random& random) {
-  return {random.between(-10, 10), random.between(-10, 10), -random.between(0.01, 30)};
 }
 
 /// Area of the open lens over distance squared, tilted: what the solid angle is from afar.

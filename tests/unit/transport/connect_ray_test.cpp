@@ -27,13 +27,6 @@ scene::Telescope small_telescope(const V& position, const V& direction) {
   return t;
 }
 
-Photon<double> photon_at(const medium::Medium& sea, const V& position) {
-  Photon<double> photon;
-  photon.position = position;
-  photon.layer = sea.layer_at(-position.z);
-  return photon;
-}
-
 Connection<double> connect_ray(const medium::Medium& sea, const scene::Telescope& scene,
                                const Photon<double>& at, std::int32_t line,
                                const instrument::PlanePoint<double>& lens, bool mirrored) {

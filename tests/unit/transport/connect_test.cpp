@@ -15,15 +15,6 @@ namespace {
 using test::Random;
 using V = Vec3<double>;
 
-Photon<double> photon_at(const medium::Medium& sea, const V& position, std::int32_t line = 0) {
-  Photon<double> photon;
-  photon.position = position;
-  photon.direction = {0, 0, -1};
-  photon.line = line;
-  photon.layer = sea.layer_at(-position.z);
-  return photon;
-}
-
 /// A wide telescope that sees points far aside.
 scene::Telescope wide_telescope(const V& position, const V& direction) {
   scene::Telescope t;

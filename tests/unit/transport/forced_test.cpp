@@ -15,14 +15,14 @@ namespace {
 
 using V = Vec3<double>;
 
-struct Case {
+struct FlightCase {
   std::string what;
   V direction;
   double depth;
   std::vector<ViewCone<double>> views;
 };
 
-std::vector<Case> cases() {
+std::vector<FlightCase> flight_cases() {
   const V down{0, 0, -1};
   const ViewCone<double> above{{0, 0, 0}, down, 0.9, 0.4, 0.01};
   const ViewCone<double> wide{{0, 0, 0}, down, 0.3, 1.0, 0.7};
@@ -55,7 +55,7 @@ TEST(ForcedCollision, TimesItsWeightLiesWherePhotonsCollide) {
   const auto sea = make_sea(bottom);
   test::Random random(91);
   test::ZFamily family(0.01);
-  for (const Case& c : cases()) {
+  for (const FlightCase& c : flight_cases()) {
     const V start{0.3, -0.2, -c.depth};
     const double longest =
         (c.direction.z > 0 ? c.depth : bottom - c.depth) / std::abs(c.direction.z);

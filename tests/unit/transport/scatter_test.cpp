@@ -27,7 +27,7 @@ struct Target {
   double cone = 0;  // 1 - cos of the half angle; 0: a lobe
 };
 
-struct Case {
+struct AimsCase {
   std::string what;
   std::int32_t phase,
       lobe;  // tables of make_sea(): 0 peaked, 1 smooth, 2 molecules, 3 Raman, 4 isotropic
@@ -36,7 +36,7 @@ struct Case {
 
 const V old_direction = normalised(V{0.3, -0.4, -0.8});
 
-std::vector<Case> cases() {
+std::vector<AimsCase> aims_cases() {
   const V aside = normalised(V{0.5, 0.1, -0.8});
   const V up{0, 0.1, std::sqrt(0.99)};
   return {
@@ -56,14 +56,14 @@ std::vector<Case> cases() {
       {"lobe and two cones, one not usable", 0, 0, {{up, 1}, {aside, 1, 0.1}, {-aside, 0, 0.5}}}};
 }
 
-Aims aims(const Case& c) {
+Aims aims(const AimsCase& c) {
   Aims out;
   out.clear();
   for (const auto& [direction, weight, cone] : c.targets) out.add(direction, cone, weight);
   return out;
 }
 
-bool has_usable(const Case& c) {
+bool has_usable(const AimsCase& c) {
   return std::any_of(c.targets.begin(), c.targets.end(),
                      [](const Target& t) { return t.weight > 0; });
 }
@@ -85,7 +85,7 @@ TEST(Scatter, TimesItsWeightFollowsThePhaseFunction) {
   const auto phases = sea.view().phases;
   test::ZFamily family(0.01);
   Random random(71);
-  for (const Case& c : cases()) {
+  for (const AimsCase& c : aims_cases()) {
     const Aims targets = aims(c);
     std::vector<double> edges;
     for (const double share : shares) edges.push_back(phases.sample<double>(share, c.phase));
@@ -152,7 +152,7 @@ TEST(Scatter, HasTheMeanCosineOfHenyeyAndGreenstein) {
 TEST(Scatter, AimsAtTargetsByTheirWeight) {
   constexpr int samples = 100000;
   const auto sea = make_sea(40);
-  const Case c{"", 0, 0, {{{0, 0, 1}, 1}, {{1, 0, 0}, 0}, {{0, 0.6, 0.8}, 1}}};
+  const AimsCase c{"", 0, 0, {{{0, 0, 1}, 1}, {{1, 0, 0}, 0}, {{0, 0.6, 0.8}, 1}}};
   const Aims targets = aims(c);
   const double near = sea.view().phases.sample<double>(0.4, 0);  // 40 % of the lobe
   Random random(73);

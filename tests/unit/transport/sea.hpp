@@ -1,9 +1,10 @@
-// A sea made by hand: three layers and three lines.
+// A sea made by hand, three layers and three lines, and photons in it.
 #pragma once
 
 #include "medium/medium.hpp"
 #include "optics/fournier_forand.hpp"
 #include "optics/phase_functions.hpp"
+#include "transport/photon.hpp"
 
 namespace photic::transport {
 
@@ -31,6 +32,17 @@ inline medium::Medium make_sea(double bottom_m) {
                           sea.add_phase(optics::PhaseTable(optics::isotropic()))};
   sea.finish();
   return sea;
+}
+
+/// A photon on its way down.
+inline Photon<double> photon_at(const medium::Medium& sea, const Vec3<double>& position,
+                                std::int32_t line = 0) {
+  Photon<double> photon;
+  photon.position = position;
+  photon.direction = {0, 0, -1};
+  photon.line = line;
+  photon.layer = sea.layer_at(-position.z);
+  return photon;
 }
 
 }  // namespace photic::transport

@@ -1,4 +1,4 @@
-// Optical depths along straight lines through the layers, added up layer by layer.
+// Straight lines through the layers: their ends, and optical depths added up layer by layer.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 
 #include "core/vec3.hpp"
 #include "medium/medium.hpp"
+#include "support/random.hpp"
 
 namespace photic::transport {
 
@@ -36,6 +37,10 @@ inline std::vector<double> walk_coefficients(const medium::Medium& sea) {
   for (std::size_t i = 0; i < sea.c.size(); ++i)
     out.push_back(sea.c[i] * std::max(0.2, sea.albedo[i]));
   return out;
+}
+
+inline Vec3<double> random_place(test::Random& random) {
+  return {random.between(-10, 10), random.between(-10, 10), -random.between(0.01, 30)};
 }
 
 }  // namespace photic::transport

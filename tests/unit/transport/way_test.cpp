@@ -15,10 +15,6 @@ namespace {
 using test::Random;
 using V = Vec3<double>;
 
-V random_place(Random& random) {
-  return {random.between(-10, 10), random.between(-10, 10), -random.between(0.01, 30)};
-}
-
 void expect_depths(const OpticalDepths<double>& depths, const medium::Medium& sea,
                    std::int32_t line, const std::vector<V>& points) {
   double all = 0, walk = 0;
