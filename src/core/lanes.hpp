@@ -24,6 +24,7 @@ struct LaneTraits<T> {
   using Element = T;
   using Mask = bool;
   using Index = std::int32_t;
+  using Word = std::uint32_t;
   using Counter = std::uint64_t;  ///< photon numbers, and the words of random numbers
   static constexpr int lanes = 1;
 };
@@ -34,6 +35,8 @@ template <class T>
 using Mask = typename LaneTraits<T>::Mask;
 template <class T>
 using Index = typename LaneTraits<T>::Index;
+template <class T>
+using Word = typename LaneTraits<T>::Word;
 template <class T>
 using Counter = typename LaneTraits<T>::Counter;
 template <class T>
@@ -116,6 +119,18 @@ std::int32_t gather_index(const IndexTable& table, std::int32_t i) {
   return table.data[i];
 }
 
+template <std::floating_point T>
+std::uint32_t gather_word(const std::uint32_t* data, std::int32_t i) {
+  return data[i];
+}
+
+/// to[i] = value in the lanes of a mask, in their order.
+template <class V>
+  requires std::is_arithmetic_v<V>
+constexpr void scatter(bool mask, std::int32_t i, V value, V* to) {
+  if (mask) to[i] = value;
+}
+
 /// The values of all lanes; and one bit for each lane of a mask, the first lane's lowest.
 template <class V>
   requires std::is_arithmetic_v<V>
@@ -123,6 +138,29 @@ constexpr std::array<V, 1> each_lane(V value) {
   return {value};
 }
 constexpr std::uint32_t lane_bits(bool mask) { return mask ? 1 : 0; }
+
+template <std::floating_point T>
+constexpr bool mask_of_bits(std::uint32_t bits) {
+  return (bits & 1U) != 0;
+}
+
+/// 0, 1, 2, … in the lanes.
+template <std::floating_point T>
+constexpr std::int32_t lane_numbers() {
+  return 0;
+}
+
+/// The lanes of a mask to, or from, numbers one behind the other.
+template <class V>
+  requires std::is_arithmetic_v<V>
+constexpr void compress(bool mask, V value, V* to) {
+  if (mask) *to = value;
+}
+template <class V>
+  requires std::is_arithmetic_v<V>
+constexpr void expand(bool mask, const V* from, V& value) {
+  if (mask) value = *from;
+}
 
 /// How many lanes a mask has.
 template <class M>

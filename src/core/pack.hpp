@@ -79,6 +79,11 @@ struct Pack {
   /// The lanes of a mask one behind the other; up to N numbers are written.
   void store(const PackMask<N>& mask, E* to) const { native::compress<N, E>(mask.value, v, to); }
 
+  /// The lanes of a mask from numbers one behind the other; up to N are read.
+  void expand(const PackMask<N>& mask, const E* from) {
+    v = native::expand<N, E>(mask.value, v, from);
+  }
+
   E operator[](std::size_t i) const { return v[i]; }
   void set(std::size_t i, E value) { v[i] = value; }
 
@@ -108,6 +113,16 @@ struct Pack {
     requires std::is_integral_v<E>
   {
     return of(a.v >> places);
+  }
+  friend Pack operator<<(const Pack& a, int places)
+    requires std::is_integral_v<E>
+  {
+    return of(a.v << places);
+  }
+  friend Pack operator|(const Pack& a, const Pack& b)
+    requires std::is_integral_v<E>
+  {
+    return of(a.v | b.v);
   }
   friend Pack operator&(const Pack& a, const Pack& b)
     requires std::is_integral_v<E>
@@ -177,6 +192,7 @@ struct LaneTraits<Pack<E, N>> {
   using Element = E;
   using Mask = PackMask<N>;
   using Index = Pack<std::int32_t, N>;
+  using Word = Pack<std::uint32_t, N>;
   using Counter = WidePack<std::uint64_t, N>;
   static constexpr int lanes = N;
 };
@@ -281,6 +297,46 @@ Index<T> gather_index(const IndexTable& table, const Index<T>& i) {
   return Index<T>::of(native::gather_short<T::lanes>(table.data, table.size, i.v));
 }
 
+template <class T>
+  requires is_pack<T>
+Mask<T> mask_of_bits(std::uint32_t bits) {
+  return Mask<T>::of_bits(bits);
+}
+template <class T>
+  requires is_pack<T>
+Index<T> lane_numbers() {
+  Index<T> out;
+  for (std::size_t i = 0; i < T::lanes; ++i) out.set(i, static_cast<std::int32_t>(i));
+  return out;
+}
+
+template <class E, int N>
+Pack<E, N> permute(const Pack<E, N>& from, const Pack<std::int32_t, N>& lane) {
+  return Pack<E, N>::of(native::permute<N, E>(from.v, lane.v));
+}
+
+/// Up to N numbers are written.
+template <class E, int N>
+void compress(const PackMask<N>& mask, const Pack<E, N>& lanes, E* to) {
+  native::compress<N, E>(mask.value, lanes.v, to);
+}
+/// Up to N are read.
+template <class E, int N>
+void expand(const PackMask<N>& mask, const E* from, Pack<E, N>& lanes) {
+  lanes.v = native::expand<N, E>(mask.value, lanes.v, from);
+}
+
+template <class T>
+  requires is_pack<T>
+Word<T> gather_word(const std::uint32_t* data, const Index<T>& i) {
+  return Word<T>::of(native::gather<T::lanes>(data, i.v));
+}
+template <class E, int N>
+void scatter(const PackMask<N>& mask, const Pack<std::int32_t, N>& i, const Pack<E, N>& value,
+             E* to) {
+  native::scatter<N, E>(mask.value, i.v, value.v, to);
+}
+
 template <std::floating_point E, int N>
 OctaveCell<Pack<E, N>> octave_cell(const Pack<E, N>& x, int bits) {
   using native::exponent_bias;
@@ -325,15 +381,19 @@ Counter<T> to_counter(const Index<T>& i) {
 }
 template <class T>
   requires is_pack<T>
+T uniform_from_word(const Word<T>& word) {
+  if constexpr (sizeof(Element<T>) == 4) {
+    const auto part = word >> 9;
+    return uniform_from_part<T>(to_real<T>(Index<T>::of((typename Index<T>::Vector)part.v)));
+  } else {
+    return uniform_from_part<T>(T::of(__builtin_convertvector(word.v, typename T::Vector)));
+  }
+}
+template <class T>
+  requires is_pack<T>
 T uniform_from(const Counter<T>& word) {
   const auto low = native::low_words<T::lanes>(word.first.v, word.second.v);
-  if constexpr (sizeof(Element<T>) == 4) {
-    const auto part = (native::Vector<std::uint32_t, T::lanes>)low >> 9;
-    return uniform_from_part<T>(to_real<T>(Index<T>::of((typename Index<T>::Vector)part)));
-  } else {
-    const auto part = (native::Vector<std::uint32_t, T::lanes>)low;
-    return uniform_from_part<T>(T::of(__builtin_convertvector(part, typename T::Vector)));
-  }
+  return uniform_from_word<T>(Word<T>::of((typename Word<T>::Vector)low));
 }
 
 }  // namespace photic

@@ -254,6 +254,48 @@ void compress(MaskBits<N> mask, const Vector<E, N>& lanes, E* to) {
 }
 
 /// The lower or the upper half of the lanes.
+/// from[lane], lane by lane.
+template <int N, class E>
+Vector<E, N> permute(const Vector<E, N>& from, const Vector<std::int32_t, N>& lane) {
+#if defined(__AVX512F__)
+  if constexpr (N == 16 && sizeof(E) == 4)
+    return (Vector<E, N>)_mm512_permutexvar_epi32((__m512i)lane, (__m512i)from);
+#endif
+#if defined(__AVX2__)
+  if constexpr (N == 8 && sizeof(E) == 4)
+    return (Vector<E, N>)_mm256_permutevar8x32_epi32((__m256i)from, (__m256i)lane);
+#endif
+  Vector<E, N> out;
+  for (int i = 0; i < N; ++i) out[i] = from[lane[i]];
+  return out;
+}
+
+/// The lanes of a mask from numbers one behind the other, the others as they are.
+template <int N, class E>
+Vector<E, N> expand(MaskBits<N> mask, Vector<E, N> lanes, const E* from) {
+#if defined(__AVX512F__)
+  if constexpr (N == 16 && sizeof(E) == 4)
+    return (Vector<E, N>)_mm512_mask_expandloadu_epi32((__m512i)lanes, mask, from);
+#endif
+  for (std::uint32_t left = bits<N>(mask); left != 0; left &= left - 1)
+    lanes[std::countr_zero(left)] = *from++;
+  return lanes;
+}
+
+/// to[index] = the value, in the lanes of a mask.
+template <int N, class E>
+void scatter(MaskBits<N> mask, const Vector<std::int32_t, N>& index, const Vector<E, N>& value,
+             E* to) {
+#if defined(__AVX512F__)
+  if constexpr (N == 16 && sizeof(E) == 4)
+    return _mm512_mask_i32scatter_epi32(to, mask, (__m512i)index, (__m512i)value, 4);
+#endif
+  for (std::uint32_t left = bits<N>(mask); left != 0; left &= left - 1) {
+    const int lane = std::countr_zero(left);
+    to[index[lane]] = value[lane];
+  }
+}
+
 template <int N, class E, std::size_t... i>
 Vector<E, N / 2> half(const Vector<E, N>& x, bool upper, std::index_sequence<i...>) {
   if (upper) return __builtin_shufflevector(x, x, static_cast<int>(i + N / 2)...);

@@ -58,9 +58,12 @@ constexpr T uniform_from_part(const T& part) {
   return (part + T(0.5)) * T(is_float ? 0x1p-23 : 0x1p-32);
 }
 template <std::floating_point T>
+constexpr T uniform_from_word(std::uint32_t word) {
+  return uniform_from_part(static_cast<T>(sizeof(T) == sizeof(float) ? word >> 9 : word));
+}
+template <std::floating_point T>
 constexpr T uniform_from(std::uint64_t word) {
-  const auto low = static_cast<std::uint32_t>(word);
-  return uniform_from_part(static_cast<T>(sizeof(T) == sizeof(float) ? low >> 9 : low));
+  return uniform_from_word<T>(static_cast<std::uint32_t>(word));
 }
 
 /// Four uniforms of one event of one photon; an event that needs more asks for another block.

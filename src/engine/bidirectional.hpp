@@ -2,145 +2,150 @@
 // between them (docs/theory.md, "The bidirectional estimator").
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
-#include "core/flatten.hpp"
 #include "engine/connections.hpp"
 #include "engine/draws.hpp"
 #include "engine/history.hpp"
 #include "engine/walk.hpp"
-#include "transport/depart.hpp"
-#include "transport/flight.hpp"
+#include "engine/walker.hpp"
 
 namespace photic::engine {
 
-/// Walks on from where a walk begins in the water and notes its vertices, until it is lost to the
-/// echo. `in_time` tells whether light from where the photon stands can still count; the ledger
-/// takes what ends.
-template <class T, class InTime>
-PHOTIC_FLATTEN void take_walk(const World<T>& world, const transport::Samples<T>& samples,
-                              InTime in_time, const Draws<T>& draws, Walk<T>& walk,
-                              tally::BatchTally& tally, tally::Ledger& ledger) {
-  using namespace transport;
-  const medium::MediumView& sea = world.sea;
-  Photon<T> photon = walk.begin.photon;
-  Leg<T> leg;
-  walk.add(Ray<T>{walk_point(photon)});
-  for (std::int32_t event = 1; event < most_events; ++event) {
-    const auto u = draws(event, 0);
-    const Photon<T> before = photon;
-    const auto end = fly(sea, photon, u[0]);
-    add_flight(sea, before, photon, leg);
-    if (end.sea_bed) return void(ledger.sea_bed += photon.weight);
-    if (!in_time(photon)) return void(ledger.cut_by_time += photon.weight);
-    if (end.surface) {
-      ledger.escaped += reflect_down(sea, photon);
-      leg.mirrored = true;
-    } else {
-      ++tally.collisions;
-      walk.add(vertex_on(sea, walk.last_ray(), walk.spread(walk.rays - 1), photon, leg, walk.axis,
-                         samples));
-      if (walk.vertices == world.last_order) return void(ledger.cut_by_order += photon.weight);
-      if (walk.vertices == world.most_vertices) {
-        ++tally.too_many_events;
-        return void(ledger.lost += photon.weight);
-      }
-      const T weight = photon.weight;
-      const auto v = photon.line > 0 ? draws(event, 1) : std::array<T, 4>{1, 1, 1, 1};
-      const auto departure = depart(sea, photon, world.reversal, {u[1], u[2], v[0], v[1]});
-      ledger.absorbed += weight - photon.weight;
-      if (photon.line != before.line) walk.converts();
-      walk.add(next_ray(photon, walk.last_vertex(), departure));
-      leg = {};
-    }
-    const T heavy = photon.weight;
-    const bool survives = roulette(photon, world.roulette_threshold, u[3]);
-    ledger.roulette += survives ? heavy - photon.weight : heavy;
-    if (!survives) return;
-    if (!std::isfinite(photon.weight)) return void(++tally.not_finite);
+inline const tally::Ledger& total(const tally::Ledger& ledger) { return ledger; }
+
+/// How the laser's walks begin.
+template <class T, class Ledger>
+struct FromLaser {
+  const World<T>& world;
+  const Draws<T>& draws;
+  std::int32_t first;  ///< the batch's photon that walk 0 goes with
+  Ledger& ledger;
+
+  transport::Beginning<T> begin(const Index<T>& walk, const Mask<T>& exist, Outset<T>&) {
+    const auto u = draw(walk, Index<T>(0), 0);
+    auto begin = transport::begin_at_laser(world.sea, world.laser, world.laser_layer, u[0], u[1]);
+    book(ledger.escaped, exist, T(1) - select(begin.exists, begin.photon.weight, T(0)));
+    return begin;
   }
-  ++tally.too_many_events;
-  ledger.lost += photon.weight;
-}
+  [[nodiscard]] std::array<T, 4> draw(const Index<T>& walk, const Index<T>& event,
+                                      std::uint32_t block) const {
+    return draws(Index<T>(first) + walk, event, block);
+  }
+  [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
+    return engine::in_time(world, photon);
+  }
+};
 
-/// Whether light of a telescope's walk can still come from the laser within the last gate.
-template <class T>
-bool in_time_from_laser(const World<T>& world, const transport::Photon<T>& photon) {
-  const T z = photon.position.z;
-  const T shortest = world.laser.submerged
-                         ? world.least_group_index * std::abs(world.laser.centre.z - z)
-                         : world.laser.centre.z - world.least_group_index * z;
-  return photon.path + shortest < world.last_path;
-}
+/// How a telescope's walks begin.
+template <class T, class Ledger>
+struct FromTelescope {
+  const World<T>& world;
+  const Receiver<T>& receiver;
+  const Draws<T>& draws;
+  std::int32_t first;
+  Ledger ledger{};  ///< of no interest: the result's is the laser's light's
 
-/// Photon number `photon` of the laser as a walk to be connected.
-template <class T>
-void walk_from_laser(const World<T>& world, const transport::Samples<T>& samples,
-                     std::uint64_t photon, Walk<T>& walk, tally::BatchTally& tally) {
-  const Draws<T> draws{world, photon, 0, 0};
-  const auto u = draws(0, 0);
-  walk.clear();
-  walk.begin = transport::begin_at_laser(world.sea, world.laser, world.laser_layer, u[0], u[1]);
-  tally.ledger.escaped += T(1) - (walk.begin.exists ? walk.begin.photon.weight : T(0));
-  if (!walk.begin.exists) return;
-  take_walk(
-      world, samples, [&world](const auto& p) { return in_time(world, p); }, draws, walk, tally,
-      tally.ledger);
-}
+  transport::Beginning<T> begin(const Index<T>& walk, const Mask<T>&, Outset<T>& outset) {
+    const auto& telescope = world.telescopes[receiver.telescope];
+    const auto u = draw(walk, Index<T>(0), 0);
+    outset.lens = lens_point(telescope, u[0], u[1]);
+    outset.outward = outward(telescope, outset.lens,
+                             instrument::ring_point(T(0), telescope.detector_radius, u[2], u[3]));
+    outset.shift_area = shift_area(telescope, dot(outset.outward, telescope.axis));
+    const auto v = draw(walk, Index<T>(0), 1);
+    outset.grid_offset = v[0];
+    outset.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
+    return transport::begin_at_telescope(world.sea, telescope, receiver.layer, receiver.line,
+                                         outset.lens, outset.outward);
+  }
+  [[nodiscard]] std::array<T, 4> draw(const Index<T>& walk, const Index<T>& event,
+                                      std::uint32_t block) const {
+    return draws(Index<T>(first) + walk, event, block);
+  }
+  /// Whether light can still come from the laser within the last gate.
+  [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
+    using std::abs;
+    const T z = photon.position.z;
+    const T shortest = world.laser.submerged
+                           ? world.least_group_index * abs(world.laser.centre.z - z)
+                           : world.laser.centre.z - world.least_group_index * z;
+    return photon.path + shortest < world.last_path;
+  }
+};
 
-/// The random numbers of a telescope's walk; the laser has the blocks below.
-template <class T>
-Draws<T> draws_of(const World<T>& world, const Receiver<T>& receiver, std::uint64_t photon) {
-  return {world, photon, 4 + 4 * static_cast<std::uint32_t>(receiver.number), 1};
-}
+/// Follows photons of the laser, some of them at once. Ledger: of one photon, or of lanes.
+template <class T, class Ledger>
+class Bidirectional {
+ public:
+  /// `at_once`: so many sets of walks.
+  Bidirectional(const World<T>& world, std::size_t at_once)
+      : world_(world),
+        at_once_(at_once * world.walks),
+        laser_(at_once_, false, !world.laser.submerged) {
+    for (const auto& telescope : world.telescopes)
+      back_.emplace_back(at_once_, true, !telescope.submerged);
+  }
 
-/// The walk of a telescope that goes with this photon.
-template <class T>
-void walk_from_telescope(const World<T>& world, const Receiver<T>& receiver,
-                         const transport::Samples<T>& samples, const Draws<T>& draws, Walk<T>& walk,
-                         tally::BatchTally& tally) {
-  const auto& telescope = world.telescopes[receiver.telescope];
-  const auto u = draws(0, 0);
-  walk.clear();
-  walk.lens = lens_point(telescope, u[0], u[1]);
-  walk.outward = outward(telescope, walk.lens,
-                         instrument::ring_point(T(0), telescope.detector_radius, u[2], u[3]));
-  walk.shift_area = shift_area(telescope, dot(walk.outward, telescope.axis));
-  walk.begin = transport::begin_at_telescope(world.sea, telescope, receiver.layer, receiver.line,
-                                             walk.lens, walk.outward);
-  if (!walk.begin.exists) return;
-  tally::Ledger unused;  // the ledger is the laser's light's
-  take_walk(
-      world, samples, [&world](const auto& p) { return in_time_from_laser(world, p); }, draws, walk,
-      tally, unused);
-}
+  /// Photons `first` … `first + count - 1`, the first of a batch and up.
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) {
+    const auto laser = draws_of_laser(world_, first);
+    std::vector<Draws<T>> back;
+    for (const Receiver<T>& receiver : world_.receivers)
+      back.push_back(draws_of(world_, receiver, first));
+    Ledger ledger;
+    for (std::size_t done = 0; done < count;) {
+      // The last set may have fewer walks, and then fewer samples are made.
+      const std::size_t left = count - done;
+      const std::size_t walks = std::min(world_.walks, left);
+      const std::size_t now = std::min(at_once_, left / walks * walks);
+      follow(static_cast<std::int32_t>(done), now, walks, laser, back, ledger, tally);
+      done += now;
+    }
+    tally.ledger = tally.ledger + total(ledger);
+  }
 
-/// Follows photons `first` … `first + count - 1` from the laser, as one set of walks.
-template <class T>
-void follow_set(const World<T>& world, std::uint64_t first, std::size_t count, WalkSet<T>& set,
-                tally::BatchTally& tally) {
-  // An echo is per photon emitted, and so are the samples.
-  const transport::Samples<T> samples{T(1), world.connected, T(count),
-                                      world.turns ? T(count) : T(0), world.meeting_grid};
-  for (std::size_t g = 0; g < count; ++g)
-    walk_from_laser(world, samples, first + g, set.from_laser[g], tally);
-  for (const Receiver<T>& receiver : world.receivers) {
+ private:
+  void follow(std::int32_t first, std::size_t count, std::size_t walks, const Draws<T>& laser,
+              const std::vector<Draws<T>>& back, Ledger& ledger, tally::BatchTally& tally) {
+    // An echo is per photon emitted, and so are the samples.
+    const transport::Samples<T> samples{T(1), world_.connected, T(walks),
+                                        T(world_.turns ? walks : 0), world_.meeting_grid};
+    FromLaser<T, Ledger> out{world_, laser, first, ledger};
+    WalkTaker(world_, samples, out, laser_, tally).take(count);
+    for (const Receiver<T>& receiver : world_.receivers) {
+      Walks<T>& walks_back = back_[receiver.telescope];
+      FromTelescope<T, Ledger> home{world_, receiver, back[receiver.number], first};
+      WalkTaker(world_, samples, home, walks_back, tally).take(count);
+      connect(receiver, samples, walks_back, count, walks, tally);
+    }
+  }
+
+  void connect(const Receiver<T>& receiver, const transport::Samples<T>& samples,
+               const Walks<T>& back, std::size_t count, std::size_t walks,
+               tally::BatchTally& tally) {
+    Connections<T> connections(world_, receiver, samples, laser_, back, tally);
     for (std::size_t g = 0; g < count; ++g) {
-      Walk<T>& back = set.from_telescope;
-      const auto draws = draws_of(world, receiver, first + g);
-      walk_from_telescope(world, receiver, samples, draws, back, tally);
-      if (!back.begin.exists) continue;
-      const Connections<T> connections(world, receiver, samples, back, tally);
-      connections.to_telescope(set.from_laser[g]);
-      connections.to_laser();
-      const auto u = draws(0, 1);
-      if (u[1] < world.connected) connections.between(set.from_laser[g]);
-      for (std::size_t i = 0; i < count; ++i) {
-        connections.shifted(set.from_laser[i], u[0]);
-        connections.turned(set.from_laser[i]);
+      if (back.rays(g) == 0) continue;
+      connections.to_telescope(g);
+      connections.to_laser(g);
+      if (back.connected(g)) connections.between(g);
+      const std::size_t set = g / walks * walks;
+      for (std::size_t i = set; i < set + walks; ++i) {
+        connections.shifted(i, g);
+        connections.turned(i, g);
       }
     }
+    connections.close();
   }
-}
+
+  const World<T>& world_;
+  std::size_t at_once_;
+  Walks<T> laser_;
+  std::vector<Walks<T>> back_;  ///< of each telescope, and one line after the other
+};
 
 }  // namespace photic::engine

@@ -1,4 +1,4 @@
-// The random numbers of a walk of the bidirectional estimator: Philox, or for a walk's first events
+// The random numbers of the bidirectional estimator's walks: Philox, or for a walk's first events
 // points that a whole batch spreads evenly.
 #pragma once
 
@@ -14,27 +14,68 @@ namespace photic::engine {
 /// Blocks from here on hold the keys that scramble the points of a batch; walks draw below.
 inline constexpr std::uint32_t key_blocks = std::uint32_t{1} << 31;
 
-/// The uniforms of one walk.
+/// The uniforms of a batch's walks from the laser, or from one of the telescopes.
 template <class T>
-struct Draws {
-  const World<T>& world;
-  std::uint64_t photon;
-  std::uint32_t first_block;  ///< of Philox, for this walk
-  std::uint32_t first_slot;   ///< 0: the laser's, 1: a telescope's
+class Draws {
+ public:
+  /// `batch`: number of its first photon. `first_block`: of Philox, for these walks; `first_slot`:
+  /// 0 for the laser's, 1 for a telescope's.
+  Draws(const World<T>& world, std::uint64_t batch, std::uint32_t first_block,
+        std::uint32_t first_slot)
+      : world_(world), batch_(batch), first_block_(first_block), first_slot_(first_slot) {
+    for (std::uint32_t i = 0; spread() && i < quasi_random_dimensions; i += 4) {
+      const std::uint32_t event = i / 4 / quasi_random_blocks, slot = i / 4 % quasi_random_blocks;
+      if (slot < first_slot) continue;
+      const auto words = philox_words<std::uint64_t>(
+          world.seed, batch / batch_photons, event, key_blocks + first_block + (slot - first_slot));
+      for (std::size_t k = 0; k < 4; ++k) keys_[i + k] = static_cast<std::uint32_t>(words[k]);
+    }
+  }
 
-  [[nodiscard]] std::array<T, 4> operator()(std::int32_t event, std::uint32_t block) const {
-    if (world.points.dimensions() == 0 || static_cast<std::uint32_t>(event) >= quasi_random_events)
-      return uniforms(RandomPlace<T>{world.seed, photon, event}, first_block + block);
-    const auto keys = philox_words<std::uint64_t>(
-        world.seed, photon / batch_photons, to_counter<T>(event), key_blocks + first_block + block);
-    const std::size_t first =
-        4 * (static_cast<std::size_t>(event) * quasi_random_blocks + first_slot + block);
-    std::array<T, 4> u;
-    for (std::size_t i = 0; i < u.size(); ++i)
-      u[i] = uniform_from<T>(scrambled(world.points.word(photon % batch_photons, first + i),
-                                       static_cast<std::uint32_t>(keys[i])));
+  /// Of an event of the walk that goes with the batch's photon n.
+  [[nodiscard]] std::array<T, 4> operator()(const Index<T>& n, const Index<T>& event,
+                                            std::uint32_t block) const {
+    const Mask<T> early = event < Index<T>(spread() ? quasi_random_events : 0);
+    if (all(early)) return from_points(n, event, block);
+    auto u = uniforms(RandomPlace<T>{world_.seed, Counter<T>(batch_) + to_counter<T>(n), event},
+                      first_block_ + block);
+    if (!any(early)) return u;
+    const auto v = from_points(n, select(early, event, Index<T>(0)), block);
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = select(early, v[i], u[i]);
     return u;
   }
+
+ private:
+  [[nodiscard]] bool spread() const { return world_.points.dimensions() > 0; }
+
+  [[nodiscard]] std::array<T, 4> from_points(const Index<T>& n, const Index<T>& event,
+                                             std::uint32_t block) const {
+    const Index<T> first =
+        Index<T>(4) * (event * Index<T>(quasi_random_blocks) + Index<T>(first_slot_ + block));
+    const Index<T> point = n * Index<T>(quasi_random_dimensions);
+    std::array<T, 4> u;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const Index<T> d = first + Index<T>(i);
+      u[i] = uniform_from_word<T>(scrambled(gather_word<T>(world_.points.words(), point + d),
+                                            gather_word<T>(keys_.data(), d)));
+    }
+    return u;
+  }
+
+  const World<T>& world_;
+  std::uint64_t batch_;
+  std::uint32_t first_block_, first_slot_;
+  std::array<std::uint32_t, quasi_random_dimensions> keys_{};  ///< of each coordinate
 };
+
+/// Of the laser's walks; a telescope's have the blocks above.
+template <class T>
+Draws<T> draws_of_laser(const World<T>& world, std::uint64_t batch) {
+  return {world, batch, 0, 0};
+}
+template <class T>
+Draws<T> draws_of(const World<T>& world, const Receiver<T>& receiver, std::uint64_t batch) {
+  return {world, batch, 4 + 4 * static_cast<std::uint32_t>(receiver.number), 1};
+}
 
 }  // namespace photic::engine

@@ -1,12 +1,12 @@
 // The local estimate: what every telescope is expected to detect of a collision.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "core/random.hpp"
+#include "engine/waiting_room.hpp"
 #include "engine/world.hpp"
 #include "tally/batch_tally.hpp"
 #include "transport/connect_ray.hpp"
@@ -47,87 +47,21 @@ struct Sources {
   Index<T> phase{};  ///< its phase function
   instrument::PlanePoint<T> lens{};
 
-  /// Calls f(member, column k of `waiting`) for each member.
   template <class F>
   void each_member(F f) {
-    f(photon.position.x, 0);
-    f(photon.position.y, 1);
-    f(photon.position.z, 2);
-    f(photon.direction.x, 3);
-    f(photon.direction.y, 4);
-    f(photon.direction.z, 5);
-    f(photon.weight, 6);
-    f(photon.path, 7);
-    f(share, 8);
-    f(lens.x, 9);
-    f(lens.y, 10);
-    f(photon.layer, 0);
-    f(photon.order, 1);
-    f(line, 2);
-    f(phase, 3);
+    f(photon.position.x), f(photon.position.y), f(photon.position.z);
+    f(photon.direction.x), f(photon.direction.y), f(photon.direction.z);
+    f(photon.weight), f(photon.path), f(share), f(lens.x), f(lens.y);
+    f(photon.layer), f(photon.order), f(line), f(phase);
   }
   static constexpr std::size_t reals = 11, integers = 4;
-};
-
-/// Where the few lanes wait that are worth a local estimate, until they fill a pack.
-template <class T>
-class WaitingRoom {
- public:
-  /// Adds the lanes of a mask; calls score(sources, mask) when a pack is full.
-  template <class Score>
-  void admit(const Mask<T>& mask, Sources<T> sources, Score score) {
-    if constexpr (lanes_of<T> == 1) {
-      if (mask) score(sources, mask);
-    } else {
-      sources.each_member([&](const auto& member, int k) {
-        member.store(mask, column(member, k).data() + waiting_);
-      });
-      waiting_ += count(mask);
-      if (waiting_ < lanes_of<T>) return;
-      serve(Mask<T>(true), score);
-      waiting_ -= lanes_of<T>;
-      sources.each_member([&](const auto& member, int k) {
-        auto& c = column(member, k);
-        std::copy_n(c.begin() + lanes_of<T>, lanes_of<T>, c.begin());
-      });
-    }
-  }
-  /// Serves those who are left.
-  template <class Score>
-  void close(Score score) {
-    if constexpr (lanes_of<T> > 1) {
-      if (waiting_ > 0) serve(Mask<T>::of_bits((1U << waiting_) - 1), score);
-      waiting_ = 0;
-    }
-  }
-
- private:
-  template <class E>
-  using Column = std::array<E, 2 * lanes_of<T>>;
-
-  Column<Element<T>>& column(const T&, int k) { return real_[static_cast<std::size_t>(k)]; }
-  Column<std::int32_t>& column(const Index<T>&, int k) {
-    return integer_[static_cast<std::size_t>(k)];
-  }
-  template <class Score>
-  void serve(const Mask<T>& mask, Score score) {
-    Sources<T> sources;
-    sources.each_member([&](auto& member, int k) {
-      member = std::decay_t<decltype(member)>::load(column(member, k).data());
-    });
-    score(sources, mask);
-  }
-
-  std::array<Column<Element<T>>, Sources<T>::reals> real_{};
-  std::array<Column<std::int32_t>, Sources<T>::integers> integer_{};
-  std::uint32_t waiting_ = 0;
 };
 
 /// What local estimates need besides the photons: a pool's, or one photon's.
 template <class T>
 struct Estimates {
-  Targets<T> targets;                   ///< of the directions that photons may take next
-  std::vector<WaitingRoom<T>> waiting;  ///< of each telescope
+  Targets<T> targets;  ///< of the directions that photons may take next
+  std::vector<WaitingRoom<T, Sources<T>>> waiting;  ///< of each telescope
 };
 
 /// Scores the lanes of a mask, one after the other.

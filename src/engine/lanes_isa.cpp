@@ -1,5 +1,11 @@
 // Compiled once for each instruction set, as PHOTIC_ISA (cmake/photic.cmake).
+#include <memory>
+#include <mutex>
+#include <vector>
+
 #include "core/pack.hpp"
+#include "engine/bidirectional.hpp"
+#include "engine/lane_ledger.hpp"
 #include "engine/lanes.hpp"
 #include "engine/pool.hpp"
 
@@ -8,9 +14,9 @@ namespace {
 
 using Lanes = Pack<float, native::float_lanes>;
 
-class LaneSimulator final : public Simulator {
+class ForwardLanes final : public Simulator {
  public:
-  explicit LaneSimulator(const Problem& problem)
+  explicit ForwardLanes(const Problem& problem)
       : world_(make_world<Lanes>(problem.scene, problem.medium, problem.gates)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
@@ -21,12 +27,46 @@ class LaneSimulator final : public Simulator {
   World<Lanes> world_;
 };
 
+class BidirectionalLanes final : public Simulator {
+ public:
+  explicit BidirectionalLanes(const Problem& problem)
+      : world_(make_world<Lanes>(problem.scene, problem.medium, problem.gates)) {}
+
+  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
+    auto walks = take();
+    walks->run(first, count, tally);
+    const std::scoped_lock lock(mutex_);
+    spare_.push_back(std::move(walks));
+  }
+
+ private:
+  using Walks = Bidirectional<Lanes, LaneLedger<Lanes>>;
+  /// Sets of walks at once: so many that few packs are partly empty, and all stay in the second
+  /// cache.
+  static constexpr std::size_t at_once = 125;
+
+  /// What a thread needs, which is large: used again from batch to batch.
+  [[nodiscard]] std::unique_ptr<Walks> take() const {
+    const std::scoped_lock lock(mutex_);
+    if (spare_.empty()) return std::make_unique<Walks>(world_, at_once);
+    auto walks = std::move(spare_.back());
+    spare_.pop_back();
+    return walks;
+  }
+
+  World<Lanes> world_;
+  mutable std::mutex mutex_;
+  mutable std::vector<std::unique_ptr<Walks>> spare_;
+};
+
 }  // namespace
 
 namespace PHOTIC_ISA {
 std::unique_ptr<Simulator> make_lanes(const Problem& problem);
 std::unique_ptr<Simulator> make_lanes(const Problem& problem) {
-  return std::make_unique<LaneSimulator>(problem);
+  if (problem.scene.simulation.estimator == "bidirectional")
+    return std::make_unique<BidirectionalLanes>(problem);
+  return std::make_unique<ForwardLanes>(problem);
 }
 }  // namespace PHOTIC_ISA
 

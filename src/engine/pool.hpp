@@ -13,34 +13,10 @@
 #include "core/flatten.hpp"
 #include "core/pack.hpp"
 #include "engine/history.hpp"
+#include "engine/lane_ledger.hpp"
 #include "engine/simulator.hpp"
 
 namespace photic::engine {
-
-/// Sums of weights, in double, each lane for itself.
-template <class T>
-struct LaneSum {
-  WidePack<double, lanes_of<T>> lanes;
-  [[nodiscard]] double total() const {
-    double sum = 0;
-    for (const double lane : each_lane(lanes)) sum += lane;
-    return sum;
-  }
-};
-template <class T>
-void book(LaneSum<T>& account, const Mask<T>& mask, const T& weight) {
-  if (!any(mask)) return;
-  account.lanes = account.lanes + to_double(select(mask, weight, T(0)));
-}
-/// The ledger of a pool.
-template <class T>
-struct LaneLedger {
-  LaneSum<T> absorbed, escaped, sea_bed, cut_by_time, cut_by_order, roulette, lost;
-  [[nodiscard]] tally::Ledger total() const {
-    return {absorbed.total(),     escaped.total(),  sea_bed.total(), cut_by_time.total(),
-            cut_by_order.total(), roulette.total(), lost.total()};
-  }
-};
 
 /// One member of the photons of a pool, slot by slot.
 template <class E, std::size_t slots>
@@ -83,7 +59,7 @@ class Pool {
       replace();
     }
     close_rooms(world_, estimates_, tally);
-    tally.ledger = tally.ledger + ledger_.total();
+    tally.ledger = tally.ledger + total(ledger_);
     ledger_ = {};
   }
 

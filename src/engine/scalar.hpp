@@ -1,7 +1,6 @@
 // The scalar engine: one photon after the other.
 #pragma once
 
-#include <algorithm>
 #include <utility>
 
 #include "engine/batches.hpp"
@@ -24,11 +23,7 @@ class ScalarSimulator final : public Simulator {
       for (std::uint64_t i = 0; i < count; ++i) follow(world_, first + i, photon, estimates, tally);
       return;
     }
-    WalkSet<T> set(world_.walks);
-    for (std::uint64_t done = 0; done < count; done += world_.walks) {
-      const auto walks = std::min<std::uint64_t>(world_.walks, count - done);
-      follow_set(world_, first + done, walks, set, tally);
-    }
+    Bidirectional<T, tally::Ledger>(world_, 1).run(first, count, tally);
   }
 
  private:

@@ -1,10 +1,11 @@
 // The walks of the bidirectional estimator, kept until they are connected.
 #pragma once
 
-#include <algorithm>
-#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
+#include "engine/records.hpp"
 #include "engine/world.hpp"
 #include "transport/meet.hpp"
 #include "transport/receive.hpp"
@@ -13,127 +14,220 @@
 namespace photic::engine {
 
 /// Which strategies can be used for a path of `order` vertices by walks of at most `most`.
+template <class T>
 struct Usable {
-  std::int32_t order, most;
-  [[nodiscard]] bool all() const { return order <= most; }
-  [[nodiscard]] bool connecting(std::int32_t edge) const {
-    return edge <= most && order - edge <= most;
+  Index<T> order, most;
+  Usable(const Index<T>& vertices, std::int32_t most_of_a_walk)
+      : order(vertices), most(most_of_a_walk) {}
+  [[nodiscard]] Mask<T> all() const { return order <= most; }
+  [[nodiscard]] Mask<T> connecting(const Index<T>& edge) const {
+    return (edge <= most) & (order - edge <= most);
   }
   /// A walk that has all the vertices it may have does not set out from the last one.
-  [[nodiscard]] bool meeting(std::int32_t vertex) const {
-    return vertex <= most && order - vertex < most;
+  [[nodiscard]] Mask<T> meeting(const Index<T>& vertex) const {
+    return (vertex <= most) & (order - vertex < most);
   }
 };
 
-/// The rays and vertices of one walk: ray m leads to vertex m, and ray 0 from the instrument.
+/// Where a walk left its instrument; the lens, outwards and what follows of a telescope's walk.
 template <class T>
-struct Walk {
-  transport::Beginning<T> begin;
-  std::array<transport::Ray<T>, most_vertices> ray;
-  std::array<transport::Vertex<T>, most_vertices> vertex;
-  std::int32_t rays = 0, vertices = 0;
-  std::array<std::int32_t, most_vertices> turned;  ///< vertices with a last turn, of a laser's walk
-  std::int32_t turns = 0;
-  bool from_telescope = false;
-  instrument::PlanePoint<T> lens;  ///< where a telescope's walk came through
-  Vec3<T> outward;                 ///< the direction in which it left there
-  T shift_area{};                  ///< of a telescope's walk [m^2]
-  transport::Vertical<T> axis;     ///< of a telescope's walk, where it has converted
-  std::int32_t converted = 0;      ///< the vertex where it has
+struct Outset {
+  transport::Spread<T> spread;
+  instrument::PlanePoint<T> lens{};
+  Vec3<T> outward{};
+  T shift_area{};         ///< [m^2]
+  T grid_offset{};        ///< of the depths where it meets others, 0 to 1 of a step
+  Index<T> connected{1};  ///< 1: with the vertices of a laser's walk; 0: not
 
-  void clear() {
-    rays = vertices = turns = 0;
-    axis = {};
+  template <class F>
+  void each_member(F f) {
+    f(spread.before), f(spread.cos_air), f(spread.solid_angle);
+    f(lens.x), f(lens.y), f(outward.x), f(outward.y), f(outward.z);
+    f(shift_area), f(grid_offset), f(connected);
   }
-  void add(const transport::Ray<T>& r) { ray[static_cast<std::size_t>(rays++)] = r; }
-  void add(const transport::Vertex<T>& v) {
-    if (!from_telescope && v.last_turn.density > T(0))
-      turned[static_cast<std::size_t>(turns++)] = vertices;
-    vertex[static_cast<std::size_t>(vertices++)] = v;
+};
+
+/// The rays and vertices of walks from one instrument: ray m leads to vertex m, and ray 0 from the
+/// instrument.
+template <class T>
+class Walks {
+ public:
+  using Ray = transport::Ray<T>;
+  using Vertex = transport::Vertex<T>;
+
+  /// `through_surface`: the instrument is in the air.
+  Walks(std::size_t walks, bool from_telescope, bool through_surface)
+      : from_telescope_(from_telescope),
+        through_surface_(through_surface),
+        outset_(walks),
+        ray_(walks * most_vertices),
+        vertex_(walks * most_vertices),
+        rays_(walks),
+        vertices_(walks),
+        turns_(walks),
+        converted_(walks),
+        turned_(walks * most_vertices) {}
+
+  // Written by walkers, in the lanes of a mask.
+  void begin(const Mask<T>& mask, const Index<T>& walk, const Outset<T>& outset, const Ray& first) {
+    outset_.put(mask, walk, outset);
+    scatter(mask, walk, Index<T>(0), vertices_.data());
+    scatter(mask, walk, Index<T>(0), turns_.data());
+    scatter(mask, walk, Index<T>(-1), converted_.data());
+    add(mask, walk, Index<T>(0), first);
   }
-  /// A telescope's walk turns a conversion back at its last vertex.
-  void converts() {
-    converted = vertices - 1;
-    axis = {true, last_vertex().position.x, last_vertex().position.y};
+  /// No walk sets out.
+  void leave_out(const Mask<T>& mask, const Index<T>& walk) {
+    scatter(mask, walk, Index<T>(0), rays_.data());
+    scatter(mask, walk, Index<T>(0), vertices_.data());
   }
-  [[nodiscard]] const transport::Ray<T>& last_ray() const {
-    return ray[static_cast<std::size_t>(rays - 1)];
+  void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& m, const Ray& ray) {
+    ray_.put(mask, slot(walk, m), ray);
+    scatter(mask, walk, m + Index<T>(1), rays_.data());
   }
-  [[nodiscard]] const transport::Vertex<T>& last_vertex() const {
-    return vertex[static_cast<std::size_t>(vertices - 1)];
+  void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i, const Vertex& vertex) {
+    vertex_.put(mask, slot(walk, i), vertex);
+    scatter(mask, walk, i + Index<T>(1), vertices_.data());
+    const Mask<T> turned = mask & (vertex.last_turn.density > T(0));
+    if (from_telescope_ || !any(turned)) return;
+    const Index<T> turns = gather_index<T>(turns_.data(), walk);
+    scatter(turned, slot(walk, turns), i, turned_.data());
+    scatter(turned, walk, turns + Index<T>(1), turns_.data());
   }
-  /// How the light of ray m spreads if it is the instrument's.
-  [[nodiscard]] const transport::Spread<T>* spread(std::int32_t m) const {
-    return m == 0 ? &begin.spread : nullptr;
+  /// A telescope's walk turns a conversion back at vertex i.
+  void converts(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i) {
+    scatter(mask, walk, i, converted_.data());
   }
 
-  /// Vertex i as it is in a path of which perhaps not all strategies can be used; kept in `room` if
-  /// they cannot.
-  [[nodiscard]] const transport::Vertex<T>& in_path(std::int32_t i, const Usable& usable,
-                                                    transport::Vertex<T>& room) const {
-    const transport::Vertex<T>& v = vertex[static_cast<std::size_t>(i)];
-    if (usable.all()) return v;
-    room = v;
-    room.behind = {};
-    for (std::int32_t k = 1; k <= i; ++k)
-      add_last(vertex[static_cast<std::size_t>(k)], k, usable, room.behind);
-    if (!usable.connecting(from_telescope ? usable.order - i : i)) room.open = T(0);
-    return room;
+  // Of one walk.
+  [[nodiscard]] std::int32_t rays(std::size_t walk) const { return rays_[walk]; }
+  [[nodiscard]] std::int32_t vertices(std::size_t walk) const { return vertices_[walk]; }
+  /// The vertex where a telescope's walk has turned a conversion back, or -1.
+  [[nodiscard]] std::int32_t converted(std::size_t walk) const { return converted_[walk]; }
+  [[nodiscard]] bool connected(std::size_t walk) const { return outset_.integer(walk, 0) != 0; }
+  [[nodiscard]] Element<T> ray_path(std::size_t walk, std::int32_t m) const {
+    return ray_.real(one_slot(walk, m), path_member);
+  }
+  [[nodiscard]] Element<T> ray_rise(std::size_t walk, std::int32_t m) const {
+    return ray_.real(one_slot(walk, m), rise_member);
+  }
+  [[nodiscard]] Element<T> vertex_path(std::size_t walk, std::int32_t i) const {
+    return vertex_.real(one_slot(walk, i), path_member);
+  }
+
+  // Of one walk in each lane.
+  [[nodiscard]] Outset<T> outset(const Index<T>& walk) const {
+    Outset<T> outset = outset_.at(walk);
+    outset.spread.through_surface = through_surface_;
+    return outset;
+  }
+  [[nodiscard]] Ray ray(const Index<T>& walk, const Index<T>& m) const {
+    return ray_.at(slot(walk, m));
+  }
+  [[nodiscard]] Vertex vertex(const Index<T>& walk, const Index<T>& i) const {
+    return vertex_.at(slot(walk, i));
+  }
+  /// The same in each lane; 0 for -1.
+  [[nodiscard]] Index<T> conversion(const Index<T>& walk) const {
+    const Index<T> at = gather_index<T>(converted_.data(), walk);
+    return select(at >= Index<T>(0), at, Index<T>(0));
+  }
+  /// The vertical about which telescopes' walks may be turned.
+  [[nodiscard]] transport::Vertical<T> axis(const Index<T>& walk) const {
+    const Mask<T> exists = gather_index<T>(converted_.data(), walk) >= Index<T>(0);
+    if (!any(exists)) return {};
+    const Vec3<T> place = vertex(walk, conversion(walk)).position;
+    return {exists, place.x, place.y};
+  }
+
+  /// Vertex i as it is in a path of which perhaps not all strategies can be used.
+  [[nodiscard]] Vertex in_path(const Index<T>& walk, const Index<T>& i,
+                               const Usable<T>& usable) const {
+    Vertex v = vertex(walk, i);
+    const Mask<T> whole = usable.all();
+    if (all(whole)) return v;
+    transport::Densities<T> sum;
+    for (Index<T> k(1); any(k <= i); k = k + Index<T>(1))
+      add_last(k <= i, vertex(walk, select(k <= i, k, i)), k, usable, sum);
+    v.behind = select(whole, v.behind, sum);
+    const Mask<T> open = usable.connecting(from_telescope_ ? usable.order - i : i);
+    v.open = select(whole | open, v.open, T(0));
+    return v;
   }
   /// The densities of turning a telescope's walk about an axis so that it meets this walk of the
   /// laser at a vertex before vertex i.
-  [[nodiscard]] T turned_before(std::int32_t i, const Usable& usable,
+  [[nodiscard]] T turned_before(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
                                 const transport::Vertical<T>& other) const {
     T sum(0);
-    if (!other.exists) return sum;
-    for (std::int32_t n = 0; n < turns && turned[static_cast<std::size_t>(n)] <= i; ++n) {
-      const std::int32_t k = turned[static_cast<std::size_t>(n)];
-      if (usable.meeting(k)) sum += vertex[static_cast<std::size_t>(k)].last_turn.about(other);
+    if (!any(other.exists)) return sum;
+    const Index<T> count = gather_index<T>(turns_.data(), walk);
+    for (Index<T> n(0);; n = n + Index<T>(1)) {
+      const Mask<T> exists = n < count;
+      if (!any(exists)) return sum;
+      const Index<T> k =
+          gather_index<T>(turned_.data(), slot(walk, select(exists, n, Index<T>(0))));
+      const Mask<T> before = exists & (k <= i);
+      if (!any(before)) return sum;
+      const T density = vertex(walk, select(before, k, Index<T>(0))).last_turn.about(other);
+      sum = sum + select(before & usable.meeting(k), density, T(0));
     }
-    return sum;
   }
   /// Ray m as one side of a meeting. `freedom`: of the telescope's walk, as this walk sees it.
-  [[nodiscard]] transport::Side<T> side(std::int32_t m, const Usable& usable,
+  [[nodiscard]] transport::Side<T> side(const Ray& ray, const Index<T>& walk, const Index<T>& m,
+                                        const Usable<T>& usable,
                                         const transport::Freedom<T>& freedom) const {
-    const transport::Ray<T>& r = ray[static_cast<std::size_t>(m)];
-    transport::Side<T> side{r, spread(m)};
-    side.behind = behind(m, usable).all(freedom.shift_area);
-    if (!from_telescope) side.behind += turned_before(m - 1, usable, freedom.axis);
-    if (usable.meeting(passed(m, usable)))
-      side.last = freedom.shift_area * transport::turning(r.meeting, r.direction.z) +
-                  r.turn.about(freedom.axis);
+    transport::Side<T> side{ray, m == Index<T>(0), {}};
+    if (any(side.first)) side.spread = outset(walk).spread;
+    side.behind = behind(ray, walk, m, usable).all(freedom.shift_area);
+    if (!from_telescope_)
+      side.behind = side.behind + turned_before(walk, m - Index<T>(1), usable, freedom.axis);
+    side.last = select(usable.meeting(passed(m, usable)),
+                       freedom.shift_area * transport::turning(ray.meeting, ray.direction.z) +
+                           ray.turn.about(freedom.axis),
+                       T(0));
     return side;
   }
 
  private:
-  [[nodiscard]] transport::Densities<T> behind(std::int32_t m, const Usable& usable) const {
-    const transport::Ray<T>& r = ray[static_cast<std::size_t>(m)];
-    if (usable.all() || m == 0) return r.behind;
-    transport::Vertex<T> room;
-    transport::Densities<T> sum = in_path(m - 1, usable, room).behind;
-    if (usable.connecting(passed(m, usable) - (from_telescope ? 0 : 1))) sum.edges += r.last.edges;
-    return sum;
+  static constexpr std::size_t rise_member = 5, path_member = 7;  // of a transport::WalkPoint
+
+  static Index<T> slot(const Index<T>& walk, const Index<T>& i) {
+    return walk * Index<T>(most_vertices) + i;
+  }
+  static std::size_t one_slot(std::size_t walk, std::int32_t i) {
+    return walk * most_vertices + static_cast<std::size_t>(i);
+  }
+  [[nodiscard]] transport::Densities<T> behind(const Ray& ray, const Index<T>& walk,
+                                               const Index<T>& m, const Usable<T>& usable) const {
+    const Mask<T> first = m == Index<T>(0);
+    const Mask<T> whole = usable.all() | first;
+    if (all(whole)) return ray.behind;
+    auto sum = in_path(walk, select(first, m, m - Index<T>(1)), usable).behind;
+    const Mask<T> connecting =
+        usable.connecting(passed(m, usable) - Index<T>(from_telescope_ ? 0 : 1));
+    sum.edges = sum.edges + select(connecting, ray.last.edges, T(0));
+    return select(whole, ray.behind, sum);
   }
   /// The path's number of the vertex that ray m leaves.
-  [[nodiscard]] std::int32_t passed(std::int32_t m, const Usable& usable) const {
-    return from_telescope ? usable.order + 1 - m : m;
+  [[nodiscard]] Index<T> passed(const Index<T>& m, const Usable<T>& usable) const {
+    return from_telescope_ ? usable.order + Index<T>(1) - m : m;
   }
-  void add_last(const transport::Vertex<T>& v, std::int32_t m, const Usable& usable,
+  void add_last(const Mask<T>& mask, const Vertex& v, const Index<T>& m, const Usable<T>& usable,
                 transport::Densities<T>& sum) const {
-    const std::int32_t x = passed(m, usable);
-    if (usable.connecting(x - (from_telescope ? 0 : 1))) sum.edges += v.last.edges;
-    if (!usable.meeting(x)) return;
-    sum.meetings += v.last.meetings;
-    sum.turned += v.last.turned;
+    const Index<T> x = passed(m, usable);
+    const Mask<T> connecting = mask & usable.connecting(x - Index<T>(from_telescope_ ? 0 : 1));
+    const Mask<T> meeting = mask & usable.meeting(x);
+    sum.edges = sum.edges + select(connecting, v.last.edges, T(0));
+    sum.meetings = sum.meetings + select(meeting, v.last.meetings, T(0));
+    sum.turned = sum.turned + select(meeting, v.last.turned, T(0));
   }
-};
 
-/// The walks of one set: all of the laser's, and one of a telescope's at a time.
-template <class T>
-struct WalkSet {
-  explicit WalkSet(std::size_t walks) : from_laser(walks) { from_telescope.from_telescope = true; }
-  std::vector<Walk<T>> from_laser;
-  Walk<T> from_telescope;
+  bool from_telescope_, through_surface_;
+  Records<T, Outset<T>> outset_;
+  Records<T, Ray> ray_;
+  Records<T, Vertex> vertex_;
+  std::vector<std::int32_t> rays_, vertices_, turns_, converted_;  ///< of each walk
+  std::vector<std::int32_t> turned_;  ///< vertices with a last turn, of the laser's walks
 };
 
 }  // namespace photic::engine

@@ -156,10 +156,11 @@ struct Meeting {
 /// One side of a meeting.
 template <class T>
 struct Side {
-  const Ray<T>& ray;
-  const Spread<T>* spread;  ///< if it is the instrument's ray
-  T behind{};               ///< densities behind the ray
-  T last{};                 ///< of meeting where the ray begins, but for what is beyond it
+  Ray<T> ray;
+  Mask<T> first{};  ///< it leaves the instrument, as light that spreads so
+  Spread<T> spread;
+  T behind{};  ///< densities behind the ray
+  T last{};    ///< of meeting where the ray begins, but for what is beyond it
 };
 
 /// A laser's ray and a telescope's that meet at a depth in a layer.
@@ -200,8 +201,9 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
       back.chance / walk_c;
   const T ratio = walk_c_ratio<T>(sea, line, layer);
   const T connected =
-      back.chance * connecting_area(sea, laser, laser_side.spread, out, samples) * walked_home +
-      ratio * connecting_area(sea, back, side.spread, home, samples) * walked_out;
+      back.chance * connecting_area(sea, laser, laser_side.first, laser_side.spread, out, samples) *
+          walked_home +
+      ratio * connecting_area(sea, back, side.first, side.spread, home, samples) * walked_out;
   const T goes_on = back.chance * select(converts,
                                          reversal.chance(sea, line, layer) *
                                              reversal.over_phase(sea, -laser.direction, p),

@@ -35,7 +35,7 @@ Beginning<T> enter_if_above(const medium::MediumView& sea, const Photon<T>& phot
 /// The solid angle of a laser's cone; 0 of one that no connection can meet [sr].
 template <class T>
 T connectable_solid_angle(const instrument::Laser<T>& laser, const Vec3<T>& vertex) {
-  const bool meets = !laser.collimated && (laser.submerged || vertex.z > T(0));
+  const bool meets = !laser.collimated && (laser.submerged || any(vertex.z > T(0)));
   return meets ? T(2 * pi) * laser.one_minus_cos_divergence : T(0);
 }
 

@@ -103,6 +103,17 @@ struct Turn {
   Sweep<T> sweep{};
 
   T about(const Vertical<T>& axis) const { return density * sweep.about(axis); }
+
+  template <class F>
+  void each_member(F& f) {
+    f(density), f(sweep.x), f(sweep.y), f(sweep.along), f(sweep.aside);
+  }
+  friend Turn select(const Mask<T>& mask, const Turn& yes, const Turn& no) {
+    return {select(mask, yes.density, no.density),
+            {select(mask, yes.sweep.x, no.sweep.x), select(mask, yes.sweep.y, no.sweep.y),
+             select(mask, yes.sweep.along, no.sweep.along),
+             select(mask, yes.sweep.aside, no.sweep.aside)}};
+  }
 };
 
 /// Sums of n h / g.
@@ -113,6 +124,15 @@ struct Densities {
   T turned{};    ///< of turning, about the walk's own vertical
 
   T all(const T& shift_area) const { return edges + shift_area * meetings + turned; }
+
+  template <class F>
+  void each_member(F& f) {
+    f(edges), f(meetings), f(turned);
+  }
+  friend Densities select(const Mask<T>& mask, const Densities& yes, const Densities& no) {
+    return {select(mask, yes.edges, no.edges), select(mask, yes.meetings, no.meetings),
+            select(mask, yes.turned, no.turned)};
+  }
 };
 
 /// How a walk's light spreads from its instrument: from a point, in directions that are dense as
@@ -147,6 +167,22 @@ struct WalkPoint {
   T weight{};  ///< the path's contribution over the density drawn from, without the chances h
   T path{};    ///< [m]
   Index<T> line{}, layer{};
+
+  /// Calls f(member) for each; direction.z and path come sixth and eighth.
+  template <class F>
+  void each_member(F& f) {
+    f(position.x), f(position.y), f(position.z);
+    f(direction.x), f(direction.y), f(direction.z);
+    f(weight), f(path), f(line), f(layer);
+  }
+  friend WalkPoint select(const Mask<T>& mask, const WalkPoint& yes, const WalkPoint& no) {
+    return {select<T>(mask, yes.position, no.position),
+            select<T>(mask, yes.direction, no.direction),
+            select(mask, yes.weight, no.weight),
+            select(mask, yes.path, no.path),
+            select(mask, yes.line, no.line),
+            select(mask, yes.layer, no.layer)};
+  }
 };
 template <class T>
 WalkPoint<T> walk_point(const Photon<T>& photon) {
@@ -163,6 +199,26 @@ struct Ray : WalkPoint<T> {
   Densities<T> behind{};  ///< of all that is complete
   T meeting{};     ///< n h / g of meeting at the vertex, but for what is this ray's: P included
   Turn<T> turn{};  ///< the same of turning
+
+  template <class F>
+  void each_member(F f) {
+    WalkPoint<T>::each_member(f);
+    f(left_chance), f(chance), f(per_p), f(meeting);
+    last.each_member(f);
+    behind.each_member(f);
+    turn.each_member(f);
+  }
+  friend Ray select(const Mask<T>& mask, const Ray& yes, const Ray& no) {
+    return {
+        select(mask, static_cast<const WalkPoint<T>&>(yes), static_cast<const WalkPoint<T>&>(no)),
+        select(mask, yes.left_chance, no.left_chance),
+        select(mask, yes.chance, no.chance),
+        select(mask, yes.per_p, no.per_p),
+        select(mask, yes.last, no.last),
+        select(mask, yes.behind, no.behind),
+        select(mask, yes.meeting, no.meeting),
+        select(mask, yes.turn, no.turn)};
+  }
 };
 
 /// A walk as it arrives where it collides, before this collision.
@@ -176,6 +232,15 @@ struct Vertex : WalkPoint<T> {
   Turn<T> last_turn{};  ///< of turning to meet at the vertex before, complete by the last edge
   Densities<T> last{};  ///< of what has become complete by the last edge
   Densities<T> behind{};  ///< of all that is complete
+
+  template <class F>
+  void each_member(F f) {
+    WalkPoint<T>::each_member(f);
+    f(chance), f(open), f(meeting), f(turn);
+    last_turn.each_member(f);
+    last.each_member(f);
+    behind.each_member(f);
+  }
 };
 
 /// A walk's way from its last vertex, or its instrument, to where it is.
@@ -184,6 +249,11 @@ struct Leg {
   T length{};          ///< in the water [m]
   T walk_tau{};        ///< optical depth of the coefficient that free paths are drawn from
   Mask<T> mirrored{};  ///< it was reflected by the surface
+
+  friend Leg select(const Mask<T>& mask, const Leg& yes, const Leg& no) {
+    return {select(mask, yes.length, no.length), select(mask, yes.walk_tau, no.walk_tau),
+            select(mask, yes.mirrored, no.mirrored)};
+  }
 };
 
 /// Adds a flight of a photon that stood at `before` to its leg.
@@ -242,28 +312,32 @@ Ray<T> next_ray(const Photon<T>& photon, const Vertex<T>& from, const Departure<
 }
 
 /// n h / g of connecting the edge along a ray to a point `length` away, times P there and the
-/// walked exp(-tau). `spread` if the ray leaves an instrument.
+/// walked exp(-tau). `first`: the ray leaves the instrument, as light that spreads so.
 template <class T>
-T connecting_area(const medium::MediumView& sea, const Ray<T>& ray, const Spread<T>* spread,
-                  const T& length, const Samples<T>& samples) {
+T connecting_area(const medium::MediumView& sea, const Ray<T>& ray, const Mask<T>& first,
+                  const Spread<T>& spread, const T& length, const Samples<T>& samples) {
   using std::abs;
-  if (spread == nullptr) return samples.between * ray.left_chance * ray.per_p * (length * length);
-  return samples.to_instrument * spread->solid_angle /
-         solid_angle_per_area(sea, *spread, ray.line, length, T(abs(ray.direction.z)));
+  const T area = samples.between * ray.left_chance * ray.per_p * (length * length);
+  if (!any(first)) return area;
+  const T from_instrument =
+      samples.to_instrument * spread.solid_angle /
+      solid_angle_per_area(sea, spread, ray.line, length, T(abs(ray.direction.z)));
+  return select(first, from_instrument, area);
 }
 
-/// The vertex where a photon collides that came by a ray. `axis`: that of the walk.
+/// The vertex where a photon collides that came by a ray, which leaves the instrument if `first`.
+/// `axis`: that of the walk.
 template <class T>
-Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Spread<T>* spread,
-                    const Photon<T>& photon, const Leg<T>& leg, const Vertical<T>& axis,
-                    const Samples<T>& samples) {
+Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Mask<T>& first,
+                    const Spread<T>& spread, const Photon<T>& photon, const Leg<T>& leg,
+                    const Vertical<T>& axis, const Samples<T>& samples) {
   Vertex<T> v{walk_point(photon)};
   v.chance = ray.chance;
   const T growth = T(1) / exp_minus(leg.walk_tau);
   const T straight = select(leg.mirrored, T(0), growth);
   // A mirrored first edge can be connected: to the instrument's mirror image.
-  v.open = connecting_area(sea, ray, spread, leg.length, samples) *
-           (spread == nullptr ? straight : growth);
+  v.open = connecting_area(sea, ray, first, spread, leg.length, samples) *
+           select(first, growth, straight);
   const T drawn = ray.chance * straight / gather<T>(sea.walk_c, sea.at(photon.line, photon.layer));
   v.meeting = samples.meeting(-photon.position.z) * drawn * photon.direction.z;
   v.turn = samples.turned * T(2 * pi) * drawn;

@@ -25,8 +25,8 @@ constexpr std::uint32_t laser = 0, telescope = 1;
 
 TEST(Draws, AreIndependentIfAskedTo) {
   const auto world = world_with("random");
-  const Draws<double> draws{world, 7, 4, telescope};
-  EXPECT_EQ(draws(1, 1), uniforms(RandomPlace<double>{world.seed, 7, 1}, 5));
+  const Draws<double> draws{world, batch_photons, 4, telescope};
+  EXPECT_EQ(draws(7, 1, 1), uniforms(RandomPlace<double>{world.seed, batch_photons + 7, 1}, 5));
 }
 
 // Seen red: with photons of later batches at other points than those of the first.
@@ -36,10 +36,9 @@ TEST(Draws, OfAnyBatchFillTheirRange) {
     for (std::int32_t event = 0; event < 3; ++event) {
       for (std::size_t i = 0; i < 4; ++i) {
         std::set<int> cells;
-        for (std::uint64_t n = 0; n < 1024; ++n) {
-          const Draws<double> draws{world, batch * batch_photons + n, 4, telescope};
-          cells.insert(static_cast<int>(1024 * draws(event, 1)[i]));
-        }
+        const Draws<double> draws{world, batch * batch_photons, 4, telescope};
+        for (std::int32_t n = 0; n < 1024; ++n)
+          cells.insert(static_cast<int>(1024 * draws(n, event, 1)[i]));
         EXPECT_EQ(cells.size(), 1024U) << batch << ", " << event << ", " << i;
       }
     }
@@ -51,8 +50,9 @@ TEST(Draws, OfAnyBatchFillTheirRange) {
 TEST(Draws, FillTheLasersDisc) {
   const auto world = world_with("quasi-random");
   std::set<std::pair<int, int>> cells;
-  for (std::uint64_t n = 0; n < 1024; ++n) {
-    const auto u = Draws<double>{world, n, 0, laser}(0, 0);
+  const Draws<double> draws{world, 0, 0, laser};
+  for (std::int32_t n = 0; n < 1024; ++n) {
+    const auto u = draws(n, 0, 0);
     cells.emplace(static_cast<int>(32 * u[0]), static_cast<int>(32 * u[1]));
   }
   EXPECT_EQ(cells.size(), 1024U);
@@ -66,7 +66,7 @@ TEST(Draws, OfBatchesEventsAndBlocksDiffer) {
   std::size_t drawn = 0;
   const auto note = [&](const Draws<double>& draws, std::uint32_t block) {
     for (std::int32_t event = 0; event < 5; ++event) {
-      for (const double u : draws(event, block)) {
+      for (const double u : draws(0, event, block)) {
         seen.insert(u);
         ++drawn;
       }
@@ -84,8 +84,8 @@ TEST(Draws, OfBatchesEventsAndBlocksDiffer) {
 
 TEST(Draws, OfLaterEventsAreIndependent) {
   const auto world = world_with("quasi-random");
-  const Draws<double> draws{world, 7, 0, laser};
-  EXPECT_EQ(draws(3, 0), uniforms(RandomPlace<double>{world.seed, 7, 3}, 0));
+  const Draws<double> draws{world, 0, 0, laser};
+  EXPECT_EQ(draws(7, 3, 0), uniforms(RandomPlace<double>{world.seed, 7, 3}, 0));
 }
 
 }  // namespace

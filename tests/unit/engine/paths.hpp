@@ -67,14 +67,19 @@ inline transport::Way<double> way_to_lens(const World<double>& world, const Path
                 path.is_mirrored(path.order()));
 }
 
-/// Writes a walk along given places as take_walk() would have drawn it.
+/// Writes a walk along given places as a WalkTaker would have drawn it.
 class Writer {
  public:
   Writer(const World<double>& world, const transport::Samples<double>& samples,
-         const transport::Beginning<double>& begin)
-      : world_(world), samples_(samples), photon_(begin.photon) {
-    walk.begin = begin;
-    walk.add(transport::Ray<double>{transport::walk_point(photon_)});
+         const transport::Beginning<double>& begin, Outset<double> outset, bool from_telescope)
+      : walks(1, from_telescope, begin.spread.through_surface),
+        world_(world),
+        samples_(samples),
+        photon_(begin.photon),
+        spread_(begin.spread),
+        ray_{transport::walk_point(photon_)} {
+    outset.spread = begin.spread;
+    walks.begin(true, 0, outset, ray_);
   }
 
   void collide_at(const V& place, bool mirrored) {
@@ -87,8 +92,9 @@ class Writer {
     }
     fly_to(place, leg);
     photon_.weight *= world_.sea.collision_gain[here()];
-    walk.add(transport::vertex_on(world_.sea, walk.last_ray(), walk.spread(walk.rays - 1), photon_,
-                                  leg, walk.axis, samples_));
+    vertex_ = transport::vertex_on(world_.sea, ray_, walks.vertices(0) == 0, spread_, photon_, leg,
+                                   walks.axis(0), samples_);
+    walks.add(true, 0, walks.vertices(0), vertex_);
   }
 
   /// Goes on towards the next place. Only a telescope's walk `converts`.
@@ -109,14 +115,15 @@ class Writer {
       photon_.weight *=
           transport::conversion_per_emitted_c<double>(world_.sea, photon_.line, photon_.layer);
       photon_.line = 0;
-      walk.converts();
+      walks.converts(true, 0, walks.vertices(0) - 1);
     } else {
       photon_.weight *= world_.sea.albedo[here()];
     }
-    walk.add(transport::next_ray(photon_, walk.last_vertex(), departure));
+    ray_ = transport::next_ray(photon_, vertex_, departure);
+    walks.add(true, 0, walks.vertices(0), ray_);
   }
 
-  Walk<double> walk;
+  Walks<double> walks;
 
  private:
   [[nodiscard]] std::int32_t here() const { return world_.sea.at(photon_.line, photon_.layer); }
@@ -135,12 +142,15 @@ class Writer {
   const World<double>& world_;
   const transport::Samples<double>& samples_;
   transport::Photon<double> photon_;
+  transport::Spread<double> spread_;
+  transport::Ray<double> ray_;
+  transport::Vertex<double> vertex_;
 };
 
 /// The laser's walk with the first vertices of a path, and on its way to the next if it `leaves`.
-inline Walk<double> laser_walk(const World<double>& world,
-                               const transport::Samples<double>& samples, const Path& path,
-                               std::int32_t vertices, bool leaves) {
+inline Walks<double> laser_walk(const World<double>& world,
+                                const transport::Samples<double>& samples, const Path& path,
+                                std::int32_t vertices, bool leaves) {
   const auto& laser = world.laser;
   const V vertex = transport::fictitious_vertex(laser);
   transport::Photon<double> photon;
@@ -151,35 +161,38 @@ inline Walk<double> laser_walk(const World<double>& world,
   Writer writer(world, samples,
                 transport::enter_if_above(world.sea, photon,
                                           transport::connectable_solid_angle(laser, vertex), before,
-                                          laser.submerged));
+                                          laser.submerged),
+                {}, false);
   for (std::int32_t i = 1; i <= vertices; ++i) {
     writer.collide_at(path.x(i), path.is_mirrored(i - 1));
     if (i < vertices || leaves) writer.leave_for(path.x(i + 1), path.is_mirrored(i), false);
   }
-  return writer.walk;
+  return writer.walks;
 }
 
-/// The telescope's walk with the last vertices of a path, and on its way to the next.
-inline Walk<double> telescope_walk(const World<double>& world,
-                                   const transport::Samples<double>& samples, const Path& path,
-                                   std::int32_t vertices, bool leaves) {
+/// The telescope's walk with the last vertices of a path, and on its way to the next; it meets
+/// others at a grid's depths from `grid_offset` on.
+inline Walks<double> telescope_walk(const World<double>& world,
+                                    const transport::Samples<double>& samples, const Path& path,
+                                    std::int32_t vertices, bool leaves, double grid_offset = 0) {
   const auto& telescope = world.telescopes[0];
   const V outward = -way_to_lens(world, path).arriving;
+  Outset<double> outset;
+  outset.lens = path.lens;
+  outset.outward = outward;
+  outset.shift_area = shift_area(telescope, dot(outward, telescope.axis));
+  outset.grid_offset = grid_offset;
   Writer writer(world, samples,
                 transport::begin_at_telescope(world.sea, telescope, world.telescope_layer[0],
-                                              path.line, path.lens, outward));
-  Walk<double>& walk = writer.walk;
-  walk.from_telescope = true;
-  walk.lens = path.lens;
-  walk.outward = outward;
-  walk.shift_area = shift_area(telescope, dot(outward, telescope.axis));
+                                              path.line, path.lens, outward),
+                outset, true);
   const std::int32_t k = path.order();
   for (std::int32_t i = k; i > k - vertices; --i) {
     writer.collide_at(path.x(i), path.is_mirrored(i));
     if (i > k - vertices + 1 || leaves)
       writer.leave_for(path.x(i - 1), path.is_mirrored(i - 1), i == path.converted);
   }
-  return walk;
+  return writer.walks;
 }
 
 }  // namespace photic::engine

@@ -51,13 +51,13 @@ class Scores {
     const std::int32_t k = path_.order();
     const auto laser = laser_walk(world_, samples_, path_, edge, false);
     const auto back = telescope_walk(world_, samples_, path_, k - edge, false);
-    const Connections<double> connections(world_, receiver_, samples_, back, tally_);
+    Connections<double> connections(world_, receiver_, samples_, laser, back, tally_);
     if (edge == 0) {
-      connections.to_laser();
+      connections.to_laser(0);
     } else if (edge == k) {
-      connections.to_telescope(laser);
+      connections.to_telescope(0);
     } else {
-      connections.between(laser);
+      connections.between(0);
     }
     return taken();
   }
@@ -65,16 +65,16 @@ class Scores {
   /// Connecting edge 0 by a telescope's walk that goes on to other places and is converted there.
   double connecting_first_of_a_longer(const Path& longer) {
     const auto back = telescope_walk(world_, samples_, longer, longer.order(), false);
-    Connections<double>(world_, receiver_, samples_, back, tally_).to_laser();
+    Connections<double>(world_, receiver_, samples_, back, back, tally_).to_laser(0);
     return taken();
   }
 
   double meeting(std::int32_t i) {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
-    const auto back = telescope_walk(world_, samples_, path_, path_.order() - i, true);
-    const Connections<double> connections(world_, receiver_, samples_, back, tally_);
     const double number = grid.number(-path_.x(i).z);
-    connections.shifted(laser, number - std::floor(number));
+    const auto back = telescope_walk(world_, samples_, path_, path_.order() - i, true,
+                                     number - std::floor(number));
+    Connections<double>(world_, receiver_, samples_, laser, back, tally_).shifted(0, 0);
     return taken();
   }
 
@@ -83,8 +83,7 @@ class Scores {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
     const auto other = turned_before_conversion(path_, angle);
     const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true);
-    const Connections<double> connections(world_, receiver_, samples_, back, tally_);
-    connections.turned(laser);
+    Connections<double>(world_, receiver_, samples_, laser, back, tally_).turned(0, 0);
     return taken();
   }
 

@@ -63,6 +63,12 @@ Vertex<double> random_vertex(const medium::Medium& sea, Random& random) {
           random_densities(random)};
 }
 
+Mask<Lanes4> pack_mask(const Four<bool>& bits) {
+  Mask<Lanes4> mask;
+  for (std::size_t i = 0; i < lanes; ++i) mask.set(i, bits[i]);
+  return mask;
+}
+
 TEST(LanesOf, MeetingGrid) {
   Random random(65);
   for (int g = 0; g < groups; ++g) {
@@ -97,18 +103,18 @@ TEST(LanesOf, VertexOn) {
     });
     auto spread4 = pack_fields<Spread>(spread);
     spread4.through_surface = through_surface;
-    const bool first = random.chance(0.5);
+    const auto first = four([&] { return random.chance(0.5); });
     auto leg4 = pack_fields<Leg>(leg);
     add_flight(sea.view(), pack(before), pack(photon), leg4);
     const auto vertex4 =
-        vertex_on(sea.view(), pack_fields<Ray>(ray), first ? &spread4 : nullptr, pack(photon), leg4,
+        vertex_on(sea.view(), pack_fields<Ray>(ray), pack_mask(first), spread4, pack(photon), leg4,
                   pack_fields<Vertical>(axis), in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
       add_flight(sea.view(), before[i], photon[i], leg[i]);
       expect_same_fields(leg4, i, leg[i]);
-      expect_same_fields(vertex4, i,
-                         vertex_on(sea.view(), ray[i], first ? &spread[i] : nullptr, photon[i],
-                                   leg[i], axis[i], samples));
+      expect_same_fields(
+          vertex4, i,
+          vertex_on(sea.view(), ray[i], first[i], spread[i], photon[i], leg[i], axis[i], samples));
     }
   }
 }
@@ -210,7 +216,8 @@ TEST(LanesOf, ChordAndMeet) {
     const auto back4 = pack_fields<Ray>(back);
     const auto chord4 = chord(laser4, back4, instrument::make_telescope<Lanes4>(scene),
                               pack_fields<PlanePoint>(lens), Lanes4(40));
-    const bool first = random.chance(0.5), last = random.chance(0.5);
+    const auto first = four([&] { return random.chance(0.5); });
+    const auto last = four([&] { return random.chance(0.5); });
     const auto spread = four([&] {
       return Spread<double>{true, random.uniform(), random.uniform(), 1};
     });
@@ -220,16 +227,16 @@ TEST(LanesOf, ChordAndMeet) {
                b_last = uniforms4(random);
     const auto freedom = four([&] { return random_freedom(random); });
     const auto meeting4 = meet<Lanes4>(
-        sea.view(), {laser4, first ? &spread4 : nullptr, pack(a), pack(a_last)},
-        {back4, last ? &spread4 : nullptr, pack(b), pack(b_last)}, pack(depth), pack(layer),
+        sea.view(), {laser4, pack_mask(first), spread4, pack(a), pack(a_last)},
+        {back4, pack_mask(last), spread4, pack(b), pack(b_last)}, pack(depth), pack(layer),
         pack_fields<Freedom>(freedom), in_all_lanes(reversal), in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto c = chord(laser[i], back[i], telescope, lens[i], 40.0);
       expect_same_fields(chord4, i, c);
       exists += c.exists;
       const auto meeting =
-          meet<double>(sea.view(), {laser[i], first ? &spread[i] : nullptr, a[i], a_last[i]},
-                       {back[i], last ? &spread[i] : nullptr, b[i], b_last[i]}, depth[i], layer[i],
+          meet<double>(sea.view(), {laser[i], first[i], spread[i], a[i], a_last[i]},
+                       {back[i], last[i], spread[i], b[i], b_last[i]}, depth[i], layer[i],
                        freedom[i], reversal, samples);
       // A meeting is promised ahead of both rays alone, none of them level.
       const auto ahead = [&](const Ray<double>& r) {
