@@ -104,8 +104,9 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags
               "Number of threads [default: all cores]; the result does not depend on it");
   sub.add_option(
          "--engine", run.engine,
-         "What walks the photons: scalar (in double, the reference) or lanes (many at a "
-         "time in float; forward estimator) [default: scalar, or what --continue goes on from]")
+         "What walks the photons: lanes (many at a time in float) or scalar (in double, the "
+         "reference) [default: lanes, or what --continue goes on from; scalar where an instrument "
+         "is farther than 3 km]")
       ->type_name("ENGINE")
       ->check(CLI::IsMember({"scalar", "lanes"}));
   sub.add_option("--isa", run.isa,

@@ -12,8 +12,18 @@
 #include <concepts>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 namespace photic {
+
+/// f(0), f(1), … f(n - 1) with constants: what is indexed by them can stay in registers.
+template <std::size_t n, class F>
+void unrolled(F f) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (f(std::integral_constant<std::size_t, i>()), ...);
+  }(std::make_index_sequence<n>());
+}
 
 /// What belongs to a lane type: its mask, its integers, its element.
 template <class T>

@@ -310,6 +310,12 @@ Index<T> lane_numbers() {
   return out;
 }
 
+/// Lane j of row i becomes lane i of row j.
+template <class E, int N, std::size_t rows>
+void transpose(std::array<Pack<E, N>, rows>& row) {
+  static_assert(rows == N);
+  native::transpose<N>(row);
+}
 template <class E, int N>
 Pack<E, N> permute(const Pack<E, N>& from, const Pack<std::int32_t, N>& lane) {
   return Pack<E, N>::of(native::permute<N, E>(from.v, lane.v));

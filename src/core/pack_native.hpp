@@ -17,6 +17,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/lanes.hpp"
+
 namespace photic::native {
 
 template <class E, int N>
@@ -254,6 +256,23 @@ void compress(MaskBits<N> mask, const Vector<E, N>& lanes, E* to) {
 }
 
 /// The lower or the upper half of the lanes.
+/// Swaps the halves off the diagonal of each square of 2 x step rows and lanes.
+template <std::size_t step, std::size_t N, class V, std::size_t... l>
+void swap_off_diagonal(V& a, V& b, std::index_sequence<l...>) {
+  const V above = a;
+  a = __builtin_shufflevector(a, b, ((l & step) != 0 ? N + l - step : l)...);
+  b = __builtin_shufflevector(above, b, ((l & step) != 0 ? N + l : l + step)...);
+}
+/// Lane j of row i of N becomes lane i of row j.
+template <int N, std::size_t step = 1, class Rows>
+void transpose(Rows& row) {
+  photic::unrolled<N>([&](auto i) {
+    if constexpr ((i & step) == 0)
+      swap_off_diagonal<step, N>(row[i].v, row[i + step].v, std::make_index_sequence<N>());
+  });
+  if constexpr (2 * step < N) transpose<N, 2 * step>(row);
+}
+
 /// from[lane], lane by lane.
 template <int N, class E>
 Vector<E, N> permute(const Vector<E, N>& from, const Vector<std::int32_t, N>& lane) {

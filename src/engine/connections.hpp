@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "core/flatten.hpp"
 #include "engine/waiting_room.hpp"
@@ -34,6 +35,7 @@ struct Pair {
   transport::Ray<T> out, back;
   Outset<T> outset;  ///< of the telescope's walk
   Ends<T> ends;
+  transport::LensLine<T> lens;  ///< where it comes through, if it is shifted
 
   template <class F>
   void each_member(F f) {
@@ -41,6 +43,7 @@ struct Pair {
     back.each_member(f);
     outset.each_member(f);
     ends.each_member(f);
+    f(lens.at_surface.x), f(lens.at_surface.y), f(lens.per_depth.x), f(lens.per_depth.y);
   }
 };
 
@@ -57,8 +60,7 @@ class Connections {
         samples_(samples),
         laser_(from_laser),
         back_(from_telescope),
-        tally_(tally),
-        last_path_(each_lane(world.last_path)[0]) {}
+        tally_(tally) {}
 
   /// The laser's walk with the point of the lens of the telescope's that goes with it: the local
   /// estimate of a single ray.
@@ -82,12 +84,6 @@ class Connections {
   using Joint = transport::Joint<T>;
   using Room = WaitingRoom<T, Ends<T>>;
 
-  template <class Serve>
-  void admit(Room& room, std::size_t laser, std::int32_t i, std::size_t back, std::int32_t m,
-             Serve serve) {
-    room.admit_one({static_cast<std::int32_t>(laser), i, static_cast<std::int32_t>(back), m},
-                   serve);
-  }
   template <class Act>
   void each_pair(std::size_t laser, std::size_t back, std::int32_t first, Act act) const;
 
@@ -95,9 +91,7 @@ class Connections {
   void serve_to_telescope(const Ends<T>& ends, const Mask<T>& mask);
   void serve_to_laser(const Ends<T>& ends, const Mask<T>& mask);
   void serve_between(const Ends<T>& ends, const Mask<T>& mask);
-  void serve_rays(const Ends<T>& ends, const Mask<T>& mask);
   void serve_chords(const Ends<T>& ends, const Mask<T>& mask);
-  void serve_turned_rays(const Ends<T>& ends, const Mask<T>& mask);
   void serve_crossings(const Ends<T>& ends, const Mask<T>& mask, std::size_t which);
 
   void by_way(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v, const T& turned,
@@ -117,8 +111,10 @@ class Connections {
   [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {
     return (line == Index<T>(0)) | (gather<T>(sea_.conversion, sea_.at(line, layer)) > T(0));
   }
-  [[nodiscard]] bool beyond_last(std::int32_t order) const {
-    return world_.last_order > 0 && order > world_.last_order;
+  /// Whether paths of an order can still be scored.
+  [[nodiscard]] Mask<T> in_order(const Index<T>& order) const {
+    return order <= Index<T>(world_.last_order > 0 ? world_.last_order
+                                                   : std::numeric_limits<std::int32_t>::max());
   }
   /// Where the light of a telescope's walk was last scattered.
   [[nodiscard]] T last_depth(const Index<T>& back) const {
@@ -156,16 +152,31 @@ class Connections {
   const Walks<T>& laser_;
   const Walks<T>& back_;
   tally::BatchTally& tally_;
-  Element<T> last_path_;
-  Room to_telescope_, to_laser_, between_, rays_, chords_, turned_rays_;
+  Room to_telescope_, to_laser_, between_, chords_;
   std::array<Room, 2> crossings_;
 };
 
+/// Calls act(Index, mask) for the whole numbers below `count`, so many at a time as there are
+/// lanes.
+template <class T, class Act>
+void each_index(std::int32_t count, Act act) {
+  for (std::int32_t base = 0; base < count; base += lanes_of<T>) {
+    const Index<T> i = Index<T>(base) + lane_numbers<T>();
+    act(i, i < Index<T>(count));
+  }
+}
+
+template <class T>
+Ends<T> ends_of(std::size_t laser, const Index<T>& i, std::size_t back, const Index<T>& m) {
+  return {Index<T>(laser), i, Index<T>(back), m};
+}
+
 template <class T>
 void Connections<T>::to_telescope(std::size_t walk) {
-  for (std::int32_t i = 0; i < laser_.vertices(walk); ++i)
-    admit(to_telescope_, walk, i, walk, 0,
-          [this](const auto& ends, const auto& mask) { serve_to_telescope(ends, mask); });
+  each_index<T>(laser_.vertices(walk), [&](const Index<T>& i, const Mask<T>& mask) {
+    to_telescope_.admit(mask, ends_of<T>(walk, i, walk, Index<T>(0)),
+                        [this](const auto& e, const auto& all) { serve_to_telescope(e, all); });
+  });
 }
 
 template <class T>
@@ -226,9 +237,10 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
 
 template <class T>
 void Connections<T>::to_laser(std::size_t walk) {
-  for (std::int32_t m = 0; m < back_.vertices(walk); ++m)
-    admit(to_laser_, walk, 0, walk, m,
-          [this](const auto& ends, const auto& mask) { serve_to_laser(ends, mask); });
+  each_index<T>(back_.vertices(walk), [&](const Index<T>& m, const Mask<T>& mask) {
+    to_laser_.admit(mask, ends_of<T>(walk, Index<T>(0), walk, m),
+                    [this](const auto& e, const auto& all) { serve_to_laser(e, all); });
+  });
 }
 
 template <class T>
@@ -286,14 +298,16 @@ void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, c
 
 template <class T>
 void Connections<T>::between(std::size_t walk) {
-  for (std::int32_t i = 0; i < laser_.vertices(walk); ++i) {
+  each_index<T>(laser_.vertices(walk), [&](const Index<T>& i, const Mask<T>& mask) {
+    const T path = laser_.vertex(Index<T>(walk), i).path;
     for (std::int32_t m = 0; m < back_.vertices(walk); ++m) {
-      if (beyond_last(i + m + 2)) break;
-      if (!(laser_.vertex_path(walk, i) + back_.vertex_path(walk, m) < last_path_)) break;
-      admit(between_, walk, i, walk, m,
-            [this](const auto& ends, const auto& mask) { serve_between(ends, mask); });
+      const Mask<T> may = mask & in_order(i + Index<T>(m + 2)) &
+                          (path + back_.vertex_in_all_lanes(walk, m).path < world_.last_path);
+      if (!any(may)) break;
+      between_.admit(may, ends_of<T>(walk, i, walk, Index<T>(m)),
+                     [this](const auto& e, const auto& all) { serve_between(e, all); });
     }
-  }
+  });
 }
 
 template <class T>
@@ -349,39 +363,37 @@ void Connections<T>::along(const Ends<T>& ends, const Mask<T>& mask, const Index
         last_depth(ends.back), usable.order);
 }
 
-/// Calls act(i, m) for all rays i of the laser's walk and m of the telescope's, from `first` on,
-/// that may meet in time.
+/// Calls act(ends, mask, ray i, ray m) for all rays i of the laser's walk and m of the telescope's,
+/// from `first` on, that may meet in time.
 template <class T>
 template <class Act>
 void Connections<T>::each_pair(std::size_t laser, std::size_t back, std::int32_t first,
                                Act act) const {
-  for (std::int32_t m = first; m < back_.rays(back); ++m) {
-    const auto path = back_.ray_path(back, m);
-    const auto rise = back_.ray_rise(back, m);
-    for (std::int32_t i = 0; i < laser_.rays(laser); ++i) {
-      if (beyond_last(i + m + 1) || !(laser_.ray_path(laser, i) + path < last_path_)) break;
-      if (laser_.ray_rise(laser, i) * rise > 0) act(i, m);
+  each_index<T>(laser_.rays(laser), [&](const Index<T>& i, const Mask<T>& mask) {
+    const Ray out = laser_.ray(Index<T>(laser), i);
+    for (std::int32_t m = first; m < back_.rays(back); ++m) {
+      const Ray home = back_.ray_in_all_lanes(back, m);
+      const Mask<T> in_time =
+          mask & in_order(i + Index<T>(m + 1)) & (out.path + home.path < world_.last_path);
+      if (!any(in_time)) break;
+      const Mask<T> may = in_time & (out.direction.z * home.direction.z > T(0));
+      if (any(may)) act(ends_of<T>(laser, i, back, Index<T>(m)), may, out, home);
     }
-  }
-}
-
-template <class T>
-void Connections<T>::shifted(std::size_t laser, std::size_t back) {
-  if (!telescope_.upright) return;
-  each_pair(laser, back, 0, [&](std::int32_t i, std::int32_t m) {
-    admit(rays_, laser, i, back, m,
-          [this](const auto& ends, const auto& mask) { serve_rays(ends, mask); });
   });
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_rays(const Ends<T>& ends, const Mask<T>& mask) {
-  const auto outset = back_.outset(ends.back);
-  const auto chord = transport::chord(laser_.ray(ends.laser, ends.i), back_.ray(ends.back, ends.m),
-                                      telescope_, outset.lens, world_.deepest);
-  const Mask<T> meet = mask & chord.exists & (outset.shift_area > T(0));
-  if (!any(meet)) return;
-  chords_.admit(meet, ends, [this](const auto& full, const auto& all) { serve_chords(full, all); });
+PHOTIC_FLATTEN void Connections<T>::shifted(std::size_t laser, std::size_t back) {
+  const auto outset = back_.outset_in_all_lanes(back);
+  if (!any(outset.shift_area > T(0))) return;
+  each_pair(
+      laser, back, 0, [&](const auto& ends, const auto& mask, const Ray& out, const Ray& home) {
+        const auto chord = transport::chord(out, home, telescope_, outset.lens, world_.deepest);
+        const Mask<T> meet = mask & chord.exists;
+        if (any(meet))
+          chords_.admit(meet, ends,
+                        [this](const auto& e, const auto& all) { serve_chords(e, all); });
+      });
 }
 
 /// Calls act(which lane, number, mask) for all whole numbers from `first` to below `last` of the
@@ -416,17 +428,18 @@ void each_number(const Mask<T>& mask, const T& first, const T& last, Act act) {
 template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_chords(const Ends<T>& ends, const Mask<T>& mask) {
   const auto& grid = samples_.grid;
-  const auto outset = back_.outset(ends.back);
-  const Pair<T> pairs{laser_.ray(ends.laser, ends.i), back_.ray(ends.back, ends.m), outset, ends};
+  Pair<T> pairs{laser_.ray(ends.laser, ends.i),
+                back_.ray(ends.back, ends.m),
+                back_.outset(ends.back),
+                ends,
+                {}};
   const auto chord =
-      transport::chord(pairs.out, pairs.back, telescope_, outset.lens, world_.deepest);
+      transport::chord(pairs.out, pairs.back, telescope_, pairs.outset.lens, world_.deepest);
+  pairs.lens = chord.lens;
   const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
-    const Pair<T> pair = of_lanes<T>(pairs, lane);
+    const auto& pair = of_lanes<T>(pairs, lane);
     const T depth = grid.depth(number + pair.outset.grid_offset);
-    const auto through =
-        transport::chord(pair.out, pair.back, telescope_, pair.outset.lens, world_.deepest);
-    const instrument::PlanePoint<T> lens{through.lens.x + depth * through.per_depth.x,
-                                         through.lens.y + depth * through.per_depth.y};
+    const auto lens = pair.lens.at(depth);
     const Mask<T> passes = points & open_at(telescope_, lens) &
                            sight(telescope_, lens, -pair.outset.outward).on_detector;
     if (!any(passes)) return;
@@ -436,34 +449,36 @@ PHOTIC_FLATTEN void Connections<T>::serve_chords(const Ends<T>& ends, const Mask
     axis.y = axis.y + shift.y;
     meet_at(pair, passes, pair.back, axis, depth, T(1));
   };
-  each_number(mask, grid.number(chord.from) - outset.grid_offset,
-              grid.number(chord.to) - outset.grid_offset, meet_on_grid);
+  each_number(mask, grid.number(chord.from) - pairs.outset.grid_offset,
+              grid.number(chord.to) - pairs.outset.grid_offset, meet_on_grid);
 }
 
 template <class T>
-void Connections<T>::turned(std::size_t laser, std::size_t back) {
+PHOTIC_FLATTEN void Connections<T>::turned(std::size_t laser, std::size_t back) {
   if (!any(samples_.turned > T(0)) || back_.converted(back) < 0) return;
-  each_pair(laser, back, back_.converted(back) + 1, [&](std::int32_t i, std::int32_t m) {
-    admit(turned_rays_, laser, i, back, m,
-          [this](const auto& ends, const auto& mask) { serve_turned_rays(ends, mask); });
-  });
-}
-
-template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_turned_rays(const Ends<T>& ends, const Mask<T>& mask) {
-  const auto crossings =
-      transport::crossings(laser_.ray(ends.laser, ends.i), back_.ray(ends.back, ends.m),
-                           back_.axis(ends.back), world_.deepest);
-  for (std::size_t n = 0; n < crossings_.size(); ++n)
-    crossings_[n].admit(mask & crossings.exists[n], ends,
-                        [this, n](const auto& e, const auto& all) { serve_crossings(e, all, n); });
+  const auto axis = back_.axis(Index<T>(back));
+  const std::int32_t first = back_.converted(back) + 1;
+  each_pair(laser, back, first,
+            [&](const auto& ends, const auto& mask, const Ray& out, const Ray& home) {
+              const auto crossings = transport::crossings(out, home, axis, world_.deepest);
+              for (std::size_t n = 0; n < crossings_.size(); ++n) {
+                const Mask<T> meet = mask & crossings.exists[n];
+                if (!any(meet)) continue;
+                crossings_[n].admit(meet, ends, [this, n](const auto& e, const auto& all) {
+                  serve_crossings(e, all, n);
+                });
+              }
+            });
 }
 
 template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Ends<T>& ends, const Mask<T>& mask,
                                                     std::size_t which) {
-  const Pair<T> pair{laser_.ray(ends.laser, ends.i), back_.ray(ends.back, ends.m),
-                     back_.outset(ends.back), ends};
+  const Pair<T> pair{laser_.ray(ends.laser, ends.i),
+                     back_.ray(ends.back, ends.m),
+                     back_.outset(ends.back),
+                     ends,
+                     {}};
   const auto axis = back_.axis(ends.back);
   const T depth = transport::crossings(pair.out, pair.back, axis, world_.deepest).depth[which];
   const auto turn = transport::turn_to_meet(pair.out, pair.back, axis, depth);
@@ -483,7 +498,7 @@ PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Ends<T>& ends, const M
 template <class T>
 void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Ray& moved,
                              const transport::Vertical<T>& axis, const T& depth, const T& gain) {
-  const auto& [out, back, outset, ends] = pair;
+  const auto& [out, back, outset, ends, lens] = pair;
   const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
   const Mask<T> emitting = mask & emits(back.line, layer);
   if (!any(emitting)) return;
@@ -506,9 +521,7 @@ void Connections<T>::close() {
   to_telescope_.close([this](const auto& e, const auto& mask) { serve_to_telescope(e, mask); });
   to_laser_.close([this](const auto& e, const auto& mask) { serve_to_laser(e, mask); });
   between_.close([this](const auto& e, const auto& mask) { serve_between(e, mask); });
-  rays_.close([this](const auto& e, const auto& mask) { serve_rays(e, mask); });
   chords_.close([this](const auto& e, const auto& mask) { serve_chords(e, mask); });
-  turned_rays_.close([this](const auto& e, const auto& mask) { serve_turned_rays(e, mask); });
   for (std::size_t n = 0; n < crossings_.size(); ++n)
     crossings_[n].close([&](const auto& e, const auto& mask) { serve_crossings(e, mask, n); });
 }

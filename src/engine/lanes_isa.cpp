@@ -43,7 +43,7 @@ class BidirectionalLanes final : public Simulator {
   using Walks = Bidirectional<Lanes, LaneLedger<Lanes>>;
   /// Sets of walks at once: so many that few packs are partly empty, and all stay in the second
   /// cache.
-  static constexpr std::size_t at_once = 125;
+  static constexpr std::size_t at_once = 250;
 
   /// What a thread needs, which is large: used again from batch to batch.
   [[nodiscard]] std::unique_ptr<Walks> take() const {

@@ -62,13 +62,21 @@ tally::Result result_of(const Problem& problem, const tally::Totals& totals, con
   return result;
 }
 
-/// Throws InputError for lanes that the processor does not have.
-void check_lanes(Isa isa) {
-  if (runs_here(isa)) return;
-  throw InputError(
-      {{.file = fmt::format("--isa {}", isa_name(isa)),
-        .reason = "this processor does not have it",
-        .suggestion = fmt::format("leave it out, or choose {}", isa_name(isas_here().back()))}});
+/// Throws InputError for lanes that the processor does not have, or that are too coarse.
+void check_lanes(const scene::Scene& scene, Isa isa) {
+  if (!runs_here(isa)) {
+    throw InputError(
+        {{.file = fmt::format("--isa {}", isa_name(isa)),
+          .reason = "this processor does not have it",
+          .suggestion = fmt::format("leave it out, or choose {}", isa_name(isas_here().back()))}});
+  }
+  if (!lanes_resolve(scene)) {
+    throw InputError({{.file = "--engine lanes",
+                       .reason = fmt::format("cannot time light from instruments farther than {} m "
+                                             "from the origin: lanes are floats",
+                                             float_reach_m),
+                       .suggestion = "--engine scalar, or leave it out"}});
+  }
 }
 
 tally::Totals run_batches(const Problem& problem, Conductor& conductor, std::optional<Isa> lanes) {
@@ -81,7 +89,7 @@ tally::Totals run_batches(const Problem& problem, Conductor& conductor, std::opt
 template tally::Totals run_batches<double>(const Problem& problem, Conductor& conductor);
 
 tally::Result run(const scene::Scene& asked, const RunOptions& options) {
-  if (options.lanes) check_lanes(*options.lanes);
+  if (options.lanes) check_lanes(asked, *options.lanes);
   const scene::Scene scene = choose_estimator(asked, options);
   const Problem problem = make_problem(scene);
   Conductor conductor(scene.simulation, options);

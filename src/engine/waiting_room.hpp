@@ -28,21 +28,6 @@ class WaitingRoom {
       serve_full(serve);
     }
   }
-  /// Adds one in a lane of its own.
-  template <class Serve>
-  void admit_one(const std::array<std::int32_t, Item::integers>& item, Serve serve) {
-    static_assert(Item::reals == 0);
-    if constexpr (lanes == 1) {
-      Item one;
-      std::size_t k = 0;
-      one.each_member([&](auto& member) { member = item[k++]; });
-      serve(one, true);
-    } else {
-      for (std::size_t k = 0; k < item.size(); ++k) integer_[k][waiting_] = item[k];
-      ++waiting_;
-      serve_full(serve);
-    }
-  }
   /// Serves those who are left.
   template <class Serve>
   void close(Serve serve) {

@@ -37,13 +37,14 @@ struct Outset {
   Vec3<T> outward{};
   T shift_area{};         ///< [m^2]
   T grid_offset{};        ///< of the depths where it meets others, 0 to 1 of a step
-  Index<T> connected{1};  ///< 1: with the vertices of a laser's walk; 0: not
+  Index<T> connected{1};  ///< with the vertices of a laser's walk: 1 or 0
 
+  static constexpr std::size_t members = 10;
   template <class F>
   void each_member(F f) {
     f(spread.before), f(spread.cos_air), f(spread.solid_angle);
     f(lens.x), f(lens.y), f(outward.x), f(outward.y), f(outward.z);
-    f(shift_area), f(grid_offset), f(connected);
+    f(shift_area), f(grid_offset);
   }
 };
 
@@ -60,17 +61,19 @@ class Walks {
       : from_telescope_(from_telescope),
         through_surface_(through_surface),
         outset_(walks),
-        ray_(walks * most_vertices),
-        vertex_(walks * most_vertices),
+        ray_(walks * stride),
+        vertex_(walks * stride),
         rays_(walks),
         vertices_(walks),
         turns_(walks),
         converted_(walks),
-        turned_(walks * most_vertices) {}
+        connected_(walks),
+        turned_(walks * stride) {}
 
   // Written by walkers, in the lanes of a mask.
   void begin(const Mask<T>& mask, const Index<T>& walk, const Outset<T>& outset, const Ray& first) {
     outset_.put(mask, walk, outset);
+    scatter(mask, walk, outset.connected, connected_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
     scatter(mask, walk, Index<T>(0), turns_.data());
     scatter(mask, walk, Index<T>(-1), converted_.data());
@@ -104,15 +107,17 @@ class Walks {
   [[nodiscard]] std::int32_t vertices(std::size_t walk) const { return vertices_[walk]; }
   /// The vertex where a telescope's walk has turned a conversion back, or -1.
   [[nodiscard]] std::int32_t converted(std::size_t walk) const { return converted_[walk]; }
-  [[nodiscard]] bool connected(std::size_t walk) const { return outset_.integer(walk, 0) != 0; }
-  [[nodiscard]] Element<T> ray_path(std::size_t walk, std::int32_t m) const {
-    return ray_.real(one_slot(walk, m), path_member);
+  [[nodiscard]] bool connected(std::size_t walk) const { return connected_[walk] != 0; }
+
+  // Of one walk, in all lanes.
+  [[nodiscard]] Outset<T> outset_in_all_lanes(std::size_t walk) const {
+    return outset_.in_all_lanes(walk);
   }
-  [[nodiscard]] Element<T> ray_rise(std::size_t walk, std::int32_t m) const {
-    return ray_.real(one_slot(walk, m), rise_member);
+  [[nodiscard]] Ray ray_in_all_lanes(std::size_t walk, std::int32_t m) const {
+    return ray_.in_all_lanes(walk * stride + static_cast<std::size_t>(m));
   }
-  [[nodiscard]] Element<T> vertex_path(std::size_t walk, std::int32_t i) const {
-    return vertex_.real(one_slot(walk, i), path_member);
+  [[nodiscard]] Vertex vertex_in_all_lanes(std::size_t walk, std::int32_t i) const {
+    return vertex_.in_all_lanes(walk * stride + static_cast<std::size_t>(i));
   }
 
   // Of one walk in each lane.
@@ -189,13 +194,12 @@ class Walks {
   }
 
  private:
-  static constexpr std::size_t rise_member = 5, path_member = 7;  // of a transport::WalkPoint
+  /// From one walk to the next: odd, or the first vertices of all would want the same few places of
+  /// a cache.
+  static constexpr std::size_t stride = most_vertices + 1;
 
   static Index<T> slot(const Index<T>& walk, const Index<T>& i) {
-    return walk * Index<T>(most_vertices) + i;
-  }
-  static std::size_t one_slot(std::size_t walk, std::int32_t i) {
-    return walk * most_vertices + static_cast<std::size_t>(i);
+    return walk * Index<T>(stride) + i;
   }
   [[nodiscard]] transport::Densities<T> behind(const Ray& ray, const Index<T>& walk,
                                                const Index<T>& m, const Usable<T>& usable) const {
@@ -226,7 +230,7 @@ class Walks {
   Records<T, Outset<T>> outset_;
   Records<T, Ray> ray_;
   Records<T, Vertex> vertex_;
-  std::vector<std::int32_t> rays_, vertices_, turns_, converted_;  ///< of each walk
+  std::vector<std::int32_t> rays_, vertices_, turns_, converted_, connected_;  ///< of each walk
   std::vector<std::int32_t> turned_;  ///< vertices with a last turn, of the laser's walks
 };
 

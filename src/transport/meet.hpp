@@ -32,13 +32,23 @@ Span<T> common_span(const Ray<T>& laser, const Ray<T>& back, const T& deepest) {
   return {Mask<T>(same_way & (to > from)), from, to};
 }
 
+/// Where a telescope's walk comes through the lens if it is shifted to meet a ray at a depth.
+template <class T>
+struct LensLine {
+  instrument::PlanePoint<T> at_surface{};  ///< for a meeting at the surface's level
+  instrument::PlanePoint<T> per_depth{};   ///< and how that moves per metre of depth
+
+  instrument::PlanePoint<T> at(const T& depth) const {
+    return {at_surface.x + depth * per_depth.x, at_surface.y + depth * per_depth.y};
+  }
+};
+
 /// The depths between which two rays can meet so that the telescope's walk comes through the lens.
 template <class T>
 struct Chord {
   Mask<T> exists;
-  T from, to;                      ///< depth [m]
-  instrument::PlanePoint<T> lens;  ///< where it comes through for a meeting at the surface's level
-  instrument::PlanePoint<T> per_depth;  ///< and how that moves per metre of depth
+  T from, to;  ///< depth [m]
+  LensLine<T> lens;
 };
 
 /// `lens`: where the walk came through the lens; `deepest`: of the water [m].
@@ -52,16 +62,18 @@ Chord<T> chord(const Ray<T>& laser, const Ray<T>& back, const instrument::Telesc
   const Vec3<T> at_surface = (laser.position - (laser.position.z * a) * laser.direction) -
                              (back.position - (back.position.z * b) * back.direction);
   Chord<T> c;
-  c.lens = {lens.x + dot(at_surface, telescope.across), lens.y + dot(at_surface, telescope.up)};
-  c.per_depth = {dot(slope, telescope.across), dot(slope, telescope.up)};
-  const T squared = c.per_depth.x * c.per_depth.x + c.per_depth.y * c.per_depth.y;
+  const instrument::PlanePoint<T> at{lens.x + dot(at_surface, telescope.across),
+                                     lens.y + dot(at_surface, telescope.up)};
+  const instrument::PlanePoint<T> per_depth{dot(slope, telescope.across), dot(slope, telescope.up)};
+  c.lens = {at, per_depth};
+  const T squared = per_depth.x * per_depth.x + per_depth.y * per_depth.y;
   const Mask<T> moves = squared > T(1e-18);
   const T per_square = T(1) / select(moves, squared, T(1));
-  const T middle = -(c.lens.x * c.per_depth.x + c.lens.y * c.per_depth.y) * per_square;
-  const T x = c.lens.x * c.per_depth.y - c.lens.y * c.per_depth.x;
+  const T middle = -(at.x * per_depth.x + at.y * per_depth.y) * per_square;
+  const T x = at.x * per_depth.y - at.y * per_depth.x;
   const T radius = telescope.lens_radius;
   const T half = (radius * radius * squared - x * x) * per_square * per_square;
-  const Mask<T> inside = c.lens.x * c.lens.x + c.lens.y * c.lens.y < radius * radius;
+  const Mask<T> inside = at.x * at.x + at.y * at.y < radius * radius;
   const T reach = select(moves, sqrt(select(half > T(0), half, T(0))), deepest);
   c.from = select(moves, middle, T(0)) - reach;
   c.to = select(moves, middle, T(0)) + reach;

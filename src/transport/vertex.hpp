@@ -168,7 +168,7 @@ struct WalkPoint {
   T path{};    ///< [m]
   Index<T> line{}, layer{};
 
-  /// Calls f(member) for each; direction.z and path come sixth and eighth.
+  /// Calls f(member) for each.
   template <class F>
   void each_member(F& f) {
     f(position.x), f(position.y), f(position.z);
@@ -200,6 +200,7 @@ struct Ray : WalkPoint<T> {
   T meeting{};     ///< n h / g of meeting at the vertex, but for what is this ray's: P included
   Turn<T> turn{};  ///< the same of turning
 
+  static constexpr std::size_t members = 25;
   template <class F>
   void each_member(F f) {
     WalkPoint<T>::each_member(f);
@@ -233,6 +234,7 @@ struct Vertex : WalkPoint<T> {
   Densities<T> last{};  ///< of what has become complete by the last edge
   Densities<T> behind{};  ///< of all that is complete
 
+  static constexpr std::size_t members = 25;
   template <class F>
   void each_member(F f) {
     WalkPoint<T>::each_member(f);

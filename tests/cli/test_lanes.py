@@ -1,4 +1,4 @@
-"""photic run --engine lanes: what the processor has, the same bits on any number of threads, taken up in the same engine."""
+"""photic run in lanes: by default, the same bits on any number of threads, taken up in the same engine."""
 
 import netCDF4
 import pytest
@@ -22,18 +22,18 @@ def engine_of(path):
 
 def test_the_number_of_threads_does_not_matter(run, scene, tmp_path):
     for threads in (1, 3):
-        run("--engine", "lanes", "--threads", threads, "-o", f"{threads}.nc")
+        run("--threads", threads, "-o", f"{threads}.nc")
     assert contents(tmp_path / "1.nc") == contents(tmp_path / "3.nc")
     assert engine_of(tmp_path / "1.nc").startswith("lanes (")
-    run("-o", "scalar.nc")
+    run("--engine", "scalar", "-o", "scalar.nc")
     assert engine_of(tmp_path / "scalar.nc") == "scalar"
     assert contents(tmp_path / "1.nc") != contents(tmp_path / "scalar.nc")
 
 
 def test_a_run_goes_on_in_its_engine(run, scene, tmp_path):
     # Seen red: with the scalar engine as the default of runs that go on.
-    run("--engine", "lanes", "--isa", "baseline", "--photons", "21000", "-o", "long.nc")
-    run("--engine", "lanes", "--isa", "baseline", "--photons", "9000", "-o", "old.nc")
+    run("--isa", "baseline", "--photons", "21000", "-o", "long.nc")
+    run("--isa", "baseline", "--photons", "9000", "-o", "old.nc")
     run("--photons", "21000", "--continue", "old.nc", "-o", "new.nc")
     assert engine_of(tmp_path / "new.nc") == "lanes (baseline)"
     assert contents(tmp_path / "new.nc") == contents(tmp_path / "long.nc")
@@ -44,14 +44,25 @@ def test_a_run_goes_on_in_its_engine(run, scene, tmp_path):
 
 
 def test_estimators_are_chosen_as_ever(run, scene, tmp_path):
-    run("--engine", "lanes", "--set", "simulation.estimator=auto", "-o", "chosen.nc")
-    run("--set", "simulation.estimator=auto", "-o", "scalar.nc")
-    with netCDF4.Dataset(tmp_path / "chosen.nc") as lanes, netCDF4.Dataset(tmp_path / "scalar.nc") as scalar:
+    run("--set", "simulation.estimator=auto", "-o", "lanes.nc")
+    run("--engine", "scalar", "--set", "simulation.estimator=auto", "-o", "scalar.nc")
+    with netCDF4.Dataset(tmp_path / "lanes.nc") as lanes, netCDF4.Dataset(tmp_path / "scalar.nc") as scalar:
         assert "pilot runs" in lanes.scene and lanes.scene == scalar.scene
+
+
+def test_far_instruments_have_the_scalar_engine(run, scene, tmp_path):
+    # Seen red: with lanes wherever no engine is asked for.
+    far = ("--set", "source.position_m=[0, 0, 4000]", "--photons", "2000")
+    run(*far, "-o", "far.nc")
+    assert engine_of(tmp_path / "far.nc") == "scalar"
+    done = run(*far, "--engine", "lanes", code=2)
+    assert done.stderr.startswith(
+        "--engine lanes: cannot time light from instruments farther than 3000 m from the origin: lanes are floats "
+        "(--engine scalar, or leave it out)\n"
+    )
 
 
 def test_instruction_sets_are_for_lanes(run, scene):
     # Seen red: with --isa taken and not used.
-    for engine in ([], ["--engine", "scalar"]):
-        done = run("--isa", "baseline", *engine, code=2)
-        assert "--isa baseline: only lanes are made of instructions to choose" in done.stderr
+    done = run("--isa", "baseline", "--engine", "scalar", code=2)
+    assert "--isa baseline: only lanes are made of instructions to choose" in done.stderr

@@ -193,8 +193,8 @@ void fields(P& a, S& b, F f) {
   f(a.exists, b.exists, "exists");
   f(a.from, b.from, "from");
   f(a.to, b.to, "to");
-  fields(a.lens, b.lens, f);
-  fields(a.per_depth, b.per_depth, f);
+  fields(a.lens.at_surface, b.lens.at_surface, f);
+  fields(a.lens.per_depth, b.lens.per_depth, f);
 }
 template <class P, class S, class F>
   requires is_packed<P, Rotation>

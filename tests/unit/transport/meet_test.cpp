@@ -95,8 +95,8 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
         continue;
       }
       ++inside;
-      ASSERT_NEAR(c.lens.x + depth * c.per_depth.x, shifted.x, 1e-7);
-      ASSERT_NEAR(c.lens.y + depth * c.per_depth.y, shifted.y, 1e-7);
+      ASSERT_NEAR(c.lens.at(depth).x, shifted.x, 1e-7);
+      ASSERT_NEAR(c.lens.at(depth).y, shifted.y, 1e-7);
     }
   }
   EXPECT_GT(exists, 2000);
