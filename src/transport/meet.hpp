@@ -154,8 +154,10 @@ Rotation<T> turn_to_meet(const Ray<T>& laser, const Ray<T>& back, const Vertical
   const T ay = laser.position.y + out * laser.direction.y - axis.y;
   const T bx = back.position.x + home * back.direction.x - axis.x;
   const T by = back.position.y + home * back.direction.y - axis.y;
-  const T per = T(1) / sqrt((ax * ax + ay * ay) * (bx * bx + by * by));
-  return {axis, per * (ax * bx + ay * by), per * (bx * ay - by * ax)};
+  const T square = sqrt(ax * ax + ay * ay) * sqrt(bx * bx + by * by);
+  const Mask<T> aside = square > T(0);  // else any turn does
+  const T per = T(1) / select(aside, square, T(1));
+  return {axis, select(aside, per * (ax * bx + ay * by), T(1)), per * (bx * ay - by * ax)};
 }
 
 /// What a meeting contributes, and where.

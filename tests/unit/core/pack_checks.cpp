@@ -6,6 +6,7 @@
 
 #include "core/elementary.hpp"
 #include "core/pack.hpp"
+#include "core/sobol.hpp"
 #include "core/turn.hpp"
 #include "core/twin_table.hpp"
 #include "support/random.hpp"
@@ -91,10 +92,53 @@ void check_masks(test::Random& random) {
   std::vector<std::size_t> visited;
   for_each_lane(a, [&](int lane) { visited.push_back(static_cast<std::size_t>(lane)); });
   ASSERT_EQ(visited.size(), count(a));
+}
+
+/// Lanes that go to memory and come from it under a mask, and from one lane to another.
+void check_moves(test::Random& random) {
+  const auto x = numbers(random), y = numbers(random);
+  const std::uint32_t bits =
+      static_cast<std::uint32_t>(random.below(1 << width)) & ((1U << width) - 1);
+  const Flags mask = mask_of_bits<Real>(bits);
+  const auto place = make_lanes<std::int32_t>([n = 3 * lanes]() mutable { return n -= 2; });
+  const auto lane = make_lanes<std::int32_t>([&] { return random.below(lanes); });
   std::array<float, 2 * width> together{};
-  pack(make_lanes<float>([n = 0]() mutable { return n++; })).store(a, together.data());
-  for (std::size_t k = 0; k < visited.size(); ++k)
-    ASSERT_EQ(together[k], static_cast<float>(visited[k]));
+  compress(mask, pack(x), together.data());
+  Real expanded = pack(y);
+  expand(mask, x.data(), expanded);
+  std::array<float, 4 * width> scattered{};
+  scatter(mask, pack(place), pack(x), scattered.data());
+  std::array<Real, width> square;
+  for (std::size_t i = 0; i < width; ++i) square[i] = pack(x) + Real(i);
+  transpose(square);
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < width; ++i) {
+    const bool is = (bits >> i & 1U) != 0;
+    if (is) expect_bits(pack(x), i, together[found], "compressed");
+    expect_bits(expanded, i, is ? x[found] : y[i], "expanded");
+    ASSERT_EQ(scattered[static_cast<std::size_t>(place[i])], is ? x[i] : 0);
+    ASSERT_EQ(scattered[static_cast<std::size_t>(place[i]) + 1], 0);
+    expect_bits(permute(pack(x), pack(lane)), i, x[static_cast<std::size_t>(lane[i])], "permuted");
+    for (std::size_t k = 0; k < width; ++k)
+      expect_bits(square[k], i, x[k] + static_cast<float>(i), "transposed");
+    ASSERT_EQ(lane_numbers<Real>()[i], static_cast<std::int32_t>(i));
+    found += is ? 1 : 0;
+  }
+}
+
+/// Random numbers made of words.
+void check_words(test::Random& random) {
+  std::array<std::uint32_t, 64> table{};
+  for (auto& word : table) word = static_cast<std::uint32_t>(random.uniform() * 4294967296.0);
+  const auto at = make_lanes<std::int32_t>([&] { return random.below(64); });
+  const auto words = gather_word<Real>(table.data(), pack(at));
+  const Word<Real> key(table[0]);
+  for (std::size_t i = 0; i < width; ++i) {
+    const std::uint32_t word = table[static_cast<std::size_t>(at[i])];
+    ASSERT_EQ(words[i], word);
+    ASSERT_EQ(scrambled(words, key)[i], scrambled(word, table[0]));
+    expect_bits(uniform_from_word<Real>(words), i, uniform_from_word<float>(word), "uniform");
+  }
 }
 
 void check_integers(test::Random& random) {
@@ -181,6 +225,8 @@ void check_packs() {
   for (int g = 0; g < groups && !testing::Test::HasFatalFailure(); ++g) {
     check_arithmetic(random);
     check_masks(random);
+    check_moves(random);
+    check_words(random);
     check_integers(random);
     check_gathers(random);
     check_functions(random);

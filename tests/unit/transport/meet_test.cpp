@@ -167,6 +167,19 @@ TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
   EXPECT_GT(none, 300);
 }
 
+// Floats have no squares of squares of what is that near. Seen red: with one root of the product of
+// both distances' squares.
+TEST(TurnToMeet, IsATurnHoweverNearTheVertical) {
+  for (const float off : {1.0F, 1e-6F, 1e-12F, 1e-16F, 0.0F}) {
+    Ray<float> laser, back;
+    laser.position = {off, 0, -1};
+    back.position = {0, off, -1};
+    laser.direction = back.direction = {0, 0, -1};
+    const auto turn = turn_to_meet(laser, back, Vertical<float>{true, 0, 0}, 2.0F);
+    EXPECT_NEAR(turn.cosine * turn.cosine + turn.sine * turn.sine, 1, 1e-6) << off;
+  }
+}
+
 // The volume that two rays sweep about where they meet, against finite differences: how the place
 // where they meet, and the turn, follow from both directions.
 TEST(Sweep, IsVolumePerSolidAngleAndTurn) {

@@ -1,0 +1,133 @@
+// Rays that are made to meet: by shifting the telescope's walk, or by turning it (a part of
+// connections.hpp).
+#pragma once
+
+#include "engine/connections.hpp"
+
+namespace photic::engine {
+
+/// Calls act(ends, mask, ray i, ray m) for all rays i of the laser's walk and m of the telescope's,
+/// from `first` on, that may meet in time.
+template <class T>
+template <class Act>
+void Connections<T>::each_pair(std::size_t laser, std::size_t back, std::int32_t first,
+                               Act act) const {
+  each_index<T>(laser_.rays(laser), [&](const Index<T>& i, const Mask<T>& mask) {
+    const Ray out = laser_.ray(Index<T>(laser), i);
+    for (std::int32_t m = first; m < back_.rays(back); ++m) {
+      const Ray home = back_.ray_in_all_lanes(back, m);
+      const Mask<T> in_time =
+          mask & in_order(i + Index<T>(m + 1)) & (out.path + home.path < world_.last_path);
+      if (!any(in_time)) break;
+      const Mask<T> may = in_time & (out.direction.z * home.direction.z > T(0));
+      if (any(may)) act(ends_of<T>(laser, i, back, Index<T>(m)), may, out, home);
+    }
+  });
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::shifted(std::size_t laser, std::size_t back) {
+  const auto outset = back_.outset_in_all_lanes(back);
+  if (!any(outset.shift_area > T(0))) return;
+  each_pair(
+      laser, back, 0, [&](const auto& ends, const auto& mask, const Ray& out, const Ray& home) {
+        const auto chord = transport::chord(out, home, telescope_, outset.lens, world_.deepest);
+        const Mask<T> meet = mask & chord.exists;
+        if (any(meet))
+          chords_.admit(meet, ends,
+                        [this](const auto& e, const auto& all) { serve_chords(e, all); });
+      });
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_chords(const Ends<T>& ends, const Mask<T>& mask) {
+  const auto& grid = samples_.grid;
+  Pair<T> pairs{laser_.ray(ends.laser, ends.i),
+                back_.ray(ends.back, ends.m),
+                back_.outset(ends.back),
+                ends,
+                {}};
+  const auto chord =
+      transport::chord(pairs.out, pairs.back, telescope_, pairs.outset.lens, world_.deepest);
+  pairs.lens = chord.lens;
+  const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
+    const auto& pair = of_lanes<T>(pairs, lane);
+    const T depth = grid.depth(number + pair.outset.grid_offset);
+    const auto lens = pair.lens.at(depth);
+    const Mask<T> passes = points & open_at(telescope_, lens) &
+                           sight(telescope_, lens, -pair.outset.outward).on_detector;
+    if (!any(passes)) return;
+    const Vec3<T> shift = in_space(telescope_, lens) - in_space(telescope_, pair.outset.lens);
+    transport::Vertical<T> axis = back_.axis(pair.ends.back);
+    axis.x = axis.x + shift.x;
+    axis.y = axis.y + shift.y;
+    meet_at(pair, passes, pair.back, axis, depth, T(1));
+  };
+  each_number(mask, grid.number(chord.from) - pairs.outset.grid_offset,
+              grid.number(chord.to) - pairs.outset.grid_offset, meet_on_grid);
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::turned(std::size_t laser, std::size_t back) {
+  if (!any(samples_.turned > T(0)) || back_.converted(back) < 0) return;
+  const auto axis = back_.axis(Index<T>(back));
+  const std::int32_t first = back_.converted(back) + 1;
+  each_pair(laser, back, first,
+            [&](const auto& ends, const auto& mask, const Ray& out, const Ray& home) {
+              const auto crossings = transport::crossings(out, home, axis, world_.deepest);
+              for (std::size_t n = 0; n < crossings_.size(); ++n) {
+                const Mask<T> meet = mask & crossings.exists[n];
+                if (!any(meet)) continue;
+                crossings_[n].admit(meet, ends, [this, n](const auto& e, const auto& all) {
+                  serve_crossings(e, all, n);
+                });
+              }
+            });
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Ends<T>& ends, const Mask<T>& mask,
+                                                    std::size_t which) {
+  const Pair<T> pair{laser_.ray(ends.laser, ends.i),
+                     back_.ray(ends.back, ends.m),
+                     back_.outset(ends.back),
+                     ends,
+                     {}};
+  const auto axis = back_.axis(ends.back);
+  const T depth = transport::crossings(pair.out, pair.back, axis, world_.deepest).depth[which];
+  const auto turn = transport::turn_to_meet(pair.out, pair.back, axis, depth);
+  Ray moved = pair.back;
+  moved.position = turn.of_place(pair.back.position);
+  moved.direction = turn.of_direction(pair.back.direction);
+  // The angle of the conversion has changed, and with it all densities of the walk alike.
+  const Index<T> conversion = back_.conversion(ends.back);
+  const Ray left = back_.ray(ends.back, conversion + Index<T>(1));
+  const T gain = left.per_p * phase_value(sea_, back_.vertex(ends.back, conversion),
+                                          turn.of_direction(left.direction),
+                                          gather_index<T>(sea_.conversion_phase, receiver_.line));
+  meet_at(pair, mask, moved, axis, depth, gain);
+}
+
+/// `moved`: the telescope's ray, `axis`: its walk's, as they have been moved.
+template <class T>
+void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Ray& moved,
+                             const transport::Vertical<T>& axis, const T& depth, const T& gain) {
+  const auto& [out, back, outset, ends, lens] = pair;
+  const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
+  const Mask<T> emitting = mask & emits(back.line, layer);
+  if (!any(emitting)) return;
+  const T reach = (-depth - out.position.z) / out.direction.z;
+  const transport::Freedom<T> freedom{
+      outset.shift_area,
+      axis_or(back.line > Index<T>(0), axis, out.position + reach * out.direction)};
+  const auto in_path = usable(ends.i + ends.m + Index<T>(1));
+  auto home =
+      back_.side(back, ends.back, ends.m, in_path, {outset.shift_area, back_.axis(ends.back)});
+  home.ray = moved;
+  const auto meeting = meet(sea_, laser_.side(out, ends.laser, ends.i, in_path, freedom), home,
+                            depth, layer, freedom, world_.reversal, samples_);
+  score(emitting & (meeting.path < world_.last_path), gain * meeting.value, meeting.path,
+        select(ends.m > Index<T>(0), last_depth(ends.back), depth), in_path.order);
+}
+
+}  // namespace photic::engine

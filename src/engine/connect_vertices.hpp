@@ -1,0 +1,201 @@
+// Connections of vertices: with the telescope, with the laser, with each other (a part of
+// connections.hpp).
+#pragma once
+
+#include "engine/connections.hpp"
+
+namespace photic::engine {
+
+template <class T>
+void Connections<T>::to_telescope(std::size_t walk) {
+  each_index<T>(laser_.vertices(walk), [&](const Index<T>& i, const Mask<T>& mask) {
+    to_telescope_.admit(mask, ends_of<T>(walk, i, walk, Index<T>(0)),
+                        [this](const auto& e, const auto& all) { serve_to_telescope(e, all); });
+  });
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Ends<T>& ends, const Mask<T>& mask) {
+  const Index<T>& line = receiver_.line;
+  const auto outset = back_.outset(ends.back);
+  const Vec3<T> at = in_space(telescope_, outset.lens);
+  const auto in_path = usable(ends.i + Index<T>(1));
+  const Vertex v = laser_.in_path(ends.laser, ends.i, in_path);
+  const Mask<T> wanted = mask & emits(line, v.layer);
+  if (telescope_.submerged) {
+    const T turned = laser_.turned_before(ends.laser, ends.i, in_path, vertical_at(v.position));
+    for (const bool mirrored : {false, true})
+      by_way(ends, wanted, v, turned, outset,
+             transport::way_in_water(sea_, v.position, line, at, mirrored), mirrored);
+    return;
+  }
+  const Vec3<T> there = telescope_.position - v.position;
+  const T rise = telescope_.position.z - v.position.z * gather<T>(sea_.inverse_index, line);
+  const Mask<T> near_view = wanted & telescope_.may_see_beyond(there.x, there.y, rise);
+  if (!any(near_view)) return;
+  const T turned = laser_.turned_before(ends.laser, ends.i, in_path, vertical_at(v.position));
+  by_way(ends, near_view, v, turned, outset,
+         transport::way_through_surface(sea_, v.position, line, at, near_view), false);
+}
+
+template <class T>
+void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
+                            const T& turned, const Outset<T>& outset, const transport::Way<T>& way,
+                            bool mirrored) {
+  const Index<T>& line = receiver_.line;
+  const auto sight = instrument::sight(telescope_, outset.lens, way.arriving);
+  const T path = v.path + way.length_air + way.length_water * gather<T>(sea_.group_index, line);
+  const Mask<T> seen = mask & way.exists & sight.on_detector & (path < world_.last_path);
+  if (!any(seen)) return;
+  const T depth = -v.position.z;
+  const auto tau = telescope_.submerged
+                       ? depths_in_water(sea_, way, line, v.layer, depth, receiver_.layer,
+                                         way.length_water, mirrored)
+                       : depths_through_surface(sea_, way, line, v.layer, depth);
+  const T solid_angle = detector_solid_angle(telescope_, sight.cos_off_axis);
+  const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
+  const transport::Freedom<T> freedom{instrument::shift_area(telescope_, sight.cos_off_axis),
+                                      vertical_at(v.position)};
+  const T behind = v.behind.all(freedom.shift_area) + turned;
+  const Joint from = all(line == Index<T>(0))
+                         ? scattering_from_laser(sea_, v, behind, way.direction, T(1), freedom)
+                         : conversion_from_laser(sea_, v, behind, way.direction, line,
+                                                 world_.reversal, T(1), T(1), freedom);
+  const T area =
+      samples_.to_instrument * from.share * solid_angle / (way.per_area * way.index_squared) +
+      (mirrored ? T(0) : from.meeting);
+  score(seen,
+        from.weight * way.passed * etendue *
+            transport::balance(area, tau.all, tau.walk, from.end, transport::End<T>{}),
+        path, depth, ends.i + Index<T>(1));
+}
+
+template <class T>
+void Connections<T>::to_laser(std::size_t walk) {
+  each_index<T>(back_.vertices(walk), [&](const Index<T>& m, const Mask<T>& mask) {
+    to_laser_.admit(mask, ends_of<T>(walk, Index<T>(0), walk, m),
+                    [this](const auto& e, const auto& all) { serve_to_laser(e, all); });
+  });
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Ends<T>& ends, const Mask<T>& mask) {
+  const auto& laser = world_.laser;
+  const Vec3<T> vertex = transport::fictitious_vertex(laser);
+  if (!any(transport::connectable_solid_angle(laser, vertex) > T(0))) return;
+  const Vertex w = back_.in_path(ends.back, ends.m, usable(ends.m + Index<T>(1)));
+  const Mask<T> wanted = mask & emits(w.line, w.layer);
+  const Index<T> line(0);
+  if (!laser.submerged) {
+    by_way_to_laser(ends, wanted, w,
+                    transport::way_through_surface(sea_, w.position, line, vertex, wanted), false);
+    return;
+  }
+  for (const bool mirrored : {false, true})
+    by_way_to_laser(ends, wanted, w,
+                    transport::way_in_water(sea_, w.position, line, vertex, mirrored), mirrored);
+}
+
+template <class T>
+void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, const Vertex& w,
+                                     const transport::Way<T>& way, bool mirrored) {
+  const auto& laser = world_.laser;
+  const Vec3<T> leaving = -way.arriving;
+  const Mask<T> in_cone = one_minus_cos(leaving, laser.axis) < laser.one_minus_cos_divergence;
+  Mask<T> lit = mask & way.exists & in_cone;
+  if (!any(lit)) return;
+  // The way from the disc on; the fictitious vertex lies behind it.
+  const T hidden = laser.vertex_distance / dot(leaving, laser.axis);
+  const T air = laser.submerged ? T(0) : way.length_air - hidden;
+  const T water = laser.submerged ? way.length_water - hidden : way.length_water;
+  const Index<T> line(0);
+  const T path = w.path + air + water * gather<T>(sea_.group_index, line);
+  lit = lit & (water > T(0)) & (path < world_.last_path);
+  if (!any(lit)) return;
+  const T depth = -w.position.z;
+  const auto tau = laser.submerged ? depths_in_water(sea_, way, line, w.layer, depth,
+                                                     world_.laser_layer, water, mirrored)
+                                   : depths_through_surface(sea_, way, line, w.layer, depth);
+  const transport::Freedom<T> freedom{
+      back_.outset(ends.back).shift_area,
+      axis_or(w.line > Index<T>(0), back_.axis(ends.back), w.position)};
+  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, freedom);
+  const T solid_angle =
+      transport::connectable_solid_angle(laser, transport::fictitious_vertex(laser));
+  const T area =
+      samples_.to_instrument * to.share * solid_angle / (way.per_area * way.index_squared) +
+      (mirrored ? T(0) : to.meeting);
+  score(lit,
+        to.weight * way.passed *
+            transport::balance(area, tau.all, tau.walk, transport::End<T>{}, to.end),
+        path, last_depth(ends.back), ends.m + Index<T>(1));
+}
+
+template <class T>
+void Connections<T>::between(std::size_t walk) {
+  each_index<T>(laser_.vertices(walk), [&](const Index<T>& i, const Mask<T>& mask) {
+    const T path = laser_.vertex(Index<T>(walk), i).path;
+    for (std::int32_t m = 0; m < back_.vertices(walk); ++m) {
+      const Mask<T> may = mask & in_order(i + Index<T>(m + 2)) &
+                          (path + back_.vertex_in_all_lanes(walk, m).path < world_.last_path);
+      if (!any(may)) break;
+      between_.admit(may, ends_of<T>(walk, i, walk, Index<T>(m)),
+                     [this](const auto& e, const auto& all) { serve_between(e, all); });
+    }
+  });
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mask<T>& mask) {
+  const auto in_path = usable(ends.i + ends.m + Index<T>(2));
+  const Vertex v = laser_.in_path(ends.laser, ends.i, in_path);
+  const Vertex w = back_.in_path(ends.back, ends.m, in_path);
+  const Vec3<T> there = w.position - v.position;
+  const T length = photic::length(there);
+  const Vec3<T> direction = (T(1) / length) * there;
+  const T shift_area = back_.outset(ends.back).shift_area;
+  const Mask<T> inelastic = w.line > Index<T>(0);
+  const Mask<T> arrives = mask & emits(w.line, w.layer);
+  if (any(arrives)) {
+    const transport::Freedom<T> freedom{shift_area,
+                                        axis_or(inelastic, back_.axis(ends.back), w.position)};
+    const T behind =
+        v.behind.all(shift_area) + laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis);
+    const Joint to = arrival_from_laser(sea_, w, -direction, world_.reversal, freedom);
+    along(ends, arrives, Index<T>(0),
+          scattering_from_laser(sea_, v, behind, direction, to.goes_on, freedom), to, v, w, length,
+          in_path);
+  }
+  const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
+  if (any(converts)) {
+    const transport::Freedom<T> freedom{shift_area, vertical_at(v.position)};
+    const T behind =
+        v.behind.all(shift_area) + laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis);
+    const T goes_on = T(1) - world_.reversal.chance(sea_, w.line, w.layer);
+    along(ends, converts, w.line,
+          conversion_from_laser(sea_, v, behind, direction, w.line, world_.reversal, w.chance,
+                                w.chance * goes_on, freedom),
+          scattering_of_converted(sea_, w, -direction), v, w, length, in_path);
+  }
+}
+
+template <class T>
+void Connections<T>::along(const Ends<T>& ends, const Mask<T>& mask, const Index<T>& line,
+                           const Joint& from, const Joint& to, const Vertex& v, const Vertex& w,
+                           const T& length, const Usable<T>& usable) {
+  const T path = v.path + w.path + length * gather<T>(sea_.group_index, line);
+  const Mask<T> in_time = mask & (path < world_.last_path);
+  if (!any(in_time)) return;
+  const T depth = -v.position.z;
+  const T end = -w.position.z;
+  const T tau = sea_.slant_optical_depth<T>(line, v.layer, depth, w.layer, end, length);
+  const T walk_tau = sea_.walk_slant_optical_depth<T>(line, v.layer, depth, w.layer, end, length);
+  const Index<T> edge = ends.i + Index<T>(1);
+  const T meeting = select(usable.meeting(edge), from.meeting * to.end.p, T(0)) +
+                    select(usable.meeting(edge + Index<T>(1)), to.meeting * from.end.p, T(0));
+  const T area = samples_.between * from.share * to.share * length * length + meeting;
+  score(in_time, from.weight * to.weight * balance(area, tau, walk_tau, from.end, to.end), path,
+        last_depth(ends.back), usable.order);
+}
+
+}  // namespace photic::engine
