@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "engine/problem.hpp"
-#include "engine/run.hpp"
 #include "engine/scalar.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 
@@ -24,7 +24,7 @@ struct Case {
 
 tally::Result simulate(const Case& c, const std::string& estimator, double photons,
                        const std::string& more = "") {
-  return engine::run(read(c.scene + simulation(photons, 17, more, estimator)));
+  return run_in_lanes(read(c.scene + simulation(photons, 17, more, estimator)));
 }
 
 /// Adds what both know to 5 % and better.
@@ -162,7 +162,7 @@ void expect_same_echo(const std::string& one, const std::string& other) {
   const auto a = simulate(settings, "bidirectional", settings.bidirectional_photons, one);
   auto scene =
       read(settings.scene + simulation(settings.bidirectional_photons, 18, other, "bidirectional"));
-  const Compared compared = compare(a, engine::run(scene));
+  const Compared compared = compare(a, run_in_lanes(scene));
   EXPECT_GE(compared.gates.size(), settings.least_gates);
   EXPECT_GE(compared.orders.size(), settings.least_orders);
   compared.gates.judge();
@@ -254,10 +254,10 @@ TEST(Bidirectional, ErrorBarsHold) {
   constexpr double two_sided_95 = 1.96;
   const std::string scene =
       ship_instrument + channel("elastic") + water(0.06, 0.1, peaked_phase) + depth_gates(50, 2);
-  const auto reference = engine::run(read(scene + simulation(3e6, 7, "", "bidirectional")));
+  const auto reference = run_in_lanes(read(scene + simulation(3e6, 7, "", "bidirectional")));
   std::vector<tally::Result> runs;
   for (int seed = 1; seed <= seeds; ++seed) {
-    runs.push_back(engine::run(read(
+    runs.push_back(run_in_lanes(read(
         scene + simulation(photons, static_cast<std::uint64_t>(100 + seed), "", "bidirectional"))));
   }
   double covered = 0;
@@ -298,7 +298,7 @@ TEST(Reception, OfSingleRaysIsExactAndOfTheOverlapIsNot) {
       ship_instrument + channel("elastic") + water(0.06, 0.1, peaked_phase) + depth_gates(12, 4);
   const auto second_order = [&](const std::string& estimator, const std::string& more,
                                 double photons) {
-    const auto r = engine::run(read(scene + simulation(photons, 5, more, estimator)));
+    const auto r = run_in_lanes(read(scene + simulation(photons, 5, more, estimator)));
     const auto at = r.gates() + 1;  // order 2, 4 to 8 m
     return std::pair{r.echo_by_order.mean[at], r.echo_by_order.standard_error[at]};
   };

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/run.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 
 namespace photic::test {
@@ -35,7 +35,7 @@ Coverages coverages(const std::string& phase, const tally::Result& reference, st
   Coverages out;
   for (int seed = 1; seed <= seeds; ++seed) {
     const auto run =
-        engine::run(read(scene(phase, photons, static_cast<std::uint64_t>(1000 + seed))));
+        run_in_lanes(read(scene(phase, photons, static_cast<std::uint64_t>(1000 + seed))));
     for (std::size_t g = 0; g < run.gates(); ++g) {
       if (run.convergence_flags[g] != 0 || reference.convergence_flags[g] != 0) continue;
       Coverage& c = g < depth ? out.above : out.below;
@@ -48,7 +48,7 @@ Coverages coverages(const std::string& phase, const tally::Result& reference, st
 }
 
 void check(const std::string& phase, double depth) {
-  const auto reference = engine::run(read(scene(phase, reference_photons, 7)));
+  const auto reference = run_in_lanes(read(scene(phase, reference_photons, 7)));
   const auto gates = static_cast<std::size_t>(depth / gate_step);
   std::size_t converged = 0;
   for (std::size_t g = 0; g < gates; ++g) converged += reference.convergence_flags[g] == 0;
@@ -80,9 +80,9 @@ TEST(ErrorBars, HoldOnPeakedWaterTo10m) { check(peaked_phase, 10); }
 // A plain walk on peaked water, whose deep gates live on scores that it has hardly seen, says so.
 TEST(ErrorBars, OfANaiveRunAreFlaggedBelow10m) {
   const auto run =
-      engine::run(read(ship_instrument + channel("elastic") + water(0.06, 0.10, peaked_phase) +
-                       depth_gates(50, gate_step) +
-                       simulation(2e7, 1, "directed_fraction = 0.0\nreception = \"overlap\"")));
+      run_in_lanes(read(ship_instrument + channel("elastic") + water(0.06, 0.10, peaked_phase) +
+                        depth_gates(50, gate_step) +
+                        simulation(2e7, 1, "directed_fraction = 0.0\nreception = \"overlap\"")));
   for (std::size_t g = static_cast<std::size_t>(10 / gate_step); g < run.gates(); ++g)
     EXPECT_NE(run.convergence_flags[g], 0) << "gate " << g;
 }

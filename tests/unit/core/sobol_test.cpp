@@ -27,7 +27,8 @@ TEST(SobolPoints, FillEachAxisEvenlyScrambledOrNot) {
   for (std::size_t d = 0; d < points.dimensions(); ++d) {
     for (const std::uint32_t key : keys) {
       std::set<std::uint32_t> cells;
-      for (std::size_t n = 0; n < 1024; ++n) cells.insert(scrambled(points.words()[n * points.dimensions() + d], key) >> 22);
+      for (std::size_t n = 0; n < 1024; ++n)
+        cells.insert(scrambled(points.words()[n * points.dimensions() + d], key) >> 22);
       ASSERT_EQ(cells.size(), 1024U) << "dimension " << d << ", key " << key;
     }
   }
@@ -40,8 +41,11 @@ TEST(SobolPoints, OfTwoDimensionsAreANet) {
   for (int wide = 0; wide <= 8; ++wide) {
     std::set<std::uint64_t> cells;
     for (std::size_t n = 0; n < 256; ++n) {
-      const std::uint64_t x = std::uint64_t{scrambled(points.words()[n * points.dimensions()], keys[1])} >> (32 - wide);
-      const std::uint64_t y = std::uint64_t{scrambled(points.words()[n * points.dimensions() + 1], keys[2])} >> (24 + wide);
+      const std::uint64_t x =
+          std::uint64_t{scrambled(points.words()[n * points.dimensions()], keys[1])} >> (32 - wide);
+      const std::uint64_t y =
+          std::uint64_t{scrambled(points.words()[n * points.dimensions() + 1], keys[2])} >>
+          (24 + wide);
       cells.insert((x << (8 - wide)) | y);
     }
     EXPECT_EQ(cells.size(), 256U) << wide;
