@@ -157,4 +157,8 @@ class BatchRunner {
   std::exception_ptr failure_;
 };
 
+/// Runs a problem in lanes, or by the scalar engine.
+tally::Totals run_batches(const Problem& problem, Conductor& conductor,
+                          const std::optional<Isa>& lanes);
+
 }  // namespace photic::engine

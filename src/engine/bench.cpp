@@ -9,9 +9,10 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "engine/batches.hpp"
 #include "engine/choose.hpp"
+#include "engine/lanes.hpp"
 #include "engine/problem.hpp"
-#include "engine/scalar.hpp"
 
 namespace photic::engine {
 namespace {
@@ -31,6 +32,7 @@ Candidate candidate(const scene::Scene& scene, const std::string& estimator,
                     const std::string& name) {
   const scene::Simulation defaults;
   Candidate c{.name = name, .simulation = scene.simulation};
+  if (lanes_resolve(scene)) c.lanes = isas_here().back();
   scene::Simulation& s = c.simulation;
   s.estimator = estimator;
   s.estimator_reason.reset();
@@ -61,6 +63,11 @@ std::vector<Candidate> candidates(const scene::Scene& scene) {
   out.back().simulation.connected_fraction = 1;
   out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, random"));
   out.back().simulation.sampling = "random";
+  if (!out.back().lanes) return out;
+  out.push_back(candidate(scene, "forward", "forward, ray, scalar"));
+  out.back().lanes.reset();
+  out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, scalar"));
+  out.back().lanes.reset();
   return out;
 }
 
@@ -76,9 +83,9 @@ struct Timed {
 /// Runs of one candidate on threads; every one has random numbers of its own.
 class Bench {
  public:
-  Bench(scene::Scene scene, const scene::Simulation& simulation, const BenchOptions& options)
-      : options_(options) {
-    scene.simulation = simulation;
+  Bench(scene::Scene scene, const Candidate& candidate, const BenchOptions& options)
+      : options_(options), lanes_(candidate.lanes) {
+    scene.simulation = candidate.simulation;
     problem_ = std::make_unique<Problem>(make_problem(scene));
   }
 
@@ -95,7 +102,7 @@ class Bench {
     quiet.interrupt = options_.interrupt;
     Conductor conductor(s, quiet);
     const double begin = cpu_now_s();
-    Timed out{run_batches<double>(*problem_, conductor)};
+    Timed out{run_batches(*problem_, conductor, lanes_)};
     out.cpu_s = cpu_now_s() - begin;
     s.seed = seed;
     if (options_.interrupt != nullptr && options_.interrupt->load()) throw Interrupted{};
@@ -111,6 +118,7 @@ class Bench {
 
  private:
   const BenchOptions& options_;
+  std::optional<Isa> lanes_;
   std::unique_ptr<Problem> problem_;
 };
 
@@ -129,7 +137,7 @@ std::uint64_t photons_in(double cpu_s, double trial_cpu_s, Bench& bench, std::ui
 
 void measure(Candidate& candidate, std::size_t place, const scene::Scene& scene,
              const Comparison& comparison, double cpu_s, const BenchOptions& options) {
-  Bench bench(scene, candidate.simulation, options);
+  Bench bench(scene, candidate, options);
   std::uint64_t number = 1 + place * (repeat_count + 1);  // 0 is the reference's
   candidate.photons = photons_in(cpu_s / repeat_count, trial_share * cpu_s, bench, number);
   const tally::Result& reference = comparison.reference;
@@ -169,7 +177,7 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   Comparison out;
   out.repeats = repeat_count;
   tell("the reference");
-  Bench bench(scene, candidate(scene, "bidirectional", "").simulation, options);
+  Bench bench(scene, candidate(scene, "bidirectional", ""), options);
   const Timed reference = bench.run(0, {}, reference_share * options.time_s);
   out.reference = bench.result(reference.totals);
   out.reference_cpu_s = reference.cpu_s;

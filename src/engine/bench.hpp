@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/isa.hpp"
 #include "scene/scene.hpp"
 #include "tally/result.hpp"
 
@@ -39,6 +40,7 @@ struct Candidate {
   std::string name;
   bool exact = true;             ///< false: has a bias by construction
   scene::Simulation simulation;  ///< its estimator and options
+  std::optional<Isa> lanes{};    ///< none: the scalar engine
   std::uint64_t photons = 0;     ///< of one repeat
   double cpu_s = 0;              ///< of one repeat, mean
   std::vector<Merit> merit{};    ///< [telescope][channel][gate]; not known where not compared

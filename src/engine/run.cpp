@@ -79,14 +79,15 @@ void check_lanes(const scene::Scene& scene, Isa isa) {
   }
 }
 
-tally::Totals run_batches(const Problem& problem, Conductor& conductor, std::optional<Isa> lanes) {
-  if (!lanes) return run_batches<double>(problem, conductor);
-  return BatchRunner(problem, *make_lanes(problem, *lanes), conductor).run();
-}
-
 }  // namespace
 
 template tally::Totals run_batches<double>(const Problem& problem, Conductor& conductor);
+
+tally::Totals run_batches(const Problem& problem, Conductor& conductor,
+                          const std::optional<Isa>& lanes) {
+  if (!lanes) return run_batches<double>(problem, conductor);
+  return BatchRunner(problem, *make_lanes(problem, *lanes), conductor).run();
+}
 
 tally::Result run(const scene::Scene& asked, const RunOptions& options) {
   if (options.lanes) check_lanes(asked, *options.lanes);

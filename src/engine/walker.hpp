@@ -86,7 +86,8 @@ class WalkTaker {
     const Mask<T> exist =
         mask_of_bits<T>(left >= lanes ? ~std::uint32_t{0} : (std::uint32_t{1} << left) - 1);
     Walker<T> walker;
-    walker.walk = Index<T>(first) + lane_numbers<T>();
+    // Lanes without a walk draw the numbers of another: beyond the batch there are none.
+    walker.walk = select(exist, Index<T>(first) + lane_numbers<T>(), Index<T>(first));
     Outset<T> outset;
     const auto begin = source_.begin(walker.walk, exist, outset);
     const Mask<T> begins = exist & begin.exists;

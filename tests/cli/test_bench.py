@@ -18,6 +18,8 @@ CANDIDATES = [
     "bidirectional, 0.6, walks 4",
     "bidirectional, 0.6, all connected",
     "bidirectional, 0.6, random",
+    "forward, ray, scalar",
+    "bidirectional, 0.6, scalar",
 ]
 
 

@@ -2,6 +2,7 @@
 #include "tally/totals.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "unit/tally/tallies.hpp"
 
@@ -75,6 +76,19 @@ TEST(Totals, AreThoseOfAnExampleByHand) {
   const Result r = t.result();
   EXPECT_NEAR(r.echo.mean[0], 3e-3, 1e-17);
   EXPECT_NEAR(r.echo.standard_error[0], std::sqrt(0.5) * 1e-3, 1e-16);
+}
+
+// Within what adding so many rounded numbers may lose at most: half a unit in the last place each.
+// Seen red: with sums of floats.
+TEST(Totals, AreExactToRoundingAtTenBillionScores) {
+  constexpr int scores = 100000, batches = 100000;
+  Tallies t;
+  for (int k = 0; k < scores; ++k) t.score(0, 0.1);
+  t.batch.photons = 2000;
+  for (int k = 0; k < batches; ++k) t.totals.merge(t.batch);
+  const double sum = t.result().echo.mean[0] * 2000 * batches;
+  const double most = (scores + batches) * std::numeric_limits<double>::epsilon() / 2;
+  EXPECT_NEAR(sum / (0.1 * scores * batches), 1, most);
 }
 
 TEST(Totals, OfOneBatchKnowNoError) {
