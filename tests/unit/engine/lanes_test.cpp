@@ -52,12 +52,12 @@ scene::Scene rich_scene(const std::string& more = "", const std::string& estimat
   return test::read(test::ship_instrument + submerged_telescope + test::channel("elastic") +
                     test::channel("raman") + test::channel("chlorophyll") + layers +
                     test::depth_gates(12, 1) +
-                    test::simulation(estimator == "forward" ? 20000 : 5000, 5, more, estimator));
+                    test::simulation(estimator == "forward" ? 20000 : 2200, 5, more, estimator));
 }
 scene::Scene plain_scene(const std::string& more = "", const std::string& estimator = "forward") {
   return test::read(test::ship_instrument + test::channel("elastic") +
                     test::water(0.06, 0.10, test::peaked_phase) + test::depth_gates(30, 1) +
-                    test::simulation(estimator == "forward" ? 20000 : 5000, 5, more, estimator));
+                    test::simulation(estimator == "forward" ? 20000 : 2200, 5, more, estimator));
 }
 /// Sets of three walks do not divide a batch.
 std::vector<scene::Scene> bidirectional_scenes() {
