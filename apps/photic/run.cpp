@@ -90,6 +90,12 @@ std::optional<Isa> lanes_asked(const RunCommand& command, const scene::Scene& sc
 /// The engine of a run that goes on from one that ran in `before`: bits depend on it.
 std::optional<Isa> lanes_going_on(const RunCommand& command, const scene::Scene& scene,
                                   const std::optional<Isa>& before) {
+  if (before && !runs_here(*before)) {
+    throw InputError({{.file = command.earlier,
+                       .reason = fmt::format("ran in the engine {}, which this processor lacks",
+                                             engine::engine_name(before)),
+                       .suggestion = "go on on one that has it, or run anew"}});
+  }
   if (command.engine.empty() && command.isa.empty()) return before;
   const auto now = lanes_asked(command, scene);
   if (now == before) return now;

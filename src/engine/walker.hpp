@@ -211,7 +211,7 @@ class WalkTaker {
   tally::BatchTally& tally_;
   Walker<T> walker_;
 
-  // Those who have begun and wait for a lane.
+  // Those who have begun and wait for a lane: the members of each_of_new(), reals and integers.
   std::array<std::array<Element<T>, lanes>, 8> real_{};
   std::array<std::array<std::int32_t, lanes>, 3> integer_{};
   std::size_t waiting_ = 0, settled_ = 0;
