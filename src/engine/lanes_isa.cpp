@@ -1,4 +1,5 @@
 // Compiled once for each instruction set, as PHOTIC_ISA (cmake/photic.cmake).
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -41,14 +42,14 @@ class BidirectionalLanes final : public Simulator {
 
  private:
   using Walks = Bidirectional<Lanes, LaneLedger<Lanes>>;
-  /// Sets of walks at once: so many that few packs are partly empty, and all stay in the second
-  /// cache.
+  /// Walks at once: so many that few packs are partly empty, and all stay in the second cache.
   static constexpr std::size_t at_once = 250;
 
   /// What a thread needs, which is large: used again from batch to batch.
   [[nodiscard]] std::unique_ptr<Walks> take() const {
     const std::scoped_lock lock(mutex_);
-    if (spare_.empty()) return std::make_unique<Walks>(world_, at_once);
+    if (spare_.empty())
+      return std::make_unique<Walks>(world_, std::max<std::size_t>(1, at_once / world_.walks));
     auto walks = std::move(spare_.back());
     spare_.pop_back();
     return walks;

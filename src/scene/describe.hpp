@@ -68,7 +68,7 @@ void describe(V& v, Simulation& s) {
   v.optional("walks", s.walks, Count{1, 100},
              "of the bidirectional estimator: walks from the laser, and from each telescope, that "
              "are all connected with each other");
-  v.optional("meetings", s.meetings, positive,
+  v.optional("meetings", s.meetings, Number{.low = 0.0, .high = 1e5, .low_open = true},
              "of the bidirectional estimator: how often two rays are made to meet, over the range "
              "of the gates");
   v.optional(

@@ -1,5 +1,7 @@
 """photic run in lanes: by default, the same bits on any number of threads, taken up in the same engine."""
 
+import resource
+
 import netCDF4
 import pytest
 from test_reproducible import contents
@@ -66,3 +68,9 @@ def test_instruction_sets_are_for_lanes(run, scene):
     # Seen red: with --isa taken and not used.
     done = run("--isa", "baseline", "--engine", "scalar", code=2)
     assert "--isa baseline: only lanes are made of instructions to choose" in done.stderr
+
+
+def test_large_sets_take_no_more_memory(run, scene):
+    # Seen red: with so many sets at once as of single walks (1.7 GB).
+    run("--set", "simulation.estimator=bidirectional", "--set", "simulation.walks=100", "--photons", "2000", "--threads", "2")
+    assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss < 1_000_000  # kB

@@ -111,11 +111,14 @@ orders_kept = 1001)"}},
       {"ExpertKnobsOutOfRange",
        {{30, 30, R"(photons = 1e6
 directed_fraction = 1
-conversion_probability = 0)"}},
+conversion_probability = 0
+meetings = 1e9)"}},
        {"scene.toml:31:21: 'directed_fraction' must be a finite number, at least 0 and less than "
         "1, not 1",
         "scene.toml:32:26: 'conversion_probability' must be a finite number, greater than 0 and "
-        "less than 1, not 0"}},
+        "less than 1, not 0",
+        "scene.toml:33:12: 'meetings' must be a finite number, greater than 0 and at most 100000, "
+        "not 1000000000"}},
       {"TextAsNumber",
        {{16, 16, "name = 5"}},
        {"scene.toml:16:8: 'name' must be one line of text, not 5 (put it in quotes)"}},
