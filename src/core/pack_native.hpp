@@ -255,7 +255,6 @@ void compress(MaskBits<N> mask, const Vector<E, N>& lanes, E* to) {
     *to++ = lanes[std::countr_zero(left)];
 }
 
-/// The lower or the upper half of the lanes.
 /// Swaps the halves off the diagonal of each square of 2 x step rows and lanes.
 template <std::size_t step, std::size_t N, class V, std::size_t... l>
 void swap_off_diagonal(V& a, V& b, std::index_sequence<l...>) {
@@ -315,6 +314,7 @@ void scatter(MaskBits<N> mask, const Vector<std::int32_t, N>& index, const Vecto
   }
 }
 
+/// The lower or the upper half of the lanes.
 template <int N, class E, std::size_t... i>
 Vector<E, N / 2> half(const Vector<E, N>& x, bool upper, std::index_sequence<i...>) {
   if (upper) return __builtin_shufflevector(x, x, static_cast<int>(i + N / 2)...);
