@@ -153,6 +153,11 @@ template <std::floating_point T>
 constexpr bool mask_of_bits(std::uint32_t bits) {
   return (bits & 1U) != 0;
 }
+/// The first n lanes, or all if there are not so many.
+template <std::floating_point T>
+constexpr bool first_lanes(std::size_t n) {
+  return n > 0;
+}
 
 /// 0, 1, 2, … in the lanes.
 template <std::floating_point T>

@@ -64,6 +64,11 @@ Mask<T> mask_of_bits(std::uint32_t bits) {
 }
 template <class T>
   requires is_pack<T>
+Mask<T> first_lanes(std::size_t n) {
+  return mask_of_bits<T>(n >= 32 ? ~std::uint32_t{0} : (std::uint32_t{1} << n) - 1);
+}
+template <class T>
+  requires is_pack<T>
 Index<T> lane_numbers() {
   Index<T> out;
   for (std::size_t i = 0; i < T::lanes; ++i) out.set(i, static_cast<std::int32_t>(i));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -17,23 +18,29 @@ namespace photic::engine {
 
 inline const tally::Ledger& total(const tally::Ledger& ledger) { return ledger; }
 
-/// How the laser's walks begin.
-template <class T, class Ledger>
-struct FromLaser {
-  const World<T>& world;
+/// The random numbers of walks that go with photons of a batch from `first` on.
+template <class T>
+struct WalkDraws {
   const Draws<T>& draws;
-  std::int32_t first;  ///< the batch's photon that walk 0 goes with
-  Ledger& ledger;
+  std::int32_t first;
 
-  transport::Beginning<T> begin(const Index<T>& walk, const Mask<T>& exist, Outset<T>&) {
-    const auto u = draw(walk, Index<T>(0), 0);
-    auto begin = transport::begin_at_laser(world.sea, world.laser, world.laser_layer, u[0], u[1]);
-    book(ledger.escaped, exist, T(1) - select(begin.exists, begin.photon.weight, T(0)));
-    return begin;
-  }
   [[nodiscard]] std::array<T, 4> draw(const Index<T>& walk, const Index<T>& event,
                                       std::uint32_t block) const {
     return draws(Index<T>(first) + walk, event, block);
+  }
+};
+
+/// How the laser's walks begin.
+template <class T, class Ledger>
+struct FromLaser : WalkDraws<T> {
+  const World<T>& world;
+  Ledger& ledger;
+
+  transport::Beginning<T> begin(const Index<T>& walk, const Mask<T>& exist, Outset<T>&) {
+    const auto u = this->draw(walk, Index<T>(0), 0);
+    auto begin = transport::begin_at_laser(world.sea, world.laser, world.laser_layer, u[0], u[1]);
+    book(ledger.escaped, exist, T(1) - select(begin.exists, begin.photon.weight, T(0)));
+    return begin;
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return engine::in_time(world, photon);
@@ -42,29 +49,23 @@ struct FromLaser {
 
 /// How a telescope's walks begin.
 template <class T, class Ledger>
-struct FromTelescope {
+struct FromTelescope : WalkDraws<T> {
   const World<T>& world;
   const Receiver<T>& receiver;
-  const Draws<T>& draws;
-  std::int32_t first;
   Ledger ledger{};  ///< of no interest: the result's is the laser's light's
 
   transport::Beginning<T> begin(const Index<T>& walk, const Mask<T>&, Outset<T>& outset) {
     const auto& telescope = world.telescopes[receiver.telescope];
-    const auto u = draw(walk, Index<T>(0), 0);
+    const auto u = this->draw(walk, Index<T>(0), 0);
     outset.lens = lens_point(telescope, u[0], u[1]);
     outset.outward = outward(telescope, outset.lens,
                              instrument::ring_point(T(0), telescope.detector_radius, u[2], u[3]));
     outset.shift_area = shift_area(telescope, dot(outset.outward, telescope.axis));
-    const auto v = draw(walk, Index<T>(0), 1);
+    const auto v = this->draw(walk, Index<T>(0), 1);
     outset.grid_offset = v[0];
     outset.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
     return transport::begin_at_telescope(world.sea, telescope, receiver.layer, receiver.line,
                                          outset.lens, outset.outward);
-  }
-  [[nodiscard]] std::array<T, 4> draw(const Index<T>& walk, const Index<T>& event,
-                                      std::uint32_t block) const {
-    return draws(Index<T>(first) + walk, event, block);
   }
   /// Whether light can still come from the laser within the last gate.
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
@@ -114,11 +115,11 @@ class Bidirectional {
     // An echo is per photon emitted, and so are the samples.
     const transport::Samples<T> samples{T(1), world_.connected, T(walks),
                                         T(world_.turns ? walks : 0), world_.meeting_grid};
-    FromLaser<T, Ledger> out{world_, laser, first, ledger};
+    FromLaser<T, Ledger> out{{laser, first}, world_, ledger};
     WalkTaker(world_, samples, out, laser_, tally).take(count);
     for (const Receiver<T>& receiver : world_.receivers) {
       Walks<T>& walks_back = back_[receiver.telescope];
-      FromTelescope<T, Ledger> home{world_, receiver, back[receiver.number], first};
+      FromTelescope<T, Ledger> home{{back[receiver.number], first}, world_, receiver};
       WalkTaker(world_, samples, home, walks_back, tally).take(count);
       connect(receiver, samples, walks_back, count, walks, tally);
     }

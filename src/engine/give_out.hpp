@@ -32,7 +32,7 @@ void each_number(const Mask<T>& mask, const T& first, const T& last, Act act) {
   const auto pass_on = [&] {
     Index<T> from(0);
     T n(0);
-    const Mask<T> all = mask_of_bits<T>(found == 32 ? ~0U : (1U << found) - 1);
+    const Mask<T> all = first_lanes<T>(found);
     expand(all, lane.data(), from);
     expand(all, number.data(), n);
     act(from, n, all);

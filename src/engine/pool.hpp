@@ -50,7 +50,7 @@ class Pool {
     while (used_ > 0) {
       for (std::size_t k = 0; k < used_; k += width) {
         load(k);
-        const Mask<T> before = first_lanes(used_ - k);
+        const Mask<T> before = first_lanes<T>(used_ - k);
         const Mask<T> on = next_event(world_, travellers_, before, ledger_, tally, estimates_);
         witness(travellers_, before, on);
         store(k);
@@ -64,10 +64,6 @@ class Pool {
   }
 
  private:
-  static Mask<T> first_lanes(std::size_t n) {
-    return Mask<T>::of_bits(n >= 32 ? ~0U : (1U << n) - 1U);
-  }
-
   /// Calls f(a member of the travellers, its column) for every member that a slot keeps.
   template <class F>
   void columns(Travellers<T>& t, F f) {
@@ -107,9 +103,8 @@ class Pool {
         if ((entered_ >> born_ & 1U) != 0) return true;
       }
       if (next_ >= last_) return false;
-      Counter<T> number;
-      for (std::size_t i = 0; i < width; ++i) number.set(i, next_ + i);
-      const Mask<T> exist = first_lanes(last_ - next_);
+      const Counter<T> number = Counter<T>(next_) + to_counter<T>(lane_numbers<T>());
+      const Mask<T> exist = first_lanes<T>(last_ - next_);
       entered_ = lane_bits(set_out(world_, number, exist, newborn_, ledger_));
       next_ += width;
       born_ = static_cast<std::size_t>(-1);

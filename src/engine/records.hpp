@@ -29,6 +29,22 @@ const R& of_lanes(const R& record, std::int32_t) {
   return record;
 }
 
+/// `to` = `from` in the lanes of a mask.
+template <class T, class R>
+  requires(lanes_of<T> > 1)
+void assign(const Mask<T>& mask, R from, R& to) {
+  std::array<Index<T>, R::members> words;
+  std::size_t k = 0;
+  from.each_member([&](const auto& member) { words[k++] = std::bit_cast<Index<T>>(member); });
+  k = 0;
+  to.each_member(
+      [&]<class M>(M& member) { member = select(mask, std::bit_cast<M>(words[k++]), member); });
+}
+template <std::floating_point T, class R>
+void assign(bool mask, const R& from, R& to) {
+  if (mask) to = from;
+}
+
 /// R has `members` lanes of reals (T) or integers, and calls f(member) for each in each_member(f).
 template <class T, class R>
 class Records {

@@ -4,11 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 
 #include "core/flatten.hpp"
 #include "engine/draws.hpp"
 #include "engine/history.hpp"
+#include "engine/lane_columns.hpp"
 #include "engine/walk.hpp"
 #include "transport/depart.hpp"
 #include "transport/flight.hpp"
@@ -20,6 +20,16 @@ template <class T>
 struct Walker {
   transport::Photon<T> photon;
   Index<T> walk{};  ///< where it is kept
+
+  /// What a walk that begins brings along.
+  template <class F>
+  void each_member(F f) {
+    f(photon.position.x), f(photon.position.y), f(photon.position.z);
+    f(photon.direction.x), f(photon.direction.y), f(photon.direction.z);
+    f(photon.weight), f(photon.path), f(photon.line), f(photon.layer), f(walk);
+  }
+  static constexpr std::size_t reals = 8, integers = 3;
+
   Index<T> event{}, vertices{};
   transport::Ray<T> ray;  ///< its last one
   transport::Leg<T> leg;
@@ -61,30 +71,9 @@ class WalkTaker {
  private:
   static constexpr std::size_t lanes = lanes_of<T>;
 
-  /// What those who wait for a lane have.
-  template <class F>
-  static void each_of_new(Walker<T>& walker, F f) {
-    transport::Photon<T>& p = walker.photon;
-    f(p.position.x), f(p.position.y), f(p.position.z);
-    f(p.direction.x), f(p.direction.y), f(p.direction.z);
-    f(p.weight), f(p.path), f(p.line), f(p.layer), f(walker.walk);
-  }
-  template <class F>
-  void each_column(Walker<T>& walker, F f) {
-    std::size_t real = 0, integer = 0;
-    each_of_new(walker, [&]<class M>(M& member) {
-      if constexpr (std::is_same_v<M, T>) {
-        f(member, real_[real++].data());
-      } else {
-        f(member, integer_[integer++].data());
-      }
-    });
-  }
-
   /// The next walks, as many as there are lanes.
   void begin(std::size_t first, std::size_t left) {
-    const Mask<T> exist =
-        mask_of_bits<T>(left >= lanes ? ~std::uint32_t{0} : (std::uint32_t{1} << left) - 1);
+    const Mask<T> exist = first_lanes<T>(left);
     Walker<T> walker;
     // Lanes without a walk draw the numbers of another: beyond the batch there are none.
     walker.walk = select(exist, Index<T>(first) + lane_numbers<T>(), Index<T>(first));
@@ -95,8 +84,8 @@ class WalkTaker {
     outset.spread = begin.spread;
     walks_.leave_out(exist & !begin.exists, walker.walk);
     walks_.begin(begins, walker.walk, outset, {transport::walk_point(begin.photon)});
-    each_column(walker,
-                [&](const auto& member, auto* column) { compress(begins, member, column); });
+    waiting_columns_.each(
+        walker, [&](const auto& member, auto* column) { compress(begins, member, column); });
     waiting_ = count(begins);
     settled_ = 0;
   }
@@ -107,14 +96,14 @@ class WalkTaker {
     for (std::uint32_t left = lane_bits(free); left != 0 && n < waiting_; left &= left - 1, ++n)
       given |= left & -left;
     const Mask<T> mask = mask_of_bits<T>(given);
-    each_column(walker_,
-                [&](auto& member, const auto* column) { expand(mask, column + settled_, member); });
+    waiting_columns_.each(walker_, [&](auto& member, const auto* column) {
+      expand(mask, column + settled_, member);
+    });
     walker_.photon.analog_weight = select(mask, T(1), walker_.photon.analog_weight);
     walker_.photon.order = select(mask, Index<T>(0), walker_.photon.order);
     walker_.event = select(mask, Index<T>(0), walker_.event);
     walker_.vertices = select(mask, Index<T>(0), walker_.vertices);
-    walker_.ray =
-        select(mask, transport::Ray<T>{transport::walk_point(walker_.photon)}, walker_.ray);
+    assign<T>(mask, transport::Ray<T>{transport::walk_point(walker_.photon)}, walker_.ray);
     walker_.leg = select(mask, transport::Leg<T>{}, walker_.leg);
     walker_.axis.exists = walker_.axis.exists & !mask;
     settled_ += n;
@@ -199,7 +188,7 @@ class WalkTaker {
     }
     const Ray<T> ray = next_ray(photon, vertex, departure);
     walks_.add(colliding, walker_.walk, walker_.vertices, ray);
-    walker_.ray = select(colliding, ray, walker_.ray);
+    assign<T>(colliding, ray, walker_.ray);
     walker_.leg = select(colliding, Leg<T>{}, walker_.leg);
   }
 
@@ -211,9 +200,7 @@ class WalkTaker {
   tally::BatchTally& tally_;
   Walker<T> walker_;
 
-  // Those who have begun and wait for a lane: the members of each_of_new(), reals and integers.
-  std::array<std::array<Element<T>, lanes>, 8> real_{};
-  std::array<std::array<std::int32_t, lanes>, 3> integer_{};
+  LaneColumns<T, Walker<T>, lanes> waiting_columns_;  ///< of those who have begun without a lane
   std::size_t waiting_ = 0, settled_ = 0;
 };
 

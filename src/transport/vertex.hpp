@@ -108,12 +108,6 @@ struct Turn {
   void each_member(F& f) {
     f(density), f(sweep.x), f(sweep.y), f(sweep.along), f(sweep.aside);
   }
-  friend Turn select(const Mask<T>& mask, const Turn& yes, const Turn& no) {
-    return {select(mask, yes.density, no.density),
-            {select(mask, yes.sweep.x, no.sweep.x), select(mask, yes.sweep.y, no.sweep.y),
-             select(mask, yes.sweep.along, no.sweep.along),
-             select(mask, yes.sweep.aside, no.sweep.aside)}};
-  }
 };
 
 /// Sums of n h / g.
@@ -175,14 +169,6 @@ struct WalkPoint {
     f(direction.x), f(direction.y), f(direction.z);
     f(weight), f(path), f(line), f(layer);
   }
-  friend WalkPoint select(const Mask<T>& mask, const WalkPoint& yes, const WalkPoint& no) {
-    return {select<T>(mask, yes.position, no.position),
-            select<T>(mask, yes.direction, no.direction),
-            select(mask, yes.weight, no.weight),
-            select(mask, yes.path, no.path),
-            select(mask, yes.line, no.line),
-            select(mask, yes.layer, no.layer)};
-  }
 };
 template <class T>
 WalkPoint<T> walk_point(const Photon<T>& photon) {
@@ -208,17 +194,6 @@ struct Ray : WalkPoint<T> {
     last.each_member(f);
     behind.each_member(f);
     turn.each_member(f);
-  }
-  friend Ray select(const Mask<T>& mask, const Ray& yes, const Ray& no) {
-    return {
-        select(mask, static_cast<const WalkPoint<T>&>(yes), static_cast<const WalkPoint<T>&>(no)),
-        select(mask, yes.left_chance, no.left_chance),
-        select(mask, yes.chance, no.chance),
-        select(mask, yes.per_p, no.per_p),
-        select(mask, yes.last, no.last),
-        select(mask, yes.behind, no.behind),
-        select(mask, yes.meeting, no.meeting),
-        select(mask, yes.turn, no.turn)};
   }
 };
 

@@ -58,17 +58,6 @@ detector_diameter_m = 0.04
 )",
                      height_m);
 }
-const std::string layers = R"(
-[[sea.layer]]
-bottom_depth_m = 4.0
-chlorophyll_mg_m3 = 1.0
-[[sea.layer]]
-bottom_depth_m = 9.0
-chlorophyll_mg_m3 = 0.1
-[[sea.layer]]
-bottom_depth_m = 15.0
-chlorophyll_mg_m3 = 5.0
-)";
 const std::string three = channel("elastic") + channel("raman") + channel("chlorophyll");
 const std::string peaked = channel("elastic") + water(0.06, 0.10, peaked_phase);
 
@@ -99,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, Engines,
     testing::Values(Case{"Peaked", ship_instrument + peaked + depth_gates(50, 0.5), 4e5, 1e5},
                     Case{"ThreeChannelsInLayers",
-                         ship_instrument + three + layers + depth_gates(14, 0.5), 2e5, 5e4},
+                         ship_instrument + three + three_layers + depth_gates(14, 0.5), 2e5, 5e4},
                     Case{"From3km", airborne(3000) + peaked + depth_gates(40, 1), 4e5, 1e5}),
     testing::PrintToStringParamName());
 

@@ -56,4 +56,16 @@ inline std::string simulation(double photons, std::uint64_t seed, const std::str
                      estimator, photons, seed, more);
 }
 
+/// Of much, little and very much chlorophyll, down to a sea bed at 15 m.
+inline const std::string three_layers = R"(
+[[sea.layer]]
+bottom_depth_m = 4.0
+chlorophyll_mg_m3 = 1.0
+[[sea.layer]]
+bottom_depth_m = 9.0
+chlorophyll_mg_m3 = 0.1
+[[sea.layer]]
+bottom_depth_m = 15.0
+chlorophyll_mg_m3 = 5.0
+)";
 }  // namespace photic::test

@@ -24,17 +24,6 @@ EventLog log_lanes(const Problem& problem, std::uint64_t photons);
 
 namespace {
 
-const std::string layers = R"(
-[[sea.layer]]
-bottom_depth_m = 4.0
-chlorophyll_mg_m3 = 1.0
-[[sea.layer]]
-bottom_depth_m = 9.0
-chlorophyll_mg_m3 = 0.1
-[[sea.layer]]
-bottom_depth_m = 15.0
-chlorophyll_mg_m3 = 5.0
-)";
 const std::string submerged_telescope = R"(
 [[telescope]]
 name = "below"
@@ -50,7 +39,7 @@ obstruction_diameter_m = 0.02
 /// the surface.
 scene::Scene rich_scene(const std::string& more = "", const std::string& estimator = "forward") {
   return test::read(test::ship_instrument + submerged_telescope + test::channel("elastic") +
-                    test::channel("raman") + test::channel("chlorophyll") + layers +
+                    test::channel("raman") + test::channel("chlorophyll") + test::three_layers +
                     test::depth_gates(12, 1) +
                     test::simulation(estimator == "forward" ? 20000 : 2200, 5, more, estimator));
 }
