@@ -139,7 +139,13 @@ inline constexpr double roulette_threshold = 1e-8;
 
 /// Share of the directions in which a walk from a telescope goes on after a conversion that are
 /// drawn about the laser's beam.
-inline constexpr double directed_reversal = 0.5;
+inline constexpr double directed_reversal = 0.6;
+
+/// Of a vertex of a telescope's walk in emitted light: as many conversions are turned back as if
+/// its free paths were drawn like those of the laser's light.
+inline double reversal_probability(double conversion_probability) {
+  return 1 - std::pow(1 - conversion_probability, 1 / medium::emitted_walk_share);
+}
 
 /// How deep light can turn back within the last gate, and how far below the instruments that is.
 struct Reach {
@@ -201,8 +207,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.conversion = T(scene.simulation.conversion_probability);
   const Vec3<double> beam = axis_in_water(normalised(scene.source.direction), world.laser.submerged,
                                           medium.line.front().refractive_index);
-  world.reversal = {world.conversion, T(directed_reversal), vec3_cast<T>(beam),
-                    Index<T>(medium.beam_lobe)};
+  world.reversal = {T(reversal_probability(scene.simulation.conversion_probability)),
+                    T(directed_reversal), vec3_cast<T>(beam), Index<T>(medium.beam_lobe)};
   world.turns = beam.x == 0 && beam.y == 0;
   world.makes_choices = world.directs || medium.line.size() > 1;
   world.roulette_threshold = T(roulette_threshold);

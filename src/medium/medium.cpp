@@ -17,6 +17,12 @@ using optics::PhaseView;
 /// c.
 constexpr double least_walk_share = 0.2;
 
+/// The share of c in a layer that free paths of walks that are to be connected are drawn from.
+double connecting_share(double walk_share, bool emitted, double albedo) {
+  return emitted ? std::max(emitted_walk_share * walk_share, std::min(walk_share, albedo))
+                 : walk_share;
+}
+
 constexpr std::size_t table_size = std::size_t{PhaseView::cells} * PhaseView::fields;
 
 }  // namespace
@@ -75,7 +81,8 @@ void Medium::finish(std::optional<double> walk_share) {
   group_index_ = of_lines([](const Line& l) { return l.group_index; });
   std::vector<double> walk_c, continuous_c, gain;
   for (std::size_t i = 0; i < cells; ++i) {
-    const double share = walk_share.value_or(std::max(albedo[i], least_walk_share));
+    const double share = walk_share ? connecting_share(*walk_share, i >= n_layers, albedo[i])
+                                    : std::max(albedo[i], least_walk_share);
     walk_c.push_back(c[i] * share);
     continuous_c.push_back(c[i] * (1 - share));
     gain.push_back(1 / share);

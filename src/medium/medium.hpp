@@ -109,6 +109,11 @@ struct Line {
   double group_index = 1;
 };
 
+/// Free paths of emitted light that is to be connected are drawn from so much less of its
+/// attenuation than those of the laser's, unless it is scattered more: it is absorbed before a walk
+/// from a telescope gets to where deep echoes come from (docs/decisions/0014).
+inline constexpr double emitted_walk_share = 0.6;
+
 /// Owns what a MediumView points to.
 class Medium {
  public:
@@ -122,8 +127,8 @@ class Medium {
   std::int32_t add_phase(const optics::PhaseTable& table);
 
   /// Fills in what follows from the tables above; call once they are complete. `walk_share`: the
-  /// share of c that free paths are drawn from; by default from scattering alone, absorption being
-  /// continuous along them.
+  /// share of c that free paths are drawn from where walks are to be connected; by default from
+  /// scattering alone, absorption being continuous along them.
   void finish(std::optional<double> walk_share = {});
 
   [[nodiscard]] MediumView view() const;

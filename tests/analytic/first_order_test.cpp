@@ -11,6 +11,7 @@
 #include "optics/fournier_forand.hpp"
 #include "optics/phase_functions.hpp"
 #include "support/lidar_equation.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 
@@ -27,7 +28,7 @@ struct Precision {
 };
 /// One scattering each. The equation has the overlap's mean over the lens.
 const Precision forward{
-    simulation(3e7, 7, "max_order = 1\norders_kept = 1\nreception = \"overlap\""), 0.005, 0.005,
+    simulation(5e7, 7, "max_order = 1\norders_kept = 1\nreception = \"overlap\""), 0.005, 0.005,
     true};
 /// Meetings of one pair of walks are seen in many gates.
 const Precision bidirectional{
@@ -110,7 +111,7 @@ void compare(const std::string& toml,
           equations.push_back(expected(problem, t, c, phase_of_channel[c]));
       }
     }
-    compare(engine::run(scene), precision, equations);
+    compare(run_in_lanes(scene), precision, equations);
   }
 }
 

@@ -222,8 +222,9 @@ TEST(Bidirectional, TurningDoesNotMatter) {
 }
 
 // Walks that end at their second vertex still draw all paths of up to four, with strategies that
-// they can use. At order four that is a single inner edge, whose variance is infinite: this is held
-// exactly by unit/engine, and the others here. Seen red: with the sum taken over all strategies.
+// they can use. At order four that is a single inner edge, at order three too for light converted
+// at once, whose variance is infinite: these are held exactly by unit/engine, and the others here.
+// Seen red: with the sum taken over all strategies.
 TEST(Bidirectional, WalksOfTwoVertices) {
   // Broad phase functions: so few strategies would not converge on peaks.
   const std::string scene = ship_instrument + three_channels +
@@ -235,12 +236,16 @@ TEST(Bidirectional, WalksOfTwoVertices) {
   };
   const auto capped = simulate_capped(2, 3);
   const auto whole = simulate_capped(100, 4);
-  std::vector<std::size_t> all(capped.echo_by_order.mean.size());
-  std::iota(all.begin(), all.end(), 0);
+  std::vector<std::size_t> settled;
+  for (std::size_t i = 0; i < capped.echo_by_order.mean.size(); ++i) {
+    const std::size_t order = i / capped.gates() % static_cast<std::size_t>(capped.orders) + 1;
+    const bool elastic = i < capped.gates() * static_cast<std::size_t>(capped.orders);
+    if (elastic || order < 3) settled.push_back(i);
+  }
   ZFamily orders(0.01);
-  add_all(orders, capped.echo_by_order, whole.echo_by_order, all, "order");
+  add_all(orders, capped.echo_by_order, whole.echo_by_order, settled, "order");
   std::printf("%zu orders, rms z %.2f\n", orders.size(), orders.rms());
-  EXPECT_GE(orders.size(), 40U);
+  EXPECT_GE(orders.size(), 35U);
   orders.judge();
 }
 
