@@ -82,9 +82,11 @@ std::optional<Isa> lanes_asked(const RunCommand& command, const scene::Scene& sc
   if (by_default || command.engine == "lanes")
     return isa_of(command.isa).value_or(isas_here().back());
   if (command.isa.empty()) return std::nullopt;
-  throw InputError({{.file = "--isa " + command.isa,
-                     .reason = "only lanes are made of instructions to choose",
-                     .suggestion = "--engine lanes, or leave it out"}});
+  throw InputError(
+      {{.file = "--isa " + command.isa,
+        .reason = "only lanes are made of instructions to choose",
+        .suggestion = command.engine.empty() ? "leave it out: an instrument is too far for lanes"
+                                             : "--engine lanes, or leave it out"}});
 }
 
 /// The engine of a run that goes on from one that ran in `before`: bits depend on it.

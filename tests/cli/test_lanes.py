@@ -62,6 +62,9 @@ def test_far_instruments_have_the_scalar_engine(run, scene, tmp_path):
         "--engine lanes: cannot time light from instruments farther than 3000 m from the origin: lanes are floats "
         "(--engine scalar, or leave it out)\n"
     )
+    # Seen red: with the advice to ask for lanes, which are refused then.
+    done = run(*far, "--isa", "baseline", code=2)
+    assert "leave it out: an instrument is too far for lanes" in done.stderr
 
 
 def test_instruction_sets_are_for_lanes(run, scene):

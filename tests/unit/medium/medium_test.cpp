@@ -89,6 +89,22 @@ TEST(Medium, WalksByScatteringAlone) {
   EXPECT_NEAR(v.walk_optical_depth<double>(0, 1, 12.0), 10 * 0.1 + 2 * 0.3, 1e-15);
 }
 
+// Where walks are connected, those in emitted light go farther, unless it is scattered much. Seen
+// red: with the laser's share for all lines; without regard to scattering.
+TEST(Medium, WalksFartherInEmittedLight) {
+  auto m = two_layers();
+  m.albedo = {0.9, 0.6, 0.3, 0.5};
+  m.finish(0.6);
+  const auto v = m.view();
+  EXPECT_NEAR(v.walk_c[0], 0.6 * 0.2, 1e-16);
+  EXPECT_NEAR(v.walk_c[1], 0.6 * 0.5, 1e-16);
+  EXPECT_NEAR(v.walk_c[2], 0.6 * 0.6 * 0.7, 1e-16);
+  EXPECT_NEAR(v.walk_c[3], 0.5 * 0.9, 1e-16);
+  m.albedo[3] = 0.9;
+  m.finish(0.6);
+  EXPECT_NEAR(m.view().walk_c[3], 0.6 * 0.9, 1e-16);
+}
+
 TEST(Medium, ListsWhatCanBeEmittedByLayer) {
   auto m = two_layers();
   m.finish();
