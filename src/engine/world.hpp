@@ -141,8 +141,8 @@ inline constexpr double roulette_threshold = 1e-8;
 /// drawn about the laser's beam.
 inline constexpr double directed_reversal = 0.6;
 
-/// Of a vertex of a telescope's walk in emitted light: as many conversions are turned back as if
-/// its free paths were drawn like those of the laser's light.
+/// Of a vertex of a telescope's walk in emitted light: where that is hardly scattered, as many
+/// conversions are turned back as if its free paths were drawn like those of the laser's light.
 inline double reversal_probability(double conversion_probability) {
   return 1 - std::pow(1 - conversion_probability, 1 / medium::emitted_walk_share);
 }

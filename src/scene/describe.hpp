@@ -63,8 +63,10 @@ void describe(V& v, Simulation& s) {
   v.optional("directed_fraction", s.directed_fraction,
              Number{.low = 0.0, .high = 1.0, .high_open = true},
              "the share of directions drawn towards a telescope; 0 turns that off");
-  v.optional("conversion_probability", s.conversion_probability, between(0.0, 1.0),
-             "the share of collisions followed into an inelastic process");
+  v.optional(
+      "conversion_probability", s.conversion_probability, between(0.0, 1.0),
+      "the share of collisions followed into an inelastic process; in walks from telescopes, "
+      "of free paths as long as the laser's light would have");
   v.optional("walks", s.walks, Count{1, 100},
              "of the bidirectional estimator: walks from the laser, and from each telescope, that "
              "are all connected with each other");
