@@ -96,6 +96,7 @@ function(photic_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE PHOTIC_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_precompile_headers(${name} REUSE_FROM test_headers)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
   # g++ 12 takes strings of a precompiled <string> for overruns; the sanitizers find real ones.
   target_compile_options(${name} PRIVATE -Wno-array-bounds)
   photic_test_label(label)

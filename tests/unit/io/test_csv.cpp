@@ -92,10 +92,10 @@ TEST(Csv, ReadsBackToTheSameNumbers) {
 }
 
 TEST(Csv, ReasonsAreNamedLowestBitFirst) {
-  using Names = std::vector<std::string_view>;
-  EXPECT_EQ(flag_names(0), Names{});
+  using FlagNames = std::vector<std::string_view>;
+  EXPECT_EQ(flag_names(0), FlagNames{});
   EXPECT_EQ(flag_names(tally::heavy_tail | tally::large_error),
-            (Names{"large_error", "heavy_tail"}));
+            (FlagNames{"large_error", "heavy_tail"}));
 }
 
 TEST(Csv, HeadSaysWhatItIs) {

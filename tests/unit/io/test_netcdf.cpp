@@ -92,7 +92,6 @@ TEST_F(WrittenResult, Estimates) {
     expect_same(file.numbers(name), estimates->mean);
     expect_same(file.numbers(std::string(name) + "_standard_error"), estimates->standard_error);
   }
-  using Names = std::vector<std::string>;
   EXPECT_EQ(file.dimensions(file.variable("echo")), (Names{"telescope", "channel", "gate"}));
   EXPECT_EQ(file.dimensions(file.variable("echo_by_process")),
             (Names{"telescope", "channel", "process", "gate"}));

@@ -200,16 +200,16 @@ phase_function = { model = "mixture", components = [{ fraction = 1.0, model = "p
 TEST(Write, JsonSaysTheSameInTheSameOrder) {
   const Scene scene =
       base_scene({"title=a \"b\" \\c é", "optics.set=paper", "optics.phytoplankton_phase=petzold"});
-  const auto json = nlohmann::ordered_json::parse(write_scene_json(scene));
-  EXPECT_EQ(json["title"], "a \"b\" \\c é");
-  EXPECT_EQ(json["source"]["position_m"], nlohmann::ordered_json({0.0, 0.0, 12.0}));
-  EXPECT_EQ(json["telescope"][0]["name"], "t");
-  EXPECT_EQ(json["optics"]["raman"], "marshall-smith");
-  EXPECT_EQ(json["sea"]["layer"][0]["chlorophyll_mg_m3"], 0.1);
-  EXPECT_EQ(json["sea"]["layer"][1]["iop"][0]["b_per_m"], 0.1);
-  EXPECT_EQ(json["simulation"]["photons"], 1'000'000);
+  const auto written = nlohmann::ordered_json::parse(write_scene_json(scene));
+  EXPECT_EQ(written["title"], "a \"b\" \\c é");
+  EXPECT_EQ(written["source"]["position_m"], nlohmann::ordered_json({0.0, 0.0, 12.0}));
+  EXPECT_EQ(written["telescope"][0]["name"], "t");
+  EXPECT_EQ(written["optics"]["raman"], "marshall-smith");
+  EXPECT_EQ(written["sea"]["layer"][0]["chlorophyll_mg_m3"], 0.1);
+  EXPECT_EQ(written["sea"]["layer"][1]["iop"][0]["b_per_m"], 0.1);
+  EXPECT_EQ(written["simulation"]["photons"], 1'000'000);
   std::vector<std::string> sections;
-  for (const auto& [key, value] : json.items()) sections.push_back(key);
+  for (const auto& [key, value] : written.items()) sections.push_back(key);
   EXPECT_EQ(sections, (std::vector<std::string>{"title", "source", "telescope", "channel", "optics",
                                                 "sea", "gates", "simulation"}));
 }

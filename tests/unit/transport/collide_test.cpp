@@ -9,18 +9,18 @@ namespace photic::transport {
 namespace {
 
 constexpr double conversion = 0.2;
-constexpr int steps = 1000;  // midpoints of a grid of uniforms: the means are exact
+constexpr int strata = 1000;  // midpoints of a grid of uniforms: the means are exact
 
 /// Mean weight by line after a collision in a layer.
 std::vector<double> mean_weights(const medium::Medium& sea, std::int32_t line, std::int32_t layer) {
   std::vector<double> mean(3, 0.0);
-  for (int i = 0; i < steps; ++i) {
-    for (int j = 0; j < steps; ++j) {
+  for (int i = 0; i < strata; ++i) {
+    for (int j = 0; j < strata; ++j) {
       Photon<double> photon;
       photon.line = line;
       photon.layer = layer;
-      collide(sea.view(), photon, conversion, (i + 0.5) / steps, (j + 0.5) / steps);
-      mean[static_cast<std::size_t>(photon.line)] += photon.weight / (double{steps} * steps);
+      collide(sea.view(), photon, conversion, (i + 0.5) / strata, (j + 0.5) / strata);
+      mean[static_cast<std::size_t>(photon.line)] += photon.weight / (double{strata} * strata);
     }
   }
   return mean;

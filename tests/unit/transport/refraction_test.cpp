@@ -8,7 +8,7 @@
 namespace photic::transport {
 namespace {
 
-constexpr double n = 1.3415;
+constexpr double index = 1.3415;
 
 // Seen red: without n^2; with n for 1 / n in the path; with the paraxial spreading, the same along
 // as across; with the cosines swapped in their ratio.
@@ -17,30 +17,30 @@ TEST(RefractedSolidAngle, IsThatOfTracedRays) {
     for (const auto& [depth, height] : {std::pair{10.0, 12.0}, {0.1, 100.0}, {50.0, 0.5}}) {
       const double air = degrees * radian_per_degree;
       const double cos_air = std::cos(air);
-      const double cos_water = std::sqrt(1 - std::pow(std::sin(air) / n, 2));
-      const double factor = refracted_solid_angle_per_area(1 / n, depth / cos_water, cos_water,
+      const double cos_water = std::sqrt(1 - std::pow(std::sin(air) / index, 2));
+      const double factor = refracted_solid_angle_per_area(1 / index, depth / cos_water, cos_water,
                                                            height / cos_air, cos_air);
-      EXPECT_NEAR(factor / solid_angle_per_area(n, depth, height, air), 1, 1e-6)
+      EXPECT_NEAR(factor / solid_angle_per_area(index, depth, height, air), 1, 1e-6)
           << degrees << " " << depth;
     }
   }
 }
 
 TEST(RefractedSolidAngle, HasItsClosedForms) {
-  EXPECT_NEAR(refracted_solid_angle_per_area(1 / n, 10.0, 1.0, 12.0, 1.0),
-              1 / std::pow(n * 12 + 10, 2), 1e-16);
+  EXPECT_NEAR(refracted_solid_angle_per_area(1 / index, 10.0, 1.0, 12.0, 1.0),
+              1 / std::pow(index * 12 + 10, 2), 1e-16);
   EXPECT_NEAR(refracted_solid_angle_per_area(1.0, 3.0, 0.4, 4.0, 0.4), 1.0 / 49, 1e-16);
 }
 
 /// The tangent in air.
 double crossing(double depth, double height, double aside) {
-  const auto start = crossing_start(1 / n, depth, height, aside * aside);
-  return aside * crossing(n, depth, height, aside * aside, start);
+  const auto start = crossing_start(1 / index, depth, height, aside * aside);
+  return aside * crossing(index, depth, height, aside * aside, start);
 }
 
 /// How far aside a ray of tangent t in air has come.
 long double aside_of(long double t, long double depth, long double height) {
-  const long double sin_water = t / std::sqrt(1 + t * t) / static_cast<long double>(n);
+  const long double sin_water = t / std::sqrt(1 + t * t) / static_cast<long double>(index);
   return height * t + depth * sin_water / std::sqrt(1 - sin_water * sin_water);
 }
 
@@ -68,7 +68,7 @@ TEST(CrossingTangent, ObeysSnellOverTwelveOrdersOfMagnitude) {
     const double t = crossing(depth, height, aside);
     ASSERT_NEAR(static_cast<double>(aside_of(t, depth, height)) / aside, 1, 1e-13)
         << depth << " " << height << " " << aside;
-    ASSERT_LE(n * aside / (n * height + depth), t * (1 + 1e-14))
+    ASSERT_LE(index * aside / (index * height + depth), t * (1 + 1e-14))
         << "the paraxial tangent is never above";
     if (i % 20 != 0) continue;
     const long double slope =
@@ -87,7 +87,7 @@ TEST(CrossingTangent, OfAPointStraightBelowIsZero) { EXPECT_EQ(crossing(3, 12, 0
 TEST(CrossingStart, KnowsItsError) {
   for (const double depth : {0.1, 3.0, 30.0, 300.0}) {
     for (const double aside : {0.7, 1.0, 1.5}) {
-      const auto start = crossing_start(1 / n, depth, 12.0, aside * aside);
+      const auto start = crossing_start(1 / index, depth, 12.0, aside * aside);
       const auto exact =
           static_cast<double>(crossing_by_bisection(static_cast<long double>(depth), 12,
                                                     static_cast<long double>(aside)) /
