@@ -156,6 +156,22 @@ struct Simulation {
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };
 
+/// A value that is another one in an environment.
+struct Change {
+  std::string path;   ///< as of --set: "sea.layer.0.chlorophyll_mg_m3"
+  std::string value;  ///< as TOML
+  friend bool operator==(const Change&, const Change&) = default;
+};
+
+/// Other water, whose echoes are computed from the same histories.
+struct Environment {
+  std::string name;
+  std::vector<Change> set;  ///< in the order of the file
+  Optics optics;            ///< with the changes; all else is the scene's
+  Sea sea;
+  friend bool operator==(const Environment&, const Environment&) = default;
+};
+
 struct Scene {
   std::string title;
   Source source;
@@ -165,6 +181,7 @@ struct Scene {
   Sea sea;
   Gates gates;
   Simulation simulation;
+  std::vector<Environment> environment;
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 

@@ -56,6 +56,12 @@ struct Result {
   std::vector<double>
       order_cut_share;  ///< [telescope][channel][gate]: first order cut off, over the echo
 
+  // The same of the environments, if there are any.
+  std::vector<std::string> environment_name;
+  Estimates environment_echo;        ///< [environment][telescope][channel][gate]
+  Estimates environment_difference;  ///< the same: less the echo; its error is its own
+  std::vector<std::int32_t> environment_convergence_flags;  ///< of environment_echo
+
   // The run.
   std::string title, scene_toml, version, engine, estimator;
   std::uint64_t seed = 0;

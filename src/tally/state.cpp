@@ -32,7 +32,8 @@ TotalsState::TotalsState(const Shape& shape)
       by_depth(shape.cells() * shape.depths),
       cut_order(shape.cells()),
       largest(shape.cells()),
-      octaves(shape.cells()) {}
+      octaves(shape.cells()),
+      environment(shape.cells() * shape.environments) {}
 
 std::size_t snapshots_at(std::uint64_t batches) {
   return static_cast<std::size_t>(std::bit_width(batches));

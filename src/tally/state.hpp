@@ -62,6 +62,16 @@ struct TailSums {
   friend bool operator==(const TailSums&, const TailSums&) = default;
 };
 
+/// What is summed in one cell for an environment, whose scores are those of the scene times the
+/// ratios of their paths' weights.
+struct EnvironmentSums {
+  TailSums echo;
+  Sums difference;                ///< of its echo to the scene's
+  double largest = 0;             ///< single score
+  double square = 0, fourth = 0;  ///< sums of powers of single scores
+  friend bool operator==(const EnvironmentSums&, const EnvironmentSums&) = default;
+};
+
 /// Scores are also counted by octave of their size: what shows a heavy tail.
 inline constexpr int score_octaves = 128;  ///< 2^-128 … 1
 
@@ -81,6 +91,7 @@ struct TotalsState {
   std::vector<double> cut_order;  ///< [cell] first order beyond max_order
   std::vector<double> largest;    ///< [cell] largest single score
   std::vector<std::array<std::uint64_t, score_octaves>> octaves;  ///< [cell]
+  std::vector<EnvironmentSums> environment;                       ///< [cell][environment]
   // The echo when there were 2^k batches, one snapshot after the other.
   std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot]
   std::vector<Sums> snapshot_echo;                         ///< [snapshot][cell]
