@@ -10,6 +10,7 @@
 #include "engine/world.hpp"
 #include "tally/batch_tally.hpp"
 #include "transport/connect_ray.hpp"
+#include "transport/environments.hpp"
 #include "transport/scatter.hpp"
 
 namespace photic::engine {
@@ -27,6 +28,7 @@ struct Travellers {
   RandomPlace<T> place;
   std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
                                                 ///< part in local estimates of single rays
+  transport::Ratios<T> ratios;                  ///< of their paths' weights in environments
 };
 
 /// Where a telescope's lens is looked through by a photon, all its life.
@@ -60,76 +62,122 @@ struct Sources {
 /// What local estimates need besides the photons: a pool's, or one photon's.
 template <class T>
 struct Estimates {
+  explicit Estimates(const World<T>& world)
+      : waiting(world.telescopes.size()),
+        of_scores(static_cast<std::size_t>(world.sea.environments.count) * lanes_of<T>) {
+    ratios.begin(world.sea);
+  }
+
   Targets<T> targets;  ///< of the directions that photons may take next
   std::vector<WaitingRoom<T, Sources<T>>> waiting;  ///< of each telescope
+  transport::Ratios<T> ratios;  ///< of the light that is scored, in environments
+  std::vector<Element<T>>
+      of_scores;  ///< the same with the way to the telescope, [environment][lane]
 };
 
-/// Scores the lanes of a mask, one after the other.
+/// Scores the lanes of a mask, one after the other; in environments too, by their ratios
+/// [environment][lane].
 template <class T>
 void score_lanes(const Mask<T>& seen, std::size_t telescope, const Sources<T>& from,
-                 const T& path_back, const T& value, tally::BatchTally& tally) {
+                 const T& path_back, const T& value, const std::vector<Element<T>>& ratios,
+                 tally::BatchTally& tally) {
   const auto lines = each_lane(from.line), orders = each_lane(from.photon.order);
   const auto depths = each_lane(from.photon.position.z),
              paths = each_lane(from.photon.path + path_back), values = each_lane(value);
   for_each_lane(seen, [&](int lane) {
     const auto i = static_cast<std::size_t>(lane);
-    tally.score({telescope, lines[i], orders[i] + 1, -depths[i], paths[i], values[i]});
+    const tally::Score score{telescope, lines[i], orders[i] + 1, -depths[i], paths[i], values[i]};
+    if (ratios.empty())
+      tally.score(score);
+    else
+      tally.score(score, ratios.data() + i, lanes_of<T>);
   });
+}
+
+/// Ratios of light that leaves a collision and goes straight to a telescope.
+template <class T>
+void ratios_of_scores(const World<T>& world, std::size_t t, const Sources<T>& from,
+                      const transport::Connection<T>& way, bool mirrored, Estimates<T>& estimates) {
+  using namespace transport;
+  const Photon<T>& photon = from.photon;
+  auto& [of_path, part] = estimates.ratios;
+  const Mask<T> converted = !(from.line == photon.line);
+  part_values(world.sea, photon.line, photon.layer, one_minus_cos(photon.direction, way.direction),
+              part);
+  for (std::size_t i = 0; i < of_path.size(); ++i) {
+    const auto e = static_cast<std::int32_t>(i);
+    T ratio = scattering_ratio(world.sea, e, photon.line, photon.layer, part);
+    if (any(converted))
+      ratio = select(converted, emission_ratio<T>(world.sea, e, from.line, photon.layer), ratio);
+    ratio = of_path[i] * ratio *
+            way_ratio(world.sea, e, from.line, photon, way, world.telescopes[t],
+                      world.telescope_layer[t], mirrored);
+    const auto lanes = each_lane(ratio);
+    for (std::size_t lane = 0; lane < lanes_of<T>; ++lane)
+      estimates.of_scores[i * lanes_of<T> + lane] = lanes[lane];
+  }
 }
 
 /// Scores light in one telescope: weight before the collision x share of the process x phase
 /// function x acceptance x exp(-optical depth back at the emitted wavelength) (docs/theory.md, "The
-/// local estimate"). Adds the ways to the telescope to `targets`, if given, for directed sampling:
-/// those outside the field of view too, for light that first turns towards a telescope and then
-/// enters its view is what a plain walk finds too rarely.
+/// local estimate"). If it `aims`, adds the ways to the telescope to the targets of directed
+/// sampling: those outside the field of view too, for light that first turns towards a telescope
+/// and then enters its view is what a plain walk finds too rarely.
 template <class T>
 void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, const Mask<T>& mask,
-              tally::BatchTally& tally, Targets<T>* targets) {
+              tally::BatchTally& tally, Estimates<T>& estimates, bool aims) {
   using namespace transport;
   const Photon<T>& photon = from.photon;
-  const auto offer = [&](const Connection<T>& way) {
-    if (targets != nullptr && any(way.in_front) && targets->count < target_capacity)
-      targets->add(way.direction, T(0), select(way.in_front, T(1), T(0)));
+  Targets<T>& targets = estimates.targets;
+  const auto offer = [&](const Connection<T>& way, bool mirrored) {
+    if (aims && any(way.in_front) && targets.count < target_capacity)
+      targets.add(way.direction, T(0), select(way.in_front, T(1), T(0)));
     const Mask<T> seen = mask & (way.acceptance > T(0));
     if (!any(seen)) return;
     const T p = world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction),
                                                    from.phase);
     const T value = photon.weight * from.share * p * way.acceptance * exp_minus(way.optical_depth);
-    score_lanes(seen, t, from, way.path, value, tally);
+    if (!estimates.of_scores.empty()) ratios_of_scores(world, t, from, way, mirrored, estimates);
+    score_lanes(seen, t, from, way.path, value, estimates.of_scores, tally);
   };
-  const bool aims = targets != nullptr;
   const auto& telescope = world.telescopes[t];
   const auto& layer = world.telescope_layer[t];
   for (const bool mirrored : {false, true}) {
     if (mirrored && !telescope.submerged) continue;
     if (world.single_rays) {
-      offer(connect_ray(world.sea, telescope, layer, photon, from.line, from.lens, mirrored, aims));
+      offer(connect_ray(world.sea, telescope, layer, photon, from.line, from.lens, mirrored, aims),
+            mirrored);
     } else if (telescope.submerged) {
-      offer(connect_in_water(world.sea, telescope, layer, photon, from.line, mirrored));
+      offer(connect_in_water(world.sea, telescope, layer, photon, from.line, mirrored), mirrored);
     } else {
-      offer(connect_through_surface(world.sea, telescope, photon, from.line, aims));
+      offer(connect_through_surface(world.sea, telescope, photon, from.line, aims), mirrored);
     }
   }
 }
 
 /// Scores light of the collisions of a mask in all telescopes. Where nothing aims at them, only
-/// what they may see is looked at.
+/// what they may see is looked at; it waits for company, but for light that has ratios.
 template <class T>
-void score_light(const World<T>& world, const Travellers<T>& at, const Mask<T>& colliding,
+void score_light(const World<T>& world, const transport::Photon<T>& photon,
+                 const std::vector<instrument::PlanePoint<T>>& lens, const Mask<T>& colliding,
                  const Index<T>& line, const T& share, const Index<T>& phase,
                  Estimates<T>& estimates, tally::BatchTally& tally, bool aims) {
-  Sources<T> from{at.photon, line, share, phase};
+  Sources<T> from{photon, line, share, phase};
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
-    if (world.single_rays) from.lens = at.lens[t];
+    if (world.single_rays) from.lens = lens[t];
     if (aims) {
-      score_in(world, t, from, colliding, tally, &estimates.targets);
+      score_in(world, t, from, colliding, tally, estimates, true);
       continue;
     }
     const Mask<T> seen =
-        colliding & transport::may_see(world.sea, world.telescopes[t], at.photon.position, line);
+        colliding & transport::may_see(world.sea, world.telescopes[t], photon.position, line);
     if (!any(seen)) continue;
+    if (!estimates.of_scores.empty()) {
+      score_in(world, t, from, seen, tally, estimates, false);
+      continue;
+    }
     estimates.waiting[t].admit(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
-      score_in<T>(world, t, full, mask, tally, nullptr);
+      score_in<T>(world, t, full, mask, tally, estimates, false);
     });
   }
 }
@@ -139,7 +187,7 @@ template <class T>
 void close_rooms(const World<T>& world, Estimates<T>& estimates, tally::BatchTally& tally) {
   for (std::size_t t = 0; t < estimates.waiting.size(); ++t) {
     estimates.waiting[t].close([&](const Sources<T>& rest, const Mask<T>& mask) {
-      score_in<T>(world, t, rest, mask, tally, nullptr);
+      score_in<T>(world, t, rest, mask, tally, estimates, false);
     });
   }
 }
@@ -177,27 +225,33 @@ void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask
   const medium::MediumView& sea = world.sea;
   const Index<T> here = sea.at(at.photon.line, at.photon.layer);
   estimates.targets.clear();
-  score_light(world, at, colliding, at.photon.line, gather<T>(sea.albedo, here),
+  estimates.ratios.of_path = at.ratios.of_path;
+  score_light(world, at.photon, at.lens, colliding, at.photon.line, gather<T>(sea.albedo, here),
               gather_index<T>(sea.elastic_phase, here), estimates, tally, world.directs);
   if (world.directs) aim_at_views(world, at.photon, estimates.targets);
 }
 
 /// Scores what the telescopes expect of the conversions on photons' way to their next collision.
 template <class T>
-void score_conversions(const World<T>& world, Travellers<T> at, const Mask<T>& travelling,
+void score_conversions(const World<T>& world, const Travellers<T>& from, const Mask<T>& travelling,
                        Estimates<T>& estimates, tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
-  const Mask<T> convertible = travelling & (at.photon.line == Index<T>(0));
+  const Mask<T> convertible = travelling & (from.photon.line == Index<T>(0));
   if (!any(convertible)) return;
-  const auto u = uniforms(at.place, 2);
+  const auto u = uniforms(from.place, 2);
+  transport::Photon<T> at = from.photon;
   const Mask<T> reached =
-      convertible & transport::force_collision(sea, at.photon, world.cones, {u[0], u[1], u[2]});
-  const Index<T> count = gather_index<T>(sea.convertible_count, at.photon.layer);
+      convertible & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
+  if (!from.ratios.none()) {
+    estimates.ratios.of_path = from.ratios.of_path;
+    const T length = (at.path - from.photon.path) / gather<T>(sea.group_index, at.line);
+    pass(sea, at.line, passage(from.photon, at, length), estimates.ratios);
+  }
+  const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
   Index<T> i(0);
   for (Mask<T> on = reached & (i < count); any(on); on = reached & (i < count)) {
-    const Index<T> line =
-        gather_index<T>(sea.convertible, at.photon.layer * Index<T>(sea.lines) + i);
-    score_light(world, at, on, line, gather<T>(sea.conversion, sea.at(line, at.photon.layer)),
+    const Index<T> line = gather_index<T>(sea.convertible, at.layer * Index<T>(sea.lines) + i);
+    score_light(world, at, from.lens, on, line, gather<T>(sea.conversion, sea.at(line, at.layer)),
                 gather_index<T>(sea.conversion_phase, line), estimates, tally, false);
     i = i + Index<T>(1);
   }

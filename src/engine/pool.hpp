@@ -31,10 +31,14 @@ class Pool {
   static constexpr std::size_t slots = 256;
   static constexpr std::size_t width = lanes_of<T>;
 
-  explicit Pool(const World<T>& world) : world_(world), lens_(world.telescopes.size()) {
+  explicit Pool(const World<T>& world)
+      : world_(world),
+        lens_(world.telescopes.size()),
+        ratios_(static_cast<std::size_t>(world.sea.environments.count)),
+        estimates_(world) {
     travellers_.place.seed = world.seed;
     travellers_.lens.resize(world.single_rays ? lens_.size() : 0);
-    estimates_.waiting.resize(lens_.size());
+    travellers_.ratios.begin(world.sea);
   }
 
   /// Follows photons `first` … `first + count - 1` to their ends. `witness` is told of the packs
@@ -85,6 +89,7 @@ class Pool {
       f(t.lens[i].x, lens_[i][0]);
       f(t.lens[i].y, lens_[i][1]);
     }
+    for (std::size_t e = 0; e < t.ratios.of_path.size(); ++e) f(t.ratios.of_path[e], ratios_[e]);
   }
   void load(std::size_t k) {
     columns(travellers_, [k](auto& member, const auto& column) {
@@ -148,6 +153,7 @@ class Pool {
   Integer line_, layer_, order_, event_;
   ColumnOf<std::uint64_t> number_;
   std::vector<std::array<Real, 2>> lens_;          ///< of each telescope
+  std::vector<Real> ratios_;                       ///< of each environment
   std::array<std::uint32_t, slots / width> on_{};  ///< who goes on, one bit for each lane
   std::size_t used_ = 0;
 

@@ -34,6 +34,7 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   shape.depth_min = depth.front();
   shape.per_depth_step = static_cast<double>(shape.depths) / (depth.back() - depth.front());
   shape.max_order = static_cast<std::int32_t>(scene.simulation.max_order.value_or(0));
+  shape.environments = scene.environment.size();
   for (const auto& line : medium.line) {
     std::vector<std::int32_t> counted_by;
     for (std::size_t c = 0; c < scene.channel.size(); ++c) {
@@ -87,6 +88,7 @@ tally::Result describe(const Problem& problem) {
   const auto& [scene, medium, gates, shape] = problem;
   tally::Result result;
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
+  for (const auto& e : scene.environment) result.environment_name.push_back(e.name);
   for (const auto process : processes_of(medium.line))
     result.process_name.emplace_back(process_name(process));
   result.orders = static_cast<std::int64_t>(shape.orders);

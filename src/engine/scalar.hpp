@@ -18,8 +18,7 @@ class ScalarSimulator final : public Simulator {
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     if (world_.walks == 0) {
       Travellers<T> photon;
-      Estimates<T> estimates;
-      estimates.waiting.resize(world_.telescopes.size());
+      Estimates<T> estimates(world_);
       for (std::uint64_t i = 0; i < count; ++i) follow(world_, first + i, photon, estimates, tally);
       return;
     }

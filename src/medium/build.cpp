@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "medium/environments.hpp"
 #include "medium/layer_optics.hpp"
 #include "optics/phase_functions.hpp"
 
@@ -65,6 +66,7 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   }
   if (medium.line.size() > 1)
     medium.beam_lobe = medium.add_phase(optics::PhaseTable(optics::henyey_greenstein(beam_lobe_g)));
+  add_environments(scene, library, medium);
   const bool connects = scene.simulation.estimator == "bidirectional";
   medium.finish(connects ? std::optional(scene.simulation.walk_attenuation) : std::nullopt);
   return medium;

@@ -117,19 +117,27 @@ WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavel
   return water;
 }
 
-optics::PhaseShape LayerOptics::phase(const scene::Layer& layer, double wavelength_nm,
-                                      const WaterOptics& water) const {
-  if (layer.phase_function) return shape(*layer.phase_function, wavelength_nm);
+std::vector<ScatteringPart> LayerOptics::scattering(const scene::Layer& layer, double wavelength_nm,
+                                                    const WaterOptics& water) const {
+  if (layer.phase_function) return {{water.b_per_m, shape(*layer.phase_function, wavelength_nm)}};
   auto molecules = optics::rayleigh(scene_->optics.water_depolarisation);
   const double particles = water.b_per_m - water.b_molecular_per_m;
-  if (particles <= 0) return molecules;
+  if (particles <= 0) return {{water.b_per_m, molecules}};
   const std::string& model = scene_->optics.phytoplankton_phase;
   const auto algae = model == "mie" ? spheres(optics::paper_phytoplankton, wavelength_nm)
                      : model == "petzold"
                          ? optics::petzold(*library_)
                          : optics::fournier_forand(default_ff_index, default_ff_slope);
-  return optics::mixture(
-      {{water.b_molecular_per_m / water.b_per_m, molecules}, {particles / water.b_per_m, algae}});
+  return {{water.b_molecular_per_m, molecules}, {particles, algae}};
+}
+
+optics::PhaseShape LayerOptics::phase(const scene::Layer& layer, double wavelength_nm,
+                                      const WaterOptics& water) const {
+  const auto parts = scattering(layer, wavelength_nm, water);
+  if (parts.size() == 1) return parts.front().phase;
+  std::vector<std::pair<double, optics::PhaseShape>> shares;
+  for (const auto& part : parts) shares.emplace_back(part.b_per_m / water.b_per_m, part.phase);
+  return optics::mixture(shares);
 }
 
 optics::PhaseShape LayerOptics::shape(const scene::PhaseFunction& function,

@@ -21,6 +21,12 @@ struct WaterOptics {
   std::vector<std::string> sources;
 };
 
+/// A part of the scattering that has one phase function.
+struct ScatteringPart {
+  double b_per_m = 0;
+  optics::PhaseShape phase;
+};
+
 class LayerOptics {
  public:
   LayerOptics(const scene::Scene& scene, const optics::Library& library);
@@ -34,6 +40,10 @@ class LayerOptics {
   [[nodiscard]] optics::Phytoplankton phytoplankton(const scene::Layer& layer,
                                                     double wavelength_nm) const;
 
+  /// Of what the scattering in the layer is made up, water first.
+  [[nodiscard]] std::vector<ScatteringPart> scattering(const scene::Layer& layer,
+                                                       double wavelength_nm,
+                                                       const WaterOptics& water) const;
   /// The phase function of all scattering in the layer.
   [[nodiscard]] optics::PhaseShape phase(const scene::Layer& layer, double wavelength_nm,
                                          const WaterOptics& water) const;

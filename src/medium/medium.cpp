@@ -49,16 +49,23 @@ std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
 std::vector<double> Medium::depth_integrals(const std::vector<double>& coefficient) const {
   const auto n_layers = static_cast<std::size_t>(layers());
   std::vector<double> out;
-  for (std::size_t l = 0; l < line.size(); ++l) {
+  for (std::size_t l = 0; l < coefficient.size() / n_layers; ++l) {
     double sum = 0;
     out.push_back(sum);
     for (std::size_t k = 0; k < n_layers; ++k) {
       const double per_metre = coefficient[l * n_layers + k];
-      if (per_metre > 0) sum += per_metre * (top[k + 1] - top[k]);  // the last layer has no end
+      if (per_metre != 0) sum += per_metre * (top[k + 1] - top[k]);  // the last layer has no end
       out.push_back(sum);
     }
   }
   return out;
+}
+
+double Medium::least_c(std::size_t cell) const {
+  double least = c[cell];
+  for (std::size_t i = cell; i < environments.excess_c.size(); i += c.size())
+    least = std::min(least, c[cell] + environments.excess_c[i]);
+  return least;
 }
 
 void Medium::finish(std::optional<double> walk_share) {
@@ -81,8 +88,9 @@ void Medium::finish(std::optional<double> walk_share) {
   group_index_ = of_lines([](const Line& l) { return l.group_index; });
   std::vector<double> walk_c, continuous_c, gain;
   for (std::size_t i = 0; i < cells; ++i) {
-    const double share = walk_share ? connecting_share(*walk_share, i >= n_layers, albedo[i])
-                                    : std::max(albedo[i], least_walk_share);
+    const double wanted = walk_share ? connecting_share(*walk_share, i >= n_layers, albedo[i])
+                                     : std::max(albedo[i], least_walk_share);
+    const double share = std::min(wanted, least_c(i) / c[i]);
     walk_c.push_back(c[i] * share);
     continuous_c.push_back(c[i] * (1 - share));
     gain.push_back(1 / share);
@@ -98,6 +106,11 @@ void Medium::finish(std::optional<double> walk_share) {
   depth_tau_ = TwinTable(depth_integrals(c));
   walk_depth_tau_ = TwinTable(depth_integrals(walk_c));
   continuous_depth_tau_ = TwinTable(depth_integrals(continuous_c));
+  excess_c_ = TwinTable(environments.excess_c);
+  excess_depth_tau_ = TwinTable(depth_integrals(environments.excess_c));
+  excess_emitted_ = TwinTable(environments.excess_emitted);
+  excess_part_ = TwinTable(environments.excess_part);
+  part_phase_ = IndexTableOwner(environments.part_phase);
   elastic_phase_ = IndexTableOwner(elastic_phase);
   conversion_phase_ = IndexTableOwner(conversion_phase);
   std::vector<std::int32_t> convertible(cells), convertible_count;
@@ -136,6 +149,9 @@ MediumView Medium::view() const {
   v.group_index = group_index_.view();
   v.elastic_phase = elastic_phase_.view();
   v.conversion_phase = conversion_phase_.view();
+  v.environments = {environments.count,       environments.parts,     excess_c_.view(),
+                    excess_depth_tau_.view(), excess_emitted_.view(), part_phase_.view(),
+                    excess_part_.view()};
   v.phases.cell = phase_cells_.table();
   v.phases.guide = phase_guides_.data();
   return v;

@@ -21,6 +21,20 @@ namespace photic::medium {
 enum class Process : std::int32_t { elastic, raman, chlorophyll };
 const char* process_name(Process process);
 
+/// What a walk sees of the environments: other waters, whose echoes are those of the same paths
+/// with other weights. Line l of environment e stands where line e * lines + l would.
+struct EnvironmentsView {
+  std::int32_t count = 0;
+  std::int32_t parts = 0;       ///< of the scattering that are more or less in some environment
+  ShortTable excess_c;          ///< attenuation less the medium's, [environment][line][layer]
+  ShortTable excess_depth_tau;  ///< its integral, [environment][line][layers + 1]
+  ShortTable
+      excess_emitted;      ///< emitted light over the medium's, less 1, [environment][line][layer]
+  IndexTable part_phase;   ///< table in the medium's phases, [line][layer][part]
+  ShortTable excess_part;  ///< a part's scattering less the medium's, over all scattering of the
+                           ///< medium, [environment][line][layer][part]
+};
+
 /// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
   std::int32_t layers = 0, lines = 0;
@@ -44,6 +58,7 @@ struct MediumView {
   IndexTable elastic_phase;      ///< table in `phases`, [line][layer]
   IndexTable conversion_phase;   ///< table in `phases`, [line]; of line 0 unused
   optics::PhaseView phases;
+  EnvironmentsView environments;
 
   template <class I>
   I at(const I& line, const I& layer) const {
@@ -78,6 +93,14 @@ struct MediumView {
     return slant<T>(continuous_c, continuous_depth_tau, line, layer1, depth1, layer2, depth2,
                     length);
   }
+  /// How much deeper the way is in an environment; below 0 where it is less.
+  template <class T>
+  T excess_slant_optical_depth(std::int32_t environment, const Index<T>& line,
+                               const Index<T>& layer1, const T& depth1, const Index<T>& layer2,
+                               const T& depth2, const T& length) const {
+    return slant<T>(environments.excess_c, environments.excess_depth_tau,
+                    line + Index<T>(environment * lines), layer1, depth1, layer2, depth2, length);
+  }
 
  private:
   template <class T>
@@ -97,7 +120,8 @@ struct MediumView {
     const T rise = select(same, T(1), abs(depth1 - depth2));
     const T difference = down_to<T>(coefficient, to_top, line, layer1, depth1) -
                          down_to<T>(coefficient, to_top, line, layer2, depth2);
-    return select(same, within, abs(difference) * length / rise);
+    const T downwards = select(depth1 > depth2, difference, -difference);
+    return select(same, within, downwards * length / rise);
   }
 };
 
@@ -107,6 +131,13 @@ struct Line {
   double wavelength_nm = 0;
   double refractive_index = 1;
   double group_index = 1;
+};
+
+/// The tables of the environments, in the order of EnvironmentsView.
+struct EnvironmentTables {
+  std::int32_t count = 0, parts = 0;
+  std::vector<double> excess_c, excess_emitted, excess_part;
+  std::vector<std::int32_t> part_phase;
 };
 
 /// Free paths of emitted light that is to be connected are drawn from so much less of its
@@ -121,6 +152,7 @@ class Medium {
   std::vector<double> top, c, albedo, conversion, absorption;
   std::vector<std::int32_t> elastic_phase, conversion_phase;
   std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam
+  EnvironmentTables environments;
   std::vector<std::string> sources;  ///< "quantity = value: source [status]"
 
   /// Adds a phase function, or finds the equal one that is there already; returns its number.
@@ -137,13 +169,18 @@ class Medium {
   [[nodiscard]] std::int32_t layer_at(double depth_m) const;
 
  private:
-  /// Integrals over depth from the surface to the layers' edges, [line][layers + 1].
+  /// The least attenuation of a line and layer in the medium and the environments. Free paths are
+  /// drawn from no more: weights of longer ones would have no bound.
+  [[nodiscard]] double least_c(std::size_t cell) const;
+  /// Integrals over depth from the surface to the layers' edges, [line][layers + 1], for as many
+  /// lines as there are coefficients of.
   [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
 
   /// The tables of the view, in both precisions.
   TwinTable top_, c_, albedo_, conversion_, absorption_, depth_tau_, walk_c_, walk_depth_tau_,
-      continuous_c_, continuous_depth_tau_, collision_gain_, index_, inverse_index_, group_index_;
-  IndexTableOwner convertible_, convertible_count_, elastic_phase_, conversion_phase_;
+      continuous_c_, continuous_depth_tau_, collision_gain_, index_, inverse_index_, group_index_,
+      excess_c_, excess_depth_tau_, excess_emitted_, excess_part_;
+  IndexTableOwner convertible_, convertible_count_, elastic_phase_, conversion_phase_, part_phase_;
   TwinTable phase_cells_;  ///< of all phase functions, one behind the other
   std::vector<std::int32_t> phase_guides_;
 };

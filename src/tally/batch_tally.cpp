@@ -12,17 +12,18 @@ BatchTally::BatchTally(const Shape& shape, const Gates& gates)
       cut_order(shape.cells()),
       largest(shape.cells()),
       octaves(shape.cells()),
+      environment(shape.cells() * shape.environments),
       shape_(&shape),
       gates_(&gates) {}
 
-void BatchTally::score(const Score& s) {
+std::int32_t BatchTally::add(const Score& s) {
   ++scores;
   if (!(s.value > 0)) {
     if (std::isnan(s.value)) ++not_finite;
-    return;
+    return -1;
   }
   const std::int32_t gate = gates_->find(s.path);
-  if (gate < 0) return;
+  if (gate < 0) return -1;
   const bool beyond = shape_->max_order > 0 && s.order > shape_->max_order;
   const auto order = std::min(static_cast<std::size_t>(s.order), shape_->orders) - 1;
   const auto process =
@@ -49,6 +50,7 @@ void BatchTally::score(const Score& s) {
       by_depth[k] += s.value;
     }
   }
+  return beyond ? -1 : gate;
 }
 
 void BatchTally::clear() {
@@ -60,6 +62,8 @@ void BatchTally::clear() {
     cut_order[cell] = 0;
     largest[cell] = 0;
     octaves[cell].fill(0);
+    std::fill_n(environment.begin() + static_cast<std::ptrdiff_t>(cell * shape_->environments),
+                shape_->environments, EnvironmentScores{});
   }
   for (const std::uint32_t k : touched_depths) by_depth[k] = 0;
   touched_cells.clear();

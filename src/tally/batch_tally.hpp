@@ -28,11 +28,39 @@ struct Score {
   double value = 0;  ///< expected photons
 };
 
+/// What a batch scored in one cell for an environment.
+struct EnvironmentScores {
+  double difference = 0;          ///< of its echo to the scene's
+  double largest = 0;             ///< single score
+  double square = 0, fourth = 0;  ///< sums of powers of single scores
+};
+
 class BatchTally {
  public:
   BatchTally(const Shape& shape, const Gates& gates);
 
-  void score(const Score& s);
+  void score(const Score& s) { add(s); }
+  /// The same with environments, in which the score is ratios[e * stride] times as large.
+  template <class Number>
+  void score(const Score& s, const Number* ratios, std::size_t stride) {
+    const std::int32_t gate = add(s);
+    if (gate < 0) return;
+    for (const std::int32_t channel : shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
+      const std::size_t first =
+          shape_->environments * shape_->cell(s.telescope, static_cast<std::size_t>(channel),
+                                              static_cast<std::size_t>(gate));
+      for (std::size_t e = 0; e < shape_->environments; ++e) {
+        const auto ratio = static_cast<double>(ratios[e * stride]);
+        const double value = s.value * ratio;
+        const double square = value * value;
+        EnvironmentScores& sum = environment[first + e];
+        sum.difference += s.value * (ratio - 1);
+        sum.largest = value > sum.largest ? value : sum.largest;
+        sum.square += square;
+        sum.fourth += square * square;
+      }
+    }
+  }
   void clear();
 
   // Sums over the batch. The echo of a cell is the sum of by_order over its orders.
@@ -42,12 +70,16 @@ class BatchTally {
   std::vector<double> cut_order;   ///< [cell] first order beyond max_order
   std::vector<double> largest;     ///< [cell] largest single score
   std::vector<std::array<std::uint32_t, score_octaves>> octaves;  ///< [cell]
+  std::vector<EnvironmentScores> environment;                     ///< [cell][environment]
   std::vector<std::uint32_t> touched_cells, touched_depths;
 
   Ledger ledger;  ///< sums of weights
   std::uint64_t photons = 0, collisions = 0, scores = 0, too_many_events = 0, not_finite = 0;
 
  private:
+  /// Tells the gate, or -1 if the score is in none, or nothing that counts there.
+  std::int32_t add(const Score& s);
+
   const Shape* shape_;
   const Gates* gates_;
 };

@@ -19,6 +19,9 @@ constexpr double largest_variance_of_variance =
     0.1;                           // as MCNP asks for: X-5 Monte Carlo Team, LA-UR-03-1987 (2003)
 constexpr double few_scores = 30;  // scores that make up the top of a distribution
 constexpr double largest_top_share = 0.50;  // of the second moment, in those few
+/// Of environments scores are not counted by octave. As many equal scores that make up that share
+/// of the second moment, all others being small, have this share of its square in the fourth.
+constexpr double largest_fourth_share = largest_top_share * largest_top_share / few_scores;
 constexpr double largest_error_growth =
     1.4;  // of error * sqrt(photons), over a factor of four in photons
 constexpr double chance_growth = 2.58;  // standard deviations that chance alone seldom exceeds
@@ -37,6 +40,7 @@ bool fits(const TotalsState& state, const Shape& shape) {
          state.by_process.size() == cells * shape.processes &&
          state.by_depth.size() == cells * shape.depths && state.cut_order.size() == cells &&
          state.largest.size() == cells && state.octaves.size() == cells &&
+         state.environment.size() == cells * shape.environments &&
          state.snapshot_photons.size() == snapshots_at(state.batches) &&
          state.snapshot_batches.size() == snapshots_at(state.batches) &&
          state.snapshot_echo.size() == snapshots_at(state.batches) * cells;
@@ -64,6 +68,15 @@ void Totals::merge(const BatchTally& batch) {
     state_.largest[cell] = std::max(state_.largest[cell], batch.largest[cell]);
     for (std::size_t k = 0; k < score_octaves; ++k)
       state_.octaves[cell][k] += batch.octaves[cell][k];
+    for (std::size_t i = cell * shape_->environments; i < (cell + 1) * shape_->environments; ++i) {
+      const EnvironmentScores& scored = batch.environment[i];
+      EnvironmentSums& sums = state_.environment[i];
+      sums.echo.add(echo + scored.difference, n);
+      sums.difference.add(scored.difference, n);
+      sums.largest = std::max(sums.largest, scored.largest);
+      sums.square += scored.square;
+      sums.fourth += scored.fourth;
+    }
   }
   for (const std::uint32_t k : batch.touched_depths) state_.by_depth[k].add(batch.by_depth[k], n);
 
@@ -152,6 +165,24 @@ Totals::Health Totals::health(std::size_t cell) const {
   return health;
 }
 
+std::int32_t Totals::environment_flags(std::size_t cell, std::size_t environment) const {
+  const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
+  if (s.echo.low.x == 0) return no_score;
+  const auto n = static_cast<double>(state_.photons);
+  const auto b = static_cast<double>(state_.batches);
+  const auto [second, fourth] = s.echo.central(n);
+  std::int32_t flags =
+      health(cell).flags & (ConvergenceFlag::heavy_tail | ConvergenceFlag::error_not_falling);
+  const auto raise = [&](bool condition, ConvergenceFlag flag) { flags |= condition ? flag : 0; };
+  raise(b < least_batches, few_batches);
+  raise(standard_error(s.echo.low) > largest_relative_error * mean(s.echo.low), large_error);
+  raise(s.largest > largest_single_share * s.echo.low.x, large_score);
+  raise(second > 0 && fourth / (second * second) - 1 > largest_variance_of_variance * b,
+        uncertain_variance);
+  raise(s.fourth > largest_fourth_share * s.square * s.square, ConvergenceFlag::heavy_tail);
+  return flags;
+}
+
 bool Totals::all_converged(double relative_error) const {
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
     const Sums& s = state_.echo[cell].low;
@@ -203,6 +234,14 @@ void Totals::fill(Result& result) const {
     }
   }
   for (const Sums& s : state_.by_depth) estimate(result.echo_by_depth, s);
+  for (std::size_t e = 0; e < shape_->environments; ++e) {
+    for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
+      const EnvironmentSums& s = state_.environment[cell * shape_->environments + e];
+      estimate(result.environment_echo, s.echo.low);
+      estimate(result.environment_difference, s.difference);
+      result.environment_convergence_flags.push_back(environment_flags(cell, e));
+    }
+  }
 
   const double per_photon = state_.photons > 0 ? 1.0 / static_cast<double>(state_.photons) : 0.0;
   result.ledger = {state_.ledger.absorbed * per_photon,     state_.ledger.escaped * per_photon,

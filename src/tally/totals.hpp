@@ -30,6 +30,9 @@ class Totals {
     double variance_of_variance = 0, largest_score_share = 0;
   };
   [[nodiscard]] Health health(std::size_t cell) const;
+  /// Bits of ConvergenceFlag of an environment's echo. Where that of the scene has a heavy tail, so
+  /// has that of the same histories in other water.
+  [[nodiscard]] std::int32_t environment_flags(std::size_t cell, std::size_t environment) const;
 
   /// Whether every cell that has been scored in is below the relative error and not flagged.
   [[nodiscard]] bool all_converged(double relative_error) const;

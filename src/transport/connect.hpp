@@ -21,6 +21,7 @@ struct Connection {
   Mask<T> in_front{};  ///< of the lens: a direction worth sampling, in the field of view or not
   T acceptance{};  ///< solid angle about it that ends on the detector, surface losses included [sr]
   T optical_depth{};  ///< of the way
+  T length_water{};   ///< [m]
   T path{};           ///< length times group index [m]
 };
 
@@ -80,6 +81,7 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   way.acceptance = select(
       seen, per_area * telescope.area() * (safe_towards * cos_air) * overlap * transmitted, T(0));
   way.optical_depth = sea.optical_depth<T>(line, at.layer, depth) * secant_water;
+  way.length_water = in_water;
   way.path = in_air + in_water * gather<T>(sea.group_index, line);
   return way;
 }
@@ -141,6 +143,7 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
     way.optical_depth = sea.slant_optical_depth<T>(line, at.layer, depth, telescope_layer,
                                                    telescope_depth, distance);
   }
+  way.length_water = distance;
   way.path = distance * gather<T>(sea.group_index, line);
   const T reflected =
       mirrored ? optics::refract(gather<T>(sea.index, line), T(1), steep).reflectance : T(1);

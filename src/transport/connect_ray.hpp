@@ -40,6 +40,7 @@ Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Teles
   connection.acceptance =
       select(detected, way.per_area * telescope.area() * seen.cos_off_axis * way.passed, T(0));
   connection.optical_depth = tau.all;
+  connection.length_water = way.length_water;
   connection.path = way.length_air + way.length_water * gather<T>(sea.group_index, line);
   return connection;
 }

@@ -17,6 +17,7 @@ template <class T>
 struct FlightEnd {
   Mask<T> surface;  ///< the photon stands at the surface, from below
   Mask<T> sea_bed;  ///< the photon stands on the sea bed
+  T length{};       ///< of the flight [m]
 };                  ///< neither: it collides where it stands
 
 /// The layer in which the vertical optical depth `target` lies (the first or the last if in none),
@@ -77,6 +78,7 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
   }
   const T absorbed_tau = sea.continuous_slant_optical_depth<T>(photon.line, photon.layer, depth,
                                                                layer, -there.z, distance);
+  end.length = distance;
   photon.position = there;
   photon.layer = layer;
   photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);

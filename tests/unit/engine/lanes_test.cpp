@@ -60,8 +60,7 @@ EventLog log_scalar(const Problem& problem, std::uint64_t photons) {
   tally::BatchTally tally(problem.shape, problem.gates);
   EventLog log;
   Travellers<float> t;
-  Estimates<float> estimates;
-  estimates.waiting.resize(world.telescopes.size());
+  Estimates<float> estimates(world);
   for (std::uint64_t number = 0; number < photons; ++number) {
     bool on = set_out(world, number, true, t, tally.ledger);
     while (on) {

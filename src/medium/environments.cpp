@@ -1,0 +1,176 @@
+#include "medium/environments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/error.hpp"
+#include "medium/layer_optics.hpp"
+#include "medium/lines.hpp"
+
+namespace photic::medium {
+namespace {
+
+/// What light meets in one layer at one line.
+struct Water {
+  double c_per_m = 0, b_per_m = 0;
+  double emitted_per_m = 0;  ///< into this line, of the laser's light
+  struct Part {
+    double b_per_m = 0;
+    std::int32_t phase = 0;  ///< table of the medium
+  };
+  std::vector<Part> part;  ///< of the scattering
+};
+using Waters = std::vector<Water>;  ///< [line][layer]
+
+scene::Scene scene_in(const scene::Scene& scene, const scene::Environment& environment) {
+  scene::Scene out = scene;
+  out.optics = environment.optics;
+  out.sea = environment.sea;
+  out.environment.clear();
+  return out;
+}
+
+/// Tables of phase functions, each made once: many environments have the same.
+class PhaseTables {
+ public:
+  explicit PhaseTables(Medium& medium) : medium_(medium) {}
+
+  /// Of a part of a layer's scattering at a wavelength.
+  std::int32_t number(const scene::Scene& scene, const scene::Layer& layer, double wavelength_nm,
+                      std::size_t part, const optics::PhaseShape& shape) {
+    Key key{layer.phase_function, scene.optics, wavelength_nm, part};
+    const auto known = std::ranges::find(known_, key, &std::pair<Key, std::int32_t>::first);
+    if (known != known_.end()) return known->second;
+    known_.emplace_back(std::move(key), medium_.add_phase(optics::PhaseTable(shape)));
+    return known_.back().second;
+  }
+
+ private:
+  struct Key {
+    std::optional<scene::PhaseFunction> function;
+    scene::Optics optics;
+    double wavelength_nm;
+    std::size_t part;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  Medium& medium_;
+  std::vector<std::pair<Key, std::int32_t>> known_;
+};
+
+double emitted_into(const Line& line, std::size_t layer, const std::vector<EmittedLine>& emitted) {
+  for (const EmittedLine& e : emitted) {
+    if (e.process == line.process && e.wavelength_nm == line.wavelength_nm)
+      return e.coefficient_per_m[layer];
+  }
+  return 0;
+}
+
+Waters waters_of(const scene::Scene& scene, const optics::Library& library, const Medium& medium,
+                 PhaseTables& tables) {
+  const LayerOptics optics_of(scene, library);
+  std::vector<double> a_exciting_per_m, a_per_m;
+  for (const auto& layer : scene.sea.layer) {
+    const WaterOptics water = optics_of(layer, scene.source.wavelength_nm);
+    a_exciting_per_m.push_back(water.a_exciting_per_m);
+    a_per_m.push_back(water.a_per_m);
+  }
+  const auto emitted = emitted_lines(scene, library, a_exciting_per_m);
+  for (std::size_t k = 0; k < a_per_m.size(); ++k) emitted_per_m(emitted, scene, k, a_per_m[k]);
+  Waters out;
+  for (const Line& line : medium.line) {
+    for (std::size_t k = 0; k < scene.sea.layer.size(); ++k) {
+      const auto& layer = scene.sea.layer[k];
+      const WaterOptics water = optics_of(layer, line.wavelength_nm);
+      Water w{water.a_per_m + water.b_per_m, water.b_per_m, emitted_into(line, k, emitted), {}};
+      for (const auto& part : optics_of.scattering(layer, line.wavelength_nm, water))
+        w.part.push_back({part.b_per_m, tables.number(scene, layer, line.wavelength_nm,
+                                                      w.part.size(), part.phase)});
+      out.push_back(std::move(w));
+    }
+  }
+  return out;
+}
+
+/// How much of the scattering has a phase function.
+double scattered_by(const Water& water, std::int32_t phase) {
+  double sum = 0;
+  for (const auto& part : water.part) sum += part.phase == phase ? part.b_per_m : 0.0;
+  return sum;
+}
+
+/// The phase functions of which some environment has more or less.
+std::vector<std::int32_t> varied_phases(const Water& water, const std::vector<Waters>& others,
+                                        std::size_t cell) {
+  std::vector<std::int32_t> out;
+  const auto look_at = [&](const Water& one) {
+    for (const auto& part : one.part) {
+      const auto differs = [&](const Waters& other) {
+        return scattered_by(other[cell], part.phase) != scattered_by(water, part.phase);
+      };
+      if (std::ranges::find(out, part.phase) == out.end() && std::ranges::any_of(others, differs))
+        out.push_back(part.phase);
+    }
+  };
+  look_at(water);
+  for (const Waters& other : others) look_at(other[cell]);
+  return out;
+}
+
+[[noreturn]] void refuse(const scene::Scene& scene, std::size_t environment, std::size_t layer,
+                         const std::string& what) {
+  throw InputError(
+      {{"", 0, 0,
+        fmt::format("environment \"{}\": layer \"{}\" {}, and not in the scene itself",
+                    scene.environment[environment].name, scene.sea.layer[layer].name, what),
+        "no history of the scene goes that way: give the scene a little of it, too"}});
+}
+
+}  // namespace
+
+void add_environments(const scene::Scene& scene, const optics::Library& library, Medium& medium) {
+  if (scene.environment.empty()) return;
+  PhaseTables tables(medium);
+  const Waters reference = waters_of(scene, library, medium, tables);
+  std::vector<Waters> others;
+  for (const auto& environment : scene.environment)
+    others.push_back(waters_of(scene_in(scene, environment), library, medium, tables));
+
+  const std::size_t layers = scene.sea.layer.size();
+  const std::size_t cells = reference.size();
+  std::vector<std::vector<std::int32_t>> varied;
+  for (std::size_t i = 0; i < cells; ++i) varied.push_back(varied_phases(reference[i], others, i));
+  EnvironmentTables& out = medium.environments;
+  out.count = static_cast<std::int32_t>(others.size());
+  for (const auto& phases : varied)
+    out.parts = std::max(out.parts, static_cast<std::int32_t>(phases.size()));
+  const auto parts = static_cast<std::size_t>(out.parts);
+  for (const auto& phases : varied) {
+    for (std::size_t p = 0; p < parts; ++p)
+      out.part_phase.push_back(p < phases.size() ? phases[p] : 0);
+  }
+  for (std::size_t e = 0; e < others.size(); ++e) {
+    for (std::size_t i = 0; i < cells; ++i) {
+      const Water& here = reference[i];
+      const Water& other = others[e][i];
+      out.excess_c.push_back(other.c_per_m - here.c_per_m);
+      if (here.b_per_m == 0 && other.b_per_m > 0) refuse(scene, e, i % layers, "scatters light");
+      if (here.emitted_per_m == 0 && other.emitted_per_m > 0)
+        refuse(scene, e, i % layers,
+               fmt::format("emits light at {:g} nm", medium.line[i / layers].wavelength_nm));
+      out.excess_emitted.push_back(
+          here.emitted_per_m > 0 ? other.emitted_per_m / here.emitted_per_m - 1 : 0.0);
+      for (std::size_t p = 0; p < parts; ++p) {
+        const bool counts = p < varied[i].size() && here.b_per_m > 0;
+        out.excess_part.push_back(
+            counts ? (scattered_by(other, varied[i][p]) - scattered_by(here, varied[i][p])) /
+                         here.b_per_m
+                   : 0.0);
+      }
+    }
+  }
+}
+
+}  // namespace photic::medium

@@ -1,0 +1,16 @@
+// What other waters, the environments, do to the weights of paths that were drawn in the medium
+// (docs/theory.md, "Environments").
+#pragma once
+
+#include "medium/medium.hpp"
+#include "optics/library.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::medium {
+
+/// Adds the tables of the scene's environments to a medium that is made but for them and not yet
+/// finished. Throws InputError where light goes ways in an environment that it never goes in the
+/// scene.
+void add_environments(const scene::Scene& scene, const optics::Library& library, Medium& medium);
+
+}  // namespace photic::medium
