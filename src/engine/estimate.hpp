@@ -1,6 +1,7 @@
 // The local estimate: what every telescope is expected to detect of a collision.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -87,7 +88,7 @@ void score_lanes(const Mask<T>& seen, std::size_t telescope, const Sources<T>& f
   for_each_lane(seen, [&](int lane) {
     const auto i = static_cast<std::size_t>(lane);
     const tally::Score score{telescope, lines[i], orders[i] + 1, -depths[i], paths[i], values[i]};
-    if (ratios.empty())
+    if (ratios.empty()) [[likely]]
       tally.score(score);
     else
       tally.score(score, ratios.data() + i, lanes_of<T>);
@@ -96,25 +97,24 @@ void score_lanes(const Mask<T>& seen, std::size_t telescope, const Sources<T>& f
 
 /// Ratios of light that leaves a collision and goes straight to a telescope.
 template <class T>
-void ratios_of_scores(const World<T>& world, std::size_t t, const Sources<T>& from,
-                      const transport::Connection<T>& way, bool mirrored, Estimates<T>& estimates) {
+PHOTIC_APART void ratios_of_scores(const World<T>& world, std::size_t t, Sources<T> from,
+                                   transport::Connection<T> way, bool mirrored,
+                                   Estimates<T>& estimates) {
   using namespace transport;
   const Photon<T>& photon = from.photon;
-  auto& [of_path, part] = estimates.ratios;
+  Ratios<T>& ratios = estimates.ratios;
   const Mask<T> converted = !(from.line == photon.line);
   part_values(world.sea, photon.line, photon.layer, one_minus_cos(photon.direction, way.direction),
-              part);
-  for (std::size_t i = 0; i < of_path.size(); ++i) {
+              ratios.part);
+  for (std::size_t i = 0; i < ratios.of_path.size(); ++i) {
     const auto e = static_cast<std::int32_t>(i);
-    T ratio = scattering_ratio(world.sea, e, photon.line, photon.layer, part);
-    if (any(converted))
-      ratio = select(converted, emission_ratio<T>(world.sea, e, from.line, photon.layer), ratio);
-    ratio = of_path[i] * ratio *
-            way_ratio(world.sea, e, from.line, photon, way, world.telescopes[t],
-                      world.telescope_layer[t], mirrored);
-    const auto lanes = each_lane(ratio);
-    for (std::size_t lane = 0; lane < lanes_of<T>; ++lane)
-      estimates.of_scores[i * lanes_of<T> + lane] = lanes[lane];
+    const auto lanes =
+        each_lane(ratios.of_path[i] *
+                  collision_ratio(world.sea, e, photon, from.line, converted, ratios.part) *
+                  way_ratio(world.sea, e, from.line, photon, way, world.telescopes[t],
+                            world.telescope_layer[t], mirrored));
+    std::ranges::copy(lanes,
+                      estimates.of_scores.begin() + static_cast<std::ptrdiff_t>(i * lanes_of<T>));
   }
 }
 
@@ -137,7 +137,7 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
     const T p = world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction),
                                                    from.phase);
     const T value = photon.weight * from.share * p * way.acceptance * exp_minus(way.optical_depth);
-    if (!estimates.of_scores.empty()) ratios_of_scores(world, t, from, way, mirrored, estimates);
+    if (!estimates.of_scores.empty()) [[unlikely]] ratios_of_scores(world, t, from, way, mirrored, estimates);
     score_lanes(seen, t, from, way.path, value, estimates.of_scores, tally);
   };
   const auto& telescope = world.telescopes[t];
@@ -172,7 +172,7 @@ void score_light(const World<T>& world, const transport::Photon<T>& photon,
     const Mask<T> seen =
         colliding & transport::may_see(world.sea, world.telescopes[t], photon.position, line);
     if (!any(seen)) continue;
-    if (!estimates.of_scores.empty()) {
+    if (!estimates.of_scores.empty()) [[unlikely]] {
       score_in(world, t, from, seen, tally, estimates, false);
       continue;
     }
@@ -242,10 +242,11 @@ void score_conversions(const World<T>& world, const Travellers<T>& from, const M
   transport::Photon<T> at = from.photon;
   const Mask<T> reached =
       convertible & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
-  if (!from.ratios.none()) {
+  if (from.ratios.exist()) [[unlikely]] {
     estimates.ratios.of_path = from.ratios.of_path;
-    const T length = (at.path - from.photon.path) / gather<T>(sea.group_index, at.line);
-    pass(sea, at.line, passage(from.photon, at, length), estimates.ratios);
+    estimates.ratios.before = from.photon;
+    estimates.ratios.flown(sea, at,
+                           (at.path - from.photon.path) / gather<T>(sea.group_index, at.line));
   }
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
   Index<T> i(0);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/elementary.hpp"
+#include "core/flatten.hpp"
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
 #include "optics/phase_table.hpp"
@@ -21,11 +22,6 @@ struct Passage {
   Index<T> layer2{};
   T depth2{}, length{};
 };
-
-template <class T>
-Passage<T> passage(const Photon<T>& from, const Photon<T>& to, const T& length) {
-  return {from.layer, -from.position.z, to.layer, -to.position.z, length};
-}
 
 /// Of light of a line that passes it.
 template <class T>
@@ -89,49 +85,49 @@ T scattering_ratio(const medium::MediumView& sea, std::int32_t environment, cons
   return T(1) + excess;
 }
 
-/// Of light of the laser that is converted to a line.
+/// Of photons that leave a collision at a line: those of a mask converted to it, the others
+/// scattered at the angle that the parts' values are for.
 template <class T>
-T emission_ratio(const medium::MediumView& sea, std::int32_t environment, const Index<T>& line,
-                 const Index<T>& layer) {
-  const Index<T> i = sea.at(line + Index<T>(environment * sea.lines), layer);
-  return T(1) + gather<T>(sea.environments.excess_emitted, i);
+T collision_ratio(const medium::MediumView& sea, std::int32_t environment, const Photon<T>& before,
+                  const Index<T>& line, const Mask<T>& converted, const std::vector<T>& values) {
+  const T scattered = scattering_ratio(sea, environment, before.line, before.layer, values);
+  if (!any(converted)) return scattered;
+  const Index<T> i = sea.at(line + Index<T>(environment * sea.lines), before.layer);
+  return select(converted, T(1) + gather<T>(sea.environments.excess_emitted, i), scattered);
 }
 
-/// The ratios of photons on their walk, one for each environment, and what is needed to keep them.
+/// The ratios of photons on their walk, and what is needed to keep them. What is handed over by
+/// value stays in the registers of scenes that have no environments.
 template <class T>
 struct Ratios {
-  std::vector<T> of_path;
-  std::vector<T> part;  ///< values of the parts of the scattering that vary, at some angle
+  std::vector<T> of_path;  ///< [environment]
+  std::vector<T> part;     ///< values of the parts of the scattering that vary, at some angle
+  Photon<T> before;        ///< what happens to them
 
-  void begin(const medium::MediumView& sea) {
+  PHOTIC_APART void begin(const medium::MediumView& sea) {
     of_path.assign(static_cast<std::size_t>(sea.environments.count), T(1));
     part.assign(static_cast<std::size_t>(sea.environments.parts), T(0));
   }
-  [[nodiscard]] bool none() const { return of_path.empty(); }
-};
+  [[nodiscard]] bool exist() const { return !of_path.empty(); }
 
-template <class T>
-void pass(const medium::MediumView& sea, const Index<T>& line, const Passage<T>& way,
-          Ratios<T>& ratios) {
-  for (std::size_t e = 0; e < ratios.of_path.size(); ++e)
-    ratios.of_path[e] =
-        ratios.of_path[e] * passage_ratio(sea, static_cast<std::int32_t>(e), line, way);
-}
-
-/// Photons of a mask that were scattered or converted where they stand.
-template <class T>
-void collide(const medium::MediumView& sea, const Photon<T>& before, const Photon<T>& after,
-             const Mask<T>& mask, Ratios<T>& ratios) {
-  const Mask<T> converted = mask & !(before.line == after.line);
-  part_values(sea, before.line, before.layer, one_minus_cos(before.direction, after.direction),
-              ratios.part);
-  for (std::size_t i = 0; i < ratios.of_path.size(); ++i) {
-    const auto e = static_cast<std::int32_t>(i);
-    T ratio = scattering_ratio(sea, e, before.line, before.layer, ratios.part);
-    if (any(converted))
-      ratio = select(converted, emission_ratio<T>(sea, e, after.line, after.layer), ratio);
-    ratios.of_path[i] = ratios.of_path[i] * select(mask, ratio, T(1));
+  /// The photons have flown so far.
+  PHOTIC_APART void flown(const medium::MediumView& sea, Photon<T> after, T length) {
+    const Passage<T> way{before.layer, -before.position.z, after.layer, -after.position.z, length};
+    for (std::size_t e = 0; e < of_path.size(); ++e)
+      of_path[e] = of_path[e] * passage_ratio(sea, static_cast<std::int32_t>(e), before.line, way);
   }
-}
+
+  /// Those of a mask were scattered or converted where they stand.
+  PHOTIC_APART void collided(const medium::MediumView& sea, Photon<T> after, Mask<T> mask) {
+    const Mask<T> converted = mask & !(before.line == after.line);
+    part_values(sea, before.line, before.layer, one_minus_cos(before.direction, after.direction),
+                part);
+    for (std::size_t i = 0; i < of_path.size(); ++i) {
+      const T ratio =
+          collision_ratio(sea, static_cast<std::int32_t>(i), before, after.line, converted, part);
+      of_path[i] = of_path[i] * select(mask, ratio, T(1));
+    }
+  }
+};
 
 }  // namespace photic::transport
