@@ -64,6 +64,27 @@ TEST_F(WrittenState, OfNoBatchYet) {
   EXPECT_EQ(read_state(path_, test::sample_shape()), *result_.state);
 }
 
+// Seen red: with largest and square in another order in the reader; without the origin.
+TEST_F(WrittenState, OfEnvironmentsComesBackToTheLastBit) {
+  result_ = test::sample_result_in({"more algae", "no CDOM", "bloom"});
+  result_.state->environment[5].fourth = std::numeric_limits<double>::denorm_min();
+  write();
+  EXPECT_EQ(read_state(path_, test::sample_shape(3)), *result_.state);
+  const std::string missing =
+      "a damaged result: it has no variable environment_sums of the size of its scene";
+  EXPECT_EQ(refusal(test::sample_shape(2)), missing);
+  result_.state = tally::TotalsState(test::sample_shape(3));  // of no batch yet
+  write();
+  EXPECT_EQ(read_state(path_, test::sample_shape(3)), *result_.state);
+}
+
+// Seen red: with the variable asked for only if the file has it.
+TEST_F(WrittenState, WithoutTheEnvironmentsOfItsSceneIsRefused) {
+  write();
+  EXPECT_EQ(refusal(test::sample_shape(1)),
+            "a damaged result: it has no variable environment_sums of the size of its scene");
+}
+
 TEST_F(WrittenState, KnowsItsRun) {
   result_.photons = (std::uint64_t{1} << 63) + 12345;
   write();
