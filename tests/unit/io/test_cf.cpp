@@ -178,7 +178,7 @@ TEST_F(Cf, StandardNames_3_3) {
   EXPECT_EQ(count, 3u);  // depth, gate_depth, channel_wavelength
 }
 
-// Seen red: with "convergence_flags" among those of environment_echo, without its prefix.
+// Seen red: with a misspelt name among those of environment_echo.
 TEST_F(Cf, AncillaryVariables_3_4) {
   for (const std::string& name : with_errors) {
     ASSERT_TRUE(has(name, "ancillary_variables")) << name;

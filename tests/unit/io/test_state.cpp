@@ -64,7 +64,7 @@ TEST_F(WrittenState, OfNoBatchYet) {
   EXPECT_EQ(read_state(path_, test::sample_shape()), *result_.state);
 }
 
-// Seen red: with largest and square in another order in the reader; without the origin.
+// Seen red: without the origin of the tail.
 TEST_F(WrittenState, OfEnvironmentsComesBackToTheLastBit) {
   result_ = test::sample_result_in({"more algae", "no CDOM", "bloom"});
   result_.state->environment[5].fourth = std::numeric_limits<double>::denorm_min();
@@ -78,7 +78,6 @@ TEST_F(WrittenState, OfEnvironmentsComesBackToTheLastBit) {
   EXPECT_EQ(read_state(path_, test::sample_shape(3)), *result_.state);
 }
 
-// Seen red: with the variable asked for only if the file has it.
 TEST_F(WrittenState, WithoutTheEnvironmentsOfItsSceneIsRefused) {
   write();
   EXPECT_EQ(refusal(test::sample_shape(1)),
