@@ -230,7 +230,7 @@ def family(colours, count):
     than colours."""
     if count < len(colours):
         return colours[:count]
-    return list(colormaps["viridis"](numpy.linspace(0, 0.9, count)))
+    return list(colormaps["viridis"](numpy.linspace(0.15, 0.92, count)))
 
 
 def finish_depth(panel, results):

@@ -16,9 +16,9 @@ LOOK = {"dpi": 150, "layout": "constrained"}
 
 
 def figure(results, names, telescope=None, title=None):
-    """One result: its echoes by channel, by process, by order; below, a row for each channel with the
-    echoes in its environments, and what these change, if there are any. Several: a row for each channel, with
-    the echoes overlaid, and beside them each result by order.
+    """One result: its echoes by channel, by process, by order; if there are environments, below
+    these a row for each channel with the echo in every one and what it changes. Several: a row for
+    each channel, with the echoes overlaid, and beside them each result by order.
 
     results    datasets of photic.open; names: what to call each of them
     telescope  by name; default: the first of each

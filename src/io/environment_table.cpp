@@ -108,9 +108,9 @@ std::string environment_table(const tally::Result& result, std::size_t step) {
                        result.channel_name[row.channel]);
     out += block(result, shown, first, step) + '\n';
   }
-  if (result.environment_name.size() > most_shown)
-    out += fmt::format("{} more environments are in the file.\n",
-                       result.environment_name.size() - most_shown);
+  const std::size_t more = result.environment_name.size() - shown.environments.size();
+  if (more > 0)
+    out += fmt::format("{} more environment{} in the file.\n", more, more == 1 ? " is" : "s are");
   return out + below(result, shown) + '\n';
 }
 
