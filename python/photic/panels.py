@@ -1,4 +1,5 @@
-"""The panels of a figure: echoes as lines, orders of scattering as shares, both against depth."""
+"""The panels of a figure: echoes and their ratios as lines, orders of scattering as shares, all
+against depth."""
 
 import itertools
 
@@ -6,10 +7,15 @@ import numpy
 from matplotlib import colormaps
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.ticker import LogLocator, NullFormatter
 
 INTERVAL_95 = 1.96  # standard errors of a normal distribution
 MARKERS_PER_LINE = 40
 LARGEST_RATIO = 1e16  # of echoes on one axis: more decades cannot be told apart
+LARGEST_CHANGE = 3  # factor of an environment that is still told in per cent
+NARROW = 0.3  # band, over its echo: not too wild to choose the axis by
+LEGEND_LINES = 22  # what fits beside a panel
+AT_THE_RIGHT = {"loc": "upper left", "bbox_to_anchor": (1.01, 1), "borderaxespad": 0}
 NO_LIGHT = "no light in any gate"
 HATCH = {"hatch": "///", "edgecolor": "white", "linewidth": 0}
 
@@ -23,21 +29,25 @@ def text(words):
 
 def line(panel, part, echo, standard_error, colour, label):
     """An echo with its 95 % band; open circles where not converged, a gap where not above 0."""
-    depth = part.gate_depth.values
     echo = echo.where(echo > 0).values
-    half_width = INTERVAL_95 * standard_error.values
-    # A lower end at or below 0 has no place on a logarithmic axis: cut where the caption says.
-    lower = numpy.maximum(echo - half_width, 0.1 * echo)
-    there = ~numpy.isnan(echo)
-    panel.fill_betweenx(
-        depth, lower, echo + half_width, where=there, color=colour, alpha=0.22, linewidth=0
-    )
-    settled = part.converged.values
-    thick = numpy.where(settled, echo, numpy.nan)
+    ends = _ends(echo, INTERVAL_95 * standard_error.values)
+    _curve(panel, part.gate_depth.values, echo, ends, part.converged.values, colour, label)
+
+
+def _ends(middle, half_width):
+    """Of a band on a logarithmic axis. A lower end at or below 0 has no place there: cut where the
+    caption says."""
+    return numpy.maximum(middle - half_width, 0.1 * middle), middle + half_width
+
+
+def _curve(panel, depth, middle, ends, settled, colour, label):
+    there = ~numpy.isnan(middle)
+    panel.fill_betweenx(depth, *ends, where=there, color=colour, alpha=0.22, linewidth=0)
+    thick = numpy.where(settled, middle, numpy.nan)
     panel.plot(thick, depth, color=colour, linewidth=1.8, label=text(label))
-    panel.plot(echo, depth, color=colour, linewidth=0.8)
+    panel.plot(middle, depth, color=colour, linewidth=0.8)
     marked = thinned(~settled, -(-len(depth) // MARKERS_PER_LINE))
-    panel.plot(echo[marked], depth[marked], color=colour, markeredgewidth=0.9, **_circles())
+    panel.plot(middle[marked], depth[marked], color=colour, markeredgewidth=0.9, **_circles())
 
 
 def _circles():
@@ -54,7 +64,20 @@ def thinned(chosen, step):
 
 def finish_lines(panel, shown, title):
     """Axes and legend for the echoes shown, each given with the convergence of its gates."""
-    limits = _echo_limits([echo for echo, _ in shown])
+    _echo_axes(panel, [echo for echo, _ in shown], title)
+    handles, _ = panel.get_legend_handles_labels()
+    if any(_unsettled(echo, converged) for echo, converged in shown):
+        handles.append(_not_converged())
+    panel.legend(handles=handles, loc="best", fontsize=8.5, framealpha=0.92)
+
+
+def _not_converged():
+    style = {**_circles(), "linestyle": "-", "linewidth": 0.8, "color": "0.4"}
+    return Line2D([], [], label="not converged", **style)
+
+
+def _echo_axes(panel, echoes, title):
+    limits = _echo_limits(echoes)
     if limits is None:  # and no numbers for a logarithmic axis
         panel.text(0.5, 0.5, NO_LIGHT, transform=panel.transAxes, ha="center", color="0.3")
         panel.set_xticks([])
@@ -63,13 +86,12 @@ def finish_lines(panel, shown, title):
         panel.set_xlim(limits)
     panel.set_xlabel("photons detected in the gate per photon emitted", fontsize=9)
     panel.set_title(text(title), fontsize=10.5, loc="left")
+    _grid(panel)
+
+
+def _grid(panel):
     panel.grid(which="major", color="0.88", linewidth=0.7)
     panel.set_axisbelow(True)
-    handles, _ = panel.get_legend_handles_labels()
-    if any(_unsettled(echo, converged) for echo, converged in shown):
-        style = {**_circles(), "linestyle": "-", "linewidth": 0.8, "color": "0.4"}
-        handles.append(Line2D([], [], label="not converged", **style))
-    panel.legend(handles=handles, loc="best", fontsize=8.5, framealpha=0.92)
 
 
 def _unsettled(echo, converged):
@@ -93,6 +115,77 @@ def processes(panel, part, colours, title):
             error = one.echo_by_process_standard_error
             line(panel, part, one.echo_by_process, error, next(colours), process)
     finish_lines(panel, [(part.echo_by_process, part.converged)], title)
+
+
+def environments(panel, part, colours, title):
+    """The echo of one channel in the scene, black, and in its environments."""
+    line(panel, part, part.echo, part.echo_standard_error, "black", "the scene")
+    for name, colour in zip(part.environment.values, colours):
+        one = part.sel(environment=name)
+        one = one.assign(converged=one.environment_converged)
+        error = one.environment_echo_standard_error
+        line(panel, one, one.environment_echo, error, colour, name)
+    _echo_axes(panel, [part.echo, part.environment_echo], title)
+
+
+def changes(panel, part, colours, title):
+    """What the environments change in the echo of one channel: over the scene's, in per cent unless
+    factors are large. Bands are those of the difference."""
+    echo = part.echo.where(part.echo > 0)
+    ratio = (1 + part.environment_difference / echo).where(part.environment_echo > 0)
+    half_width = INTERVAL_95 * part.environment_difference_standard_error / echo
+    settled = part.environment_converged & part.converged
+    factors = _largest_change(ratio.where(settled)) > LARGEST_CHANGE
+    panel.axvline(1 if factors else 0, color="black", linewidth=1.2)
+    shown = []
+    for name, colour in zip(part.environment.values, colours):
+        this = {"environment": name}
+        middle, width = ratio.sel(this).values, half_width.sel(this).values
+        good, narrow = settled.sel(this).values, width < NARROW * middle
+        ends = _ends(middle, width) if factors else (middle - width, middle + width)
+        if not factors:
+            middle, *ends = (100 * (each - 1) for each in (middle, *ends))
+        _curve(panel, part.gate_depth.values, middle, ends, good, colour, name)
+        shown += [middle[good | narrow], *(end[good] for end in ends)]
+    _change_axes(panel, numpy.concatenate(shown), factors)
+    panel.set_title(text(title), fontsize=10.5, loc="left")
+    _grid(panel)
+
+
+def _largest_change(ratio):
+    ratio = ratio.where(ratio > 0)
+    return max(float(ratio.max()), 1 / float(ratio.min()))  # NaN, which is above nothing, if none
+
+
+def _change_axes(panel, values, factors):
+    values = values[numpy.isfinite(values)]
+    if len(values) == 0:
+        panel.text(0.5, 0.5, NO_LIGHT, transform=panel.transAxes, ha="center", color="0.3")
+        panel.set_xticks([])
+    elif factors:
+        low, high = min(values.min(), 1), max(values.max(), 1)
+        panel.set_xscale("log")
+        panel.set_xlim(low / (high / low) ** 0.05, high * (high / low) ** 0.05)
+        panel.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 100 * low else (1,)))
+        panel.xaxis.set_major_formatter("{x:g}")
+        panel.xaxis.set_minor_formatter(NullFormatter())
+    else:
+        low, high = min(values.min(), 0), max(values.max(), 0)
+        margin = 0.05 * (high - low) or 1
+        panel.set_xlim(low - margin, high + margin)
+    label = "echo over that of the scene" if factors else "echo against the scene's [%]"
+    panel.set_xlabel(label, fontsize=9)
+
+
+def environments_legend(panel, result, colours):
+    """To the right of the panel, for all panels of environments."""
+    handles = [Line2D([], [], color="black", linewidth=1.8, label="the scene")]
+    for name, colour in zip(result.environment.values, colours):
+        handles.append(Line2D([], [], color=colour, linewidth=1.8, label=text(name)))
+    if _unsettled(result.echo, result.converged & result.environment_converged):
+        handles.append(_not_converged())
+    columns = -(-len(handles) // LEGEND_LINES)
+    panel.legend(handles=handles, frameon=False, fontsize=8.5, ncols=columns, **AT_THE_RIGHT)
 
 
 def orders(panel, part, title, count, colour="black"):
@@ -123,13 +216,21 @@ def orders_legend(panel, results):
     handles = [Patch(color=shade, label=name) for name, shade in zip(names, _shades(count))]
     if any(_unsettled(result.echo, result.converged) for result in results):
         handles.append(Patch(facecolor="0.55", label="not converged", **HATCH))
-    place = {"loc": "upper left", "bbox_to_anchor": (1.01, 1), "borderaxespad": 0}
     size = {"fontsize": 8.5, "title_fontsize": 8.5}
-    panel.legend(handles=handles, title="order", frameon=False, alignment="left", **place, **size)
+    look = {"frameon": False, "alignment": "left", **size, **AT_THE_RIGHT}
+    panel.legend(handles=handles, title="order", **look)
 
 
 def _shades(count):
     return colormaps["viridis"](numpy.linspace(0.12, 0.95, count))
+
+
+def family(colours, count):
+    """Colours of so many lines that black is not among: shades in their order where there are more
+    than colours."""
+    if count < len(colours):
+        return colours[:count]
+    return list(colormaps["viridis"](numpy.linspace(0.15, 0.92, count)))
 
 
 def finish_depth(panel, results):

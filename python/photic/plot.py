@@ -16,8 +16,9 @@ LOOK = {"dpi": 150, "layout": "constrained"}
 
 
 def figure(results, names, telescope=None, title=None):
-    """One result: its echoes by channel, by process, by order. Several: a row for each channel, with
-    the echoes overlaid, and beside them each result by order.
+    """One result: its echoes by channel, by process, by order; if there are environments, below
+    these a row for each channel with the echo in every one and what it changes. Several: a row for
+    each channel, with the echoes overlaid, and beside them each result by order.
 
     results    datasets of photic.open; names: what to call each of them
     telescope  by name; default: the first of each
@@ -34,6 +35,8 @@ def figure(results, names, telescope=None, title=None):
     if title:
         drawing.suptitle(panels.text(title), x=0.01, ha="left", fontsize=14, fontweight="bold")
     captions[-1] += ". Bands: 95 % intervals, the lower end not below a tenth of the echo."
+    if "environment" in seen[0].sizes and len(seen) == 1:
+        captions[-1] += " Against the scene's: those of differences between the same photons."
     caption = panels.text("\n".join(captions))
     drawing.supxlabel(caption, x=0.01, ha="left", fontsize=8, color="0.3")
     return drawing
@@ -58,15 +61,46 @@ def _caption(result, telescope):
 
 
 def _one(result):
-    """Echoes by channel, and beside them two breakdowns: by process for the first channel that is
-    fed by several, by order for the first channels."""
+    """Echoes by channel with their breakdowns, and below, if there are any, environments."""
+    mixed, by_order = _broken_down(result)
+    width, height = 6.6 + 3.3 * (len(mixed) + len(by_order)), 6.6
+    if "environment" not in result.sizes:
+        drawing = Figure(figsize=(width, height), **LOOK)
+        _breakdowns(drawing, result, mixed, by_order)
+        return drawing
+    below = 4.6 * result.sizes["channel"]
+    drawing = Figure(figsize=(width, height + below), **LOOK)
+    upper, lower = drawing.subfigures(2, 1, height_ratios=[height, below])
+    _breakdowns(upper, result, mixed, by_order)
+    _environments(lower, result)
+    return drawing
+
+
+def _broken_down(result):
+    """By process the first channel that is fed by several, by order the first channels."""
     channels = [str(channel) for channel in result.channel.values]
     feeding = (result.echo_by_process > 0).any("gate").sum("process")
     mixed = [channel for channel in channels if feeding.sel(channel=channel) > 1][:1]
-    by_order = channels[: 2 - len(mixed)]
-    beside = len(mixed) + len(by_order)
+    return mixed, channels[: 2 - len(mixed)]
 
-    drawing = Figure(figsize=(6.6 + 3.3 * beside, 6.6), **LOOK)
+
+def _environments(drawing, result):
+    """A row for each channel: the echo in every environment, and beside it what they change."""
+    channels = [str(channel) for channel in result.channel.values]
+    colours = panels.family(COLOURS, result.sizes["environment"])
+    grid = drawing.subplots(len(channels), 2, sharey=True, squeeze=False)
+    for (echo, change), channel in zip(grid, channels):
+        part = result.sel(channel=channel)
+        panels.environments(echo, part, colours, f"{channel} echo in the environments")
+        panels.changes(change, part, colours, f"{channel} echo against the scene's")
+        panels.finish_depth(echo, [result])
+    panels.environments_legend(grid[0, 1], result, colours)
+
+
+def _breakdowns(drawing, result, mixed, by_order):
+    """Echoes by channel, and beside them those by process and by order of the channels given."""
+    channels = [str(channel) for channel in result.channel.values]
+    beside = len(mixed) + len(by_order)
     ratios = [1.5] + [1] * beside
     row = drawing.subplots(1, 1 + beside, sharey=True, squeeze=False, width_ratios=ratios)[0]
     for channel, colour in zip(channels, itertools.cycle(COLOURS)):
@@ -83,7 +117,6 @@ def _one(result):
         panels.orders(panel, result.sel(channel=channel), title, result.sizes["order"])
     panels.orders_legend(row[-1], [result])
     panels.finish_depth(row[0], [result])
-    return drawing
 
 
 def _several(results, names):

@@ -16,7 +16,9 @@ def open(path):
     depth (of the last scattering) [m]. Coordinates: gate_time [ns], gate_depth [m] of each channel,
     channel_wavelength [nm], and the bounds of gates. Variables: echo, echo_by_process,
     echo_by_order, echo_by_depth, each with _standard_error, and converged (bool), convergence_flags
-    with their meanings, … Attributes: the run, and the scene as text.
+    with their meanings, … If the scene has environments: the dimension environment (indexed by name),
+    environment_echo and environment_difference (to echo), with _standard_error, and
+    environment_converged. Attributes: the run, and the scene as text.
 
     Raises photic.Error if there is no such file or it is not a result of Photic.
     """
@@ -31,14 +33,16 @@ def open(path):
             f"{path}: written by a newer Photic (result format {dataset.attrs['photic_format']}; "
             f"this package reads up to {FORMAT})"
         )
-    for axis in ("telescope", "channel", "process"):
+    in_other_water = "environment_name" in dataset
+    for axis in ["telescope", "channel", "process"] + ["environment"] * in_other_water:
         names = dataset[axis + "_name"]
         dataset = dataset.assign_coords({axis: (axis, names.values.astype(str), names.attrs)})
         dataset = dataset.drop_vars(axis + "_name")
-    # With bytes, ~ds.converged would be true everywhere.
-    converged = dataset["converged"].astype(bool)
-    converged.attrs = {"long_name": dataset["converged"].attrs["long_name"]}
-    dataset["converged"] = converged
+    for name in ["converged"] + ["environment_converged"] * in_other_water:
+        # With bytes, ~ds.converged would be true everywhere.
+        converged = dataset[name].astype(bool)
+        converged.attrs = {"long_name": dataset[name].attrs["long_name"]}
+        dataset[name] = converged
     return dataset.set_coords(["gate_time_bounds", "gate_depth_bounds", "depth_bounds"])
 
 

@@ -5,13 +5,21 @@
 #include "core/error.hpp"
 
 namespace photic::io {
+namespace {
 
-std::vector<EchoRow> echo_rows(const tally::Result& result) {
+std::size_t cells(const tally::Result& result) {
+  return result.telescopes() * result.channels() * result.gates();
+}
+
+bool are(std::size_t count, const tally::Estimates& estimates) {
+  return estimates.mean.size() == count && estimates.standard_error.size() == count;
+}
+
+/// Those cells of an echo that begin at `first`.
+std::vector<EchoRow> rows_of(const tally::Result& result, const tally::Estimates& echo,
+                             const std::vector<std::int32_t>& flags, std::size_t first) {
   const std::size_t gates = result.gates();
-  const std::size_t count = result.telescopes() * result.channels() * gates;
-  expect(result.echo.mean.size() == count && result.echo.standard_error.size() == count &&
-             result.convergence_flags.size() == count,
-         "an echo, its error and its flags for every telescope, channel and gate");
+  const std::size_t count = cells(result);
   expect(result.gate_depth_edge_m.size() == result.channels() * (gates + 1),
          "a depth for every channel and edge of a gate");
   std::vector<EchoRow> rows(count);
@@ -24,11 +32,35 @@ std::vector<EchoRow> echo_rows(const tally::Result& result) {
     row.time_end_ns = result.gate_time_edge_ns[row.gate + 1];
     const double* depth_edge = &result.gate_depth_edge_m[row.channel * (gates + 1) + row.gate];
     row.depth_m = 0.5 * (depth_edge[0] + depth_edge[1]);
-    row.echo = result.echo.mean[i];
-    row.standard_error = result.echo.standard_error[i];
+    row.echo = echo.mean[first + i];
+    row.standard_error = echo.standard_error[first + i];
     row.relative_error =
         row.echo > 0 ? row.standard_error / row.echo : std::numeric_limits<double>::quiet_NaN();
-    row.flags = result.convergence_flags[i];
+    row.flags = flags[first + i];
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<EchoRow> echo_rows(const tally::Result& result) {
+  const std::size_t count = cells(result);
+  expect(are(count, result.echo) && result.convergence_flags.size() == count,
+         "an echo, its error and its flags for every telescope, channel and gate");
+  return rows_of(result, result.echo, result.convergence_flags, 0);
+}
+
+std::vector<EchoRow> environment_rows(const tally::Result& result, std::size_t environment) {
+  const std::size_t count = result.environment_name.size() * cells(result);
+  expect(are(count, result.environment_echo) && are(count, result.environment_difference) &&
+             result.environment_convergence_flags.size() == count,
+         "an echo, its difference, their errors and flags in every environment");
+  const std::size_t first = environment * cells(result);
+  std::vector<EchoRow> rows =
+      rows_of(result, result.environment_echo, result.environment_convergence_flags, first);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].difference = result.environment_difference.mean[first + i];
+    rows[i].difference_standard_error = result.environment_difference.standard_error[first + i];
   }
   return rows;
 }

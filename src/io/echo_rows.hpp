@@ -1,5 +1,5 @@
 // The echo of a result as rows, one for each telescope, channel and gate: what CSV, JSON and the
-// terminal table have in common.
+// terminal's tables have in common.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +17,8 @@ struct EchoRow {
   double depth_m{};         ///< centre of the gate; the range if Result::gate_depth_is_range
   double echo{};            ///< expected photons detected per photon emitted
   double standard_error{};  ///< of the echo
+  double difference{};      ///< of an environment's echo to the scene's
+  double difference_standard_error{};
   double relative_error{};  ///< standard_error / echo; NaN where the echo is not above 0
   std::int32_t flags{};     ///< Result::convergence_flags
 
@@ -25,6 +27,9 @@ struct EchoRow {
 
 /// All rows, the gates of a channel after each other, the channels of a telescope after each other.
 std::vector<EchoRow> echo_rows(const tally::Result& result);
+
+/// The same of an environment, by its index.
+std::vector<EchoRow> environment_rows(const tally::Result& result, std::size_t environment);
 
 /// The names of the flags set, lowest bit first.
 std::vector<std::string_view> flag_names(std::int32_t flags);

@@ -33,6 +33,19 @@ Json echo(const tally::Result& result, const EchoRow& row) {
           {"reasons", flag_names(row.flags)}};
 }
 
+/// An object for each row of an environment, with its name.
+Json environment_echoes(const tally::Result& result, std::size_t environment) {
+  Json all = Json::array();
+  for (const EchoRow& row : environment_rows(result, environment)) {
+    Json one = {{"environment", result.environment_name[environment]}};
+    one.update(echo(result, row));
+    one["difference"] = row.difference;
+    one["difference_standard_error"] = row.difference_standard_error;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string echo_json(const tally::Result& result) {
@@ -55,6 +68,9 @@ std::string echo_json(const tally::Result& result) {
                {"depth_is_range", result.gate_depth_is_range},
                {"echoes", Json::array()}};
   for (const EchoRow& row : echo_rows(result)) json["echoes"].push_back(echo(result, row));
+  for (std::size_t e = 0; e < result.environment_name.size(); ++e)
+    for (Json& one : environment_echoes(result, e))
+      json["environment_echoes"].push_back(std::move(one));
   // Names may hold bytes that are not UTF-8: shown as U+FFFD, not a reason to lose the rest.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

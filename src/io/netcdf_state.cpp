@@ -21,6 +21,12 @@ constexpr auto tail_sums = [](auto& s) {
   auto& [a, b, c, d] = s.power;
   return std::array{&s.low.x, &s.low.xx, &s.origin, &s.photons, &a, &b, &c, &d};
 };
+constexpr auto environment_sums = [](auto& s) {
+  auto& [a, b, c, d] = s.echo.power;
+  return std::array{
+      &s.echo.low.x,   &s.echo.low.xx,   &s.echo.origin, &s.echo.photons, &a,       &b, &c, &d,
+      &s.difference.x, &s.difference.xx, &s.largest,     &s.square,       &s.fourth};
+};
 constexpr auto octaves = [](auto& counts) {
   std::array<decltype(&counts[0]), tally::score_octaves> out{};
   for (std::size_t k = 0; k < out.size(); ++k) out[k] = &counts[k];
@@ -30,7 +36,13 @@ constexpr auto octaves = [](auto& counts) {
 const std::string of_sums =
     ": sums over the batches of the score and of its square over the photons of the batch";
 
+const std::string of_tail_sums =
+    of_sums +
+    "; mean score per photon of the first batch that scored, photons of those that did, and sums "
+    "of photons times powers 1 to 4 of the distance from that mean";
+
 /// All of a state under its names in the file: for the visitor that writes, and the one that reads.
+/// A state to be read into has the extents of what is read.
 template <class Visitor, class State>
 void describe(Visitor& v, State& s) {
   v.count("photons", s.photons);
@@ -53,10 +65,7 @@ void describe(Visitor& v, State& s) {
     all.insert(all.end(), more.begin(), more.end());
     return all;
   };
-  v.array("echo_sums", in_cell({"tail_sum"}), s.echo, tail_sums,
-          "echo" + of_sums +
-              "; mean score per photon of the first batch that scored, photons of those that did, "
-              "and sums of photons times powers 1 to 4 of the distance from that mean");
+  v.array("echo_sums", in_cell({"tail_sum"}), s.echo, tail_sums, "echo" + of_tail_sums);
   v.array("echo_by_order_sums", in_cell({"order", "sum"}), s.by_order, sums,
           "echo by order of scattering" + of_sums);
   v.array("echo_by_process_sums", in_cell({"process", "sum"}), s.by_process, sums,
@@ -67,6 +76,11 @@ void describe(Visitor& v, State& s) {
   v.array("largest_score", cell, s.largest, itself, "largest single score");
   v.array("score_octaves", in_cell({"octave"}), s.octaves, octaves,
           "number of scores by octave of their size, 2^-128 to 1");
+  if (!s.environment.empty())
+    v.array("environment_sums", in_cell({"environment", "environment_sum"}), s.environment,
+            environment_sums,
+            "echo in the environment" + of_tail_sums + "; of its difference to the scene's echo" +
+                of_sums + "; largest single score, and sums of their squares and fourth powers");
   if (s.batches == 0) return;
   v.array("snapshot_photons", {"snapshot"}, s.snapshot_photons, itself,
           "photons when there were 1, 2, 4, 8 … batches");
@@ -145,6 +159,7 @@ void add_state(NetcdfImage& file, const tally::TotalsState& state) {
   file.add_dimension("sum", 2);
   file.add_dimension("tail_sum", 8);
   file.add_dimension("octave", tally::score_octaves);
+  if (!state.environment.empty()) file.add_dimension("environment_sum", 13);
   if (state.batches > 0) file.add_dimension("snapshot", state.snapshot_photons.size());
   StateWriter writer(file);
   describe(writer, state);
@@ -165,8 +180,10 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
                                   {"sum", 2},
                                   {"tail_sum", 8},
                                   {"octave", tally::score_octaves},
+                                  {"environment", shape.environments},
+                                  {"environment_sum", 13},
                                   {"snapshot", tally::snapshots_at(file.count("batches"))}});
-  tally::TotalsState state;
+  tally::TotalsState state(shape);
   describe(reader, state);
   if (state.photons > photons)
     file.refuse("a damaged result: its state counts more photons than it does");

@@ -16,6 +16,9 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const std::string echo_meaning = "expected photons detected in the gate per photon emitted";
 
+const std::string usual_coordinates =
+    "telescope_name channel_name channel_wavelength gate_time gate_depth";
+
 Attributes operator+(Attributes left, const Attributes& right) {
   left.insert(left.end(), right.begin(), right.end());
   return left;
@@ -110,8 +113,7 @@ Attributes dimensionless(const std::string& long_name, const std::string& more_c
   return {{"long_name", long_name},
           {"units", "1"},
           {"_FillValue", nan},
-          {"coordinates", "telescope_name channel_name channel_wavelength gate_time gate_depth" +
-                              more_coordinates}};
+          {"coordinates", usual_coordinates + more_coordinates}};
 }
 
 void add_estimates(NetcdfImage& file, const std::string& name,
@@ -142,13 +144,15 @@ void add_echoes(NetcdfImage& file, const tally::Result& result) {
                 "gate: sum depth: sum");
 }
 
-void add_convergence(NetcdfImage& file, const tally::Result& result) {
-  const std::vector<std::string> dimensions = {"telescope", "channel", "gate"};
-  const AttributeValue coordinates =
-      "telescope_name channel_name channel_wavelength gate_time gate_depth";
+/// `prefix`: before the names of the variables.
+void add_flags(NetcdfImage& file, const std::string& prefix,
+               const std::vector<std::string>& dimensions,
+               const std::vector<std::int32_t>& all_flags,
+               const std::string& more_coordinates = "") {
+  const AttributeValue coordinates = usual_coordinates + more_coordinates;
   std::vector<std::int8_t> converged;
-  for (const std::int32_t flags : result.convergence_flags) converged.push_back(flags == 0 ? 1 : 0);
-  file.add_variable("converged", dimensions, converged,
+  for (const std::int32_t flags : all_flags) converged.push_back(flags == 0 ? 1 : 0);
+  file.add_variable(prefix + "converged", dimensions, converged,
                     {{"long_name", "whether the echo and its standard error can be relied on"},
                      {"flag_values", std::vector<std::int8_t>{0, 1}},
                      {"flag_meanings", "no yes"},
@@ -160,18 +164,41 @@ void add_convergence(NetcdfImage& file, const tally::Result& result) {
     names.emplace_back(meaning.name);
     explanations.push_back(fmt::format("{}: {}", meaning.name, meaning.explanation));
   }
-  file.add_variable("convergence_flags", dimensions, result.convergence_flags,
+  file.add_variable(prefix + "convergence_flags", dimensions, all_flags,
                     {{"long_name", "why the echo has not converged; 0 where it has"},
                      {"flag_masks", masks},
                      {"flag_meanings", fmt::format("{}", fmt::join(names, " "))},
                      {"comment", fmt::format("{}", fmt::join(explanations, "; "))},
                      {"coordinates", coordinates}});
+}
+
+void add_convergence(NetcdfImage& file, const tally::Result& result) {
+  const std::vector<std::string> dimensions = {"telescope", "channel", "gate"};
+  add_flags(file, "", dimensions, result.convergence_flags);
   file.add_variable("largest_score_share", dimensions, result.largest_score_share,
                     dimensionless("share of the largest single score in the echo"));
   file.add_variable("variance_of_variance", dimensions, result.variance_of_variance,
                     dimensionless("relative variance of the estimated variance of the echo"));
   file.add_variable("order_cut_share", dimensions, result.order_cut_share,
                     dimensionless("first order of scattering that was cut off, over the echo"));
+}
+
+/// Nothing if there are none.
+void add_environments(NetcdfImage& file, const tally::Result& result) {
+  if (result.environment_name.empty()) return;
+  const std::vector<std::string> dimensions = {"environment", "telescope", "channel", "gate"};
+  const std::string more_coordinates = " environment_name";
+  const std::string flags = " environment_converged environment_convergence_flags";
+  file.add_dimension("environment", result.environment_name.size());
+  file.add_variable("environment_name", {"environment"}, result.environment_name,
+                    {{"long_name", "name of the environment: the scene in other water"}});
+  add_estimates(file, "environment_echo", dimensions, result.environment_echo,
+                echo_meaning + ", in the environment", "gate: sum", flags, more_coordinates);
+  add_estimates(file, "environment_difference", dimensions, result.environment_difference,
+                "echo in the environment less that of the scene, from the same photons",
+                "gate: sum", flags, more_coordinates);
+  add_flags(file, "environment_", dimensions, result.environment_convergence_flags,
+            more_coordinates);
 }
 
 void add_description(NetcdfImage& file, const tally::Result& result, const WriteInfo& info) {
@@ -238,6 +265,7 @@ void write_netcdf(const tally::Result& result, const std::string& path, const Wr
   add_gates(file, result);
   add_echoes(file, result);
   add_convergence(file, result);
+  add_environments(file, result);
   if (result.state) add_state(file, *result.state);
   write_atomically(path, file.finish());
 }

@@ -7,6 +7,8 @@
 
 #include "core/error.hpp"
 #include "io/echo_rows.hpp"
+#include "io/environment_table.hpp"
+#include "io/table_parts.hpp"
 
 namespace photic::io {
 namespace {
@@ -34,16 +36,6 @@ std::string cell(const EchoRow& row) {
                      row.converged() ? ' ' : '*');
 }
 
-/// Without blanks at the ends of lines.
-std::string trimmed(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '\n') out.erase(out.find_last_not_of(' ') + 1);
-    out += c;
-  }
-  return out;
-}
-
 /// One telescope's gates for the channels [first, last).
 std::string block(const tally::Result& result, const std::vector<EchoRow>& rows,
                   std::size_t telescope, std::size_t first, std::size_t last, std::size_t step) {
@@ -67,8 +59,7 @@ std::string block(const tally::Result& result, const std::vector<EchoRow>& rows,
 }
 
 std::string tables(const tally::Result& result, const std::vector<EchoRow>& rows,
-                   std::size_t max_rows) {
-  const std::size_t step = (result.gates() + max_rows - 1) / max_rows;
+                   std::size_t step) {
   std::string out = result.title.empty() ? "" : result.title + '\n';
   out += "Echo: photons detected in the gate per photon emitted; error: standard error over echo";
   out += step > 1 ? fmt::format("; shown: 1 gate of {}\n\n", step) : "\n\n";
@@ -81,20 +72,6 @@ std::string tables(const tally::Result& result, const std::vector<EchoRow>& rows
     out += fmt::format("{}: of light scattered once, in the first channel of the table.\n",
                        result.gate_depth_is_range ? "Range" : "Depth");
   return out;
-}
-
-/// Each reason why gates have not converged, with the number of gates it concerns.
-std::string legend(const std::vector<EchoRow>& rows) {
-  std::string out;
-  for (const auto& meaning : tally::flag_meanings()) {
-    const auto count = std::count_if(rows.begin(), rows.end(), [&](const EchoRow& row) {
-      return (row.flags & meaning.flag) != 0;
-    });
-    if (count > 0)
-      out += fmt::format("  {:<20} {:>6} {}  {}\n", meaning.name, count,
-                         count == 1 ? "gate: " : "gates:", meaning.explanation);
-  }
-  return out.empty() ? out : "* not converged, because\n" + out;
 }
 
 std::string converged_counts(const tally::Result& result, const std::vector<EchoRow>& rows) {
@@ -132,8 +109,9 @@ std::string run_summary(const tally::Result& result) {
 std::string echo_table(const tally::Result& result, std::size_t max_rows) {
   expect(max_rows > 0, "a table has at least one row");
   const std::vector<EchoRow> rows = echo_rows(result);
-  return tables(result, rows, max_rows) + legend(rows) + converged_counts(result, rows) +
-         run_summary(result);
+  const std::size_t step = (result.gates() + max_rows - 1) / max_rows;
+  return tables(result, rows, step) + legend(rows) + converged_counts(result, rows) +
+         environment_table(result, step) + run_summary(result);
 }
 
 }  // namespace photic::io

@@ -11,7 +11,17 @@ import pytest
 @pytest.fixture(scope="session")
 def sample(tmp_path_factory):
     """A result of made-up numbers, written by the library (tests/unit/io/sample_result.cpp)."""
-    path = tmp_path_factory.mktemp("sample") / "sample.nc"
+    return made(tmp_path_factory.mktemp("sample") / "sample.nc")
+
+
+@pytest.fixture(scope="session")
+def sample_in_other_water(tmp_path_factory):
+    """The same with environments."""
+    environments = ["more algae", "no $ _CDOM_", "bloom"]
+    return made(tmp_path_factory.mktemp("sample") / "sample.nc", *environments)
+
+
+def made(path, *environments):
     maker = Path(os.environ["PHOTIC_BUILD"]) / "tests" / "unit" / "io" / "make_sample_result"
-    subprocess.run([maker, path], check=True)
+    subprocess.run([maker, path, *environments], check=True)
     return path

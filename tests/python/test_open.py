@@ -50,6 +50,20 @@ def test_converged_is_bool(sample):
     assert 0 < int((~elastic.converged).sum()) < elastic.sizes["gate"]
 
 
+# Seen red: with environments left under their numbers; with their convergence left as bytes.
+def test_environments_go_by_their_names(sample, sample_in_other_water):
+    ds = photic.open(sample_in_other_water)
+    assert list(ds.environment.values) == ["more algae", "no $ _CDOM_", "bloom"]
+    bloom = ds.environment_echo.sel(environment="bloom", channel="raman", telescope="wide")
+    with netCDF4.Dataset(sample_in_other_water) as file:
+        assert numpy.array_equal(bloom, file["environment_echo"][2, 1, 1, :])
+    assert ds.environment_converged.dtype == bool
+    assert numpy.array_equal(ds.environment_converged, ds.environment_convergence_flags == 0)
+    change = ds.environment_echo - ds.echo
+    assert numpy.allclose(change, ds.environment_difference, rtol=1e-9, atol=0)
+    assert not [name for name in photic.open(sample).variables if "environment" in name]
+
+
 def test_missing_numbers_are_nan(sample):
     ds = photic.open(sample)
     assert numpy.isnan(ds.variance_of_variance.values[0, 0, -1])

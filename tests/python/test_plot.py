@@ -78,6 +78,94 @@ def test_only_converged_gates_are_drawn_thick(sample):
     assert drawn.any() and not (drawn & elastic.converged.values).any()
 
 
+CHANNELS = ["elastic", "raman", "chlorophyll"]
+
+
+def test_environments_have_a_row_for_each_channel(sample, sample_in_other_water, tmp_path):
+    ds = photic.open(sample_in_other_water)
+    drawing = plot.figure([ds], ["sample"])
+    without = titles(plot.figure([photic.open(sample)], ["sample"]))
+    rows = [[f"{name} echo in the environments", f"{name} echo against the scene's"] for name in CHANNELS]
+    assert titles(drawing) == without + sum(rows, [])
+    names = ["the scene", "more algae", "no \\$ _CDOM_", "bloom", "not converged"]
+    assert legend(drawing.axes[4]) == names
+    assert all(panel.get_legend() is None for panel in [drawing.axes[3], *drawing.axes[5:]])
+    assert drawing.axes[3].get_ylim() == drawing.axes[4].get_ylim()
+    assert command("plot", sample_in_other_water, "-o", tmp_path / "out.png") == (0, "")
+
+
+def curves(panel, count):
+    """The thick line, the thin one and the circles of each."""
+    lines = panel.get_lines()[-3 * count :]
+    return [lines[3 * k : 3 * k + 3] for k in range(count)]
+
+
+# Seen red: with the gates that converged in the scene drawn thick; with the scene's echo for all.
+def test_echoes_in_the_environments(sample_in_other_water):
+    ds = photic.open(sample_in_other_water)
+    drawing = plot.figure([ds], ["sample"], telescope="wide")
+    chlorophyll = ds.sel(telescope="wide", channel="chlorophyll")
+    scene, *others = curves(drawing.axes[7], 4)
+    assert visible(scene[0]) == int(chlorophyll.converged.sum())
+    for (thick, thin, _), name in zip(others, ds.environment.values):
+        one = chlorophyll.sel(environment=name)
+        assert visible(thick) == int(one.environment_converged.sum()) < int(one.converged.sum())
+        lit = one.environment_echo.values > 0
+        assert numpy.array_equal(thin.get_xdata()[lit], one.environment_echo.values[lit])
+
+
+def with_changes(path, per_cent):
+    ds = photic.open(path)
+    for name, change in zip(ds.environment.values, per_cent):
+        one = {"environment": name}
+        ds.environment_difference.loc[one] = change / 100 * ds.echo
+        ds.environment_difference_standard_error.loc[one] = 0.01 * ds.echo
+        ds.environment_echo.loc[one] = (1 + change / 100) * ds.echo
+    return ds
+
+
+# Seen red: with the standard error of the environment's echo; with the scene's echo in the place of
+# the difference.
+def test_changes_in_per_cent_with_the_bands_of_differences(sample_in_other_water):
+    ds = with_changes(sample_in_other_water, [2, -5, 10])
+    panel = plot.figure([ds], ["sample"]).axes[4]
+    assert panel.get_xscale() == "linear" and "[%]" in panel.get_xlabel()
+    for (thick, thin, _), change in zip(curves(panel, 3), [2, -5, 10]):
+        assert thin.get_xdata()[:40] == pytest.approx(change)
+        assert 0 < visible(thick) < visible(thin)
+    bands = [each for each in panel.collections if isinstance(each, PolyCollection)]
+    for band, change in zip(bands, [2, -5, 10]):
+        ends = band.get_paths()[0].vertices[:, 0]
+        assert (ends.min(), ends.max()) == pytest.approx((change - 1.96, change + 1.96))
+    low, high = panel.get_xlim()
+    assert -9 < low < -6.96 and 11.96 < high < 14
+
+
+def test_large_changes_as_factors(sample_in_other_water):
+    ds = with_changes(sample_in_other_water, [300, -90, 0])
+    panel = plot.figure([ds], ["sample"]).axes[4]
+    assert panel.get_xscale() == "log" and "%" not in panel.get_xlabel()
+    factors = [thin.get_xdata()[0] for _, thin, _ in curves(panel, 3)]
+    assert factors == pytest.approx([4, 0.1, 1])
+
+
+def test_more_environments_than_colours_are_shades():
+    assert panels.family(plot.COLOURS, 6) == plot.COLOURS[:6] and plot.COLOURS[6] == "#000000"
+    shades = panels.family(plot.COLOURS, 12)
+    assert len({tuple(shade) for shade in shades}) == 12
+
+
+@pytest.mark.filterwarnings("error:::numpy", "error::RuntimeWarning")
+def test_environments_without_light(sample_in_other_water, tmp_path):
+    ds = photic.open(sample_in_other_water)
+    ds["environment_echo"] = 0 * ds.environment_echo
+    ds["environment_difference"] = -ds.echo + 0 * ds.environment_difference
+    ds["environment_converged"] = ds.environment_converged & False
+    plot.figure([ds], ["dark"]).savefig(tmp_path / "dark.png")
+    ds["echo"] = 0 * ds.echo
+    plot.figure([ds], ["darker"]).savefig(tmp_path / "darker.png")
+
+
 def test_every_stretch_of_open_gates_is_marked():
     chosen = numpy.array([True, False, True, True, True, True, False, True])
     assert panels.thinned(chosen, 3) == [0, 2, 5, 7]

@@ -21,10 +21,16 @@ constexpr std::size_t gates = 100;
 
 class Maker {
  public:
+  explicit Maker(const std::vector<std::string>& environments) {
+    result_.environment_name = environments;
+  }
+
   tally::Result make() {
     axes();
     for (std::size_t t = 0; t < 2; ++t)
       for (std::size_t c = 0; c < 3; ++c) channel(looks[c], t, c);
+    for (std::size_t e = 0; e < result_.environment_name.size(); ++e)
+      environment(static_cast<double>(e + 1));
     run();
     state();
     return std::move(result_);
@@ -102,6 +108,22 @@ class Maker {
       }
   }
 
+  /// Errors of the differences are far smaller than those of the echoes.
+  void environment(double steps) {
+    for (std::size_t cell = 0; cell < result_.echo.mean.size(); ++cell) {
+      const double depth_m = step_m * (static_cast<double>(cell % gates) + 0.5);
+      const double echo = result_.echo.mean[cell], error = result_.echo.standard_error[cell];
+      const double ratio = std::exp(-0.04 * steps * depth_m);
+      const double growth = 1 + 0.02 * depth_m;
+      push(result_.environment_echo, ratio * echo, ratio * growth * error);
+      push(result_.environment_difference, (ratio - 1) * echo,
+           0.3 * (1 - ratio) * ratio * growth * error);
+      const std::int32_t flags = result_.convergence_flags[cell];
+      const bool worse = echo > 0 && growth * error > 0.1 * echo;
+      result_.environment_convergence_flags.push_back(worse ? flags | tally::large_error : flags);
+    }
+  }
+
   void run() {
     result_.title = "Table 1 ship lidar over case-1 water";
     result_.scene_toml =
@@ -133,7 +155,7 @@ class Maker {
 
   /// No number twice, so that none can be taken for another.
   void state() {
-    tally::TotalsState state(sample_shape());
+    tally::TotalsState state(sample_shape(result_.environment_name.size()));
     state.photons = 19'998'000;
     state.batches = 9999;
     state.collisions = 187'654'000;
@@ -146,6 +168,12 @@ class Maker {
       for (auto& s : *sums) s = {next(), next()};
     for (auto* values : {&state.cut_order, &state.largest})
       for (double& value : *values) value = next();
+    for (auto& s : state.environment)
+      s = {{{next(), next()}, next(), next(), {next(), next(), next(), next()}},
+           {next(), next()},
+           next(),
+           next(),
+           next()};
     for (auto& counts : state.octaves)
       for (auto& count : counts) count = (std::uint64_t{1} << 60) + ++numbers_;
     for (std::size_t k = 0; k < tally::snapshots_at(state.batches); ++k) {
@@ -172,9 +200,13 @@ class Maker {
 
 }  // namespace
 
-tally::Result sample_result() { return Maker().make(); }
+tally::Result sample_result() { return sample_result_in({}); }
 
-tally::Shape sample_shape() {
+tally::Result sample_result_in(const std::vector<std::string>& environments) {
+  return Maker(environments).make();
+}
+
+tally::Shape sample_shape(std::size_t environments) {
   tally::Shape shape;
   shape.telescopes = 2;
   shape.channels = 3;
@@ -182,6 +214,7 @@ tally::Shape sample_shape() {
   shape.orders = 6;
   shape.gates = gates;
   shape.depths = gates;
+  shape.environments = environments;
   return shape;
 }
 

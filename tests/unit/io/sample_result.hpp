@@ -2,6 +2,10 @@
 // physics.
 #pragma once
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "tally/result.hpp"
 #include "tally/shape.hpp"
 
@@ -11,8 +15,11 @@ namespace photic::test {
 /// converged, the deepest have seen nothing; one diagnostic is NaN.
 tally::Result sample_result();
 
+/// The same with environments of more and more algae: each absorbs 0.02/m more than the one before.
+tally::Result sample_result_in(const std::vector<std::string>& environments);
+
 /// The extents of its tallies.
-tally::Shape sample_shape();
+tally::Shape sample_shape(std::size_t environments = 0);
 
 /// How messages about a file that is no result end.
 inline constexpr const char* wanted_result =

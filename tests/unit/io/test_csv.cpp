@@ -129,6 +129,34 @@ TEST(Csv, QuotesWhatNeedsIt) {
   }
 }
 
+// Seen red: with the rows of the first environment for the second; with the error of the echo in
+// the place of the difference's.
+TEST(Csv, EnvironmentsFollowTheScene) {
+  const std::vector<std::string> names{"more algae", "a \"b\", c"};
+  const tally::Result result = test::sample_result_in(names);
+  const Csv csv(echo_csv(result)), scene(echo_csv(test::sample_result()));
+  ASSERT_EQ(csv.records.size(), 1 + 3 * 600u);
+  const Record more{"environment", "difference", "difference_standard_error"};
+  EXPECT_EQ(Record(csv.records[0].begin() + 11, csv.records[0].end()), more);
+  for (std::size_t i = 1; i <= 600; ++i) {
+    Record record = scene.records[i];
+    record.insert(record.end(), {"", "0", "0"});
+    EXPECT_EQ(csv.records[i], record);
+  }
+  for (std::size_t i = 0; i < 1200; ++i) {
+    const Record& record = csv.records[601 + i];
+    ASSERT_EQ(record.size(), 14u);
+    EXPECT_EQ(Record(record.begin(), record.begin() + 6),
+              Record(scene.records[1 + i % 600].begin(), scene.records[1 + i % 600].begin() + 6));
+    EXPECT_EQ(number(record[6]), result.environment_echo.mean[i]);
+    EXPECT_EQ(number(record[7]), result.environment_echo.standard_error[i]);
+    EXPECT_EQ(record[9], result.environment_convergence_flags[i] == 0 ? "yes" : "no");
+    EXPECT_EQ(record[11], names[i / 600]);
+    EXPECT_EQ(number(record[12]), result.environment_difference.mean[i]);
+    EXPECT_EQ(number(record[13]), result.environment_difference.standard_error[i]);
+  }
+}
+
 TEST(Csv, WritesTheFile) {
   const test::TemporaryFolder folder;
   const tally::Result result = test::sample_result();

@@ -39,6 +39,23 @@ TEST(EchoJson, ReadsBackToTheSameNumbers) {
   EXPECT_EQ(parsed["echoes"][99]["reasons"], json({"no_score"}));
 }
 
+TEST(EchoJson, EnvironmentsIfThereAreAny) {
+  EXPECT_FALSE(json::parse(echo_json(test::sample_result())).contains("environment_echoes"));
+  const tally::Result result = test::sample_result_in({"more algae", "no CDOM"});
+  const json parsed = json::parse(echo_json(result));
+  EXPECT_EQ(parsed["echoes"].size(), 600u);
+  ASSERT_EQ(parsed["environment_echoes"].size(), 1200u);
+  for (std::size_t i = 0; i < 1200; ++i) {
+    const json& echo = parsed["environment_echoes"][i];
+    EXPECT_EQ(echo["environment"], result.environment_name[i / 600]);
+    EXPECT_EQ(echo["channel"], result.channel_name[i / 100 % 3]);
+    EXPECT_EQ(echo["echo"], result.environment_echo.mean[i]);
+    EXPECT_EQ(echo["difference"], result.environment_difference.mean[i]);
+    EXPECT_EQ(echo["difference_standard_error"], result.environment_difference.standard_error[i]);
+    EXPECT_EQ(echo["converged"], result.environment_convergence_flags[i] == 0);
+  }
+}
+
 TEST(EchoJson, AwkwardTextsAndNumbers) {
   tally::Result result = test::sample_result();
   result.title = "say \"häß\"\\\n\t\x01";

@@ -185,6 +185,51 @@ TEST_F(WrittenResult, SceneOfAnyLength) {
   EXPECT_EQ(read_scene_attribute(folder_.file("out.nc")), result_.scene_toml);
 }
 
+// Seen red: with the difference's error in the place of the echo's; with the scene's flags; with
+// the dimension environment after the telescope.
+TEST(WrittenEnvironments, EchoesDifferencesAndFlags) {
+  const test::TemporaryFolder folder;
+  const tally::Result result = test::sample_result_in({"more algae", "häß \"CDOM\""});
+  write_netcdf(result, folder.file("out.nc"), {"test"});
+  const NetcdfFile file(folder.file("out.nc"));
+  EXPECT_EQ(file.texts("environment_name"), result.environment_name);
+  for (const auto& [name, estimates] :
+       {std::pair{"environment_echo", &result.environment_echo},
+        {"environment_difference", &result.environment_difference}}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(file.dimensions(file.variable(name)),
+              (Names{"environment", "telescope", "channel", "gate"}));
+    expect_same(file.numbers(name), estimates->mean);
+    expect_same(file.numbers(std::string(name) + "_standard_error"), estimates->standard_error);
+  }
+  const auto& flags = result.environment_convergence_flags;
+  const std::vector<double> bits(flags.begin(), flags.end());
+  expect_same(file.numbers("environment_convergence_flags"), bits);
+  const auto converged = file.numbers("environment_converged");
+  for (std::size_t i = 0; i < flags.size(); ++i) EXPECT_EQ(converged[i] != 0, flags[i] == 0);
+}
+
+// Seen red: with the dimension added in any case.
+TEST(WrittenEnvironments, AreNotInTheFilesOfOtherScenes) {
+  const test::TemporaryFolder folder;
+  write_netcdf(test::sample_result(), folder.file("out.nc"), {"test"});
+  const NetcdfFile file(folder.file("out.nc"));
+  for (const std::string& name : file.variables())
+    EXPECT_EQ(name.find("environment"), std::string::npos) << name;
+  int id = 0, group = 0;
+  ASSERT_EQ(nc_inq_grp_ncid(file.id(), "continuation", &group), NC_NOERR);
+  EXPECT_EQ(nc_inq_dimid(file.id(), "environment", &id), NC_EBADDIM);
+  EXPECT_EQ(nc_inq_dimid(group, "environment_sum", &id), NC_EBADDIM);
+  EXPECT_EQ(nc_inq_varid(group, "environment_sums", &id), NC_ENOTVAR);
+}
+
+TEST(WrittenEnvironments, OneThatDoesNotFitIsABug) {
+  const test::TemporaryFolder folder;
+  tally::Result result = test::sample_result_in({"more algae"});
+  result.environment_name.emplace_back("of no echo");
+  EXPECT_THROW(write_netcdf(result, folder.file("out.nc"), {"test"}), ContractViolation);
+}
+
 TEST(WriteNetcdf, IsCompressed) {
   const test::TemporaryFolder folder;
   tally::Result result = test::sample_result();

@@ -64,6 +64,26 @@ TEST_F(WrittenState, OfNoBatchYet) {
   EXPECT_EQ(read_state(path_, test::sample_shape()), *result_.state);
 }
 
+// Seen red: without the origin of the tail.
+TEST_F(WrittenState, OfEnvironmentsComesBackToTheLastBit) {
+  result_ = test::sample_result_in({"more algae", "no CDOM", "bloom"});
+  result_.state->environment[5].fourth = std::numeric_limits<double>::denorm_min();
+  write();
+  EXPECT_EQ(read_state(path_, test::sample_shape(3)), *result_.state);
+  const std::string missing =
+      "a damaged result: it has no variable environment_sums of the size of its scene";
+  EXPECT_EQ(refusal(test::sample_shape(2)), missing);
+  result_.state = tally::TotalsState(test::sample_shape(3));  // of no batch yet
+  write();
+  EXPECT_EQ(read_state(path_, test::sample_shape(3)), *result_.state);
+}
+
+TEST_F(WrittenState, WithoutTheEnvironmentsOfItsSceneIsRefused) {
+  write();
+  EXPECT_EQ(refusal(test::sample_shape(1)),
+            "a damaged result: it has no variable environment_sums of the size of its scene");
+}
+
 TEST_F(WrittenState, KnowsItsRun) {
   result_.photons = (std::uint64_t{1} << 63) + 12345;
   write();

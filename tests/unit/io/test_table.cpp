@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "core/error.hpp"
@@ -135,6 +136,75 @@ TEST(EchoTable, ConvergedHasNoLegend) {
   const std::string table = echo_table(result);
   EXPECT_EQ(table.find('*'), std::string::npos);
   EXPECT_TRUE(has_line(table, "converged raman 5 of 5 gates"));
+}
+
+/// The small result in other water.
+tally::Result small_result_in(const std::vector<std::string>& names) {
+  tally::Result result = small_result();
+  result.environment_name = names;
+  for (std::size_t e = 0; e < names.size(); ++e)
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double echo = result.echo.mean[i];
+      const double ratios[] = {0.8, 0.5, 12, 5000, 1}, errors[] = {1e-6, 0.0012, 0.3, 20, 0};
+      result.environment_echo.mean.push_back(ratios[i] * echo);
+      result.environment_echo.standard_error.push_back(0.1 * echo);
+      result.environment_difference.mean.push_back((ratios[i] - 1) * echo);
+      result.environment_difference.standard_error.push_back(errors[i] * echo);
+      result.environment_convergence_flags.push_back(i == 1 || i == 4 ? tally::large_score : 0);
+    }
+  return result;
+}
+
+std::string section_of_environments(const tally::Result& result) {
+  const std::string table = echo_table(result);
+  const std::size_t begin = table.find("\nEnvironments"), end = table.find("1 234 567 photons");
+  return begin == std::string::npos ? "none" : table.substr(begin, end - begin);
+}
+
+// Seen red: with the error of the echo; with only the environment's flags; with the ratio's error
+// relative to itself.
+TEST(EchoTable, EnvironmentsOverTheScene) {
+  EXPECT_EQ(section_of_environments(small_result_in({"no CDOM", "many more algae of this kind"})),
+            R"(
+Environments: echo over that of the scene, with its standard error
+
+telescope ship, channel raman
+                                   many more algae of
+ depth [m]              no CDOM             this kind
+      0.50        0.8000±0.0001         0.8000±0.0001
+      1.50        0.5000±0.0012*        0.5000±0.0012*
+      2.50           12.00±0.30*           12.00±0.30*
+      3.50              >999±20*              >999±20*
+      4.50                    -*                    -*
+
+* not converged, because
+  large_score               4 gates:  a single score carries more than 2 % of the echo
+converged no CDOM 3 of 5 gates, many more algae of this kind 3 of 5 gates
+
+)");
+  EXPECT_EQ(section_of_environments(small_result()), "none");
+}
+
+// Seen red: with seven of them across.
+TEST(EchoTable, ManyEnvironmentsFitATerminalOf100Columns) {
+  const std::vector<std::string> names{"a", "chlorophyll_of_10_mg_m3", "c", "d", "e", "f", "g",
+                                       "h"};
+  const std::string section = section_of_environments(small_result_in(names));
+  for (const auto& line : lines(section.substr(0, section.find("* not")))) {
+    // Letters: ± takes two bytes.
+    EXPECT_LE(std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; }),
+              100)
+        << line;
+  }
+  EXPECT_TRUE(has_line(section, "                          chlorophyll_o"));
+  EXPECT_TRUE(has_line(section, "2 more environments are in the file."));
+}
+
+TEST(EchoTable, EnvironmentsOfEachTelescopeAndChannel) {
+  const std::string table = echo_table(test::sample_result_in({"more algae"}));
+  for (const char* telescope : {"narrow", "wide"})
+    for (const char* channel : {"elastic", "raman", "chlorophyll"})
+      EXPECT_TRUE(has_line(table, fmt::format("telescope {}, channel {}", telescope, channel)));
 }
 
 }  // namespace

@@ -1,0 +1,68 @@
+#include "io/table_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace photic::io {
+namespace {
+
+/// Bytes of the first `count` letters of a text in UTF-8; of all if it has fewer.
+std::size_t bytes_of(const std::string& text, std::size_t count) {
+  std::size_t bytes = 0;
+  const auto continues = [&] { return (static_cast<unsigned char>(text[bytes]) & 0xC0) == 0x80; };
+  while (bytes < text.size() && count-- > 0) {
+    ++bytes;
+    while (bytes < text.size() && continues()) ++bytes;
+  }
+  return bytes;
+}
+
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+}  // namespace
+
+std::string trimmed(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '\n') out.erase(out.find_last_not_of(' ') + 1);
+    out += c;
+  }
+  return out;
+}
+
+std::string legend(const std::vector<EchoRow>& rows) {
+  std::string out;
+  for (const auto& meaning : tally::flag_meanings()) {
+    const auto count = std::count_if(rows.begin(), rows.end(), [&](const EchoRow& row) {
+      return (row.flags & meaning.flag) != 0;
+    });
+    if (count > 0)
+      out += fmt::format("  {:<20} {:>6} {}  {}\n", meaning.name, count,
+                         count == 1 ? "gate: " : "gates:", meaning.explanation);
+  }
+  return out.empty() ? out : "* not converged, because\n" + out;
+}
+
+std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines(1);
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && letters(lines.back()) + 1 + letters(word) > width)
+      lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    while (letters(lines.back()) > width) {
+      const std::size_t end = bytes_of(lines.back(), width);
+      lines.push_back(lines.back().substr(end));
+      lines[lines.size() - 2].resize(end);
+    }
+  }
+  return lines;
+}
+
+}  // namespace photic::io

@@ -1,0 +1,22 @@
+// What the tables for the terminal are made of.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/echo_rows.hpp"
+
+namespace photic::io {
+
+/// Without blanks at the ends of lines.
+std::string trimmed(const std::string& text);
+
+/// Each reason why gates have not converged, with the number of gates it concerns.
+std::string legend(const std::vector<EchoRow>& rows);
+
+/// A text in lines of at most `width` letters, broken at blanks; a word that is longer is cut.
+std::vector<std::string> wrapped(const std::string& text, std::size_t width);
+
+}  // namespace photic::io
