@@ -185,4 +185,7 @@ struct Scene {
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
+/// The scene with an environment's water, and without environments.
+[[nodiscard]] Scene scene_in(const Scene& scene, const Environment& environment);
+
 }  // namespace photic::scene
