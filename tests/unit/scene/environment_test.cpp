@@ -27,7 +27,7 @@ Scene read_text(const std::string& text, const std::vector<Override>& overrides 
 
 // --- What becomes of a good one ------------------------------------------------------------------
 
-// Seen red: with the changes applied to the document of the environment before.
+// Seen red: with the scene's optics for those of the environment.
 TEST(Environment, IsTheSceneWithItsChanges) {
   const Scene scene = read_text(with_environments(R"([[environment]]
 name = "more algae"
@@ -70,7 +70,7 @@ TEST(Environment, MayBeTheSceneItself) {
   EXPECT_EQ(scene_in(scene, scene.environment[0]), base_scene());
 }
 
-// Seen red: with whatever has the path of a fixed value refused.
+// Seen red: with the fixed values refused wherever they are given.
 TEST(Environment, MaySetWhatTheSceneHas) {
   const Scene scene = read_text(setting(
       R"("sea.salinity_psu" = 35, "sea.layer.0.bottom_depth_m" = 20.0, "sea.layer.1.name" = "layer1", "sea.surface.model" = "flat")"));
@@ -86,7 +86,7 @@ TEST(Environment, LayersMayBeSetWhole) {
 
 // --- --set ---------------------------------------------------------------------------------------
 
-// Seen red: with the changes applied before --set; with every dot of a path inside `set` followed.
+// Seen red: with every dot of a path inside `set` followed.
 TEST(Environment, SetReachesTheSceneFirst) {
   const std::string text = setting(R"("sea.layer.0.chlorophyll_mg_m3" = 0.5)");
   const Scene both = read_text(text, {"sea.layer.0.cdom_a440_per_m=0.3", "sea.salinity_psu=30"});
@@ -198,6 +198,10 @@ const std::vector<ChangeCase>& change_cases() {
   return all;
 }
 
+// Seen red, each for itself: with any path allowed; "sea" as a whole allowed; values not asked
+// whether they are any; layers not compared; the group index left out; values below a change in
+// places of their own; the last of equally near changes taken; the environment compared with a
+// scene where this is wrong.
 TEST(Environment, EveryTextOfWhatIsWrong) {
   for (const ChangeCase& c : change_cases()) {
     SCOPED_TRACE(c.changes);
@@ -228,8 +232,9 @@ TEST(Environment, NamesTwiceAndKeysAmiss) {
                    "[[environment]])"}));
 }
 
-// Seen red, each for itself: with the scene's problems told again; with the first change taken for
-// the nearest one; with --set and other places outside the changes kept.
+// Seen red, each for itself: with the scene's problems told again; places outside the changes kept;
+// all told at `set`; the place of the key where --set gave the value; names in paths left as they
+// are.
 TEST(Environment, ProblemsAreToldOnceAndAtTheChange) {
   const std::string two = R"([[environment]]
 set = { "optics.raman" = "bartlett" }
@@ -237,29 +242,31 @@ set = { "optics.raman" = "bartlett" }
 name = "b"
 [environment.set]
 "optics.raman" = "bartlett"
-"sea.layer.1.iop.0.a_per_m" = 0
-"sea.layer.0.chlorophyll_mg_m3" = -2)";
+"sea.layer.0.chlorophyll_mg_m3" = -2
+"sea.layer.deep.iop.0.a_per_m" = 0)";
   using Texts = std::vector<std::string>;
   // The scene is wrong itself, once at a value that an environment mends.
   EXPECT_EQ(
       diagnostics_of(
           edited({{3, 3, "wavelength_nm = -1"},
                   {22, 22, "chlorophyll_mg_m3 = -1"},
+                  {23, 23, "[[sea.layer]]\nname = \"deep\""},
                   {24, 24, "iop = [{ wavelength_nm = 532, a_per_m = 0.06, b_per_m = 0 }]"}}) +
           two),
       (Texts{
           "scene.toml:3:17: 'wavelength_nm' must be a finite number, greater than 0, not -1",
           "scene.toml:22:21: 'chlorophyll_mg_m3' must be a finite number, at least 0, not -1",
-          R"(scene.toml:37:1: in environment "b": a_per_m + b_per_m is 0: there is no water without attenuation)",
-          "scene.toml:38:1: 'chlorophyll_mg_m3' must be a finite number, at least 0, not -2"}));
+          "scene.toml:38:1: 'chlorophyll_mg_m3' must be a finite number, at least 0, not -2",
+          R"(scene.toml:39:1: in environment "b": a_per_m + b_per_m is 0: there is no water without attenuation)"}));
   EXPECT_EQ(
-      diagnostics_of(edited({}) + two, {"sea.layer.1.iop.0.b_per_m=0"}),
+      diagnostics_of(edited({}) + two, {"sea.layer.1.name=deep", "sea.layer.1.iop.0.b_per_m=0"}),
       (Texts{
-          R"(scene.toml:37:1: in environment "b": a_per_m + b_per_m is 0: there is no water without attenuation)",
-          "scene.toml:38:1: 'chlorophyll_mg_m3' must be a finite number, at least 0, not -2"}));
+          "scene.toml:37:1: 'chlorophyll_mg_m3' must be a finite number, at least 0, not -2",
+          R"(scene.toml:38:1: in environment "b": a_per_m + b_per_m is 0: there is no water without attenuation)"}));
   EXPECT_EQ(
-      diagnostics_of(with_environments(two),
-                     {"environment.1.set.sea.layer.0.chlorophyll_mg_m3=-3"}),
+      diagnostics_of(
+          with_environments(two),
+          {"sea.layer.1.name=deep", "environment.1.set.sea.layer.0.chlorophyll_mg_m3=-3"}),
       (Texts{"--set environment.1.set.sea.layer.0.chlorophyll_mg_m3: 'chlorophyll_mg_m3' must "
              "be a finite number, at least 0, not -3"}));
 }
@@ -274,7 +281,8 @@ void find_fault(const Scene& scene, Findings& findings) {
   findings.add("sea.layer.1", {"vsf.csv", 3, 1}, "no number", "");
 }
 
-// Seen red: with the check not run on environments; with the scene's remarks told again.
+// Seen red, each for itself: with the check not run on environments; the scene's remarks told
+// again; what is wrong in other files told at a change.
 TEST(Environment, IsCheckedAsTheSceneIs) {
   const std::string text = with_environments(R"([[environment]]
 name = "b"
@@ -344,8 +352,8 @@ set = {}
 
 // What is written has every default in it and may be read from another folder: there the changes
 // alone would not do.
-// Seen red, each for itself: with the changes written as they stand; with keys that a table loses
-// left in it.
+// Seen red, each for itself: with the changes written as they stand; keys that a table loses left
+// in it.
 TEST(Environment, IsWrittenWithAllThatItsChangesComeTo) {
   const Scene paper = read_text(setting(R"("optics.set" = "paper")"));
   EXPECT_EQ(paper.environment[0].set,
