@@ -209,6 +209,7 @@ TEST(Environment, EveryTextOfWhatIsWrong) {
   }
 }
 
+// Seen red: with names that may be there twice.
 TEST(Environment, NamesTwiceAndKeysAmiss) {
   const auto told = [](const std::string& text) { return diagnostics_of(with_environments(text)); };
   using Texts = std::vector<std::string>;
