@@ -34,10 +34,11 @@ class Assignment {
         // A vector that had one of its numbers replaced is no longer what the file says.
         if (array && !next->as<Node::Table>()) node->place = place_;
         *next = std::move(value);
+        return path;
       }
       node = next;
     }
-    return path;
+    return std::nullopt;
   }
 
   void refuse(std::string reason, std::string suggestion) {
