@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "core/constants.hpp"
 #include "scene/checks.hpp"
@@ -118,6 +120,35 @@ void check_time_gates(const Scene& scene, const Keys& keys, Findings& findings) 
                  "");
 }
 
+/// What the tallies take, in bytes: by what they grow with.
+struct Memory {
+  double gates, orders, environments, rest;
+  [[nodiscard]] double bytes() const { return gates + orders + environments + rest; }
+};
+
+Memory memory_of(const Scene& scene) {
+  // Doubles: none of these products can overflow. Sums, squares and largest scores of a cell, and
+  // the sum of the batch in each thread, of which there is at least one.
+  constexpr double bytes_per_cell = 24.0 + 8.0;
+  constexpr double bytes_per_environment = 150.0;  // tally::EnvironmentSums and its batch
+  constexpr double processes = 3.0;                // elastic, raman, chlorophyll
+  const double gates = static_cast<double>(scene.gates.count());
+  const double echoes = static_cast<double>(scene.telescope.size() * scene.channel.size()) * gates;
+  const double cells = bytes_per_cell * echoes;
+  return {cells * gates, cells * static_cast<double>(scene.simulation.orders_kept),
+          bytes_per_environment * echoes * static_cast<double>(scene.environment.size()),
+          cells * (1.0 + processes)};
+}
+
+/// The path of what takes most, and the advice.
+std::pair<std::string, std::string> what_to_lessen(const Memory& memory, const Keys& keys) {
+  if (memory.environments > std::max(memory.gates, memory.orders))
+    return {"environment", "take fewer environments, or fewer gates"};
+  if (memory.gates >= memory.orders)
+    return {keys.step, "take fewer gates: the memory goes with the square of their number"};
+  return {"simulation.orders_kept", "keep fewer orders: orders_kept"};
+}
+
 }  // namespace
 
 void check_gates(const Scene& scene, Findings& findings) {
@@ -135,27 +166,21 @@ void check_gates(const Scene& scene, Findings& findings) {
 }
 
 void check_memory(const Scene& scene, Findings& findings) {
-  const Keys keys = keys_of(scene.gates);
-  if (!findings.good({"telescope", "channel", "gates", "simulation.orders_kept"})) return;
-  // Doubles: none of these products can overflow. Sums, squares and largest scores of a cell, and
-  // the sum of the batch in each thread, of which there is at least one.
-  constexpr double bytes_per_cell = 24.0 + 8.0;
-  constexpr double processes = 3.0;  // elastic, raman, chlorophyll
+  if (!findings.good({"telescope", "channel", "gates", "simulation.orders_kept", "environment"}))
+    return;
   constexpr double limit = 2147483648.0;
-  const double gates = static_cast<double>(scene.gates.count());
-  const double orders = static_cast<double>(scene.simulation.orders_kept);
-  const double echoes = static_cast<double>(scene.telescope.size() * scene.channel.size()) * gates;
-  const double bytes = bytes_per_cell * echoes * (1.0 + processes + orders + gates);
-  if (bytes <= limit) return;
-  const bool by_gates = gates >= orders;
+  const Memory memory = memory_of(scene);
+  if (memory.bytes() <= limit) return;
+  const auto [path, suggestion] = what_to_lessen(memory, keys_of(scene.gates));
+  const std::string environments =
+      scene.environment.empty() ? "" : fmt::format(", environments {}", scene.environment.size());
   findings.add(
-      by_gates ? keys.step : "simulation.orders_kept",
-      fmt::format("the tallies (telescopes {}, channels {}, gates {}, orders {}) would take {:.3g} "
-                  "GiB; the limit is 2 GiB",
+      path,
+      fmt::format("the tallies (telescopes {}, channels {}, gates {}, orders {}{}) would take "
+                  "{:.3g} GiB; the limit is 2 GiB",
                   scene.telescope.size(), scene.channel.size(), scene.gates.count(),
-                  scene.simulation.orders_kept, bytes / (limit / 2.0)),
-      by_gates ? "take fewer gates: the memory goes with the square of their number"
-               : "keep fewer orders: orders_kept");
+                  scene.simulation.orders_kept, environments, memory.bytes() / (limit / 2.0)),
+      suggestion);
 }
 
 }  // namespace photic::scene

@@ -82,6 +82,7 @@ void check_instrument(const Scene& scene, Findings& findings) {
   check_names(scene.telescope, "telescope", findings);
   check_names(scene.channel, "channel", findings);
   check_names(scene.sea.layer, "sea.layer", findings);
+  check_names(scene.environment, "environment", findings);
 }
 
 }  // namespace photic::scene

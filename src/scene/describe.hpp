@@ -1,6 +1,8 @@
-// The keys of [gates], [simulation] and of the scene as a whole (see describe_instrument.hpp).
+// The keys of [gates], [simulation], [[environment]] and of the scene as a whole (see
+// describe_instrument.hpp).
 #pragma once
 
+#include "scene/changes.hpp"
 #include "scene/describe_instrument.hpp"
 #include "scene/describe_sea.hpp"
 
@@ -87,15 +89,27 @@ void describe(V& v, Simulation& s) {
 }
 
 template <class V>
+void describe(V& v, Environment& e) {
+  v.optional("name", e.name, Text{},
+             "what results call it; by default environment0, environment1 …");
+  v.required("set", e.set, Changes{},
+             "the values that differ in this water, by their paths: those of --set that begin with "
+             "sea. or optics.");
+}
+
+template <class V>
 void describe(V& v, Scene& s) {
   v.optional("title", s.title, Text{.may_be_empty = true}, "what is simulated, in one line");
   v.section("source", s.source, Need::required, "the source of light");
-  v.sections("telescope", s.telescope, "a telescope; any number of them");
-  v.sections("channel", s.channel, "the light one detector counts; any number of them");
+  v.sections("telescope", s.telescope, Need::required, "a telescope; any number of them");
+  v.sections("channel", s.channel, Need::required,
+             "the light one detector counts; any number of them");
   v.section("optics", s.optics, Need::optional, "the data and models of the water's optics");
   v.section("sea", s.sea, Need::optional, "the sea: its surface and its layers of water");
   v.section("gates", s.gates, Need::required, "the range gates");
   v.section("simulation", s.simulation, Need::required, "how long and how to simulate");
+  v.sections("environment", s.environment, Need::optional,
+             "other water, whose echoes are computed from the same histories; any number of them");
   v.unavailable("bottom", "the sea bed is black in this version");
   v.unavailable("atmosphere", "the air is clear vacuum in this version");
 }

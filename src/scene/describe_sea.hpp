@@ -140,7 +140,7 @@ void describe(V& v, Sea& s) {
   v.optional("group_index", s.group_index, from_to(1.0, 2.0),
              "replaces the group index from salinity and temperature, at all wavelengths");
   v.table("surface", s.surface, "the sea surface");
-  v.sections("layer", s.layer, "the layers of water from the surface down");
+  v.sections("layer", s.layer, Need::required, "the layers of water from the surface down");
 }
 
 }  // namespace photic::scene

@@ -12,17 +12,6 @@ bool lies_in(const std::string& path, const std::string& root) {
   return root.empty() || path == root || path.rfind(root + ".", 0) == 0;
 }
 
-std::vector<std::string> components(const std::string& path) {
-  std::vector<std::string> parts;
-  std::size_t start = 0;
-  while (start < path.size()) {
-    const std::size_t dot = std::min(path.find('.', start), path.size());
-    parts.push_back(path.substr(start, dot - start));
-    start = dot + 1;
-  }
-  return parts;
-}
-
 const Node* child(const Node& node, const std::string& key) {
   const auto* array = node.as<Node::Array>();
   if (!array) return node.find(key);
@@ -40,17 +29,21 @@ auto rank(const Diagnostic& d, const std::string& scene_file) {
   return std::tuple(d.line == 0, other, rank(d.line, d.column));
 }
 
+Finding found(const std::string& path, const Place& place, std::string reason,
+              std::string suggestion) {
+  return {{place.file, place.line, place.column, std::move(reason), std::move(suggestion)}, path};
+}
+
 }  // namespace
 
 void Findings::add_at(const Place& place, std::string reason, std::string suggestion) {
-  diagnostics_.push_back(
-      {place.file, place.line, place.column, std::move(reason), std::move(suggestion)});
+  problems_.push_back(found("", place, std::move(reason), std::move(suggestion)));
 }
 
 void Findings::add(const std::string& path, const Place& place, std::string reason,
                    std::string suggestion) {
   spoil(path);
-  add_at(place, std::move(reason), std::move(suggestion));
+  problems_.push_back(found(path, place, std::move(reason), std::move(suggestion)));
 }
 
 void Findings::add(const std::string& path, std::string reason, std::string suggestion) {
@@ -58,8 +51,17 @@ void Findings::add(const std::string& path, std::string reason, std::string sugg
 }
 
 void Findings::remark(const std::string& path, const std::string& text) {
-  const Place place = place_of(path);
-  remarks_.push_back(Diagnostic{place.file, place.line, place.column, text, ""}.text());
+  remarked_.push_back(found(path, place_of(path), text, ""));
+}
+
+void Findings::remark_at(const Place& place, const std::string& text) {
+  remarked_.push_back(found("", place, text, ""));
+}
+
+std::vector<std::string> Findings::remarks() const {
+  std::vector<std::string> texts;
+  for (const Finding& finding : remarked_) texts.push_back(finding.what.text());
+  return texts;
 }
 
 bool Findings::good(std::initializer_list<std::string> paths) const {
@@ -90,8 +92,9 @@ Place Findings::place_of(const std::string& path) const {
 }
 
 void Findings::raise() const {
-  if (diagnostics_.empty()) return;
-  std::vector<Diagnostic> sorted = diagnostics_;
+  if (problems_.empty()) return;
+  std::vector<Diagnostic> sorted;
+  for (const Finding& finding : problems_) sorted.push_back(finding.what);
   std::stable_sort(sorted.begin(), sorted.end(), [&](const Diagnostic& a, const Diagnostic& b) {
     return rank(a, end_.file) < rank(b, end_.file);
   });
@@ -100,6 +103,17 @@ void Findings::raise() const {
 
 bool before(const Place& a, const Place& b) {
   return rank(a.line, a.column) < rank(b.line, b.column);
+}
+
+std::vector<std::string> components(const std::string& path) {
+  std::vector<std::string> parts;
+  std::size_t start = 0;
+  while (start < path.size()) {
+    const std::size_t dot = std::min(path.find('.', start), path.size());
+    parts.push_back(path.substr(start, dot - start));
+    start = dot + 1;
+  }
+  return parts;
 }
 
 std::string below(const std::string& path, const std::string& key) {

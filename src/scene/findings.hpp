@@ -10,6 +10,12 @@
 
 namespace photic::scene {
 
+/// Something found at a place, and the path of the value; "" where it has none of its own.
+struct Finding {
+  Diagnostic what;
+  std::string path;
+};
+
 /// Paths are those of --set: "sea.layer.0.iop". "" is the whole scene.
 class Findings {
  public:
@@ -26,6 +32,7 @@ class Findings {
   void spoil(const std::string& path) { spoilt_.push_back(path); }
   /// Not wrong, but worth knowing.
   void remark(const std::string& path, const std::string& text);
+  void remark_at(const Place& place, const std::string& text);
 
   /// Whether nothing is wrong with these values: checks across keys ask this first.
   [[nodiscard]] bool good(std::initializer_list<std::string> paths) const;
@@ -36,17 +43,24 @@ class Findings {
   /// Throws InputError with all that was found, in the order of the file; then what was found in
   /// files that the scene names, then --set.
   void raise() const;
-  [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
+  [[nodiscard]] std::vector<std::string> remarks() const;
+
+  /// All that is wrong, and all that is worth knowing, in the order it was found.
+  [[nodiscard]] const std::vector<Finding>& problems() const { return problems_; }
+  [[nodiscard]] const std::vector<Finding>& remarked() const { return remarked_; }
 
  private:
   const Node& document_;
   Place end_;
-  std::vector<Diagnostic> diagnostics_;
-  std::vector<std::string> spoilt_, remarks_;
+  std::vector<Finding> problems_, remarked_;
+  std::vector<std::string> spoilt_;
 };
 
 /// Whether a was written before b: in the order of the file, and the file before --set.
 bool before(const Place& a, const Place& b);
+
+/// The parts of a path between its dots.
+std::vector<std::string> components(const std::string& path);
 
 /// path + "." + key, without the dot at the top.
 std::string below(const std::string& path, const std::string& key);

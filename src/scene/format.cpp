@@ -20,6 +20,15 @@ std::string scalar_text(const Node& node) {
   return "";
 }
 
+/// A key as TOML has it: bare where that is enough.
+std::string key_toml(const std::string& key) {
+  const auto bare = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  };
+  return !key.empty() && std::all_of(key.begin(), key.end(), bare) ? key : quoted(key);
+}
+
 bool holds_tables(const Node::Array& array) {
   return std::any_of(array.begin(), array.end(),
                      [](const Node& element) { return element.as<Node::Table>(); });
@@ -48,18 +57,19 @@ std::string inline_toml(const Node& node) {
   if (!table) return scalar_text(node);
   std::string inside;
   for (const Entry& entry : *table)
-    inside +=
-        (inside.empty() ? "" : ", ") + fmt::format("{} = {}", entry.key, inline_toml(entry.value));
-  return fmt::format("{{ {} }}", inside);
+    inside += (inside.empty() ? "" : ", ") +
+              fmt::format("{} = {}", key_toml(entry.key), inline_toml(entry.value));
+  return table->empty() ? "{}" : fmt::format("{{ {} }}", inside);
 }
 
 void write_table(const Node& table, const std::string& header, std::string& out) {
   const auto& entries = std::get<Node::Table>(table.value);
   for (const Entry& entry : entries)
-    if (!entry.value.section) out += fmt::format("{} = {}\n", entry.key, value_toml(entry.value));
+    if (!entry.value.section)
+      out += fmt::format("{} = {}\n", key_toml(entry.key), value_toml(entry.value));
   for (const Entry& entry : entries) {
     if (!entry.value.section) continue;
-    const std::string path = below(header, entry.key);
+    const std::string path = below(header, key_toml(entry.key));
     if (const auto* array = entry.value.as<Node::Array>()) {
       for (const Node& element : *array) {
         out += fmt::format("\n[[{}]]\n", path);
@@ -114,6 +124,8 @@ std::string format_toml(const Node& table) {
   write_table(table, "", out);
   return out;
 }
+
+std::string format_value(const Node& node) { return inline_toml(node); }
 
 std::string format_json(const Node& node) {
   std::string out;

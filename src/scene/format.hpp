@@ -10,6 +10,9 @@ namespace photic::scene {
 /// A scene as TOML: sections under their headers, all else as inline values.
 std::string format_toml(const Node& table);
 
+/// A value as TOML, on one line.
+std::string format_value(const Node& node);
+
 /// Indented JSON; arrays of plain values on one line.
 std::string format_json(const Node& node);
 

@@ -13,25 +13,32 @@
 namespace photic::scene {
 namespace {
 
-/// One --set on its way down the document.
+/// One change on its way down the document.
 class Assignment {
  public:
   Assignment(Place place, Findings& findings) : place_(std::move(place)), findings_(findings) {}
 
-  void apply(Node& document, const std::vector<std::string>& keys, Node value) {
+  /// Returns the path by numbers; nothing where it is refused.
+  std::optional<std::string> apply(Node& document, const std::vector<std::string>& keys,
+                                   Node value) {
     Node* node = &document;
+    std::string path;
     for (std::size_t i = 0; i < keys.size(); ++i) {
       const bool last = i + 1 == keys.size();
       Node* next = step(*node, keys[i], i == 0 ? "the scene" : fmt::format("'{}'", keys[i - 1]));
-      if (!next) return;
+      if (!next) return std::nullopt;
+      const auto* array = node->as<Node::Array>();
+      path = array ? below(path, static_cast<std::size_t>(next - array->data()))
+                   : below(path, keys[i]);
       if (last) {
         // A vector that had one of its numbers replaced is no longer what the file says.
-        if (node->as<Node::Array>() && !next->as<Node::Table>()) node->place = place_;
+        if (array && !next->as<Node::Table>()) node->place = place_;
         *next = std::move(value);
-        return;
+        return path;
       }
       node = next;
     }
+    return std::nullopt;
   }
 
   void refuse(std::string reason, std::string suggestion) {
@@ -108,22 +115,38 @@ std::vector<std::string> split(const std::string& path) {
   return keys;
 }
 
+/// In an environment a whole path is one key: "environment.0.set.sea.layer.0.name".
+void join_changed_path(std::vector<std::string>& keys) {
+  constexpr std::size_t first = 3;
+  if (keys.size() <= first || keys[0] != "environment" || keys[2] != "set") return;
+  for (std::size_t i = first + 1; i < keys.size(); ++i) keys[first] = below(keys[first], keys[i]);
+  keys.resize(first + 1);
+}
+
 }  // namespace
+
+std::optional<std::string> assign(const std::string& path, Node value, const Place& place,
+                                  Node& document, Findings& findings) {
+  std::vector<std::string> keys = split(path);
+  Assignment assignment(place, findings);
+  if (std::find(keys.begin(), keys.end(), "") != keys.end()) {
+    assignment.refuse("there is an empty name in the path",
+                      "write names and numbers with dots between");
+    return std::nullopt;
+  }
+  join_changed_path(keys);
+  return assignment.apply(document, keys, std::move(value));
+}
 
 void apply_override(const std::string& override_text, Node& document, Findings& findings) {
   const std::size_t equals = override_text.find('=');
   const std::string path = override_text.substr(0, equals);
   const Place place{"--set " + path, 0, 0};
-  Assignment assignment(place, findings);
-  const std::vector<std::string> keys = split(path);
   if (equals == std::string::npos)
-    return assignment.refuse("there is no value", "write path=value");
-  if (std::find(keys.begin(), keys.end(), "") != keys.end())
-    return assignment.refuse("there is an empty name in the path",
-                             "write names and numbers with dots between");
+    return findings.add_at(place, "there is no value", "write path=value");
   const auto value = parse_value(override_text.substr(equals + 1), place);
-  if (!value) return assignment.refuse("the value is not UTF-8 text", "");
-  assignment.apply(document, keys, *value);
+  if (!value) return findings.add_at(place, "the value is not UTF-8 text", "");
+  assign(path, *value, place, document, findings);
 }
 
 }  // namespace photic::scene

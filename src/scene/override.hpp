@@ -1,12 +1,18 @@
 // --set path=value.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "scene/findings.hpp"
 #include "scene/node.hpp"
 
 namespace photic::scene {
+
+/// Puts a value where a path in the style of --set leads, and returns that path with numbers in the
+/// place of names. Says at `place` why it cannot be, and returns nothing.
+std::optional<std::string> assign(const std::string& path, Node value, const Place& place,
+                                  Node& document, Findings& findings);
 
 /// Puts the value into the document, or says why it cannot be.
 void apply_override(const std::string& override_text, Node& document, Findings& findings);

@@ -10,9 +10,11 @@
 #include "core/error.hpp"
 #include "scene/checks.hpp"
 #include "scene/describe.hpp"
+#include "scene/environments.hpp"
 #include "scene/override.hpp"
 #include "scene/parse.hpp"
 #include "scene/reader.hpp"
+#include "scene/tree.hpp"
 
 namespace photic::scene {
 namespace {
@@ -30,17 +32,6 @@ void fill_names(std::vector<Named>& all, const std::string& stem) {
     if (all[i].name.empty()) all[i].name = stem + std::to_string(i);
 }
 
-Scene scene_of(const Node& document, const std::string& folder, Findings& findings) {
-  Scene scene;
-  ReadContext context{findings, folder};
-  Reader reader(document, {"", "", "the scene"}, context);
-  describe(reader, scene);
-  reader.finish();
-  fill_names(scene.telescope, "telescope");
-  fill_names(scene.sea.layer, "layer");
-  return scene;
-}
-
 std::string text_of(const std::string& path) {
   std::error_code unknown;
   const auto fail = [&](const std::string& why) {
@@ -54,10 +45,12 @@ std::string text_of(const std::string& path) {
   return text;
 }
 
-/// Where the environment fails the check, what is known to be wrong with the scene is told first.
-void run(const Check& check, const Scene& scene, Findings& findings) {
+/// What needs files. Where they fail, what is known to be wrong with the scene is told first.
+void read_on(const Node& document, const std::string& folder, const Check& check, Scene& scene,
+             Findings& findings) {
   try {
-    check(scene, findings);
+    if (check) check(scene, findings);
+    read_environments(document, folder, check, scene, findings);
   } catch (const EnvironmentError&) {
     findings.raise();
     throw;
@@ -65,6 +58,18 @@ void run(const Check& check, const Scene& scene, Findings& findings) {
 }
 
 }  // namespace
+
+Scene scene_of(const Node& document, const std::string& folder, Findings& findings) {
+  Scene scene;
+  ReadContext context{findings, folder};
+  Reader reader(document, {"", "", "the scene"}, context);
+  describe(reader, scene);
+  reader.finish();
+  fill_names(scene.telescope, "telescope");
+  fill_names(scene.sea.layer, "layer");
+  fill_names(scene.environment, "environment");
+  return scene;
+}
 
 Reading read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
                         const std::vector<Override>& overrides, const Check& check) {
@@ -77,7 +82,7 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   check_instrument(reading.scene, findings);
   check_gates(reading.scene, findings);
   check_memory(reading.scene, findings);
-  if (check) run(check, reading.scene, findings);
+  read_on(document, folder, check, reading.scene, findings);
   findings.raise();
   reading.remarks = findings.remarks();
   return reading;

@@ -45,10 +45,11 @@ class Reader : public TableReader {
   }
 
   template <class T>
-  void sections(const char* key, std::vector<T>& values, const char* meaning) {
+  void sections(const char* key, std::vector<T>& values, Need need, const char* meaning) {
     const TableName name = section_name(key, "[[", "]]");
     const Node* node = look(key);
-    if (!node) return section_missing(name, meaning);
+    if (!node && need == Need::required) section_missing(name, meaning);
+    if (!node) return;
     elements(key, *node, values, name, [](Reader& child, T& value) { describe(child, value); });
   }
 

@@ -27,4 +27,12 @@ double Gates::Interval::steps() const {
 
 std::int64_t Gates::count() const { return static_cast<std::int64_t>(interval().steps()); }
 
+Scene scene_in(const Scene& scene, const Environment& environment) {
+  Scene there = scene;
+  there.optics = environment.optics;
+  there.sea = environment.sea;
+  there.environment.clear();
+  return there;
+}
+
 }  // namespace photic::scene

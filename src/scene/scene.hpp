@@ -166,8 +166,9 @@ struct Change {
 /// Other water, whose echoes are computed from the same histories.
 struct Environment {
   std::string name;
-  std::vector<Change> set;  ///< in the order of the file
-  Optics optics;            ///< with the changes; all else is the scene's
+  /// In the order of the file; all that they come to where the scene as it is written needs more.
+  std::vector<Change> set;
+  Optics optics;  ///< with the changes; all else is the scene's
   Sea sea;
   friend bool operator==(const Environment&, const Environment&) = default;
 };
@@ -184,5 +185,8 @@ struct Scene {
   std::vector<Environment> environment;
   friend bool operator==(const Scene&, const Scene&) = default;
 };
+
+/// The scene with an environment's water, and without environments.
+[[nodiscard]] Scene scene_in(const Scene& scene, const Environment& environment);
 
 }  // namespace photic::scene

@@ -30,8 +30,9 @@ class SchemaBuilder {
     if (table(key, value, meaning) || need == Need::required) required_.push_back(key);
   }
   template <class T>
-  void sections(const char* key, std::vector<T>& values, const char* meaning) {
+  void sections(const char* key, std::vector<T>& values, Need need, const char* meaning) {
     tables(key, values, meaning, [](auto& child, T& value) { describe(child, value); });
+    if (need == Need::optional) required_.pop_back();
   }
   /// Returns whether any of its keys must be given.
   template <class T>

@@ -1,11 +1,18 @@
-// Scene -> tree of values, every default written out.
+// Scene -> tree of values, every default written out; and back.
 #pragma once
 
+#include <string>
+
+#include "scene/findings.hpp"
 #include "scene/node.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::scene {
 
 Node tree_of(Scene scene);
+
+/// Every value checked alone. The water of environments is still to be read
+/// (scene/environments.hpp).
+Scene scene_of(const Node& document, const std::string& folder, Findings& findings);
 
 }  // namespace photic::scene

@@ -30,7 +30,8 @@ class Writer {
     table_.add(key, written(value, describe_it)).section = true;
   }
   template <class T>
-  void sections(const char* key, std::vector<T>& values, const char*) {
+  void sections(const char* key, std::vector<T>& values, Need need, const char*) {
+    if (need == Need::optional && values.empty()) return;
     tables(key, values, "", describe_it);
     std::get<Node::Table>(table_.value).back().value.section = true;
   }

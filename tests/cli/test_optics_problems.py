@@ -60,6 +60,25 @@ def test_is_told_with_all_else(photic, scene):
     assert not count.startswith("quick.toml")
 
 
+def test_of_an_environment_is_told_at_its_change(photic, scene):
+    """Seen red: with the check of the optics not asked about environments."""
+    iop = "iop = [{ wavelength_nm = 500.0, a_per_m = 0.06, b_per_m = 0.1 }]"
+    text = QUICK_SCENE.replace('"raman"\n[[sea', '"elastic"\n[[sea')
+    text += f"""[[environment]]
+[environment.set]
+"sea.layer.0.chlorophyll_mg_m3" = 0.5
+"sea.layer.1" = {{ {iop}, phase_function = "petzold" }}
+"""
+    scene.write_text(text)
+    reason = 'the iop of layer "layer1" covers 499 to 501 nm, not 532 nm; the source emits there (add an entry for it)'
+    told = photic("check", "quick.toml").stderr.splitlines()
+    assert told == [place_of(text, '"sea.layer.1"', 0) + reason, "1 problem in quick.toml"]
+    # What is wrong with the scene, too, is told of the scene alone.
+    scene.write_text(text.replace("532.0", "1064.0").replace("500.0", "1064.0"))
+    told = photic("check", "quick.toml").stderr.splitlines()
+    assert [line.split(": ")[0] for line in told[:-1]] == ["quick.toml:3:17"] * (len(told) - 1)
+
+
 def test_names_the_set_that_asks_for_it(photic, scene):
     done = photic("run", "quick.toml", "--set", "source.wavelength_nm=1064")
     assert done.returncode == 2

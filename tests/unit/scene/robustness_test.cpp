@@ -108,10 +108,22 @@ TEST(Robustness, AnyValueForAnyKey) {
                                        "",
                                        ".",
                                        "0",
-                                       "source.0.x"};
-  const std::string base = edited({});
-  for (const std::string& path : paths)
-    for (const std::string& value : values) outcome_of(base, {path + "=" + value});
+                                       "source.0.x",
+                                       "environment",
+                                       "environment.0",
+                                       "environment.0.name",
+                                       "environment.0.set",
+                                       "environment.0.set.set",
+                                       "environment.1.set.sea.layer"};
+  const std::string environment =
+      "[[environment]]\nset = { \"sea.layer.0.chlorophyll_mg_m3\" = 0.5 }\n";
+  const std::string base = edited({}) + environment;
+  for (const std::string& path : paths) {
+    for (const std::string& value : values) {
+      outcome_of(base, {path + "=" + value});
+      outcome_of(base, {"environment.0.set." + path + "=" + value});
+    }
+  }
 }
 
 TEST(Robustness, DeepNestingIsRefused) {

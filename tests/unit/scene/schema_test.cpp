@@ -45,6 +45,7 @@ std::set<std::string> keys_of_scenes() {
             "model = \"fournier-forand\", refractive_index = 1.1, slope = 3.6 }, { fraction = 0.5, "
             "model = \"rayleigh\", depolarisation = 0.04 }] }"},
            {"sea.layer.1.phase_function=mie"},
+           {"environment=[{ set = {} }]"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"}})
     collect_keys(json::parse(write_scene_json(base_scene(overrides))), keys);
   return keys;
@@ -63,6 +64,7 @@ TEST(Schema, DescribesEveryKey) {
   }
 }
 
+// Seen red: with [[environment]] required as the other arrays of tables are.
 TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
   const json schema = json::parse(scene_schema());
   EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
@@ -86,6 +88,16 @@ TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
   EXPECT_EQ(phase_function["allOf"][0]["then"]["required"], json::array({"g"}));
   EXPECT_EQ(phase_function["properties"]["components"]["items"]["$ref"],
             "#/$defs/mixture_component");
+}
+
+TEST(Schema, EnvironmentsSetAnyPath) {
+  const json schema = json::parse(scene_schema());
+  const json& environment = schema["properties"]["environment"];
+  EXPECT_EQ(environment["type"], "array");
+  EXPECT_EQ(environment["items"]["required"], json::array({"set"}));
+  EXPECT_EQ(environment["items"]["properties"]["name"]["type"], "string");
+  EXPECT_EQ(environment["items"]["properties"]["set"]["type"], "object");
+  EXPECT_EQ(environment["items"]["properties"]["set"]["additionalProperties"], true);
 }
 
 TEST(Schema, KeysThatExcludeEachOther) {

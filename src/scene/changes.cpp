@@ -1,0 +1,52 @@
+#include "scene/changes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "scene/format.hpp"
+#include "scene/parse.hpp"
+
+namespace photic::scene {
+
+bool is_value(const Node& node) {
+  if (const auto* array = node.as<Node::Array>())
+    return std::all_of(array->begin(), array->end(), is_value);
+  if (const auto* table = node.as<Node::Table>())
+    return std::all_of(table->begin(), table->end(),
+                       [](const Entry& entry) { return is_value(entry.value); });
+  const auto* number = node.as<double>();
+  return !node.as<Date>() && (!number || std::isfinite(*number));
+}
+
+/// What is no value is left out: it is refused where its path is looked at.
+std::optional<Refusal> check(const Changes&, const Node& node, std::vector<Change>& value) {
+  const auto* table = node.as<Node::Table>();
+  if (!table)
+    return Refusal{fmt::format("must be a table, not {}", found_text(node)),
+                   R"(write { "sea.layer.0.chlorophyll_mg_m3" = 0.5 })"};
+  for (const Entry& entry : *table)
+    if (is_value(entry.value)) value.push_back({entry.key, format_value(entry.value)});
+  return std::nullopt;
+}
+
+Node schema_of(const Changes&) {
+  Node schema = empty_table();
+  schema.add("type", to_node("object"));
+  schema.add("additionalProperties", to_node(true));
+  return schema;
+}
+
+Node to_node(const std::vector<Change>& value) {
+  Node table = empty_table();
+  for (const Change& change : value) {
+    auto node = parse_value(change.value, {});
+    expect(node.has_value(), "the value of a change is TOML");
+    table.add(change.path, std::move(*node));
+  }
+  return table;
+}
+
+}  // namespace photic::scene

@@ -1,0 +1,26 @@
+// The changes of an environment: as the value of a key, and as tables.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scene/node.hpp"
+#include "scene/rules.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::scene {
+
+/// A table of paths in the style of --set and of values (a rule as those of rules.hpp). Where the
+/// paths lead is for scene/environments.hpp.
+struct Changes {
+  using Value = std::vector<Change>;
+};
+
+std::optional<Refusal> check(const Changes& rule, const Node& node, std::vector<Change>& value);
+Node schema_of(const Changes& rule);
+Node to_node(const std::vector<Change>& value);
+
+/// Whether scenes can hold the value: no dates, and finite numbers.
+bool is_value(const Node& node);
+
+}  // namespace photic::scene
