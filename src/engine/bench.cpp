@@ -86,6 +86,7 @@ class Bench {
   Bench(scene::Scene scene, const Candidate& candidate, const BenchOptions& options)
       : options_(options), lanes_(candidate.lanes) {
     scene.simulation = candidate.simulation;
+    scene.environment.clear();  // not all estimators have them
     problem_ = std::make_unique<Problem>(make_problem(scene));
   }
 

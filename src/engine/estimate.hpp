@@ -137,7 +137,8 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
     const T p = world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction),
                                                    from.phase);
     const T value = photon.weight * from.share * p * way.acceptance * exp_minus(way.optical_depth);
-    if (!estimates.of_scores.empty()) [[unlikely]] ratios_of_scores(world, t, from, way, mirrored, estimates);
+    if (world.compares) [[unlikely]]
+      ratios_of_scores(world, t, from, way, mirrored, estimates);
     score_lanes(seen, t, from, way.path, value, estimates.of_scores, tally);
   };
   const auto& telescope = world.telescopes[t];
@@ -172,7 +173,7 @@ void score_light(const World<T>& world, const transport::Photon<T>& photon,
     const Mask<T> seen =
         colliding & transport::may_see(world.sea, world.telescopes[t], photon.position, line);
     if (!any(seen)) continue;
-    if (!estimates.of_scores.empty()) [[unlikely]] {
+    if (world.compares) [[unlikely]] {
       score_in(world, t, from, seen, tally, estimates, false);
       continue;
     }
@@ -225,7 +226,8 @@ void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask
   const medium::MediumView& sea = world.sea;
   const Index<T> here = sea.at(at.photon.line, at.photon.layer);
   estimates.targets.clear();
-  estimates.ratios.of_path = at.ratios.of_path;
+  if (world.compares) [[unlikely]]
+    estimates.ratios.of_path = at.ratios.of_path;
   score_light(world, at.photon, at.lens, colliding, at.photon.line, gather<T>(sea.albedo, here),
               gather_index<T>(sea.elastic_phase, here), estimates, tally, world.directs);
   if (world.directs) aim_at_views(world, at.photon, estimates.targets);
@@ -242,7 +244,7 @@ void score_conversions(const World<T>& world, const Travellers<T>& from, const M
   transport::Photon<T> at = from.photon;
   const Mask<T> reached =
       convertible & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
-  if (from.ratios.exist()) [[unlikely]] {
+  if (world.compares) [[unlikely]] {
     estimates.ratios.of_path = from.ratios.of_path;
     estimates.ratios.before = from.photon;
     estimates.ratios.flown(sea, at,

@@ -46,7 +46,8 @@ Mask<T> set_out(const World<T>& world, const Counter<T>& number, const Mask<T>& 
   for (std::size_t t = 0; t < travellers.lens.size(); ++t)
     travellers.lens[t] = chosen_lens_point(world, travellers.place, t);
 
-  if (world.sea.environments.count > 0) [[unlikely]] travellers.ratios.begin(world.sea);
+  if (world.compares) [[unlikely]]
+    travellers.ratios.begin(world.sea);
 
   const auto u = uniforms(travellers.place, 0);
   Photon<T>& photon = travellers.photon;
@@ -74,12 +75,14 @@ void collision(const World<T>& world, Travellers<T>& travellers, const std::arra
   }
   const Index<T> here = world.sea.at(photon.line, photon.layer);
   book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
-  if (travellers.ratios.exist()) [[unlikely]] travellers.ratios.before = photon;
+  if (world.compares) [[unlikely]]
+    travellers.ratios.before = photon;
   const auto v = world.makes_choices ? uniforms(travellers.place, 1) : std::array<T, 4>{};
   const auto branch = collide(world.sea, photon, world.conversion, v[0], v[1]);
   scatter(world.sea, photon, branch.phase, branch.lobe, estimates.targets, world.directed,
           {u[1], u[2], v[2], v[3]});
-  if (travellers.ratios.exist()) [[unlikely]] travellers.ratios.collided(world.sea, photon, colliding);
+  if (world.compares) [[unlikely]]
+    travellers.ratios.collided(world.sea, photon, colliding);
 }
 
 /// One event of the photons that are `on` their way: a flight, and what stands at its end. Tells
@@ -92,9 +95,11 @@ Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on,
   travellers.place.event = travellers.place.event + Index<T>(1);
   const auto u = uniforms(travellers.place, 0);
   if (!world.views.empty()) score_conversions(world, travellers, on, estimates, tally);
-  if (travellers.ratios.exist()) [[unlikely]] travellers.ratios.before = photon;
+  if (world.compares) [[unlikely]]
+    travellers.ratios.before = photon;
   const FlightEnd<T> end = fly(world.sea, photon, u[0]);
-  if (travellers.ratios.exist()) [[unlikely]] travellers.ratios.flown(world.sea, photon, end.length);
+  if (world.compares) [[unlikely]]
+    travellers.ratios.flown(world.sea, photon, end.length);
   book(ledger.sea_bed, on & end.sea_bed, photon.weight);
   on = on & !end.sea_bed;
   const Mask<T> late = on & !in_time(world, photon);

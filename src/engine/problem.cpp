@@ -5,6 +5,7 @@
 #include "core/constants.hpp"
 #include "medium/build.hpp"
 #include "medium/check.hpp"
+#include "medium/environments.hpp"
 #include "optics/data_folder.hpp"
 #include "scene/read.hpp"
 
@@ -73,7 +74,9 @@ medium::Line channel_line(const scene::Channel& channel, const std::vector<mediu
 }  // namespace
 
 void check_optics(const scene::Scene& scene, scene::Findings& findings) {
-  medium::check_medium(scene, optics::Library(optics::find_data_folder()), findings);
+  const optics::Library library(optics::find_data_folder());
+  medium::check_medium(scene, library, findings);
+  medium::check_environments(scene, library, findings);
 }
 
 Problem make_problem(const scene::Scene& scene) {

@@ -105,6 +105,7 @@ struct World {
   T least_group_index{};                      ///< of all lines
   T directed{};                               ///< share of directions drawn towards a telescope
   bool directs = false;                       ///< whether any are
+  bool compares = false;                      ///< there are environments
   transport::Reversal<T> reversal;            ///< of conversions, by walks from telescopes
   T conversion{};            ///< probability of a branch into the inelastic processes
   bool single_rays = false;  ///< local estimates take one point of the lens instead of its mean
@@ -202,6 +203,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.connected = T(scene.simulation.connected_fraction);
   world.meeting_grid = {T(depth(scene.source)), T(reach.range), T(scene.simulation.meetings)};
   world.directed = T(scene.simulation.directed_fraction);
+  world.compares = !scene.environment.empty();
   world.directs = scene.simulation.directed_fraction > 0;
   world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "medium/build.hpp"
 #include "medium/layer_optics.hpp"
 #include "medium/lines.hpp"
 
@@ -24,14 +25,6 @@ struct Water {
   std::vector<Part> part;  ///< of the scattering
 };
 using Waters = std::vector<Water>;  ///< [line][layer]
-
-scene::Scene scene_in(const scene::Scene& scene, const scene::Environment& environment) {
-  scene::Scene out = scene;
-  out.optics = environment.optics;
-  out.sea = environment.sea;
-  out.environment.clear();
-  return out;
-}
 
 /// Tables of phase functions, each made once: many environments have the same.
 class PhaseTables {
@@ -60,16 +53,40 @@ class PhaseTables {
   std::vector<std::pair<Key, std::int32_t>> known_;
 };
 
+bool is(const EmittedLine& emitted, const Line& line) {
+  return emitted.process == line.process && emitted.wavelength_nm == line.wavelength_nm;
+}
+
+[[noreturn]] void refuse(const std::string& environment, const scene::Layer& layer,
+                         const std::string& what) {
+  throw InputError({{"", 0, 0,
+                     fmt::format("environment \"{}\": layer \"{}\" {}, and not in the scene itself",
+                                 environment, layer.name, what),
+                     "no history of the scene goes that way: give the scene a little of it, too"}});
+}
+
+/// Light that only an environment emits has no line in the medium.
+void check_emitted(const std::string& environment, const scene::Scene& scene, const Medium& medium,
+                   const std::vector<EmittedLine>& emitted) {
+  for (const EmittedLine& e : emitted) {
+    if (std::ranges::any_of(medium.line, [&](const Line& line) { return is(e, line); })) continue;
+    for (std::size_t k = 0; k < e.coefficient_per_m.size(); ++k) {
+      if (e.coefficient_per_m[k] > 0)
+        refuse(environment, scene.sea.layer[k],
+               fmt::format("emits {} light", process_name(e.process)));
+    }
+  }
+}
+
 double emitted_into(const Line& line, std::size_t layer, const std::vector<EmittedLine>& emitted) {
   for (const EmittedLine& e : emitted) {
-    if (e.process == line.process && e.wavelength_nm == line.wavelength_nm)
-      return e.coefficient_per_m[layer];
+    if (is(e, line)) return e.coefficient_per_m[layer];
   }
   return 0;
 }
 
-Waters waters_of(const scene::Scene& scene, const optics::Library& library, const Medium& medium,
-                 PhaseTables& tables) {
+Waters waters_of(const std::string& environment, const scene::Scene& scene,
+                 const optics::Library& library, const Medium& medium, PhaseTables& tables) {
   const LayerOptics optics_of(scene, library);
   std::vector<double> a_exciting_per_m, a_per_m;
   for (const auto& layer : scene.sea.layer) {
@@ -78,6 +95,7 @@ Waters waters_of(const scene::Scene& scene, const optics::Library& library, cons
     a_per_m.push_back(water.a_per_m);
   }
   const auto emitted = emitted_lines(scene, library, a_exciting_per_m);
+  check_emitted(environment, scene, medium, emitted);
   for (std::size_t k = 0; k < a_per_m.size(); ++k) emitted_per_m(emitted, scene, k, a_per_m[k]);
   Waters out;
   for (const Line& line : medium.line) {
@@ -119,24 +137,16 @@ std::vector<std::int32_t> varied_phases(const Water& water, const std::vector<Wa
   return out;
 }
 
-[[noreturn]] void refuse(const scene::Scene& scene, std::size_t environment, std::size_t layer,
-                         const std::string& what) {
-  throw InputError(
-      {{"", 0, 0,
-        fmt::format("environment \"{}\": layer \"{}\" {}, and not in the scene itself",
-                    scene.environment[environment].name, scene.sea.layer[layer].name, what),
-        "no history of the scene goes that way: give the scene a little of it, too"}});
-}
-
 }  // namespace
 
 void add_environments(const scene::Scene& scene, const optics::Library& library, Medium& medium) {
   if (scene.environment.empty()) return;
   PhaseTables tables(medium);
-  const Waters reference = waters_of(scene, library, medium, tables);
+  const Waters reference = waters_of("", scene, library, medium, tables);
   std::vector<Waters> others;
   for (const auto& environment : scene.environment)
-    others.push_back(waters_of(scene_in(scene, environment), library, medium, tables));
+    others.push_back(
+        waters_of(environment.name, scene::scene_in(scene, environment), library, medium, tables));
 
   const std::size_t layers = scene.sea.layer.size();
   const std::size_t cells = reference.size();
@@ -155,11 +165,13 @@ void add_environments(const scene::Scene& scene, const optics::Library& library,
     for (std::size_t i = 0; i < cells; ++i) {
       const Water& here = reference[i];
       const Water& other = others[e][i];
+      const std::string& name = scene.environment[e].name;
+      const scene::Layer& layer = scene.sea.layer[i % layers];
       out.excess_c.push_back(other.c_per_m - here.c_per_m);
-      if (here.b_per_m == 0 && other.b_per_m > 0) refuse(scene, e, i % layers, "scatters light");
+      if (here.b_per_m == 0 && other.b_per_m > 0) refuse(name, layer, "scatters light");
       if (here.emitted_per_m == 0 && other.emitted_per_m > 0)
-        refuse(scene, e, i % layers,
-               fmt::format("emits light at {:g} nm", medium.line[i / layers].wavelength_nm));
+        refuse(name, layer,
+               fmt::format("emits {} light", process_name(medium.line[i / layers].process)));
       out.excess_emitted.push_back(
           here.emitted_per_m > 0 ? other.emitted_per_m / here.emitted_per_m - 1 : 0.0);
       for (std::size_t p = 0; p < parts; ++p) {
@@ -170,6 +182,17 @@ void add_environments(const scene::Scene& scene, const optics::Library& library,
                    : 0.0);
       }
     }
+  }
+}
+
+void check_environments(const scene::Scene& scene, const optics::Library& library,
+                        scene::Findings& findings) {
+  if (scene.environment.empty() || scene.environment.front().sea.layer.empty()) return;
+  try {
+    build_medium(scene, library);
+  } catch (const InputError& error) {
+    for (const Diagnostic& d : error.diagnostics())
+      findings.add("environment", d.reason, d.suggestion);
   }
 }
 

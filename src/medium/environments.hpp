@@ -4,6 +4,7 @@
 
 #include "medium/medium.hpp"
 #include "optics/library.hpp"
+#include "scene/findings.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::medium {
@@ -12,5 +13,9 @@ namespace photic::medium {
 /// finished. Throws InputError where light goes ways in an environment that it never goes in the
 /// scene.
 void add_environments(const scene::Scene& scene, const optics::Library& library, Medium& medium);
+
+/// Adds what add_environments refuses to the findings, if the environments' water is known.
+void check_environments(const scene::Scene& scene, const optics::Library& library,
+                        scene::Findings& findings);
 
 }  // namespace photic::medium

@@ -46,11 +46,23 @@ std::string text_of(const std::string& path) {
 }
 
 /// What needs files. Where they fail, what is known to be wrong with the scene is told first.
+/// The scene with its environments, alone all of them being good.
+void check_together(const Node& document, const Check& check, const Scene& scene,
+                    Findings& findings) {
+  Findings again(document, findings.end());
+  check(scene, again);
+  for (const auto& [what, path] : again.problems())
+    findings.add_at({what.file, what.line, what.column}, what.reason, what.suggestion);
+}
+
 void read_on(const Node& document, const std::string& folder, const Check& check, Scene& scene,
              Findings& findings) {
   try {
     if (check) check(scene, findings);
     read_environments(document, folder, check, scene, findings);
+    check_estimator(scene, findings);
+    if (check && !scene.environment.empty() && findings.problems().empty())
+      check_together(document, check, scene, findings);
   } catch (const EnvironmentError&) {
     findings.raise();
     throw;

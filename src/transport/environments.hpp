@@ -108,7 +108,6 @@ struct Ratios {
     of_path.assign(static_cast<std::size_t>(sea.environments.count), T(1));
     part.assign(static_cast<std::size_t>(sea.environments.parts), T(0));
   }
-  [[nodiscard]] bool exist() const { return !of_path.empty(); }
 
   /// The photons have flown so far.
   PHOTIC_APART void flown(const medium::MediumView& sea, Photon<T> after, T length) {
