@@ -90,14 +90,14 @@ def test_environments_are_shown_with_what_they_set(photic, scene, tmp_path):
     """Seen red: with the environments left out of what is written."""
     scene.write_text(scene.read_text() + """[[environment]]
 name = "more algae"
-set = { "sea.layer.1.chlorophyll_mg_m3" = 2, 'optics.raman' = "marshall-smith" }
+set = { "sea.layer.1.chlorophyll_mg_m3" = 2, 'optics.phytoplankton' = "prieur-sathyendranath" }
 """)
     shown = photic("show", "quick.toml")
     assert shown.returncode == 0
     lines = ["[[environment]]", 'name = "more algae"',
-             'set = { "sea.layer.1.chlorophyll_mg_m3" = 2, "optics.raman" = "marshall-smith" }']
+             'set = { "sea.layer.1.chlorophyll_mg_m3" = 2, "optics.phytoplankton" = "prieur-sathyendranath" }']
     assert "\n".join(lines) in shown.stdout
     (tmp_path / "shown.toml").write_text(shown.stdout)
     assert photic("show", "shown.toml").stdout == shown.stdout
     as_json = json.loads(photic("show", "quick.toml", "--json").stdout)
-    assert as_json["environment"][0]["set"] == {"sea.layer.1.chlorophyll_mg_m3": 2, "optics.raman": "marshall-smith"}
+    assert as_json["environment"][0]["set"] == {"sea.layer.1.chlorophyll_mg_m3": 2, "optics.phytoplankton": "prieur-sathyendranath"}

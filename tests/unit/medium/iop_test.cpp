@@ -54,15 +54,6 @@ TEST(IopLayer, OfASingleEntryHoldsForANanometreAround) {
   }
 }
 
-std::string refusal(const scene::Scene& scene) {
-  try {
-    medium_of(scene);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "nothing was refused";
-}
-
 TEST(IopLayer, IsRefusedOutsideItsWavelengths) {
   auto scene = scene_of({single_entry_layer()}, {test::channel_of("elastic")});
   for (const double nm : {530.9, 533.1}) {

@@ -16,6 +16,16 @@ inline const optics::Library& library() {
 
 inline Medium medium_of(const scene::Scene& scene) { return build_medium(scene, library()); }
 
+/// Why a scene's medium is not made.
+inline std::string refusal(const scene::Scene& scene) {
+  try {
+    medium_of(scene);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "nothing was refused";
+}
+
 inline scene::PhaseFunction henyey_greenstein(double g) {
   scene::PhaseFunction function;
   function.model = "henyey-greenstein";

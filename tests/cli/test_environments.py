@@ -1,0 +1,67 @@
+"""photic run of a scene with environments: other water, from the same histories."""
+
+import netCDF4
+import pytest
+
+ENVIRONMENTS = """\
+[[environment]]
+name = "more algae"
+set = { "sea.layer.1.chlorophyll_mg_m3" = 2.0 }
+[[environment]]
+name = "the same"
+set = {}
+"""
+
+
+@pytest.fixture
+def environments(scene):
+    scene.write_text(scene.read_text() + ENVIRONMENTS)
+    return scene
+
+
+def test_run_tells_and_writes_them(photic, environments, tmp_path):
+    # Seen red: with environments that the engine does not know of.
+    done = photic("run", "quick.toml", "-o", "out.nc")
+    assert done.returncode == 0, done.stderr
+    assert "Environments: echo over that of the scene" in done.stdout
+    assert "more algae" in done.stdout
+    with netCDF4.Dataset(tmp_path / "out.nc") as file:
+        assert list(file["environment_name"][:]) == ["more algae", "the same"]
+        assert (file["environment_echo"][1] == file["echo"][:]).all()
+        assert (file["environment_echo"][0] != file["echo"][:]).any()
+        assert abs(file["environment_difference"][0] + file["echo"][:] - file["environment_echo"][0]).max() < 1e-20
+
+
+def test_the_estimator_is_the_one_that_has_them(photic, environments, tmp_path):
+    # Seen red: with the choice left to pilot runs.
+    done = photic("run", "quick.toml", "--set", "simulation.estimator=auto", "-o", "out.nc")
+    assert done.returncode == 0, done.stderr
+    with netCDF4.Dataset(tmp_path / "out.nc") as file:
+        assert file.estimator == "forward"
+        assert "the only one that has environments in this version" in file.scene
+    done = photic("run", "quick.toml", "--set", "simulation.estimator=bidirectional")
+    assert done.returncode == 2
+    assert "the bidirectional estimator has no environments in this version" in done.stderr
+
+
+def test_a_run_goes_on_with_them(photic, environments, tmp_path):
+    # Seen red: with the sums of the environments left out of what a run goes on from.
+    for photons, more in ((9000, ()), (21000, ("--continue", "first.nc")), (21000, ())):
+        name = "first.nc" if photons == 9000 else ("next.nc" if more else "once.nc")
+        scene = () if more else ("quick.toml",)
+        done = photic("run", *scene, "--photons", photons, *more, "-o", name)
+        assert done.returncode == 0, done.stderr
+    with netCDF4.Dataset(tmp_path / "next.nc") as then, netCDF4.Dataset(tmp_path / "once.nc") as once:
+        for name in ("environment_echo", "environment_difference_standard_error", "environment_convergence_flags"):
+            assert (then[name][:] == once[name][:]).all(), name
+
+
+def test_water_that_histories_never_see_is_told_at_its_place(photic, environments):
+    # Seen red: with the scene's echo for that of such an environment.
+    text = environments.read_text()
+    text = text.replace('"raman"\nprocess = "raman"', '"chl"\nprocess = "chlorophyll"')
+    environments.write_text(text.replace("chlorophyll_mg_m3 = 1.0", "").replace("chlorophyll_mg_m3 = 0.1", ""))
+    done = photic("check", "quick.toml")
+    assert done.returncode == 2
+    line = 1 + environments.read_text().splitlines().index("[[environment]]")
+    assert f'quick.toml:{line}:1: environment "more algae": layer "layer1" emits chlorophyll light' in done.stderr
