@@ -25,8 +25,8 @@ medium::Medium make_environments() {
   for (int environment = 0; environment < 2; ++environment) {
     for (std::size_t i = 0; i < sea.c.size(); ++i) {
       const double other = environment;
-      e.excess_c.push_back(other * (i % 2 == 0 ? 0.1 : -0.2) * sea.c[i]);
-      e.excess_emitted.push_back(other * 0.5);
+      e.excess_c.push_back(other * (i % 2 == 0 ? 0.1 : -0.5) * sea.c[i]);
+      e.excess_emitted.push_back(other * (i < 3 ? 0.1 : 0.5));
       e.excess_part.push_back(other * more_molecules);
     }
   }
