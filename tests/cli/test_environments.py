@@ -20,7 +20,6 @@ def environments(scene):
 
 
 def test_run_tells_and_writes_them(photic, environments, tmp_path):
-    # Seen red: with environments that the engine does not know of.
     done = photic("run", "quick.toml", "-o", "out.nc")
     assert done.returncode == 0, done.stderr
     assert "Environments: echo over that of the scene" in done.stdout
@@ -33,7 +32,6 @@ def test_run_tells_and_writes_them(photic, environments, tmp_path):
 
 
 def test_the_estimator_is_the_one_that_has_them(photic, environments, tmp_path):
-    # Seen red: with the choice left to pilot runs.
     done = photic("run", "quick.toml", "--set", "simulation.estimator=auto", "-o", "out.nc")
     assert done.returncode == 0, done.stderr
     with netCDF4.Dataset(tmp_path / "out.nc") as file:
@@ -45,7 +43,6 @@ def test_the_estimator_is_the_one_that_has_them(photic, environments, tmp_path):
 
 
 def test_a_run_goes_on_with_them(photic, environments, tmp_path):
-    # Seen red: with the sums of the environments left out of what a run goes on from.
     for photons, more in ((9000, ()), (21000, ("--continue", "first.nc")), (21000, ())):
         name = "first.nc" if photons == 9000 else ("next.nc" if more else "once.nc")
         scene = () if more else ("quick.toml",)
@@ -57,7 +54,6 @@ def test_a_run_goes_on_with_them(photic, environments, tmp_path):
 
 
 def test_water_that_histories_never_see_is_told_at_its_place(photic, environments):
-    # Seen red: with the scene's echo for that of such an environment.
     text = environments.read_text()
     text = text.replace('"raman"\nprocess = "raman"', '"chl"\nprocess = "chlorophyll"')
     environments.write_text(text.replace("chlorophyll_mg_m3 = 1.0", "").replace("chlorophyll_mg_m3 = 0.1", ""))

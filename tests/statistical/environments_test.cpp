@@ -121,8 +121,8 @@ scene::Scene algae_scene(double mg_m3, std::uint64_t seed) {
               simulation(2e6, seed));
 }
 
-// In all there is to see. Seen red: with the environment's scores summed by themselves and not as
-// differences.
+// In all there is to see. Seen red: with the difference alone for the environment's echo; with its
+// error for that of the difference.
 TEST(EnvironmentOf, TheSceneItselfIsTheSceneToTheBit) {
   const auto scene = algae_scene(0.5, 43);
   const auto result = run_in_lanes(with(scene, {scene}));
@@ -154,8 +154,7 @@ TEST(EnvironmentOf, OnePercentMoreIsSeenSharply) {
   EXPECT_GE(least, 20);
 }
 
-// One and the same, whatever the engine: ratios are rounded to float in lanes. Seen red: with
-// ratios of the lane beside.
+// One and the same, whatever the engine: ratios are rounded to float in lanes.
 TEST(EnvironmentOf, LanesIsThatOfTheScalarEngine) {
   const auto scene = with(algae_scene(0.5, 45), {algae_scene(0.7, 1), algae_scene(0.3, 1)});
   const auto lanes = run_in_lanes(scene);

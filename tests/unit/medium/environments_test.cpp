@@ -24,7 +24,7 @@ void expect_refused(const scene::Scene& scene, const std::string& what) {
 }
 
 // Scattering at an angle, attenuation and emission, line by line. Seen red: with the scattering of
-// the parts over that of the environment; with the emission of line 0; with a part left out.
+// the parts over that of the environment; with the scene's emission.
 TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBe) {
   const auto scene = scene_of({algae(0.5), algae(0.1)}, all_channels);
   const auto other = scene_of({algae(1.5), algae(0.02)}, all_channels);
@@ -55,6 +55,7 @@ TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBe) {
   }
 }
 
+// Seen red: with the scene's parts alone.
 TEST(MediumOfEnvironments, HasTwoPartsWhereAPhaseFunctionIsAnother) {
   const auto scene = scene_of({iop_layer()}, {test::channel_of("elastic")});
   auto other = scene.sea;
@@ -64,7 +65,7 @@ TEST(MediumOfEnvironments, HasTwoPartsWhereAPhaseFunctionIsAnother) {
   EXPECT_EQ(m.environments.excess_part, (std::vector<double>{-1, 1}));
 }
 
-// Seen red: without either refusal, where the environment's echo had been that of the scene.
+// Seen red: without either refusal.
 TEST(MediumOfEnvironments, RefusesWhatTheSceneNeverDoes) {
   const auto clear = scene_of({algae(0)}, all_channels);
   expect_refused(with(clear, scene_of({algae(0.1)}, all_channels).sea), "emits chlorophyll light");

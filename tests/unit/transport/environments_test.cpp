@@ -67,7 +67,7 @@ TEST(Environments, WaysAreDeeperByWhatTheirWaterAttenuatesMore) {
   }
 }
 
-// Seen red: with the part's own share in place of what is more of it; with the emission of the
+// Seen red: without the scene's own scattering; with the emission of the
 // line before.
 TEST(Environments, CollisionsAreThoseOfTheirWater) {
   const auto sea = make_environments();
