@@ -1,5 +1,6 @@
 #include "io/netcdf_state.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <type_traits>
@@ -21,11 +22,15 @@ constexpr auto tail_sums = [](auto& s) {
   auto& [a, b, c, d] = s.power;
   return std::array{&s.low.x, &s.low.xx, &s.origin, &s.photons, &a, &b, &c, &d};
 };
+constexpr std::size_t environment_fields = 2 * 8 + 5;
 constexpr auto environment_sums = [](auto& s) {
-  auto& [a, b, c, d] = s.echo.power;
-  return std::array{
-      &s.echo.low.x,   &s.echo.low.xx,   &s.echo.origin, &s.echo.photons, &a,       &b, &c, &d,
-      &s.difference.x, &s.difference.xx, &s.largest,     &s.square,       &s.fourth};
+  std::array<decltype(&s.largest), environment_fields> out{};
+  const auto difference = std::ranges::copy(tail_sums(s.echo), out.begin()).out;
+  const auto rest = std::ranges::copy(tail_sums(s.difference), difference).out;
+  std::ranges::copy(std::array{&s.largest, &s.of_scores.square, &s.of_scores.fourth,
+                               &s.of_differences.square, &s.of_differences.fourth},
+                    rest);
+  return out;
 };
 constexpr auto octaves = [](auto& counts) {
   std::array<decltype(&counts[0]), tally::score_octaves> out{};
@@ -79,8 +84,9 @@ void describe(Visitor& v, State& s) {
   if (!s.environment.empty())
     v.array("environment_sums", in_cell({"environment", "environment_sum"}), s.environment,
             environment_sums,
-            "echo in the environment" + of_tail_sums + "; of its difference to the scene's echo" +
-                of_sums + "; largest single score, and sums of their squares and fourth powers");
+            "echo in the environment" + of_tail_sums +
+                "; the same of its difference to the scene's echo; largest single score; sums of "
+                "squares and fourth powers of single scores, and of their differences");
   if (s.batches == 0) return;
   v.array("snapshot_photons", {"snapshot"}, s.snapshot_photons, itself,
           "photons when there were 1, 2, 4, 8 … batches");
@@ -159,7 +165,7 @@ void add_state(NetcdfImage& file, const tally::TotalsState& state) {
   file.add_dimension("sum", 2);
   file.add_dimension("tail_sum", 8);
   file.add_dimension("octave", tally::score_octaves);
-  if (!state.environment.empty()) file.add_dimension("environment_sum", 13);
+  if (!state.environment.empty()) file.add_dimension("environment_sum", environment_fields);
   if (state.batches > 0) file.add_dimension("snapshot", state.snapshot_photons.size());
   StateWriter writer(file);
   describe(writer, state);
@@ -181,7 +187,7 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
                                   {"tail_sum", 8},
                                   {"octave", tally::score_octaves},
                                   {"environment", shape.environments},
-                                  {"environment_sum", 13},
+                                  {"environment_sum", environment_fields},
                                   {"snapshot", tally::snapshots_at(file.count("batches"))}});
   tally::TotalsState state(shape);
   describe(reader, state);

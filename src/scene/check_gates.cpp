@@ -130,7 +130,7 @@ Memory memory_of(const Scene& scene) {
   // Doubles: none of these products can overflow. Sums, squares and largest scores of a cell, and
   // the sum of the batch in each thread, of which there is at least one.
   constexpr double bytes_per_cell = 24.0 + 8.0;
-  constexpr double bytes_per_environment = 150.0;  // tally::EnvironmentSums and its batch
+  constexpr double bytes_per_environment = 224.0;  // tally::EnvironmentSums and its batch
   constexpr double processes = 3.0;                // elastic, raman, chlorophyll
   const double gates = static_cast<double>(scene.gates.count());
   const double echoes = static_cast<double>(scene.telescope.size() * scene.channel.size()) * gates;

@@ -45,7 +45,6 @@ std::string text_of(const std::string& path) {
   return text;
 }
 
-/// What needs files. Where they fail, what is known to be wrong with the scene is told first.
 /// The scene with its environments, alone all of them being good.
 void check_together(const Node& document, const Check& check, const Scene& scene,
                     Findings& findings) {
@@ -55,6 +54,7 @@ void check_together(const Node& document, const Check& check, const Scene& scene
     findings.add_at({what.file, what.line, what.column}, what.reason, what.suggestion);
 }
 
+/// What needs files. Where they fail, what is known to be wrong with the scene is told first.
 void read_on(const Node& document, const std::string& folder, const Check& check, Scene& scene,
              Findings& findings) {
   try {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -30,9 +31,10 @@ struct Score {
 
 /// What a batch scored in one cell for an environment.
 struct EnvironmentScores {
-  double difference = 0;          ///< of its echo to the scene's
-  double largest = 0;             ///< single score
-  double square = 0, fourth = 0;  ///< sums of powers of single scores
+  double echo = 0;
+  double difference = 0;  ///< to the scene's echo
+  double largest = 0;     ///< single score
+  Powers of_scores, of_differences;
 };
 
 class BatchTally {
@@ -52,12 +54,17 @@ class BatchTally {
       for (std::size_t e = 0; e < shape_->environments; ++e) {
         const auto ratio = static_cast<double>(ratios[e * stride]);
         const double value = s.value * ratio;
-        const double square = value * value;
+        if (!std::isfinite(value)) {
+          ++not_finite;
+          continue;
+        }
         EnvironmentScores& sum = environment[first + e];
-        sum.difference += s.value * (ratio - 1);
+        sum.echo += value;
+        const double difference = s.value * (ratio - 1);
+        sum.difference += difference;
         sum.largest = value > sum.largest ? value : sum.largest;
-        sum.square += square;
-        sum.fourth += square * square;
+        sum.of_scores.add(value);
+        sum.of_differences.add(difference);
       }
     }
   }

@@ -62,13 +62,26 @@ struct TailSums {
   friend bool operator==(const TailSums&, const TailSums&) = default;
 };
 
+/// Sums of powers of single scores: few that carry all stand out in the fourth.
+struct Powers {
+  double square = 0, fourth = 0;
+  void add(double score) {
+    const double squared = score * score;
+    square += squared;
+    fourth += squared * squared;
+  }
+  friend Powers operator+(const Powers& a, const Powers& b) {
+    return {a.square + b.square, a.fourth + b.fourth};
+  }
+  friend bool operator==(const Powers&, const Powers&) = default;
+};
+
 /// What is summed in one cell for an environment, whose scores are those of the scene times the
 /// ratios of their paths' weights.
 struct EnvironmentSums {
-  TailSums echo;
-  Sums difference;                ///< of its echo to the scene's
-  double largest = 0;             ///< single score
-  double square = 0, fourth = 0;  ///< sums of powers of single scores
+  TailSums echo, difference;  ///< the latter to the scene's echo
+  double largest = 0;         ///< single score
+  Powers of_scores, of_differences;
   friend bool operator==(const EnvironmentSums&, const EnvironmentSums&) = default;
 };
 

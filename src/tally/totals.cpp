@@ -23,6 +23,9 @@ constexpr double largest_top_share = 0.50;  // of the second moment, in those fe
 /// than these, as sums of fourth powers tell. Of 1260 gates 793 of 912 with a heavy tail by octaves
 /// have one by this too, and 14 more; those of the scene are taken over.
 constexpr double largest_fourth_share = 1 / few_scores;
+/// What the histories are to blame for, in whatever water.
+constexpr std::int32_t of_histories =
+    ConvergenceFlag::heavy_tail | ConvergenceFlag::error_not_falling;
 constexpr double largest_error_growth =
     1.4;  // of error * sqrt(photons), over a factor of four in photons
 constexpr double chance_growth = 2.58;  // standard deviations that chance alone seldom exceeds
@@ -34,6 +37,12 @@ double error_of_sum(const Sums& s, double photons, double batches) {
 
 /// Standard deviation of the logarithm of an error that is estimated from normal batches.
 double log_spread(double batches) { return 1 / std::sqrt(2 * (batches - 1)); }
+
+/// The one of two ways to the same sum that loses no digits: an environment like the scene has the
+/// scene's echo to the last bit, one without light has none.
+double environment_echo(double echo, const EnvironmentScores& scored) {
+  return std::abs(scored.difference) < echo / 2 ? echo + scored.difference : scored.echo;
+}
 
 bool fits(const TotalsState& state, const Shape& shape) {
   const std::size_t cells = shape.cells();
@@ -72,11 +81,11 @@ void Totals::merge(const BatchTally& batch) {
     for (std::size_t i = cell * shape_->environments; i < (cell + 1) * shape_->environments; ++i) {
       const EnvironmentScores& scored = batch.environment[i];
       EnvironmentSums& sums = state_.environment[i];
-      sums.echo.add(echo + scored.difference, n);
+      sums.echo.add(environment_echo(echo, scored), n);
       sums.difference.add(scored.difference, n);
       sums.largest = std::max(sums.largest, scored.largest);
-      sums.square += scored.square;
-      sums.fourth += scored.fourth;
+      sums.of_scores = sums.of_scores + scored.of_scores;
+      sums.of_differences = sums.of_differences + scored.of_differences;
     }
   }
   for (const std::uint32_t k : batch.touched_depths) state_.by_depth[k].add(batch.by_depth[k], n);
@@ -143,45 +152,40 @@ bool Totals::error_not_falling(std::size_t cell) const {
   return now > std::max(largest_error_growth, std::exp(by_chance)) * then;
 }
 
-Totals::Health Totals::health(std::size_t cell) const {
-  const TailSums& s = state_.echo[cell];
+double Totals::variance_of_variance(const TailSums& s) const {
+  const auto [second, fourth] = s.central(static_cast<double>(state_.photons));
+  return second > 0
+             ? std::max(0.0, fourth / (second * second) - 1) / static_cast<double>(state_.batches)
+             : 0.0;
+}
+
+Totals::Health Totals::health_of(const TailSums& s, double largest) const {
   if (s.low.x == 0) return {no_score, 0, 0};
-  const auto n = static_cast<double>(state_.photons);
-  const auto b = static_cast<double>(state_.batches);
-  const double m = s.low.x / n;
-  const auto [second, fourth] = s.central(n);
   Health health;
-  health.variance_of_variance =
-      second > 0 ? std::max(0.0, fourth / (second * second) - 1) / b : 0.0;
-  health.largest_score_share = state_.largest[cell] / s.low.x;
-  const auto raise = [&](bool condition, ConvergenceFlag flag) {
-    health.flags |= condition ? flag : 0;
-  };
-  raise(b < least_batches, few_batches);
-  raise(standard_error(s.low) > largest_relative_error * m, large_error);
-  raise(health.largest_score_share > largest_single_share, large_score);
-  raise(health.variance_of_variance > largest_variance_of_variance, uncertain_variance);
-  raise(heavy_tail(cell), ConvergenceFlag::heavy_tail);
-  raise(error_not_falling(cell), ConvergenceFlag::error_not_falling);
+  health.variance_of_variance = variance_of_variance(s);
+  health.largest_score_share = largest / s.low.x;
+  health.raise(static_cast<double>(state_.batches) < least_batches, few_batches);
+  health.raise(standard_error(s.low) > largest_relative_error * mean(s.low), large_error);
+  health.raise(health.largest_score_share > largest_single_share, large_score);
+  health.raise(health.variance_of_variance > largest_variance_of_variance, uncertain_variance);
+  return health;
+}
+
+Totals::Health Totals::health(std::size_t cell) const {
+  Health health = health_of(state_.echo[cell], state_.largest[cell]);
+  if ((health.flags & no_score) != 0) return health;
+  health.raise(heavy_tail(cell), ConvergenceFlag::heavy_tail);
+  health.raise(error_not_falling(cell), ConvergenceFlag::error_not_falling);
   return health;
 }
 
 std::int32_t Totals::environment_flags(std::size_t cell, std::size_t environment) const {
   const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
-  if (s.echo.low.x == 0) return no_score;
-  const auto n = static_cast<double>(state_.photons);
-  const auto b = static_cast<double>(state_.batches);
-  const auto [second, fourth] = s.echo.central(n);
-  std::int32_t flags =
-      health(cell).flags & (ConvergenceFlag::heavy_tail | ConvergenceFlag::error_not_falling);
-  const auto raise = [&](bool condition, ConvergenceFlag flag) { flags |= condition ? flag : 0; };
-  raise(b < least_batches, few_batches);
-  raise(standard_error(s.echo.low) > largest_relative_error * mean(s.echo.low), large_error);
-  raise(s.largest > largest_single_share * s.echo.low.x, large_score);
-  raise(second > 0 && fourth / (second * second) - 1 > largest_variance_of_variance * b,
-        uncertain_variance);
-  raise(s.fourth > largest_fourth_share * s.square * s.square, ConvergenceFlag::heavy_tail);
-  return flags;
+  Health own = health_of(s.echo, s.largest);
+  own.raise(variance_of_variance(s.difference) > largest_variance_of_variance, uncertain_variance);
+  for (const Powers& p : {s.of_scores, s.of_differences})
+    own.raise(p.fourth > largest_fourth_share * p.square * p.square, ConvergenceFlag::heavy_tail);
+  return own.flags;
 }
 
 bool Totals::all_converged(double relative_error) const {
@@ -239,8 +243,9 @@ void Totals::fill(Result& result) const {
     for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
       const EnvironmentSums& s = state_.environment[cell * shape_->environments + e];
       estimate(result.environment_echo, s.echo.low);
-      estimate(result.environment_difference, s.difference);
-      result.environment_convergence_flags.push_back(environment_flags(cell, e));
+      estimate(result.environment_difference, s.difference.low);
+      result.environment_convergence_flags.push_back(
+          environment_flags(cell, e) | (result.convergence_flags[cell] & of_histories));
     }
   }
 

@@ -28,11 +28,9 @@ class Totals {
   struct Health {
     std::int32_t flags = 0;
     double variance_of_variance = 0, largest_score_share = 0;
+    void raise(bool condition, ConvergenceFlag flag) { flags |= condition ? flag : 0; }
   };
   [[nodiscard]] Health health(std::size_t cell) const;
-  /// Bits of ConvergenceFlag of an environment's echo. Where that of the scene has a heavy tail, so
-  /// has that of the same histories in other water.
-  [[nodiscard]] std::int32_t environment_flags(std::size_t cell, std::size_t environment) const;
 
   /// Whether every cell that has been scored in is below the relative error and not flagged.
   [[nodiscard]] bool all_converged(double relative_error) const;
@@ -49,6 +47,12 @@ class Totals {
   [[nodiscard]] TotalsState state() && { return std::move(state_); }
 
  private:
+  [[nodiscard]] double variance_of_variance(const TailSums& s) const;
+  /// As far as sums over batches and the largest score tell.
+  [[nodiscard]] Health health_of(const TailSums& s, double largest) const;
+  /// Bits of ConvergenceFlag of an environment's echo and difference by themselves: a difference
+  /// can have a heavier tail than either echo.
+  [[nodiscard]] std::int32_t environment_flags(std::size_t cell, std::size_t environment) const;
   [[nodiscard]] bool heavy_tail(std::size_t cell) const;
   [[nodiscard]] bool error_not_falling(std::size_t cell) const;
 

@@ -29,6 +29,18 @@ focal_length_m = 2.0
 detector_diameter_m = 0.04
 )";
 
+/// Beside its beam, a metre deep, tilted and obstructed.
+inline const std::string submerged_telescope = R"(
+[[telescope]]
+name = "below"
+position_m = [0.3, 0.0, -1.0]
+direction = [0.0, 0.1, -1.0]
+diameter_m = 0.10
+focal_length_m = 0.5
+detector_diameter_m = 0.05
+obstruction_diameter_m = 0.02
+)";
+
 inline std::string channel(const std::string& process) {
   return fmt::format("[[channel]]\nname = \"{0}\"\nprocess = \"{0}\"\n", process);
 }

@@ -24,21 +24,10 @@ EventLog log_lanes(const Problem& problem, std::uint64_t photons);
 
 namespace {
 
-const std::string submerged_telescope = R"(
-[[telescope]]
-name = "below"
-position_m = [0.3, 0.0, -1.0]
-direction = [0.0, 0.1, -1.0]
-diameter_m = 0.10
-focal_length_m = 0.5
-detector_diameter_m = 0.05
-obstruction_diameter_m = 0.02
-)";
-
 /// Everything the estimators have: layers, a sea bed, conversions, telescopes above and below
 /// the surface.
 scene::Scene rich_scene(const std::string& more = "", const std::string& estimator = "forward") {
-  return test::read(test::ship_instrument + submerged_telescope + test::channel("elastic") +
+  return test::read(test::ship_instrument + test::submerged_telescope + test::channel("elastic") +
                     test::channel("raman") + test::channel("chlorophyll") + test::three_layers +
                     test::depth_gates(12, 1) +
                     test::simulation(estimator == "forward" ? 20000 : 2200, 5, more, estimator));

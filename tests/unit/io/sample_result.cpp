@@ -168,12 +168,12 @@ class Maker {
       for (auto& s : *sums) s = {next(), next()};
     for (auto* values : {&state.cut_order, &state.largest})
       for (double& value : *values) value = next();
-    for (auto& s : state.environment)
-      s = {{{next(), next()}, next(), next(), {next(), next(), next(), next()}},
-           {next(), next()},
-           next(),
-           next(),
-           next()};
+    for (auto& s : state.environment) {
+      for (auto* sums : {&s.echo, &s.difference})
+        *sums = {{next(), next()}, next(), next(), {next(), next(), next(), next()}};
+      s.largest = next();
+      for (auto* powers : {&s.of_scores, &s.of_differences}) *powers = {next(), next()};
+    }
     for (auto& counts : state.octaves)
       for (auto& count : counts) count = (std::uint64_t{1} << 60) + ++numbers_;
     for (std::size_t k = 0; k < tally::snapshots_at(state.batches); ++k) {

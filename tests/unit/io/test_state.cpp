@@ -67,7 +67,7 @@ TEST_F(WrittenState, OfNoBatchYet) {
 // Seen red: without the origin of the tail.
 TEST_F(WrittenState, OfEnvironmentsComesBackToTheLastBit) {
   result_ = test::sample_result_in({"more algae", "no CDOM", "bloom"});
-  result_.state->environment[5].fourth = std::numeric_limits<double>::denorm_min();
+  result_.state->environment[5].of_differences.fourth = std::numeric_limits<double>::denorm_min();
   write();
   EXPECT_EQ(read_state(path_, test::sample_shape(3)), *result_.state);
   const std::string missing =

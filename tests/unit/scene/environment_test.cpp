@@ -312,7 +312,7 @@ TEST(Environment, TakesMemory) {
   EXPECT_EQ(
       diagnostics_of(text),
       std::vector<std::string>{"scene.toml:628:1: the tallies (telescopes 1, channels 200, gates "
-                               "400, orders 6, environments 100) would take 2.1 GiB; the limit is "
+                               "400, orders 6, environments 100) would take 2.65 GiB; the limit is "
                                "2 GiB (take fewer environments, or fewer gates)"});
 }
 
