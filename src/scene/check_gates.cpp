@@ -165,15 +165,6 @@ void check_gates(const Scene& scene, Findings& findings) {
     check_time_gates(scene, keys, findings);
 }
 
-void check_estimator(const Scene& scene, Findings& findings) {
-  if (!scene.environment.empty() && scene.simulation.estimator == "bidirectional" &&
-      findings.good({"simulation.estimator"})) {
-    findings.add("simulation.estimator",
-                 "the bidirectional estimator has no environments in this version",
-                 "write estimator = \"forward\", or leave [[environment]] out");
-  }
-}
-
 void check_memory(const Scene& scene, Findings& findings) {
   if (!findings.good({"telescope", "channel", "gates", "simulation.orders_kept", "environment"}))
     return;

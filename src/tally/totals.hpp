@@ -47,6 +47,8 @@ class Totals {
   [[nodiscard]] TotalsState state() && { return std::move(state_); }
 
  private:
+  /// What a batch scored in the environments of a cell whose echo in the scene is given.
+  void merge_environments(const BatchTally& batch, std::size_t cell, double echo);
   [[nodiscard]] double variance_of_variance(const TailSums& s) const;
   /// As far as sums over batches and the largest score tell.
   [[nodiscard]] Health health_of(const TailSums& s, double largest) const;
