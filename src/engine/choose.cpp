@@ -110,7 +110,7 @@ double badness(const Contender& contender, const std::vector<bool>& counts) {
 
 scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options) {
   if (scene.simulation.estimator != "auto") return scene;
-  if (!scene.environment.empty()) {
+  if (scene.compares()) {
     scene::Scene forward = settled(scene, "forward");
     forward.simulation.estimator_reason = "the only one that has environments in this version";
     return forward;

@@ -5,6 +5,7 @@
 #include "scene/changes.hpp"
 #include "scene/describe_instrument.hpp"
 #include "scene/describe_sea.hpp"
+#include "scene/environment_grid.hpp"
 
 namespace photic::scene {
 
@@ -110,6 +111,8 @@ void describe(V& v, Scene& s) {
   v.section("simulation", s.simulation, Need::required, "how long and how to simulate");
   v.sections("environment", s.environment, Need::optional,
              "other water, whose echoes are computed from the same histories; any number of them");
+  v.expanded("environment_grid", Grid{},
+             "more such environments: one for each choice of a value of each path");
   v.unavailable("bottom", "the sea bed is black in this version");
   v.unavailable("atmosphere", "the air is clear vacuum in this version");
 }

@@ -62,6 +62,8 @@ class Writer {
   void any_of(const Keys& keys) {
     keys(*this);
   }
+  template <class Rule>
+  void expanded(const char*, const Rule&, const char*) {}
   template <class Action>
   void once_read(const Action&) {}
   void unavailable(const char*, const char*) {}
