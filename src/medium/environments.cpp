@@ -140,6 +140,7 @@ std::vector<std::int32_t> varied_phases(const Water& water, const std::vector<Wa
 }  // namespace
 
 void add_environments(const scene::Scene& scene, const optics::Library& library, Medium& medium) {
+  expect(scene.sensitivity.empty(), "sensitivities have no tangents yet");
   if (scene.environment.empty()) return;
   PhaseTables tables(medium);
   const Waters reference = waters_of("", scene, library, medium, tables);

@@ -6,6 +6,7 @@
 #include "scene/describe_instrument.hpp"
 #include "scene/describe_sea.hpp"
 #include "scene/environment_grid.hpp"
+#include "scene/sensitivities.hpp"
 
 namespace photic::scene {
 
@@ -101,6 +102,9 @@ void describe(V& v, Environment& e) {
 template <class V>
 void describe(V& v, Scene& s) {
   v.optional("title", s.title, Text{.may_be_empty = true}, "what is simulated, in one line");
+  v.optional("sensitivity", s.sensitivity, Parameters{},
+             "the parameters of the water with respect to which echoes are derived, by their "
+             "paths: those of --set that begin with sea. or optics.");
   v.section("source", s.source, Need::required, "the source of light");
   v.sections("telescope", s.telescope, Need::required, "a telescope; any number of them");
   v.sections("channel", s.channel, Need::required,

@@ -15,6 +15,7 @@
 #include "scene/override.hpp"
 #include "scene/parse.hpp"
 #include "scene/reader.hpp"
+#include "scene/sensitivities.hpp"
 #include "scene/tree.hpp"
 
 namespace photic::scene {
@@ -60,6 +61,7 @@ void read_on(const Node& document, const std::string& folder, const Check& check
              Findings& findings) {
   try {
     if (check) check(scene, findings);
+    read_sensitivities(document, check, scene, findings);
     read_environments(document, folder, check, scene, findings);
     check_estimator(scene, findings);
     if (check && scene.compares() && findings.problems().empty())

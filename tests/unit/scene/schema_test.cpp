@@ -46,7 +46,7 @@ std::set<std::string> keys_of_scenes() {
             "model = \"fournier-forand\", refractive_index = 1.1, slope = 3.6 }, { fraction = 0.5, "
             "model = \"rayleigh\", depolarisation = 0.04 }] }"},
            {"sea.layer.1.phase_function=mie"},
-           {"environment=[{ set = {} }]"},
+           {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"}})
     collect_keys(json::parse(write_scene_json(base_scene(overrides))), keys);
   return keys;
@@ -72,6 +72,9 @@ TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
   EXPECT_EQ(schema["additionalProperties"], false);
   EXPECT_EQ(schema["required"],
             json({"source", "telescope", "channel", "sea", "gates", "simulation"}));
+  EXPECT_EQ(schema["properties"]["sensitivity"]["items"],
+            json({{"type", "string"}, {"minLength", 1}}));
+  EXPECT_EQ(schema["properties"]["sensitivity"]["default"], json::array());
   EXPECT_EQ(schema["properties"]["environment_grid"]["additionalProperties"],
             json({{"type", "array"}, {"minItems", 1}}));
   const json& source = schema["properties"]["source"];
