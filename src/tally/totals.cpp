@@ -50,7 +50,7 @@ double environment_echo(double echo, const EnvironmentScores& scored) {
 bool heavy(const Powers& p) { return p.fourth > largest_fourth_share * p.square * p.square; }
 
 /// Standard error of the ratio of two correlated means, to first order (Cochran, Sampling
-/// Techniques, 3rd ed. (1977), chapter 6; docs/theory.md, eq. 47). The covariance follows from the
+/// Techniques, 3rd ed. (1977), chapter 6; docs/theory.md, eq. 46). The covariance follows from the
 /// error of the sum.
 double error_of_ratio(double ratio, double denominator, double error_of_numerator,
                       double error_of_denominator, double error_of_sum) {
