@@ -219,7 +219,7 @@ std::string json(const engine::Comparison& comparison, const std::string& scene)
 
 int run(const BenchCommand& command) {
   const scene::Reading reading =
-      scene::read_scene(command.scene, command.overrides, engine::check_optics);
+      scene::read_scene(command.scene, command.overrides, engine::optics_check());
   for (const std::string& remark : reading.remarks) print_error(remark + '\n');
   engine::BenchOptions options;
   options.time_s = command.time_s;

@@ -9,7 +9,7 @@ namespace photic::app {
 namespace {
 
 std::vector<std::string> remarks_on(const CheckCommand& command) {
-  return scene::read_scene(command.scene, command.overrides, engine::check_optics).remarks;
+  return scene::read_scene(command.scene, command.overrides, engine::optics_check()).remarks;
 }
 
 nlohmann::ordered_json as_json(const Diagnostic& d) {

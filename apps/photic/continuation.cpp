@@ -57,7 +57,7 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
 scene::Reading read_scene_of(const RunCommand& command) {
   if (!command.scene.empty()) {
     scene::Reading reading =
-        scene::read_scene(command.scene, command.overrides, engine::check_optics);
+        scene::read_scene(command.scene, command.overrides, engine::optics_check());
     if (!command.earlier.empty()) {
       const auto text = io::read_run(command.earlier).scene_toml;
       const auto then =
@@ -68,7 +68,7 @@ scene::Reading read_scene_of(const RunCommand& command) {
   }
   return scene::read_scene_text(io::read_run(command.earlier).scene_toml, command.earlier,
                                 folder_of(command.earlier), command.overrides,
-                                engine::check_optics);
+                                engine::optics_check());
 }
 
 Earlier take_up(const std::string& file, const scene::Scene& scene) {

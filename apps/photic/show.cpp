@@ -11,10 +11,10 @@ namespace {
 scene::Reading read(const ShowCommand& command) {
   const std::filesystem::path file(command.file);
   if (file.extension() != ".nc")
-    return scene::read_scene(command.file, command.overrides, engine::check_optics);
+    return scene::read_scene(command.file, command.overrides, engine::optics_check());
   return scene::read_scene_text(io::read_scene_attribute(command.file), command.file,
                                 file.parent_path().string(), command.overrides,
-                                engine::check_optics);
+                                engine::optics_check());
 }
 
 /// Where every number of the water comes from, as comments under the scene.

@@ -159,30 +159,66 @@ def _largest_change(ratio):
 
 def _change_axes(panel, values, factors):
     values = values[numpy.isfinite(values)]
-    if len(values) == 0:
-        panel.text(0.5, 0.5, NO_LIGHT, transform=panel.transAxes, ha="center", color="0.3")
-        panel.set_xticks([])
-    elif factors:
+    if not factors or len(values) == 0:
+        _around_zero(panel, values)
+    else:
         low, high = min(values.min(), 1), max(values.max(), 1)
         panel.set_xscale("log")
         panel.set_xlim(low / (high / low) ** 0.05, high * (high / low) ** 0.05)
         panel.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 100 * low else (1,)))
         panel.xaxis.set_major_formatter("{x:g}")
         panel.xaxis.set_minor_formatter(NullFormatter())
-    else:
-        low, high = min(values.min(), 0), max(values.max(), 0)
-        margin = 0.05 * (high - low) or 1
-        panel.set_xlim(low - margin, high + margin)
     label = "echo over that of the scene" if factors else "echo against the scene's [%]"
     panel.set_xlabel(label, fontsize=9)
 
 
+def _around_zero(panel, values):
+    """A linear axis that holds 0 and the values, if there are any."""
+    if len(values) == 0:
+        panel.text(0.5, 0.5, NO_LIGHT, transform=panel.transAxes, ha="center", color="0.3")
+        panel.set_xticks([])
+        return
+    low, high = min(values.min(), 0), max(values.max(), 0)
+    margin = 0.05 * (high - low) or 1
+    panel.set_xlim(low - margin, high + margin)
+
+
+def sensitivities(panel, part, colours, title):
+    """The logarithmic sensitivities of one channel's echo with bands of one standard error."""
+    panel.axvline(0, color="black", linewidth=1.2)
+    shown = []
+    for name, colour in zip(part.parameter.values, colours):
+        one = part.sel(parameter=name)
+        middle = one.logarithmic_sensitivity.values
+        error = one.logarithmic_sensitivity_standard_error.values
+        good = one.sensitivity_converged.values
+        ends = (middle - error, middle + error)
+        _curve(panel, part.gate_depth.values, middle, ends, good, colour, name)
+        narrow = error < NARROW * abs(middle)
+        shown += [middle[good | narrow], *(end[good] for end in ends)]
+    values = numpy.concatenate(shown)
+    _around_zero(panel, values[numpy.isfinite(values)])
+    panel.set_xlabel("change of the echo for 1 % of the parameter [%]", fontsize=9)
+    panel.set_title(text(title), fontsize=10.5, loc="left")
+    _grid(panel)
+
+
+def sensitivities_legend(panel, result, colours):
+    """To the right of the panel, for all panels of sensitivities."""
+    _lines_legend(panel, zip(result.parameter.values, colours), result, result.sensitivity_converged)
+
+
 def environments_legend(panel, result, colours):
     """To the right of the panel, for all panels of environments."""
-    handles = [Line2D([], [], color="black", linewidth=1.8, label="the scene")]
-    for name, colour in zip(result.environment.values, colours):
+    lines = [("the scene", "black"), *zip(result.environment.values, colours)]
+    _lines_legend(panel, lines, result, result.converged & result.environment_converged)
+
+
+def _lines_legend(panel, lines, result, converged):
+    handles = []
+    for name, colour in lines:
         handles.append(Line2D([], [], color=colour, linewidth=1.8, label=text(name)))
-    if _unsettled(result.echo, result.converged & result.environment_converged):
+    if _unsettled(result.echo, converged):
         handles.append(_not_converged())
     columns = -(-len(handles) // LEGEND_LINES)
     panel.legend(handles=handles, frameon=False, fontsize=8.5, ncols=columns, **AT_THE_RIGHT)

@@ -17,8 +17,9 @@ LOOK = {"dpi": 150, "layout": "constrained"}
 
 def figure(results, names, telescope=None, title=None):
     """One result: its echoes by channel, by process, by order; if there are environments, below
-    these a row for each channel with the echo in every one and what it changes. Several: a row for
-    each channel, with the echoes overlaid, and beside them each result by order.
+    these a row for each channel with the echo in every one and what it changes; if there are
+    sensitivities, below all a panel of them for each channel. Several: a row for each channel, with
+    the echoes overlaid, and beside them each result by order.
 
     results    datasets of photic.open; names: what to call each of them
     telescope  by name; default: the first of each
@@ -30,13 +31,17 @@ def figure(results, names, telescope=None, title=None):
     else:
         drawing = _several(seen, names)
         captions = [f"{name}: {caption}" for name, caption in zip(names, captions)]
+        for k, result in enumerate(seen):
+            captions[k] += _left_out(result)
     titles = {result.attrs["title"] for result in seen}
     title = title or (titles.pop() if len(titles) == 1 else "")
     if title:
         drawing.suptitle(panels.text(title), x=0.01, ha="left", fontsize=14, fontweight="bold")
-    captions[-1] += ". Bands: 95 % intervals, the lower end not below a tenth of the echo."
-    if "environment" in seen[0].sizes and len(seen) == 1:
+    captions.append("Bands: 95 % intervals, the lower end not below a tenth of the echo.")
+    if len(seen) == 1 and "environment" in seen[0].sizes:
         captions[-1] += " Against the scene's: those of differences between the same photons."
+    if len(seen) == 1 and "parameter" in seen[0].sizes:
+        captions[-1] += " Of sensitivities: one standard error."
     caption = panels.text("\n".join(captions))
     drawing.supxlabel(caption, x=0.01, ha="left", fontsize=8, color="0.3")
     return drawing
@@ -60,19 +65,30 @@ def _caption(result, telescope):
     return ", ".join(parts)
 
 
+def _left_out(result):
+    """What of a result a figure of several does not show."""
+    more = {"environment": "environments", "parameter": "sensitivities"}
+    there = " and ".join(word for axis, word in more.items() if axis in result.sizes)
+    return f"; its {there} are not drawn here, but where it is drawn alone" if there else ""
+
+
 def _one(result):
-    """Echoes by channel with their breakdowns, and below, if there are any, environments."""
+    """Echoes by channel with their breakdowns, and below, if there are any, environments and
+    sensitivities."""
     mixed, by_order = _broken_down(result)
-    width, height = 6.6 + 3.3 * (len(mixed) + len(by_order)), 6.6
-    if "environment" not in result.sizes:
-        drawing = Figure(figsize=(width, height), **LOOK)
-        _breakdowns(drawing, result, mixed, by_order)
-        return drawing
-    below = 4.6 * result.sizes["channel"]
-    drawing = Figure(figsize=(width, height + below), **LOOK)
-    upper, lower = drawing.subfigures(2, 1, height_ratios=[height, below])
-    _breakdowns(upper, result, mixed, by_order)
-    _environments(lower, result)
+    width = 6.6 + 3.3 * (len(mixed) + len(by_order))
+    rows = [(6.6, lambda part: _breakdowns(part, result, mixed, by_order))]
+    if "environment" in result.sizes:
+        rows.append((4.6 * result.sizes["channel"], lambda part: _environments(part, result)))
+    if "parameter" in result.sizes:
+        rows.append((4.6, lambda part: _sensitivities(part, result)))
+    heights = [height for height, _ in rows]
+    drawing = Figure(figsize=(width, sum(heights)), **LOOK)
+    parts = [drawing]
+    if len(rows) > 1:
+        parts = drawing.subfigures(len(rows), 1, height_ratios=heights)
+    for part, (_, draw) in zip(parts, rows):
+        draw(part)
     return drawing
 
 
@@ -95,6 +111,18 @@ def _environments(drawing, result):
         panels.changes(change, part, colours, f"{channel} echo against the scene's")
         panels.finish_depth(echo, [result])
     panels.environments_legend(grid[0, 1], result, colours)
+
+
+def _sensitivities(drawing, result):
+    """A panel for each channel: the logarithmic sensitivities of its echo."""
+    channels = [str(channel) for channel in result.channel.values]
+    colours = panels.family(COLOURS, result.sizes["parameter"])
+    row = drawing.subplots(1, len(channels), sharey=True, squeeze=False)[0]
+    for panel, channel in zip(row, channels):
+        part = result.sel(channel=channel)
+        panels.sensitivities(panel, part, colours, f"{channel} echo: sensitivities")
+    panels.finish_depth(row[0], [result])
+    panels.sensitivities_legend(row[-1], result, colours)
 
 
 def _breakdowns(drawing, result, mixed, by_order):

@@ -18,7 +18,9 @@ def open(path):
     echo_by_order, echo_by_depth, each with _standard_error, and converged (bool), convergence_flags
     with their meanings, … If the scene has environments: the dimension environment (indexed by name),
     environment_echo and environment_difference (to echo), with _standard_error, and
-    environment_converged. Attributes: the run, and the scene as text.
+    environment_converged. If it has sensitivities: the dimension parameter (indexed by path), with
+    parameter_value, sensitivity and logarithmic_sensitivity, with _standard_error, and
+    sensitivity_converged. Attributes: the run, and the scene as text.
 
     Raises photic.Error if there is no such file or it is not a result of Photic.
     """
@@ -33,12 +35,13 @@ def open(path):
             f"{path}: written by a newer Photic (result format {dataset.attrs['photic_format']}; "
             f"this package reads up to {FORMAT})"
         )
-    in_other_water = "environment_name" in dataset
-    for axis in ["telescope", "channel", "process"] + ["environment"] * in_other_water:
+    has = {axis: axis + "_name" in dataset for axis in ("environment", "parameter")}
+    for axis in ["telescope", "channel", "process"] + [axis for axis in has if has[axis]]:
         names = dataset[axis + "_name"]
         dataset = dataset.assign_coords({axis: (axis, names.values.astype(str), names.attrs)})
         dataset = dataset.drop_vars(axis + "_name")
-    for name in ["converged"] + ["environment_converged"] * in_other_water:
+    flags = {"environment": "environment_converged", "parameter": "sensitivity_converged"}
+    for name in ["converged"] + [flags[axis] for axis in has if has[axis]]:
         # With bytes, ~ds.converged would be true everywhere.
         converged = dataset[name].astype(bool)
         converged.attrs = {"long_name": dataset[name].attrs["long_name"]}

@@ -87,6 +87,7 @@ class Bench {
       : options_(options), lanes_(candidate.lanes) {
     scene.simulation = candidate.simulation;
     scene.environment.clear();  // not all estimators have them
+    scene.sensitivity.clear();
     problem_ = std::make_unique<Problem>(make_problem(scene));
   }
 

@@ -1,13 +1,13 @@
 #include "engine/problem.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "core/constants.hpp"
 #include "medium/build.hpp"
 #include "medium/check.hpp"
 #include "medium/environments.hpp"
 #include "optics/data_folder.hpp"
-#include "scene/read.hpp"
 
 namespace photic::engine {
 namespace {
@@ -35,7 +35,7 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   shape.depth_min = depth.front();
   shape.per_depth_step = static_cast<double>(shape.depths) / (depth.back() - depth.front());
   shape.max_order = static_cast<std::int32_t>(scene.simulation.max_order.value_or(0));
-  shape.environments = scene.environment.size();
+  shape.environments = scene.environment.size() + scene.sensitivity.size();
   for (const auto& line : medium.line) {
     std::vector<std::int32_t> counted_by;
     for (std::size_t c = 0; c < scene.channel.size(); ++c) {
@@ -73,10 +73,13 @@ medium::Line channel_line(const scene::Channel& channel, const std::vector<mediu
 
 }  // namespace
 
-void check_optics(const scene::Scene& scene, scene::Findings& findings) {
-  const optics::Library library(optics::find_data_folder());
-  medium::check_medium(scene, library, findings);
-  medium::check_environments(scene, library, findings);
+scene::Check optics_check() {
+  return [library = std::shared_ptr<const optics::Library>()](const scene::Scene& scene,
+                                                              scene::Findings& findings) mutable {
+    if (!library) library = std::make_shared<const optics::Library>(optics::find_data_folder());
+    medium::check_medium(scene, *library, findings);
+    medium::check_environments(scene, *library, findings);
+  };
 }
 
 Problem make_problem(const scene::Scene& scene) {
@@ -92,6 +95,10 @@ tally::Result describe(const Problem& problem) {
   tally::Result result;
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
   for (const auto& e : scene.environment) result.environment_name.push_back(e.name);
+  for (const auto& s : scene.sensitivity) {
+    result.parameter_name.push_back(s.path);
+    result.parameter_value.push_back(s.value);
+  }
   for (const auto process : processes_of(medium.line))
     result.process_name.emplace_back(process_name(process));
   result.orders = static_cast<std::int64_t>(shape.orders);

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "medium/medium.hpp"
-#include "scene/findings.hpp"
+#include "scene/read.hpp"
 #include "scene/scene.hpp"
 #include "tally/gates.hpp"
 #include "tally/result.hpp"
@@ -22,10 +22,11 @@ struct Problem {
   tally::Shape shape;
 };
 
-/// The check of a scene's optics, for scene::read_scene: whatever make_problem would refuse.
-void check_optics(const scene::Scene& scene, scene::Findings& findings);
+/// The check of a scene's optics, for scene::read_scene: whatever make_problem would refuse. The
+/// data files are read once, when it is asked first.
+scene::Check optics_check();
 
-/// Throws InputError for what check_optics finds, EnvironmentError for missing data files.
+/// Throws InputError for what optics_check finds, EnvironmentError for missing data files.
 Problem make_problem(const scene::Scene& scene);
 
 /// A result's axes, and what it says of the scene; the tallies are still to be filled in.

@@ -203,7 +203,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.connected = T(scene.simulation.connected_fraction);
   world.meeting_grid = {T(depth(scene.source)), T(reach.range), T(scene.simulation.meetings)};
   world.directed = T(scene.simulation.directed_fraction);
-  world.compares = !scene.environment.empty();
+  world.compares = scene.compares();
   world.directs = scene.simulation.directed_fraction > 0;
   world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "io/atomic_file.hpp"
 #include "io/echo_rows.hpp"
@@ -30,6 +31,9 @@ const char* const columns =
     "telescope,channel,gate,time_start_ns,time_end_ns,depth_m,echo,standard_error,relative_error,"
     "converged,reasons";
 
+bool has_environments(const tally::Result& result) { return !result.environment_name.empty(); }
+bool has_parameters(const tally::Result& result) { return !result.parameter_name.empty(); }
+
 std::string head(const tally::Result& result) {
   std::string out = fmt::format("# {}\n", one_line(result.title));
   out += fmt::format("# Photic {}, estimator {}, engine {}, seed {}, photons {}{}\n",
@@ -44,11 +48,22 @@ std::string head(const tally::Result& result) {
       "# gate: from 0; time: from laser to telescope; depth_m: {}, centre of the gate\n",
       result.gate_depth_is_range ? "range along the axis of the first telescope"
                                  : "vertical, down from the sea level");
-  if (result.environment_name.empty()) return out + columns + '\n';
-  out +=
-      "# environment: none for the scene itself; difference: echo in the environment less the "
-      "scene's, from the same photons\n";
-  return out + columns + ",environment,difference,difference_standard_error\n";
+  std::string more;
+  if (has_environments(result)) {
+    out +=
+        "# environment: none for the scene itself; difference: echo in the environment less the "
+        "scene's, from the same photons\n";
+    more += ",environment,difference,difference_standard_error";
+  }
+  if (has_parameters(result)) {
+    out +=
+        "# parameter: none for echoes themselves; sensitivity: derivative of the scene's echo with "
+        "respect to it; logarithmic_sensitivity: times parameter over echo\n";
+    more +=
+        ",parameter,sensitivity,sensitivity_standard_error,logarithmic_sensitivity,"
+        "logarithmic_sensitivity_standard_error";
+  }
+  return out + columns + more + '\n';
 }
 
 std::string line(const tally::Result& result, const EchoRow& row) {
@@ -59,23 +74,38 @@ std::string line(const tally::Result& result, const EchoRow& row) {
                      row.converged() ? "yes" : "no", fmt::join(flag_names(row.flags), " "));
 }
 
-std::string environment_lines(const tally::Result& result, std::size_t environment) {
+std::string environment_fields(const tally::Result& result, const std::string& name,
+                               const EchoRow& row) {
+  if (!has_environments(result)) return "";
+  return fmt::format(",{},{},{}", field(name), row.difference, row.difference_standard_error);
+}
+
+std::string parameter_fields(const tally::Result& result, const std::string& name,
+                             const EchoRow& row) {
+  if (!has_parameters(result)) return "";
+  return fmt::format(",{},{},{},{},{}", field(name), row.sensitivity,
+                     row.sensitivity_standard_error, row.logarithmic_sensitivity,
+                     row.logarithmic_sensitivity_standard_error);
+}
+
+/// All rows of the scene, an environment or a parameter.
+std::string lines(const tally::Result& result, const std::vector<EchoRow>& rows,
+                  const std::string& environment, const std::string& parameter) {
   std::string out;
-  for (const EchoRow& row : environment_rows(result, environment))
-    out +=
-        fmt::format("{},{},{},{}\n", line(result, row), field(result.environment_name[environment]),
-                    row.difference, row.difference_standard_error);
+  for (const EchoRow& row : rows)
+    out += line(result, row) + environment_fields(result, environment, row) +
+           parameter_fields(result, parameter, row) + '\n';
   return out;
 }
 
 }  // namespace
 
 std::string echo_csv(const tally::Result& result) {
-  const std::string no_environment = result.environment_name.empty() ? "\n" : ",,0,0\n";
-  std::string out = head(result);
-  for (const EchoRow& row : echo_rows(result)) out += line(result, row) + no_environment;
+  std::string out = head(result) + lines(result, echo_rows(result), "", "");
   for (std::size_t e = 0; e < result.environment_name.size(); ++e)
-    out += environment_lines(result, e);
+    out += lines(result, environment_rows(result, e), result.environment_name[e], "");
+  for (std::size_t p = 0; p < result.parameter_name.size(); ++p)
+    out += lines(result, sensitivity_rows(result, p), "", result.parameter_name[p]);
   return out;
 }
 

@@ -11,7 +11,8 @@ namespace photic::io {
 /// One row for each telescope, channel and gate, after a head of lines that start with '#'. Fields
 /// are quoted as in RFC 4180 (also those holding '#'); numbers read back to the same value; what is
 /// not a number is "nan". The rows of environments follow those of the scene; three more columns
-/// then tell them apart and hold their differences.
+/// then tell them apart and hold their differences. The rows of parameters come last: the scene's,
+/// with the derivatives in five columns of their own and the convergence of these.
 std::string echo_csv(const tally::Result& result);
 
 /// Writes echo_csv to a file, whole or not at all. Throws EnvironmentError.

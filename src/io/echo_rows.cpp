@@ -65,6 +65,25 @@ std::vector<EchoRow> environment_rows(const tally::Result& result, std::size_t e
   return rows;
 }
 
+std::vector<EchoRow> sensitivity_rows(const tally::Result& result, std::size_t parameter) {
+  const std::size_t count = result.parameter_name.size() * cells(result);
+  expect(are(count, result.sensitivity) && are(count, result.logarithmic_sensitivity) &&
+             result.sensitivity_convergence_flags.size() == count,
+         "derivatives, their errors and flags with respect to every parameter");
+  const std::size_t first = parameter * cells(result);
+  std::vector<EchoRow> rows = echo_rows(result);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EchoRow& row = rows[i];
+    row.sensitivity = result.sensitivity.mean[first + i];
+    row.sensitivity_standard_error = result.sensitivity.standard_error[first + i];
+    row.logarithmic_sensitivity = result.logarithmic_sensitivity.mean[first + i];
+    row.logarithmic_sensitivity_standard_error =
+        result.logarithmic_sensitivity.standard_error[first + i];
+    row.flags = result.sensitivity_convergence_flags[first + i];
+  }
+  return rows;
+}
+
 std::vector<std::string_view> flag_names(std::int32_t flags) {
   std::vector<std::string_view> names;
   for (const auto& meaning : tally::flag_meanings())

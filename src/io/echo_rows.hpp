@@ -19,6 +19,10 @@ struct EchoRow {
   double standard_error{};  ///< of the echo
   double difference{};      ///< of an environment's echo to the scene's
   double difference_standard_error{};
+  double sensitivity{};  ///< derivative of the echo with respect to a parameter
+  double sensitivity_standard_error{};
+  double logarithmic_sensitivity{};  ///< NaN where the echo is 0
+  double logarithmic_sensitivity_standard_error{};
   double relative_error{};  ///< standard_error / echo; NaN where the echo is not above 0
   std::int32_t flags{};     ///< Result::convergence_flags
 
@@ -30,6 +34,10 @@ std::vector<EchoRow> echo_rows(const tally::Result& result);
 
 /// The same of an environment, by its index.
 std::vector<EchoRow> environment_rows(const tally::Result& result, std::size_t environment);
+
+/// The scene's echo with its derivatives with respect to a parameter, by its index; the flags are
+/// those of the derivatives.
+std::vector<EchoRow> sensitivity_rows(const tally::Result& result, std::size_t parameter);
 
 /// The names of the flags set, lowest bit first.
 std::vector<std::string_view> flag_names(std::int32_t flags);

@@ -8,10 +8,8 @@
 
 namespace photic::io {
 
-/// For each telescope and channel a table: every `step`-th gate down, environments across, each
-/// with its echo over the scene's and the standard error of that, '*' where either echo has not
-/// converged. Below: why environments have not, and how many of their gates have. Environments
-/// beyond the first six are counted only. Empty if there are none.
+/// Each environment's echo over the scene's with the standard error of that, as columns_table.hpp
+/// has it.
 std::string environment_table(const tally::Result& result, std::size_t step);
 
 }  // namespace photic::io

@@ -46,6 +46,22 @@ Json environment_echoes(const tally::Result& result, std::size_t environment) {
   return all;
 }
 
+/// An object for each gate's derivatives with respect to a parameter.
+Json sensitivities(const tally::Result& result, std::size_t parameter) {
+  Json all = Json::array();
+  for (const EchoRow& row : sensitivity_rows(result, parameter)) {
+    Json one = {{"parameter", result.parameter_name[parameter]},
+                {"value", result.parameter_value[parameter]}};
+    one.update(echo(result, row));
+    one["sensitivity"] = row.sensitivity;
+    one["sensitivity_standard_error"] = row.sensitivity_standard_error;
+    one["logarithmic_sensitivity"] = row.logarithmic_sensitivity;
+    one["logarithmic_sensitivity_standard_error"] = row.logarithmic_sensitivity_standard_error;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string echo_json(const tally::Result& result) {
@@ -71,6 +87,8 @@ std::string echo_json(const tally::Result& result) {
   for (std::size_t e = 0; e < result.environment_name.size(); ++e)
     for (Json& one : environment_echoes(result, e))
       json["environment_echoes"].push_back(std::move(one));
+  for (std::size_t p = 0; p < result.parameter_name.size(); ++p)
+    for (Json& one : sensitivities(result, p)) json["sensitivities"].push_back(std::move(one));
   // Names may hold bytes that are not UTF-8: shown as U+FFFD, not a reason to lose the rest.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -82,9 +82,9 @@ void describe(Visitor& v, State& s) {
   v.array("score_octaves", in_cell({"octave"}), s.octaves, octaves,
           "number of scores by octave of their size, 2^-128 to 1");
   if (!s.environment.empty())
-    v.array("environment_sums", in_cell({"environment", "environment_sum"}), s.environment,
+    v.array("environment_sums", in_cell({"other_water", "environment_sum"}), s.environment,
             environment_sums,
-            "echo in the environment" + of_tail_sums +
+            "echo in the environment, or tangent of a parameter" + of_tail_sums +
                 "; the same of its difference to the scene's echo; largest single score; sums of "
                 "squares and fourth powers of single scores, and of their differences");
   if (s.batches == 0) return;
@@ -165,7 +165,10 @@ void add_state(NetcdfImage& file, const tally::TotalsState& state) {
   file.add_dimension("sum", 2);
   file.add_dimension("tail_sum", 8);
   file.add_dimension("octave", tally::score_octaves);
-  if (!state.environment.empty()) file.add_dimension("environment_sum", environment_fields);
+  if (!state.environment.empty()) {
+    file.add_dimension("other_water", state.environment.size() / state.echo.size());
+    file.add_dimension("environment_sum", environment_fields);
+  }
   if (state.batches > 0) file.add_dimension("snapshot", state.snapshot_photons.size());
   StateWriter writer(file);
   describe(writer, state);
@@ -186,7 +189,7 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
                                   {"sum", 2},
                                   {"tail_sum", 8},
                                   {"octave", tally::score_octaves},
-                                  {"environment", shape.environments},
+                                  {"other_water", shape.environments},
                                   {"environment_sum", environment_fields},
                                   {"snapshot", tally::snapshots_at(file.count("batches"))}});
   tally::TotalsState state(shape);

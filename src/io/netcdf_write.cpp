@@ -122,10 +122,10 @@ void add_estimates(NetcdfImage& file, const std::string& name,
                    const std::string& more_ancillary = "",
                    const std::string& more_coordinates = "") {
   const std::string error_name = name + "_standard_error";
-  file.add_variable(name, dimensions, estimates.mean,
-                    dimensionless(long_name, more_coordinates) +
-                        Attributes{{"cell_methods", cell_methods},
-                                   {"ancillary_variables", error_name + more_ancillary}});
+  Attributes attributes = dimensionless(long_name, more_coordinates);
+  if (!cell_methods.empty()) attributes.emplace_back("cell_methods", cell_methods);
+  attributes.emplace_back("ancillary_variables", error_name + more_ancillary);
+  file.add_variable(name, dimensions, estimates.mean, attributes);
   file.add_variable(error_name, dimensions, estimates.standard_error,
                     dimensionless("standard error of " + name, more_coordinates));
 }
@@ -144,19 +144,20 @@ void add_echoes(NetcdfImage& file, const tally::Result& result) {
                 "gate: sum depth: sum");
 }
 
-/// `prefix`: before the names of the variables.
-void add_flags(NetcdfImage& file, const std::string& prefix,
+/// `prefix`: before the names of the variables; `what`: the flags are of.
+void add_flags(NetcdfImage& file, const std::string& prefix, const std::string& what,
                const std::vector<std::string>& dimensions,
                const std::vector<std::int32_t>& all_flags,
                const std::string& more_coordinates = "") {
   const AttributeValue coordinates = usual_coordinates + more_coordinates;
   std::vector<std::int8_t> converged;
   for (const std::int32_t flags : all_flags) converged.push_back(flags == 0 ? 1 : 0);
-  file.add_variable(prefix + "converged", dimensions, converged,
-                    {{"long_name", "whether the echo and its standard error can be relied on"},
-                     {"flag_values", std::vector<std::int8_t>{0, 1}},
-                     {"flag_meanings", "no yes"},
-                     {"coordinates", coordinates}});
+  file.add_variable(
+      prefix + "converged", dimensions, converged,
+      {{"long_name", "whether the " + what + " and its standard error can be relied on"},
+       {"flag_values", std::vector<std::int8_t>{0, 1}},
+       {"flag_meanings", "no yes"},
+       {"coordinates", coordinates}});
   std::vector<std::int32_t> masks;
   std::vector<std::string> names, explanations;
   for (const auto& meaning : tally::flag_meanings()) {
@@ -165,7 +166,7 @@ void add_flags(NetcdfImage& file, const std::string& prefix,
     explanations.push_back(fmt::format("{}: {}", meaning.name, meaning.explanation));
   }
   file.add_variable(prefix + "convergence_flags", dimensions, all_flags,
-                    {{"long_name", "why the echo has not converged; 0 where it has"},
+                    {{"long_name", "why the " + what + " has not converged; 0 where it has"},
                      {"flag_masks", masks},
                      {"flag_meanings", fmt::format("{}", fmt::join(names, " "))},
                      {"comment", fmt::format("{}", fmt::join(explanations, "; "))},
@@ -174,7 +175,7 @@ void add_flags(NetcdfImage& file, const std::string& prefix,
 
 void add_convergence(NetcdfImage& file, const tally::Result& result) {
   const std::vector<std::string> dimensions = {"telescope", "channel", "gate"};
-  add_flags(file, "", dimensions, result.convergence_flags);
+  add_flags(file, "", "echo", dimensions, result.convergence_flags);
   file.add_variable("largest_score_share", dimensions, result.largest_score_share,
                     dimensionless("share of the largest single score in the echo"));
   file.add_variable("variance_of_variance", dimensions, result.variance_of_variance,
@@ -197,7 +198,32 @@ void add_environments(NetcdfImage& file, const tally::Result& result) {
   add_estimates(file, "environment_difference", dimensions, result.environment_difference,
                 "echo in the environment less that of the scene, from the same photons",
                 "gate: sum", flags, more_coordinates);
-  add_flags(file, "environment_", dimensions, result.environment_convergence_flags,
+  add_flags(file, "environment_", "echo", dimensions, result.environment_convergence_flags,
+            more_coordinates);
+}
+
+/// Nothing if there are none.
+void add_sensitivities(NetcdfImage& file, const tally::Result& result) {
+  if (result.parameter_name.empty()) return;
+  const std::vector<std::string> dimensions = {"parameter", "telescope", "channel", "gate"};
+  const std::string more_coordinates = " parameter_name parameter_value";
+  const std::string flags = " sensitivity_converged sensitivity_convergence_flags";
+  file.add_dimension("parameter", result.parameter_name.size());
+  file.add_variable("parameter_name", {"parameter"}, result.parameter_name,
+                    {{"long_name", "path of the parameter in the scene"}});
+  file.add_variable("parameter_value", {"parameter"}, result.parameter_value,
+                    {{"long_name", "value of the parameter in the scene, in the unit of its name"},
+                     {"units", "1"},
+                     {"_FillValue", nan},
+                     {"coordinates", "parameter_name"}});
+  add_estimates(file, "sensitivity", dimensions, result.sensitivity,
+                "derivative of the echo with respect to the parameter: per unit of its value",
+                "gate: sum", flags, more_coordinates);
+  add_estimates(
+      file, "logarithmic_sensitivity", dimensions, result.logarithmic_sensitivity,
+      "parameter over echo, times the derivative of the echo with respect to the parameter", "",
+      flags, more_coordinates);
+  add_flags(file, "sensitivity_", "sensitivity", dimensions, result.sensitivity_convergence_flags,
             more_coordinates);
 }
 
@@ -266,6 +292,7 @@ void write_netcdf(const tally::Result& result, const std::string& path, const Wr
   add_echoes(file, result);
   add_convergence(file, result);
   add_environments(file, result);
+  add_sensitivities(file, result);
   if (result.state) add_state(file, *result.state);
   write_atomically(path, file.finish());
 }

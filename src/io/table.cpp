@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "io/echo_rows.hpp"
 #include "io/environment_table.hpp"
+#include "io/sensitivity_table.hpp"
 #include "io/table_parts.hpp"
 
 namespace photic::io {
@@ -111,7 +112,7 @@ std::string echo_table(const tally::Result& result, std::size_t max_rows) {
   const std::vector<EchoRow> rows = echo_rows(result);
   const std::size_t step = (result.gates() + max_rows - 1) / max_rows;
   return tables(result, rows, step) + legend(rows) + converged_counts(result, rows) +
-         environment_table(result, step) + run_summary(result);
+         environment_table(result, step) + sensitivity_table(result, step) + run_summary(result);
 }
 
 }  // namespace photic::io

@@ -25,6 +25,13 @@ std::size_t letters(const std::string& text) {
   }));
 }
 
+/// Where to cut a word that is too long: after a dot if it has one there, as paths do.
+std::size_t end_of_line(const std::string& word, std::size_t width) {
+  const std::size_t end = bytes_of(word, width);
+  const std::size_t dot = word.rfind('.', end - 1);
+  return dot == std::string::npos ? end : dot + 1;
+}
+
 }  // namespace
 
 std::string trimmed(const std::string& text) {
@@ -57,7 +64,7 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
       lines.emplace_back();
     lines.back() += (lines.back().empty() ? "" : " ") + word;
     while (letters(lines.back()) > width) {
-      const std::size_t end = bytes_of(lines.back(), width);
+      const std::size_t end = end_of_line(lines.back(), width);
       lines.push_back(lines.back().substr(end));
       lines[lines.size() - 2].resize(end);
     }

@@ -16,7 +16,8 @@ std::string trimmed(const std::string& text);
 /// Each reason why gates have not converged, with the number of gates it concerns.
 std::string legend(const std::vector<EchoRow>& rows);
 
-/// A text in lines of at most `width` letters, broken at blanks; a word that is longer is cut.
+/// A text in lines of at most `width` letters, broken at blanks; a word that is longer is cut,
+/// after a dot if it can be.
 std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
 }  // namespace photic::io

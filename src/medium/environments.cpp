@@ -155,6 +155,13 @@ std::vector<Variation> variations_of(const scene::Scene& scene, const Waters& re
     out.push_back({name, reference,
                    waters_of(name, scene::scene_in(scene, environment), library, medium, tables)});
   }
+  for (const auto& s : scene.sensitivity) {
+    const std::string name = fmt::format("sensitivity \"{}\"", s.path);
+    const auto waters = [&](const scene::Environment& side) {
+      return waters_of(name, scene::scene_in(scene, side), library, medium, tables);
+    };
+    out.push_back({name, waters(s.below), waters(s.above), s.value / (2 * s.step)});
+  }
   return out;
 }
 
@@ -180,7 +187,7 @@ void add_numbers(const Variation& v, const Water& here, std::size_t cell,
 }  // namespace
 
 void add_environments(const scene::Scene& scene, const optics::Library& library, Medium& medium) {
-  if (scene.environment.empty()) return;
+  if (!scene.compares()) return;
   PhaseTables tables(medium);
   const Waters reference = waters_of("", scene, library, medium, tables);
   const auto variations = variations_of(scene, reference, library, medium, tables);
@@ -212,12 +219,19 @@ void add_environments(const scene::Scene& scene, const optics::Library& library,
 
 void check_environments(const scene::Scene& scene, const optics::Library& library,
                         scene::Findings& findings) {
-  if (scene.environment.empty() || scene.environment.front().sea.layer.empty()) return;
+  const auto known = [](const auto& list, auto sea) {
+    return list.empty() || !sea(list.front()).layer.empty();
+  };
+  if (!scene.compares() ||
+      !known(scene.environment, [](const auto& e) -> auto& { return e.sea; }) ||
+      !known(scene.sensitivity, [](const auto& s) -> auto& { return s.above.sea; }))
+    return;
   try {
     build_medium(scene, library);
   } catch (const InputError& error) {
     for (const Diagnostic& d : error.diagnostics())
-      findings.add("environment", d.reason, d.suggestion);
+      findings.add(scene.environment.empty() ? "sensitivity" : "environment", d.reason,
+                   d.suggestion);
   }
 }
 

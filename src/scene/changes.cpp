@@ -10,6 +10,32 @@
 #include "scene/parse.hpp"
 
 namespace photic::scene {
+namespace {
+
+bool begins_with(const std::string& path, const char* start) { return path.rfind(start, 0) == 0; }
+
+}  // namespace
+
+std::optional<Refusal> check_path(const std::string& path) {
+  if (path == "sea" || path == "optics")
+    return Refusal{fmt::format("'{}' cannot be set as a whole in an environment", path),
+                   R"(quote the whole path: "sea.layer.0.chlorophyll_mg_m3" = 0.5)"};
+  if (!begins_with(path, "sea.") && !begins_with(path, "optics."))
+    return Refusal{fmt::format("'{}' cannot be set in an environment: only the water may differ, "
+                               "for the histories are the same",
+                               path),
+                   "set paths that begin with sea. or optics."};
+  return std::nullopt;
+}
+
+std::optional<Refusal> check_change(const std::string& path, const Node& value) {
+  if (auto refusal = check_path(path)) return refusal;
+  if (!is_value(value))
+    return Refusal{fmt::format("'{}' must be made of finite numbers, texts, true and false, not {}",
+                               path, found_text(value)),
+                   ""};
+  return std::nullopt;
+}
 
 bool is_value(const Node& node) {
   if (const auto* array = node.as<Node::Array>())

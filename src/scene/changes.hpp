@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "scene/node.hpp"
@@ -19,6 +20,12 @@ struct Changes {
 std::optional<Refusal> check(const Changes& rule, const Node& node, std::vector<Change>& value);
 Node schema_of(const Changes& rule);
 Node to_node(const std::vector<Change>& value);
+
+/// Why a path must not be changed in other water, as far as it alone tells.
+std::optional<Refusal> check_path(const std::string& path);
+
+/// The same of a path and its value.
+std::optional<Refusal> check_change(const std::string& path, const Node& value);
 
 /// Whether scenes can hold the value: no dates, and finite numbers.
 bool is_value(const Node& node);

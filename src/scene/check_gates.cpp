@@ -122,28 +122,33 @@ void check_time_gates(const Scene& scene, const Keys& keys, Findings& findings) 
 
 /// What the tallies take, in bytes: by what they grow with.
 struct Memory {
-  double gates, orders, environments, rest;
-  [[nodiscard]] double bytes() const { return gates + orders + environments + rest; }
+  double gates, orders, other_waters, rest;
+  [[nodiscard]] double bytes() const { return gates + orders + other_waters + rest; }
 };
 
 Memory memory_of(const Scene& scene) {
   // Doubles: none of these products can overflow. Sums, squares and largest scores of a cell, and
   // the sum of the batch in each thread, of which there is at least one.
   constexpr double bytes_per_cell = 24.0 + 8.0;
-  constexpr double bytes_per_environment = 224.0;  // tally::EnvironmentSums and its batch
-  constexpr double processes = 3.0;                // elastic, raman, chlorophyll
+  constexpr double bytes_per_water = 224.0;  // tally::EnvironmentSums and its batch
+  constexpr double processes = 3.0;          // elastic, raman, chlorophyll
   const double gates = static_cast<double>(scene.gates.count());
   const double echoes = static_cast<double>(scene.telescope.size() * scene.channel.size()) * gates;
   const double cells = bytes_per_cell * echoes;
   return {cells * gates, cells * static_cast<double>(scene.simulation.orders_kept),
-          bytes_per_environment * echoes * static_cast<double>(scene.environment.size()),
+          bytes_per_water * echoes *
+              static_cast<double>(scene.environment.size() + scene.sensitivity.size()),
           cells * (1.0 + processes)};
 }
 
 /// The path of what takes most, and the advice.
-std::pair<std::string, std::string> what_to_lessen(const Memory& memory, const Keys& keys) {
-  if (memory.environments > std::max(memory.gates, memory.orders))
-    return {"environment", "take fewer environments, or fewer gates"};
+std::pair<std::string, std::string> what_to_lessen(const Memory& memory, const Scene& scene) {
+  const Keys keys = keys_of(scene.gates);
+  const bool more_environments = scene.environment.size() >= scene.sensitivity.size();
+  if (memory.other_waters > std::max(memory.gates, memory.orders))
+    return {more_environments ? "environment" : "sensitivity",
+            fmt::format("take fewer {}, or fewer gates",
+                        more_environments ? "environments" : "parameters")};
   if (memory.gates >= memory.orders)
     return {keys.step, "take fewer gates: the memory goes with the square of their number"};
   return {"simulation.orders_kept", "keep fewer orders: orders_kept"};
@@ -166,20 +171,23 @@ void check_gates(const Scene& scene, Findings& findings) {
 }
 
 void check_memory(const Scene& scene, Findings& findings) {
-  if (!findings.good({"telescope", "channel", "gates", "simulation.orders_kept", "environment"}))
+  if (!findings.good({"telescope", "channel", "gates", "simulation.orders_kept", "environment",
+                      "sensitivity"}))
     return;
   constexpr double limit = 2147483648.0;
   const Memory memory = memory_of(scene);
   if (memory.bytes() <= limit) return;
-  const auto [path, suggestion] = what_to_lessen(memory, keys_of(scene.gates));
-  const std::string environments =
-      scene.environment.empty() ? "" : fmt::format(", environments {}", scene.environment.size());
+  const auto [path, suggestion] = what_to_lessen(memory, scene);
+  const auto count = [](const char* what, std::size_t number) {
+    return number == 0 ? "" : fmt::format(", {} {}", what, number);
+  };
   findings.add(
       path,
-      fmt::format("the tallies (telescopes {}, channels {}, gates {}, orders {}{}) would take "
+      fmt::format("the tallies (telescopes {}, channels {}, gates {}, orders {}{}{}) would take "
                   "{:.3g} GiB; the limit is 2 GiB",
                   scene.telescope.size(), scene.channel.size(), scene.gates.count(),
-                  scene.simulation.orders_kept, environments, memory.bytes() / (limit / 2.0)),
+                  scene.simulation.orders_kept, count("environments", scene.environment.size()),
+                  count("parameters", scene.sensitivity.size()), memory.bytes() / (limit / 2.0)),
       suggestion);
 }
 

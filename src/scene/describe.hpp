@@ -5,6 +5,8 @@
 #include "scene/changes.hpp"
 #include "scene/describe_instrument.hpp"
 #include "scene/describe_sea.hpp"
+#include "scene/environment_grid.hpp"
+#include "scene/sensitivities.hpp"
 
 namespace photic::scene {
 
@@ -100,6 +102,9 @@ void describe(V& v, Environment& e) {
 template <class V>
 void describe(V& v, Scene& s) {
   v.optional("title", s.title, Text{.may_be_empty = true}, "what is simulated, in one line");
+  v.optional("sensitivity", s.sensitivity, Parameters{},
+             "the parameters of the water with respect to which echoes are derived, by their "
+             "paths: those of --set that begin with sea. or optics.");
   v.section("source", s.source, Need::required, "the source of light");
   v.sections("telescope", s.telescope, Need::required, "a telescope; any number of them");
   v.sections("channel", s.channel, Need::required,
@@ -110,6 +115,8 @@ void describe(V& v, Scene& s) {
   v.section("simulation", s.simulation, Need::required, "how long and how to simulate");
   v.sections("environment", s.environment, Need::optional,
              "other water, whose echoes are computed from the same histories; any number of them");
+  v.expanded("environment_grid", Grid{},
+             "more such environments: one for each choice of a value of each path");
   v.unavailable("bottom", "the sea bed is black in this version");
   v.unavailable("atmosphere", "the air is clear vacuum in this version");
 }

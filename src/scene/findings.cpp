@@ -72,14 +72,7 @@ bool Findings::good(std::initializer_list<std::string> paths) const {
   });
 }
 
-bool Findings::given(const std::string& path) const {
-  const Node* node = &document_;
-  for (const std::string& key : components(path)) {
-    node = child(*node, key);
-    if (!node) return false;
-  }
-  return true;
-}
+bool Findings::given(const std::string& path) const { return node_at(document_, path) != nullptr; }
 
 Place Findings::place_of(const std::string& path) const {
   const Node* node = &document_;
@@ -114,6 +107,15 @@ std::vector<std::string> components(const std::string& path) {
     start = dot + 1;
   }
   return parts;
+}
+
+const Node* node_at(const Node& root, const std::string& path) {
+  const Node* node = &root;
+  for (const std::string& key : components(path)) {
+    node = child(*node, key);
+    if (!node) return nullptr;
+  }
+  return node;
 }
 
 std::string below(const std::string& path, const std::string& key) {

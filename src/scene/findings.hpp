@@ -62,6 +62,9 @@ bool before(const Place& a, const Place& b);
 /// The parts of a path between its dots.
 std::vector<std::string> components(const std::string& path);
 
+/// The node that a path leads to by numbers; null if there is none.
+const Node* node_at(const Node& root, const std::string& path);
+
 /// path + "." + key, without the dot at the top.
 std::string below(const std::string& path, const std::string& key);
 std::string below(const std::string& path, std::size_t index);

@@ -115,10 +115,12 @@ std::vector<std::string> split(const std::string& path) {
   return keys;
 }
 
-/// In an environment a whole path is one key: "environment.0.set.sea.layer.0.name".
+/// Where a whole path is one key: "environment.0.set.sea.layer.0.name", "environment_grid.sea.…".
 void join_changed_path(std::vector<std::string>& keys) {
-  constexpr std::size_t first = 3;
-  if (keys.size() <= first || keys[0] != "environment" || keys[2] != "set") return;
+  const bool in_grid = keys[0] == "environment_grid";
+  const bool in_set = keys.size() > 2 && keys[0] == "environment" && keys[2] == "set";
+  const std::size_t first = in_grid ? 1 : 3;
+  if (keys.size() <= first || !(in_grid || in_set)) return;
   for (std::size_t i = first + 1; i < keys.size(); ++i) keys[first] = below(keys[first], keys[i]);
   keys.resize(first + 1);
 }

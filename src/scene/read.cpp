@@ -10,10 +10,12 @@
 #include "core/error.hpp"
 #include "scene/checks.hpp"
 #include "scene/describe.hpp"
+#include "scene/environment_grid.hpp"
 #include "scene/environments.hpp"
 #include "scene/override.hpp"
 #include "scene/parse.hpp"
 #include "scene/reader.hpp"
+#include "scene/sensitivities.hpp"
 #include "scene/tree.hpp"
 
 namespace photic::scene {
@@ -59,8 +61,9 @@ void read_on(const Node& document, const std::string& folder, const Check& check
              Findings& findings) {
   try {
     if (check) check(scene, findings);
+    read_sensitivities(document, check, scene, findings);
     read_environments(document, folder, check, scene, findings);
-    if (check && !scene.environment.empty() && findings.problems().empty())
+    if (check && scene.compares() && findings.problems().empty())
       check_together(document, check, scene, findings);
   } catch (const EnvironmentError&) {
     findings.raise();
@@ -88,6 +91,7 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   document.place = end_of(text, name);
   Findings findings(document, document.place);
   for (const Override& override_text : overrides) apply_override(override_text, document, findings);
+  expand_grid(document, findings);
   Reading reading{scene_of(document, folder, findings), {}};
   check_sea(reading.scene, findings);
   check_instrument(reading.scene, findings);

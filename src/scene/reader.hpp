@@ -101,6 +101,10 @@ class Reader : public TableReader {
     check_any(Names(keys));
   }
 
+  template <class Rule>
+  void expanded(const char* key, const Rule&, const char*) {
+    look(key);
+  }
   template <class Action>
   void once_read(const Action& action) {
     action();

@@ -27,11 +27,24 @@ double Gates::Interval::steps() const {
 
 std::int64_t Gates::count() const { return static_cast<std::int64_t>(interval().steps()); }
 
+Scene scene_alone(const Scene& scene) {
+  // By members: a copy of the whole would copy a thousand environments for each of them.
+  return {.title = scene.title,
+          .sensitivity = {},
+          .source = scene.source,
+          .telescope = scene.telescope,
+          .channel = scene.channel,
+          .optics = scene.optics,
+          .sea = scene.sea,
+          .gates = scene.gates,
+          .simulation = scene.simulation,
+          .environment = {}};
+}
+
 Scene scene_in(const Scene& scene, const Environment& environment) {
-  Scene there = scene;
+  Scene there = scene_alone(scene);
   there.optics = environment.optics;
   there.sea = environment.sea;
-  there.environment.clear();
   return there;
 }
 

@@ -173,8 +173,18 @@ struct Environment {
   friend bool operator==(const Environment&, const Environment&) = default;
 };
 
+/// A parameter with respect to which every echo is derived.
+struct Sensitivity {
+  std::string path;              ///< as of --set
+  double value{};                ///< in the scene; not 0
+  double step{};                 ///< of the central difference: a thousandth of the value, above 0
+  Environment below{}, above{};  ///< the water with value - step and value + step
+  friend bool operator==(const Sensitivity&, const Sensitivity&) = default;
+};
+
 struct Scene {
   std::string title;
+  std::vector<Sensitivity> sensitivity;
   Source source;
   std::vector<Telescope> telescope;
   std::vector<Channel> channel;
@@ -183,10 +193,16 @@ struct Scene {
   Gates gates;
   Simulation simulation;
   std::vector<Environment> environment;
+
+  /// Whether echoes in other water are to be computed from the same histories.
+  [[nodiscard]] bool compares() const { return !environment.empty() || !sensitivity.empty(); }
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// The scene with an environment's water, and without environments.
+/// The scene without environments and sensitivities.
+[[nodiscard]] Scene scene_alone(const Scene& scene);
+
+/// The same with an environment's water.
 [[nodiscard]] Scene scene_in(const Scene& scene, const Environment& environment);
 
 }  // namespace photic::scene

@@ -80,6 +80,10 @@ class SchemaBuilder {
     keys(*this);
     at_least_one(Names(keys));
   }
+  template <class Rule>
+  void expanded(const char* key, const Rule& rule, const char* meaning) {
+    property(key, schema_of(rule), meaning);
+  }
   template <class Action>
   void once_read(const Action&) {}
   void unavailable(const char*, const char*) {}

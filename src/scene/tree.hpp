@@ -11,8 +11,8 @@ namespace photic::scene {
 
 Node tree_of(Scene scene);
 
-/// Every value checked alone. The water of environments is still to be read
-/// (scene/environments.hpp).
+/// Every value checked alone. The water of environments and the parameters of sensitivities are
+/// still to be read (scene/environments.hpp, scene/sensitivities.hpp).
 Scene scene_of(const Node& document, const std::string& folder, Findings& findings);
 
 }  // namespace photic::scene

@@ -4,9 +4,11 @@
 //   table, tables, table_or_word(name, value, …)     inline tables
 //   when(key, word, choice, keys)                    keys that belong to one choice of another key
 //   one_of(option…), any_of(keys)                    exactly one of some groups of keys; at least
-//   one key once_read(action)                                done when the keys before have been
-//   read unavailable(name, instead)                       a key of the format that this version
-//   refuses
+//                                                    one key
+//   once_read(action)                                done when the keys before have been read
+//   expanded(name, rule, …)                          a key that stands for others, and has become
+//                                                    them before anything is read
+//   unavailable(name, instead)                       a key of the format that this version refuses
 #pragma once
 
 #include <string>

@@ -24,6 +24,11 @@ class Writer {
   void optional(const char* key, const T& value, const Rest&...) {
     required(key, value);
   }
+  /// A list is written if there is anything in it, as sections are.
+  template <class T, class... Rest>
+  void optional(const char* key, const std::vector<T>& values, const Rest&...) {
+    if (!values.empty()) required(key, values);
+  }
 
   template <class T>
   void section(const char* key, T& value, Need, const char*) {
@@ -62,6 +67,8 @@ class Writer {
   void any_of(const Keys& keys) {
     keys(*this);
   }
+  template <class Rule>
+  void expanded(const char*, const Rule&, const char*) {}
   template <class Action>
   void once_read(const Action&) {}
   void unavailable(const char*, const char*) {}

@@ -62,6 +62,13 @@ struct Result {
   Estimates environment_difference;  ///< the same: less the echo; its error is its own
   std::vector<std::int32_t> environment_convergence_flags;  ///< of environment_echo
 
+  // The derivatives with respect to parameters p of the water, if any are asked for.
+  std::vector<std::string> parameter_name;  ///< as of --set
+  std::vector<double> parameter_value;      ///< in the scene; not 0
+  Estimates sensitivity;  ///< [parameter][telescope][channel][gate]: d echo / d p, per unit of p
+  Estimates logarithmic_sensitivity;  ///< the same: p / echo * d echo / d p; NaN where echo is 0
+  std::vector<std::int32_t> sensitivity_convergence_flags;  ///< the same: of both
+
   // The run.
   std::string title, scene_toml, version, engine, estimator;
   std::uint64_t seed = 0;

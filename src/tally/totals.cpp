@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -28,6 +31,7 @@ constexpr std::int32_t of_histories =
     ConvergenceFlag::heavy_tail | ConvergenceFlag::error_not_falling;
 constexpr double largest_error_growth =
     1.4;  // of error * sqrt(photons), over a factor of four in photons
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double chance_growth = 2.58;  // standard deviations that chance alone seldom exceeds
 
 double error_of_sum(const Sums& s, double photons, double batches) {
@@ -42,6 +46,37 @@ double log_spread(double batches) { return 1 / std::sqrt(2 * (batches - 1)); }
 /// scene's echo to the last bit, one without light has none.
 double environment_echo(double echo, double difference, double scored) {
   return std::abs(difference) < echo / 2 ? echo + difference : scored;
+}
+
+/// Whether few scores carry the second moment.
+bool heavy(const Powers& p) { return p.fourth > largest_fourth_share * p.square * p.square; }
+
+/// Standard error of the ratio of two correlated means, to first order (Cochran, Sampling
+/// Techniques, 3rd ed. (1977), chapter 6; docs/theory.md, eq. 46). The covariance follows from the
+/// error of the sum.
+double error_of_ratio(double ratio, double denominator, double error_of_numerator,
+                      double error_of_denominator, double error_of_sum) {
+  const double of_numerator = error_of_numerator * error_of_numerator;
+  const double of_denominator = error_of_denominator * error_of_denominator;
+  const double covariance = (error_of_sum * error_of_sum - of_numerator - of_denominator) / 2;
+  const double variance = of_numerator - 2 * ratio * covariance + ratio * ratio * of_denominator;
+  return std::sqrt(std::max(0.0, variance)) / denominator;
+}
+
+/// Flags gates of a row most of whose neighbours are flagged. Weights that degenerate do so in all
+/// of them alike: a gate that seems right there lacks the rare scores.
+void flag_among_flagged(std::span<std::int32_t> gates) {
+  constexpr std::size_t reach = 2;
+  const std::vector<std::int32_t> own(gates.begin(), gates.end());
+  for (std::size_t g = 0; g < own.size(); ++g) {
+    int flagged = 0;
+    int scored = 0;
+    for (std::size_t k = g < reach ? 0 : g - reach; k <= std::min(g + reach, own.size() - 1); ++k) {
+      scored += (own[k] & no_score) == 0;
+      flagged += own[k] != 0 && (own[k] & no_score) == 0;
+    }
+    if (2 * flagged > scored) gates[g] |= ConvergenceFlag::heavy_tail;
+  }
 }
 
 bool fits(const TotalsState& state, const Shape& shape) {
@@ -188,13 +223,22 @@ Totals::Health Totals::health(std::size_t cell) const {
   return health;
 }
 
+std::int32_t Totals::difference_flags(const EnvironmentSums& s) const {
+  Health own;
+  own.raise(variance_of_variance(s.difference) > largest_variance_of_variance, uncertain_variance);
+  own.raise(heavy(s.of_differences), ConvergenceFlag::heavy_tail);
+  return own.flags;
+}
+
 std::int32_t Totals::environment_flags(std::size_t cell, std::size_t environment) const {
   const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
   Health own = health_of(s.echo, s.largest);
-  own.raise(variance_of_variance(s.difference) > largest_variance_of_variance, uncertain_variance);
-  for (const Powers& p : {s.of_scores, s.of_differences})
-    own.raise(p.fourth > largest_fourth_share * p.square * p.square, ConvergenceFlag::heavy_tail);
-  return own.flags;
+  own.raise(heavy(s.of_scores), ConvergenceFlag::heavy_tail);
+  return own.flags | difference_flags(s);
+}
+
+std::int32_t Totals::tangent_flags(std::size_t cell, std::size_t tangent) const {
+  return difference_flags(state_.environment[cell * shape_->environments + tangent]);
 }
 
 bool Totals::all_converged(double relative_error) const {
@@ -218,14 +262,49 @@ std::size_t Totals::scored_cells() const {
   return count;
 }
 
+void Totals::estimate(const Sums& sums, Estimates& out) const {
+  out.mean.push_back(mean(sums));
+  out.standard_error.push_back(standard_error(sums));
+}
+
+void Totals::fill_environment(std::size_t environment, Result& result) const {
+  const std::size_t first = result.environment_convergence_flags.size();
+  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
+    const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
+    estimate(s.echo.low, result.environment_echo);
+    estimate(s.difference.low, result.environment_difference);
+    result.environment_convergence_flags.push_back(environment_flags(cell, environment) |
+                                                   (result.convergence_flags[cell] & of_histories));
+  }
+  const std::span<std::int32_t> flags = result.environment_convergence_flags;
+  for (std::size_t row = first; row < flags.size(); row += shape_->gates)
+    flag_among_flagged(flags.subspan(row, shape_->gates));
+}
+
+void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result) const {
+  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
+    const EnvironmentSums& s = state_.environment[cell * shape_->environments + tangent];
+    const Sums& scene = state_.echo[cell].low;
+    const double echo = mean(scene);
+    const double change = mean(s.difference.low);  // p d echo / d p
+    const double error = standard_error(s.difference.low);
+    result.sensitivity.mean.push_back(change / value);
+    result.sensitivity.standard_error.push_back(error / std::abs(value));
+    Estimates& logarithmic = result.logarithmic_sensitivity;
+    logarithmic.mean.push_back(echo > 0 ? change / echo : nan);
+    logarithmic.standard_error.push_back(echo > 0 ? error_of_ratio(change / echo, echo, error,
+                                                                   standard_error(scene),
+                                                                   standard_error(s.echo.low))
+                                                  : nan);
+    result.sensitivity_convergence_flags.push_back(result.convergence_flags[cell] |
+                                                   tangent_flags(cell, tangent));
+  }
+}
+
 void Totals::fill(Result& result) const {
-  const auto estimate = [this](Estimates& out, const Sums& s) {
-    out.mean.push_back(mean(s));
-    out.standard_error.push_back(standard_error(s));
-  };
   const auto gates = shape_->gates;
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
-    estimate(result.echo, state_.echo[cell].low);
+    estimate(state_.echo[cell].low, result.echo);
     const Health h = health(cell);
     result.convergence_flags.push_back(h.flags);
     result.variance_of_variance.push_back(h.variance_of_variance);
@@ -237,26 +316,23 @@ void Totals::fill(Result& result) const {
   for (std::size_t tc = 0; tc < shape_->telescopes * shape_->channels; ++tc) {
     for (std::size_t p = 0; p < shape_->processes; ++p) {
       for (std::size_t g = 0; g < gates; ++g) {
-        estimate(result.echo_by_process,
-                 state_.by_process[(tc * gates + g) * shape_->processes + p]);
+        estimate(state_.by_process[(tc * gates + g) * shape_->processes + p],
+                 result.echo_by_process);
       }
     }
     for (std::size_t o = 0; o < shape_->orders; ++o) {
       for (std::size_t g = 0; g < gates; ++g) {
-        estimate(result.echo_by_order, state_.by_order[(tc * gates + g) * shape_->orders + o]);
+        estimate(state_.by_order[(tc * gates + g) * shape_->orders + o], result.echo_by_order);
       }
     }
   }
-  for (const Sums& s : state_.by_depth) estimate(result.echo_by_depth, s);
-  for (std::size_t e = 0; e < shape_->environments; ++e) {
-    for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
-      const EnvironmentSums& s = state_.environment[cell * shape_->environments + e];
-      estimate(result.environment_echo, s.echo.low);
-      estimate(result.environment_difference, s.difference.low);
-      result.environment_convergence_flags.push_back(
-          environment_flags(cell, e) | (result.convergence_flags[cell] & of_histories));
-    }
-  }
+  for (const Sums& s : state_.by_depth) estimate(s, result.echo_by_depth);
+  const std::size_t parameters = result.parameter_value.size();
+  expect(parameters <= shape_->environments, "every parameter has a tangent");
+  const std::size_t environments = shape_->environments - parameters;
+  for (std::size_t e = 0; e < environments; ++e) fill_environment(e, result);
+  for (std::size_t p = 0; p < parameters; ++p)
+    fill_sensitivity(environments + p, result.parameter_value[p], result);
 
   const double per_photon = state_.photons > 0 ? 1.0 / static_cast<double>(state_.photons) : 0.0;
   result.ledger = {state_.ledger.absorbed * per_photon,     state_.ledger.escaped * per_photon,

@@ -37,7 +37,8 @@ class Totals {
   [[nodiscard]] std::size_t converged_cells() const;
   [[nodiscard]] std::size_t scored_cells() const;
 
-  /// Estimates and counts of the tallies into a result.
+  /// Estimates and counts of the tallies into a result. The last environments are the tangents of
+  /// the parameters whose values the result has.
   void fill(Result& result) const;
 
   [[nodiscard]] std::uint64_t photons() const { return state_.photons; }
@@ -49,12 +50,20 @@ class Totals {
  private:
   /// What a batch scored in the environments of a cell whose echo in the scene is given.
   void merge_environments(const BatchTally& batch, std::size_t cell, double echo);
+  void estimate(const Sums& sums, Estimates& out) const;
   [[nodiscard]] double variance_of_variance(const TailSums& s) const;
   /// As far as sums over batches and the largest score tell.
   [[nodiscard]] Health health_of(const TailSums& s, double largest) const;
   /// Bits of ConvergenceFlag of an environment's echo and difference by themselves: a difference
   /// can have a heavier tail than either echo.
   [[nodiscard]] std::int32_t environment_flags(std::size_t cell, std::size_t environment) const;
+  /// Of a tangent's difference alone: its echo is a line through the scene's, and no echo.
+  [[nodiscard]] std::int32_t tangent_flags(std::size_t cell, std::size_t tangent) const;
+  /// What environments and differences have in common: the shape of the difference's distribution.
+  [[nodiscard]] std::int32_t difference_flags(const EnvironmentSums& s) const;
+  void fill_environment(std::size_t environment, Result& result) const;
+  /// Of a parameter's value in the scene; `tangent` counts from the first environment.
+  void fill_sensitivity(std::size_t tangent, double value, Result& result) const;
   [[nodiscard]] bool heavy_tail(std::size_t cell) const;
   [[nodiscard]] bool error_not_falling(std::size_t cell) const;
 

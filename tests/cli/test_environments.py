@@ -60,3 +60,39 @@ def test_water_that_histories_never_see_is_told_at_its_place(photic, environment
     assert done.returncode == 2
     line = 1 + environments.read_text().splitlines().index("[[environment]]")
     assert f'quick.toml:{line}:1: environment "more algae": layer "layer1" emits chlorophyll light' in done.stderr
+
+
+GRID = """\
+[environment_grid]
+"sea.layer.1.chlorophyll_mg_m3" = [1.0, 2.0]
+"sea.layer.1.cdom_a440_per_m" = [0.01, 0.02, 0.03]
+"""
+
+
+# Seen red: with the last path changing slowest.
+def test_a_grid_runs_as_its_environments(photic, environments, tmp_path):
+    environments.write_text(environments.read_text() + GRID)
+    done = photic("run", "quick.toml", "-o", "out.nc")
+    assert done.returncode == 0, done.stderr
+    assert "2 more environments are in the file." in done.stdout
+    with netCDF4.Dataset(tmp_path / "out.nc") as file:
+        names = list(file["environment_name"][:])
+        assert names[:3] == ["more algae", "the same", "chlorophyll_mg_m3 = 1.0, cdom_a440_per_m = 0.01"]
+        assert names[6] == "chlorophyll_mg_m3 = 2.0, cdom_a440_per_m = 0.02" and len(names) == 8
+        elastic = file["environment_echo"][2:, 0, 0, :].sum(axis=1)
+        assert list(elastic[:3]) == sorted(elastic[:3], reverse=True)  # darker and darker
+        alone = float(file["environment_echo"][6, 0, 0, 3])
+    (tmp_path / "alone.toml").write_text(photic("show", "out.nc").stdout)
+    done = photic("run", "alone.toml", "-o", "again.nc")
+    assert done.returncode == 0, done.stderr
+    with netCDF4.Dataset(tmp_path / "again.nc") as file:
+        assert float(file["environment_echo"][6, 0, 0, 3]) == alone
+
+
+def test_what_is_wrong_with_a_grid_is_told_at_the_value(photic, environments):
+    text = environments.read_text() + GRID.replace("0.02", "-0.02")
+    environments.write_text(text)
+    done = photic("check", "quick.toml")
+    assert done.returncode == 2
+    line = len(text.splitlines())
+    assert done.stderr.startswith(f"quick.toml:{line}:40: 'cdom_a440_per_m' must be a finite number, at least 0, not -0.02")

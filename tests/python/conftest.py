@@ -21,6 +21,13 @@ def sample_in_other_water(tmp_path_factory):
     return made(tmp_path_factory.mktemp("sample") / "sample.nc", *environments)
 
 
+@pytest.fixture(scope="session")
+def sample_with_parameters(tmp_path_factory):
+    """The same with derivatives, and one environment."""
+    parameters = ["sea.layer.0.chlorophyll_mg_m3", "sea.$_x_"]
+    return made(tmp_path_factory.mktemp("sample") / "sample.nc", "bloom", "--", *parameters)
+
+
 def made(path, *environments):
     maker = Path(os.environ["PHOTIC_BUILD"]) / "tests" / "unit" / "io" / "make_sample_result"
     subprocess.run([maker, path, *environments], check=True)

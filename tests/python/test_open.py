@@ -64,6 +64,25 @@ def test_environments_go_by_their_names(sample, sample_in_other_water):
     assert not [name for name in photic.open(sample).variables if "environment" in name]
 
 
+# Seen red: with parameters left under their numbers; with their convergence left as bytes.
+def test_parameters_go_by_their_paths(sample, sample_with_parameters):
+    ds = photic.open(sample_with_parameters)
+    paths = ["sea.layer.0.chlorophyll_mg_m3", "sea.$_x_"]
+    assert list(ds.parameter.values) == paths and list(ds.environment.values) == ["bloom"]
+    assert list(ds.parameter_value.values) == [0.1, 0.2]
+    one = ds.sensitivity.sel(parameter="sea.$_x_", channel="raman", telescope="wide")
+    assert float(one.parameter_value) == 0.2
+    with netCDF4.Dataset(sample_with_parameters) as file:
+        assert numpy.array_equal(one, file["sensitivity"][1, 1, 1, :])
+    assert ds.sensitivity_converged.dtype == bool
+    assert numpy.array_equal(ds.sensitivity_converged, ds.sensitivity_convergence_flags == 0)
+    lit = ds.echo > 0
+    again = (ds.sensitivity * ds.parameter_value / ds.echo).where(lit)
+    assert numpy.allclose(again, ds.logarithmic_sensitivity, rtol=1e-12, equal_nan=True)
+    names = [name for name in photic.open(sample).variables if "sensitivity" in name or "parameter" in name]
+    assert not names
+
+
 def test_missing_numbers_are_nan(sample):
     ds = photic.open(sample)
     assert numpy.isnan(ds.variance_of_variance.values[0, 0, -1])

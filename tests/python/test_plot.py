@@ -166,6 +166,51 @@ def test_environments_without_light(sample_in_other_water, tmp_path):
     plot.figure([ds], ["darker"]).savefig(tmp_path / "darker.png")
 
 
+# Seen red: with 1.96 standard errors; with the scene's convergence; with the first parameter for all.
+def test_sensitivities_have_a_panel_for_each_channel(sample_with_parameters, tmp_path):
+    ds = photic.open(sample_with_parameters)
+    drawing = plot.figure([ds], ["sample"], telescope="wide")
+    last = drawing.axes[-3:]
+    assert titles(drawing)[-3:] == [f"{name} echo: sensitivities" for name in CHANNELS]
+    assert "elastic echo in the environments" in titles(drawing)
+    assert legend(last[2]) == ["sea.layer.0.chlorophyll_mg_m3", "sea.\\$_x_", "not converged"]
+    assert last[0].get_legend() is None and last[0].get_ylim() == last[2].get_ylim()
+    raman = ds.sel(telescope="wide", channel="raman")
+    bands = [each for each in last[1].collections if isinstance(each, PolyCollection)]
+    for (thick, thin, _), band, name in zip(curves(last[1], 2), bands, ds.parameter.values):
+        one = raman.sel(parameter=name)
+        assert visible(thick) == int(one.sensitivity_converged.sum()) < int(one.converged.sum())
+        lit = one.echo.values > 0
+        assert numpy.array_equal(thin.get_xdata()[lit], one.logarithmic_sensitivity.values[lit])
+        vertices = numpy.concatenate([path.vertices for path in band.get_paths()])
+        first = one.isel(gate=0)
+        at_first = vertices[vertices[:, 1] == float(first.gate_depth), 0]
+        width = 2 * float(first.logarithmic_sensitivity_standard_error)
+        assert at_first.max() - at_first.min() == pytest.approx(width, rel=1e-9)
+    assert "Of sensitivities: one standard error." in drawing._supxlabel.get_text()
+    assert command("plot", sample_with_parameters, "-o", tmp_path / "out.png") == (0, "")
+
+
+def test_several_results_say_what_they_leave_out(sample, sample_with_parameters, sample_in_other_water):
+    results = [photic.open(path) for path in (sample, sample_with_parameters, sample_in_other_water)]
+    lines = plot.figure(results, ["a", "b", "c"])._supxlabel.get_text().splitlines()
+    assert "not drawn" not in lines[0]
+    assert lines[1].endswith("; its environments and sensitivities are not drawn here, but where it is drawn alone")
+    assert lines[2].endswith("; its environments are not drawn here, but where it is drawn alone")
+
+
+@pytest.mark.filterwarnings("error:::numpy", "error::RuntimeWarning")
+def test_sensitivities_without_light(sample_with_parameters, tmp_path):
+    ds = photic.open(sample_with_parameters)
+    for name in ("echo", "environment_echo", "environment_difference", "sensitivity"):
+        ds[name] = 0 * ds[name]
+    for name in ("logarithmic_sensitivity", "logarithmic_sensitivity_standard_error"):
+        ds[name] = numpy.nan * ds[name]
+    for name in ("converged", "environment_converged", "sensitivity_converged"):
+        ds[name] = ds[name] & False
+    plot.figure([ds], ["dark"]).savefig(tmp_path / "dark.png")
+
+
 def test_every_stretch_of_open_gates_is_marked():
     chosen = numpy.array([True, False, True, True, True, True, False, True])
     assert panels.thinned(chosen, 3) == [0, 2, 5, 7]

@@ -21,8 +21,9 @@ constexpr std::size_t gates = 100;
 
 class Maker {
  public:
-  explicit Maker(const std::vector<std::string>& environments) {
+  Maker(const std::vector<std::string>& environments, const std::vector<std::string>& parameters) {
     result_.environment_name = environments;
+    result_.parameter_name = parameters;
   }
 
   tally::Result make() {
@@ -31,6 +32,8 @@ class Maker {
       for (std::size_t c = 0; c < 3; ++c) channel(looks[c], t, c);
     for (std::size_t e = 0; e < result_.environment_name.size(); ++e)
       environment(static_cast<double>(e + 1));
+    for (std::size_t p = 0; p < result_.parameter_name.size(); ++p)
+      parameter(static_cast<double>(p + 1));
     run();
     state();
     return std::move(result_);
@@ -124,6 +127,25 @@ class Maker {
     }
   }
 
+  /// Parameters that take light away, each less than the one before, and send some of it back.
+  void parameter(double number) {
+    const double value = 0.1 * number;
+    result_.parameter_value.push_back(value);
+    for (std::size_t cell = 0; cell < result_.echo.mean.size(); ++cell) {
+      const double depth_m = step_m * (static_cast<double>(cell % gates) + 0.5);
+      const double echo = result_.echo.mean[cell];
+      const double relative = echo > 0 ? result_.echo.standard_error[cell] / echo : 0;
+      const double logarithmic = 0.6 - 0.05 * depth_m / number;
+      const double error = 0.4 * relative * (0.1 + std::abs(logarithmic)) * (1 + 0.05 * depth_m);
+      const double nan = std::numeric_limits<double>::quiet_NaN();
+      push(result_.sensitivity, logarithmic * echo / value, error * echo / value);
+      push(result_.logarithmic_sensitivity, echo > 0 ? logarithmic : nan, echo > 0 ? error : nan);
+      const bool worse = depth_m > 30 && echo > 0;
+      result_.sensitivity_convergence_flags.push_back(result_.convergence_flags[cell] |
+                                                      (worse ? tally::uncertain_variance : 0));
+    }
+  }
+
   void run() {
     result_.title = "Table 1 ship lidar over case-1 water";
     result_.scene_toml =
@@ -155,7 +177,8 @@ class Maker {
 
   /// No number twice, so that none can be taken for another.
   void state() {
-    tally::TotalsState state(sample_shape(result_.environment_name.size()));
+    tally::TotalsState state(
+        sample_shape(result_.environment_name.size() + result_.parameter_name.size()));
     state.photons = 19'998'000;
     state.batches = 9999;
     state.collisions = 187'654'000;
@@ -202,8 +225,9 @@ class Maker {
 
 tally::Result sample_result() { return sample_result_in({}); }
 
-tally::Result sample_result_in(const std::vector<std::string>& environments) {
-  return Maker(environments).make();
+tally::Result sample_result_in(const std::vector<std::string>& environments,
+                               const std::vector<std::string>& parameters) {
+  return Maker(environments, parameters).make();
 }
 
 tally::Shape sample_shape(std::size_t environments) {

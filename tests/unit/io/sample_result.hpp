@@ -15,10 +15,12 @@ namespace photic::test {
 /// converged, the deepest have seen nothing; one diagnostic is NaN.
 tally::Result sample_result();
 
-/// The same with environments of more and more algae: each absorbs 0.02/m more than the one before.
-tally::Result sample_result_in(const std::vector<std::string>& environments);
+/// The same with environments of more and more algae: each absorbs 0.02/m more than the one before;
+/// and with derivatives with respect to parameters.
+tally::Result sample_result_in(const std::vector<std::string>& environments,
+                               const std::vector<std::string>& parameters = {});
 
-/// The extents of its tallies.
+/// The extents of its tallies; environments: with parameters.
 tally::Shape sample_shape(std::size_t environments = 0);
 
 /// How messages about a file that is no result end.

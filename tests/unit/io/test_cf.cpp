@@ -41,14 +41,15 @@ bool contains(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-const Names with_errors{"echo",          "echo_by_process",  "echo_by_order",
-                        "echo_by_depth", "environment_echo", "environment_difference"};
+const Names with_errors{"echo",          "echo_by_process",        "echo_by_order",
+                        "echo_by_depth", "environment_echo",       "environment_difference",
+                        "sensitivity",   "logarithmic_sensitivity"};
 
 class Cf : public testing::Test {
  protected:
   static std::string written(const test::TemporaryFolder& folder) {
-    write_netcdf(test::sample_result_in({"more algae", "no CDOM"}), folder.file("out.nc"),
-                 {history_line("a test")});
+    write_netcdf(test::sample_result_in({"more algae", "no CDOM"}, {"sea.x", "sea.y"}),
+                 folder.file("out.nc"), {history_line("a test")});
     return folder.file("out.nc");
   }
   Cf() : file_(written(folder_)) {
@@ -97,7 +98,10 @@ TEST_F(Cf, TheVariablesOfTheFormat) {
                    "channel_wavelength process_name environment_name environment_echo "
                    "environment_echo_standard_error environment_difference "
                    "environment_difference_standard_error environment_converged "
-                   "environment_convergence_flags")));
+                   "environment_convergence_flags parameter_name parameter_value sensitivity "
+                   "sensitivity_standard_error logarithmic_sensitivity "
+                   "logarithmic_sensitivity_standard_error sensitivity_converged "
+                   "sensitivity_convergence_flags")));
 }
 
 TEST_F(Cf, Names_2_3) {
@@ -194,6 +198,9 @@ TEST_F(Cf, AncillaryVariables_3_4) {
   EXPECT_EQ(as_set(words(text("environment_echo", "ancillary_variables"))),
             (Set{"environment_echo_standard_error", "environment_converged",
                  "environment_convergence_flags"}));
+  EXPECT_EQ(as_set(words(text("logarithmic_sensitivity", "ancillary_variables"))),
+            (Set{"logarithmic_sensitivity_standard_error", "sensitivity_converged",
+                 "sensitivity_convergence_flags"}));
 }
 
 // Seen red: flag_masks written as bytes for the variable of ints.
@@ -222,7 +229,7 @@ TEST_F(Cf, Flags_3_5) {
       EXPECT_TRUE(masks ? (flags & ~all) == 0 : values.count(flags) > 0) << name << ": " << value;
     }
   }
-  EXPECT_EQ(count, 4u);  // of the scene and of the environments
+  EXPECT_EQ(count, 6u);  // of the scene, of the environments and of the parameters
 }
 
 TEST_F(Cf, CoordinateVariables_4_5) {
@@ -291,6 +298,10 @@ TEST_F(Cf, Bounds_7_1) {
 
 TEST_F(Cf, CellMethods_7_3) {
   for (const std::string& name : with_errors) {
+    if (name == "logarithmic_sensitivity") {
+      EXPECT_FALSE(has(name, "cell_methods"));  // a ratio of sums
+      continue;
+    }
     const Names methods = words(text(name, "cell_methods"));
     ASSERT_FALSE(methods.empty() || methods.size() % 2 != 0) << name;
     for (std::size_t i = 0; i < methods.size(); i += 2) {

@@ -157,6 +157,42 @@ TEST(Csv, EnvironmentsFollowTheScene) {
   }
 }
 
+// Seen red, each for itself: with the logarithmic derivative's error in the place of the other's;
+// with the scene's flags.
+TEST(Csv, ParametersFollowTheEnvironments) {
+  const tally::Result result = test::sample_result_in({"more algae"}, {"sea.x", "sea.\"y\""});
+  const Csv csv(echo_csv(result)), before(echo_csv(test::sample_result_in({"more algae"})));
+  ASSERT_EQ(csv.records.size(), 1 + 4 * 600u);
+  const Record more{"parameter", "sensitivity", "sensitivity_standard_error",
+                    "logarithmic_sensitivity", "logarithmic_sensitivity_standard_error"};
+  EXPECT_EQ(Record(csv.records[0].begin() + 14, csv.records[0].end()), more);
+  for (std::size_t i = 1; i <= 1200; ++i) {
+    Record record = before.records[i];
+    record.insert(record.end(), {"", "0", "0", "0", "0"});
+    EXPECT_EQ(csv.records[i], record);
+  }
+  for (std::size_t i = 0; i < 1200; ++i) {
+    const Record& record = csv.records[1201 + i];
+    ASSERT_EQ(record.size(), 19u);
+    const Record& of_scene = before.records[1 + i % 600];
+    EXPECT_EQ(Record(record.begin(), record.begin() + 9),
+              Record(of_scene.begin(), of_scene.begin() + 9));
+    EXPECT_EQ(record[9], result.sensitivity_convergence_flags[i] == 0 ? "yes" : "no");
+    EXPECT_EQ(record[11], "");
+    EXPECT_EQ(record[14], result.parameter_name[i / 600]);
+    EXPECT_EQ(number(record[15]), result.sensitivity.mean[i]);
+    EXPECT_EQ(number(record[16]), result.sensitivity.standard_error[i]);
+    if (result.echo.mean[i % 600] == 0) {
+      EXPECT_EQ(record[17], "nan");
+      continue;
+    }
+    EXPECT_EQ(number(record[17]), result.logarithmic_sensitivity.mean[i]);
+    EXPECT_EQ(number(record[18]), result.logarithmic_sensitivity.standard_error[i]);
+  }
+  const Csv alone(echo_csv(test::sample_result_in({}, {"sea.x"})));
+  EXPECT_EQ(Record(alone.records[0].begin() + 11, alone.records[0].end()), more);
+}
+
 TEST(Csv, WritesTheFile) {
   const test::TemporaryFolder folder;
   const tally::Result result = test::sample_result();

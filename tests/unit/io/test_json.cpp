@@ -56,6 +56,29 @@ TEST(EchoJson, EnvironmentsIfThereAreAny) {
   }
 }
 
+// Seen red: with the first parameter's value for the second.
+TEST(EchoJson, SensitivitiesIfThereAreAny) {
+  EXPECT_FALSE(json::parse(echo_json(test::sample_result())).contains("sensitivities"));
+  const tally::Result result = test::sample_result_in({}, {"sea.x", "sea.y"});
+  const json parsed = json::parse(echo_json(result));
+  ASSERT_EQ(parsed["sensitivities"].size(), 1200u);
+  for (std::size_t i = 0; i < 1200; ++i) {
+    const json& one = parsed["sensitivities"][i];
+    EXPECT_EQ(one["parameter"], result.parameter_name[i / 600]);
+    EXPECT_EQ(one["value"], result.parameter_value[i / 600]);
+    EXPECT_EQ(one["channel"], result.channel_name[i / 100 % 3]);
+    EXPECT_EQ(one["echo"], result.echo.mean[i % 600]);
+    EXPECT_EQ(one["sensitivity"], result.sensitivity.mean[i]);
+    EXPECT_EQ(one["sensitivity_standard_error"], result.sensitivity.standard_error[i]);
+    EXPECT_EQ(one["converged"], result.sensitivity_convergence_flags[i] == 0);
+    EXPECT_EQ(one["logarithmic_sensitivity"].is_null(), result.echo.mean[i % 600] == 0);
+    if (one["logarithmic_sensitivity"].is_null()) continue;
+    EXPECT_EQ(one["logarithmic_sensitivity"], result.logarithmic_sensitivity.mean[i]);
+    EXPECT_EQ(one["logarithmic_sensitivity_standard_error"],
+              result.logarithmic_sensitivity.standard_error[i]);
+  }
+}
+
 TEST(EchoJson, AwkwardTextsAndNumbers) {
   tally::Result result = test::sample_result();
   result.title = "say \"häß\"\\\n\t\x01";

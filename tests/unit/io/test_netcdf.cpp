@@ -209,16 +209,45 @@ TEST(WrittenEnvironments, EchoesDifferencesAndFlags) {
   for (std::size_t i = 0; i < flags.size(); ++i) EXPECT_EQ(converged[i] != 0, flags[i] == 0);
 }
 
+// Seen red, each for itself: with the logarithmic derivative in the place of the other; without
+// flags.
+TEST(WrittenSensitivities, DerivativesAndFlags) {
+  const test::TemporaryFolder folder;
+  const tally::Result result = test::sample_result_in({"bloom"}, {"sea.x", "sea.\"häß\".y"});
+  write_netcdf(result, folder.file("out.nc"), {"test"});
+  const NetcdfFile file(folder.file("out.nc"));
+  EXPECT_EQ(file.texts("parameter_name"), result.parameter_name);
+  EXPECT_EQ(file.numbers("parameter_value"), result.parameter_value);
+  EXPECT_EQ(file.texts("environment_name"), result.environment_name);
+  for (const auto& [name, estimates] :
+       {std::pair{"sensitivity", &result.sensitivity},
+        {"logarithmic_sensitivity", &result.logarithmic_sensitivity}}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(file.dimensions(file.variable(name)),
+              (Names{"parameter", "telescope", "channel", "gate"}));
+    expect_same(file.numbers(name), estimates->mean);
+    expect_same(file.numbers(std::string(name) + "_standard_error"), estimates->standard_error);
+  }
+  const auto& flags = result.sensitivity_convergence_flags;
+  const std::vector<double> bits(flags.begin(), flags.end());
+  expect_same(file.numbers("sensitivity_convergence_flags"), bits);
+  const auto converged = file.numbers("sensitivity_converged");
+  for (std::size_t i = 0; i < flags.size(); ++i) EXPECT_EQ(converged[i] != 0, flags[i] == 0);
+}
+
 // Seen red: with the dimension added in any case.
 TEST(WrittenEnvironments, AreNotInTheFilesOfOtherScenes) {
   const test::TemporaryFolder folder;
   write_netcdf(test::sample_result(), folder.file("out.nc"), {"test"});
   const NetcdfFile file(folder.file("out.nc"));
   for (const std::string& name : file.variables())
-    EXPECT_EQ(name.find("environment"), std::string::npos) << name;
+    for (const char* part : {"environment", "parameter", "sensitivity"})
+      EXPECT_EQ(name.find(part), std::string::npos) << name;
   int id = 0, group = 0;
   ASSERT_EQ(nc_inq_grp_ncid(file.id(), "continuation", &group), NC_NOERR);
   EXPECT_EQ(nc_inq_dimid(file.id(), "environment", &id), NC_EBADDIM);
+  EXPECT_EQ(nc_inq_dimid(file.id(), "parameter", &id), NC_EBADDIM);
+  EXPECT_EQ(nc_inq_dimid(group, "other_water", &id), NC_EBADDIM);
   EXPECT_EQ(nc_inq_dimid(group, "environment_sum", &id), NC_EBADDIM);
   EXPECT_EQ(nc_inq_varid(group, "environment_sums", &id), NC_ENOTVAR);
 }
@@ -227,6 +256,9 @@ TEST(WrittenEnvironments, OneThatDoesNotFitIsABug) {
   const test::TemporaryFolder folder;
   tally::Result result = test::sample_result_in({"more algae"});
   result.environment_name.emplace_back("of no echo");
+  EXPECT_THROW(write_netcdf(result, folder.file("out.nc"), {"test"}), ContractViolation);
+  result = test::sample_result_in({}, {"sea.x"});
+  result.parameter_name.emplace_back("of no derivative");
   EXPECT_THROW(write_netcdf(result, folder.file("out.nc"), {"test"}), ContractViolation);
 }
 

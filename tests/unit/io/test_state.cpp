@@ -15,6 +15,8 @@
 namespace photic::io {
 namespace {
 
+using Texts = std::vector<std::string>;
+
 class WrittenState : public testing::Test {
  protected:
   WrittenState() : result_(test::sample_result()), path_(folder_.file("out.nc")) {}
@@ -76,6 +78,15 @@ TEST_F(WrittenState, OfEnvironmentsComesBackToTheLastBit) {
   result_.state = tally::TotalsState(test::sample_shape(3));  // of no batch yet
   write();
   EXPECT_EQ(read_state(path_, test::sample_shape(3)), *result_.state);
+}
+
+// Seen red: with the dimension of the environments alone.
+TEST_F(WrittenState, OfTangentsComesBackToTheLastBit) {
+  for (const std::vector<std::string>& environments : {Texts{}, Texts{"more algae"}}) {
+    result_ = test::sample_result_in(environments, {"sea.x", "sea.y"});
+    write();
+    EXPECT_EQ(read_state(path_, test::sample_shape(environments.size() + 2)), *result_.state);
+  }
 }
 
 TEST_F(WrittenState, WithoutTheEnvironmentsOfItsSceneIsRefused) {

@@ -185,6 +185,51 @@ converged no CDOM 3 of 5 gates, many more algae of this kind 3 of 5 gates
   EXPECT_EQ(section_of_environments(small_result()), "none");
 }
 
+/// The small result with derivatives.
+tally::Result small_result_to(const std::vector<std::string>& parameters) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  tally::Result result = small_result();
+  result.parameter_name = parameters;
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    result.parameter_value.push_back(0.1);
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double logarithmic[] = {-0.8, 0.5, -12, -5000, nan},
+                   errors[] = {1e-6, 0.0012, 0.3, 20, nan};
+      result.logarithmic_sensitivity.mean.push_back(logarithmic[i]);
+      result.logarithmic_sensitivity.standard_error.push_back(errors[i]);
+      result.sensitivity.mean.push_back(0);
+      result.sensitivity.standard_error.push_back(0);
+      result.sensitivity_convergence_flags.push_back(i == 1 || i == 4 ? tally::large_score : 0);
+    }
+  }
+  return result;
+}
+
+// Seen red, each for itself: with the scene's flags; with large negative numbers told as large.
+TEST(EchoTable, Sensitivities) {
+  const std::string table = echo_table(small_result_to({"sea.layer.0.chlorophyll_mg_m3", "sea.x"}));
+  const std::size_t begin = table.find("\nSensitivities"), end = table.find("1 234 567 photons");
+  ASSERT_NE(begin, std::string::npos);
+  EXPECT_EQ(table.substr(begin, end - begin), R"(
+Sensitivities: per cent that the echo changes by for 1 % of each parameter, with the standard error
+
+telescope ship, channel raman
+                   sea.layer.0.
+ depth [m]    chlorophyll_mg_m3                 sea.x
+      0.50       -0.8000±0.0001        -0.8000±0.0001
+      1.50        0.5000±0.0012*        0.5000±0.0012*
+      2.50          -12.00±0.30*          -12.00±0.30*
+      3.50             <-999±20*             <-999±20*
+      4.50                    -*                    -*
+
+* not converged, because
+  large_score               4 gates:  a single score carries more than 2 % of the echo
+converged sea.layer.0.chlorophyll_mg_m3 3 of 5 gates, sea.x 3 of 5 gates
+
+)");
+  EXPECT_EQ(echo_table(small_result()).find("Sensitivities"), std::string::npos);
+}
+
 // Seen red: with seven of them across.
 TEST(EchoTable, ManyEnvironmentsFitATerminalOf100Columns) {
   const std::vector<std::string> names{"a", "chlorophyll_of_10_mg_m3", "c", "d", "e", "f", "g",

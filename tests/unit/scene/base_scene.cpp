@@ -67,6 +67,10 @@ std::vector<std::string> diagnostics_of(const std::string& text,
   return texts;
 }
 
+Scene read_text(const std::string& text, const std::vector<Override>& overrides) {
+  return read_scene_text(text, "scene.toml", "/", overrides).scene;
+}
+
 Scene base_scene(const std::vector<Override>& overrides) {
   return read_scene_text(edited({}), "scene.toml", "/", overrides).scene;
 }

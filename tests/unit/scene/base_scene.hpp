@@ -8,6 +8,8 @@
 
 namespace photic::scene {
 
+using Texts = std::vector<std::string>;
+
 /// Lines first … last become `text`, which may be several lines; "" removes them.
 struct Edit {
   int first;
@@ -32,6 +34,9 @@ std::string edited(const std::vector<Edit>& edits);
 std::vector<std::string> diagnostics_of(const std::string& text,
                                         const std::vector<Override>& overrides = {},
                                         const Check& check = {});
+
+/// A scene called scene.toml; it must be good.
+Scene read_text(const std::string& text, const std::vector<Override>& overrides = {});
 
 /// The base scene with these overrides; it must be good.
 Scene base_scene(const std::vector<Override>& overrides = {});

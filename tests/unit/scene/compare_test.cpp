@@ -40,6 +40,9 @@ TEST(Differences, AreNamedByPath) {
                          {"sea.layer.1.phase_function.g", "0.9", "not given"}}));
   EXPECT_EQ(against({"channel=[{name='a', process='elastic'}, {name='b', process='raman'}]"}),
             (Differences{{"channel", "an array of 1", "an array of 2"}}));
+  EXPECT_EQ(
+      against({"sensitivity=['sea.layer.0.chlorophyll_mg_m3']"}),
+      (Differences{{"sensitivity", "not given", "[text \"sea.layer.0.chlorophyll_mg_m3\"]"}}));
   EXPECT_EQ(against({"simulation.max_order=3"}),
             (Differences{{"simulation.max_order", "not given", "3"}}));
   EXPECT_EQ(differences(base_scene({"simulation.max_order=3"}), left),

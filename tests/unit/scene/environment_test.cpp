@@ -21,10 +21,6 @@ std::string setting(const std::string& changes) {
   return with_environments("[[environment]]\nset = { " + changes + " }");
 }
 
-Scene read_text(const std::string& text, const std::vector<Override>& overrides = {}) {
-  return read_scene_text(text, "scene.toml", "/", overrides).scene;
-}
-
 // --- What becomes of a good one ------------------------------------------------------------------
 
 // Seen red: with the scene's optics for those of the environment.
@@ -212,7 +208,6 @@ TEST(Environment, EveryTextOfWhatIsWrong) {
 // Seen red: with names that may be there twice.
 TEST(Environment, NamesTwiceAndKeysAmiss) {
   const auto told = [](const std::string& text) { return diagnostics_of(with_environments(text)); };
-  using Texts = std::vector<std::string>;
   EXPECT_EQ(
       told("[[environment]]\nname = \"environment1\"\nset = {}\n[[environment]]\nset = {}"),
       (Texts{
@@ -245,7 +240,6 @@ name = "b"
 "optics.raman" = "bartlett"
 "sea.layer.0.chlorophyll_mg_m3" = -2
 "sea.layer.deep.iop.0.a_per_m" = 0)";
-  using Texts = std::vector<std::string>;
   // The scene is wrong itself, once at a value that an environment mends.
   EXPECT_EQ(
       diagnostics_of(
@@ -288,7 +282,6 @@ TEST(Environment, IsCheckedAsTheSceneIs) {
   const std::string text = with_environments(R"([[environment]]
 name = "b"
 set = { "optics.raman" = "bartlett", "sea.layer.0.chlorophyll_mg_m3" = 0.5 })");
-  using Texts = std::vector<std::string>;
   EXPECT_EQ(read_scene_text(text, "scene.toml", "/", {}, find_fault).remarks,
             (Texts{"scene.toml:17:11: told of every water",
                    R"(scene.toml:33:38: in environment "b": a murky layer)"}));

@@ -124,8 +124,9 @@ diameter_m = 0.05)"}},
         "scene.toml:3:1: unknown key 'wavelenght_nm' in [source] (did you mean 'wavelength_nm'?)"}},
       {"UnknownKeyFar",
        {{1, 1, R"(author = "me")"}},
-       {"scene.toml:1:1: unknown key 'author' in the scene (known here: title, source, telescope, "
-        "channel, optics, sea, gates, simulation, environment)"}},
+       {"scene.toml:1:1: unknown key 'author' in the scene (known here: title, sensitivity, "
+        "source, telescope, "
+        "channel, optics, sea, gates, simulation, environment, environment_grid)"}},
       {"UnknownKeyInLayer",
        {{22, 22, "chlorophyl_mg_m3 = 0.1"}},
        {"scene.toml:22:1: unknown key 'chlorophyl_mg_m3' in [[sea.layer]] (did you mean "

@@ -30,9 +30,10 @@ void collect_keys(const json& value, std::set<std::string>& keys) {
     for (const auto& part : value) collect_keys(part, keys);
 }
 
-/// Scenes that together use every key but `file`.
+/// Scenes that together use every key but `file`, and but a grid, which is written as what it
+/// stands for.
 std::set<std::string> keys_of_scenes() {
-  std::set<std::string> keys{"file"};
+  std::set<std::string> keys{"file", "environment_grid"};
   for (const std::vector<Override>& overrides : std::vector<std::vector<Override>>{
            {"sea={ refractive_index = 1.3, group_index = 1.4, layer = [{ bottom_depth_m = 60 }] }",
             "simulation={ photons = 1, target_relative_error = 0.1, max_time_s = 1, max_order = 1, "
@@ -45,7 +46,7 @@ std::set<std::string> keys_of_scenes() {
             "model = \"fournier-forand\", refractive_index = 1.1, slope = 3.6 }, { fraction = 0.5, "
             "model = \"rayleigh\", depolarisation = 0.04 }] }"},
            {"sea.layer.1.phase_function=mie"},
-           {"environment=[{ set = {} }]"},
+           {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"}})
     collect_keys(json::parse(write_scene_json(base_scene(overrides))), keys);
   return keys;
@@ -71,6 +72,11 @@ TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
   EXPECT_EQ(schema["additionalProperties"], false);
   EXPECT_EQ(schema["required"],
             json({"source", "telescope", "channel", "sea", "gates", "simulation"}));
+  EXPECT_EQ(schema["properties"]["sensitivity"]["items"],
+            json({{"type", "string"}, {"minLength", 1}}));
+  EXPECT_EQ(schema["properties"]["sensitivity"]["default"], json::array());
+  EXPECT_EQ(schema["properties"]["environment_grid"]["additionalProperties"],
+            json({{"type", "array"}, {"minItems", 1}}));
   const json& source = schema["properties"]["source"];
   EXPECT_EQ(source["additionalProperties"], false);
   EXPECT_EQ(source["required"], json({"wavelength_nm", "position_m", "direction", "diameter_m",

@@ -12,8 +12,11 @@ namespace photic::tally {
 /// Two telescopes; channel 0 counts line 0, channel 1 line 1, channel 2 lines 1 and 2; four gates
 /// of 5 m; three orders kept.
 struct Tallies {
-  explicit Tallies(std::int32_t max_order = 0)
-      : shape(make_shape(max_order)), gates(scene(), lines()), batch(shape, gates), totals(shape) {}
+  explicit Tallies(std::int32_t max_order = 0, std::size_t environments = 0)
+      : shape(make_shape(max_order, environments)),
+        gates(scene(), lines()),
+        batch(shape, gates),
+        totals(shape) {}
   Tallies(const Tallies&) = delete;  // batch and totals point to the shape
   Tallies& operator=(const Tallies&) = delete;
 
@@ -23,8 +26,9 @@ struct Tallies {
     return scene;
   }
 
-  static Shape make_shape(std::int32_t max_order) {
+  static Shape make_shape(std::int32_t max_order, std::size_t environments) {
     Shape shape;
+    shape.environments = environments;
     shape.telescopes = 2;
     shape.channels = 3;
     shape.processes = 3;

@@ -1,0 +1,131 @@
+#include "scene/other_water.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "scene/changes.hpp"
+#include "scene/checks.hpp"
+#include "scene/format.hpp"
+#include "scene/override.hpp"
+#include "scene/tree.hpp"
+
+namespace photic::scene {
+namespace {
+
+void move_to(const Place& place, Node& node) {
+  node.place = place;
+  if (auto* array = node.as<Node::Array>())
+    for (Node& element : *array) move_to(place, element);
+  if (auto* table = node.as<Node::Table>()) {
+    for (Entry& entry : *table) {
+      entry.place = place;
+      move_to(place, entry.value);
+    }
+  }
+}
+
+// --- What the histories need to be alike ---------------------------------------------------------
+
+struct Fixed {
+  const char* key;
+  const char* why;
+};
+
+constexpr const char* bends =
+    "it bends the light, whose histories are the same in all environments";
+constexpr const char* times =
+    "it times the light, whose histories are the same in all environments";
+constexpr const char* bends_and_times =
+    "it bends and times the light, whose histories are the same in all environments";
+constexpr const char* borders = "light crosses from layer to layer alike in all environments";
+constexpr const char* called = "all environments have the same layers";
+
+constexpr Fixed fixed_of_sea[] = {{"salinity_psu", bends_and_times},
+                                  {"temperature_c", bends_and_times},
+                                  {"refractive_index", bends},
+                                  {"group_index", times}};
+constexpr Fixed fixed_of_layers[] = {{"name", called}, {"bottom_depth_m", borders}};
+constexpr Fixed fixed_of_surface[] = {{"model", bends}};
+
+/// Looks at values with which nothing is wrong in the scene and in the environment.
+class Comparison {
+ public:
+  Comparison(const Findings& of_scene, Findings& findings)
+      : of_scene_(of_scene), findings_(findings) {}
+
+  void compare_seas(const Node& scene, const Node& here) {
+    for (const Fixed& fixed : fixed_of_sea) compare(scene, here, "sea", fixed);
+    for (const Fixed& fixed : fixed_of_surface)
+      compare(*scene.find("surface"), *here.find("surface"), "sea.surface", fixed);
+    if (!good("sea.layer")) return;
+    compare_layers(*scene.find("layer")->as<Node::Array>(), *here.find("layer")->as<Node::Array>());
+  }
+
+ private:
+  void compare_layers(const Node::Array& scene, const Node::Array& here) {
+    if (scene.size() != here.size())
+      return findings_.add("sea.layer",
+                           fmt::format("there must be as many layers as in the scene, {}, not {}: "
+                                       "{}",
+                                       scene.size(), here.size(), borders),
+                           suggestion);
+    for (std::size_t i = 0; i < scene.size(); ++i)
+      for (const Fixed& fixed : fixed_of_layers)
+        compare(scene[i], here[i], below("sea.layer", i), fixed);
+  }
+
+  void compare(const Node& scene, const Node& here, const std::string& table, const Fixed& fixed) {
+    const std::string path = below(table, fixed.key);
+    const Node* left = scene.find(fixed.key);
+    const Node* right = here.find(fixed.key);
+    if (alike(left, right) || !good(path)) return;
+    findings_.add(path,
+                  fmt::format("'{}' must be as in the scene, {}, not {}: {}", fixed.key,
+                              left ? found_text(*left) : "which has none",
+                              right ? found_text(*right) : "none", fixed.why),
+                  suggestion);
+  }
+
+  [[nodiscard]] bool good(const std::string& path) const {
+    return of_scene_.good({path}) && findings_.good({path});
+  }
+  static bool alike(const Node* a, const Node* b) {
+    return a && b ? format_value(*a) == format_value(*b) : a == b;
+  }
+
+  static constexpr const char* suggestion = "simulate that water in a scene of its own";
+  const Findings& of_scene_;
+  Findings& findings_;
+};
+
+}  // namespace
+
+Node written(const Scene& scene) { return tree_of(scene_alone(scene)); }
+
+OtherWater::OtherWater(const Reference& reference)
+    : reference_(reference),
+      document_(reference.document),
+      findings_(document_, reference.findings.end()) {}
+
+void OtherWater::change(const std::string& path, Node value, const Place& place) {
+  changes_.push_back({path, place});
+  if (const auto refusal = check_change(path, value))
+    return findings_.add_at(place, refusal->reason, refusal->suggestion);
+  move_to(place, value);
+  if (const auto numbered = assign(path, std::move(value), place, document_, findings_))
+    changes_.back().path = *numbered;
+}
+
+Scene OtherWater::read() {
+  Scene scene = scene_of(document_, reference_.folder, findings_);
+  check_sea(scene, findings_);
+  check_instrument(scene, findings_);
+  check_gates(scene, findings_);
+  Comparison(reference_.findings, findings_)
+      .compare_seas(*reference_.written.find("sea"), *written(scene).find("sea"));
+  if (reference_.check) reference_.check(scene, findings_);
+  return scene;
+}
+
+}  // namespace photic::scene
