@@ -120,6 +120,32 @@ template <std::floating_point T>
 T gather(const Table64& table, std::int32_t i) {
   return gather<T>(table.view(), i);
 }
+/// Lanes that stand one behind the other in memory.
+template <class T>
+T load(const Element<T>* from) {
+  if constexpr (lanes_of<T> == 1) {
+    return *from;
+  } else {
+    return T::load(from);
+  }
+}
+template <class T>
+T load(const Table& table, std::int32_t first) {
+  if constexpr (std::same_as<Element<T>, float>) {
+    return load<T>(table.rounded + first);
+  } else {
+    return load<T>(table.exact + first);
+  }
+}
+template <class T>
+void store(const T& lanes, Element<T>* to) {
+  if constexpr (lanes_of<T> == 1) {
+    *to = lanes;
+  } else {
+    lanes.store(to);
+  }
+}
+
 template <std::floating_point T>
 constexpr std::int32_t gather_index(const std::int32_t* data, std::int32_t i) {
   return data[i];
@@ -160,9 +186,15 @@ constexpr bool first_lanes(std::size_t n) {
 }
 
 /// 0, 1, 2, … in the lanes.
-template <std::floating_point T>
-constexpr std::int32_t lane_numbers() {
-  return 0;
+template <class T>
+constexpr Index<T> lane_numbers() {
+  if constexpr (lanes_of<T> == 1) {
+    return 0;
+  } else {
+    Index<T> out;
+    for (std::size_t i = 0; i < lanes_of<T>; ++i) out.set(i, static_cast<std::int32_t>(i));
+    return out;
+  }
 }
 
 /// The lanes of a mask to, or from, numbers one behind the other.

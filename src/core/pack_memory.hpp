@@ -67,13 +67,6 @@ template <class T>
 Mask<T> first_lanes(std::size_t n) {
   return mask_of_bits<T>(n >= 32 ? ~std::uint32_t{0} : (std::uint32_t{1} << n) - 1);
 }
-template <class T>
-  requires is_pack<T>
-Index<T> lane_numbers() {
-  Index<T> out;
-  for (std::size_t i = 0; i < T::lanes; ++i) out.set(i, static_cast<std::int32_t>(i));
-  return out;
-}
 
 /// Lane j of row i becomes lane i of row j.
 template <class E, int N, std::size_t rows>

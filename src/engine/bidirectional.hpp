@@ -86,9 +86,9 @@ class Bidirectional {
   Bidirectional(const World<T>& world, std::size_t at_once)
       : world_(world),
         at_once_(at_once * world.walks),
-        laser_(at_once_, false, !world.laser.submerged) {
+        laser_(at_once_, false, !world.laser.submerged, world.sea.environments) {
     for (const auto& telescope : world.telescopes)
-      back_.emplace_back(at_once_, true, !telescope.submerged);
+      back_.emplace_back(at_once_, true, !telescope.submerged, world.sea.environments);
   }
 
   /// Photons `first` … `first + count - 1`, the first of a batch and up.

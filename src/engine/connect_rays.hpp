@@ -126,8 +126,10 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Ray
   home.ray = moved;
   const auto meeting = meet(sea_, laser_.side(out, ends.laser, ends.i, in_path, freedom), home,
                             depth, layer, freedom, world_.reversal, samples_);
-  score(emitting & (meeting.path < world_.last_path), gain * meeting.value, meeting.path,
-        select(ends.m > Index<T>(0), last_depth(ends.back), depth), in_path.order);
+  if (world_.compares) [[unlikely]]
+    complete_by_meeting(out, moved, depth, layer);
+  score(pair.ends, Walked::both, emitting & (meeting.path < world_.last_path), gain * meeting.value,
+        meeting.path, select(ends.m > Index<T>(0), last_depth(ends.back), depth), in_path.order);
 }
 
 }  // namespace photic::engine

@@ -64,7 +64,9 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
   const T area =
       samples_.to_instrument * from.share * solid_angle / (way.per_area * way.index_squared) +
       (mirrored ? T(0) : from.meeting);
-  score(seen,
+  if (world_.compares) [[unlikely]]
+    complete_to_telescope(ends, v, way, mirrored);
+  score(ends, Walked::laser, seen,
         from.weight * way.passed * etendue *
             transport::balance(area, tau.all, tau.walk, from.end, transport::End<T>{}),
         path, depth, ends.i + Index<T>(1));
@@ -125,7 +127,9 @@ void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, c
   const T area =
       samples_.to_instrument * to.share * solid_angle / (way.per_area * way.index_squared) +
       (mirrored ? T(0) : to.meeting);
-  score(lit,
+  if (world_.compares) [[unlikely]]
+    complete_to_laser(ends, w, way, water, mirrored);
+  score(ends, Walked::telescope, lit,
         to.weight * way.passed *
             transport::balance(area, tau.all, tau.walk, transport::End<T>{}, to.end),
         path, last_depth(ends.back), ends.m + Index<T>(1));
@@ -194,7 +198,10 @@ void Connections<T>::along(const Ends<T>& ends, const Mask<T>& mask, const Index
   const T meeting = select(usable.meeting(edge), from.meeting * to.end.p, T(0)) +
                     select(usable.meeting(edge + Index<T>(1)), to.meeting * from.end.p, T(0));
   const T area = samples_.between * from.share * to.share * length * length + meeting;
-  score(in_time, from.weight * to.weight * balance(area, tau, walk_tau, from.end, to.end), path,
+  if (world_.compares) [[unlikely]]
+    complete_between(ends, line, v, w, length);
+  score(ends, Walked::both, in_time,
+        from.weight * to.weight * balance(area, tau, walk_tau, from.end, to.end), path,
         last_depth(ends.back), usable.order);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "core/flatten.hpp"
 #include "engine/give_out.hpp"
@@ -53,6 +54,9 @@ struct Pair {
   }
 };
 
+/// The walks that a path is made of.
+enum class Walked : std::int8_t { laser, telescope, both };
+
 template <class T>
 class Connections {
  public:
@@ -66,7 +70,8 @@ class Connections {
         samples_(samples),
         laser_(from_laser),
         back_(from_telescope),
-        tally_(tally) {}
+        tally_(tally),
+        ratios_(static_cast<std::size_t>(world.sea.environments.stride)) {}
 
   /// The laser's walk with the point of the lens of the telescope's that goes with it: the local
   /// estimate of a single ray.
@@ -138,15 +143,35 @@ class Connections {
     return {select(converts, other.exists, axis.exists), select(converts, other.x, axis.x),
             select(converts, other.y, axis.y)};
   }
+  // What the ends of paths, made one, do in environments.
+  void complete_to_telescope(const Ends<T>& ends, const Vertex& v, const transport::Way<T>& way,
+                             bool mirrored);
+  void complete_to_laser(const Ends<T>& ends, const Vertex& w, const transport::Way<T>& way,
+                         const T& length, bool mirrored);
+  void complete_between(const Ends<T>& ends, const Index<T>& line, const Vertex& v, const Vertex& w,
+                        const T& length);
+  void complete_by_meeting(const Ray& out, const Ray& home, const T& depth, const Index<T>& layer);
+  void score_in_environments(const Ends<T>& ends, Walked walked, const Mask<T>& mask,
+                             const T& value, const T& path, const T& last, const Index<T>& order);
+
   /// `last`: the depth at which light was last scattered.
-  void score(const Mask<T>& mask, const T& value, const T& path, const T& last,
-             const Index<T>& order) {
+  void score(const Ends<T>& ends, Walked walked, const Mask<T>& mask, const T& value, const T& path,
+             const T& last, const Index<T>& order) {
+    if (world_.compares) [[unlikely]]
+      return score_in_environments(ends, walked, mask, value, path, last, order);
+    each_score(mask, value, path, last, order,
+               [&](std::size_t, const tally::Score& score) { tally_.score(score); });
+  }
+  /// Calls act(lane, score) for the lanes of a mask, one after the other.
+  template <class Act>
+  void each_score(const Mask<T>& mask, const T& value, const T& path, const T& last,
+                  const Index<T>& order, Act act) const {
     const auto values = each_lane(value), paths = each_lane(path), depths = each_lane(last);
     const auto orders = each_lane(order);
     const std::int32_t line = each_lane(receiver_.line)[0];
     for_each_lane(mask, [&](int lane) {
       const auto k = static_cast<std::size_t>(lane);
-      tally_.score({receiver_.telescope, line, orders[k], depths[k], paths[k], values[k]});
+      act(k, tally::Score{receiver_.telescope, line, orders[k], depths[k], paths[k], values[k]});
     });
   }
 
@@ -160,6 +185,8 @@ class Connections {
   tally::BatchTally& tally_;
   Room to_telescope_, to_laser_, between_, chords_;
   std::array<Room, 2> crossings_;
+  transport::Completion<T> completion_;
+  std::vector<Element<T>> ratios_;  ///< of one lane, [environment]
 };
 
 template <class T>
@@ -174,5 +201,6 @@ void Connections<T>::close() {
 
 }  // namespace photic::engine
 
-#include "engine/connect_rays.hpp"      // IWYU pragma: export
-#include "engine/connect_vertices.hpp"  // IWYU pragma: export
+#include "engine/connect_environments.hpp"  // IWYU pragma: export
+#include "engine/connect_rays.hpp"          // IWYU pragma: export
+#include "engine/connect_vertices.hpp"      // IWYU pragma: export

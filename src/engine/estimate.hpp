@@ -29,7 +29,7 @@ struct Travellers {
   RandomPlace<T> place;
   std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
                                                 ///< part in local estimates of single rays
-  transport::Ratios<T> ratios;                  ///< of their paths' weights in environments
+  transport::Ratios<T> ratios;                  ///< of their weights in environments
 };
 
 /// Where a telescope's lens is looked through by a photon, all its life.
@@ -65,57 +65,56 @@ template <class T>
 struct Estimates {
   explicit Estimates(const World<T>& world)
       : waiting(world.telescopes.size()),
-        of_scores(static_cast<std::size_t>(world.sea.environments.count) * lanes_of<T>) {
-    ratios.begin(world.sea);
-  }
+        ratios(static_cast<std::size_t>(world.sea.environments.stride)) {}
 
   Targets<T> targets;  ///< of the directions that photons may take next
   std::vector<WaitingRoom<T, Sources<T>>> waiting;  ///< of each telescope
-  transport::Ratios<T> ratios;  ///< of the light that is scored, in environments
-  std::vector<Element<T>>
-      of_scores;  ///< the same with the way to the telescope, [environment][lane]
+
+  // Of the light that is scored, in environments.
+  transport::PathRatios<T>* kept = nullptr;
+  std::size_t first = 0;      ///< path of the first lane
+  transport::Terms<T> ahead;  ///< of ways that the photons have not gone, but the light has
+  transport::Completion<T> completion;
+  std::vector<Element<T>> ratios;  ///< of one lane, [environment]
 };
 
-/// Scores the lanes of a mask, one after the other; in environments too, by their ratios
-/// [environment][lane].
-template <class T>
-void score_lanes(const Mask<T>& seen, std::size_t telescope, const Sources<T>& from,
-                 const T& path_back, const T& value, const std::vector<Element<T>>& ratios,
-                 tally::BatchTally& tally) {
+/// Calls act(lane, score) for the lanes of a mask, one after the other.
+template <class T, class Act>
+void each_score(const Mask<T>& seen, std::size_t telescope, const Sources<T>& from,
+                const T& path_back, const T& value, Act act) {
   const auto lines = each_lane(from.line), orders = each_lane(from.photon.order);
   const auto depths = each_lane(from.photon.position.z),
              paths = each_lane(from.photon.path + path_back), values = each_lane(value);
   for_each_lane(seen, [&](int lane) {
     const auto i = static_cast<std::size_t>(lane);
-    const tally::Score score{telescope, lines[i], orders[i] + 1, -depths[i], paths[i], values[i]};
-    if (ratios.empty()) [[likely]]
-      tally.score(score);
-    else
-      tally.score(score, ratios.data() + i, lanes_of<T>);
+    act(i, tally::Score{telescope, lines[i], orders[i] + 1, -depths[i], paths[i], values[i]});
   });
 }
 
-/// Ratios of light that leaves a collision and goes straight to a telescope.
+/// Scores the lanes of a mask in environments, too: light that leaves a collision and goes straight
+/// to a telescope.
 template <class T>
-PHOTIC_APART void ratios_of_scores(const World<T>& world, std::size_t t, Sources<T> from,
-                                   transport::Connection<T> way, bool mirrored,
-                                   Estimates<T>& estimates) {
-  using namespace transport;
-  const Photon<T>& photon = from.photon;
-  Ratios<T>& ratios = estimates.ratios;
-  const Mask<T> converted = !(from.line == photon.line);
-  part_values(world.sea, photon.line, photon.layer, one_minus_cos(photon.direction, way.direction),
-              ratios.part);
-  for (std::size_t i = 0; i < ratios.of_path.size(); ++i) {
-    const auto e = static_cast<std::int32_t>(i);
-    const auto lanes =
-        each_lane(ratios.of_path[i] *
-                  collision_ratio(world.sea, e, photon, from.line, converted, ratios.part) *
-                  way_ratio(world.sea, e, from.line, photon, way, world.telescopes[t],
-                            world.telescope_layer[t], mirrored));
-    std::ranges::copy(lanes,
-                      estimates.of_scores.begin() + static_cast<std::ptrdiff_t>(i * lanes_of<T>));
-  }
+PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, std::size_t t,
+                                                       Mask<T> seen, Sources<T> from,
+                                                       transport::Connection<T> way, bool mirrored,
+                                                       T value, Estimates<T>& estimates,
+                                                       tally::BatchTally& tally) {
+  const medium::MediumView& sea = world.sea;
+  const transport::Photon<T>& photon = from.photon;
+  auto& completion = estimates.completion;
+  completion.clear();
+  completion.ways = estimates.ahead;
+  add_way(sea, from.line, photon.layer, T(-photon.position.z), way.direction, way.length_water,
+          world.telescopes[t].submerged, world.telescope_layer[t], mirrored, completion.ways);
+  completion.collide(sea, {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)),
+                           from.line, one_minus_cos(photon.direction, way.direction)});
+  each_score(seen, t, from, way.path, value, [&](std::size_t lane, const tally::Score& score) {
+    const std::size_t path = estimates.first + lane;
+    complete<T>(
+        sea.environments, completion, lane,
+        [&](std::int32_t e) { return estimates.kept->at(path, e); }, estimates.ratios.data());
+    tally.score(score, estimates.ratios.data());
+  });
 }
 
 /// Scores light in one telescope: weight before the collision x share of the process x phase
@@ -137,9 +136,12 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
     const T p = world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction),
                                                    from.phase);
     const T value = photon.weight * from.share * p * way.acceptance * exp_minus(way.optical_depth);
-    if (world.compares) [[unlikely]]
-      ratios_of_scores(world, t, from, way, mirrored, estimates);
-    score_lanes(seen, t, from, way.path, value, estimates.of_scores, tally);
+    if (world.compares) [[unlikely]] {
+      score_in_environments(world, t, seen, from, way, mirrored, value, estimates, tally);
+      return;
+    }
+    each_score(seen, t, from, way.path, value,
+               [&](std::size_t, const tally::Score& score) { tally.score(score); });
   };
   const auto& telescope = world.telescopes[t];
   const auto& layer = world.telescope_layer[t];
@@ -226,8 +228,11 @@ void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask
   const medium::MediumView& sea = world.sea;
   const Index<T> here = sea.at(at.photon.line, at.photon.layer);
   estimates.targets.clear();
-  if (world.compares) [[unlikely]]
-    estimates.ratios.of_path = at.ratios.of_path;
+  if (world.compares) [[unlikely]] {
+    estimates.kept = at.ratios.kept;
+    estimates.first = at.ratios.first;
+    estimates.ahead.clear();
+  }
   score_light(world, at.photon, at.lens, colliding, at.photon.line, gather<T>(sea.albedo, here),
               gather_index<T>(sea.elastic_phase, here), estimates, tally, world.directs);
   if (world.directs) aim_at_views(world, at.photon, estimates.targets);
@@ -245,10 +250,14 @@ void score_conversions(const World<T>& world, const Travellers<T>& from, const M
   const Mask<T> reached =
       convertible & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
   if (world.compares) [[unlikely]] {
-    estimates.ratios.of_path = from.ratios.of_path;
-    estimates.ratios.before = from.photon;
-    estimates.ratios.flown(sea, at,
-                           (at.path - from.photon.path) / gather<T>(sea.group_index, at.line));
+    estimates.kept = from.ratios.kept;
+    estimates.first = from.ratios.first;
+    estimates.ahead.clear();
+    add_passage(
+        sea,
+        {at.line, from.photon.layer, T(-from.photon.position.z), at.layer, T(-at.position.z),
+         (at.path - from.photon.path) / gather<T>(sea.group_index, at.line)},
+        estimates.ahead);
   }
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
   Index<T> i(0);

@@ -46,9 +46,6 @@ Mask<T> set_out(const World<T>& world, const Counter<T>& number, const Mask<T>& 
   for (std::size_t t = 0; t < travellers.lens.size(); ++t)
     travellers.lens[t] = chosen_lens_point(world, travellers.place, t);
 
-  if (world.compares) [[unlikely]]
-    travellers.ratios.begin(world.sea);
-
   const auto u = uniforms(travellers.place, 0);
   Photon<T>& photon = travellers.photon;
   photon = emit(world.laser, world.laser_layer, u[0], u[1]);
@@ -99,7 +96,7 @@ Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on,
     travellers.ratios.before = photon;
   const FlightEnd<T> end = fly(world.sea, photon, u[0]);
   if (world.compares) [[unlikely]]
-    travellers.ratios.flown(world.sea, photon, end.length);
+    travellers.ratios.flown(world.sea, photon, end.length, on);
   book(ledger.sea_bed, on & end.sea_bed, photon.weight);
   on = on & !end.sea_bed;
   const Mask<T> late = on & !in_time(world, photon);
@@ -137,6 +134,8 @@ template <class T>
 PHOTIC_FLATTEN void follow(const World<T>& world, std::uint64_t number, Travellers<T>& photon,
                            Estimates<T>& estimates, tally::BatchTally& tally) {
   bool on = set_out(world, number, true, photon, tally.ledger);
+  if (world.compares) [[unlikely]]
+    photon.ratios.kept->of(0).begin(world.sea.environments);
   while (on) on = next_event(world, photon, on, tally.ledger, tally, estimates);
 }
 

@@ -42,14 +42,20 @@ class BidirectionalLanes final : public Simulator {
 
  private:
   using Walks = Bidirectional<Lanes, LaneLedger<Lanes>>;
-  /// Walks at once: so many that few packs are partly empty, and all stay in the second cache.
-  static constexpr std::size_t at_once = 250;
+  /// Sets of walks at once: so many that few packs are partly empty, and all stay in the second
+  /// cache; fewer where many environments would take more memory than that.
+  [[nodiscard]] std::size_t at_once() const {
+    constexpr std::size_t wanted = 250;
+    constexpr std::size_t bytes = 16'000'000;
+    const std::size_t size = engine::Walks<Lanes>::size(world_.sea.environments);
+    const std::size_t fit = size > 0 ? std::min(wanted, bytes / size) : wanted;
+    return std::max<std::size_t>(1, fit / world_.walks);
+  }
 
   /// What a thread needs, which is large: used again from batch to batch.
   [[nodiscard]] std::unique_ptr<Walks> take() const {
     const std::scoped_lock lock(mutex_);
-    if (spare_.empty())
-      return std::make_unique<Walks>(world_, std::max<std::size_t>(1, at_once / world_.walks));
+    if (spare_.empty()) return std::make_unique<Walks>(world_, at_once());
     auto walks = std::move(spare_.back());
     spare_.pop_back();
     return walks;

@@ -34,11 +34,11 @@ class Pool {
   explicit Pool(const World<T>& world)
       : world_(world),
         lens_(world.telescopes.size()),
-        ratios_(static_cast<std::size_t>(world.sea.environments.count)),
+        ratios_(world.sea.environments, slots),
         estimates_(world) {
     travellers_.place.seed = world.seed;
     travellers_.lens.resize(world.single_rays ? lens_.size() : 0);
-    travellers_.ratios.begin(world.sea);
+    travellers_.ratios.kept = &ratios_;
   }
 
   /// Follows photons `first` … `first + count - 1` to their ends. `witness` is told of the packs
@@ -89,12 +89,12 @@ class Pool {
       f(t.lens[i].x, lens_[i][0]);
       f(t.lens[i].y, lens_[i][1]);
     }
-    for (std::size_t e = 0; e < t.ratios.of_path.size(); ++e) f(t.ratios.of_path[e], ratios_[e]);
   }
   void load(std::size_t k) {
     columns(travellers_, [k](auto& member, const auto& column) {
       member = std::decay_t<decltype(member)>::load(column.slot.data() + k);
     });
+    travellers_.ratios.first = k;
   }
   void store(std::size_t k) {
     columns(travellers_,
@@ -118,6 +118,8 @@ class Pool {
   /// Gives a slot to the newborn photon.
   void settle(std::size_t slot) {
     columns(newborn_, [&](const auto& member, auto& column) { column.slot[slot] = member[born_]; });
+    if (world_.compares) [[unlikely]]
+      ratios_.of(slot).begin(world_.sea.environments);
   }
   /// Gives the slots of those who have ended to new photons, or to the last ones.
   void replace() {
@@ -138,6 +140,8 @@ class Pool {
         if (used_ <= slot) return;
         columns(travellers_,
                 [&](const auto&, auto& column) { column.slot[slot] = column.slot[used_ - 1]; });
+        if (world_.compares) [[unlikely]]
+          ratios_.of(slot).copy(world_.sea.environments, ratios_.of(used_ - 1));
         --used_;
       }
     }
@@ -153,7 +157,7 @@ class Pool {
   Integer line_, layer_, order_, event_;
   ColumnOf<std::uint64_t> number_;
   std::vector<std::array<Real, 2>> lens_;          ///< of each telescope
-  std::vector<Real> ratios_;                       ///< of each environment
+  transport::PathRatios<T> ratios_;                ///< of each slot, in environments
   std::array<std::uint32_t, slots / width> on_{};  ///< who goes on, one bit for each lane
   std::size_t used_ = 0;
 

@@ -18,6 +18,8 @@ class ScalarSimulator final : public Simulator {
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     if (world_.walks == 0) {
       Travellers<T> photon;
+      transport::PathRatios<T> kept(world_.sea.environments, 1);
+      photon.ratios.kept = &kept;
       Estimates<T> estimates(world_);
       for (std::uint64_t i = 0; i < count; ++i) follow(world_, first + i, photon, estimates, tally);
       return;

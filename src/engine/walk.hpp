@@ -7,6 +7,7 @@
 
 #include "engine/records.hpp"
 #include "engine/world.hpp"
+#include "transport/environments.hpp"
 #include "transport/meet.hpp"
 #include "transport/receive.hpp"
 #include "transport/vertex.hpp"
@@ -57,7 +58,8 @@ class Walks {
   using Vertex = transport::Vertex<T>;
 
   /// `through_surface`: the instrument is in the air.
-  Walks(std::size_t walks, bool from_telescope, bool through_surface)
+  Walks(std::size_t walks, bool from_telescope, bool through_surface,
+        const medium::EnvironmentsView& environments)
       : from_telescope_(from_telescope),
         through_surface_(through_surface),
         outset_(walks),
@@ -68,7 +70,8 @@ class Walks {
         turns_(walks),
         converted_(walks),
         connected_(walks),
-        turned_(walks * stride) {}
+        turned_(walks * stride),
+        ratios_(environments, walks * stride) {}
 
   // Written by walkers, in the lanes of a mask.
   void begin(const Mask<T>& mask, const Index<T>& walk, const Outset<T>& outset, const Ray& first) {
@@ -100,6 +103,18 @@ class Walks {
   /// A telescope's walk turns a conversion back at vertex i.
   void converts(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i) {
     scatter(mask, walk, i, converted_.data());
+  }
+
+  /// Of the weights with which walks leave by their rays, in environments.
+  [[nodiscard]] transport::PathRatios<T>& ratios() { return ratios_; }
+  [[nodiscard]] const transport::PathRatios<T>& ratios() const { return ratios_; }
+  /// Where ray or vertex i of a walk is kept.
+  static Index<T> slot(const Index<T>& walk, const Index<T>& i) {
+    return walk * Index<T>(stride) + i;
+  }
+  /// So many bytes does a walk take in environments.
+  static std::size_t size(const medium::EnvironmentsView& environments) {
+    return stride * transport::PathRatios<T>::size(environments);
   }
 
   // Of one walk.
@@ -198,9 +213,6 @@ class Walks {
   /// a cache.
   static constexpr std::size_t stride = most_vertices + 1;
 
-  static Index<T> slot(const Index<T>& walk, const Index<T>& i) {
-    return walk * Index<T>(stride) + i;
-  }
   [[nodiscard]] transport::Densities<T> behind(const Ray& ray, const Index<T>& walk,
                                                const Index<T>& m, const Usable<T>& usable) const {
     const Mask<T> first = m == Index<T>(0);
@@ -232,6 +244,7 @@ class Walks {
   Records<T, Vertex> vertex_;
   std::vector<std::int32_t> rays_, vertices_, turns_, converted_, connected_;  ///< of each walk
   std::vector<std::int32_t> turned_;  ///< vertices with a last turn, of the laser's walks
+  transport::PathRatios<T> ratios_;   ///< of each ray
 };
 
 }  // namespace photic::engine

@@ -84,6 +84,8 @@ class WalkTaker {
     outset.spread = begin.spread;
     walks_.leave_out(exist & !begin.exists, walker.walk);
     walks_.begin(begins, walker.walk, outset, {transport::walk_point(begin.photon)});
+    if (world_.compares) [[unlikely]]
+      begin_ratios(walker.walk, begins);
     waiting_columns_.each(
         walker, [&](const auto& member, auto* column) { compress(begins, member, column); });
     waiting_ = count(begins);
@@ -188,8 +190,37 @@ class WalkTaker {
     }
     const Ray<T> ray = next_ray(photon, vertex, departure);
     walks_.add(colliding, walker_.walk, walker_.vertices, ray);
+    if (world_.compares) [[unlikely]]
+      keep_ratios(vertex, ray, colliding);
     assign<T>(colliding, ray, walker_.ray);
     walker_.leg = select(colliding, Leg<T>{}, walker_.leg);
+  }
+
+  PHOTIC_APART void begin_ratios(Index<T> walk, const Mask<T>& mask) {
+    const auto first = each_lane(Walks<T>::slot(walk, Index<T>(0)));
+    for_each_lane(mask, [&](int lane) {
+      walks_.ratios().of(first[static_cast<std::size_t>(lane)]).begin(sea_.environments);
+    });
+  }
+  /// Of walks that leave a vertex by a new ray, from those of the ray before.
+  PHOTIC_APART void keep_ratios(const transport::Vertex<T>& vertex, const transport::Ray<T>& ray,
+                                const Mask<T>& mask) {
+    way_.clear();
+    collision_.clear();
+    add_leg(sea_, walker_.ray, vertex, way_);
+    add_encounter(sea_,
+                  {vertex.line, vertex.layer, Mask<T>(!(vertex.line == ray.line)), vertex.line,
+                   one_minus_cos(vertex.direction, ray.direction)},
+                  collision_);
+    const auto next = each_lane(Walks<T>::slot(walker_.walk, walker_.vertices));
+    for_each_lane(mask, [&](int lane) {
+      const auto k = static_cast<std::size_t>(lane);
+      const auto slot = static_cast<std::size_t>(next[k]);
+      const auto kept = walks_.ratios().of(slot);
+      kept.copy(sea_.environments, walks_.ratios().of(slot - 1));
+      kept.pass(sea_.environments, way_, k);
+      kept.collide(sea_.environments, collision_, k);
+    });
   }
 
   const World<T>& world_;
@@ -199,6 +230,7 @@ class WalkTaker {
   Walks<T>& walks_;
   tally::BatchTally& tally_;
   Walker<T> walker_;
+  transport::Terms<T> way_, collision_;  ///< of what happens to it, in environments
 
   LaneColumns<T, Walker<T>, lanes> waiting_columns_;  ///< of those who have begun without a lane
   std::size_t waiting_ = 0, settled_ = 0;

@@ -57,23 +57,22 @@ bool is(const EmittedLine& emitted, const Line& line) {
   return emitted.process == line.process && emitted.wavelength_nm == line.wavelength_nm;
 }
 
-[[noreturn]] void refuse(const std::string& environment, const scene::Layer& layer,
+[[noreturn]] void refuse(const std::string& who, const scene::Layer& layer,
                          const std::string& what) {
-  throw InputError({{"", 0, 0,
-                     fmt::format("environment \"{}\": layer \"{}\" {}, and not in the scene itself",
-                                 environment, layer.name, what),
-                     "no history of the scene goes that way: give the scene a little of it, too"}});
+  throw InputError(
+      {{"", 0, 0,
+        fmt::format("{}: layer \"{}\" {}, and not in the scene itself", who, layer.name, what),
+        "no history of the scene goes that way: give the scene a little of it, too"}});
 }
 
 /// Light that only an environment emits has no line in the medium.
-void check_emitted(const std::string& environment, const scene::Scene& scene, const Medium& medium,
+void check_emitted(const std::string& who, const scene::Scene& scene, const Medium& medium,
                    const std::vector<EmittedLine>& emitted) {
   for (const EmittedLine& e : emitted) {
     if (std::ranges::any_of(medium.line, [&](const Line& line) { return is(e, line); })) continue;
     for (std::size_t k = 0; k < e.coefficient_per_m.size(); ++k) {
       if (e.coefficient_per_m[k] > 0)
-        refuse(environment, scene.sea.layer[k],
-               fmt::format("emits {} light", process_name(e.process)));
+        refuse(who, scene.sea.layer[k], fmt::format("emits {} light", process_name(e.process)));
     }
   }
 }
@@ -85,8 +84,8 @@ double emitted_into(const Line& line, std::size_t layer, const std::vector<Emitt
   return 0;
 }
 
-Waters waters_of(const std::string& environment, const scene::Scene& scene,
-                 const optics::Library& library, const Medium& medium, PhaseTables& tables) {
+Waters waters_of(const std::string& who, const scene::Scene& scene, const optics::Library& library,
+                 const Medium& medium, PhaseTables& tables) {
   const LayerOptics optics_of(scene, library);
   std::vector<double> a_exciting_per_m, a_per_m;
   for (const auto& layer : scene.sea.layer) {
@@ -95,7 +94,7 @@ Waters waters_of(const std::string& environment, const scene::Scene& scene,
     a_per_m.push_back(water.a_per_m);
   }
   const auto emitted = emitted_lines(scene, library, a_exciting_per_m);
-  check_emitted(environment, scene, medium, emitted);
+  check_emitted(who, scene, medium, emitted);
   for (std::size_t k = 0; k < a_per_m.size(); ++k) emitted_per_m(emitted, scene, k, a_per_m[k]);
   Waters out;
   for (const Line& line : medium.line) {
@@ -119,22 +118,63 @@ double scattered_by(const Water& water, std::int32_t phase) {
   return sum;
 }
 
-/// The phase functions of which some environment has more or less.
-std::vector<std::int32_t> varied_phases(const Water& water, const std::vector<Waters>& others,
+/// Of an environment, or a tangent: what changes, in units of `scale`.
+struct Variation {
+  std::string name;  ///< as users know it
+  Waters from, to;
+  double scale = 1;
+};
+
+/// The phase functions that some variation has more or less of.
+std::vector<std::int32_t> varied_phases(const std::vector<Variation>& variations,
                                         std::size_t cell) {
   std::vector<std::int32_t> out;
   const auto look_at = [&](const Water& one) {
     for (const auto& part : one.part) {
-      const auto differs = [&](const Waters& other) {
-        return scattered_by(other[cell], part.phase) != scattered_by(water, part.phase);
+      const auto differs = [&](const Variation& v) {
+        return scattered_by(v.from[cell], part.phase) != scattered_by(v.to[cell], part.phase);
       };
-      if (std::ranges::find(out, part.phase) == out.end() && std::ranges::any_of(others, differs))
+      if (std::ranges::find(out, part.phase) == out.end() &&
+          std::ranges::any_of(variations, differs))
         out.push_back(part.phase);
     }
   };
-  look_at(water);
-  for (const Waters& other : others) look_at(other[cell]);
+  for (const Variation& v : variations) {
+    look_at(v.from[cell]);
+    look_at(v.to[cell]);
+  }
   return out;
+}
+
+std::vector<Variation> variations_of(const scene::Scene& scene, const Waters& reference,
+                                     const optics::Library& library, const Medium& medium,
+                                     PhaseTables& tables) {
+  std::vector<Variation> out;
+  for (const auto& environment : scene.environment) {
+    const std::string name = fmt::format("environment \"{}\"", environment.name);
+    out.push_back({name, reference,
+                   waters_of(name, scene::scene_in(scene, environment), library, medium, tables)});
+  }
+  return out;
+}
+
+/// Adds a variation's numbers of a cell, where there is `here` in the medium.
+void add_numbers(const Variation& v, const Water& here, std::size_t cell,
+                 const std::vector<std::int32_t>& phases, EnvironmentTables& out) {
+  const Water& from = v.from[cell];
+  const Water& to = v.to[cell];
+  out.excess_c.push_back(v.scale * (to.c_per_m - from.c_per_m));
+  out.excess_emitted.push_back(here.emitted_per_m > 0
+                                   ? v.scale * (to.emitted_per_m - from.emitted_per_m) /
+                                         here.emitted_per_m
+                                   : 0.0);
+  for (std::size_t p = 0; p < static_cast<std::size_t>(out.parts); ++p) {
+    const bool counts = p < phases.size() && here.b_per_m > 0;
+    out.excess_part.push_back(
+        counts
+            ? v.scale * (scattered_by(to, phases[p]) - scattered_by(from, phases[p])) / here.b_per_m
+            : 0.0);
+  }
 }
 
 }  // namespace
@@ -144,44 +184,29 @@ void add_environments(const scene::Scene& scene, const optics::Library& library,
   if (scene.environment.empty()) return;
   PhaseTables tables(medium);
   const Waters reference = waters_of("", scene, library, medium, tables);
-  std::vector<Waters> others;
-  for (const auto& environment : scene.environment)
-    others.push_back(
-        waters_of(environment.name, scene::scene_in(scene, environment), library, medium, tables));
-
+  const auto variations = variations_of(scene, reference, library, medium, tables);
   const std::size_t layers = scene.sea.layer.size();
   const std::size_t cells = reference.size();
   std::vector<std::vector<std::int32_t>> varied;
-  for (std::size_t i = 0; i < cells; ++i) varied.push_back(varied_phases(reference[i], others, i));
+  for (std::size_t i = 0; i < cells; ++i) varied.push_back(varied_phases(variations, i));
   EnvironmentTables& out = medium.environments;
-  out.count = static_cast<std::int32_t>(others.size());
+  out.count = static_cast<std::int32_t>(variations.size());
+  out.first_tangent = static_cast<std::int32_t>(scene.environment.size());
   for (const auto& phases : varied)
     out.parts = std::max(out.parts, static_cast<std::int32_t>(phases.size()));
-  const auto parts = static_cast<std::size_t>(out.parts);
   for (const auto& phases : varied) {
-    for (std::size_t p = 0; p < parts; ++p)
+    for (std::size_t p = 0; p < static_cast<std::size_t>(out.parts); ++p)
       out.part_phase.push_back(p < phases.size() ? phases[p] : 0);
   }
-  for (std::size_t e = 0; e < others.size(); ++e) {
+  for (const Variation& v : variations) {
     for (std::size_t i = 0; i < cells; ++i) {
       const Water& here = reference[i];
-      const Water& other = others[e][i];
-      const std::string& name = scene.environment[e].name;
       const scene::Layer& layer = scene.sea.layer[i % layers];
-      out.excess_c.push_back(other.c_per_m - here.c_per_m);
-      if (here.b_per_m == 0 && other.b_per_m > 0) refuse(name, layer, "scatters light");
-      if (here.emitted_per_m == 0 && other.emitted_per_m > 0)
-        refuse(name, layer,
+      if (here.b_per_m == 0 && v.to[i].b_per_m > 0) refuse(v.name, layer, "scatters light");
+      if (here.emitted_per_m == 0 && v.to[i].emitted_per_m > 0)
+        refuse(v.name, layer,
                fmt::format("emits {} light", process_name(medium.line[i / layers].process)));
-      out.excess_emitted.push_back(
-          here.emitted_per_m > 0 ? other.emitted_per_m / here.emitted_per_m - 1 : 0.0);
-      for (std::size_t p = 0; p < parts; ++p) {
-        const bool counts = p < varied[i].size() && here.b_per_m > 0;
-        out.excess_part.push_back(
-            counts ? (scattered_by(other, varied[i][p]) - scattered_by(here, varied[i][p])) /
-                         here.b_per_m
-                   : 0.0);
-      }
+      add_numbers(v, here, i, varied[i], out);
     }
   }
 }

@@ -23,6 +23,11 @@ double connecting_share(double walk_share, bool emitted, double albedo) {
                  : walk_share;
 }
 
+/// So many numbers as there are in a row for so many environments.
+std::int32_t padded(std::int32_t environments) {
+  return (environments + environment_padding - 1) / environment_padding * environment_padding;
+}
+
 constexpr std::size_t table_size = std::size_t{PhaseView::cells} * PhaseView::fields;
 
 }  // namespace
@@ -61,10 +66,29 @@ std::vector<double> Medium::depth_integrals(const std::vector<double>& coefficie
   return out;
 }
 
+std::vector<double> Medium::environment_rows() const {
+  const auto count = static_cast<std::size_t>(environments.count);
+  const auto stride = static_cast<std::size_t>(padded(environments.count));
+  std::vector<double> out;
+  /// Of a table [environment][row].
+  const auto add = [&](const std::vector<double>& table) {
+    const std::size_t rows = count > 0 ? table.size() / count : 0;
+    for (std::size_t row = 0; row < rows; ++row) {
+      for (std::size_t e = 0; e < stride; ++e)
+        out.push_back(e < count ? table[e * rows + row] : 0.0);
+    }
+  };
+  add(environments.excess_c);
+  add(depth_integrals(environments.excess_c));
+  add(environments.excess_emitted);
+  add(environments.excess_part);
+  return out;
+}
+
 double Medium::least_c(std::size_t cell) const {
   double least = c[cell];
-  for (std::size_t i = cell; i < environments.excess_c.size(); i += c.size())
-    least = std::min(least, c[cell] + environments.excess_c[i]);
+  for (std::size_t e = 0; e < static_cast<std::size_t>(environments.first_tangent); ++e)
+    least = std::min(least, c[cell] + environments.excess_c[e * c.size() + cell]);
   return least;
 }
 
@@ -106,10 +130,7 @@ void Medium::finish(std::optional<double> walk_share) {
   depth_tau_ = TwinTable(depth_integrals(c));
   walk_depth_tau_ = TwinTable(depth_integrals(walk_c));
   continuous_depth_tau_ = TwinTable(depth_integrals(continuous_c));
-  excess_c_ = TwinTable(environments.excess_c);
-  excess_depth_tau_ = TwinTable(depth_integrals(environments.excess_c));
-  excess_emitted_ = TwinTable(environments.excess_emitted);
-  excess_part_ = TwinTable(environments.excess_part);
+  environment_rows_ = TwinTable(environment_rows());
   part_phase_ = IndexTableOwner(environments.part_phase);
   elastic_phase_ = IndexTableOwner(elastic_phase);
   conversion_phase_ = IndexTableOwner(conversion_phase);
@@ -149,9 +170,17 @@ MediumView Medium::view() const {
   v.group_index = group_index_.view();
   v.elastic_phase = elastic_phase_.view();
   v.conversion_phase = conversion_phase_.view();
-  v.environments = {environments.count,       environments.parts,     excess_c_.view(),
-                    excess_depth_tau_.view(), excess_emitted_.view(), part_phase_.view(),
-                    excess_part_.view()};
+  EnvironmentsView& e = v.environments;
+  e.count = environments.count;
+  e.first_tangent = environments.first_tangent;
+  e.stride = padded(e.count);
+  e.parts = environments.parts;
+  const std::int32_t cells = v.lines * v.layers;
+  e.first_depth = cells;
+  e.first_emitted = e.first_depth + v.lines * (v.layers + 1);
+  e.first_part = e.first_emitted + cells;
+  e.number = environment_rows_.table();
+  e.part_phase = part_phase_.view();
   v.phases.cell = phase_cells_.table();
   v.phases.guide = phase_guides_.data();
   return v;

@@ -22,18 +22,25 @@ enum class Process : std::int32_t { elastic, raman, chlorophyll };
 const char* process_name(Process process);
 
 /// What a walk sees of the environments: other waters, whose echoes are those of the same paths
-/// with other weights. Line l of environment e stands where line e * lines + l would.
+/// with other weights. What light meets in them more or less than in the medium stands in rows of
+/// one number for each.
+///
+/// Behind the environments stand tangents, one for each parameter p that derivatives are asked for:
+/// for them a path's weight is 1 + p d ln(weight) / dp times what it is in the medium, and their
+/// rows hold p d/dp of what those of environments hold the differences of.
 struct EnvironmentsView {
-  std::int32_t count = 0;
-  std::int32_t parts = 0;       ///< of the scattering that are more or less in some environment
-  ShortTable excess_c;          ///< attenuation less the medium's, [environment][line][layer]
-  ShortTable excess_depth_tau;  ///< its integral, [environment][line][layers + 1]
-  ShortTable
-      excess_emitted;      ///< emitted light over the medium's, less 1, [environment][line][layer]
-  IndexTable part_phase;   ///< table in the medium's phases, [line][layer][part]
-  ShortTable excess_part;  ///< a part's scattering less the medium's, over all scattering of the
-                           ///< medium, [environment][line][layer][part]
+  std::int32_t count = 0;  ///< of environments and tangents
+  std::int32_t first_tangent = 0;
+  std::int32_t stride = 0;       ///< from row to row: padded with zeros
+  std::int32_t parts = 0;        ///< of the scattering that are more or less in some environment
+  std::int32_t first_depth = 0;  ///< row of ...
+  std::int32_t first_emitted = 0, first_part = 0;
+  Table number;           ///< [row][environment]
+  IndexTable part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
+
+/// Rows are a multiple of this long: a whole number of packs, however wide.
+inline constexpr std::int32_t environment_padding = 16;
 
 /// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
@@ -93,13 +100,24 @@ struct MediumView {
     return slant<T>(continuous_c, continuous_depth_tau, line, layer1, depth1, layer2, depth2,
                     length);
   }
-  /// How much deeper the way is in an environment; below 0 where it is less.
-  template <class T>
-  T excess_slant_optical_depth(std::int32_t environment, const Index<T>& line,
-                               const Index<T>& layer1, const T& depth1, const Index<T>& layer2,
-                               const T& depth2, const T& length) const {
-    return slant<T>(environments.excess_c, environments.excess_depth_tau,
-                    line + Index<T>(environment * lines), layer1, depth1, layer2, depth2, length);
+  // Rows of the environments' numbers: attenuation less the medium's [1/m], its integral from the
+  // surface to a layer's top, emitted light over the medium's less 1, and a part's scattering less
+  // the medium's, over all scattering of the medium.
+  template <class I>
+  I excess_c(const I& line, const I& layer) const {
+    return at(line, layer);
+  }
+  template <class I>
+  I excess_depth_tau(const I& line, const I& layer) const {
+    return I(environments.first_depth) + line * I(layers + 1) + layer;
+  }
+  template <class I>
+  I excess_emitted(const I& line, const I& layer) const {
+    return I(environments.first_emitted) + at(line, layer);
+  }
+  template <class I>
+  I excess_part(const I& line, const I& layer, std::int32_t part) const {
+    return I(environments.first_part + part) + at(line, layer) * I(environments.parts);
   }
 
  private:
@@ -133,11 +151,15 @@ struct Line {
   double group_index = 1;
 };
 
-/// The tables of the environments, in the order of EnvironmentsView.
+/// The tables of the environments.
 struct EnvironmentTables {
-  std::int32_t count = 0, parts = 0;
-  std::vector<double> excess_c, excess_emitted, excess_part;
-  std::vector<std::int32_t> part_phase;
+  std::int32_t count = 0, first_tangent = 0;  ///< as in EnvironmentsView
+  std::int32_t parts = 0;
+  std::vector<double> excess_c,  ///< attenuation less the medium's, [environment][line][layer]
+      excess_emitted,            ///< emitted light over the medium's, less 1, as above
+      excess_part;  ///< a part's scattering less the medium's, over all scattering of the medium,
+                    ///< [environment][line][layer][part]
+  std::vector<std::int32_t> part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
 
 /// Free paths of emitted light that is to be connected are drawn from so much less of its
@@ -172,6 +194,8 @@ class Medium {
   /// The least attenuation of a line and layer in the medium and the environments. Free paths are
   /// drawn from no more: weights of longer ones would have no bound.
   [[nodiscard]] double least_c(std::size_t cell) const;
+  /// The environments' numbers, [row][environment].
+  [[nodiscard]] std::vector<double> environment_rows() const;
   /// Integrals over depth from the surface to the layers' edges, [line][layers + 1], for as many
   /// lines as there are coefficients of.
   [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
@@ -179,7 +203,7 @@ class Medium {
   /// The tables of the view, in both precisions.
   TwinTable top_, c_, albedo_, conversion_, absorption_, depth_tau_, walk_c_, walk_depth_tau_,
       continuous_c_, continuous_depth_tau_, collision_gain_, index_, inverse_index_, group_index_,
-      excess_c_, excess_depth_tau_, excess_emitted_, excess_part_;
+      environment_rows_;
   IndexTableOwner convertible_, convertible_count_, elastic_phase_, conversion_phase_, part_phase_;
   TwinTable phase_cells_;  ///< of all phase functions, one behind the other
   std::vector<std::int32_t> phase_guides_;

@@ -170,17 +170,6 @@ void check_gates(const Scene& scene, Findings& findings) {
     check_time_gates(scene, keys, findings);
 }
 
-void check_estimator(const Scene& scene, Findings& findings) {
-  if (scene.compares() && scene.simulation.estimator == "bidirectional" &&
-      findings.good({"simulation.estimator"})) {
-    findings.add("simulation.estimator",
-                 fmt::format("the bidirectional estimator has no {} in this version",
-                             scene.environment.empty() ? "sensitivities" : "environments"),
-                 fmt::format("write estimator = \"forward\", or leave {} out",
-                             scene.environment.empty() ? "sensitivity" : "[[environment]]"));
-  }
-}
-
 void check_memory(const Scene& scene, Findings& findings) {
   if (!findings.good({"telescope", "channel", "gates", "simulation.orders_kept", "environment",
                       "sensitivity"}))

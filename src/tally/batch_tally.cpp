@@ -12,7 +12,9 @@ BatchTally::BatchTally(const Shape& shape, const Gates& gates)
       cut_order(shape.cells()),
       largest(shape.cells()),
       octaves(shape.cells()),
-      environment(shape.cells() * shape.environments),
+      environment_groups((shape.environments + EnvironmentScores::size - 1) /
+                         EnvironmentScores::size),
+      environment(shape.cells() * environment_groups),
       shape_(&shape),
       gates_(&gates) {}
 
@@ -62,8 +64,8 @@ void BatchTally::clear() {
     cut_order[cell] = 0;
     largest[cell] = 0;
     octaves[cell].fill(0);
-    std::fill_n(environment.begin() + static_cast<std::ptrdiff_t>(cell * shape_->environments),
-                shape_->environments, EnvironmentScores{});
+    std::fill_n(environment.begin() + static_cast<std::ptrdiff_t>(cell * environment_groups),
+                environment_groups, EnvironmentScores{});
   }
   for (const std::uint32_t k : touched_depths) by_depth[k] = 0;
   touched_cells.clear();

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "tally/shape.hpp"
@@ -29,12 +30,37 @@ struct Score {
   double value = 0;  ///< expected photons
 };
 
-/// What a batch scored in one cell for an environment.
+/// What a batch scored in one cell for some environments, one behind the other: added up for all of
+/// them at once.
 struct EnvironmentScores {
-  double echo = 0;
-  double difference = 0;  ///< to the scene's echo
-  double largest = 0;     ///< single score
-  Powers of_scores, of_differences;
+  static constexpr std::size_t size = 8;
+  using Each = std::array<double, size>;
+  Each echo{};
+  Each difference{};          ///< to the scene's echo
+  Each largest{};             ///< single score
+  Each squares{}, fourths{};  ///< sums of powers of scores
+  Each squares_of_differences{}, fourths_of_differences{};
+
+  Each not_finite{};  ///< scores that are left out for it
+
+  /// Adds a score that is so many times as large in the environments.
+  template <class Number>
+  void add(double score, const Number* ratios) {
+    for (std::size_t e = 0; e < size; ++e) {
+      const auto ratio = static_cast<double>(ratios[e]);
+      const bool finite = std::abs(score * ratio) <= std::numeric_limits<double>::max();
+      const double value = finite ? score * ratio : 0.0;
+      const double change = finite ? score * (ratio - 1) : 0.0;
+      not_finite[e] += finite ? 0.0 : 1.0;
+      echo[e] += value;
+      difference[e] += change;
+      largest[e] = value > largest[e] ? value : largest[e];
+      squares[e] += value * value;
+      fourths[e] += value * value * (value * value);
+      squares_of_differences[e] += change * change;
+      fourths_of_differences[e] += change * change * (change * change);
+    }
+  }
 };
 
 class BatchTally {
@@ -42,30 +68,18 @@ class BatchTally {
   BatchTally(const Shape& shape, const Gates& gates);
 
   void score(const Score& s) { add(s); }
-  /// The same with environments, in which the score is ratios[e * stride] times as large.
+  /// The same with environments, in which the score is ratios[e] times as large; there are whole
+  /// groups of EnvironmentScores::size of them, the last ones perhaps of no environment.
   template <class Number>
-  void score(const Score& s, const Number* ratios, std::size_t stride) {
+  void score(const Score& s, const Number* ratios) {
     const std::int32_t gate = add(s);
     if (gate < 0) return;
     for (const std::int32_t channel : shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
-      const std::size_t first =
-          shape_->environments * shape_->cell(s.telescope, static_cast<std::size_t>(channel),
-                                              static_cast<std::size_t>(gate));
-      for (std::size_t e = 0; e < shape_->environments; ++e) {
-        const auto ratio = static_cast<double>(ratios[e * stride]);
-        const double value = s.value * ratio;
-        if (!std::isfinite(value)) {
-          ++not_finite;
-          continue;
-        }
-        EnvironmentScores& sum = environment[first + e];
-        sum.echo += value;
-        const double difference = s.value * (ratio - 1);
-        sum.difference += difference;
-        sum.largest = value > sum.largest ? value : sum.largest;
-        sum.of_scores.add(value);
-        sum.of_differences.add(difference);
-      }
+      const std::size_t cell = shape_->cell(s.telescope, static_cast<std::size_t>(channel),
+                                            static_cast<std::size_t>(gate));
+      for (std::size_t g = 0; g < environment_groups; ++g)
+        environment[cell * environment_groups + g].add(s.value,
+                                                       ratios + g * EnvironmentScores::size);
     }
   }
   void clear();
@@ -77,7 +91,8 @@ class BatchTally {
   std::vector<double> cut_order;   ///< [cell] first order beyond max_order
   std::vector<double> largest;     ///< [cell] largest single score
   std::vector<std::array<std::uint32_t, score_octaves>> octaves;  ///< [cell]
-  std::vector<EnvironmentScores> environment;                     ///< [cell][environment]
+  std::size_t environment_groups;
+  std::vector<EnvironmentScores> environment;  ///< [cell][group of environments]
   std::vector<std::uint32_t> touched_cells, touched_depths;
 
   Ledger ledger;  ///< sums of weights

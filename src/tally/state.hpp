@@ -65,11 +65,6 @@ struct TailSums {
 /// Sums of powers of single scores: few that carry all stand out in the fourth.
 struct Powers {
   double square = 0, fourth = 0;
-  void add(double score) {
-    const double squared = score * score;
-    square += squared;
-    fourth += squared * squared;
-  }
   friend Powers operator+(const Powers& a, const Powers& b) {
     return {a.square + b.square, a.fourth + b.fourth};
   }

@@ -42,8 +42,8 @@ double log_spread(double batches) { return 1 / std::sqrt(2 * (batches - 1)); }
 
 /// The one of two ways to the same sum that loses no digits: an environment like the scene has the
 /// scene's echo to the last bit, one without light has none.
-double environment_echo(double echo, const EnvironmentScores& scored) {
-  return std::abs(scored.difference) < echo / 2 ? echo + scored.difference : scored.echo;
+double environment_echo(double echo, double difference, double scored) {
+  return std::abs(difference) < echo / 2 ? echo + difference : scored;
 }
 
 /// Whether few scores carry the second moment.
@@ -95,15 +95,7 @@ void Totals::merge(const BatchTally& batch) {
     state_.largest[cell] = std::max(state_.largest[cell], batch.largest[cell]);
     for (std::size_t k = 0; k < score_octaves; ++k)
       state_.octaves[cell][k] += batch.octaves[cell][k];
-    for (std::size_t i = cell * shape_->environments; i < (cell + 1) * shape_->environments; ++i) {
-      const EnvironmentScores& scored = batch.environment[i];
-      EnvironmentSums& sums = state_.environment[i];
-      sums.echo.add(environment_echo(echo, scored), n);
-      sums.difference.add(scored.difference, n);
-      sums.largest = std::max(sums.largest, scored.largest);
-      sums.of_scores = sums.of_scores + scored.of_scores;
-      sums.of_differences = sums.of_differences + scored.of_differences;
-    }
+    merge_environments(batch, cell, echo);
   }
   for (const std::uint32_t k : batch.touched_depths) state_.by_depth[k].add(batch.by_depth[k], n);
 
@@ -125,6 +117,23 @@ void Totals::merge(const BatchTally& batch) {
     state_.snapshot_photons.push_back(static_cast<double>(state_.photons));
     state_.snapshot_batches.push_back(static_cast<double>(state_.batches));
     for (const TailSums& s : state_.echo) state_.snapshot_echo.push_back(s.low);
+  }
+}
+
+void Totals::merge_environments(const BatchTally& batch, std::size_t cell, double echo) {
+  const auto n = static_cast<double>(batch.photons);
+  for (std::size_t e = 0; e < shape_->environments; ++e) {
+    const std::size_t group = cell * batch.environment_groups + e / EnvironmentScores::size;
+    const std::size_t k = e % EnvironmentScores::size;
+    const EnvironmentScores& scored = batch.environment[group];
+    EnvironmentSums& sums = state_.environment[cell * shape_->environments + e];
+    sums.echo.add(environment_echo(echo, scored.difference[k], scored.echo[k]), n);
+    sums.difference.add(scored.difference[k], n);
+    sums.largest = std::max(sums.largest, scored.largest[k]);
+    state_.not_finite += static_cast<std::uint64_t>(scored.not_finite[k]);
+    sums.of_scores = sums.of_scores + Powers{scored.squares[k], scored.fourths[k]};
+    sums.of_differences = sums.of_differences + Powers{scored.squares_of_differences[k],
+                                                       scored.fourths_of_differences[k]};
   }
 }
 

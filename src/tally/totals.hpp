@@ -48,6 +48,8 @@ class Totals {
   [[nodiscard]] TotalsState state() && { return std::move(state_); }
 
  private:
+  /// What a batch scored in the environments of a cell whose echo in the scene is given.
+  void merge_environments(const BatchTally& batch, std::size_t cell, double echo);
   void estimate(const Sums& sums, Estimates& out) const;
   [[nodiscard]] double variance_of_variance(const TailSums& s) const;
   /// As far as sums over batches and the largest score tell.

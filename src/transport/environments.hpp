@@ -1,8 +1,17 @@
 // What becomes of a path's weight in other waters than those it was drawn in: the ratio of the
-// path's density there to that here, factor by factor (docs/theory.md, "Environments").
+// path's density there to that here (docs/theory.md, "Environments").
+//
+// Along a path two numbers are kept for each environment: the product of what collisions do, and
+// how much deeper the water is. What a flight or a collision does to them is a sum of rows of the
+// medium's tables, with factors that are the same for all environments. The factors are worked out
+// for the photons of all lanes at once; the sums then, photon by photon, for so many environments
+// at once as there are lanes.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/elementary.hpp"
@@ -11,121 +20,308 @@
 #include "medium/medium.hpp"
 #include "optics/phase_table.hpp"
 #include "transport/connect.hpp"
+#include "transport/vertex.hpp"
 
 namespace photic::transport {
 
-/// A straight piece of a way in the water, from one depth to another.
+/// Rows of the environments' numbers, each with a factor, lane by lane.
+template <class T>
+class Terms {
+ public:
+  void clear() { count_ = 0; }
+  void add(const Index<T>& row, const T& factor) {
+    if (count_ == term_.size()) term_.emplace_back();
+    term_[count_++] = {each_lane(row), each_lane(factor)};
+  }
+  /// Their sum in a lane, for environments from `first` on.
+  [[nodiscard]] T sum(const medium::EnvironmentsView& environments, std::size_t lane,
+                      std::int32_t first) const {
+    T sum(0);
+    for (std::size_t k = 0; k < count_; ++k) {
+      const auto& [rows, factors] = term_[k];
+      if (factors[lane] == 0) continue;
+      const T number = load<T>(environments.number, rows[lane] * environments.stride + first);
+      sum = sum + T(factors[lane]) * number;
+    }
+    return sum;
+  }
+
+ private:
+  struct Term {
+    std::array<std::int32_t, lanes_of<T>> row{};
+    std::array<Element<T>, lanes_of<T>> factor{};
+  };
+  std::vector<Term> term_;  ///< the first `count_` count
+  std::size_t count_ = 0;
+};
+
+/// Calls act(first) for groups of environments, so many at a time as there are lanes.
+template <class T, class Act>
+void each_group(const medium::EnvironmentsView& environments, Act act) {
+  for (std::int32_t e = 0; e < environments.count; e += static_cast<std::int32_t>(lanes_of<T>))
+    act(e);
+}
+
+/// Those of a group that are tangents.
+template <class T>
+Mask<T> tangents(const medium::EnvironmentsView& environments, std::int32_t first) {
+  return Index<T>(first) + lane_numbers<T>() >= Index<T>(environments.first_tangent);
+}
+
+/// A product with another collision in a lane, for environments from `first` on.
+template <class T>
+T collided(const medium::EnvironmentsView& environments, const T& product,
+           const Terms<T>& collision, std::size_t lane, std::int32_t first) {
+  const T sum = collision.sum(environments, lane, first);
+  return product + select(tangents<T>(environments, first), sum, product * sum);
+}
+
+/// What is kept of one path, [environment].
+template <class T>
+struct PathRatio {
+  Element<T>* product = nullptr;  ///< of the ratios of its collisions; of tangents their sum
+  Element<T>* deeper = nullptr;   ///< optical depth of its flights less that in the medium
+
+  void begin(const medium::EnvironmentsView& environments) const {
+    each_group<T>(environments, [&](std::int32_t e) {
+      store(select(tangents<T>(environments, e), T(0), T(1)), product + e);
+      store(T(0), deeper + e);
+    });
+  }
+  void copy(const medium::EnvironmentsView& environments, const PathRatio& from) const {
+    each_group<T>(environments, [&](std::int32_t e) {
+      store(load<T>(from.product + e), product + e);
+      store(load<T>(from.deeper + e), deeper + e);
+    });
+  }
+  /// The path has gone ways.
+  void pass(const medium::EnvironmentsView& environments, const Terms<T>& ways,
+            std::size_t lane) const {
+    each_group<T>(environments, [&](std::int32_t e) {
+      store(load<T>(deeper + e) + ways.sum(environments, lane, e), deeper + e);
+    });
+  }
+  /// The path has had a collision.
+  void collide(const medium::EnvironmentsView& environments, const Terms<T>& collision,
+               std::size_t lane) const {
+    each_group<T>(environments, [&](std::int32_t e) {
+      const T old = load<T>(product + e);
+      store(collided(environments, old, collision, lane, e), product + e);
+    });
+  }
+};
+
+/// Product and depth of two walks that are one path, for environments from `first` on.
+template <class T>
+std::array<T, 2> joined(const medium::EnvironmentsView& environments, std::int32_t first,
+                        const std::array<T, 2>& a, const std::array<T, 2>& b) {
+  return {select(tangents<T>(environments, first), a[0] + b[0], a[0] * b[0]), a[1] + b[1]};
+}
+
+/// What is kept of many paths.
+template <class T>
+class PathRatios {
+ public:
+  PathRatios(const medium::EnvironmentsView& environments, std::size_t paths)
+      : blocks_(static_cast<std::size_t>(environments.stride) / block),
+        number_(2 * blocks_ * paths) {}
+
+  [[nodiscard]] PathRatio<T> of(std::size_t path) {
+    auto* product = &number_[2 * blocks_ * path];
+    return {product->number.data(), product[blocks_].number.data()};
+  }
+  /// Product and depth of a path, for environments from `first` on.
+  [[nodiscard]] std::array<T, 2> at(std::size_t path, std::int32_t first) const {
+    const auto* product = &number_[2 * blocks_ * path];
+    return {load<T>(product->number.data() + first),
+            load<T>(product[blocks_].number.data() + first)};
+  }
+  /// Bytes for each path.
+  static std::size_t size(const medium::EnvironmentsView& environments) {
+    return 2 * sizeof(Element<T>) * static_cast<std::size_t>(environments.stride);
+  }
+
+ private:
+  static constexpr std::size_t block = medium::environment_padding;
+  struct alignas(64) Block {
+    std::array<Element<T>, block> number{};
+  };
+  std::size_t blocks_;
+  std::vector<Block> number_;
+};
+
+/// A straight piece of a way in the water, from one depth to another, of light of a line.
 template <class T>
 struct Passage {
+  Index<T> line{};
   Index<T> layer1{};
   T depth1{};
   Index<T> layer2{};
   T depth2{}, length{};
 };
 
-/// Of light of a line that passes it.
+/// How much deeper it is.
 template <class T>
-T passage_ratio(const medium::MediumView& sea, std::int32_t environment, const Index<T>& line,
-                const Passage<T>& s) {
-  const T deeper = sea.excess_slant_optical_depth<T>(environment, line, s.layer1, s.depth1,
-                                                     s.layer2, s.depth2, s.length);
+void add_passage(const medium::MediumView& sea, const Passage<T>& s, Terms<T>& ways) {
+  using std::abs;
+  const Mask<T> same = s.layer1 == s.layer2;
+  const T rise = select(same, T(1), abs(s.depth1 - s.depth2));
+  const T per_depth = select(s.depth1 > s.depth2, s.length, -s.length) / rise;
+  const auto from_top = [&](const Index<T>& layer, const T& depth) {
+    return depth - gather<T>(sea.top, layer);
+  };
+  ways.add(sea.excess_c(s.line, s.layer1),
+           select(same, s.length, per_depth * from_top(s.layer1, s.depth1)));
+  if (all(same)) return;
+  const T apart = select(same, T(0), per_depth);
+  ways.add(sea.excess_depth_tau(s.line, s.layer1), apart);
+  ways.add(sea.excess_depth_tau(s.line, s.layer2), -apart);
+  ways.add(sea.excess_c(s.line, s.layer2), -apart * from_top(s.layer2, s.depth2));
+}
+
+/// The way from a point to an instrument, of the given length in the water.
+template <class T>
+void add_way(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
+             const T& depth, const Vec3<T>& direction, const T& length, bool submerged,
+             const Index<T>& instrument_layer, bool mirrored, Terms<T>& ways) {
+  using std::abs;
+  const Index<T> top(0);
+  if (!submerged) return add_passage(sea, {line, layer, depth, top, T(0), length}, ways);
+  if (!mirrored) {
+    const T end_depth = depth - length * direction.z;
+    return add_passage(sea, {line, layer, depth, instrument_layer, end_depth, length}, ways);
+  }
+  const T steep = abs(direction.z);
+  const T end_depth = length * steep - depth;
+  add_passage(sea, {line, layer, depth, top, T(0), depth / steep}, ways);
+  add_passage(sea, {line, instrument_layer, end_depth, top, T(0), end_depth / steep}, ways);
+}
+
+/// A walk's way from where it left its last vertex, or entered the water, to the next one:
+/// straight, or reflected by the surface.
+template <class T>
+void add_leg(const medium::MediumView& sea, const WalkPoint<T>& left, const WalkPoint<T>& arrived,
+             Terms<T>& ways) {
+  using std::abs;
+  const T from = -left.position.z;
+  const T to = -arrived.position.z;
+  const Mask<T> reflected = left.direction.z * arrived.direction.z < T(0);
+  const T steep = select(reflected, T(abs(left.direction.z)), T(1));
+  const Index<T> top(0);
+  add_passage(sea,
+              {left.line, left.layer, from, select(reflected, top, arrived.layer),
+               select(reflected, T(0), to),
+               select(reflected, from / steep, T(length(arrived.position - left.position)))},
+              ways);
+  if (!any(reflected)) return;
+  add_passage(sea,
+              {left.line, select(reflected, top, arrived.layer), select(reflected, T(0), to),
+               arrived.layer, to, select(reflected, to / steep, T(0))},
+              ways);
+}
+
+/// A collision of light of a line: it is converted into another line, or from it on the way back
+/// (`converted`), or scattered at an angle.
+template <class T>
+struct Encounter {
+  Index<T> line{};  ///< of light that is scattered
+  Index<T> layer{};
+  Mask<T> converted{};
+  Index<T> emitted{};  ///< line of emitted light, where that is what happens
+  T x{};               ///< 1 - cos of the scattering angle
+};
+
+/// How much more it has there, of all there is in the medium.
+template <class T>
+void add_encounter(const medium::MediumView& sea, const Encounter<T>& c, Terms<T>& collision) {
+  if (any(c.converted))
+    collision.add(sea.excess_emitted(c.emitted, c.layer), select(c.converted, T(1), T(0)));
+  if (all(c.converted)) return;
+  const Index<T> here = sea.at(c.line, c.layer);
+  const T whole = sea.phases.template value<T>(c.x, gather_index<T>(sea.elastic_phase, here));
+  const Mask<T> scatters = (whole > T(0)) & !c.converted;
+  const T per_whole = select(scatters, T(1), T(0)) / select(scatters, whole, T(1));
+  for (std::int32_t k = 0; k < sea.environments.parts; ++k) {
+    const auto phase = gather_index<T>(sea.environments.part_phase,
+                                       here * Index<T>(sea.environments.parts) + Index<T>(k));
+    collision.add(sea.excess_part(c.line, c.layer, k),
+                  per_whole * sea.phases.template value<T>(c.x, phase));
+  }
+}
+
+/// What completes a path beyond what is kept of its walks: the ways that are still to go, and the
+/// collisions at their ends.
+template <class T>
+struct Completion {
+  Terms<T> ways;
+  std::array<Terms<T>, 2> collision;
+  std::size_t collisions = 0;
+
+  void clear() {
+    ways.clear();
+    collisions = 0;
+  }
+  void pass(const medium::MediumView& sea, const Passage<T>& passage) {
+    add_passage(sea, passage, ways);
+  }
+  void collide(const medium::MediumView& sea, const Encounter<T>& encounter) {
+    Terms<T>& terms = collision[collisions++];
+    terms.clear();
+    add_encounter(sea, encounter, terms);
+  }
+};
+
+/// The ratios of a completed path in a lane, from product and depth of its walks, to where there is
+/// room for a whole row.
+template <class T, class Walks>
+void complete(const medium::EnvironmentsView& environments, const Completion<T>& completion,
+              std::size_t lane, Walks walks, Element<T>* to) {
   // No more than a number can say: the light itself is gone by then.
   const T least(sizeof(Element<T>) == sizeof(double) ? -600 : -80);
-  return exp_minus(select(deeper > least, deeper, least));
+  each_group<T>(environments, [&](std::int32_t first) {
+    auto [product, deeper] = walks(first);
+    deeper = deeper + completion.ways.sum(environments, lane, first);
+    for (std::size_t k = 0; k < completion.collisions; ++k)
+      product = collided(environments, product, completion.collision[k], lane, first);
+    const T ratio = product * exp_minus(select(deeper > least, deeper, least));
+    store(select(tangents<T>(environments, first), T(1) + product - deeper, ratio), to + first);
+  });
 }
 
-/// Of light of a line on a way from a photon's position to a telescope.
-template <class T>
-T way_ratio(const medium::MediumView& sea, std::int32_t environment, const Index<T>& line,
-            const Photon<T>& at, const Connection<T>& way,
-            const instrument::Telescope<T>& telescope, const Index<T>& telescope_layer,
-            bool mirrored) {
-  using std::abs;
-  const T depth = -at.position.z;
-  const auto ratio = [&](const Passage<T>& s) { return passage_ratio(sea, environment, line, s); };
-  if (!telescope.submerged) return ratio({at.layer, depth, Index<T>(0), T(0), way.length_water});
-  if (!mirrored) {
-    const T end_depth = depth - way.length_water * way.direction.z;
-    return ratio({at.layer, depth, telescope_layer, end_depth, way.length_water});
-  }
-  const T steep = abs(way.direction.z);
-  const T end_depth = way.length_water * steep - depth;
-  return ratio({at.layer, depth, Index<T>(0), T(0), depth / steep}) *
-         ratio({telescope_layer, end_depth, Index<T>(0), T(0), end_depth / steep});
-}
-
-/// Phase functions of the parts of the scattering that vary, over that of all scattering, at an
-/// angle given as 1 - cos.
-template <class T>
-void part_values(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
-                 const T& x, std::vector<T>& values) {
-  const Index<T> here = sea.at(line, layer);
-  const T all = sea.phases.template value<T>(x, gather_index<T>(sea.elastic_phase, here));
-  const Mask<T> scatters = all > T(0);
-  const Index<T> row = here * Index<T>(sea.environments.parts);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const auto phase =
-        gather_index<T>(sea.environments.part_phase, row + Index<T>(static_cast<std::int32_t>(k)));
-    const T part = sea.phases.template value<T>(x, phase);
-    values[k] = select(scatters, part / select(scatters, all, T(1)), T(0));
-  }
-}
-
-/// Of light that is scattered, at the angle that the parts' values are for.
-template <class T>
-T scattering_ratio(const medium::MediumView& sea, std::int32_t environment, const Index<T>& line,
-                   const Index<T>& layer, const std::vector<T>& values) {
-  const Index<T> row =
-      sea.at(line + Index<T>(environment * sea.lines), layer) * Index<T>(sea.environments.parts);
-  T excess(0);
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const Index<T> i = row + Index<T>(static_cast<std::int32_t>(k));
-    excess = excess + gather<T>(sea.environments.excess_part, i) * values[k];
-  }
-  return T(1) + excess;
-}
-
-/// Of photons that leave a collision at a line: those of a mask converted to it, the others
-/// scattered at the angle that the parts' values are for.
-template <class T>
-T collision_ratio(const medium::MediumView& sea, std::int32_t environment, const Photon<T>& before,
-                  const Index<T>& line, const Mask<T>& converted, const std::vector<T>& values) {
-  const T scattered = scattering_ratio(sea, environment, before.line, before.layer, values);
-  if (!any(converted)) return scattered;
-  const Index<T> i = sea.at(line + Index<T>(environment * sea.lines), before.layer);
-  return select(converted, T(1) + gather<T>(sea.environments.excess_emitted, i), scattered);
-}
-
-/// The ratios of photons on their walk, and what is needed to keep them. What is handed over by
-/// value stays in the registers of scenes that have no environments.
+/// Photons on their walk: what is kept of them, and what is needed to keep it. What is handed over
+/// by value stays in the registers of scenes that have no environments.
 template <class T>
 struct Ratios {
-  std::vector<T> of_path;  ///< [environment]
-  std::vector<T> part;     ///< values of the parts of the scattering that vary, at some angle
-  Photon<T> before;        ///< what happens to them
+  PathRatios<T>* kept = nullptr;
+  std::size_t first = 0;  ///< path of the first lane
+  Photon<T> before;       ///< what happens to them
+  Terms<T> terms;
 
-  PHOTIC_APART void begin(const medium::MediumView& sea) {
-    of_path.assign(static_cast<std::size_t>(sea.environments.count), T(1));
-    part.assign(static_cast<std::size_t>(sea.environments.parts), T(0));
+  /// The photons of a mask have flown so far.
+  PHOTIC_APART PHOTIC_FLATTEN void flown(const medium::MediumView& sea, Photon<T> after, T length,
+                                         Mask<T> mask) {
+    terms.clear();
+    add_passage(
+        sea,
+        {before.line, before.layer, -before.position.z, after.layer, -after.position.z, length},
+        terms);
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      kept->of(first + i).pass(sea.environments, terms, i);
+    });
   }
-
-  /// The photons have flown so far.
-  PHOTIC_APART void flown(const medium::MediumView& sea, Photon<T> after, T length) {
-    const Passage<T> way{before.layer, -before.position.z, after.layer, -after.position.z, length};
-    for (std::size_t e = 0; e < of_path.size(); ++e)
-      of_path[e] = of_path[e] * passage_ratio(sea, static_cast<std::int32_t>(e), before.line, way);
-  }
-
   /// Those of a mask were scattered or converted where they stand.
-  PHOTIC_APART void collided(const medium::MediumView& sea, Photon<T> after, Mask<T> mask) {
-    const Mask<T> converted = mask & !(before.line == after.line);
-    part_values(sea, before.line, before.layer, one_minus_cos(before.direction, after.direction),
-                part);
-    for (std::size_t i = 0; i < of_path.size(); ++i) {
-      const T ratio =
-          collision_ratio(sea, static_cast<std::int32_t>(i), before, after.line, converted, part);
-      of_path[i] = of_path[i] * select(mask, ratio, T(1));
-    }
+  PHOTIC_APART PHOTIC_FLATTEN void collided(const medium::MediumView& sea, Photon<T> after,
+                                            Mask<T> mask) {
+    terms.clear();
+    add_encounter(sea,
+                  {before.line, before.layer, Mask<T>(!(before.line == after.line)), after.line,
+                   one_minus_cos(before.direction, after.direction)},
+                  terms);
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      kept->of(first + i).collide(sea.environments, terms, i);
+    });
   }
 };
 

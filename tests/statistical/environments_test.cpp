@@ -30,17 +30,17 @@ std::string chlorophyll(double mg_m3, double cdom_per_m, double yield = 0.01) {
       "[[sea.layer]]\nchlorophyll_mg_m3 = {}\ncdom_a440_per_m = {}\nchlorophyll_yield = {}\n",
       mg_m3, cdom_per_m, yield);
 }
-/// Two layers that scatter evenly, so that echoes settle fast, with all processes; the upper ends
-/// at 3 m.
+/// Layers that scatter evenly, so that echoes settle fast, with all processes; the upper one of
+/// two ends at 3 m.
+std::string one_layer(double a, double b, double g, const char* bottom = "") {
+  return fmt::format(
+      "[[sea.layer]]\n{}iop = [ {{ wavelength_nm = 532.0, a_per_m = {}, b_per_m = {}, "
+      "a_phytoplankton_per_m = {} }}, {{ wavelength_nm = 700.0, a_per_m = {}, b_per_m = {} }} ]\n"
+      "phase_function = {{ model = \"henyey-greenstein\", g = {} }}\n",
+      bottom, a, b, a / 3, 3 * a, b, g);
+}
 std::string layers(double a1, double b1, double g1, double a2, double b2, double g2) {
-  const auto layer = [](double a, double b, double g, const char* bottom) {
-    return fmt::format(
-        "[[sea.layer]]\n{}iop = [ {{ wavelength_nm = 532.0, a_per_m = {}, b_per_m = {}, "
-        "a_phytoplankton_per_m = {} }}, {{ wavelength_nm = 700.0, a_per_m = {}, b_per_m = {} }} ]\n"
-        "phase_function = {{ model = \"henyey-greenstein\", g = {} }}\n",
-        bottom, a, b, a / 3, 3 * a, b, g);
-  };
-  return layer(a1, b1, g1, "bottom_depth_m = 3.0\n") + layer(a2, b2, g2, "");
+  return one_layer(a1, b1, g1, "bottom_depth_m = 3.0\n") + one_layer(a2, b2, g2);
 }
 
 struct Case {
@@ -48,6 +48,7 @@ struct Case {
   std::vector<std::string> others;
   double depth_m, photons;
   std::size_t least;  ///< cells that are to be compared
+  std::string estimator = "forward";
   friend std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 };
 
@@ -58,7 +59,7 @@ TEST_P(Environments, AreTheirOwnRuns) {
   const Case& c = GetParam();
   const auto scene = [&](const std::string& water, std::uint64_t seed) {
     return read(ship_instrument + c.instrument + water + depth_gates(c.depth_m, c.depth_m / 10) +
-                simulation(c.photons, seed));
+                simulation(c.photons, seed, "", c.estimator));
   };
   std::vector<scene::Scene> others;
   for (const auto& water : c.others) others.push_back(scene(water, 1));
@@ -81,16 +82,18 @@ TEST_P(Environments, AreTheirOwnRuns) {
   family.judge();
 }
 
+const std::vector<std::string> changed_algae = {chlorophyll(0.7, 0.02), chlorophyll(0.4, 0.0),
+                                                chlorophyll(0.5, 0.02, 0.03)};
+const std::string three_layers_here =
+    one_layer(0.06, 0.2, 0.6, "bottom_depth_m = 1.5\n") + layers(0.1, 0.3, 0.5, 0.05, 0.1, 0.7);
+const std::vector<std::string> three_layers_changed = {
+    one_layer(0.06, 0.2, 0.6, "bottom_depth_m = 1.5\n") + layers(0.13, 0.25, 0.5, 0.05, 0.1, 0.7),
+    one_layer(0.08, 0.22, 0.65, "bottom_depth_m = 1.5\n") + layers(0.1, 0.3, 0.5, 0.04, 0.12, 0.6)};
+
 INSTANTIATE_TEST_SUITE_P(
     , Environments,
     testing::Values(
-        Case{"chlorophyll",
-             three,
-             chlorophyll(0.5, 0.02),
-             {chlorophyll(0.7, 0.02), chlorophyll(0.4, 0.0), chlorophyll(0.5, 0.02, 0.03)},
-             5,
-             4e6,
-             50},
+        Case{"chlorophyll", three, chlorophyll(0.5, 0.02), changed_algae, 5, 4e6, 50},
         Case{"layers",
              submerged_telescope + three,
              layers(0.06, 0.2, 0.6, 0.1, 0.3, 0.5),
@@ -98,13 +101,18 @@ INSTANTIATE_TEST_SUITE_P(
              8,
              4e6,
              30},
+        Case{"three_layers", three, three_layers_here, three_layers_changed, 6, 2e6, 20},
         Case{"phase_function",
              channel("elastic"),
              water(0.06, 0.10, henyey_greenstein_phase),
              {water(0.06, 0.10, peaked_phase), water(0.10, 0.08, henyey_greenstein_phase)},
              5,
              1e7,
-             10}),
+             10},
+        Case{"bidirectional", three, chlorophyll(0.5, 0.02), changed_algae, 10, 1e5, 70,
+             "bidirectional"},
+        Case{"bidirectional_three_layers", submerged_telescope + three, three_layers_here,
+             three_layers_changed, 6, 5e4, 40, "bidirectional"}),
     [](const auto& test) { return test.param.name; });
 
 scene::Scene algae_scene(double mg_m3, std::uint64_t seed) {
@@ -192,6 +200,64 @@ TEST(EnvironmentOf, DifferencesScatterAsTheySay) {
   EXPECT_GT(known, 300);
   EXPECT_GE(covered, 0.88 * known);
   EXPECT_LE(covered, 0.99 * known);
+}
+
+/// How often 95 % intervals of unflagged gates cover the truth.
+struct Coverage {
+  double covered = 0, known = 0;
+  void add(double off, double error) {
+    covered += std::abs(off) < 1.96 * error ? 1 : 0;
+    known += 1;
+  }
+  void expect(double least, const std::string& what) const {
+    std::printf("%s: %.1f %% of %.0f intervals cover\n", what.c_str(), 100 * covered / known,
+                known);
+    EXPECT_GT(known, least) << what;
+    EXPECT_GE(covered, 0.88 * known) << what;
+    EXPECT_LE(covered, 0.99 * known) << what;
+  }
+};
+
+// Strongly changed water is right, or flagged: 95 % intervals cover what a run of its own finds.
+// Seen red: with free paths as the scene alone would have them.
+void expect_strong_changes_covered(const std::string& estimator, double photons, double g,
+                                   double least) {
+  const auto scene = [&](double times, double n, std::uint64_t seed, const std::string& by) {
+    return read(ship_instrument + channel("elastic") +
+                water(0.06 * times, 0.10 * times,
+                      fmt::format("{{ model = \"henyey-greenstein\", g = {} }}", g)) +
+                depth_gates(10, 1) + simulation(n, seed, "", by));
+  };
+  const std::vector<double> changes{0.4, 0.7, 1.5, 2.5};  // of the attenuation
+  std::vector<scene::Scene> others;
+  std::vector<tally::Result> own;
+  for (const double times : changes) {
+    others.push_back(scene(times, 1, 1, estimator));
+    own.push_back(run_in_lanes(scene(times, 4e5, 61, "bidirectional")));
+  }
+  std::vector<Coverage> coverage(changes.size());
+  for (std::uint64_t seed = 700; seed < 800; ++seed) {
+    const auto all = run_in_lanes(with(scene(1, photons, seed, estimator), others));
+    for (std::size_t e = 0; e < changes.size(); ++e) {
+      for (std::size_t i = 0; i < own[e].echo.mean.size(); ++i) {
+        const std::size_t cell = e * own[e].echo.mean.size() + i;
+        if (own[e].convergence_flags[i] != 0 || all.environment_convergence_flags[cell] != 0)
+          continue;
+        coverage[e].add(
+            all.environment_echo.mean[cell] - own[e].echo.mean[i],
+            std::hypot(all.environment_echo.standard_error[cell], own[e].echo.standard_error[i]));
+      }
+    }
+  }
+  for (std::size_t e = 0; e < changes.size(); ++e)
+    coverage[e].expect(least, fmt::format("{}, attenuation times {}", estimator, changes[e]));
+}
+
+TEST(EnvironmentOf, StrongChangesAreRightOrFlaggedBidirectional) {
+  expect_strong_changes_covered("bidirectional", 6.2e4, 0.924, 500);
+}
+TEST(EnvironmentOf, StrongChangesAreRightOrFlaggedForward) {
+  expect_strong_changes_covered("forward", 2e5, 0.6, 500);
 }
 
 // No light is none, not what rounding leaves of two that are equal. Seen red: with the scene's echo

@@ -72,7 +72,7 @@ class Writer {
  public:
   Writer(const World<double>& world, const transport::Samples<double>& samples,
          const transport::Beginning<double>& begin, Outset<double> outset, bool from_telescope)
-      : walks(1, from_telescope, begin.spread.through_surface),
+      : walks(1, from_telescope, begin.spread.through_surface, world.sea.environments),
         world_(world),
         samples_(samples),
         photon_(begin.photon),

@@ -2,8 +2,8 @@
 #include "transport/environments.hpp"
 
 #include <cmath>
+#include <vector>
 
-#include "unit/instrument/telescopes.hpp"
 #include "unit/transport/packs.hpp"
 #include "unit/transport/sea.hpp"
 
@@ -13,18 +13,19 @@ namespace {
 using test::Random;
 
 constexpr double more_molecules = 0.3;  // of all scattering, in environment 1
+constexpr int both = 2;                 // environments; and a tangent
 
 /// The sea with two environments: itself, and one with other attenuation and emission everywhere
-/// and more scattering by molecules.
+/// and more scattering by molecules. Behind them a tangent, that of the second one's excess.
 medium::Medium make_environments() {
   medium::Medium sea = make_sea(60);
   auto& e = sea.environments;
-  e.count = 2;
+  e.count = both + 1;
+  e.first_tangent = both;
   e.parts = 1;
   e.part_phase.assign(sea.c.size(), sea.elastic_phase[2]);
-  for (int environment = 0; environment < 2; ++environment) {
+  for (const double other : {0, 1, 1}) {
     for (std::size_t i = 0; i < sea.c.size(); ++i) {
-      const double other = environment;
       e.excess_c.push_back(other * (i % 2 == 0 ? 0.1 : -0.5) * sea.c[i]);
       e.excess_emitted.push_back(other * (i < 3 ? 0.1 : 0.5));
       e.excess_part.push_back(other * more_molecules);
@@ -49,21 +50,43 @@ double depth_of_way(const medium::Medium& sea, const Photon<double>& a, const Ph
                                                 -b.position.z, length(b.position - a.position));
 }
 
+/// A path on its own.
+struct Kept {
+  explicit Kept(const medium::MediumView& sea) : paths(sea.environments, 1) {
+    ratios.kept = &paths;
+    paths.of(0).begin(sea.environments);
+  }
+  PathRatios<double> paths;
+  Ratios<double> ratios;
+};
+
+/// The ratios that a path has if nothing more happens to it, [environment].
+template <class T>
+std::vector<Element<T>> ratios_of(const medium::MediumView& sea, PathRatios<T>& paths,
+                                  std::size_t path) {
+  std::vector<Element<T>> out(static_cast<std::size_t>(sea.environments.stride));
+  complete<T>(
+      sea.environments, {}, 0, [&](std::int32_t e) { return paths.at(path, e); }, out.data());
+  return out;
+}
+
 // Seen red: with the depths of the medium in place of what they have in excess; with the sign of
 // the way up lost; with the line of the first environment for all.
 TEST(Environments, WaysAreDeeperByWhatTheirWaterAttenuatesMore) {
   const auto sea = make_environments(), other = make_other();
+  const auto view = sea.view();
   Random random(301);
   for (int i = 0; i < groups; ++i) {
     Photon<double> from = random_photon(sea, random), to = random_photon(sea, random);
     to.line = from.line;
-    Ratios<double> ratios;
-    ratios.begin(sea.view());
-    ratios.before = from;
-    ratios.flown(sea.view(), to, length(to.position - from.position));
-    EXPECT_EQ(ratios.of_path[0], 1);
+    Kept path(view);
+    path.ratios.before = from;
+    path.ratios.flown(view, to, length(to.position - from.position), true);
+    const auto ratio = ratios_of(view, path.paths, 0);
+    EXPECT_EQ(ratio[0], 1);
     const double deeper = depth_of_way(other, from, to) - depth_of_way(sea, from, to);
-    ASSERT_NEAR(std::log(ratios.of_path[1]), -deeper, 1e-11 * (1 + std::abs(deeper)));
+    ASSERT_NEAR(std::log(ratio[1]), -deeper, 1e-11 * (1 + std::abs(deeper)));
+    ASSERT_NEAR(ratio[2], 1 - deeper, 1e-11 * (1 + std::abs(deeper)));
   }
 }
 
@@ -74,20 +97,47 @@ TEST(Environments, CollisionsAreThoseOfTheirWater) {
   const auto view = sea.view();
   Random random(302);
   for (int i = 0; i < groups; ++i) {
-    Ratios<double> ratios;
-    ratios.begin(view);
-    Photon<double> after = ratios.before = random_photon(sea, random);
+    Kept path(view);
+    Photon<double> after = path.ratios.before = random_photon(sea, random);
     after.direction = random.direction();
     const bool converts = after.line == 0 && random.chance(0.5);
     if (converts) after.line = 1;
-    ratios.collided(view, after, true);
-    EXPECT_EQ(ratios.of_path[0], 1);
-    const double x = one_minus_cos(ratios.before.direction, after.direction);
-    const auto here = static_cast<std::size_t>(view.at(ratios.before.line, after.layer));
+    path.ratios.collided(view, after, true);
+    const auto ratio = ratios_of(view, path.paths, 0);
+    EXPECT_EQ(ratio[0], 1);
+    const double x = one_minus_cos(path.ratios.before.direction, after.direction);
+    const auto here = static_cast<std::size_t>(view.at(path.ratios.before.line, after.layer));
     const double p = view.phases.value<double>(x, sea.elastic_phase[here]);
     const double molecules = view.phases.value<double>(x, sea.elastic_phase[2]);
     const double expected = converts ? 1.5 : (p + more_molecules * molecules) / p;
-    ASSERT_NEAR(ratios.of_path[1], expected, 1e-12 * expected);
+    ASSERT_NEAR(ratio[1], expected, 1e-12 * expected);
+    ASSERT_NEAR(ratio[2], expected, 1e-12 * expected);
+  }
+}
+
+// A tangent is a sum, of all that happens, where an environment is a product. Seen red: with the
+// product in place of the sum.
+TEST(Environments, TangentsAddUp) {
+  const auto sea = make_environments();
+  const auto view = sea.view();
+  Random random(305);
+  for (int i = 0; i < groups; ++i) {
+    Kept path(view);
+    double sum = 0;
+    for (int event = 0; event < 4; ++event) {
+      Kept alone(view);
+      Photon<double> from = random_photon(sea, random), to = random_photon(sea, random);
+      to.line = from.line;
+      for (Kept* one : {&path, &alone}) {
+        one->ratios.before = from;
+        if (event % 2 == 0)
+          one->ratios.flown(view, to, 3, true);
+        else
+          one->ratios.collided(view, to, true);
+      }
+      sum += ratios_of(view, alone.paths, 0)[2] - 1;
+    }
+    ASSERT_NEAR(ratios_of(view, path.paths, 0)[2], 1 + sum, 1e-12 * (1 + std::abs(sum)));
   }
 }
 
@@ -107,16 +157,19 @@ TEST(LanesOf, Ratios) {
   const auto sea = make_environments();
   const auto view = sea.view();
   Random random(303);
+  PathRatios<Lanes4> kept(view.environments, lanes);
   for (int g = 0; g < groups; ++g) {
     const auto start = four([&] { return random_photon(sea, random); });
     auto end = four([&] { return random_photon(sea, random); });
     for (std::size_t i = 0; i < lanes; ++i) end[i].line = start[i].line;
+    const auto flying = four([&] { return random.chance(0.7); });
     const auto mask = four([&] { return random.chance(0.7); });
     const auto flight = uniforms4(random);
     Ratios<Lanes4> packed;
-    packed.begin(view);
+    packed.kept = &kept;
+    for (std::size_t i = 0; i < lanes; ++i) kept.of(i).begin(view.environments);
     packed.before = pack(start);
-    packed.flown(view, pack(end), pack(flight));
+    packed.flown(view, pack(end), pack(flight), pack(flying));
     packed.before = pack(end);
     auto after = end;
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -125,46 +178,51 @@ TEST(LanesOf, Ratios) {
     }
     packed.collided(view, pack(after), pack(mask));
     for (std::size_t i = 0; i < lanes; ++i) {
-      Ratios<double> one;
-      one.begin(view);
-      one.before = start[i];
-      one.flown(view, end[i], flight[i]);
-      one.before = end[i];
-      one.collided(view, after[i], mask[i]);
-      for (std::size_t e = 0; e < 2; ++e)
-        expect_same(packed.of_path[e][i], one.of_path[e], "ratio");
+      Kept one(view);
+      one.ratios.before = start[i];
+      one.ratios.flown(view, end[i], flight[i], flying[i]);
+      one.ratios.before = end[i];
+      one.ratios.collided(view, after[i], mask[i]);
+      const auto in_lanes = ratios_of(view, kept, i), alone = ratios_of(view, one.paths, 0);
+      for (std::size_t e = 0; e <= both; ++e) expect_same(in_lanes[e], alone[e], "ratio");
     }
   }
 }
 
-TEST(LanesOf, WayRatio) {
+/// The ratios of light that is scattered and goes straight to an instrument.
+template <class T>
+std::vector<Element<T>> completed(const medium::MediumView& sea, const Photon<T>& at,
+                                  const Vec3<T>& direction, const T& length, bool submerged,
+                                  bool mirrored, std::size_t lane) {
+  PathRatios<T> kept(sea.environments, 1);
+  kept.of(0).begin(sea.environments);
+  Completion<T> completion;
+  completion.collide(
+      sea, {at.line, at.layer, Mask<T>(false), at.line, one_minus_cos(at.direction, direction)});
+  add_way(sea, at.line, at.layer, T(-at.position.z), direction, length, submerged, Index<T>(0),
+          mirrored, completion.ways);
+  std::vector<Element<T>> out(static_cast<std::size_t>(sea.environments.stride));
+  complete<T>(
+      sea.environments, completion, lane, [&](std::int32_t e) { return kept.at(0, e); },
+      out.data());
+  return out;
+}
+
+TEST(LanesOf, RatiosOfWhatCompletesAPath) {
   const auto sea = make_environments();
   const auto view = sea.view();
   Random random(304);
   for (const bool submerged : {false, true}) {
-    instrument::Telescope<double> telescope;
-    telescope.submerged = submerged;
-    instrument::Telescope<Lanes4> telescopes;
-    telescopes.submerged = submerged;
-    for (int g = 0; g < groups; ++g) {
+    for (int g = 0; g < groups / 4; ++g) {
       const bool mirrored = submerged && random.chance(0.5);
       const auto at = four([&] { return random_photon(sea, random); });
-      Four<Connection<double>> way;
-      Four<double> length_water{};
-      Four<Vec3<double>> direction;
+      const auto direction = four([&] { return random.direction(); });
+      const auto length = four([&] { return random.between(1, 20); });
       for (std::size_t i = 0; i < lanes; ++i) {
-        way[i].direction = direction[i] = random.direction();
-        way[i].length_water = length_water[i] = random.between(1, 20);
-      }
-      Connection<Lanes4> ways;
-      ways.direction = pack(direction);
-      ways.length_water = pack(length_water);
-      const auto packed = way_ratio<Lanes4>(view, 1, pack(at).line, pack(at), ways, telescopes,
-                                            Index4(0), mirrored);
-      for (std::size_t i = 0; i < lanes; ++i) {
-        expect_same(packed[i],
-                    way_ratio<double>(view, 1, at[i].line, at[i], way[i], telescope, 0, mirrored),
-                    "ratio of a way");
+        const auto packed =
+            completed(view, pack(at), pack(direction), pack(length), submerged, mirrored, i);
+        const auto alone = completed(view, at[i], direction[i], length[i], submerged, mirrored, 0);
+        for (std::size_t e = 0; e <= both; ++e) expect_same(packed[e], alone[e], "ratio");
       }
     }
   }

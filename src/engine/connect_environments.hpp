@@ -1,0 +1,87 @@
+// Connections in environments: what the paths that they complete are there (a part of
+// connections.hpp).
+#pragma once
+
+#include "engine/connections.hpp"
+
+namespace photic::engine {
+
+template <class T>
+PHOTIC_APART void Connections<T>::complete_to_telescope(const Ends<T>& ends, const Vertex& v,
+                                                        const transport::Way<T>& way,
+                                                        bool mirrored) {
+  const Index<T>& line = receiver_.line;
+  completion_.clear();
+  transport::add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
+  transport::add_way(sea_, line, v.layer, T(-v.position.z), way.direction, way.length_water,
+                     telescope_.submerged, receiver_.layer, mirrored, completion_.ways);
+  completion_.collide(
+      sea_, {v.line, v.layer, line > Index<T>(0), line, one_minus_cos(v.direction, way.direction)});
+}
+
+/// `length`: in the water.
+template <class T>
+PHOTIC_APART void Connections<T>::complete_to_laser(const Ends<T>& ends, const Vertex& w,
+                                                    const transport::Way<T>& way, const T& length,
+                                                    bool mirrored) {
+  completion_.clear();
+  transport::add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);
+  transport::add_way(sea_, Index<T>(0), w.layer, T(-w.position.z), way.direction, length,
+                     world_.laser.submerged, world_.laser_layer, mirrored, completion_.ways);
+  completion_.collide(sea_, {w.line, w.layer, w.line > Index<T>(0), w.line,
+                             one_minus_cos(w.direction, way.direction)});
+}
+
+/// By an edge of light of a line.
+template <class T>
+PHOTIC_APART void Connections<T>::complete_between(const Ends<T>& ends, const Index<T>& line,
+                                                   const Vertex& v, const Vertex& w,
+                                                   const T& length) {
+  const Vec3<T> direction = (T(1) / length) * (w.position - v.position);
+  completion_.clear();
+  transport::add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
+  transport::add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);
+  completion_.pass(sea_, {line, v.layer, T(-v.position.z), w.layer, T(-w.position.z), length});
+  completion_.collide(
+      sea_, {v.line, v.layer, line > v.line, line, one_minus_cos(v.direction, direction)});
+  completion_.collide(
+      sea_, {w.line, w.layer, w.line > line, w.line, one_minus_cos(w.direction, -direction)});
+}
+
+/// By a meeting of a laser's ray and a telescope's.
+template <class T>
+PHOTIC_APART void Connections<T>::complete_by_meeting(const Ray& out, const Ray& home,
+                                                      const T& depth, const Index<T>& layer) {
+  const auto pass = [&](const Ray& ray) {
+    const T from = -ray.position.z;
+    completion_.pass(
+        sea_, {ray.line, ray.layer, from, layer, depth, T((from - depth) / ray.direction.z)});
+  };
+  completion_.clear();
+  pass(out);
+  pass(home);
+  completion_.collide(sea_, {out.line, layer, home.line > Index<T>(0), home.line,
+                             one_minus_cos(out.direction, -home.direction)});
+}
+
+/// Scores with the ratios of the completed paths.
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(
+    const Ends<T>& ends, Walked walked, const Mask<T>& mask, const T& value, const T& path,
+    const T& last, const Index<T>& order) {
+  const auto out = each_lane(Walks<T>::slot(ends.laser, ends.i));
+  const auto home = each_lane(Walks<T>::slot(ends.back, ends.m));
+  each_score(mask, value, path, last, order, [&](std::size_t lane, const tally::Score& score) {
+    const auto of_walks = [&](std::int32_t e) {
+      const auto of_laser = [&] { return laser_.ratios().at(out[lane], e); };
+      const auto of_telescope = [&] { return back_.ratios().at(home[lane], e); };
+      if (walked == Walked::laser) return of_laser();
+      if (walked == Walked::telescope) return of_telescope();
+      return transport::joined(sea_.environments, e, of_laser(), of_telescope());
+    };
+    transport::complete<T>(sea_.environments, completion_, lane, of_walks, ratios_.data());
+    tally_.score(score, ratios_.data());
+  });
+}
+
+}  // namespace photic::engine

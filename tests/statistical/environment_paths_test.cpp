@@ -1,0 +1,155 @@
+// Ratios of environments that are known path by path, whatever strategy has drawn it: bounds that
+// every single score keeps.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "core/constants.hpp"
+#include "engine/run.hpp"
+#include "support/runs.hpp"
+#include "support/scenes.hpp"
+
+namespace photic::test {
+namespace {
+
+constexpr double group_index = 1.35;
+constexpr double in_air_m = 24;
+
+struct Setup {
+  std::string estimator;
+  bool submerged = false;
+  std::string more{};  ///< of the simulation
+  bool lanes = true;
+  friend std::ostream& operator<<(std::ostream& out, const Setup& s) {
+    return out << s.estimator << (s.submerged ? "_submerged" : "") << (s.lanes ? "" : "_scalar");
+  }
+};
+
+/// Three layers with all processes, and so much absorption besides in all of them.
+std::string three_waters(double more_a, double times_b = 1, double yield = 0.02) {
+  std::string out = fmt::format("[sea]\ngroup_index = {}\n", group_index);
+  const auto layer = [&](double a, double b, double g, const char* bottom) {
+    out += fmt::format(
+        "[[sea.layer]]\n{}iop = [ {{ wavelength_nm = 532.0, a_per_m = {}, b_per_m = {}, "
+        "a_phytoplankton_per_m = {} }}, {{ wavelength_nm = 700.0, a_per_m = {}, b_per_m = {} }} ]\n"
+        "chlorophyll_yield = {}\n"
+        "phase_function = {{ model = \"henyey-greenstein\", g = {} }}\n",
+        bottom, a + more_a, b * times_b, a / 3, 2 * a + more_a, b * times_b, yield, g);
+  };
+  layer(0.05, 0.15, 0.7, "bottom_depth_m = 1.5\n");
+  layer(0.10, 0.40, 0.8, "bottom_depth_m = 3.0\n");
+  layer(0.06, 0.10, 0.5, "");
+  return out;
+}
+
+const std::string submerged_lidar = R"(
+[source]
+wavelength_nm = 532.0
+position_m = [0.0, 0.0, -1.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.02
+half_divergence_mrad = 5.0
+[[telescope]]
+position_m = [0.1, 0.0, -1.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.20
+focal_length_m = 0.3
+detector_diameter_m = 0.15
+[[telescope]]
+name = "up"
+position_m = [0.1, 0.0, -2.0]
+direction = [0.2, 0.0, 1.0]
+diameter_m = 0.20
+focal_length_m = 0.3
+detector_diameter_m = 0.15
+)";
+
+/// With one environment, of other water.
+tally::Result run_with(const Setup& s, const std::string& water, const std::string& other,
+                       const std::string& more = "") {
+  const auto scene = [&](const std::string& sea) {
+    const std::string all = channel("elastic") + channel("raman") + channel("chlorophyll");
+    return read((s.submerged ? submerged_lidar : ship_instrument) + all + sea +
+                "[gates]\nstart_ns = 0\nstop_ns = 150\nstep_ns = 1\n" +
+                simulation(s.lanes ? 40'000 : 4'000, 71, s.more + more, s.estimator));
+  };
+  auto out = scene(water);
+  const auto changed = scene(other);
+  out.environment.push_back({"other", {}, changed.optics, changed.sea});
+  return s.lanes ? run_in_lanes(out) : engine::run(out);
+}
+
+class EnvironmentPaths : public testing::TestWithParam<Setup> {};
+
+// In water with more absorption everywhere light fades by the length of its path, which a gate
+// tells. Seen red, each with its estimators: without the way from the last vertex, without the edge
+// between two walks, without either ray to a meeting, with reflected legs as if they were straight;
+// with the walks' own depths left out.
+TEST_P(EnvironmentPaths, FadeByTheirLength) {
+  const double more_a = 0.3;
+  const auto result = run_with(GetParam(), three_waters(0), three_waters(more_a));
+  const std::size_t gates = result.gates();
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < result.echo.mean.size(); ++i) {
+    if (result.echo.mean[i] == 0) continue;
+    const double ratio = result.environment_echo.mean[i] / result.echo.mean[i];
+    const auto water = [&](std::size_t edge, double slack) {
+      const double path = metre_per_nanosecond * result.gate_time_edge_ns[edge];
+      return std::max(0.0, path - (GetParam().submerged ? 0 : in_air_m) - slack) / group_index;
+    };
+    // In the air light may go a little askew.
+    const double slack = GetParam().submerged ? 1e-4 : 0.02;
+    EXPECT_LE(ratio, std::exp(-more_a * water(i % gates, slack)) * (1 + 1e-4)) << i;
+    EXPECT_GE(ratio, std::exp(-more_a * water(i % gates + 1, 0)) * (1 - 1e-4)) << i;
+    ++seen;
+  }
+  EXPECT_GT(seen, 3 * 40U);
+}
+
+// Light that is scattered k times by water that scatters more. Seen red: with only one of the
+// collisions at the ends of an edge.
+TEST_P(EnvironmentPaths, AreAsManyTimesScattered) {
+  const double times_b = 1.02;
+  auto water = three_waters(0), other = three_waters(0, times_b);
+  const auto result = run_with(GetParam(), water, other, "max_order = 3\n");
+  const std::size_t gates = result.gates();
+  const double most_excess = (times_b - 1) * 0.40;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < result.echo.mean.size(); ++i) {
+    if (result.echo.mean[i] == 0) continue;
+    const double ratio = result.environment_echo.mean[i] / result.echo.mean[i];
+    const double path = metre_per_nanosecond * result.gate_time_edge_ns[i % gates + 1] -
+                        (GetParam().submerged ? 0 : in_air_m);
+    const bool elastic = i / gates % 3 == 0;
+    EXPECT_LE(ratio, std::pow(times_b, elastic ? 3 : 2) * (1 + 1e-4)) << i;
+    EXPECT_GE(ratio, std::pow(times_b, elastic ? 1 : 0) *
+                         std::exp(-most_excess * path / group_index) * (1 - 1e-4))
+        << i;
+    ++seen;
+  }
+  EXPECT_GT(seen, 3 * 40U);
+}
+
+// Three times the yield is three times the light. Seen red: with conversions for scatterings at the
+// ends of walks; with the line before conversion.
+TEST_P(EnvironmentPaths, ShineAsTheirYield) {
+  const auto result = run_with(GetParam(), three_waters(0), three_waters(0, 1, 0.06));
+  const std::size_t gates = result.gates();
+  for (std::size_t i = 0; i < result.echo.mean.size(); ++i) {
+    const double expected = (i / gates % 3 == 2 ? 3 : 1) * result.echo.mean[i];
+    EXPECT_NEAR(result.environment_echo.mean[i], expected, 1e-5 * expected) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, EnvironmentPaths,
+                         testing::Values(Setup{"forward"}, Setup{"forward", true},
+                                         Setup{"bidirectional"}, Setup{"bidirectional", true},
+                                         Setup{"bidirectional", true, "walks = 3\n"},
+                                         Setup{"bidirectional", true, "", false},
+                                         Setup{"bidirectional", false, "", false}));
+
+}  // namespace
+}  // namespace photic::test
