@@ -33,12 +33,9 @@ def test_steps_without_data_are_refused(photic, scene):
     assert "covers 532.533 to 534.533 nm, not 532 nm" in done.stderr
 
 
-def test_only_the_forward_estimator_has_them(photic, scene):
+def test_a_scene_may_have_them(photic, scene):
     asking(scene, '"sea.layer.0.chlorophyll_mg_m3"')
     assert photic("check", "quick.toml").returncode == 0
-    done = photic("check", "quick.toml", "--set", "simulation.estimator=bidirectional")
-    assert done.returncode == 2
-    assert "the bidirectional estimator has no sensitivities in this version" in done.stderr
 
 
 def test_set_and_schema(photic, scene):

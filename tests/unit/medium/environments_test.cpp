@@ -55,6 +55,31 @@ TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBe) {
   }
 }
 
+// A parameter's tangent stands behind the environments and is none of them: free paths do not look
+// at it. Seen red: with the step in place of the value; with the tangent first.
+TEST(MediumOfEnvironments, HasTangentsBehindThem) {
+  auto layer = algae(0.5);
+  layer.cdom_a440_per_m = 0.1;
+  auto scene = scene_of({layer}, {test::channel_of("elastic")});
+  const auto with_cdom = [&](double a440_per_m) {
+    scene::Environment out{"", {}, scene.optics, scene.sea};
+    out.sea.layer[0].cdom_a440_per_m = a440_per_m;
+    return out;
+  };
+  scene.environment.push_back(with_cdom(0.0));
+  scene.sensitivity.push_back(
+      {"sea.layer.0.cdom_a440_per_m", 0.1, 1e-4, with_cdom(0.0999), with_cdom(0.1001)});
+  const Medium m = medium_of(scene);
+  ASSERT_EQ(m.environments.count, 2);
+  ASSERT_EQ(m.environments.first_tangent, 1);
+  const auto& excess = m.environments.excess_c;
+  ASSERT_EQ(excess.size(), 2U);
+  EXPECT_LT(excess[0], 0);
+  EXPECT_NEAR(excess[1], -excess[0], 1e-10 * excess[1]);  // attenuation goes with it
+  EXPECT_LE(gather<double>(m.view().walk_c, 0), m.c[0] + excess[0]);
+  EXPECT_EQ(m.view().environments.stride % environment_padding, 0);
+}
+
 // Seen red: with the scene's parts alone.
 TEST(MediumOfEnvironments, HasTwoPartsWhereAPhaseFunctionIsAnother) {
   const auto scene = scene_of({iop_layer()}, {test::channel_of("elastic")});

@@ -203,11 +203,7 @@ TEST(Sensitivity, IsToldWithAllElse) {
                    "-1"}));
 }
 
-TEST(Sensitivity, IsOfTheForwardEstimatorAndTakesMemory) {
-  EXPECT_EQ(diagnostics_of(deriving("'sea.layer.0.chlorophyll_mg_m3'"),
-                           {"simulation.estimator=bidirectional"}),
-            (Texts{"--set simulation.estimator: the bidirectional estimator has no sensitivities "
-                   "in this version (write estimator = \"forward\", or leave sensitivity out)"}));
+TEST(Sensitivity, TakesMemory) {
   std::ostringstream paths;
   std::ostringstream entries;
   for (int i = 0; i < 620; ++i) {
