@@ -74,14 +74,14 @@ std::string line(const tally::Result& result, const EchoRow& row) {
                      row.converged() ? "yes" : "no", fmt::join(flag_names(row.flags), " "));
 }
 
-std::string environment_fields(const tally::Result& result, const std::string& name,
-                               const EchoRow& row) {
+std::string environment_part(const tally::Result& result, const std::string& name,
+                             const EchoRow& row) {
   if (!has_environments(result)) return "";
   return fmt::format(",{},{},{}", field(name), row.difference, row.difference_standard_error);
 }
 
-std::string parameter_fields(const tally::Result& result, const std::string& name,
-                             const EchoRow& row) {
+std::string parameter_part(const tally::Result& result, const std::string& name,
+                           const EchoRow& row) {
   if (!has_parameters(result)) return "";
   return fmt::format(",{},{},{},{},{}", field(name), row.sensitivity,
                      row.sensitivity_standard_error, row.logarithmic_sensitivity,
@@ -93,8 +93,8 @@ std::string lines(const tally::Result& result, const std::vector<EchoRow>& rows,
                   const std::string& environment, const std::string& parameter) {
   std::string out;
   for (const EchoRow& row : rows)
-    out += line(result, row) + environment_fields(result, environment, row) +
-           parameter_fields(result, parameter, row) + '\n';
+    out += line(result, row) + environment_part(result, environment, row) +
+           parameter_part(result, parameter, row) + '\n';
   return out;
 }
 

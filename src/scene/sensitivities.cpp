@@ -54,7 +54,7 @@ class ParameterReader {
 
   /// The path by numbers, if it leads to a parameter; its value goes into the sensitivity.
   std::optional<std::string> find(Sensitivity& sensitivity) {
-    const auto numbered = numbers_of(sensitivity.path);
+    auto numbered = numbers_of(sensitivity.path);
     if (!numbered) return std::nullopt;
     const Node* node = node_at(reference_.written, *numbered);
     if (!node) return refuse_unknown(*numbered);
