@@ -110,9 +110,12 @@ double badness(const Contender& contender, const std::vector<bool>& counts) {
 
 scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options) {
   if (scene.simulation.estimator != "auto") return scene;
-  if (!scene.environment.empty()) {
+  const bool has_tools = scene.simulation.tools != scene::Tools{};
+  if (has_tools || !scene.environment.empty()) {
     scene::Scene forward = settled(scene, "forward");
-    forward.simulation.estimator_reason = "the only one that has environments in this version";
+    forward.simulation.estimator_reason =
+        fmt::format("the only one that has {} in this version",
+                    has_tools ? "the tools asked for" : "environments");
     return forward;
   }
   auto all = contenders(scene);

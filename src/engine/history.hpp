@@ -3,10 +3,16 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/flatten.hpp"
 #include "core/random.hpp"
+#include "engine/analog.hpp"
+#include "engine/book.hpp"
+#include "engine/ends.hpp"
 #include "engine/estimate.hpp"
+#include "engine/tools.hpp"
 #include "engine/world.hpp"
 #include "transport/collide.hpp"
 #include "transport/emit.hpp"
@@ -14,27 +20,6 @@
 #include "transport/scatter.hpp"
 
 namespace photic::engine {
-
-/// A photon that has not ended after so many events is lost, and counted.
-inline constexpr std::int32_t most_events = 1'000'000;
-
-/// Whether light from here can still be back within the last gate: the shortest way at the least
-/// group index.
-template <class T>
-Mask<T> in_time(const World<T>& world, const transport::Photon<T>& photon) {
-  using std::abs;
-  T shortest = world.lowest_in_air - world.least_group_index * photon.position.z;
-  for (const T& z : world.submerged_z) {
-    const T direct = world.least_group_index * abs(z - photon.position.z);
-    shortest = select(direct < shortest, direct, shortest);
-  }
-  return photon.path + shortest < world.last_path;
-}
-
-/// Adds the weights of the lanes of a mask to an account of the ledger.
-inline void book(double& account, bool mask, double weight) {
-  if (mask) account += weight;
-}
 
 /// The photons of a mask on the laser's disc, and on into the water. Tells which get there.
 template <class T, class Ledger>
@@ -56,18 +41,21 @@ Mask<T> set_out(const World<T>& world, const Counter<T>& number, const Mask<T>& 
   const T in_air = photon.weight;
   const Mask<T> entered = enter_water(world.sea, photon);
   book(ledger.escaped, exist, select(entered, in_air - photon.weight, in_air));
+  if (world.analog) [[unlikely]]
+    return enter_by_chance(photon, exist & entered, u[2], ledger);
   return exist & entered;
 }
 
 /// What becomes of photons that collide where they stand: they are scored, and go on in another
 /// direction, at another wavelength, or not.
-template <class T, class Ledger>
+template <bool has_tools, class T, class Ledger>
 void collision(const World<T>& world, Travellers<T>& travellers, const std::array<T, 4>& u,
                Mask<T>& colliding, Ledger& ledger, tally::BatchTally& tally,
                Estimates<T>& estimates) {
   using namespace transport;
   Photon<T>& photon = travellers.photon;
-  score_scattering(world, travellers, colliding, estimates, tally);
+  const Mask<T> scored = colliding & Mask<T>(!(has_tools && world.tools.scores_on_the_way));
+  score_scattering(world, travellers, scored, estimates, tally);
   if (world.last_order > 0) {
     const Mask<T> last = colliding & (photon.order + Index<T>(1) == Index<T>(world.last_order));
     book(ledger.cut_by_order, last, photon.weight);
@@ -85,19 +73,20 @@ void collision(const World<T>& world, Travellers<T>& travellers, const std::arra
     travellers.ratios.collided(world.sea, photon, colliding);
 }
 
-/// One event of the photons that are `on` their way: a flight, and what stands at its end. Tells
-/// who goes on.
-template <class T, class Ledger>
-Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
-                   tally::BatchTally& tally, Estimates<T>& estimates) {
+/// What next_event does, with the tools of simulation.tools or with none.
+template <bool has_tools, class T, class Ledger>
+Mask<T> forward_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
+                      tally::BatchTally& tally, Estimates<T>& estimates) {
   using namespace transport;
   Photon<T>& photon = travellers.photon;
   travellers.place.event = travellers.place.event + Index<T>(1);
   const auto u = uniforms(travellers.place, 0);
-  if (!world.views.empty()) score_conversions(world, travellers, on, estimates, tally);
+  if (!world.cones.empty()) score_on_the_way<has_tools>(world, travellers, on, estimates, tally);
+  T u_path = u[0];
+  if constexpr (has_tools) u_path = begin_with_tools(world, travellers, on, u_path, ledger);
   if (world.compares) [[unlikely]]
     travellers.ratios.before = photon;
-  const FlightEnd<T> end = fly(world.sea, photon, u[0]);
+  const FlightEnd<T> end = fly(world.sea, photon, u_path);
   if (world.compares) [[unlikely]]
     travellers.ratios.flown(world.sea, photon, end.length);
   book(ledger.sea_bed, on & end.sea_bed, photon.weight);
@@ -109,19 +98,21 @@ Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on,
   const Mask<T> reflected = on & end.surface;
   Mask<T> colliding = on & !end.surface;
   Photon<T> down = photon;
-  if (any(reflected)) book(ledger.escaped, reflected, reflect_down(world.sea, down));
+  if (any(reflected)) {
+    const Mask<T> kept = has_tools ? are_forced(world, travellers.place) : Mask<T>(false);
+    book(ledger.escaped, reflected, reflect_down(world.sea, down, kept));
+  }
   if (any(colliding)) {
     tally.collisions += count(colliding);
-    collision(world, travellers, u, colliding, ledger, tally, estimates);
+    collision<has_tools>(world, travellers, u, colliding, ledger, tally, estimates);
   }
   if (any(reflected)) photon = select(reflected, down, photon);
   on = reflected | colliding;
 
-  const T weight = photon.weight;
-  const Mask<T> survives = roulette(photon, world.roulette_threshold, u[3]);
-  const Mask<T> played = on & !(survives & (photon.weight == weight));
-  book(ledger.roulette, played, select(survives, weight - photon.weight, weight));
-  on = on & survives;
+  if constexpr (has_tools)
+    on = end_with_tools(world, travellers, on, u[3], ledger);
+  else
+    on = play_roulette(photon, world.weight_threshold, u[3], on, ledger);
   const Mask<T> finite = photon.weight <= T(std::numeric_limits<Element<T>>::max());
   tally.not_finite += count(on & !finite);
   on = on & finite;
@@ -131,13 +122,59 @@ Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on,
   return on & !worn;
 }
 
+/// The events that few scenes ask for.
+template <class T, class Ledger>
+PHOTIC_APART Mask<T> special_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on,
+                                   Ledger& ledger, tally::BatchTally& tally,
+                                   Estimates<T>& estimates) {
+  if (world.analog) return analog_event(world, travellers, on, ledger, tally);
+  return forward_event<true>(world, travellers, on, ledger, tally, estimates);
+}
+
+/// One event of the photons that are `on` their way: a flight, and what stands at its end. Tells
+/// who goes on.
+template <class T, class Ledger>
+Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
+                   tally::BatchTally& tally, Estimates<T>& estimates) {
+  if (world.special) [[unlikely]]
+    return special_event(world, travellers, on, ledger, tally, estimates);
+  return forward_event<false>(world, travellers, on, ledger, tally, estimates);
+}
+
 /// Follows photon number `number` from the laser until it is absorbed, escapes or comes too late,
 /// and scores its echoes. Flattened: what is called stays in registers, a tenth of the time.
 template <class T>
 PHOTIC_FLATTEN void follow(const World<T>& world, std::uint64_t number, Travellers<T>& photon,
                            Estimates<T>& estimates, tally::BatchTally& tally) {
   bool on = set_out(world, number, true, photon, tally.ledger);
-  while (on) on = next_event(world, photon, on, tally.ledger, tally, estimates);
+  while (on) on = forward_event<false>(world, photon, on, tally.ledger, tally, estimates);
+}
+
+/// Keeps the copies of a photon that was split, each with random numbers of its own.
+template <class T>
+void keep_copies(const Travellers<T>& photon, std::vector<Travellers<T>>& waiting) {
+  for (std::int32_t i = 0; i < photon.copies; ++i) {
+    waiting.push_back(photon);
+    waiting.back().place.photon =
+        copy_number(photon.place.seed, photon.place.photon, photon.place.event, i);
+  }
+}
+
+/// The same by special events, and of all its copies, which wait for each other.
+template <class T>
+void follow_specially(const World<T>& world, std::uint64_t number,
+                      std::vector<Travellers<T>>& waiting, Estimates<T>& estimates,
+                      tally::BatchTally& tally) {
+  Travellers<T> photon;
+  if (set_out(world, number, true, photon, tally.ledger)) waiting.push_back(photon);
+  while (!waiting.empty()) {
+    photon = std::move(waiting.back());
+    waiting.pop_back();
+    for (bool on = true; on;) {
+      on = special_event(world, photon, on, tally.ledger, tally, estimates);
+      if (on) keep_copies(photon, waiting);
+    }
+  }
 }
 
 }  // namespace photic::engine

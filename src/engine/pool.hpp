@@ -18,10 +18,11 @@
 
 namespace photic::engine {
 
-/// One member of the photons of a pool, slot by slot.
+/// One member of the photons of a pool, slot by slot, and of the copies that wait for one.
 template <class E, std::size_t slots>
 struct alignas(64) Column {
   std::array<E, slots> slot{};
+  std::vector<E> waiting;
 };
 
 template <class T>
@@ -59,8 +60,11 @@ class Pool {
         witness(travellers_, before, on);
         store(k);
         on_[k / width] = lane_bits(on);
+        if (world_.special) [[unlikely]]
+          keep_copies(k, on);
       }
       replace();
+      while (used_ < slots && revive(used_)) ++used_;
     }
     close_rooms(world_, estimates_, tally);
     tally.ledger = tally.ledger + total(ledger_);
@@ -101,6 +105,29 @@ class Pool {
             [k](const auto& member, auto& column) { member.store(column.slot.data() + k); });
   }
 
+  /// Keeps the copies of photons that were split, each with random numbers of its own.
+  PHOTIC_APART void keep_copies(std::size_t k, const Mask<T>& on) {
+    const auto copies = each_lane(travellers_.copies);
+    for_each_lane(on, [&](int lane) {
+      const std::size_t slot = k + static_cast<std::size_t>(lane);
+      for (std::int32_t i = 0; i < copies[slot - k]; ++i) {
+        columns(travellers_,
+                [slot](const auto&, auto& column) { column.waiting.push_back(column.slot[slot]); });
+        number_.waiting.back() = copy_number(world_.seed, number_.slot[slot], event_.slot[slot], i);
+      }
+    });
+  }
+  /// Gives a slot to a copy that waits, if one does.
+  bool revive(std::size_t slot) {
+    if (number_.waiting.empty()) [[likely]]
+      return false;
+    columns(travellers_, [slot](const auto&, auto& column) {
+      column.slot[slot] = column.waiting.back();
+      column.waiting.pop_back();
+    });
+    return true;
+  }
+
   /// Whether there is another photon that has reached the water: lane `born_` of the newborn.
   bool emerge() {
     for (;;) {
@@ -119,7 +146,8 @@ class Pool {
   void settle(std::size_t slot) {
     columns(newborn_, [&](const auto& member, auto& column) { column.slot[slot] = member[born_]; });
   }
-  /// Gives the slots of those who have ended to new photons, or to the last ones.
+  /// Gives the slots of those who have ended to copies that wait, to new photons, or to the last
+  /// ones.
   void replace() {
     const auto ended = [this](std::size_t slot) {
       return (on_[slot / width] >> slot % width & 1U) == 0;
@@ -130,6 +158,7 @@ class Pool {
       for (; gone != 0; gone &= gone - 1) {
         const std::size_t slot = k + static_cast<std::size_t>(std::countr_zero(gone));
         if (slot >= used_) return;
+        if (revive(slot)) continue;
         if (emerge()) {
           settle(slot);
           continue;

@@ -139,7 +139,7 @@ class WalkTaker {
     on = reflected | colliding;
 
     const T heavy = photon.weight;
-    const Mask<T> survives = roulette(photon, world_.roulette_threshold, u[3]);
+    const Mask<T> survives = roulette(photon, world_.weight_threshold, u[3]);
     const Mask<T> played = on & !(survives & (photon.weight == heavy));
     book(source_.ledger.roulette, played, select(survives, heavy - photon.weight, heavy));
     on = on & survives;

@@ -140,6 +140,22 @@ Memory memory_of(const Scene& scene) {
           cells * (1.0 + processes)};
 }
 
+void check_tools(const Scene& scene, Findings& findings) {
+  const Simulation& s = scene.simulation;
+  if (!findings.good({"simulation.tools", "simulation.estimator"})) return;
+  if ((s.estimator == "bidirectional" || s.estimator == "analog") && s.tools != Tools{}) {
+    findings.add("simulation.estimator",
+                 fmt::format("the {} estimator has none of simulation.tools", s.estimator),
+                 "write estimator = \"forward\", or leave the tools out");
+  }
+  for (std::size_t i = 1; i < s.tools.importance.size(); ++i) {
+    if (s.tools.importance[i].depth_m > s.tools.importance[i - 1].depth_m) continue;
+    findings.add(fmt::format("simulation.tools.importance.{}.depth_m", i),
+                 "importances must be listed from the surface down",
+                 fmt::format("a depth below {} m", s.tools.importance[i - 1].depth_m));
+  }
+}
+
 /// The path of what takes most, and the advice.
 std::pair<std::string, std::string> what_to_lessen(const Memory& memory, const Keys& keys) {
   if (memory.environments > std::max(memory.gates, memory.orders))
@@ -166,10 +182,12 @@ void check_gates(const Scene& scene, Findings& findings) {
 }
 
 void check_estimator(const Scene& scene, Findings& findings) {
-  if (!scene.environment.empty() && scene.simulation.estimator == "bidirectional" &&
+  check_tools(scene, findings);
+  const std::string& estimator = scene.simulation.estimator;
+  if (!scene.environment.empty() && (estimator == "bidirectional" || estimator == "analog") &&
       findings.good({"simulation.estimator"})) {
     findings.add("simulation.estimator",
-                 "the bidirectional estimator has no environments in this version",
+                 fmt::format("the {} estimator has no environments in this version", estimator),
                  "write estimator = \"forward\", or leave [[environment]] out");
   }
 }
