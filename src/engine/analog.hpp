@@ -5,13 +5,13 @@
 #include <limits>
 
 #include "core/random.hpp"
-#include "core/turn.hpp"
 #include "engine/book.hpp"
 #include "engine/ends.hpp"
 #include "engine/estimate.hpp"
 #include "engine/world.hpp"
 #include "instrument/lens.hpp"
 #include "tally/batch_tally.hpp"
+#include "transport/collide_by_chance.hpp"
 #include "transport/flight.hpp"
 
 namespace photic::engine {
@@ -81,36 +81,6 @@ Mask<T> emerge(const World<T>& world, const transport::Photon<T>& photon, const 
   return leaves;
 }
 
-/// The photons of a mask are scattered where they stand, or converted, or absorbed. Tells who goes
-/// on.
-template <class T>
-Mask<T> collide_by_chance(const medium::MediumView& sea, transport::Photon<T>& photon,
-                          const Mask<T>& colliding, const T& u, const T& u_polar,
-                          const T& u_azimuth) {
-  const Index<T> here = sea.at(photon.line, photon.layer);
-  Index<T> phase = gather_index<T>(sea.elastic_phase, here);
-  T rest = u - gather<T>(sea.albedo, here);
-  Mask<T> goes_on = rest < T(0);
-  const Index<T> count = select(photon.line == Index<T>(0),
-                                gather_index<T>(sea.convertible_count, photon.layer), Index<T>(0));
-  Index<T> i(0);
-  for (Mask<T> left = colliding & (i < count); any(left); left = colliding & (i < count)) {
-    const Index<T> line = gather_index<T>(
-        sea.convertible, photon.layer * Index<T>(sea.lines) + select(left, i, Index<T>(0)));
-    const T share = gather<T>(sea.conversion, sea.at(line, photon.layer));
-    const Mask<T> converted = left & !goes_on & (rest < share);
-    photon.line = select(converted, line, photon.line);
-    phase = select(converted, gather_index<T>(sea.conversion_phase, line), phase);
-    goes_on = goes_on | converted;
-    rest = rest - share;
-    i = i + Index<T>(1);
-  }
-  photon.order = photon.order + Index<T>(1);
-  const auto [cosine, sine] = cos_sin_of_turns(u_azimuth);
-  photon.direction = turned(photon.direction, sea.phases.sample<T>(u_polar, phase), cosine, sine);
-  return colliding & goes_on;
-}
-
 /// From one collision to the next, by way of the surface if need be. Tells who goes on.
 template <class T, class Ledger>
 Mask<T> analog_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
@@ -142,7 +112,7 @@ Mask<T> analog_event(const World<T>& world, Travellers<T>& travellers, Mask<T> o
   on = on & !last;
 
   tally.collisions += count(on);
-  const Mask<T> stays = collide_by_chance(world.sea, photon, on, u[3], v[0], v[1]);
+  const Mask<T> stays = transport::collide_by_chance(world.sea, photon, on, u[3], v[0], v[1]);
   book(ledger.absorbed, on & !stays, photon.weight);
   const Mask<T> worn = stays & (travellers.place.event >= Index<T>(most_events));
   tally.too_many_events += count(worn);

@@ -73,7 +73,7 @@ void collision(const World<T>& world, Travellers<T>& travellers, const std::arra
     travellers.ratios.collided(world.sea, photon, colliding);
 }
 
-/// What next_event does, with the tools of simulation.tools or with none.
+/// As next_event, of the forward estimator with the tools of simulation.tools or with none.
 template <bool has_tools, class T, class Ledger>
 Mask<T> forward_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
                       tally::BatchTally& tally, Estimates<T>& estimates) {
@@ -122,23 +122,16 @@ Mask<T> forward_event(const World<T>& world, Travellers<T>& travellers, Mask<T> 
   return on & !worn;
 }
 
-/// The events that few scenes ask for.
-template <class T, class Ledger>
-PHOTIC_APART Mask<T> special_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on,
-                                   Ledger& ledger, tally::BatchTally& tally,
-                                   Estimates<T>& estimates) {
-  if (world.analog) return analog_event(world, travellers, on, ledger, tally);
-  return forward_event<true>(world, travellers, on, ledger, tally, estimates);
-}
-
 /// One event of the photons that are `on` their way: a flight, and what stands at its end. Tells
-/// who goes on.
-template <class T, class Ledger>
-Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
-                   tally::BatchTally& tally, Estimates<T>& estimates) {
-  if (world.special) [[unlikely]]
-    return special_event(world, travellers, on, ledger, tally, estimates);
-  return forward_event<false>(world, travellers, on, ledger, tally, estimates);
+/// who goes on. `special` as the world is: known before the loops, so that others are as fast as if
+/// there were no such events.
+template <bool special, class T, class Ledger>
+Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, const Mask<T>& on,
+                   Ledger& ledger, tally::BatchTally& tally, Estimates<T>& estimates) {
+  if constexpr (special) {
+    if (world.analog) return analog_event(world, travellers, on, ledger, tally);
+  }
+  return forward_event<special>(world, travellers, on, ledger, tally, estimates);
 }
 
 /// Follows photon number `number` from the laser until it is absorbed, escapes or comes too late,
@@ -147,7 +140,7 @@ template <class T>
 PHOTIC_FLATTEN void follow(const World<T>& world, std::uint64_t number, Travellers<T>& photon,
                            Estimates<T>& estimates, tally::BatchTally& tally) {
   bool on = set_out(world, number, true, photon, tally.ledger);
-  while (on) on = forward_event<false>(world, photon, on, tally.ledger, tally, estimates);
+  while (on) on = next_event<false>(world, photon, on, tally.ledger, tally, estimates);
 }
 
 /// Keeps the copies of a photon that was split, each with random numbers of its own.
@@ -162,16 +155,16 @@ void keep_copies(const Travellers<T>& photon, std::vector<Travellers<T>>& waitin
 
 /// The same by special events, and of all its copies, which wait for each other.
 template <class T>
-void follow_specially(const World<T>& world, std::uint64_t number,
-                      std::vector<Travellers<T>>& waiting, Estimates<T>& estimates,
-                      tally::BatchTally& tally) {
+PHOTIC_FLATTEN void follow_specially(const World<T>& world, std::uint64_t number,
+                                     std::vector<Travellers<T>>& waiting, Estimates<T>& estimates,
+                                     tally::BatchTally& tally) {
   Travellers<T> photon;
   if (set_out(world, number, true, photon, tally.ledger)) waiting.push_back(photon);
   while (!waiting.empty()) {
     photon = std::move(waiting.back());
     waiting.pop_back();
     for (bool on = true; on;) {
-      on = special_event(world, photon, on, tally.ledger, tally, estimates);
+      on = next_event<true>(world, photon, on, tally.ledger, tally, estimates);
       if (on) keep_copies(photon, waiting);
     }
   }

@@ -45,33 +45,40 @@ class Pool {
   /// Follows photons `first` … `first + count - 1` to their ends. `witness` is told of the packs
   /// before and after each event.
   template <class Witness>
-  PHOTIC_FLATTEN void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
-                          Witness witness) {
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Witness witness) {
     next_ = first;
     last_ = first + count;
     born_ = width;
     used_ = 0;
-    while (used_ < slots && emerge()) settle(used_++);
-    while (used_ > 0) {
-      for (std::size_t k = 0; k < used_; k += width) {
-        load(k);
-        const Mask<T> before = first_lanes<T>(used_ - k);
-        const Mask<T> on = next_event(world_, travellers_, before, ledger_, tally, estimates_);
-        witness(travellers_, before, on);
-        store(k);
-        on_[k / width] = lane_bits(on);
-        if (world_.special) [[unlikely]]
-          keep_copies(k, on);
-      }
-      replace();
-      while (used_ < slots && revive(used_)) ++used_;
-    }
-    close_rooms(world_, estimates_, tally);
+    if (world_.special)
+      run<true>(tally, witness);
+    else
+      run<false>(tally, witness);
     tally.ledger = tally.ledger + total(ledger_);
     ledger_ = {};
   }
 
  private:
+  template <bool special, class Witness>
+  PHOTIC_APART PHOTIC_FLATTEN void run(tally::BatchTally& tally, Witness& witness) {
+    while (used_ < slots && emerge()) settle(used_++);
+    while (used_ > 0) {
+      for (std::size_t k = 0; k < used_; k += width) {
+        load(k);
+        const Mask<T> before = first_lanes<T>(used_ - k);
+        const Mask<T> on =
+            next_event<special>(world_, travellers_, before, ledger_, tally, estimates_);
+        witness(travellers_, before, on);
+        store(k);
+        on_[k / width] = lane_bits(on);
+        if constexpr (special) keep_copies(k, on);
+      }
+      replace();
+      while (special && used_ < slots && revive(used_)) ++used_;
+    }
+    close_rooms(world_, estimates_, tally);
+  }
+
   /// Calls f(a member of the travellers, its column) for every member that a slot keeps.
   template <class F>
   void columns(Travellers<T>& t, F f) {
@@ -106,7 +113,7 @@ class Pool {
   }
 
   /// Keeps the copies of photons that were split, each with random numbers of its own.
-  PHOTIC_APART void keep_copies(std::size_t k, const Mask<T>& on) {
+  void keep_copies(std::size_t k, const Mask<T>& on) {
     const auto copies = each_lane(travellers_.copies);
     for_each_lane(on, [&](int lane) {
       const std::size_t slot = k + static_cast<std::size_t>(lane);

@@ -66,7 +66,8 @@ EventLog log_scalar(const Problem& problem, std::uint64_t photons) {
       t = copies.back();
       copies.pop_back();
       for (bool on = true; on;) {
-        on = next_event(world, t, on, tally.ledger, tally, estimates);
+        on = world.special ? next_event<true>(world, t, on, tally.ledger, tally, estimates)
+                           : next_event<false>(world, t, on, tally.ledger, tally, estimates);
         if (on && t.copies > 0) keep_copies(t, copies);
         const auto& p = t.photon;
         LoggedEvent event;
