@@ -96,6 +96,26 @@ TEST(Tools, LeaveTheLedgerAsItIs) {
   }
 }
 
+// Ratios of environments are those of the paths, whatever drew them.
+TEST(Tools, LeaveEnvironmentsAsTheyAre) {
+  const auto other = [](const std::string& more) {
+    auto scene = quiet_scene(2e6, 6, more);
+    scene.sea.layer[0].iop[0].a_per_m = 0.08;
+    scene.sea.layer[1].iop[0].b_per_m = 0.24;
+    return scene;
+  };
+  const auto own = run_in_lanes(other(""));
+  for (const Case& c : tools_one_by_one) {
+    SCOPED_TRACE(c.name);
+    auto scene = quiet_scene(1e6, 5, with(c.tools));
+    scene.environment.push_back({"other", {}, scene.optics, other("").sea});
+    const auto all = run_in_lanes(scene);
+    tally::Result environment = all;
+    environment.echo = all.environment_echo;
+    compare(environment, own, 5);
+  }
+}
+
 // Ending histories does not: echoes are low, the more the deeper, and what is cut is told.
 TEST(Tools, EndingHistoriesTellsWhatItCuts) {
   const auto plain = run_in_lanes(quiet_scene(2e6, 6, ""));

@@ -193,10 +193,11 @@ step_ns = 1)"}},
          "photons = 1e6\n[simulation.tools]\nimportance = [{ depth_m = 5, value = 2 }, { depth_m = "
          "5, "
          "value = 3 }]"}},
-       {"scene.toml:32:52: importances must be listed from the surface down (a depth below 5 m)"}},
+       {"scene.toml:32:55: importances must be listed from the surface down (a depth below 5 m)"}},
       {"ImportanceTooLarge",
        {{30, 30, "photons = 1e6\n[simulation.tools]\nimportance = [{ depth_m = 5, value = 101 }]"}},
-       {"scene.toml:32:37: 'value' must be a finite number, from 0.01 to 100, not 101"}},
+       {"scene.toml:32:38: 'value' must be a finite number, at least 0.01 and at most 100, not "
+        "101"}},
       {"AllAtOnce",
        {{3, 3, "wavelength_nm = -1"}, {12, 12, "diametre_m = 0.4"}, {17, 17, ""}, {26, 28, ""}},
        {"scene.toml:3:17: 'wavelength_nm' must be a finite number, greater than 0, not -1",
