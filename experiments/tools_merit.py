@@ -13,6 +13,7 @@ import json
 import math
 import pathlib
 import resource
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -65,20 +66,27 @@ def run(photic, scene, photons, seed, keys):
     return {(row["channel"], row["gate"]): row for row in result["echoes"]}, result, cpu_s
 
 
-def measure(photic, scene, reference, keys, photons, seeds):
-    """Mean squared relative deviation of each cell, and CPU seconds of a run."""
-    start_s = min(run(photic, scene, 2000, 1, keys)[2] for _ in range(2))
-    squares = dict.fromkeys(reference, 0.0)
-    cpu_sum_s = 0.0
-    cut = 0.0
-    for seed in range(1000, 1000 + seeds):
-        echoes, result, cpu_s = run(photic, scene, photons, seed, keys)
-        cpu_sum_s += cpu_s - start_s
-        cut += result["ledger"]["cut_by_weight"] / seeds
+class Candidate:
+    """One variant's squared relative deviations from the reference, by cell, and its CPU times."""
+
+    def __init__(self, settings, photic, scene):
+        self.settings = settings
+        self.start_s = min(run(photic, scene, 2000, 1, settings)[2] for _ in range(3))
+        self.squares = {}
+        self.cpu_s = []
+        self.cut = 0.0
+
+    def add(self, echoes, reference, cpu_s, cut):
+        self.cpu_s.append(cpu_s - self.start_s)
+        self.cut = cut
         for cell, row in reference.items():
             if row["echo"] > 0:
-                squares[cell] += (echoes[cell]["echo"] / row["echo"] - 1) ** 2 / seeds
-    return squares, cpu_sum_s / seeds, cut
+                square = (echoes[cell]["echo"] / row["echo"] - 1) ** 2
+                self.squares.setdefault(cell, []).append(square)
+
+    def badness(self, cell):
+        """Mean squared deviation times CPU time; the median, for other programs run as well."""
+        return statistics.mean(self.squares[cell]) * statistics.median(self.cpu_s)
 
 
 def known(row, plain_square):
@@ -104,21 +112,23 @@ def main():
         reference_speed = 100_000 / run(asked.photic, scene, 100_000, 1, both_ways)[2]
         reference, _, _ = run(asked.photic, scene, asked.reference * reference_speed, 7, both_ways)
         print(f"\n{name}: {photons:.3g} photons a run, {asked.seeds} seeds", flush=True)
-        plain = None
-        for label, (directed, keys) in variants(importance).items():
-            settings = forward + [f"tools.{key}" for key in keys] + ([] if directed else ["directed_fraction=0"])
-            squares, cpu_s, cut = measure(asked.photic, scene, reference, settings, photons, asked.seeds)
-            if plain is None:
-                plain = (squares, cpu_s)
-            line = f"| {label} | {cpu_s / plain[1]:.2f} |"
+        candidates = {label: Candidate(forward + [f"tools.{key}" for key in keys] + ([] if directed else ["directed_fraction=0"]),
+                                       asked.photic, scene) for label, (directed, keys) in variants(importance).items()}
+        for seed in range(1000, 1000 + asked.seeds):  # in turns, so that all meet the same load
+            for one in candidates.values():
+                echoes, result, cpu_s = run(asked.photic, scene, photons, seed, one.settings)
+                one.add(echoes, reference, cpu_s, result["ledger"]["cut_by_weight"])
+        plain = candidates["plain"]
+        for label, one in candidates.items():
+            line = f"| {label} | {statistics.median(one.cpu_s) / statistics.median(plain.cpu_s):.2f} |"
             for low, high in zip(edges, edges[1:]):
                 for channel in sorted({cell[0] for cell in reference}):
-                    ratios = [plain[0][cell] * plain[1] / (squares[cell] * cpu_s) for cell, row in reference.items()
-                              if cell[0] == channel and low <= row["depth_m"] < high and known(row, plain[0][cell])]
+                    ratios = [plain.badness(cell) / one.badness(cell) for cell, row in reference.items()
+                              if cell[0] == channel and low <= row["depth_m"] < high
+                              and known(row, statistics.mean(plain.squares.get(cell, [0])))]
                     if ratios:
-                        gain = math.exp(sum(math.log(ratio) for ratio in ratios) / len(ratios))
-                        line += f" {channel} {low}-{high} m: {gain:.2f} ({len(ratios)}) |"
-            print(line + (f" cut {cut:.2g}" if cut else ""), flush=True)
+                        line += f" {channel} {low}-{high} m: {statistics.geometric_mean(ratios):.2g} ({len(ratios)}) |"
+            print(line + (f" cut {one.cut:.2g}" if one.cut else ""), flush=True)
 
 
 if __name__ == "__main__":

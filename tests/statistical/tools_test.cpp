@@ -74,6 +74,9 @@ const std::vector<Case> tools_one_by_one{
      "forced_collisions = 3\nlocal_forced_collisions = \"all\"\nweight_threshold = 0.3\n"
      "importance = [ { depth_m = 3, value = 3 } ]"}};
 
+// Seen red, each in its case: with the chance of leaving not taken from the weight; with the weight
+// not divided at splitting; with the copies dropped; with collisions scored on the way and where
+// they happen.
 TEST(Tools, LeaveEchoesAsTheyAre) {
   const auto plain = run_in_lanes(bright_scene(4e6, 6, ""));
   ZFamily family(0.01);
@@ -85,6 +88,8 @@ TEST(Tools, LeaveEchoesAsTheyAre) {
   family.judge();
 }
 
+// Seen red: with the surface's losses taken again from photons that are kept from leaving; with
+// what leaves not booked.
 TEST(Tools, LeaveTheLedgerAsItIs) {
   const auto plain = run_in_lanes(quiet_scene(4e6, 6, ""));
   ZFamily family(0.01);
