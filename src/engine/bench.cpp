@@ -43,6 +43,7 @@ Candidate candidate(const scene::Scene& scene, const std::string& estimator,
   s.connected_fraction = defaults.connected_fraction;
   s.walk_attenuation = 0.6;
   s.sampling = defaults.sampling;
+  if (estimator != "forward") s.tools = defaults.tools;
   return c;
 }
 

@@ -110,6 +110,11 @@ double badness(const Contender& contender, const std::vector<bool>& counts) {
 
 scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options) {
   if (scene.simulation.estimator != "auto") return scene;
+  if (scene.simulation.tools != scene::Tools{}) {
+    scene::Scene forward = settled(scene, "forward");
+    forward.simulation.estimator_reason = "the only one that has the tools asked for in this version";
+    return forward;
+  }
   auto all = contenders(scene);
   for (Contender& contender : all) try_out(contender, options);
   std::vector<bool> counts(all.front().squared_error.size());  // gates that light reaches

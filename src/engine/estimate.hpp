@@ -30,6 +30,8 @@ struct Travellers {
   std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
                                                 ///< part in local estimates of single rays
   transport::Ratios<T> ratios;                  ///< of their weights in environments
+  T analog_before{}, importance_before{};       ///< the event, for tools that ask
+  Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
 };
 
 /// Where a telescope's lens is looked through by a photon, all its life.
@@ -220,10 +222,10 @@ void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Tar
   }
 }
 
-/// Scores what the telescopes expect of photons that are scattered where they stand. Fills in the
-/// targets of the direction they may take next.
+/// Scores what the telescopes expect of photons of a mask that are scattered where they stand.
+/// Fills in the targets of the direction that all may take next.
 template <class T>
-void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask<T>& colliding,
+void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask<T>& scored,
                       Estimates<T>& estimates, tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
   const Index<T> here = sea.at(at.photon.line, at.photon.layer);
@@ -233,22 +235,25 @@ void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask
     estimates.first = at.ratios.first;
     estimates.ahead.clear();
   }
-  score_light(world, at.photon, at.lens, colliding, at.photon.line, gather<T>(sea.albedo, here),
+  score_light(world, at.photon, at.lens, scored, at.photon.line, gather<T>(sea.albedo, here),
               gather_index<T>(sea.elastic_phase, here), estimates, tally, world.directs);
   if (world.directs) aim_at_views(world, at.photon, estimates.targets);
 }
 
-/// Scores what the telescopes expect of the conversions on photons' way to their next collision.
-template <class T>
-void score_conversions(const World<T>& world, const Travellers<T>& from, const Mask<T>& travelling,
-                       Estimates<T>& estimates, tally::BatchTally& tally) {
+/// Scores what the telescopes expect of the conversions on photons' way to their next collision; of
+/// all their collisions, if these are not scored where they happen.
+template <bool has_tools, class T>
+void score_on_the_way(const World<T>& world, const Travellers<T>& from, const Mask<T>& travelling,
+                      Estimates<T>& estimates, tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
   const Mask<T> convertible = travelling & (from.photon.line == Index<T>(0));
-  if (!any(convertible)) return;
+  const bool all_collisions = has_tools && world.tools.scores_on_the_way;
+  const Mask<T> wanted = all_collisions ? travelling : convertible;
+  if (!any(wanted)) return;
   const auto u = uniforms(from.place, 2);
   transport::Photon<T> at = from.photon;
   const Mask<T> reached =
-      convertible & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
+      wanted & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
   if (world.compares) [[unlikely]] {
     estimates.kept = from.ratios.kept;
     estimates.first = from.ratios.first;
@@ -259,9 +264,15 @@ void score_conversions(const World<T>& world, const Travellers<T>& from, const M
          (at.path - from.photon.path) / gather<T>(sea.group_index, at.line)},
         estimates.ahead);
   }
+  if (all_collisions) {
+    const Index<T> here = sea.at(at.line, at.layer);
+    score_light(world, at, from.lens, reached, at.line, gather<T>(sea.albedo, here),
+                gather_index<T>(sea.elastic_phase, here), estimates, tally, false);
+  }
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
+  const Mask<T> converting = reached & convertible;
   Index<T> i(0);
-  for (Mask<T> on = reached & (i < count); any(on); on = reached & (i < count)) {
+  for (Mask<T> on = converting & (i < count); any(on); on = converting & (i < count)) {
     const Index<T> line = gather_index<T>(sea.convertible, at.layer * Index<T>(sea.lines) + i);
     score_light(world, at, from.lens, on, line, gather<T>(sea.conversion, sea.at(line, at.layer)),
                 gather_index<T>(sea.conversion_phase, line), estimates, tally, false);

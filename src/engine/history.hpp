@@ -3,10 +3,16 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/flatten.hpp"
 #include "core/random.hpp"
+#include "engine/analog.hpp"
+#include "engine/book.hpp"
+#include "engine/ends.hpp"
 #include "engine/estimate.hpp"
+#include "engine/tools.hpp"
 #include "engine/world.hpp"
 #include "transport/collide.hpp"
 #include "transport/emit.hpp"
@@ -14,27 +20,6 @@
 #include "transport/scatter.hpp"
 
 namespace photic::engine {
-
-/// A photon that has not ended after so many events is lost, and counted.
-inline constexpr std::int32_t most_events = 1'000'000;
-
-/// Whether light from here can still be back within the last gate: the shortest way at the least
-/// group index.
-template <class T>
-Mask<T> in_time(const World<T>& world, const transport::Photon<T>& photon) {
-  using std::abs;
-  T shortest = world.lowest_in_air - world.least_group_index * photon.position.z;
-  for (const T& z : world.submerged_z) {
-    const T direct = world.least_group_index * abs(z - photon.position.z);
-    shortest = select(direct < shortest, direct, shortest);
-  }
-  return photon.path + shortest < world.last_path;
-}
-
-/// Adds the weights of the lanes of a mask to an account of the ledger.
-inline void book(double& account, bool mask, double weight) {
-  if (mask) account += weight;
-}
 
 /// The photons of a mask on the laser's disc, and on into the water. Tells which get there.
 template <class T, class Ledger>
@@ -53,18 +38,21 @@ Mask<T> set_out(const World<T>& world, const Counter<T>& number, const Mask<T>& 
   const T in_air = photon.weight;
   const Mask<T> entered = enter_water(world.sea, photon);
   book(ledger.escaped, exist, select(entered, in_air - photon.weight, in_air));
+  if (world.analog) [[unlikely]]
+    return enter_by_chance(photon, exist & entered, u[2], ledger);
   return exist & entered;
 }
 
 /// What becomes of photons that collide where they stand: they are scored, and go on in another
 /// direction, at another wavelength, or not.
-template <class T, class Ledger>
+template <bool has_tools, class T, class Ledger>
 void collision(const World<T>& world, Travellers<T>& travellers, const std::array<T, 4>& u,
                Mask<T>& colliding, Ledger& ledger, tally::BatchTally& tally,
                Estimates<T>& estimates) {
   using namespace transport;
   Photon<T>& photon = travellers.photon;
-  score_scattering(world, travellers, colliding, estimates, tally);
+  const Mask<T> scored = colliding & Mask<T>(!(has_tools && world.tools.scores_on_the_way));
+  score_scattering(world, travellers, scored, estimates, tally);
   if (world.last_order > 0) {
     const Mask<T> last = colliding & (photon.order + Index<T>(1) == Index<T>(world.last_order));
     book(ledger.cut_by_order, last, photon.weight);
@@ -82,19 +70,20 @@ void collision(const World<T>& world, Travellers<T>& travellers, const std::arra
     travellers.ratios.collided(world.sea, photon, colliding);
 }
 
-/// One event of the photons that are `on` their way: a flight, and what stands at its end. Tells
-/// who goes on.
-template <class T, class Ledger>
-Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
-                   tally::BatchTally& tally, Estimates<T>& estimates) {
+/// As next_event, of the forward estimator with the tools of simulation.tools or with none.
+template <bool has_tools, class T, class Ledger>
+Mask<T> forward_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
+                      tally::BatchTally& tally, Estimates<T>& estimates) {
   using namespace transport;
   Photon<T>& photon = travellers.photon;
   travellers.place.event = travellers.place.event + Index<T>(1);
   const auto u = uniforms(travellers.place, 0);
-  if (!world.views.empty()) score_conversions(world, travellers, on, estimates, tally);
+  if (!world.cones.empty()) score_on_the_way<has_tools>(world, travellers, on, estimates, tally);
+  T u_path = u[0];
+  if constexpr (has_tools) u_path = begin_with_tools(world, travellers, on, u_path, ledger);
   if (world.compares) [[unlikely]]
     travellers.ratios.before = photon;
-  const FlightEnd<T> end = fly(world.sea, photon, u[0]);
+  const FlightEnd<T> end = fly(world.sea, photon, u_path);
   if (world.compares) [[unlikely]]
     travellers.ratios.flown(world.sea, photon, end.length, on);
   book(ledger.sea_bed, on & end.sea_bed, photon.weight);
@@ -106,19 +95,21 @@ Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on,
   const Mask<T> reflected = on & end.surface;
   Mask<T> colliding = on & !end.surface;
   Photon<T> down = photon;
-  if (any(reflected)) book(ledger.escaped, reflected, reflect_down(world.sea, down));
+  if (any(reflected)) {
+    const Mask<T> kept = has_tools ? are_forced(world, travellers.place) : Mask<T>(false);
+    book(ledger.escaped, reflected, reflect_down(world.sea, down, kept));
+  }
   if (any(colliding)) {
     tally.collisions += count(colliding);
-    collision(world, travellers, u, colliding, ledger, tally, estimates);
+    collision<has_tools>(world, travellers, u, colliding, ledger, tally, estimates);
   }
   if (any(reflected)) photon = select(reflected, down, photon);
   on = reflected | colliding;
 
-  const T weight = photon.weight;
-  const Mask<T> survives = roulette(photon, world.roulette_threshold, u[3]);
-  const Mask<T> played = on & !(survives & (photon.weight == weight));
-  book(ledger.roulette, played, select(survives, weight - photon.weight, weight));
-  on = on & survives;
+  if constexpr (has_tools)
+    on = end_with_tools(world, travellers, on, u[3], ledger);
+  else
+    on = play_roulette(photon, world.weight_threshold, u[3], on, ledger);
   const Mask<T> finite = photon.weight <= T(std::numeric_limits<Element<T>>::max());
   tally.not_finite += count(on & !finite);
   on = on & finite;
@@ -126,6 +117,18 @@ Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on,
   tally.too_many_events += count(worn);
   book(ledger.lost, worn, photon.weight);
   return on & !worn;
+}
+
+/// One event of the photons that are `on` their way: a flight, and what stands at its end. Tells
+/// who goes on. `special` as the world is: known before the loops, so that others are as fast as if
+/// there were no such events.
+template <bool special, class T, class Ledger>
+Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, const Mask<T>& on,
+                   Ledger& ledger, tally::BatchTally& tally, Estimates<T>& estimates) {
+  if constexpr (special) {
+    if (world.analog) return analog_event(world, travellers, on, ledger, tally);
+  }
+  return forward_event<special>(world, travellers, on, ledger, tally, estimates);
 }
 
 /// Follows photon number `number` from the laser until it is absorbed, escapes or comes too late,
@@ -136,7 +139,39 @@ PHOTIC_FLATTEN void follow(const World<T>& world, std::uint64_t number, Travelle
   bool on = set_out(world, number, true, photon, tally.ledger);
   if (world.compares) [[unlikely]]
     photon.ratios.kept->of(0).begin(world.sea.environments);
-  while (on) on = next_event(world, photon, on, tally.ledger, tally, estimates);
+  while (on) on = next_event<false>(world, photon, on, tally.ledger, tally, estimates);
+}
+
+/// Keeps the copies of a photon that was split, each with random numbers of its own.
+template <class T>
+void keep_copies(const World<T>& world, const Travellers<T>& photon,
+                 std::vector<Travellers<T>>& waiting) {
+  for (std::int32_t i = 0; i < photon.copies; ++i) {
+    waiting.push_back(photon);
+    if (world.compares) photon.ratios.kept->copy(world.sea.environments, 0, waiting.size());
+    waiting.back().place.photon =
+        copy_number(photon.place.seed, photon.place.photon, photon.place.event, i);
+  }
+}
+
+/// The same by special events, and of all its copies, which wait for each other.
+template <class T>
+PHOTIC_FLATTEN void follow_specially(const World<T>& world, std::uint64_t number,
+                                     Travellers<T>& photon, std::vector<Travellers<T>>& waiting,
+                                     Estimates<T>& estimates, tally::BatchTally& tally) {
+  bool on = set_out(world, number, true, photon, tally.ledger);
+  if (world.compares) photon.ratios.kept->of(0).begin(world.sea.environments);
+  for (;;) {
+    while (on) {
+      on = next_event<true>(world, photon, on, tally.ledger, tally, estimates);
+      if (on) keep_copies(world, photon, waiting);
+    }
+    if (waiting.empty()) return;
+    if (world.compares) photon.ratios.kept->copy(world.sea.environments, waiting.size(), 0);
+    photon = std::move(waiting.back());
+    waiting.pop_back();
+    on = true;
+  }
 }
 
 }  // namespace photic::engine

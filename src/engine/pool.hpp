@@ -18,10 +18,11 @@
 
 namespace photic::engine {
 
-/// One member of the photons of a pool, slot by slot.
+/// One member of the photons of a pool, slot by slot, and of the copies that wait for one.
 template <class E, std::size_t slots>
 struct alignas(64) Column {
   std::array<E, slots> slot{};
+  std::vector<E> waiting;
 };
 
 template <class T>
@@ -44,30 +45,40 @@ class Pool {
   /// Follows photons `first` … `first + count - 1` to their ends. `witness` is told of the packs
   /// before and after each event.
   template <class Witness>
-  PHOTIC_FLATTEN void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally,
-                          Witness witness) {
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Witness witness) {
     next_ = first;
     last_ = first + count;
     born_ = width;
     used_ = 0;
-    while (used_ < slots && emerge()) settle(used_++);
-    while (used_ > 0) {
-      for (std::size_t k = 0; k < used_; k += width) {
-        load(k);
-        const Mask<T> before = first_lanes<T>(used_ - k);
-        const Mask<T> on = next_event(world_, travellers_, before, ledger_, tally, estimates_);
-        witness(travellers_, before, on);
-        store(k);
-        on_[k / width] = lane_bits(on);
-      }
-      replace();
-    }
-    close_rooms(world_, estimates_, tally);
+    if (world_.special)
+      run<true>(tally, witness);
+    else
+      run<false>(tally, witness);
     tally.ledger = tally.ledger + total(ledger_);
     ledger_ = {};
   }
 
  private:
+  template <bool special, class Witness>
+  PHOTIC_APART PHOTIC_FLATTEN void run(tally::BatchTally& tally, Witness& witness) {
+    while (used_ < slots && emerge()) settle(used_++);
+    while (used_ > 0) {
+      for (std::size_t k = 0; k < used_; k += width) {
+        load(k);
+        const Mask<T> before = first_lanes<T>(used_ - k);
+        const Mask<T> on =
+            next_event<special>(world_, travellers_, before, ledger_, tally, estimates_);
+        witness(travellers_, before, on);
+        store(k);
+        on_[k / width] = lane_bits(on);
+        if constexpr (special) keep_copies(k, on);
+      }
+      replace();
+      while (special && used_ < slots && revive(used_)) ++used_;
+    }
+    close_rooms(world_, estimates_, tally);
+  }
+
   /// Calls f(a member of the travellers, its column) for every member that a slot keeps.
   template <class F>
   void columns(Travellers<T>& t, F f) {
@@ -101,6 +112,33 @@ class Pool {
             [k](const auto& member, auto& column) { member.store(column.slot.data() + k); });
   }
 
+  /// Keeps the copies of photons that were split, each with random numbers of its own.
+  void keep_copies(std::size_t k, const Mask<T>& on) {
+    const auto copies = each_lane(travellers_.copies);
+    for_each_lane(on, [&](int lane) {
+      const std::size_t slot = k + static_cast<std::size_t>(lane);
+      for (std::int32_t i = 0; i < copies[slot - k]; ++i) {
+        columns(travellers_,
+                [slot](const auto&, auto& column) { column.waiting.push_back(column.slot[slot]); });
+        if (world_.compares)
+          ratios_.copy(world_.sea.environments, slot, slots + number_.waiting.size() - 1);
+        number_.waiting.back() = copy_number(world_.seed, number_.slot[slot], event_.slot[slot], i);
+      }
+    });
+  }
+  /// Gives a slot to a copy that waits, if one does.
+  bool revive(std::size_t slot) {
+    if (number_.waiting.empty()) [[likely]]
+      return false;
+    if (world_.compares)
+      ratios_.copy(world_.sea.environments, slots + number_.waiting.size() - 1, slot);
+    columns(travellers_, [slot](const auto&, auto& column) {
+      column.slot[slot] = column.waiting.back();
+      column.waiting.pop_back();
+    });
+    return true;
+  }
+
   /// Whether there is another photon that has reached the water: lane `born_` of the newborn.
   bool emerge() {
     for (;;) {
@@ -121,7 +159,8 @@ class Pool {
     if (world_.compares) [[unlikely]]
       ratios_.of(slot).begin(world_.sea.environments);
   }
-  /// Gives the slots of those who have ended to new photons, or to the last ones.
+  /// Gives the slots of those who have ended to copies that wait, to new photons, or to the last
+  /// ones.
   void replace() {
     const auto ended = [this](std::size_t slot) {
       return (on_[slot / width] >> slot % width & 1U) == 0;
@@ -132,6 +171,7 @@ class Pool {
       for (; gone != 0; gone &= gone - 1) {
         const std::size_t slot = k + static_cast<std::size_t>(std::countr_zero(gone));
         if (slot >= used_) return;
+        if (revive(slot)) continue;
         if (emerge()) {
           settle(slot);
           continue;
@@ -141,7 +181,7 @@ class Pool {
         columns(travellers_,
                 [&](const auto&, auto& column) { column.slot[slot] = column.slot[used_ - 1]; });
         if (world_.compares) [[unlikely]]
-          ratios_.of(slot).copy(world_.sea.environments, ratios_.of(used_ - 1));
+          ratios_.copy(world_.sea.environments, used_ - 1, slot);
         --used_;
       }
     }
@@ -156,8 +196,8 @@ class Pool {
   Real x_, y_, z_, u_, v_, w_, weight_, analog_weight_, path_;
   Integer line_, layer_, order_, event_;
   ColumnOf<std::uint64_t> number_;
-  std::vector<std::array<Real, 2>> lens_;          ///< of each telescope
-  transport::PathRatios<T> ratios_;                ///< of each slot, in environments
+  std::vector<std::array<Real, 2>> lens_;  ///< of each telescope
+  transport::PathRatios<T> ratios_;  ///< of each slot and the copies that wait, in environments
   std::array<std::uint32_t, slots / width> on_{};  ///< who goes on, one bit for each lane
   std::size_t used_ = 0;
 

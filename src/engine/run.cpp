@@ -24,6 +24,13 @@ void warn(tally::Result& result) {
         "max_order cuts off more than 0.1 % of the echo in {} gates: raise it or leave it out",
         cut));
   }
+  if (result.ledger.cut_by_weight > 0) {
+    result.warnings.push_back(
+        fmt::format("at_threshold = \"end\" ended photons that carried {:.2g} of the launched "
+                    "weight: echoes are "
+                    "low",
+                    result.ledger.cut_by_weight));
+  }
   if (result.lost_too_many_events > 0) {
     result.warnings.push_back(
         fmt::format("{} photons were lost after too many events ({} of all weight)",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <utility>
+#include <vector>
 
 #include "engine/batches.hpp"
 #include "engine/bidirectional.hpp"
@@ -20,8 +21,14 @@ class ScalarSimulator final : public Simulator {
       Travellers<T> photon;
       transport::PathRatios<T> kept(world_.sea.environments, 1);
       photon.ratios.kept = &kept;
+      std::vector<Travellers<T>> copies;
       Estimates<T> estimates(world_);
-      for (std::uint64_t i = 0; i < count; ++i) follow(world_, first + i, photon, estimates, tally);
+      for (std::uint64_t i = first; i < first + count; ++i) {
+        if (world_.special)
+          follow_specially(world_, i, photon, copies, estimates, tally);
+        else
+          follow(world_, i, photon, estimates, tally);
+      }
       return;
     }
     Bidirectional<T, tally::Ledger>(world_, 1).run(first, count, tally);

@@ -141,7 +141,7 @@ class WalkTaker {
     on = reflected | colliding;
 
     const T heavy = photon.weight;
-    const Mask<T> survives = roulette(photon, world_.roulette_threshold, u[3]);
+    const Mask<T> survives = roulette(photon, world_.weight_threshold, u[3]);
     const Mask<T> played = on & !(survives & (photon.weight == heavy));
     book(source_.ledger.roulette, played, select(survives, heavy - photon.weight, heavy));
     on = on & survives;
@@ -216,8 +216,8 @@ class WalkTaker {
     for_each_lane(mask, [&](int lane) {
       const auto k = static_cast<std::size_t>(lane);
       const auto slot = static_cast<std::size_t>(next[k]);
+      walks_.ratios().copy(sea_.environments, slot - 1, slot);
       const auto kept = walks_.ratios().of(slot);
-      kept.copy(sea_.environments, walks_.ratios().of(slot - 1));
       kept.pass(sea_.environments, way_, k);
       kept.collide(sea_.environments, collision_, k);
     });

@@ -49,7 +49,7 @@ template <class T>
 View<T> make_view(const instrument::Telescope<double>& telescope, const medium::Medium& medium,
                   std::size_t layer) {
   double c = 0;
-  for (std::size_t l = 1; l < medium.line.size(); ++l) {
+  for (std::size_t l = medium.line.size() > 1 ? 1 : 0; l < medium.line.size(); ++l) {
     c = std::max(c, medium.c[l * static_cast<std::size_t>(medium.layers()) + layer]);
   }
   const double n = medium.line.front().refractive_index;
@@ -90,6 +90,32 @@ struct Receiver {
   Index<T> layer{}, line{};
 };
 
+/// What becomes of photons below the weight threshold.
+enum class AtThreshold { roulette, end, analog_absorption };
+
+/// What the forward estimator does beyond the plain walk.
+template <class T>
+struct Tools {
+  Index<T> forced_flights{};
+  bool scores_on_the_way = false;  ///< collisions, at points chosen in views, not where they happen
+  AtThreshold at_threshold = AtThreshold::roulette;
+  std::vector<T> importance_depth, importance;
+};
+
+template <class T>
+Tools<T> make_tools(const scene::Tools& s) {
+  Tools<T> tools;
+  tools.forced_flights = Index<T>(static_cast<std::int32_t>(s.forced_collisions));
+  tools.scores_on_the_way = s.local_forced_collisions == "all";
+  if (s.at_threshold == "end") tools.at_threshold = AtThreshold::end;
+  if (s.at_threshold == "analog-absorption") tools.at_threshold = AtThreshold::analog_absorption;
+  for (const auto& [depth_m, value] : s.importance) {
+    tools.importance_depth.push_back(T(depth_m));
+    tools.importance.push_back(T(value));
+  }
+  return tools;
+}
+
 template <class T>
 struct World {
   medium::MediumView sea;
@@ -98,7 +124,7 @@ struct World {
   std::vector<instrument::Telescope<T>> telescopes;
   std::vector<Index<T>> telescope_layer;
   std::vector<View<T>> views;                 ///< of each telescope; none if nothing is converted
-  std::vector<transport::ViewCone<T>> cones;  ///< of the views
+  std::vector<transport::ViewCone<T>> cones;  ///< to choose points in that are scored
   T last_path{};                              ///< end of the last gate [m]
   T lowest_in_air{};                          ///< height of the lowest telescope in the air [m]
   std::vector<T> submerged_z;                 ///< of the telescopes in the water
@@ -106,6 +132,7 @@ struct World {
   T directed{};                               ///< share of directions drawn towards a telescope
   bool directs = false;                       ///< whether any are
   bool compares = false;                      ///< there are environments
+  bool analog = false;                        ///< photons are followed and received by chance alone
   transport::Reversal<T> reversal;            ///< of conversions, by walks from telescopes
   T conversion{};            ///< probability of a branch into the inelastic processes
   bool single_rays = false;  ///< local estimates take one point of the lens instead of its mean
@@ -118,7 +145,9 @@ struct World {
   T connected{1};         ///< share of the telescope's walks that are connected with a laser's walk
   std::size_t walks = 0;  ///< of the laser in a set; 0: the forward estimator
   std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
-  T roulette_threshold{};
+  T weight_threshold{};
+  Tools<T> tools;
+  bool special = false;         ///< it has tools, or is analog
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   std::uint64_t seed = 0;
   SobolPoints points;  ///< of a batch; none: all numbers are drawn independently
@@ -134,9 +163,6 @@ inline constexpr std::uint32_t quasi_random_events = 3;
 inline constexpr std::uint32_t quasi_random_blocks = 3;
 inline constexpr std::uint32_t quasi_random_dimensions =
     4 * quasi_random_blocks * quasi_random_events;
-
-/// Below this analog weight absorption is by Russian roulette, as in a plain walk.
-inline constexpr double roulette_threshold = 1e-8;
 
 /// Share of the directions in which a walk from a telescope goes on after a conversion that are
 /// drawn about the laser's beam.
@@ -181,11 +207,19 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
     world.telescopes.push_back(instrument::make_telescope<T>(t));
     world.telescope_layer.push_back(Index<T>(medium.layer_at(depth(t))));
   }
-  for (std::size_t t = 0; medium.line.size() > 1 && t < world.telescopes.size(); ++t) {
-    world.views.push_back(
+  const bool converts = medium.line.size() > 1;
+  const scene::Tools& tools = scene.simulation.tools;
+  world.weight_threshold = T(tools.weight_threshold);
+  world.tools = make_tools<T>(tools);
+  world.analog = scene.simulation.estimator == "analog";
+  world.special = world.analog || tools != scene::Tools{};
+  for (std::size_t t = 0;
+       (converts || world.tools.scores_on_the_way) && t < world.telescopes.size(); ++t) {
+    const View<T> view =
         make_view<T>(instrument::make_telescope<double>(scene.telescope[t]), medium,
-                     static_cast<std::size_t>(medium.layer_at(depth(scene.telescope[t])))));
-    world.cones.push_back(world.views.back().cone);
+                     static_cast<std::size_t>(medium.layer_at(depth(scene.telescope[t]))));
+    world.cones.push_back(view.cone);
+    if (converts) world.views.push_back(view);
   }
   world.last_path = T(gates.last_path());
   double lowest_in_air = std::numeric_limits<Element<T>>::max();
@@ -205,7 +239,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.directed = T(scene.simulation.directed_fraction);
   world.compares = scene.compares();
   world.directs = scene.simulation.directed_fraction > 0;
-  world.single_rays = scene.simulation.reception == "ray";
+  world.single_rays = scene.simulation.reception == "ray" && !world.analog;
   world.conversion = T(scene.simulation.conversion_probability);
   const Vec3<double> beam = axis_in_water(normalised(scene.source.direction), world.laser.submerged,
                                           medium.line.front().refractive_index);
@@ -213,7 +247,6 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
                     T(directed_reversal), vec3_cast<T>(beam), Index<T>(medium.beam_lobe)};
   world.turns = beam.x == 0 && beam.y == 0;
   world.makes_choices = world.directs || medium.line.size() > 1;
-  world.roulette_threshold = T(roulette_threshold);
   if (scene.simulation.estimator == "bidirectional")
     world.walks = static_cast<std::size_t>(scene.simulation.walks);
   world.most_vertices = most_vertices;

@@ -61,6 +61,7 @@ void describe(Visitor& v, State& s) {
   v.number("weight_sea_bed", s.ledger.sea_bed);
   v.number("weight_cut_by_time", s.ledger.cut_by_time);
   v.number("weight_cut_by_order", s.ledger.cut_by_order);
+  v.number("weight_cut_by_weight", s.ledger.cut_by_weight);
   v.number("weight_roulette", s.ledger.roulette);
   v.number("weight_lost", s.ledger.lost);
 

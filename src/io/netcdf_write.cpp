@@ -270,6 +270,7 @@ void add_run(NetcdfImage& file, const tally::Result& result) {
   file.add_global("ledger_sea_bed", ledger.sea_bed);
   file.add_global("ledger_cut_by_time", ledger.cut_by_time);
   file.add_global("ledger_cut_by_order", ledger.cut_by_order);
+  file.add_global("ledger_cut_by_weight", ledger.cut_by_weight);
   file.add_global("ledger_roulette", ledger.roulette);
   file.add_global("ledger_lost", ledger.lost);
   file.add_global("warnings", LongText{fmt::format("{}", fmt::join(result.warnings, "\n"))});

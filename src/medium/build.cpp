@@ -67,8 +67,13 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   if (medium.line.size() > 1)
     medium.beam_lobe = medium.add_phase(optics::PhaseTable(optics::henyey_greenstein(beam_lobe_g)));
   add_environments(scene, library, medium);
-  const bool connects = scene.simulation.estimator == "bidirectional";
-  medium.finish(connects ? std::optional(scene.simulation.walk_attenuation) : std::nullopt);
+  const scene::Simulation& simulation = scene.simulation;
+  if (simulation.estimator == "bidirectional")
+    medium.finish(simulation.walk_attenuation);
+  else if (simulation.estimator == "analog")
+    medium.finish(Medium::analog_share);
+  else
+    medium.finish();
   return medium;
 }
 

@@ -19,6 +19,7 @@ constexpr double least_walk_share = 0.2;
 
 /// The share of c in a layer that free paths of walks that are to be connected are drawn from.
 double connecting_share(double walk_share, bool emitted, double albedo) {
+  if (walk_share == Medium::analog_share) return walk_share;
   return emitted ? std::max(emitted_walk_share * walk_share, std::min(walk_share, albedo))
                  : walk_share;
 }

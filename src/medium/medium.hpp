@@ -180,6 +180,9 @@ class Medium {
   /// Adds a phase function, or finds the equal one that is there already; returns its number.
   std::int32_t add_phase(const optics::PhaseTable& table);
 
+  /// As share of c: nothing is absorbed along free paths, of emitted light neither.
+  static constexpr double analog_share = 1;
+
   /// Fills in what follows from the tables above; call once they are complete. `walk_share`: the
   /// share of c that free paths are drawn from where walks are to be connected; by default from
   /// scattering alone, absorption being continuous along them.

@@ -141,6 +141,22 @@ Memory memory_of(const Scene& scene) {
           cells * (1.0 + processes)};
 }
 
+void check_tools(const Scene& scene, Findings& findings) {
+  const Simulation& s = scene.simulation;
+  if (!findings.good({"simulation.tools", "simulation.estimator"})) return;
+  if ((s.estimator == "bidirectional" || s.estimator == "analog") && s.tools != Tools{}) {
+    findings.add("simulation.estimator",
+                 fmt::format("the {} estimator has none of simulation.tools", s.estimator),
+                 "write estimator = \"forward\", or leave the tools out");
+  }
+  for (std::size_t i = 1; i < s.tools.importance.size(); ++i) {
+    if (s.tools.importance[i].depth_m > s.tools.importance[i - 1].depth_m) continue;
+    findings.add(fmt::format("simulation.tools.importance.{}.depth_m", i),
+                 "importances must be listed from the surface down",
+                 fmt::format("a depth below {} m", s.tools.importance[i - 1].depth_m));
+  }
+}
+
 /// The path of what takes most, and the advice.
 std::pair<std::string, std::string> what_to_lessen(const Memory& memory, const Scene& scene) {
   const Keys keys = keys_of(scene.gates);
@@ -168,6 +184,18 @@ void check_gates(const Scene& scene, Findings& findings) {
   if (gates.range_m && axis_good) check_range_gates(scene, keys, findings);
   if (gates.time_ns && findings.good({"source.position_m", "telescope"}))
     check_time_gates(scene, keys, findings);
+}
+
+void check_estimator(const Scene& scene, Findings& findings) {
+  check_tools(scene, findings);
+  if (scene.compares() && scene.simulation.estimator == "analog" &&
+      findings.good({"simulation.estimator"})) {
+    findings.add("simulation.estimator",
+                 fmt::format("the analog estimator has no {}: its photons have no weights",
+                             scene.environment.empty() ? "sensitivities" : "environments"),
+                 fmt::format("write estimator = \"forward\", or leave {} out",
+                             scene.environment.empty() ? "sensitivity" : "[[environment]]"));
+  }
 }
 
 void check_memory(const Scene& scene, Findings& findings) {

@@ -11,6 +11,8 @@ namespace photic::scene {
 void check_sea(const Scene& scene, Findings& findings);
 void check_instrument(const Scene& scene, Findings& findings);
 void check_gates(const Scene& scene, Findings& findings);
+/// Whether the estimator has what the scene asks for.
+void check_estimator(const Scene& scene, Findings& findings);
 /// How much the tallies need.
 void check_memory(const Scene& scene, Findings& findings);
 

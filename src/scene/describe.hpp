@@ -10,6 +10,9 @@
 
 namespace photic::scene {
 
+/// Bounds the copies of a photon that wait while another one is followed.
+inline constexpr double most_importance = 100;
+
 template <class V>
 void describe(V& v, Gates& g) {
   Gates::Interval depth = g.depth_m.value_or(Gates::Interval{});
@@ -44,9 +47,37 @@ void describe(V& v, Gates& g) {
 }
 
 template <class V>
+void describe(V& v, Importance& i) {
+  v.required("depth_m", i.depth_m, positive, "from this depth on, in m");
+  v.required("value", i.value, Number{.low = 1 / most_importance, .high = most_importance},
+             "how much a photon is worth there, against 1 at the surface");
+}
+
+template <class V>
+void describe(V& v, Tools& t) {
+  v.optional(
+      "forced_collisions", t.forced_collisions, Count{0, 1'000'000},
+      "so many first flights of a photon end in the water, or reflected by its surface; what "
+      "would leave it is taken from the weight");
+  v.optional("local_forced_collisions", t.local_forced_collisions, Choice{{"conversions", "all"}},
+             "which collisions are scored at points chosen in a telescope's view; the others are "
+             "scored where they happen");
+  v.optional("weight_threshold", t.weight_threshold,
+             Number{.low = 0.0, .high = 1.0, .low_open = true},
+             "the weight, without what sampling does to it, below which at_threshold decides");
+  v.optional("at_threshold", t.at_threshold, Choice{{"roulette", "end", "analog-absorption"}},
+             "what becomes of light photons: Russian roulette; their end, which makes echoes low; "
+             "or a chance of being absorbed in place of further losses of weight");
+  v.sections("importance", t.importance, Need::optional,
+             "photons are split on their way to where they are worth more, and play Russian "
+             "roulette on their way to where they are worth less");
+}
+
+template <class V>
 void describe(V& v, Simulation& s) {
-  v.optional("estimator", s.estimator, Choice{{"auto", "bidirectional", "forward"}, {}},
-             "how echoes are estimated; auto compares the others in short pilot runs");
+  v.optional("estimator", s.estimator, Choice{{"auto", "bidirectional", "forward", "analog"}, {}},
+             "how echoes are estimated; auto compares bidirectional and forward in short pilot "
+             "runs; analog counts photons on the detector");
   v.optional("estimator_reason", s.estimator_reason, Text{},
              "why auto chose this estimator; written by a run");
   v.any_of([&](auto& w) {
@@ -88,6 +119,7 @@ void describe(V& v, Simulation& s) {
       "sampling", s.sampling, Choice{{"quasi-random", "random"}, {}},
       "of the bidirectional estimator: the walks of a batch begin spread evenly, at scrambled "
       "Sobol' points, or independently");
+  v.section("tools", s.tools, Need::optional, "variance reduction by the forward estimator");
 }
 
 template <class V>

@@ -63,6 +63,7 @@ void read_on(const Node& document, const std::string& folder, const Check& check
     if (check) check(scene, findings);
     read_sensitivities(document, check, scene, findings);
     read_environments(document, folder, check, scene, findings);
+    check_estimator(scene, findings);
     if (check && scene.compares() && findings.problems().empty())
       check_together(document, check, scene, findings);
   } catch (const EnvironmentError&) {

@@ -134,8 +134,25 @@ struct Gates {
   friend bool operator==(const Gates&, const Gates&) = default;
 };
 
+/// From a depth on, how much a photon is worth there; above the first of them 1.
+struct Importance {
+  double depth_m{};
+  double value{};
+  friend bool operator==(const Importance&, const Importance&) = default;
+};
+
+/// What the forward estimator does beyond the plain walk (docs/theory.md, "The paper's tools").
+struct Tools {
+  std::int64_t forced_collisions = 0;  ///< so many first flights of a photon do not leave the water
+  std::string local_forced_collisions = "conversions";  ///< conversions | all
+  double weight_threshold = 1e-8;                       ///< of the analog weight, for:
+  std::string at_threshold = "roulette";                ///< roulette | end | analog-absorption
+  std::vector<Importance> importance;                   ///< ascending in depth
+  friend bool operator==(const Tools&, const Tools&) = default;
+};
+
 struct Simulation {
-  std::string estimator = "auto";               ///< auto | bidirectional | forward
+  std::string estimator = "auto";               ///< auto | bidirectional | forward | analog
   std::optional<std::string> estimator_reason;  ///< why "auto" chose it
   std::optional<std::uint64_t> photons;         ///< at least one of these three is given
   std::optional<double> target_relative_error;
@@ -153,6 +170,7 @@ struct Simulation {
       0.3;  ///< bidirectional: share of walks whose vertices are all connected
   double walk_attenuation = 0.6;  ///< bidirectional: share of c that free paths are drawn from
   std::string sampling = "quasi-random";  ///< bidirectional: quasi-random | random
+  Tools tools;                            ///< forward
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };
 

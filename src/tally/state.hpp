@@ -15,20 +15,18 @@ struct Ledger {
   double absorbed = 0;  ///< in the water, and not emitted again
   double escaped =
       0;  ///< through the surface (what a telescope detects is part of it) or never in the water
-  double sea_bed = 0;       ///< absorbed by the black sea bed
-  double cut_by_time = 0;   ///< could no longer come back within the last gate
-  double cut_by_order = 0;  ///< ended at max_order
-  double roulette = 0;      ///< killed less gained by Russian roulette; 0 in expectation
-  double lost = 0;          ///< too many events, or a number that is not finite
+  double sea_bed = 0;        ///< absorbed by the black sea bed
+  double cut_by_time = 0;    ///< could no longer come back within the last gate
+  double cut_by_order = 0;   ///< ended at max_order
+  double cut_by_weight = 0;  ///< ended below the weight threshold
+  double roulette = 0;  ///< killed less gained by Russian roulette and splitting; 0 in expectation
+  double lost = 0;      ///< too many events, or a number that is not finite
   friend bool operator==(const Ledger&, const Ledger&) = default;
   friend Ledger operator+(const Ledger& a, const Ledger& b) {
-    return {a.absorbed + b.absorbed,
-            a.escaped + b.escaped,
-            a.sea_bed + b.sea_bed,
-            a.cut_by_time + b.cut_by_time,
-            a.cut_by_order + b.cut_by_order,
-            a.roulette + b.roulette,
-            a.lost + b.lost};
+    return {a.absorbed + b.absorbed,         a.escaped + b.escaped,
+            a.sea_bed + b.sea_bed,           a.cut_by_time + b.cut_by_time,
+            a.cut_by_order + b.cut_by_order, a.cut_by_weight + b.cut_by_weight,
+            a.roulette + b.roulette,         a.lost + b.lost};
   }
 };
 

@@ -128,6 +128,7 @@ void Totals::merge(const BatchTally& batch) {
   state_.ledger.sea_bed += batch.ledger.sea_bed;
   state_.ledger.cut_by_time += batch.ledger.cut_by_time;
   state_.ledger.cut_by_order += batch.ledger.cut_by_order;
+  state_.ledger.cut_by_weight += batch.ledger.cut_by_weight;
   state_.ledger.roulette += batch.ledger.roulette;
   state_.ledger.lost += batch.ledger.lost;
 
@@ -335,10 +336,11 @@ void Totals::fill(Result& result) const {
     fill_sensitivity(environments + p, result.parameter_value[p], result);
 
   const double per_photon = state_.photons > 0 ? 1.0 / static_cast<double>(state_.photons) : 0.0;
-  result.ledger = {state_.ledger.absorbed * per_photon,     state_.ledger.escaped * per_photon,
-                   state_.ledger.sea_bed * per_photon,      state_.ledger.cut_by_time * per_photon,
-                   state_.ledger.cut_by_order * per_photon, state_.ledger.roulette * per_photon,
-                   state_.ledger.lost * per_photon};
+  result.ledger = {
+      state_.ledger.absorbed * per_photon,     state_.ledger.escaped * per_photon,
+      state_.ledger.sea_bed * per_photon,      state_.ledger.cut_by_time * per_photon,
+      state_.ledger.cut_by_order * per_photon, state_.ledger.cut_by_weight * per_photon,
+      state_.ledger.roulette * per_photon,     state_.ledger.lost * per_photon};
   result.photons = state_.photons;
   result.batches = state_.batches;
   result.collisions = state_.collisions;

@@ -8,6 +8,7 @@
 // at once as there are lanes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -88,12 +89,6 @@ struct PathRatio {
       store(T(0), deeper + e);
     });
   }
-  void copy(const medium::EnvironmentsView& environments, const PathRatio& from) const {
-    each_group<T>(environments, [&](std::int32_t e) {
-      store(load<T>(from.product + e), product + e);
-      store(load<T>(from.deeper + e), deeper + e);
-    });
-  }
   /// The path has gone ways.
   void pass(const medium::EnvironmentsView& environments, const Terms<T>& ways,
             std::size_t lane) const {
@@ -129,6 +124,15 @@ class PathRatios {
   [[nodiscard]] PathRatio<T> of(std::size_t path) {
     auto* product = &number_[2 * blocks_ * path];
     return {product->number.data(), product[blocks_].number.data()};
+  }
+  /// Makes a path, perhaps a new one, like another.
+  void copy(const medium::EnvironmentsView& environments, std::size_t from, std::size_t to) {
+    number_.resize(std::max(number_.size(), 2 * blocks_ * (to + 1)));
+    const PathRatio<T> source = of(from), copy = of(to);
+    each_group<T>(environments, [&](std::int32_t e) {
+      store(load<T>(source.product + e), copy.product + e);
+      store(load<T>(source.deeper + e), copy.deeper + e);
+    });
   }
   /// Product and depth of a path, for environments from `first` on.
   [[nodiscard]] std::array<T, 2> at(std::size_t path, std::int32_t first) const {

@@ -113,11 +113,12 @@ Mask<T> advance(const medium::MediumView& sea, Photon<T>& photon, const T& dista
 
 /// Reflects a photon that stands at the surface back into the water, its weight times the Fresnel
 /// reflectance (1 in total reflection). Returns the weight that leaves through the surface. Clear
-/// air returns nothing.
+/// air returns nothing. From photons that are `kept` that has been taken before.
 template <class T>
-T reflect_down(const medium::MediumView& sea, Photon<T>& photon) {
+T reflect_down(const medium::MediumView& sea, Photon<T>& photon,
+               const Mask<T>& kept = Mask<T>(false)) {
   const T n = gather<T>(sea.index, photon.line);
-  const T r = optics::refract(n, T(1), photon.direction.z).reflectance;
+  const T r = select(kept, T(1), optics::refract(n, T(1), photon.direction.z).reflectance);
   const T leaving = photon.weight * (T(1) - r);
   photon.weight = photon.weight * r;
   photon.analog_weight = photon.analog_weight * r;

@@ -7,6 +7,7 @@
 #include "engine/problem.hpp"
 #include "engine/run.hpp"
 #include "engine/scalar.hpp"
+#include "support/agree.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 
@@ -18,21 +19,6 @@ const std::string broad_phase = R"({ model = "henyey-greenstein", g = 0.6 })";
 std::string ship(const std::string& layers, const std::string& channels, double photons,
                  const std::string& more) {
   return ship_instrument + channels + layers + depth_gates(20, 1) + simulation(photons, 5, more);
-}
-
-/// Gates of both results with errors below 5 %, against each other; at least `least` of them. Plain
-/// walks are seldom flagged as converged, and their rare large scores widen the errors as well:
-/// only z-scores are judged, not their spread.
-void compare(const tally::Result& a, const tally::Result& b, std::size_t least) {
-  constexpr double small_error = 0.05;
-  ZFamily family(0.01);
-  for (std::size_t i = 0; i < a.echo.mean.size(); ++i) {
-    const double error = std::hypot(a.echo.standard_error[i], b.echo.standard_error[i]);
-    if (!(error < small_error * a.echo.mean[i])) continue;
-    family.add(a.echo.mean[i], b.echo.mean[i], error, fmt::format("cell {}", i));
-  }
-  EXPECT_GE(family.size(), least);
-  family.judge();
 }
 
 // On a broad phase function the plain walk converges too. Seen red: with 1 - e left out of the

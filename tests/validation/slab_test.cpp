@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "engine/run.hpp"
+#include "support/ledger.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 
@@ -85,9 +86,7 @@ TEST(Slab, PhotonsAreConserved) {
   for (const double directed_fraction : {0.0, 0.1}) {
     const auto l =
         engine::run(read(scene("1.34", van_de_hulst_layer, directed_fraction, 4e6))).ledger;
-    const double sum =
-        l.absorbed + l.escaped + l.sea_bed + l.cut_by_time + l.cut_by_order + l.roulette + l.lost;
-    EXPECT_NEAR(sum, 1.0, 1e-3) << directed_fraction;
+    EXPECT_NEAR(sum_of(l), 1.0, 1e-3) << directed_fraction;
   }
 }
 

@@ -30,6 +30,16 @@ TEST(Choose, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_TRUE(chosen.simulation.estimator_reason);
 }
 
+// Without pilots: the other estimator has no tools.
+TEST(Choose, TakesTheForwardEstimatorForTools) {
+  scene::Scene asked = scene_of("auto");
+  asked.simulation.tools.forced_collisions = 1;
+  const scene::Scene chosen = choose_estimator(asked, {});
+  EXPECT_EQ(chosen.simulation.estimator, "forward");
+  EXPECT_EQ(chosen.simulation.estimator_reason,
+            "the only one that has the tools asked for in this version");
+}
+
 // Seen red: with the pilots' seed.
 TEST(Choose, ChangesNothingElse) {
   const scene::Scene asked = scene_of("auto");

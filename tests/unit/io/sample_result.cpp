@@ -167,6 +167,7 @@ class Maker {
                       .sea_bed = 0.02,
                       .cut_by_time = 0.18,
                       .cut_by_order = 0.0099,
+                      .cut_by_weight = 1e-4,
                       .roulette = 1e-5,
                       .lost = 1.5e-7};
     result_.warnings = {

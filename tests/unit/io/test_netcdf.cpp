@@ -154,6 +154,7 @@ TEST_F(WrittenResult, Run) {
   EXPECT_EQ(number("ledger_sea_bed"), 0.02);
   EXPECT_EQ(number("ledger_cut_by_time"), 0.18);
   EXPECT_EQ(number("ledger_cut_by_order"), 0.0099);
+  EXPECT_EQ(number("ledger_cut_by_weight"), 1e-4);
   EXPECT_EQ(number("ledger_roulette"), 1e-5);
   EXPECT_EQ(number("ledger_lost"), 1.5e-7);
   const auto integer = [&](const char* name) {

@@ -179,6 +179,25 @@ step_ns = 1)"}},
        {"scene.toml:28:16: the tallies (telescopes 1, channels 1, gates 50000, orders 6) would "
         "take 74.5 GiB; the limit is 2 GiB (take fewer gates: the memory goes with the square of "
         "their number)"}},
+      {"ToolsOfTheBidirectionalEstimator",
+       {{30, 30,
+         "photons = 1e6\nestimator = \"bidirectional\"\ntools = { forced_collisions = 1 }"}},
+       {"scene.toml:31:13: the bidirectional estimator has none of simulation.tools (write "
+        "estimator = \"forward\", or leave the tools out)"}},
+      {"ToolsOfAnalogPhotons",
+       {{30, 30, "photons = 1e6\nestimator = \"analog\"\ntools = { weight_threshold = 0.1 }"}},
+       {"scene.toml:31:13: the analog estimator has none of simulation.tools (write estimator = "
+        "\"forward\", or leave the tools out)"}},
+      {"ImportancesInNoOrder",
+       {{30, 30,
+         "photons = 1e6\n[simulation.tools]\nimportance = [{ depth_m = 5, value = 2 }, { depth_m = "
+         "5, "
+         "value = 3 }]"}},
+       {"scene.toml:32:55: importances must be listed from the surface down (a depth below 5 m)"}},
+      {"ImportanceTooLarge",
+       {{30, 30, "photons = 1e6\n[simulation.tools]\nimportance = [{ depth_m = 5, value = 101 }]"}},
+       {"scene.toml:32:38: 'value' must be a finite number, at least 0.01 and at most 100, not "
+        "101"}},
       {"AllAtOnce",
        {{3, 3, "wavelength_nm = -1"}, {12, 12, "diametre_m = 0.4"}, {17, 17, ""}, {26, 28, ""}},
        {"scene.toml:3:17: 'wavelength_nm' must be a finite number, greater than 0, not -1",
@@ -194,7 +213,7 @@ step_ns = 1)"}},
 // Seen red, each for itself: telescopes allowed on the sea bed, horizontal lasers, layers of no
 // thickness, the shallower instead of the deeper instrument for depth gates, the distance to the
 // water without its slant, time gates without the way to the surface, memory without the depth
-// axis.
+// axis, tools and analog photons together, importances in any order.
 TEST(Checks, EveryTextWithLineAndColumn) {
   for (const Case& c : checks_cases()) {
     SCOPED_TRACE(c.name);

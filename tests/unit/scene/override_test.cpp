@@ -59,7 +59,7 @@ const std::vector<SetCase>& override_cases() {
        {R"(--set title.x: 'title' is text "Base": there is no 'x' in it)"}},
       {"TextThatIsNoChoice",
        {"simulation.estimator=forwards"},
-       {R"(--set simulation.estimator: 'estimator' must be "auto", "bidirectional" or "forward", not text "forwards" (did you mean 'forward'?))"}},
+       {R"(--set simulation.estimator: 'estimator' must be "auto", "bidirectional", "forward" or "analog", not text "forwards" (did you mean 'forward'?))"}},
       {"TextForNumber",
        {"simulation.photons=lots"},
        {R"(--set simulation.photons: 'photons' must be a whole number, at least 1 and below 2^63, not text "lots")"}},

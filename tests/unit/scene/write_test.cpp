@@ -177,6 +177,12 @@ meetings = 50.0
 connected_fraction = 0.3
 walk_attenuation = 0.6
 sampling = "quasi-random"
+
+[simulation.tools]
+forced_collisions = 0
+local_forced_collisions = "conversions"
+weight_threshold = 1e-08
+at_threshold = "roulette"
 )");
 }
 

@@ -1,0 +1,41 @@
+// What ends a photon's history: time, light too weak to be worth following, too many events.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "engine/book.hpp"
+#include "engine/world.hpp"
+#include "transport/collide.hpp"
+#include "transport/photon.hpp"
+
+namespace photic::engine {
+
+/// A photon that has not ended after so many events is lost, and counted.
+inline constexpr std::int32_t most_events = 1'000'000;
+
+/// Whether light from here can still be back within the last gate: the shortest way at the least
+/// group index.
+template <class T>
+Mask<T> in_time(const World<T>& world, const transport::Photon<T>& photon) {
+  using std::abs;
+  T shortest = world.lowest_in_air - world.least_group_index * photon.position.z;
+  for (const T& z : world.submerged_z) {
+    const T direct = world.least_group_index * abs(z - photon.position.z);
+    shortest = select(direct < shortest, direct, shortest);
+  }
+  return photon.path + shortest < world.last_path;
+}
+
+/// Russian roulette of photons that are `on` their way. Tells who goes on.
+template <class T, class Ledger>
+Mask<T> play_roulette(transport::Photon<T>& photon, const T& level, const T& u, const Mask<T>& on,
+                      Ledger& ledger) {
+  const T weight = photon.weight;
+  const Mask<T> survives = transport::roulette(photon, level, u);
+  const Mask<T> played = on & !(survives & (photon.weight == weight));
+  book(ledger.roulette, played, select(survives, weight - photon.weight, weight));
+  return on & survives;
+}
+
+}  // namespace photic::engine

@@ -1,0 +1,40 @@
+// What a collision makes of an analog photon: nothing is weighed, all is decided.
+#pragma once
+
+#include "core/turn.hpp"
+#include "medium/medium.hpp"
+#include "transport/photon.hpp"
+
+namespace photic::transport {
+
+/// The photons of a mask are scattered where they stand, or converted, or absorbed. Tells who goes
+/// on.
+template <class T>
+Mask<T> collide_by_chance(const medium::MediumView& sea, transport::Photon<T>& photon,
+                          const Mask<T>& colliding, const T& u, const T& u_polar,
+                          const T& u_azimuth) {
+  const Index<T> here = sea.at(photon.line, photon.layer);
+  Index<T> phase = gather_index<T>(sea.elastic_phase, here);
+  T rest = u - gather<T>(sea.albedo, here);
+  Mask<T> goes_on = rest < T(0);
+  const Index<T> count = select(photon.line == Index<T>(0),
+                                gather_index<T>(sea.convertible_count, photon.layer), Index<T>(0));
+  Index<T> i(0);
+  for (Mask<T> left = colliding & (i < count); any(left); left = colliding & (i < count)) {
+    const Index<T> line = gather_index<T>(
+        sea.convertible, photon.layer * Index<T>(sea.lines) + select(left, i, Index<T>(0)));
+    const T share = gather<T>(sea.conversion, sea.at(line, photon.layer));
+    const Mask<T> converted = left & !goes_on & (rest < share);
+    photon.line = select(converted, line, photon.line);
+    phase = select(converted, gather_index<T>(sea.conversion_phase, line), phase);
+    goes_on = goes_on | converted;
+    rest = rest - share;
+    i = i + Index<T>(1);
+  }
+  photon.order = photon.order + Index<T>(1);
+  const auto [cosine, sine] = cos_sin_of_turns(u_azimuth);
+  photon.direction = turned(photon.direction, sea.phases.sample<T>(u_polar, phase), cosine, sine);
+  return colliding & goes_on;
+}
+
+}  // namespace photic::transport

@@ -1,0 +1,46 @@
+// The chance that a flight leaves the water, for flights that are not to.
+#pragma once
+
+#include <cmath>
+
+#include "core/elementary.hpp"
+#include "medium/medium.hpp"
+#include "optics/fresnel.hpp"
+#include "transport/photon.hpp"
+
+namespace photic::transport {
+
+template <class T>
+struct Escape {
+  Mask<T> surface;  ///< where it leads: through the surface, or else onto the black sea bed
+  T probability{};  ///< by the coefficient that free paths are drawn from
+  T weight{};       ///< that leaves
+};
+
+/// Of a photon in the water on its next flight. What the surface reflects stays.
+template <class T>
+Escape<T> escape(const medium::MediumView& sea, const Photon<T>& photon) {
+  using std::abs;
+  const T down = -photon.direction.z;
+  const T depth = -photon.position.z;
+  const Mask<T> level = down == T(0);
+  const T slant = T(1) / select(level, T(1), abs(down));
+  Escape<T> out;
+  out.surface = down < T(0);
+  const Index<T> bed = photon.line * Index<T>(sea.layers + 1) + Index<T>(sea.layers);
+  const auto chance = [&](const T& to_surface, const T& to_bed) {
+    return exp_minus(slant * select(out.surface, to_surface, to_bed - to_surface));
+  };
+  const T reflectance = optics::refract(gather<T>(sea.index, photon.line), T(1),
+                                        select(out.surface, photon.direction.z, T(1)))
+                            .reflectance;
+  const T passed = select(level, T(0), select(out.surface, T(1) - reflectance, T(1)));
+  out.probability = passed * chance(sea.walk_optical_depth<T>(photon.line, photon.layer, depth),
+                                    gather<T>(sea.walk_depth_tau, bed));
+  out.weight =
+      photon.weight * passed *
+      chance(sea.optical_depth<T>(photon.line, photon.layer, depth), gather<T>(sea.depth_tau, bed));
+  return out;
+}
+
+}  // namespace photic::transport
