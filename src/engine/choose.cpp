@@ -112,7 +112,8 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
   if (scene.simulation.estimator != "auto") return scene;
   if (scene.simulation.tools != scene::Tools{}) {
     scene::Scene forward = settled(scene, "forward");
-    forward.simulation.estimator_reason = "the only one that has the tools asked for in this version";
+    forward.simulation.estimator_reason =
+        "the only one that has the tools asked for in this version";
     return forward;
   }
   auto all = contenders(scene);
