@@ -163,8 +163,8 @@ detector_shift_m = 0.1
 obstruction_diameter_m = 0.8
 [[telescope]]
 name = "below"
-position_m = [1.0, 0.0, -4.0]
-direction = [0.0, 0.3, 1.0]
+position_m = [3.0, 0.0, -2.0]
+direction = [-1.0, 0.1, 0.9]
 diameter_m = 1.0
 focal_length_m = 0.5
 detector_diameter_m = 0.6
@@ -183,9 +183,9 @@ iop = [ { wavelength_nm = 532.0, a_per_m = 0.10, b_per_m = 0.20, a_phytoplankton
         { wavelength_nm = 700.0, a_per_m = 0.05, b_per_m = 0.60 } ]
 phase_function = "isotropic"
 [gates]
-start_ns = 20.0
-stop_ns = 110.0
-step_ns = 10.0
+start_ns = 24.0
+stop_ns = 104.0
+step_ns = 4.0
 )" + simulation(photons, seed, "max_order = 30", estimator));
 }
 
