@@ -76,7 +76,7 @@ const std::vector<Case> tools_one_by_one{
 
 // Seen red, each in its case: with the chance of leaving not taken from the weight; with the weight
 // not divided at splitting; with the copies dropped; with collisions scored on the way and where
-// they happen.
+// they happen; with the weight of those who pass an analog test of absorption left lower.
 TEST(Tools, LeaveEchoesAsTheyAre) {
   const auto plain = run_in_lanes(bright_scene(4e6, 6, ""));
   ZFamily family(0.01);
@@ -124,7 +124,8 @@ TEST(Tools, LeaveEnvironmentsAsTheyAre) {
   family.judge();
 }
 
-// Ending histories does not: echoes are low, the more the deeper, and what is cut is told.
+// Ending histories does not: echoes are low, the more the deeper, and what is cut is told. Seen
+// red: with what is cut not booked.
 TEST(Tools, EndingHistoriesTellsWhatItCuts) {
   const auto plain = run_in_lanes(quiet_scene(2e6, 6, ""));
   const auto ended =
@@ -190,7 +191,9 @@ step_ns = 4.0
 }
 
 // What falls on the detectors is what local estimates expect, in all light, in the air and in the
-// water, of the surface's mirror too; and by order of scattering.
+// water, of the surface's mirror too; and by order of scattering. Seen red: with the obstruction
+// open; with all light let through the surface from below; with light that it reflects not
+// received; with the last way in the water timed as in the air.
 TEST(AnalogPhotons, AreCountedAsOftenAsTheForwardEstimatorExpects) {
   const auto expected = run_in_lanes(big_lenses("forward", 2e6, 3));
   const auto counted = run_in_lanes(big_lenses("analog", 2e7, 4));
