@@ -103,7 +103,8 @@ TEST(Tools, LeaveTheLedgerAsItIs) {
   family.judge();
 }
 
-// Ratios of environments are those of the paths, whatever drew them.
+// Ratios of environments are those of the paths, whatever drew them. Seen red: with the way to a
+// chosen point, or flights, left out of them.
 TEST(Tools, LeaveEnvironmentsAsTheyAre) {
   const auto other = [](const std::string& more) {
     auto scene = quiet_scene(2e6, 6, more);
