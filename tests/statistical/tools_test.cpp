@@ -76,7 +76,7 @@ const std::vector<Case> tools_one_by_one{
 
 // Seen red, each in its case: with the chance of leaving not taken from the weight; with the weight
 // not divided at splitting; with the copies dropped; with collisions scored on the way and where
-// they happen.
+// they happen; with the weight of those who pass an analog test of absorption left lower.
 TEST(Tools, LeaveEchoesAsTheyAre) {
   const auto plain = run_in_lanes(bright_scene(4e6, 6, ""));
   ZFamily family(0.01);
@@ -103,7 +103,8 @@ TEST(Tools, LeaveTheLedgerAsItIs) {
   family.judge();
 }
 
-// Ratios of environments are those of the paths, whatever drew them.
+// Ratios of environments are those of the paths, whatever drew them. Seen red: with the way to a
+// chosen point, or flights, left out of them.
 TEST(Tools, LeaveEnvironmentsAsTheyAre) {
   const auto other = [](const std::string& more) {
     auto scene = quiet_scene(2e6, 6, more);
@@ -124,7 +125,8 @@ TEST(Tools, LeaveEnvironmentsAsTheyAre) {
   family.judge();
 }
 
-// Ending histories does not: echoes are low, the more the deeper, and what is cut is told.
+// Ending histories does not: echoes are low, the more the deeper, and what is cut is told. Seen
+// red: with what is cut not booked.
 TEST(Tools, EndingHistoriesTellsWhatItCuts) {
   const auto plain = run_in_lanes(quiet_scene(2e6, 6, ""));
   const auto ended =
@@ -163,8 +165,8 @@ detector_shift_m = 0.1
 obstruction_diameter_m = 0.8
 [[telescope]]
 name = "below"
-position_m = [1.0, 0.0, -4.0]
-direction = [0.0, 0.3, 1.0]
+position_m = [3.0, 0.0, -2.0]
+direction = [-1.0, 0.1, 0.9]
 diameter_m = 1.0
 focal_length_m = 0.5
 detector_diameter_m = 0.6
@@ -183,14 +185,16 @@ iop = [ { wavelength_nm = 532.0, a_per_m = 0.10, b_per_m = 0.20, a_phytoplankton
         { wavelength_nm = 700.0, a_per_m = 0.05, b_per_m = 0.60 } ]
 phase_function = "isotropic"
 [gates]
-start_ns = 20.0
-stop_ns = 110.0
-step_ns = 10.0
+start_ns = 24.0
+stop_ns = 104.0
+step_ns = 4.0
 )" + simulation(photons, seed, "max_order = 30", estimator));
 }
 
 // What falls on the detectors is what local estimates expect, in all light, in the air and in the
-// water, of the surface's mirror too; and by order of scattering.
+// water, of the surface's mirror too; and by order of scattering. Seen red: with the obstruction
+// open; with all light let through the surface from below; with light that it reflects not
+// received; with the last way in the water timed as in the air.
 TEST(AnalogPhotons, AreCountedAsOftenAsTheForwardEstimatorExpects) {
   const auto expected = run_in_lanes(big_lenses("forward", 2e6, 3));
   const auto counted = run_in_lanes(big_lenses("analog", 2e7, 4));

@@ -30,7 +30,7 @@ TEST(Choose, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_TRUE(chosen.simulation.estimator_reason);
 }
 
-// Without pilots: the other estimator has no tools.
+// Without pilots: the other estimator has no tools. Seen red: with tools overlooked.
 TEST(Choose, TakesTheForwardEstimatorForTools) {
   scene::Scene asked = scene_of("auto");
   asked.simulation.tools.forced_collisions = 1;

@@ -94,7 +94,7 @@ EventLog log_lanes(const Problem& problem, std::uint64_t photons, Isa isa) {
 
 // Lanes round as scalars do, so that histories are not merely close. Seen red: with the last photon
 // of a pool not moved into a slot that is free; with lanes that were reflected going on as if they
-// had collided with the others.
+// had collided with the others; with copies that keep the number of their photon.
 TEST(Lanes, HistoriesAreThoseOfTheScalarEngineInFloat) {
   constexpr std::uint64_t photons = 10000;
   for (const auto& scene :

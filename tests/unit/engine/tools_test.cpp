@@ -34,8 +34,7 @@ TEST(Importance, HoldsFromItsDepthOn) {
 }
 
 // As many photons as the ratio of importances, in the mean; weight is kept with what is booked, to
-// rounding. Seen red: with the weight not divided; with the fraction rounded up always; with
-// photons that come up split as well.
+// rounding. Seen red: with the weight not divided; with the fraction rounded up always.
 TEST(Importance, SplitsAndKillsInItsRatio) {
   const auto world =
       world_with("importance = [ { depth_m = 2, value = 2.3 }, { depth_m = 5, value = 0.4 } ]");
