@@ -79,7 +79,8 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(
       if (walked == Walked::telescope) return of_telescope();
       return transport::joined(sea_.environments, e, of_laser(), of_telescope());
     };
-    transport::complete<T>(sea_.environments, completion_, lane, of_walks, ratios_.data());
+    tally_.not_finite +=
+        transport::complete<T>(sea_.environments, completion_, lane, of_walks, ratios_.data());
     tally_.score(score, ratios_.data());
   });
 }

@@ -112,7 +112,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
                            from.line, one_minus_cos(photon.direction, way.direction)});
   each_score(seen, t, from, way.path, value, [&](std::size_t lane, const tally::Score& score) {
     const std::size_t path = estimates.first + lane;
-    complete<T>(
+    tally.not_finite += complete<T>(
         sea.environments, completion, lane,
         [&](std::int32_t e) { return estimates.kept->at(path, e); }, estimates.ratios.data());
     tally.score(score, estimates.ratios.data());

@@ -140,11 +140,7 @@ class WalkTaker {
     if (any(reflected)) photon = select(reflected, down, photon);
     on = reflected | colliding;
 
-    const T heavy = photon.weight;
-    const Mask<T> survives = roulette(photon, world_.weight_threshold, u[3]);
-    const Mask<T> played = on & !(survives & (photon.weight == heavy));
-    book(source_.ledger.roulette, played, select(survives, heavy - photon.weight, heavy));
-    on = on & survives;
+    on = play_roulette(photon, world_.weight_threshold, u[3], on, source_.ledger);
     const Mask<T> finite = photon.weight <= T(std::numeric_limits<Element<T>>::max());
     tally_.not_finite += count(on & !finite);
     on = on & finite;

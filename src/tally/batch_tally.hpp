@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "tally/shape.hpp"
@@ -41,17 +40,13 @@ struct EnvironmentScores {
   Each squares{}, fourths{};  ///< sums of powers of scores
   Each squares_of_differences{}, fourths_of_differences{};
 
-  Each not_finite{};  ///< scores that are left out for it
-
-  /// Adds a score that is so many times as large in the environments.
+  /// Adds a score that is so many times as large in the environments, all of them finite.
   template <class Number>
   void add(double score, const Number* ratios) {
     for (std::size_t e = 0; e < size; ++e) {
       const auto ratio = static_cast<double>(ratios[e]);
-      const bool finite = std::abs(score * ratio) <= std::numeric_limits<double>::max();
-      const double value = finite ? score * ratio : 0.0;
-      const double change = finite ? score * (ratio - 1) : 0.0;
-      not_finite[e] += finite ? 0.0 : 1.0;
+      const double value = score * ratio;
+      const double change = score * (ratio - 1);
       echo[e] += value;
       difference[e] += change;
       largest[e] = value > largest[e] ? value : largest[e];

@@ -52,7 +52,7 @@ double environment_echo(double echo, double difference, double scored) {
 bool heavy(const Powers& p) { return p.fourth > largest_fourth_share * p.square * p.square; }
 
 /// Standard error of the ratio of two correlated means, to first order (Cochran, Sampling
-/// Techniques, 3rd ed. (1977), chapter 6; docs/theory.md, eq. 46). The covariance follows from the
+/// Techniques, 3rd ed. (1977), chapter 6; docs/theory.md, eq. 48). The covariance follows from the
 /// error of the sum.
 double error_of_ratio(double ratio, double denominator, double error_of_numerator,
                       double error_of_denominator, double error_of_sum) {
@@ -149,7 +149,6 @@ void Totals::merge_environments(const BatchTally& batch, std::size_t cell, doubl
     sums.echo.add(environment_echo(echo, scored.difference[k], scored.echo[k]), n);
     sums.difference.add(scored.difference[k], n);
     sums.largest = std::max(sums.largest, scored.largest[k]);
-    state_.not_finite += static_cast<std::uint64_t>(scored.not_finite[k]);
     sums.of_scores = sums.of_scores + Powers{scored.squares[k], scored.fourths[k]};
     sums.of_differences = sums.of_differences + Powers{scored.squares_of_differences[k],
                                                        scored.fourths_of_differences[k]};

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/elementary.hpp"
@@ -276,20 +277,29 @@ struct Completion {
 };
 
 /// The ratios of a completed path in a lane, from product and depth of its walks, to where there is
-/// room for a whole row.
+/// room for a whole row. Returns how many are not finite, and put down as 0.
 template <class T, class Walks>
-void complete(const medium::EnvironmentsView& environments, const Completion<T>& completion,
-              std::size_t lane, Walks walks, Element<T>* to) {
+std::uint64_t complete(const medium::EnvironmentsView& environments,
+                       const Completion<T>& completion, std::size_t lane, Walks walks,
+                       Element<T>* to) {
   // No more than a number can say: the light itself is gone by then.
   const T least(sizeof(Element<T>) == sizeof(double) ? -600 : -80);
+  const T most(std::numeric_limits<Element<T>>::max());
+  std::uint64_t lost = 0;
   each_group<T>(environments, [&](std::int32_t first) {
+    using std::abs;
     auto [product, deeper] = walks(first);
     deeper = deeper + completion.ways.sum(environments, lane, first);
     for (std::size_t k = 0; k < completion.collisions; ++k)
       product = collided(environments, product, completion.collision[k], lane, first);
-    const T ratio = product * exp_minus(select(deeper > least, deeper, least));
-    store(select(tangents<T>(environments, first), T(1) + product - deeper, ratio), to + first);
+    const T of_other_water = product * exp_minus(select(deeper > least, deeper, least));
+    const T ratio =
+        select(tangents<T>(environments, first), T(1) + product - deeper, of_other_water);
+    const Mask<T> finite = abs(ratio) <= most;
+    lost += lanes_of<T> - count(finite);
+    store(select(finite, ratio, T(0)), to + first);
   });
+  return lost;
 }
 
 /// Photons on their walk: what is kept of them, and what is needed to keep it. What is handed over

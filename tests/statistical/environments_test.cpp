@@ -263,6 +263,33 @@ TEST(EnvironmentOf, StrongChangesAreRightOrFlaggedForward) {
   expect_strong_changes_covered("forward", 2e5, 0.6, 100);
 }
 
+// Of elastic, Raman and fluorescence light, all orders. Seen red: with twice the step.
+TEST(Derivatives, AreThoseOfSeparateRuns) {
+  const auto scene = [](double mg_m3, std::uint64_t seed) {
+    return read("sensitivity = [\"sea.layer.0.chlorophyll_mg_m3\"]\n" + ship_instrument + three +
+                chlorophyll(mg_m3, 0.02) + depth_gates(10, 1) +
+                simulation(1e5, seed, "", "bidirectional"));
+  };
+  constexpr double value = 0.5, step = 0.05;
+  const auto all = run_in_lanes(scene(value, 81));
+  const auto less = run_in_lanes(scene(value - step, 82));
+  const auto more = run_in_lanes(scene(value + step, 83));
+  ZFamily family(0.01);
+  for (std::size_t i = 0; i < all.echo.mean.size(); ++i) {
+    if ((all.sensitivity_convergence_flags[i] | less.convergence_flags[i] |
+         more.convergence_flags[i]) != 0)
+      continue;
+    family.add(all.sensitivity.mean[i], (more.echo.mean[i] - less.echo.mean[i]) / (2 * step),
+               std::hypot(all.sensitivity.standard_error[i],
+                          std::hypot(more.echo.standard_error[i], less.echo.standard_error[i]) /
+                              (2 * step)),
+               fmt::format("cell {}", i));
+  }
+  std::printf("%zu derivatives compared, rms z %.2f\n", family.size(), family.rms());
+  EXPECT_GE(family.size(), 15U);
+  family.judge();
+}
+
 // No light is none, not what rounding leaves of two that are equal. Seen red: with the scene's echo
 // plus the difference always.
 TEST(EnvironmentOf, WaterWithoutFluorescenceHasNoneToTheBit) {

@@ -141,6 +141,22 @@ TEST(Environments, TangentsAddUp) {
   }
 }
 
+// What no number can hold is no light, and counted. Seen red: with what is not finite left in.
+TEST(Environments, LoseWhatIsNotFinite) {
+  const auto sea = make_environments();
+  const auto view = sea.view();
+  PathRatios<double> paths(view.environments, 1);
+  paths.of(0).begin(view.environments);
+  paths.of(0).product[1] = 1e300;
+  paths.of(0).deeper[1] = -100;
+  std::vector<double> ratio(static_cast<std::size_t>(view.environments.stride), 7.0);
+  const auto lost = complete<double>(
+      view.environments, {}, 0, [&](std::int32_t e) { return paths.at(0, e); }, ratio.data());
+  EXPECT_EQ(lost, 1U);
+  EXPECT_EQ(ratio[0], 1);
+  EXPECT_EQ(ratio[1], 0);
+}
+
 /// No walk may draw longer ways than an environment lets pass. Seen red: with the scene's alone.
 TEST(Environments, FreePathsAreNoLongerThanInTheClearestWater) {
   const auto sea = make_environments();
