@@ -133,8 +133,8 @@ TEST_P(EnvironmentPaths, AreAsManyTimesScattered) {
   EXPECT_GT(seen, 3 * 40U);
 }
 
-// Three times the yield is three times the light. Seen red: with conversions for scatterings at the
-// ends of walks; with the line before conversion.
+// Three times the yield is three times the light. Seen red: with conversions of walks, or at
+// meetings, as if they were scatterings.
 TEST_P(EnvironmentPaths, ShineAsTheirYield) {
   const auto result = run_with(GetParam(), three_waters(0), three_waters(0, 1, 0.06));
   const std::size_t gates = result.gates();
@@ -157,8 +157,8 @@ tally::Result derivatives(const Setup& s, const std::string& parameters, const s
 }
 
 // d ln(echo) / d a is the length of the path, and d ln(echo) / d b less than that by 1 / b for
-// light that was scattered once: the lidar equation's. Seen red: with the product of ratios for
-// their sum; with half the step.
+// light that was scattered once: the lidar equation's. Seen red: with half the step; with the
+// derivative for that times the parameter.
 TEST_P(EnvironmentPaths, HaveTheDerivativesOfTheLidarEquation) {
   constexpr double a = 0.08, b = 0.12;
   const auto result =
@@ -187,8 +187,8 @@ TEST_P(EnvironmentPaths, HaveTheDerivativesOfTheLidarEquation) {
   EXPECT_GT(seen, 40U);
 }
 
-// Of all orders, chlorophyll's and of Raman and fluorescence light too. Seen red: with the product
-// of ratios for their sum.
+// Of all orders, chlorophyll's and of Raman and fluorescence light too. Seen red: with half the
+// step.
 TEST_P(EnvironmentPaths, HaveTheDerivativesThatSmallStepsHave) {
   const auto algae = [](double mg_m3) {
     return fmt::format("[[sea.layer]]\nchlorophyll_mg_m3 = {}\n", mg_m3);

@@ -219,7 +219,7 @@ struct Coverage {
 };
 
 // Strongly changed water is right, or flagged: 95 % intervals cover what a run of its own finds.
-// Seen red: with free paths as the scene alone would have them.
+// Seen red: without the look at the gates around.
 void expect_strong_changes_covered(const std::string& estimator, double photons, double g,
                                    std::uint64_t seeds) {
   const auto scene = [&](double times, double n, std::uint64_t seed, const std::string& by) {
@@ -263,7 +263,7 @@ TEST(EnvironmentOf, StrongChangesAreRightOrFlaggedForward) {
   expect_strong_changes_covered("forward", 2e5, 0.6, 100);
 }
 
-// Of elastic, Raman and fluorescence light, all orders. Seen red: with twice the step.
+// Of elastic, Raman and fluorescence light, all orders. Seen red: with half the step.
 TEST(Derivatives, AreThoseOfSeparateRuns) {
   const auto scene = [](double mg_m3, std::uint64_t seed) {
     return read("sensitivity = [\"sea.layer.0.chlorophyll_mg_m3\"]\n" + ship_instrument + three +

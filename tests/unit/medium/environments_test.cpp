@@ -56,7 +56,8 @@ TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBe) {
 }
 
 // A parameter's tangent stands behind the environments and is none of them: free paths do not look
-// at it. Seen red: with the step in place of the value; with the tangent first.
+// at it. Seen red: with half the step; with the derivative for that times the
+// parameter.
 TEST(MediumOfEnvironments, HasTangentsBehindThem) {
   auto layer = algae(0.5);
   layer.cdom_a440_per_m = 0.1;
