@@ -152,7 +152,7 @@ seed = 3
                   fmt::arg("group", group), fmt::arg("a", a), fmt::arg("b", b), fmt::arg("g", g),
                   fmt::arg("depth", gates * gate_depth), fmt::arg("step", gate_depth)));
   const auto result = engine::run(scene);
-  constexpr std::uint64_t photons = 20'000'000;
+  constexpr std::uint64_t photons = 40'000'000;
   const Counts counts = analog_counts(photons);
   ZFamily family(0.01);
   for (std::size_t k = 0; k < gates; ++k) {
