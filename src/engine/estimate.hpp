@@ -124,7 +124,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
 /// local estimate"). If it `aims`, adds the ways to the telescope to the targets of directed
 /// sampling: those outside the field of view too, for light that first turns towards a telescope
 /// and then enters its view is what a plain walk finds too rarely.
-template <class T>
+template <bool special, class T>
 void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, const Mask<T>& mask,
               tally::BatchTally& tally, Estimates<T>& estimates, bool aims) {
   using namespace transport;
@@ -138,7 +138,7 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
     const T p = world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction),
                                                    from.phase);
     const T value = photon.weight * from.share * p * way.acceptance * exp_minus(way.optical_depth);
-    if (world.compares) [[unlikely]] {
+    if (compares<special>(world)) {
       score_in_environments(world, t, seen, from, way, mirrored, value, estimates, tally);
       return;
     }
@@ -162,7 +162,7 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
 
 /// Scores light of the collisions of a mask in all telescopes. Where nothing aims at them, only
 /// what they may see is looked at; it waits for company, but for light that has ratios.
-template <class T>
+template <bool special, class T>
 void score_light(const World<T>& world, const transport::Photon<T>& photon,
                  const std::vector<instrument::PlanePoint<T>>& lens, const Mask<T>& colliding,
                  const Index<T>& line, const T& share, const Index<T>& phase,
@@ -171,18 +171,18 @@ void score_light(const World<T>& world, const transport::Photon<T>& photon,
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     if (world.single_rays) from.lens = lens[t];
     if (aims) {
-      score_in(world, t, from, colliding, tally, estimates, true);
+      score_in<special>(world, t, from, colliding, tally, estimates, true);
       continue;
     }
     const Mask<T> seen =
         colliding & transport::may_see(world.sea, world.telescopes[t], photon.position, line);
     if (!any(seen)) continue;
-    if (world.compares) [[unlikely]] {
-      score_in(world, t, from, seen, tally, estimates, false);
+    if (compares<special>(world)) {
+      score_in<special>(world, t, from, seen, tally, estimates, false);
       continue;
     }
     estimates.waiting[t].admit(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
-      score_in<T>(world, t, full, mask, tally, estimates, false);
+      score_in<special>(world, t, full, mask, tally, estimates, false);
     });
   }
 }
@@ -192,7 +192,7 @@ template <class T>
 void close_rooms(const World<T>& world, Estimates<T>& estimates, tally::BatchTally& tally) {
   for (std::size_t t = 0; t < estimates.waiting.size(); ++t) {
     estimates.waiting[t].close([&](const Sources<T>& rest, const Mask<T>& mask) {
-      score_in<T>(world, t, rest, mask, tally, estimates, false);
+      score_in<false>(world, t, rest, mask, tally, estimates, false);
     });
   }
 }
@@ -224,37 +224,38 @@ void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Tar
 
 /// Scores what the telescopes expect of photons of a mask that are scattered where they stand.
 /// Fills in the targets of the direction that all may take next.
-template <class T>
+template <bool special, class T>
 void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask<T>& scored,
                       Estimates<T>& estimates, tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
   const Index<T> here = sea.at(at.photon.line, at.photon.layer);
   estimates.targets.clear();
-  if (world.compares) [[unlikely]] {
+  if (compares<special>(world)) {
     estimates.kept = at.ratios.kept;
     estimates.first = at.ratios.first;
     estimates.ahead.clear();
   }
-  score_light(world, at.photon, at.lens, scored, at.photon.line, gather<T>(sea.albedo, here),
-              gather_index<T>(sea.elastic_phase, here), estimates, tally, world.directs);
+  score_light<special>(world, at.photon, at.lens, scored, at.photon.line,
+                       gather<T>(sea.albedo, here), gather_index<T>(sea.elastic_phase, here),
+                       estimates, tally, world.directs);
   if (world.directs) aim_at_views(world, at.photon, estimates.targets);
 }
 
 /// Scores what the telescopes expect of the conversions on photons' way to their next collision; of
 /// all their collisions, if these are not scored where they happen.
-template <bool has_tools, class T>
+template <bool special, class T>
 void score_on_the_way(const World<T>& world, const Travellers<T>& from, const Mask<T>& travelling,
                       Estimates<T>& estimates, tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
   const Mask<T> convertible = travelling & (from.photon.line == Index<T>(0));
-  const bool all_collisions = has_tools && world.tools.scores_on_the_way;
+  const bool all_collisions = special && world.tools.scores_on_the_way;
   const Mask<T> wanted = all_collisions ? travelling : convertible;
   if (!any(wanted)) return;
   const auto u = uniforms(from.place, 2);
   transport::Photon<T> at = from.photon;
   const Mask<T> reached =
       wanted & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
-  if (world.compares) [[unlikely]] {
+  if (compares<special>(world)) {
     estimates.kept = from.ratios.kept;
     estimates.first = from.ratios.first;
     estimates.ahead.clear();
@@ -266,16 +267,17 @@ void score_on_the_way(const World<T>& world, const Travellers<T>& from, const Ma
   }
   if (all_collisions) {
     const Index<T> here = sea.at(at.line, at.layer);
-    score_light(world, at, from.lens, reached, at.line, gather<T>(sea.albedo, here),
-                gather_index<T>(sea.elastic_phase, here), estimates, tally, false);
+    score_light<special>(world, at, from.lens, reached, at.line, gather<T>(sea.albedo, here),
+                         gather_index<T>(sea.elastic_phase, here), estimates, tally, false);
   }
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
   const Mask<T> converting = reached & convertible;
   Index<T> i(0);
   for (Mask<T> on = converting & (i < count); any(on); on = converting & (i < count)) {
     const Index<T> line = gather_index<T>(sea.convertible, at.layer * Index<T>(sea.lines) + i);
-    score_light(world, at, from.lens, on, line, gather<T>(sea.conversion, sea.at(line, at.layer)),
-                gather_index<T>(sea.conversion_phase, line), estimates, tally, false);
+    score_light<special>(world, at, from.lens, on, line,
+                         gather<T>(sea.conversion, sea.at(line, at.layer)),
+                         gather_index<T>(sea.conversion_phase, line), estimates, tally, false);
     i = i + Index<T>(1);
   }
 }

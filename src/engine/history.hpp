@@ -45,14 +45,14 @@ Mask<T> set_out(const World<T>& world, const Counter<T>& number, const Mask<T>& 
 
 /// What becomes of photons that collide where they stand: they are scored, and go on in another
 /// direction, at another wavelength, or not.
-template <bool has_tools, class T, class Ledger>
+template <bool special, class T, class Ledger>
 void collision(const World<T>& world, Travellers<T>& travellers, const std::array<T, 4>& u,
                Mask<T>& colliding, Ledger& ledger, tally::BatchTally& tally,
                Estimates<T>& estimates) {
   using namespace transport;
   Photon<T>& photon = travellers.photon;
-  const Mask<T> scored = colliding & Mask<T>(!(has_tools && world.tools.scores_on_the_way));
-  score_scattering(world, travellers, scored, estimates, tally);
+  const Mask<T> scored = colliding & Mask<T>(!(special && world.tools.scores_on_the_way));
+  score_scattering<special>(world, travellers, scored, estimates, tally);
   if (world.last_order > 0) {
     const Mask<T> last = colliding & (photon.order + Index<T>(1) == Index<T>(world.last_order));
     book(ledger.cut_by_order, last, photon.weight);
@@ -60,32 +60,28 @@ void collision(const World<T>& world, Travellers<T>& travellers, const std::arra
   }
   const Index<T> here = world.sea.at(photon.line, photon.layer);
   book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
-  if (world.compares) [[unlikely]]
-    travellers.ratios.before = photon;
+  if (compares<special>(world)) travellers.ratios.before = photon;
   const auto v = world.makes_choices ? uniforms(travellers.place, 1) : std::array<T, 4>{};
   const auto branch = collide(world.sea, photon, world.conversion, v[0], v[1]);
   scatter(world.sea, photon, branch.phase, branch.lobe, estimates.targets, world.directed,
           {u[1], u[2], v[2], v[3]});
-  if (world.compares) [[unlikely]]
-    travellers.ratios.collided(world.sea, photon, colliding);
+  if (compares<special>(world)) travellers.ratios.collided(world.sea, photon, colliding);
 }
 
-/// As next_event, of the forward estimator with the tools of simulation.tools or with none.
-template <bool has_tools, class T, class Ledger>
+/// As next_event, of the forward estimator: with tools and environments, or with none.
+template <bool special, class T, class Ledger>
 Mask<T> forward_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
                       tally::BatchTally& tally, Estimates<T>& estimates) {
   using namespace transport;
   Photon<T>& photon = travellers.photon;
   travellers.place.event = travellers.place.event + Index<T>(1);
   const auto u = uniforms(travellers.place, 0);
-  if (!world.cones.empty()) score_on_the_way<has_tools>(world, travellers, on, estimates, tally);
+  if (!world.cones.empty()) score_on_the_way<special>(world, travellers, on, estimates, tally);
   T u_path = u[0];
-  if constexpr (has_tools) u_path = begin_with_tools(world, travellers, on, u_path, ledger);
-  if (world.compares) [[unlikely]]
-    travellers.ratios.before = photon;
+  if constexpr (special) u_path = begin_with_tools(world, travellers, on, u_path, ledger);
+  if (compares<special>(world)) travellers.ratios.before = photon;
   const FlightEnd<T> end = fly(world.sea, photon, u_path);
-  if (world.compares) [[unlikely]]
-    travellers.ratios.flown(world.sea, photon, end.length, on);
+  if (compares<special>(world)) travellers.ratios.flown(world.sea, photon, end.length, on);
   book(ledger.sea_bed, on & end.sea_bed, photon.weight);
   on = on & !end.sea_bed;
   const Mask<T> late = on & !in_time(world, photon);
@@ -96,17 +92,17 @@ Mask<T> forward_event(const World<T>& world, Travellers<T>& travellers, Mask<T> 
   Mask<T> colliding = on & !end.surface;
   Photon<T> down = photon;
   if (any(reflected)) {
-    const Mask<T> kept = has_tools ? are_forced(world, travellers.place) : Mask<T>(false);
+    const Mask<T> kept = special ? are_forced(world, travellers.place) : Mask<T>(false);
     book(ledger.escaped, reflected, reflect_down(world.sea, down, kept));
   }
   if (any(colliding)) {
     tally.collisions += count(colliding);
-    collision<has_tools>(world, travellers, u, colliding, ledger, tally, estimates);
+    collision<special>(world, travellers, u, colliding, ledger, tally, estimates);
   }
   if (any(reflected)) photon = select(reflected, down, photon);
   on = reflected | colliding;
 
-  if constexpr (has_tools)
+  if constexpr (special)
     on = end_with_tools(world, travellers, on, u[3], ledger);
   else
     on = play_roulette(photon, world.weight_threshold, u[3], on, ledger);
@@ -137,8 +133,6 @@ template <class T>
 PHOTIC_FLATTEN void follow(const World<T>& world, std::uint64_t number, Travellers<T>& photon,
                            Estimates<T>& estimates, tally::BatchTally& tally) {
   bool on = set_out(world, number, true, photon, tally.ledger);
-  if (world.compares) [[unlikely]]
-    photon.ratios.kept->of(0).begin(world.sea.environments);
   while (on) on = next_event<false>(world, photon, on, tally.ledger, tally, estimates);
 }
 

@@ -147,11 +147,21 @@ struct World {
   std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
   T weight_threshold{};
   Tools<T> tools;
-  bool special = false;         ///< it has tools, or is analog
+  bool special = false;         ///< it has tools, or is analog, or compares
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   std::uint64_t seed = 0;
   SobolPoints points;  ///< of a batch; none: all numbers are drawn independently
 };
+
+/// Whether there are environments, in events that are compiled for special worlds or for others.
+template <bool special, class T>
+bool compares(const World<T>& world) {
+  if constexpr (special) {
+    return world.compares;
+  } else {
+    return false;
+  }
+}
 
 /// A walk that is to be connected is cut after so many vertices; what it carries then is counted as
 /// lost.
@@ -212,7 +222,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.weight_threshold = T(tools.weight_threshold);
   world.tools = make_tools<T>(tools);
   world.analog = scene.simulation.estimator == "analog";
-  world.special = world.analog || tools != scene::Tools{};
+  world.compares = scene.compares();
+  world.special = world.analog || world.compares || tools != scene::Tools{};
   for (std::size_t t = 0;
        (converts || world.tools.scores_on_the_way) && t < world.telescopes.size(); ++t) {
     const View<T> view =
@@ -237,7 +248,6 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.connected = T(scene.simulation.connected_fraction);
   world.meeting_grid = {T(depth(scene.source)), T(reach.range), T(scene.simulation.meetings)};
   world.directed = T(scene.simulation.directed_fraction);
-  world.compares = scene.compares();
   world.directs = scene.simulation.directed_fraction > 0;
   world.single_rays = scene.simulation.reception == "ray" && !world.analog;
   world.conversion = T(scene.simulation.conversion_probability);

@@ -11,6 +11,7 @@ const std::vector<FlagMeaning>& flag_meanings() {
       {uncertain_variance, "uncertain_variance", "the variance of the variance is above 0.1"},
       {heavy_tail, "heavy_tail", "a few scores carry the variance: the echo may be too low"},
       {error_not_falling, "error_not_falling", "the error does not fall as 1/sqrt(photons)"},
+      {among_flagged, "among_flagged", "most of the gates around it are flagged"},
   };
   return meanings;
 }

@@ -26,6 +26,7 @@ enum ConvergenceFlag : std::int32_t {
   uncertain_variance = 16,  ///< the variance of the variance is above 0.1
   heavy_tail = 32,          ///< the largest scores are still getting larger: the mean may be low
   error_not_falling = 64,   ///< the error does not fall as 1/sqrt(photons)
+  among_flagged = 128,      ///< most of the gates around are flagged
 };
 struct FlagMeaning {
   ConvergenceFlag flag;

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -63,19 +62,23 @@ double error_of_ratio(double ratio, double denominator, double error_of_numerato
   return std::sqrt(std::max(0.0, variance)) / denominator;
 }
 
-/// Flags gates of a row most of whose neighbours are flagged. Weights that degenerate do so in all
-/// of them alike: a gate that seems right there lacks the rare scores.
-void flag_among_flagged(std::span<std::int32_t> gates) {
+/// Flags gates most of whose neighbours are flagged, in the rows that the flags from one cell on
+/// are made of. Weights that degenerate do so in all of them alike: a gate that seems right there
+/// lacks the rare scores.
+void flag_among_flagged(std::size_t first, std::size_t gates, std::vector<std::int32_t>& flags) {
   constexpr std::size_t reach = 2;
-  const std::vector<std::int32_t> own(gates.begin(), gates.end());
-  for (std::size_t g = 0; g < own.size(); ++g) {
+  const std::vector<std::int32_t> own = flags;
+  for (std::size_t i = first; i < own.size(); ++i) {
+    const std::size_t row = i - (i - first) % gates;
     int flagged = 0;
     int scored = 0;
-    for (std::size_t k = g < reach ? 0 : g - reach; k <= std::min(g + reach, own.size() - 1); ++k) {
-      scored += (own[k] & no_score) == 0;
-      flagged += own[k] != 0 && (own[k] & no_score) == 0;
+    for (std::size_t k = std::max(row + reach, i) - reach; k < std::min(row + gates, i + reach + 1);
+         ++k) {
+      if ((own[k] & no_score) != 0) continue;
+      ++scored;
+      flagged += own[k] != 0;
     }
-    if (2 * flagged > scored) gates[g] |= ConvergenceFlag::heavy_tail;
+    if (own[i] == 0 && 2 * flagged > scored) flags[i] = among_flagged;
   }
 }
 
@@ -276,12 +279,11 @@ void Totals::fill_environment(std::size_t environment, Result& result) const {
     result.environment_convergence_flags.push_back(environment_flags(cell, environment) |
                                                    (result.convergence_flags[cell] & of_histories));
   }
-  const std::span<std::int32_t> flags = result.environment_convergence_flags;
-  for (std::size_t row = first; row < flags.size(); row += shape_->gates)
-    flag_among_flagged(flags.subspan(row, shape_->gates));
+  flag_among_flagged(first, shape_->gates, result.environment_convergence_flags);
 }
 
 void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result) const {
+  const std::size_t first = result.sensitivity_convergence_flags.size();
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
     const EnvironmentSums& s = state_.environment[cell * shape_->environments + tangent];
     const Sums& scene = state_.echo[cell].low;
@@ -299,6 +301,7 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
     result.sensitivity_convergence_flags.push_back(result.convergence_flags[cell] |
                                                    tangent_flags(cell, tangent));
   }
+  flag_among_flagged(first, shape_->gates, result.sensitivity_convergence_flags);
 }
 
 void Totals::fill(Result& result) const {

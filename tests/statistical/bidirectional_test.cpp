@@ -230,7 +230,7 @@ TEST(Bidirectional, WalksOfTwoVertices) {
                             inelastic_water(0.06, broad_phase, 6.0) +
                             inelastic_water(0.1, broad_phase, 0) + depth_gates(12, 2);
   const auto simulate_capped = [&](std::int32_t most_vertices, std::uint64_t seed) {
-    return simulate_in(scene + simulation(1e6, seed, "max_order = 3", "bidirectional"),
+    return simulate_in(scene + simulation(2e6, seed, "max_order = 3", "bidirectional"),
                        [=](auto& world) { world.most_vertices = most_vertices; });
   };
   const auto capped = simulate_capped(2, 3);

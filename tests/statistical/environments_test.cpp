@@ -93,7 +93,7 @@ const std::vector<std::string> three_layers_changed = {
 INSTANTIATE_TEST_SUITE_P(
     , Environments,
     testing::Values(
-        Case{"chlorophyll", three, chlorophyll(0.5, 0.02), changed_algae, 5, 4e6, 40},
+        Case{"chlorophyll", three, chlorophyll(0.5, 0.02), changed_algae, 5, 1e7, 50},
         Case{"layers",
              submerged_telescope + three,
              layers(0.06, 0.2, 0.6, 0.1, 0.3, 0.5),
@@ -111,8 +111,8 @@ INSTANTIATE_TEST_SUITE_P(
              10},
         Case{"bidirectional", three, chlorophyll(0.5, 0.02), changed_algae, 10, 1e5, 70,
              "bidirectional"},
-        Case{"bidirectional_three_layers", three, three_layers_here, three_layers_changed, 6, 1e5,
-             15, "bidirectional"}),
+        Case{"bidirectional_three_layers", three, three_layers_here, three_layers_changed, 6, 2e5,
+             25, "bidirectional"}),
     [](const auto& test) { return test.param.name; });
 
 scene::Scene algae_scene(double mg_m3, std::uint64_t seed) {
@@ -268,7 +268,7 @@ TEST(Derivatives, AreThoseOfSeparateRuns) {
   const auto scene = [](double mg_m3, std::uint64_t seed) {
     return read("sensitivity = [\"sea.layer.0.chlorophyll_mg_m3\"]\n" + ship_instrument + three +
                 chlorophyll(mg_m3, 0.02) + depth_gates(10, 1) +
-                simulation(1e5, seed, "", "bidirectional"));
+                simulation(2e5, seed, "", "bidirectional"));
   };
   constexpr double value = 0.5, step = 0.05;
   const auto all = run_in_lanes(scene(value, 81));
@@ -286,7 +286,7 @@ TEST(Derivatives, AreThoseOfSeparateRuns) {
                fmt::format("cell {}", i));
   }
   std::printf("%zu derivatives compared, rms z %.2f\n", family.size(), family.rms());
-  EXPECT_GE(family.size(), 15U);
+  EXPECT_GE(family.size(), 20U);
   family.judge();
 }
 

@@ -40,6 +40,17 @@ TEST(Choose, TakesTheForwardEstimatorForTools) {
             "the only one that has the tools asked for in this version");
 }
 
+// Environments are had by either estimator, and stay. Seen red: with pilots that drop them.
+TEST(Choose, KeepsEnvironments) {
+  scene::Scene asked = scene_of("auto");
+  asked.environment.push_back({"clearer", {}, asked.optics, asked.sea});
+  asked.environment.back().sea.layer[0].iop[0].a_per_m = 0.03;
+  const scene::Scene chosen = choose_estimator(asked, {});
+  EXPECT_EQ(chosen.environment, asked.environment);
+  EXPECT_EQ(chosen.simulation.estimator, "bidirectional");
+  EXPECT_NE(chosen.simulation.estimator_reason->find("pilot runs"), std::string::npos);
+}
+
 // Seen red: with the pilots' seed.
 TEST(Choose, ChangesNothingElse) {
   const scene::Scene asked = scene_of("auto");

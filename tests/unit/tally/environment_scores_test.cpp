@@ -1,9 +1,9 @@
 // What a batch scores in environments.
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <array>
+#include <vector>
 
-#include "tally/batch_tally.hpp"
+#include "unit/tally/tallies.hpp"
 
 namespace photic::tally {
 namespace {
@@ -21,6 +21,43 @@ TEST(EnvironmentScores, AreAddedEachByItsRatio) {
   EXPECT_EQ(sums.fourths[1], 1312);
   EXPECT_EQ(sums.squares_of_differences[1], 10);
   EXPECT_EQ(sums.fourths_of_differences[1], 82);
+}
+
+/// The flags of an environment in four gates, all with steady echoes, but for some where once it
+/// has a very large score.
+std::vector<std::int32_t> flags_with_large_scores_in(const std::vector<std::int32_t>& gates) {
+  Tallies t(0, 1);
+  test::Random random(32);
+  for (int batch = 0; batch < 40; ++batch) {
+    for (std::int32_t gate = 0; gate < 4; ++gate) {
+      for (int k = 0; k < 100; ++k) {
+        const bool large = batch == 20 && k == 0 && std::ranges::find(gates, gate) != gates.end();
+        const std::array<double, EnvironmentScores::size> ratio{large ? 1e4 : 1.1 + 1e-3 * k};
+        t.batch.score({0, 0, 1, 5.0 * gate + 2.5, t.path_in(gate), random.between(0.5e-3, 1.5e-3)},
+                      ratio.data());
+      }
+    }
+    t.end_batch(2000);
+  }
+  const auto all = t.result().environment_convergence_flags;
+  return {all.begin(), all.begin() + 4};
+}
+
+// The others have no score. Seen red: without the look at the gates around; with half of them for
+// most.
+TEST(EnvironmentFlags, GatesAmongFlaggedOnesAreFlagged) {
+  const auto none = flags_with_large_scores_in({});
+  EXPECT_EQ(none, (std::vector<std::int32_t>(4, 0)));
+  const auto one = flags_with_large_scores_in({1});
+  EXPECT_NE(one[1] & heavy_tail, 0);
+  EXPECT_EQ(one[0], 0);  // one of three
+  EXPECT_EQ(one[2], 0);
+  const auto two = flags_with_large_scores_in({1, 2});
+  EXPECT_EQ(two[1] & among_flagged, 0);  // for what it is itself
+  EXPECT_EQ(two[0], among_flagged);      // two of three
+  EXPECT_EQ(two[3], among_flagged);
+  const auto of_four = flags_with_large_scores_in({0, 3});
+  EXPECT_EQ(of_four[1], 0);  // half of them
 }
 
 }  // namespace

@@ -195,7 +195,7 @@ TEST(Flags, AreAllExplained) {
     EXPECT_GT(std::string(meaning.explanation).size(), 0U);
   }
   EXPECT_EQ(known, no_score | few_batches | large_error | large_score | uncertain_variance |
-                       heavy_tail | error_not_falling);
+                       heavy_tail | error_not_falling | among_flagged);
 }
 
 }  // namespace
