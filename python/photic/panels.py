@@ -184,13 +184,13 @@ def _around_zero(panel, values):
 
 
 def sensitivities(panel, part, colours, title):
-    """The logarithmic sensitivities of one channel's echo with bands of one standard error."""
+    """The logarithmic sensitivities of one channel's echo with their 95 % bands."""
     panel.axvline(0, color="black", linewidth=1.2)
     shown = []
     for name, colour in zip(part.parameter.values, colours):
         one = part.sel(parameter=name)
         middle = one.logarithmic_sensitivity.values
-        error = one.logarithmic_sensitivity_standard_error.values
+        error = INTERVAL_95 * one.logarithmic_sensitivity_standard_error.values
         good = one.sensitivity_converged.values
         ends = (middle - error, middle + error)
         _curve(panel, part.gate_depth.values, middle, ends, good, colour, name)

@@ -40,8 +40,6 @@ def figure(results, names, telescope=None, title=None):
     captions.append("Bands: 95 % intervals, the lower end not below a tenth of the echo.")
     if len(seen) == 1 and "environment" in seen[0].sizes:
         captions[-1] += " Against the scene's: those of differences between the same photons."
-    if len(seen) == 1 and "parameter" in seen[0].sizes:
-        captions[-1] += " Of sensitivities: one standard error."
     caption = panels.text("\n".join(captions))
     drawing.supxlabel(caption, x=0.01, ha="left", fontsize=8, color="0.3")
     return drawing

@@ -185,9 +185,9 @@ def test_sensitivities_have_a_panel_for_each_channel(sample_with_parameters, tmp
         vertices = numpy.concatenate([path.vertices for path in band.get_paths()])
         first = one.isel(gate=0)
         at_first = vertices[vertices[:, 1] == float(first.gate_depth), 0]
-        width = 2 * float(first.logarithmic_sensitivity_standard_error)
+        width = 2 * 1.96 * float(first.logarithmic_sensitivity_standard_error)
         assert at_first.max() - at_first.min() == pytest.approx(width, rel=1e-9)
-    assert "Of sensitivities: one standard error." in drawing._supxlabel.get_text()
+    assert "Bands: 95 % intervals" in drawing._supxlabel.get_text()
     assert command("plot", sample_with_parameters, "-o", tmp_path / "out.png") == (0, "")
 
 
