@@ -6,6 +6,13 @@ target_compile_features(photic_flags INTERFACE cxx_std_20)
 target_compile_options(photic_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                        -Wno-sign-conversion -Wno-psabi -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
+# The instruction sets that lanes are compiled for, from the least to the best (core/isa.hpp).
+set(photic_isas baseline)
+if(PHOTIC_WIDE_LANES AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  list(APPEND photic_isas avx2 avx512)
+  target_compile_definitions(photic_flags INTERFACE PHOTIC_WIDE_LANES)
+endif()
+
 # photic_library(name SOURCES a.cpp … USES core … [LINKS …])  → target photic_name, headers under src/
 function(photic_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES;LINKS;PRIVATE_INCLUDES" ${ARGN})
@@ -25,7 +32,7 @@ function(photic_library name)
   target_link_libraries(photic_${name} ${scope} ${ARG_USES} ${ARG_LINKS})
 endfunction()
 
-# photic_for_each_isa(target source.cpp "entry*" library…)  → the source compiled for each instruction set that is worth it,
+# photic_for_each_isa(target source.cpp "entry*" library…)  → the source compiled for each of photic_isas,
 # in one program; PHOTIC_ISA is the set's name.
 #
 # The danger: an inline function or template, std::max<float> say, is compiled into each of these objects and into
@@ -39,12 +46,8 @@ function(photic_for_each_isa target source entry)
   set(flags_of_baseline "")
   set(flags_of_avx2 -mavx2 -mfma)
   set(flags_of_avx512 -mavx2 -mfma -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512)
-  set(sets baseline)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    list(APPEND sets avx2 avx512)
-  endif()
   cmake_path(GET source STEM stem)
-  foreach(isa IN LISTS sets)
+  foreach(isa IN LISTS photic_isas)
     set(object ${target}_${stem}_${isa})
     add_library(${object} OBJECT ${source})
     target_compile_definitions(${object} PRIVATE PHOTIC_ISA=${isa})

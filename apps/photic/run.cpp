@@ -94,9 +94,9 @@ std::optional<Isa> lanes_going_on(const RunCommand& command, const scene::Scene&
                                   const std::optional<Isa>& before) {
   if (before && !runs_here(*before)) {
     throw InputError({{.file = command.earlier,
-                       .reason = fmt::format("ran in the engine {}, which this processor lacks",
+                       .reason = fmt::format("ran in the engine {}, which does not run here",
                                              engine::engine_name(before)),
-                       .suggestion = "go on on one that has it, or run anew"}});
+                       .suggestion = "go on where the processor has it, or run anew"}});
   }
   if (command.engine.empty() && command.isa.empty()) return before;
   const auto now = lanes_asked(command, scene);

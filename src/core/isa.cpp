@@ -20,7 +20,7 @@ std::optional<Isa> isa_of(std::string_view name) {
   return std::nullopt;
 }
 
-#if defined(__x86_64__)
+#if defined(PHOTIC_WIDE_LANES)
 bool runs_here(Isa isa) {
   // What the files are compiled with: cmake/photic.cmake.
   const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");

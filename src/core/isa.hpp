@@ -1,5 +1,5 @@
-// Instruction sets of x86 that lanes are compiled for (cmake/photic.cmake), and which of them this
-// processor has.
+// Instruction sets of x86 that lanes are compiled for (cmake/photic.cmake), and which of them run
+// here.
 #pragma once
 
 #include <array>
@@ -16,9 +16,9 @@ inline constexpr std::array isas{Isa::baseline, Isa::avx2, Isa::avx512};
 const char* isa_name(Isa isa);
 /// None if there is none of this name.
 std::optional<Isa> isa_of(std::string_view name);
-/// Whether this processor has it.
+/// Whether this processor has it, and this build.
 bool runs_here(Isa isa);
-/// All that this processor has, from the least to the best; never none.
+/// All that run here, from the least to the best; never none.
 std::vector<Isa> isas_here();
 
 }  // namespace photic

@@ -39,7 +39,7 @@ bool lanes_resolve(const scene::Scene& scene) {
 
 std::unique_ptr<Simulator> make_lanes(const Problem& problem, Isa isa) {
   expect(runs_here(isa), "lanes are made of instructions that the processor has");
-#if defined(__x86_64__)
+#if defined(PHOTIC_WIDE_LANES)
   if (isa == Isa::avx512) return avx512::make_lanes(problem);
   if (isa == Isa::avx2) return avx2::make_lanes(problem);
 #endif

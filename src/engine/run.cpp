@@ -69,12 +69,12 @@ tally::Result result_of(const Problem& problem, const tally::Totals& totals, con
   return result;
 }
 
-/// Throws InputError for lanes that the processor does not have, or that are too coarse.
+/// Throws InputError for lanes that do not run here, or that are too coarse.
 void check_lanes(const scene::Scene& scene, Isa isa) {
   if (!runs_here(isa)) {
     throw InputError(
         {{.file = fmt::format("--isa {}", isa_name(isa)),
-          .reason = "this processor does not have it",
+          .reason = "this processor, or this build of Photic, does not have it",
           .suggestion = fmt::format("leave it out, or choose {}", isa_name(isas_here().back()))}});
   }
   if (!lanes_resolve(scene)) {

@@ -21,7 +21,7 @@ void check_packs();
 namespace {
 
 void check_packs(Isa isa) {
-#if defined(__x86_64__)
+#if defined(PHOTIC_WIDE_LANES)
   if (isa == Isa::avx512) return avx512::check_packs();
   if (isa == Isa::avx2) return avx2::check_packs();
 #endif

@@ -85,7 +85,7 @@ EventLog log_scalar(const Problem& problem, std::uint64_t photons) {
 }
 
 EventLog log_lanes(const Problem& problem, std::uint64_t photons, Isa isa) {
-#if defined(__x86_64__)
+#if defined(PHOTIC_WIDE_LANES)
   if (isa == Isa::avx512) return avx512::log_lanes(problem, photons);
   if (isa == Isa::avx2) return avx2::log_lanes(problem, photons);
 #endif
