@@ -13,10 +13,34 @@
 
 namespace photic {
 
+/// A seed as the rounds of Philox want it.
+class RandomKey {
+ public:
+  static constexpr int rounds = 10;
+
+  constexpr RandomKey(std::uint64_t seed) {  // NOLINT(*-explicit-*): the seed is the key
+    // Constants of the authors' Philox4x32: steps of the key between rounds.
+    constexpr std::uint32_t step0 = 0x9e3779b9, step1 = 0xbb67ae85;
+    auto low = static_cast<std::uint32_t>(seed), high = static_cast<std::uint32_t>(seed >> 32);
+    for (auto& round : round_) {
+      round = {low, high};
+      low += step0;
+      high += step1;
+    }
+  }
+  /// The two words of a round, each in the lower half of a lane.
+  [[nodiscard]] constexpr const std::array<std::uint64_t, 2>& round(int i) const {
+    return round_[static_cast<std::size_t>(i)];
+  }
+
+ private:
+  std::array<std::array<std::uint64_t, 2>, rounds> round_{};
+};
+
 /// Where in the stream a photon stands.
 template <class T>
 struct RandomPlace {
-  std::uint64_t seed = 0;
+  RandomKey key;
   Counter<T> photon{};
   Index<T> event{};  ///< counts the photon's events: emission is 0
 };
@@ -32,20 +56,17 @@ constexpr std::uint64_t to_counter(std::int32_t i) {
 
 /// The four words of one block, each in the lower half of a W; the upper halves are scratch.
 template <class W>
-std::array<W, 4> philox_words(std::uint64_t seed, const W& photon, const W& event,
+std::array<W, 4> philox_words(const RandomKey& key, const W& photon, const W& event,
                               std::uint32_t block) {
-  // Constants of the authors' Philox4x32: multipliers, and steps of the key between rounds.
+  // Constants of the authors' Philox4x32: multipliers.
   constexpr std::uint32_t multiplier0 = 0xd2511f53, multiplier1 = 0xcd9e8d57;
-  constexpr std::uint32_t step0 = 0x9e3779b9, step1 = 0xbb67ae85;
-  W key0(seed & 0xffffffff), key1(seed >> 32);
   std::array<W, 4> word{photon, photon >> 32, event, W(block)};
-  for (int round = 0; round < 10; ++round) {
+  for (int i = 0; i < RandomKey::rounds; ++i) {
+    const auto& [key0, key1] = key.round(i);
     const W product0 = multiply_low(word[0], multiplier0);
     const W product1 = multiply_low(word[2], multiplier1);
-    word = {(product1 >> 32) ^ word[1] ^ key0, product1, (product0 >> 32) ^ word[3] ^ key1,
+    word = {(product1 >> 32) ^ word[1] ^ W(key0), product1, (product0 >> 32) ^ word[3] ^ W(key1),
             product0};
-    key0 = key0 + W(step0);
-    key1 = key1 + W(step1);
   }
   return word;
 }
@@ -70,7 +91,7 @@ constexpr T uniform_from(std::uint64_t word) {
 template <class T>
 std::array<T, 4> uniforms(const RandomPlace<T>& place, std::uint32_t block) {
   const auto w =
-      philox_words<Counter<T>>(place.seed, place.photon, to_counter<T>(place.event), block);
+      philox_words<Counter<T>>(place.key, place.photon, to_counter<T>(place.event), block);
   return {uniform_from<T>(w[0]), uniform_from<T>(w[1]), uniform_from<T>(w[2]),
           uniform_from<T>(w[3])};
 }

@@ -27,7 +27,7 @@ class Draws {
       const std::uint32_t event = i / 4 / quasi_random_blocks, slot = i / 4 % quasi_random_blocks;
       if (slot < first_slot) continue;
       const auto words = philox_words<std::uint64_t>(
-          world.seed, batch / batch_photons, event, key_blocks + first_block + (slot - first_slot));
+          world.key, batch / batch_photons, event, key_blocks + first_block + (slot - first_slot));
       for (std::size_t k = 0; k < 4; ++k) keys_[i + k] = static_cast<std::uint32_t>(words[k]);
     }
   }
@@ -37,7 +37,7 @@ class Draws {
                                             std::uint32_t block) const {
     const Mask<T> early = event < Index<T>(spread() ? quasi_random_events : 0);
     if (all(early)) return from_points(n, event, block);
-    auto u = uniforms(RandomPlace<T>{world_.seed, Counter<T>(batch_) + to_counter<T>(n), event},
+    auto u = uniforms(RandomPlace<T>{world_.key, Counter<T>(batch_) + to_counter<T>(n), event},
                       first_block_ + block);
     if (!any(early)) return u;
     const auto v = from_points(n, select(early, event, Index<T>(0)), block);

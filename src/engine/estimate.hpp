@@ -25,6 +25,8 @@ using Targets = transport::Targets<T, target_capacity>;
 /// Photons on their way, one in each lane.
 template <class T>
 struct Travellers {
+  explicit Travellers(const World<T>& world) : place{world.key, {}, {}} {}
+
   transport::Photon<T> photon;
   RandomPlace<T> place;
   std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
@@ -33,6 +35,13 @@ struct Travellers {
   T analog_before{}, importance_before{};       ///< the event, for tools that ask
   Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
 };
+
+/// Another block of an event's numbers, for what not every event needs. Apart: the loop's registers
+/// would hold what the blocks have in common.
+template <class T>
+PHOTIC_APART std::array<T, 4> more_uniforms(const RandomPlace<T>& place, std::uint32_t block) {
+  return uniforms(place, block);
+}
 
 /// Where a telescope's lens is looked through by a photon, all its life.
 template <class T>
@@ -126,7 +135,8 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
 /// and then enters its view is what a plain walk finds too rarely.
 template <bool special, class T>
 void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, const Mask<T>& mask,
-              tally::BatchTally& tally, Estimates<T>& estimates, bool aims) {
+              const Mask<T>& near_view, tally::BatchTally& tally, Estimates<T>& estimates,
+              bool aims) {
   using namespace transport;
   const Photon<T>& photon = from.photon;
   Targets<T>& targets = estimates.targets;
@@ -150,12 +160,14 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
   for (const bool mirrored : {false, true}) {
     if (mirrored && !telescope.submerged) continue;
     if (world.single_rays) {
-      offer(connect_ray(world.sea, telescope, layer, photon, from.line, from.lens, mirrored, aims),
+      offer(connect_ray(world.sea, telescope, layer, photon, from.line, from.lens, mirrored,
+                        near_view, aims),
             mirrored);
     } else if (telescope.submerged) {
       offer(connect_in_water(world.sea, telescope, layer, photon, from.line, mirrored), mirrored);
     } else {
-      offer(connect_through_surface(world.sea, telescope, photon, from.line, aims), mirrored);
+      offer(connect_through_surface(world.sea, telescope, photon, from.line, near_view, aims),
+            mirrored);
     }
   }
 }
@@ -167,23 +179,19 @@ void score_light(const World<T>& world, const transport::Photon<T>& photon,
                  const std::vector<instrument::PlanePoint<T>>& lens, const Mask<T>& colliding,
                  const Index<T>& line, const T& share, const Index<T>& phase,
                  Estimates<T>& estimates, tally::BatchTally& tally, bool aims) {
-  Sources<T> from{photon, line, share, phase};
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
+    const Mask<T> seen = transport::may_see(world.sea, world.telescopes[t], photon.position, line);
+    if (!(aims || any(colliding & seen))) continue;
+    Sources<T> from{photon, line, share, phase};
     if (world.single_rays) from.lens = lens[t];
-    if (aims) {
-      score_in<special>(world, t, from, colliding, tally, estimates, true);
+    if (aims || compares<special>(world)) {
+      score_in<special>(world, t, from, colliding, seen, tally, estimates, aims);
       continue;
     }
-    const Mask<T> seen =
-        colliding & transport::may_see(world.sea, world.telescopes[t], photon.position, line);
-    if (!any(seen)) continue;
-    if (compares<special>(world)) {
-      score_in<special>(world, t, from, seen, tally, estimates, false);
-      continue;
-    }
-    estimates.waiting[t].admit(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
-      score_in<special>(world, t, full, mask, tally, estimates, false);
-    });
+    estimates.waiting[t].admit(
+        colliding & seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
+          score_in<special>(world, t, full, mask, mask, tally, estimates, false);
+        });
   }
 }
 
@@ -192,7 +200,7 @@ template <class T>
 void close_rooms(const World<T>& world, Estimates<T>& estimates, tally::BatchTally& tally) {
   for (std::size_t t = 0; t < estimates.waiting.size(); ++t) {
     estimates.waiting[t].close([&](const Sources<T>& rest, const Mask<T>& mask) {
-      score_in<false>(world, t, rest, mask, tally, estimates, false);
+      score_in<false>(world, t, rest, mask, mask, tally, estimates, false);
     });
   }
 }
@@ -251,7 +259,7 @@ void score_on_the_way(const World<T>& world, const Travellers<T>& from, const Ma
   const bool all_collisions = special && world.tools.scores_on_the_way;
   const Mask<T> wanted = all_collisions ? travelling : convertible;
   if (!any(wanted)) return;
-  const auto u = uniforms(from.place, 2);
+  const auto u = more_uniforms(from.place, 2);
   transport::Photon<T> at = from.photon;
   const Mask<T> reached =
       wanted & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});

@@ -26,7 +26,8 @@ template <class T, class Ledger>
 Mask<T> set_out(const World<T>& world, const Counter<T>& number, const Mask<T>& exist,
                 Travellers<T>& travellers, Ledger& ledger) {
   using namespace transport;
-  travellers.place = {world.seed, number, Index<T>(0)};
+  travellers.place.photon = number;
+  travellers.place.event = Index<T>(0);
   travellers.lens.resize(world.single_rays ? world.telescopes.size() : 0);
   for (std::size_t t = 0; t < travellers.lens.size(); ++t)
     travellers.lens[t] = chosen_lens_point(world, travellers.place, t);
@@ -61,7 +62,7 @@ void collision(const World<T>& world, Travellers<T>& travellers, const std::arra
   const Index<T> here = world.sea.at(photon.line, photon.layer);
   book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
   if (compares<special>(world)) travellers.ratios.before = photon;
-  const auto v = world.makes_choices ? uniforms(travellers.place, 1) : std::array<T, 4>{};
+  const auto v = world.makes_choices ? more_uniforms(travellers.place, 1) : std::array<T, 4>{};
   const auto branch = collide(world.sea, photon, world.conversion, v[0], v[1]);
   scatter(world.sea, photon, branch.phase, branch.lobe, estimates.targets, world.directed,
           {u[1], u[2], v[2], v[3]});
@@ -90,8 +91,9 @@ Mask<T> forward_event(const World<T>& world, Travellers<T>& travellers, Mask<T> 
 
   const Mask<T> reflected = on & end.surface;
   Mask<T> colliding = on & !end.surface;
-  Photon<T> down = photon;
+  Photon<T> down;
   if (any(reflected)) {
+    down = photon;
     const Mask<T> kept = special ? are_forced(world, travellers.place) : Mask<T>(false);
     book(ledger.escaped, reflected, reflect_down(world.sea, down, kept));
   }
@@ -107,12 +109,13 @@ Mask<T> forward_event(const World<T>& world, Travellers<T>& travellers, Mask<T> 
   else
     on = play_roulette(photon, world.weight_threshold, u[3], on, ledger);
   const Mask<T> finite = photon.weight <= T(std::numeric_limits<Element<T>>::max());
+  const Mask<T> fresh = travellers.place.event < Index<T>(most_events);
+  if (!any(on & !(finite & fresh))) return on;
   tally.not_finite += count(on & !finite);
-  on = on & finite;
-  const Mask<T> worn = on & (travellers.place.event >= Index<T>(most_events));
+  const Mask<T> worn = on & finite & !fresh;
   tally.too_many_events += count(worn);
   book(ledger.lost, worn, photon.weight);
-  return on & !worn;
+  return on & finite & fresh;
 }
 
 /// One event of the photons that are `on` their way: a flight, and what stands at its end. Tells
@@ -144,7 +147,7 @@ void keep_copies(const World<T>& world, const Travellers<T>& photon,
     waiting.push_back(photon);
     if (world.compares) photon.ratios.kept->copy(world.sea.environments, 0, waiting.size());
     waiting.back().place.photon =
-        copy_number(photon.place.seed, photon.place.photon, photon.place.event, i);
+        copy_number(photon.place.key, photon.place.photon, photon.place.event, i);
   }
 }
 

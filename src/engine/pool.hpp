@@ -36,8 +36,9 @@ class Pool {
       : world_(world),
         lens_(world.telescopes.size()),
         ratios_(world.sea.environments, slots),
+        travellers_(world),
+        newborn_(world),
         estimates_(world) {
-    travellers_.place.seed = world.seed;
     travellers_.lens.resize(world.single_rays ? lens_.size() : 0);
     travellers_.ratios.kept = &ratios_;
   }
@@ -122,7 +123,7 @@ class Pool {
                 [slot](const auto&, auto& column) { column.waiting.push_back(column.slot[slot]); });
         if (world_.compares)
           ratios_.copy(world_.sea.environments, slot, slots + number_.waiting.size() - 1);
-        number_.waiting.back() = copy_number(world_.seed, number_.slot[slot], event_.slot[slot], i);
+        number_.waiting.back() = copy_number(world_.key, number_.slot[slot], event_.slot[slot], i);
       }
     });
   }

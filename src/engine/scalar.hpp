@@ -18,7 +18,7 @@ class ScalarSimulator final : public Simulator {
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     if (world_.walks == 0) {
-      Travellers<T> photon;
+      Travellers<T> photon(world_);
       transport::PathRatios<T> kept(world_.sea.environments, 1);
       photon.ratios.kept = &kept;
       std::vector<Travellers<T>> copies;

@@ -19,9 +19,9 @@ inline constexpr std::uint32_t copy_blocks = std::uint32_t{1} << 30;
 
 /// The number of copy 0, 1 … of a photon that was split at an event, which it draws its random
 /// numbers by. No photon of the laser has such a one; of two copies with probability 2^-63.
-inline std::uint64_t copy_number(std::uint64_t seed, std::uint64_t photon, std::int32_t event,
+inline std::uint64_t copy_number(const RandomKey& key, std::uint64_t photon, std::int32_t event,
                                  std::int32_t copy) {
-  const auto word = philox_words<std::uint64_t>(seed, photon, static_cast<std::uint32_t>(event),
+  const auto word = philox_words<std::uint64_t>(key, photon, static_cast<std::uint32_t>(event),
                                                 copy_blocks + static_cast<std::uint32_t>(copy));
   return std::uint64_t{1} << 63 | (word[1] & 0xffffffff) << 32 | (word[0] & 0xffffffff);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/random.hpp"
 #include "core/sobol.hpp"
 #include "engine/problem.hpp"
 #include "instrument/laser.hpp"
@@ -149,7 +150,7 @@ struct World {
   Tools<T> tools;
   bool special = false;         ///< it has tools, or is analog, or compares
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
-  std::uint64_t seed = 0;
+  RandomKey key{0};
   SobolPoints points;  ///< of a batch; none: all numbers are drawn independently
 };
 
@@ -272,7 +273,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   }
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
-  world.seed = scene.simulation.seed;
+  world.key = scene.simulation.seed;
   if (scene.simulation.sampling == "quasi-random")
     world.points = {batch_photons, quasi_random_dimensions};
   return world;

@@ -10,9 +10,9 @@ namespace photic::transport {
 /// What a collision decided.
 template <class T>
 struct Branch {
-  Mask<T> converted;  ///< the photon's line has changed
-  Index<T> phase;     ///< table of the direction it leaves in
-  Index<T> lobe;      ///< elastic table at the line it leaves with: the lobe of directed sampling
+  Mask<T> converted{};  ///< the photon's line has changed
+  Index<T> phase;       ///< table of the direction it leaves in
+  Index<T> lobe;        ///< elastic table at the line it leaves with: the lobe of directed sampling
 };
 
 /// Implicit absorption with a branch into the inelastic processes: with probability `conversion`
@@ -25,11 +25,18 @@ Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const T& con
                   const T& u_branch, const T& u_line) {
   const Index<T> here = sea.at(photon.line, photon.layer);
   const T albedo = gather<T>(sea.albedo, here);
+  photon.order = photon.order + Index<T>(1);
+  Branch<T> branch;
+  if (sea.lines == 1) {
+    photon.weight = photon.weight * albedo;
+    photon.analog_weight = photon.analog_weight * albedo;
+    branch.phase = branch.lobe = gather_index<T>(sea.elastic_phase, here);
+    return branch;
+  }
   const Index<T> choices =
       select(photon.line == Index<T>(0), gather_index<T>(sea.convertible_count, photon.layer),
              Index<T>(0));
   const T probability = select(choices > Index<T>(0), conversion, T(0));
-  Branch<T> branch;
   branch.converted = u_branch < probability;
   const Index<T> pick =
       select(branch.converted, floor_index(u_line * to_real<T>(choices)), Index<T>(0));
@@ -42,7 +49,6 @@ Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const T& con
   photon.weight = photon.weight * select(branch.converted, converted_factor, scattered_factor);
   photon.analog_weight = photon.analog_weight * select(branch.converted, T(1), albedo);
   photon.line = select(branch.converted, line, photon.line);
-  photon.order = photon.order + Index<T>(1);
   branch.lobe = gather_index<T>(sea.elastic_phase, sea.at(photon.line, photon.layer));
   branch.phase =
       select(branch.converted, gather_index<T>(sea.conversion_phase, photon.line), branch.lobe);

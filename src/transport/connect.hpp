@@ -37,13 +37,14 @@ Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& t
                                   telescope.position.y - position.y, rise);
 }
 
-/// From a photon's position through the surface to a telescope in the air, at the given line. If
-/// nothing `aims` at the telescope, directions are left out where its detector cannot see the
-/// point.
+/// From a photon's position through the surface to a telescope in the air, at the given line.
+/// `near_view`: whether may_see(). If nothing `aims` at the telescope, directions are left out
+/// where its detector cannot see the point.
 template <class T>
 Connection<T> connect_through_surface(const medium::MediumView& sea,
                                       const instrument::Telescope<T>& telescope,
-                                      const Photon<T>& at, const Index<T>& line, bool aims) {
+                                      const Photon<T>& at, const Index<T>& line,
+                                      const Mask<T>& near_view, bool aims) {
   using std::sqrt;
   Connection<T> way;
   const T n = gather<T>(sea.index, line);
@@ -54,7 +55,6 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T dy = telescope.position.y - at.position.y;
   const T aside_squared = dx * dx + dy * dy;
 
-  const Mask<T> near_view = may_see(sea, telescope, at.position, line);
   if (!(aims || any(near_view))) return way;
   const auto start = crossing_start(inverse_n, depth, height, aside_squared);
   T per_rise = start.per_rise;

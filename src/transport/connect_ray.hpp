@@ -16,14 +16,13 @@ template <class T>
 Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                           const Index<T>& telescope_layer, const Photon<T>& at,
                           const Index<T>& line, const instrument::PlanePoint<T>& lens,
-                          bool mirrored, bool aims) {
+                          bool mirrored, const Mask<T>& near_view, bool aims) {
   const T depth = -at.position.z;
   const Vec3<T> to = in_space(telescope, lens);
   Way<T> way;
   if (telescope.submerged) {
     way = way_in_water(sea, at.position, line, to, mirrored);
   } else {
-    const Mask<T> near_view = may_see(sea, telescope, at.position, line);
     if (!(aims || any(near_view))) return {};
     way = way_through_surface(sea, at.position, line, to, near_view);
   }

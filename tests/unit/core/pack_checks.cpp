@@ -203,15 +203,14 @@ void check_functions(test::Random& random) {
 }
 
 void check_random_numbers(test::Random& random) {
-  RandomPlace<Real> place;
-  place.seed = static_cast<std::uint64_t>(random.uniform() * 1e18);
+  RandomPlace<Real> place{static_cast<std::uint64_t>(random.uniform() * 1e18), {}, {}};
   const auto photon = make_lanes<std::uint64_t>([&] { return random.scale(1, 1e18); });
   const auto event = make_lanes<std::int32_t>([&] { return random.below(1000000); });
   place.photon = Counter<Real>::load(photon.data());
   place.event = pack(event);
   const auto packed = uniforms(place, 3);
   for (std::size_t i = 0; i < width; ++i) {
-    const auto one = uniforms(RandomPlace<float>{place.seed, photon[i], event[i]}, 3);
+    const auto one = uniforms(RandomPlace<float>{place.key, photon[i], event[i]}, 3);
     for (std::size_t k = 0; k < 4; ++k) expect_bits(packed[k], i, one[k], "uniform");
   }
 }

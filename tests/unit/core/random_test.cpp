@@ -94,8 +94,7 @@ TEST(Uniforms, DifferByPhotonEventBlockAndSeed) {
 }
 
 TEST(Uniforms, AreTheSameInEveryLane) {
-  RandomPlace<test::Lanes4> place;
-  place.seed = 11;
+  RandomPlace<test::Lanes4> place{11, {}, {}};
   constexpr std::array<std::uint64_t, test::lanes> photon{5, 6, std::uint64_t{1} << 40, 5};
   constexpr std::array<std::int32_t, test::lanes> event{0, 1, 2, 3};
   place.photon = decltype(place.photon)::load(photon.data());

@@ -26,7 +26,7 @@ constexpr std::uint32_t laser = 0, telescope = 1;
 TEST(Draws, AreIndependentIfAskedTo) {
   const auto world = world_with("random");
   const Draws<double> draws{world, batch_photons, 4, telescope};
-  EXPECT_EQ(draws(7, 1, 1), uniforms(RandomPlace<double>{world.seed, batch_photons + 7, 1}, 5));
+  EXPECT_EQ(draws(7, 1, 1), uniforms(RandomPlace<double>{world.key, batch_photons + 7, 1}, 5));
 }
 
 // Seen red: with photons of later batches at other points than those of the first.
@@ -85,7 +85,7 @@ TEST(Draws, OfBatchesEventsAndBlocksDiffer) {
 TEST(Draws, OfLaterEventsAreIndependent) {
   const auto world = world_with("quasi-random");
   const Draws<double> draws{world, 0, 0, laser};
-  EXPECT_EQ(draws(7, 3, 0), uniforms(RandomPlace<double>{world.seed, 7, 3}, 0));
+  EXPECT_EQ(draws(7, 3, 0), uniforms(RandomPlace<double>{world.key, 7, 3}, 0));
 }
 
 }  // namespace

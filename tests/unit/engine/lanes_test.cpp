@@ -57,7 +57,7 @@ EventLog log_scalar(const Problem& problem, std::uint64_t photons) {
   const auto world = make_world<float>(problem.scene, problem.medium, problem.gates);
   tally::BatchTally tally(problem.shape, problem.gates);
   EventLog log;
-  Travellers<float> t;
+  Travellers<float> t(world);
   std::vector<Travellers<float>> copies;
   Estimates<float> estimates(world);
   for (std::uint64_t number = 0; number < photons; ++number) {

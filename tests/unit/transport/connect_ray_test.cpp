@@ -6,6 +6,7 @@
 #include "support/mean.hpp"
 #include "support/random.hpp"
 #include "support/z_test.hpp"
+#include "unit/transport/connect_if_seen.hpp"
 #include "unit/transport/sea.hpp"
 
 namespace photic::transport {
@@ -30,14 +31,15 @@ scene::Telescope small_telescope(const V& position, const V& direction) {
 Connection<double> connect_ray(const medium::Medium& sea, const scene::Telescope& scene,
                                const Photon<double>& at, std::int32_t line,
                                const instrument::PlanePoint<double>& lens, bool mirrored) {
-  return transport::connect_ray(sea.view(), instrument::make_telescope<double>(scene),
+  const auto telescope = instrument::make_telescope<double>(scene);
+  return transport::connect_ray(sea.view(), telescope,
                                 sea.layer_at(std::max(0.0, -scene.position_m.z)), at, line, lens,
-                                mirrored, true);
+                                mirrored, may_see(sea.view(), telescope, at.position, line), true);
 }
 Connection<double> connect(const medium::Medium& sea, const scene::Telescope& scene,
                            const Photon<double>& at, std::int32_t line, bool mirrored) {
   const auto telescope = instrument::make_telescope<double>(scene);
-  if (!telescope.submerged) return connect_through_surface(sea.view(), telescope, at, line, false);
+  if (!telescope.submerged) return connect_if_seen(sea, telescope, at, line, false);
   return connect_in_water(sea.view(), telescope, sea.layer_at(-scene.position_m.z), at, line,
                           mirrored);
 }

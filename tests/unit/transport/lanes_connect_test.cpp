@@ -5,6 +5,7 @@
 // That is what is compared.
 #include "transport/connect.hpp"
 #include "unit/instrument/telescopes.hpp"
+#include "unit/transport/connect_if_seen.hpp"
 #include "unit/transport/packs.hpp"
 #include "unit/transport/sea.hpp"
 
@@ -100,13 +101,11 @@ TEST(LanesOf, ConnectThroughSurface) {
         photon.position = {telescope.position.x, telescope.position.y, photon.position.z};
     }
     const auto packed_photon = pack(scalar);
-    const auto packed =
-        connect_through_surface(sea.view(), instrument::make_telescope<Lanes4>(scene),
-                                packed_photon, packed_photon.line, aims);
+    const auto packed = connect_if_seen(sea, instrument::make_telescope<Lanes4>(scene),
+                                        packed_photon, packed_photon.line, aims);
     int lit = 0;
     for (std::size_t i = 0; i < lanes; ++i) {
-      const auto one =
-          connect_through_surface(sea.view(), telescope, scalar[i], scalar[i].line, aims);
+      const auto one = connect_if_seen(sea, telescope, scalar[i], scalar[i].line, aims);
       expect_same_connection(packed, i, one, aims);
       lit += one.acceptance > 0;
     }

@@ -1,0 +1,16 @@
+// The way through the surface as the estimators ask for it: what a detector cannot see is known
+// before.
+#pragma once
+
+#include "transport/connect.hpp"
+
+namespace photic::transport {
+
+template <class T>
+Connection<T> connect_if_seen(const medium::Medium& sea, const instrument::Telescope<T>& telescope,
+                              const Photon<T>& at, const Index<T>& line, bool aims) {
+  return connect_through_surface(sea.view(), telescope, at, line,
+                                 may_see(sea.view(), telescope, at.position, line), aims);
+}
+
+}  // namespace photic::transport
