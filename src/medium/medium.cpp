@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <span>
 
 #include "core/error.hpp"
@@ -17,11 +18,21 @@ using optics::PhaseView;
 /// c.
 constexpr double least_walk_share = 0.2;
 
+/// Environments draw the free paths of all towards what they would draw them from alone, but the
+/// scene's by no more than this factor: its own echo is not to suffer (docs/decisions/0015).
+constexpr double most_change_of_walks = 1.5;
+
 /// The share of c in a layer that free paths of walks that are to be connected are drawn from.
 double connecting_share(double walk_share, bool emitted, double albedo) {
   if (walk_share == Medium::analog_share) return walk_share;
   return emitted ? std::max(emitted_walk_share * walk_share, std::min(walk_share, albedo))
                  : walk_share;
+}
+
+/// The same of the walks that a Medium::finish is for.
+double share_of_walks(const std::optional<double>& walk_share, bool emitted, double albedo) {
+  return walk_share ? connecting_share(*walk_share, emitted, albedo)
+                    : std::max(albedo, least_walk_share);
 }
 
 /// So many numbers as there are in a row for so many environments.
@@ -86,11 +97,28 @@ std::vector<double> Medium::environment_rows() const {
   return out;
 }
 
-double Medium::least_c(std::size_t cell) const {
-  double least = c[cell];
-  for (std::size_t e = 0; e < static_cast<std::size_t>(environments.first_tangent); ++e)
-    least = std::min(least, c[cell] + environments.excess_c[e * c.size() + cell]);
-  return least;
+double Medium::scattering_in(std::size_t environment, std::size_t cell) const {
+  const auto parts = static_cast<std::size_t>(environments.parts);
+  const auto first = environments.excess_part.begin() +
+                     static_cast<std::ptrdiff_t>((environment * c.size() + cell) * parts);
+  return albedo[cell] * c[cell] * std::accumulate(first, first + environments.parts, 1.0);
+}
+
+double Medium::walk_share_in(std::size_t cell, const std::optional<double>& walk_share) const {
+  const bool emitted = cell >= static_cast<std::size_t>(layers());
+  const double own = share_of_walks(walk_share, emitted, albedo[cell]);
+  double least = own;
+  double most = own;
+  for (std::size_t e = 0; e < static_cast<std::size_t>(environments.first_tangent); ++e) {
+    const double other_c = c[cell] + environments.excess_c[e * c.size() + cell];
+    const double other_albedo = other_c > 0 ? scattering_in(e, cell) / other_c : 0;
+    const double share = other_c / c[cell] * share_of_walks(walk_share, emitted, other_albedo);
+    least = std::min(least, share);
+    most = std::max(most, share);
+  }
+  const double change =
+      std::clamp((least + most) / 2 / own, 1 / most_change_of_walks, most_change_of_walks);
+  return std::min(own * change, 1.0);
 }
 
 void Medium::finish(std::optional<double> walk_share) {
@@ -113,9 +141,7 @@ void Medium::finish(std::optional<double> walk_share) {
   group_index_ = of_lines([](const Line& l) { return l.group_index; });
   std::vector<double> walk_c, continuous_c, gain;
   for (std::size_t i = 0; i < cells; ++i) {
-    const double wanted = walk_share ? connecting_share(*walk_share, i >= n_layers, albedo[i])
-                                     : std::max(albedo[i], least_walk_share);
-    const double share = std::min(wanted, least_c(i) / c[i]);
+    const double share = walk_share_in(i, walk_share);
     walk_c.push_back(c[i] * share);
     continuous_c.push_back(c[i] * (1 - share));
     gain.push_back(1 / share);

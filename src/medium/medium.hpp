@@ -194,9 +194,12 @@ class Medium {
   [[nodiscard]] std::int32_t layer_at(double depth_m) const;
 
  private:
-  /// The least attenuation of a line and layer in the medium and the environments. Free paths are
-  /// drawn from no more: weights of longer ones would have no bound.
-  [[nodiscard]] double least_c(std::size_t cell) const;
+  /// Of an environment [1/m].
+  [[nodiscard]] double scattering_in(std::size_t environment, std::size_t cell) const;
+  /// The share of c of a line and layer that free paths are drawn from: halfway between the least
+  /// and the most that the waters' own walks would draw them from, near to the scene's own.
+  [[nodiscard]] double walk_share_in(std::size_t cell,
+                                     const std::optional<double>& walk_share) const;
   /// The environments' numbers, [row][environment].
   [[nodiscard]] std::vector<double> environment_rows() const;
   /// Integrals over depth from the surface to the layers' edges, [line][layers + 1], for as many

@@ -208,10 +208,12 @@ TEST(Bidirectional, TurningDoesNotMatter) {
                             "b_per_m = 0.1, a_phytoplankton_per_m = 0.02 }, { wavelength_nm = "
                             "700.0, a_per_m = 0.6, b_per_m = 0.08 } ]\nphase_function = " +
                             wide_phase + "\n" + depth_gates(32, 4);
-  const auto turned = simulate_in(scene + simulation(4e5, 31, "", "bidirectional"),
-                                  [](auto& world) { ASSERT_TRUE(world.turns); });
-  const auto unturned = simulate_in(scene + simulation(4e5, 32, "", "bidirectional"),
-                                    [](auto& world) { world.turns = false; });
+  const auto turned = run_in_lanes(read(scene + simulation(4e5, 31, "", "bidirectional")));
+  const auto unturned =
+      simulate_in(scene + simulation(4e5, 32, "", "bidirectional"), [](auto& world) {
+        ASSERT_TRUE(world.turns);
+        world.turns = false;
+      });
   ZFamily gates{0.01};
   std::vector<std::size_t> all(turned.echo.mean.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -229,12 +231,12 @@ TEST(Bidirectional, WalksOfTwoVertices) {
   const std::string scene = ship_instrument + three_channels +
                             inelastic_water(0.06, broad_phase, 6.0) +
                             inelastic_water(0.1, broad_phase, 0) + depth_gates(12, 2);
-  const auto simulate_capped = [&](std::int32_t most_vertices, std::uint64_t seed) {
-    return simulate_in(scene + simulation(2e6, seed, "max_order = 3", "bidirectional"),
-                       [=](auto& world) { world.most_vertices = most_vertices; });
+  const auto up_to_third_order = [&](std::uint64_t seed) {
+    return scene + simulation(2e6, seed, "max_order = 3", "bidirectional");
   };
-  const auto capped = simulate_capped(2, 3);
-  const auto whole = simulate_capped(100, 4);
+  const auto capped =
+      simulate_in(up_to_third_order(3), [](auto& world) { world.most_vertices = 2; });
+  const auto whole = run_in_lanes(read(up_to_third_order(4)));
   std::vector<std::size_t> all(capped.echo_by_order.mean.size());
   std::iota(all.begin(), all.end(), 0);
   ZFamily orders(0.01);
