@@ -205,23 +205,20 @@ TEST(EnvironmentOf, DifferencesScatterAsTheySay) {
 /// How often 95 % intervals of unflagged gates cover the truth.
 struct Coverage {
   double covered = 0, known = 0, all = 0;
-  /// Where that can be told, or nearly all gates are flagged.
-  void expect(const std::string& what) const {
+  /// That they do, and that flags leave a share of all gates.
+  void expect(const std::string& what, double least_known) const {
     std::printf("%s: of %.0f gates %.0f are not flagged; %.1f %% of these intervals cover\n",
                 what.c_str(), all, known, 100 * covered / known);
-    if (known < all / 4) {
-      EXPECT_LE(known - covered, 0.03 * all) << what;
-      return;
-    }
+    EXPECT_GE(known, least_known * all) << what;
     EXPECT_GE(covered, 0.88 * known) << what;
     EXPECT_LE(covered, 0.99 * known) << what;
   }
 };
 
 // Strongly changed water is right, or flagged: 95 % intervals cover what a run of its own finds.
-// Seen red: without the look at the gates around.
+// Seen red: with free paths no shorter than in the clearest of all (59 of 400 gates known).
 void expect_strong_changes_covered(const std::string& estimator, double photons, double g,
-                                   std::uint64_t seeds) {
+                                   std::uint64_t seeds, double least_known) {
   const auto scene = [&](double times, double n, std::uint64_t seed, const std::string& by) {
     return read(ship_instrument + channel("elastic") +
                 water(0.06 * times, 0.10 * times,
@@ -253,14 +250,14 @@ void expect_strong_changes_covered(const std::string& estimator, double photons,
     }
   }
   for (std::size_t e = 0; e < changes.size(); ++e)
-    coverage[e].expect(fmt::format("{}, attenuation times {}", estimator, changes[e]));
+    coverage[e].expect(fmt::format("{}, attenuation times {}", estimator, changes[e]), least_known);
 }
 
 TEST(EnvironmentOf, StrongChangesAreRightOrFlaggedBidirectional) {
-  expect_strong_changes_covered("bidirectional", 6.2e4, 0.924, 40);
+  expect_strong_changes_covered("bidirectional", 6.2e4, 0.924, 40, 0.5);
 }
 TEST(EnvironmentOf, StrongChangesAreRightOrFlaggedForward) {
-  expect_strong_changes_covered("forward", 2e5, 0.6, 100);
+  expect_strong_changes_covered("forward", 2e5, 0.6, 100, 0.25);
 }
 
 // Of elastic, Raman and fluorescence light, all orders. Seen red: with half the step.
