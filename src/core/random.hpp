@@ -89,11 +89,15 @@ constexpr T uniform_from(std::uint64_t word) {
 
 /// Four uniforms of one event of one photon; an event that needs more asks for another block.
 template <class T>
-std::array<T, 4> uniforms(const RandomPlace<T>& place, std::uint32_t block) {
-  const auto w =
-      philox_words<Counter<T>>(place.key, place.photon, to_counter<T>(place.event), block);
+std::array<T, 4> uniforms(const RandomKey& key, const Counter<T>& photon, const Index<T>& event,
+                          std::uint32_t block) {
+  const auto w = philox_words<Counter<T>>(key, photon, to_counter<T>(event), block);
   return {uniform_from<T>(w[0]), uniform_from<T>(w[1]), uniform_from<T>(w[2]),
           uniform_from<T>(w[3])};
+}
+template <class T>
+std::array<T, 4> uniforms(const RandomPlace<T>& place, std::uint32_t block) {
+  return uniforms<T>(place.key, place.photon, place.event, block);
 }
 
 }  // namespace photic

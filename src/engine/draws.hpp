@@ -37,8 +37,8 @@ class Draws {
                                             std::uint32_t block) const {
     const Mask<T> early = event < Index<T>(spread() ? quasi_random_events : 0);
     if (all(early)) return from_points(n, event, block);
-    auto u = uniforms(RandomPlace<T>{world_.key, Counter<T>(batch_) + to_counter<T>(n), event},
-                      first_block_ + block);
+    auto u =
+        uniforms<T>(world_.key, Counter<T>(batch_) + to_counter<T>(n), event, first_block_ + block);
     if (!any(early)) return u;
     const auto v = from_points(n, select(early, event, Index<T>(0)), block);
     for (std::size_t i = 0; i < u.size(); ++i) u[i] = select(early, v[i], u[i]);
