@@ -112,7 +112,8 @@ Mask<T> analog_event(const World<T>& world, Travellers<T>& travellers, Mask<T> o
   on = on & !last;
 
   tally.collisions += count(on);
-  const Mask<T> stays = transport::collide_by_chance(world.sea, photon, on, u[3], v[0], v[1]);
+  const Mask<T> stays =
+      transport::collide_by_chance(world.sea, photon, travellers.hue, on, u[3], v[0], v[1]);
   book(ledger.absorbed, on & !stays, photon.weight);
   const Mask<T> worn = stays & (travellers.place.event >= Index<T>(most_events));
   tally.too_many_events += count(worn);

@@ -10,7 +10,7 @@ template <class T>
 PHOTIC_APART void Connections<T>::complete_to_telescope(const Ends<T>& ends, const Vertex& v,
                                                         const transport::Way<T>& way,
                                                         bool mirrored) {
-  const Index<T>& line = receiver_.line;
+  const Index<T> line = back_.line(ends.back);
   completion_.clear();
   transport::add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
   transport::add_way(sea_, line, v.layer, T(-v.position.z), way.direction, way.length_water,
@@ -71,18 +71,19 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(
     const T& last, const Index<T>& order) {
   const auto out = each_lane(Walks<T>::slot(ends.laser, ends.i));
   const auto home = each_lane(Walks<T>::slot(ends.back, ends.m));
-  each_score(mask, value, path, last, order, [&](std::size_t lane, const tally::Score& score) {
-    const auto of_walks = [&](std::int32_t e) {
-      const auto of_laser = [&] { return laser_.ratios().at(out[lane], e); };
-      const auto of_telescope = [&] { return back_.ratios().at(home[lane], e); };
-      if (walked == Walked::laser) return of_laser();
-      if (walked == Walked::telescope) return of_telescope();
-      return transport::joined(sea_.environments, e, of_laser(), of_telescope());
-    };
-    tally_.not_finite +=
-        transport::complete<T>(sea_.environments, completion_, lane, of_walks, ratios_.data());
-    tally_.score(score, ratios_.data());
-  });
+  each_score(back_.line(ends.back), mask, value, path, last, order,
+             [&](std::size_t lane, const tally::Score& score) {
+               const auto of_walks = [&](std::int32_t e) {
+                 const auto of_laser = [&] { return laser_.ratios().at(out[lane], e); };
+                 const auto of_telescope = [&] { return back_.ratios().at(home[lane], e); };
+                 if (walked == Walked::laser) return of_laser();
+                 if (walked == Walked::telescope) return of_telescope();
+                 return transport::joined(sea_.environments, e, of_laser(), of_telescope());
+               };
+               tally_.not_finite += transport::complete<T>(sea_.environments, completion_, lane,
+                                                           of_walks, ratios_.data());
+               tally_.score(score, ratios_.data());
+             });
 }
 
 }  // namespace photic::engine

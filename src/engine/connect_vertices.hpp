@@ -16,7 +16,7 @@ void Connections<T>::to_telescope(std::size_t walk) {
 
 template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Ends<T>& ends, const Mask<T>& mask) {
-  const Index<T>& line = receiver_.line;
+  const Index<T> line = back_.line(ends.back);
   const auto outset = back_.outset(ends.back);
   const Vec3<T> at = in_space(telescope_, outset.lens);
   const auto in_path = usable(ends.i + Index<T>(1));
@@ -42,7 +42,7 @@ template <class T>
 void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
                             const T& turned, const Outset<T>& outset, const transport::Way<T>& way,
                             bool mirrored) {
-  const Index<T>& line = receiver_.line;
+  const Index<T> line = back_.line(ends.back);
   const auto sight = instrument::sight(telescope_, outset.lens, way.arriving);
   const T path = v.path + way.length_air + way.length_water * gather<T>(sea_.group_index, line);
   const Mask<T> seen = mask & way.exists & sight.on_detector & (path < world_.last_path);

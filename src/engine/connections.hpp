@@ -159,19 +159,20 @@ class Connections {
              const T& last, const Index<T>& order) {
     if (world_.compares) [[unlikely]]
       return score_in_environments(ends, walked, mask, value, path, last, order);
-    each_score(mask, value, path, last, order,
+    each_score(back_.line(ends.back), mask, value, path, last, order,
                [&](std::size_t, const tally::Score& score) { tally_.score(score); });
   }
   /// Calls act(lane, score) for the lanes of a mask, one after the other.
   template <class Act>
-  void each_score(const Mask<T>& mask, const T& value, const T& path, const T& last,
-                  const Index<T>& order, Act act) const {
+  void each_score(const Index<T>& line, const Mask<T>& mask, const T& value, const T& path,
+                  const T& last, const Index<T>& order, Act act) const {
     const auto values = each_lane(value), paths = each_lane(path), depths = each_lane(last);
     const auto orders = each_lane(order);
-    const std::int32_t line = each_lane(receiver_.line)[0];
+    const auto lines = each_lane(line);
     for_each_lane(mask, [&](int lane) {
       const auto k = static_cast<std::size_t>(lane);
-      act(k, tally::Score{receiver_.telescope, line, orders[k], depths[k], paths[k], values[k]});
+      act(k,
+          tally::Score{receiver_.telescope, lines[k], orders[k], depths[k], paths[k], values[k]});
     });
   }
 

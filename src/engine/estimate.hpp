@@ -29,6 +29,7 @@ struct Travellers {
 
   transport::Photon<T> photon;
   RandomPlace<T> place;
+  Index<T> hue{};                               ///< in which lines it emits
   std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
                                                 ///< part in local estimates of single rays
   transport::Ratios<T> ratios;                  ///< of their weights in environments
@@ -282,7 +283,7 @@ void score_on_the_way(const World<T>& world, const Travellers<T>& from, const Ma
   const Mask<T> converting = reached & convertible;
   Index<T> i(0);
   for (Mask<T> on = converting & (i < count); any(on); on = converting & (i < count)) {
-    const Index<T> line = gather_index<T>(sea.convertible, at.layer * Index<T>(sea.lines) + i);
+    const Index<T> line = sea.emitted_line<T>(at.layer, select(on, i, Index<T>(0)), from.hue);
     score_light<special>(world, at, from.lens, on, line,
                          gather<T>(sea.conversion, sea.at(line, at.layer)),
                          gather_index<T>(sea.conversion_phase, line), estimates, tally, false);

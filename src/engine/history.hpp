@@ -33,6 +33,7 @@ Mask<T> set_out(const World<T>& world, const Counter<T>& number, const Mask<T>& 
     travellers.lens[t] = chosen_lens_point(world, travellers.place, t);
 
   const auto u = uniforms(travellers.place, 0);
+  travellers.hue = medium::hue_of(u[3]);
   Photon<T>& photon = travellers.photon;
   photon = emit(world.laser, world.laser_layer, u[0], u[1]);
   if (world.laser.submerged) return exist;
@@ -63,7 +64,7 @@ void collision(const World<T>& world, Travellers<T>& travellers, const std::arra
   book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
   if (compares<special>(world)) travellers.ratios.before = photon;
   const auto v = world.makes_choices ? more_uniforms(travellers.place, 1) : std::array<T, 4>{};
-  const auto branch = collide(world.sea, photon, world.conversion, v[0], v[1]);
+  const auto branch = collide(world.sea, photon, travellers.hue, world.conversion, v[0], v[1]);
   scatter(world.sea, photon, branch.phase, branch.lobe, estimates.targets, world.directed,
           {u[1], u[2], v[2], v[3]});
   if (compares<special>(world)) travellers.ratios.collided(world.sea, photon, colliding);

@@ -97,6 +97,7 @@ class Pool {
     f(t.photon.order, order_);
     f(t.place.photon, number_);
     f(t.place.event, event_);
+    if (world_.sea.bands > 0) f(t.hue, hue_);
     for (std::size_t i = 0; i < t.lens.size(); ++i) {
       f(t.lens[i].x, lens_[i][0]);
       f(t.lens[i].y, lens_[i][1]);
@@ -195,7 +196,7 @@ class Pool {
 
   const World<T>& world_;
   Real x_, y_, z_, u_, v_, w_, weight_, analog_weight_, path_;
-  Integer line_, layer_, order_, event_;
+  Integer line_, layer_, order_, event_, hue_;
   ColumnOf<std::uint64_t> number_;
   std::vector<std::array<Real, 2>> lens_;  ///< of each telescope
   transport::PathRatios<T> ratios_;  ///< of each slot and the copies that wait, in environments

@@ -37,10 +37,10 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   shape.max_order = static_cast<std::int32_t>(scene.simulation.max_order.value_or(0));
   shape.environments = scene.environment.size() + scene.sensitivity.size();
   for (const auto& line : medium.line) {
-    std::vector<std::int32_t> counted_by;
-    for (std::size_t c = 0; c < scene.channel.size(); ++c) {
-      if (medium::counts(scene.channel[c], line))
-        counted_by.push_back(static_cast<std::int32_t>(c));
+    std::vector<tally::Counting> counted_by;
+    for (std::size_t c = 0; c < line.counted_by.size(); ++c) {
+      if (line.counted_by[c] > 0)
+        counted_by.push_back({static_cast<std::int32_t>(c), line.counted_by[c]});
     }
     shape.channels_of_line.push_back(std::move(counted_by));
     const auto at = std::find(processes.begin(), processes.end(), line.process);
@@ -49,22 +49,23 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   return shape;
 }
 
-/// The light a channel stands for: the mean over the lines it counts, else the laser's or its
-/// filter's centre.
-medium::Line channel_line(const scene::Channel& channel, const std::vector<medium::Line>& lines) {
+/// The light channel number c stands for: the mean over the lines it counts, else the laser's or
+/// its filter's centre.
+medium::Line channel_line(const scene::Channel& channel, std::size_t c,
+                          const std::vector<medium::Line>& lines) {
   medium::Line mean = lines.front();
-  double count = 0;
+  double all = 0;
   double wavelength = 0;
   double group_index = 0;
   for (const auto& line : lines) {
-    if (!medium::counts(channel, line)) continue;
-    ++count;
-    wavelength += line.wavelength_nm;
-    group_index += line.group_index;
+    const double counted = line.photons * line.counted_by[c];
+    all += counted;
+    wavelength += counted * line.wavelength_nm;
+    group_index += counted * line.group_index;
   }
-  if (count > 0) {
-    mean.wavelength_nm = wavelength / count;
-    mean.group_index = group_index / count;
+  if (all > 0) {
+    mean.wavelength_nm = wavelength / all;
+    mean.group_index = group_index / all;
   } else if (channel.centre_nm) {
     mean.wavelength_nm = *channel.centre_nm;
   }
@@ -106,9 +107,9 @@ tally::Result describe(const Problem& problem) {
   for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {
     result.gate_time_edge_ns.push_back(gates.edge_path(edge) / metre_per_nanosecond);
   }
-  for (const auto& channel : scene.channel) {
-    const auto line = channel_line(channel, medium.line);
-    result.channel_name.push_back(channel.name);
+  for (std::size_t c = 0; c < scene.channel.size(); ++c) {
+    const auto line = channel_line(scene.channel[c], c, medium.line);
+    result.channel_name.push_back(scene.channel[c].name);
     result.channel_wavelength_nm.push_back(line.wavelength_nm);
     for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {
       result.gate_depth_edge_m.push_back(gates.depth(gates.edge_path(edge), line));

@@ -39,6 +39,7 @@ struct Outset {
   T shift_area{};         ///< [m^2]
   T grid_offset{};        ///< of the depths where it meets others, 0 to 1 of a step
   Index<T> connected{1};  ///< with the vertices of a laser's walk: 1 or 0
+  Index<T> line{};        ///< of the light that comes back
 
   static constexpr std::size_t members = 10;
   template <class F>
@@ -70,6 +71,7 @@ class Walks {
         turns_(walks),
         converted_(walks),
         connected_(walks),
+        line_(walks),
         turned_(walks * stride),
         ratios_(environments, walks * stride) {}
 
@@ -77,6 +79,7 @@ class Walks {
   void begin(const Mask<T>& mask, const Index<T>& walk, const Outset<T>& outset, const Ray& first) {
     outset_.put(mask, walk, outset);
     scatter(mask, walk, outset.connected, connected_.data());
+    scatter(mask, walk, outset.line, line_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
     scatter(mask, walk, Index<T>(0), turns_.data());
     scatter(mask, walk, Index<T>(-1), converted_.data());
@@ -147,7 +150,11 @@ class Walks {
   [[nodiscard]] Vertex vertex(const Index<T>& walk, const Index<T>& i) const {
     return vertex_.at(slot(walk, i));
   }
-  /// The same in each lane; 0 for -1.
+  /// The line of the light that a telescope's walk detects.
+  [[nodiscard]] Index<T> line(const Index<T>& walk) const {
+    return gather_index<T>(line_.data(), walk);
+  }
+  /// The vertex where a telescope's walk has turned a conversion back; 0 for none.
   [[nodiscard]] Index<T> conversion(const Index<T>& walk) const {
     const Index<T> at = gather_index<T>(converted_.data(), walk);
     return select(at >= Index<T>(0), at, Index<T>(0));
@@ -242,7 +249,8 @@ class Walks {
   Records<T, Outset<T>> outset_;
   Records<T, Ray> ray_;
   Records<T, Vertex> vertex_;
-  std::vector<std::int32_t> rays_, vertices_, turns_, converted_, connected_;  ///< of each walk
+  std::vector<std::int32_t> rays_, vertices_, turns_, converted_, connected_,
+      line_;                          ///< of each walk
   std::vector<std::int32_t> turned_;  ///< vertices with a last turn, of the laser's walks
   transport::PathRatios<T> ratios_;   ///< of each ray
 };

@@ -83,12 +83,15 @@ View<T> make_view(const instrument::Telescope<double>& telescope, const medium::
   return view;
 }
 
-/// A telescope as the bidirectional estimator's walks begin there: detecting one line.
+/// A telescope as the bidirectional estimator's walks begin there: detecting the laser's line, or
+/// one band.
 template <class T>
 struct Receiver {
   std::size_t number = 0;  ///< among the receivers
   std::size_t telescope = 0;
-  Index<T> layer{}, line{};
+  Index<T> layer{};
+  Index<T> line{};         ///< 0, or the first of the band
+  std::int32_t band = -1;  ///< of the medium's, if it is one
 };
 
 /// What becomes of photons below the weight threshold.
@@ -206,6 +209,22 @@ inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium,
   return reach;
 }
 
+/// One for each telescope and band that a channel counts light of.
+template <class T>
+void add_receivers(const medium::Medium& medium, World<T>& world) {
+  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
+    std::int32_t band = -1;
+    for (std::size_t l = 0; l < medium.line.size(); ++l) {
+      const auto& line = medium.line[l];
+      if (l > 0 && line.process == medium.line[l - 1].process) continue;
+      if (l > 0) ++band;
+      if (l > 0 || std::ranges::any_of(line.counted_by, [](double share) { return share > 0; }))
+        world.receivers.push_back({world.receivers.size(), t, world.telescope_layer[t],
+                                   Index<T>(static_cast<std::int32_t>(l)), band});
+    }
+  }
+}
+
 template <class T>
 World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
                     const tally::Gates& gates) {
@@ -261,16 +280,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   if (scene.simulation.estimator == "bidirectional")
     world.walks = static_cast<std::size_t>(scene.simulation.walks);
   world.most_vertices = most_vertices;
-  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
-    for (std::size_t l = 0; l < medium.line.size(); ++l) {
-      const bool counted =
-          std::any_of(scene.channel.begin(), scene.channel.end(),
-                      [&](const auto& channel) { return medium::counts(channel, medium.line[l]); });
-      if (counted)
-        world.receivers.push_back({world.receivers.size(), t, world.telescope_layer[t],
-                                   Index<T>(static_cast<std::int32_t>(l))});
-    }
-  }
+  add_receivers(medium, world);
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
   world.key = scene.simulation.seed;

@@ -49,19 +49,24 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   const LayerOptics optics_of(scene, library);
   Medium medium;
   medium.top.push_back(0.0);
-  std::vector<double> a_exciting_per_m;
+  const double laser_nm = scene.source.wavelength_nm;
+  std::vector<WaterOptics> at_laser;
   for (const auto& layer : scene.sea.layer) {
     medium.top.push_back(layer.bottom_depth_m.value_or(std::numeric_limits<double>::infinity()));
-    a_exciting_per_m.push_back(optics_of(layer, scene.source.wavelength_nm).a_exciting_per_m);
+    at_laser.push_back(optics_of(layer, laser_nm));
   }
-  medium.line.push_back(make_line(scene.sea, Process::elastic, scene.source.wavelength_nm));
-  const auto emitted = emitted_lines(scene, library, a_exciting_per_m);
-  for (const EmittedLine& line : emitted) {
-    medium.line.push_back(make_line(scene.sea, line.process, line.wavelength_nm));
-    medium.sources.insert(medium.sources.end(), line.sources.begin(), line.sources.end());
+  medium.line.push_back(make_line(scene.sea, Process::elastic, laser_nm));
+  medium.line.front().counted_by = counted_by(scene, filters_of(scene), Process::elastic, laser_nm);
+  const auto light = emitted_light(scene, library, at_laser);
+  for (const EmittedLine& emitted : light.lines) {
+    Line line = make_line(scene.sea, emitted.process, emitted.wavelength_nm);
+    line.photons = emitted.photons;
+    line.counted_by = emitted.counted_by;
+    medium.line.push_back(std::move(line));
   }
+  medium.sources = light.sources;
   for (std::size_t l = 0; l < medium.line.size(); ++l) {
-    add_line_tables(scene, optics_of, emitted, l, medium);
+    add_line_tables(scene, optics_of, light.lines, l, medium);
     medium.conversion_phase.push_back(conversion_phase(medium, medium.line[l].process, library));
   }
   if (medium.line.size() > 1)

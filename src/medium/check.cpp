@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -85,10 +86,15 @@ void Checker::drop_bad_channels() {
   for (std::size_t i = 0; i < scene_.channel.size(); ++i) {
     const scene::Channel& channel = scene_.channel[i];
     const std::string path = below("channel", i);
-    const bool whole = channel.process || (channel.centre_nm && channel.fwhm_nm);
+    const bool whole =
+        channel.process || channel.transmission_file || (channel.centre_nm && channel.fwhm_nm);
     if (!whole || !findings_.good({path})) continue;
+    const std::string key = below(path, channel.process     ? "process"
+                                        : channel.centre_nm ? "centre_nm"
+                                                            : "transmission_file");
+    if (!ask(key, [&] { return filter_of(channel).has_value() || channel.process; })) continue;
     good.push_back(channel);
-    channel_path_.push_back(below(path, channel.process ? "process" : "centre_nm"));
+    channel_path_.push_back(key);
   }
   scene_.channel = std::move(good);
 }
@@ -158,15 +164,12 @@ std::vector<std::optional<WaterOptics>> Checker::check_layers(const Wavelength& 
 }
 
 Wavelength Checker::asked_by_channel(const EmittedLine& line) const {
-  for (std::size_t i = 0; i < scene_.channel.size(); ++i) {
-    if (counts(scene_.channel[i], {line.process, line.wavelength_nm, 1, 1})) {
-      const auto why =
-          fmt::format("channel {} counts {} light there", scene::quoted(scene_.channel[i].name),
-                      process_name(line.process));
-      return {line.wavelength_nm, channel_path_[i], why, why};
-    }
-  }
-  throw ContractViolation("a line is emitted because a channel counts it");
+  const auto counts = std::ranges::find_if(line.counted_by, [](double share) { return share > 0; });
+  expect(counts != line.counted_by.end(), "a line is emitted because a channel counts it");
+  const auto i = static_cast<std::size_t>(counts - line.counted_by.begin());
+  const auto why = fmt::format("channel {} counts {} light there",
+                               scene::quoted(scene_.channel[i].name), process_name(line.process));
+  return {line.wavelength_nm, channel_path_[i], why, why};
 }
 
 void Checker::remark_dark_channels(const std::vector<EmittedLine>& lines) {
@@ -183,25 +186,34 @@ void Checker::remark_dark_channels(const std::vector<EmittedLine>& lines) {
 }
 
 void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>>& at_laser) {
-  std::vector<double> a_exciting_per_m;
+  std::vector<WaterOptics> known;
   bool complete = true;
   for (const auto& water : at_laser) {
-    a_exciting_per_m.push_back(water ? water->a_exciting_per_m : 0.0);
+    known.push_back(water.value_or(WaterOptics{}));
     complete = complete && water;
   }
-  const auto lines = emitted_lines(scene_, library_, a_exciting_per_m);
-  for (const EmittedLine& line : lines) {
-    const Wavelength light = asked_by_channel(line);
-    check_index(line.process, light);
-    check_layers(light);
+  const std::string table = "optics.cdom_fluorescence_file";
+  if (scene_.optics.cdom_fluorescence == "table" && findings_.good({table}) &&
+      !ask(table, [&] { return cdom_emission(scene_, library_); }))
+    return;
+  const auto light = ask("channel", [&] { return emitted_light(scene_, library_, known); });
+  if (!light) return;
+  std::optional<Process> told;  // of a process's light one wavelength is enough
+  for (const EmittedLine& line : light->lines) {
+    if (told == line.process) continue;
+    const std::size_t before = told_.size();
+    const Wavelength asked = asked_by_channel(line);
+    check_index(line.process, asked);
+    check_layers(asked);
+    if (told_.size() > before) told = line.process;
   }
   for (std::size_t k = 0; k < at_laser.size(); ++k) {
     const std::string yield = below(layer_path(k), "chlorophyll_yield");
     if (at_laser[k] && findings_.good({yield}))
       ask(scene_.sea.layer[k].iop.empty() ? yield : below(layer_path(k), "iop"),
-          [&] { return emitted_per_m(lines, scene_, k, at_laser[k]->a_per_m); });
+          [&] { return emitted_per_m(light->lines, scene_, k, at_laser[k]->a_per_m); });
   }
-  if (complete) remark_dark_channels(lines);
+  if (complete) remark_dark_channels(light->lines);
 }
 
 void Checker::check_light() {
@@ -211,7 +223,7 @@ void Checker::check_light() {
   check_index(Process::elastic, laser);
   const auto at_laser = check_layers(laser);
   // A laser's wavelength that is of no use tells nothing of the inelastic light either.
-  if (findings_.good({path, "optics.set", "optics.raman"})) check_inelastic_light(at_laser);
+  if (findings_.good({path, "optics"})) check_inelastic_light(at_laser);
 }
 
 }  // namespace

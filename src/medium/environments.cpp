@@ -87,15 +87,13 @@ double emitted_into(const Line& line, std::size_t layer, const std::vector<Emitt
 Waters waters_of(const std::string& who, const scene::Scene& scene, const optics::Library& library,
                  const Medium& medium, PhaseTables& tables) {
   const LayerOptics optics_of(scene, library);
-  std::vector<double> a_exciting_per_m, a_per_m;
-  for (const auto& layer : scene.sea.layer) {
-    const WaterOptics water = optics_of(layer, scene.source.wavelength_nm);
-    a_exciting_per_m.push_back(water.a_exciting_per_m);
-    a_per_m.push_back(water.a_per_m);
-  }
-  const auto emitted = emitted_lines(scene, library, a_exciting_per_m);
+  std::vector<WaterOptics> at_laser;
+  for (const auto& layer : scene.sea.layer)
+    at_laser.push_back(optics_of(layer, scene.source.wavelength_nm));
+  const auto emitted = emitted_light(scene, library, at_laser).lines;
   check_emitted(who, scene, medium, emitted);
-  for (std::size_t k = 0; k < a_per_m.size(); ++k) emitted_per_m(emitted, scene, k, a_per_m[k]);
+  for (std::size_t k = 0; k < at_laser.size(); ++k)
+    emitted_per_m(emitted, scene, k, at_laser[k].a_per_m);
   Waters out;
   for (const Line& line : medium.line) {
     for (std::size_t k = 0; k < scene.sea.layer.size(); ++k) {

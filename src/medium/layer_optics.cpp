@@ -57,6 +57,7 @@ WaterOptics of_table(const scene::Layer& layer, double wavelength_nm) {
   water.a_per_m = std::lerp(low.a_per_m, high.a_per_m, t);
   water.b_per_m = std::lerp(low.b_per_m, high.b_per_m, t);
   water.a_exciting_per_m = std::lerp(low.a_phytoplankton_per_m, high.a_phytoplankton_per_m, t);
+  water.a_cdom_per_m = std::lerp(low.a_cdom_per_m, high.a_cdom_per_m, t);
   water.sources = {fmt::format("a = {:.5g} 1/m, b = {:.5g} 1/m: given in the scene", water.a_per_m,
                                water.b_per_m)};
   return water;
@@ -104,6 +105,7 @@ WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavel
   water.a_per_m = a_water.value + algae.a_per_m + a_cdom;
   water.b_per_m = b_water.value + algae.b_per_m;
   water.a_exciting_per_m = algae.a_exciting_per_m;
+  water.a_cdom_per_m = a_cdom;
   water.b_molecular_per_m = b_water.value;
   water.sources = {fmt::format("a of water = {:.5g} 1/m: {}", a_water.value, a_water.source),
                    fmt::format("b of water = {:.5g} 1/m: {}", b_water.value, b_water.source)};

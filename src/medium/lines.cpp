@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
+#include "medium/bands.hpp"
+#include "optics/data_table.hpp"
 #include "optics/fluorescence.hpp"
 #include "optics/raman.hpp"
 #include "optics/refractive_index.hpp"
@@ -13,28 +15,68 @@
 namespace photic::medium {
 namespace {
 
-/// Whether some channel asks for a process, or might see it through its filter.
-bool asked_for(const scene::Scene& scene, const Line& line) {
-  return std::any_of(scene.channel.begin(), scene.channel.end(),
-                     [&](const scene::Channel& channel) { return counts(channel, line); });
+/// A process of a scene's water: what it emits per photon and metre, and so many photons and metres
+/// by layer.
+struct Emitter {
+  Process process;
+  optics::Emission emission;
+  std::vector<double> photons_per_m;
+};
+
+std::vector<Emitter> emitters_of(const scene::Scene& scene, const optics::Library& library,
+                                 const std::vector<WaterOptics>& at_laser) {
+  const double laser_nm = scene.source.wavelength_nm;
+  const scene::Optics& choice = scene.optics;
+  std::vector<double> by_chlorophyll, by_cdom;
+  for (std::size_t k = 0; k < at_laser.size(); ++k) {
+    by_chlorophyll.push_back(at_laser[k].a_exciting_per_m * scene.sea.layer[k].chlorophyll_yield);
+    by_cdom.push_back(at_laser[k].a_cdom_per_m);
+  }
+  std::vector<Emitter> out{
+      {Process::raman, optics::raman(library, choice.raman, laser_nm),
+       std::vector(at_laser.size(), 1.0)},
+      {Process::chlorophyll,
+       optics::chlorophyll_fluorescence(library, laser_nm, choice.chlorophyll_share_730),
+       by_chlorophyll}};
+  if (std::ranges::any_of(by_cdom, [](double a) { return a > 0; }))
+    out.push_back({Process::cdom, cdom_emission(scene, library), by_cdom});
+  return out;
 }
 
-/// Adds what a layer emits by a process, where a channel counts it.
-void add(const scene::Scene& scene, std::size_t layer, Process process,
-         const optics::Emission& emission, std::vector<EmittedLine>& lines) {
-  for (const auto& emitted : emission.lines) {
-    const double nm = emitted.wavelength_nm;
-    if (!asked_for(scene, {process, nm, 1, 1})) continue;
-    auto line = std::find_if(lines.begin(), lines.end(), [&](const EmittedLine& l) {
-      return l.process == process && l.wavelength_nm == nm;
-    });
-    if (line == lines.end())
-      line = lines.insert(line, {process, nm, std::vector(scene.sea.layer.size(), 0.0), {}});
-    line->coefficient_per_m[layer] = emitted.coefficient_per_m;
-    line->sources.push_back(fmt::format("layer {}: {} light at {:.2f} nm = {:.5g} 1/m: {}", layer,
-                                        process_name(process), nm, emitted.coefficient_per_m,
-                                        emission.source));
+/// The lines of an emitter's light that some channel counts.
+std::vector<BandLine> lines_of(const Emitter& emitter, const scene::Scene& scene,
+                               const std::vector<std::optional<Filter>>& filters) {
+  const optics::Emission& emission = emitter.emission;
+  if (emission.line && scene.optics.emission == "lines") {
+    const double nm = emission.line->wavelength_nm;
+    auto counted = counted_by(scene, filters, emitter.process, nm);
+    if (std::ranges::all_of(counted, [](double share) { return share == 0; })) return {};
+    return {{nm, emission.line->coefficient, std::move(counted)}};
   }
+  std::vector<bool> counts_all;
+  for (const auto& channel : scene.channel)
+    counts_all.push_back(channel.process == process_name(emitter.process));
+  return cut_into_lines(emission.spectrum, counts_all, filters);
+}
+
+void check_number(const std::vector<BandLine>& lines, Process process) {
+  constexpr std::size_t most = hues / 2;
+  if (lines.size() <= most) return;
+  throw InputError({{"", 0, 0,
+                     fmt::format("the channels' filters cut {} light into {} lines, more than {}",
+                                 process_name(process), lines.size(), most),
+                     "take fewer filters, or such that their edges coincide"}});
+}
+
+std::string source_of(const Emitter& emitter, const std::vector<BandLine>& lines,
+                      std::size_t layer) {
+  double photons = 0;
+  for (const auto& line : lines) photons += line.photons;
+  const auto at = [](const BandLine& line) { return fmt::format("{:.2f}", line.wavelength_nm); };
+  return fmt::format(
+      "layer {}: {} light at {} nm = {:.5g} 1/m: {}", layer, process_name(emitter.process),
+      lines.size() > 1 ? at(lines.front()) + " to " + at(lines.back()) : at(lines.front()),
+      photons * emitter.photons_per_m[layer], emitter.emission.source);
 }
 
 }  // namespace
@@ -56,24 +98,44 @@ Line make_line(const scene::Sea& sea, Process process, double wavelength_nm) {
   return line;
 }
 
-bool counts(const scene::Channel& channel, const Line& line) {
-  if (channel.process) return *channel.process == process_name(line.process);
-  return std::abs(line.wavelength_nm - *channel.centre_nm) <= *channel.fwhm_nm / 2;
+std::vector<double> counted_by(const scene::Scene& scene,
+                               const std::vector<std::optional<Filter>>& filters, Process process,
+                               double wavelength_nm) {
+  std::vector<double> out;
+  for (std::size_t c = 0; c < filters.size(); ++c) {
+    const bool whole = scene.channel[c].process == process_name(process);
+    out.push_back(filters[c] ? filters[c]->transmission(wavelength_nm) : whole ? 1 : 0);
+  }
+  return out;
 }
 
-std::vector<EmittedLine> emitted_lines(const scene::Scene& scene, const optics::Library& library,
-                                       const std::vector<double>& a_exciting_per_m) {
+optics::Emission cdom_emission(const scene::Scene& scene, const optics::Library& library) {
   const double laser_nm = scene.source.wavelength_nm;
-  const auto& layers = scene.sea.layer;
-  std::vector<EmittedLine> lines;
-  for (std::size_t k = 0; k < layers.size(); ++k)
-    add(scene, k, Process::raman, optics::raman(library, scene.optics.raman, laser_nm), lines);
-  for (std::size_t k = 0; k < layers.size(); ++k)
-    add(scene, k, Process::chlorophyll,
-        optics::chlorophyll_fluorescence(library, laser_nm, a_exciting_per_m[k],
-                                         layers[k].chlorophyll_yield),
-        lines);
-  return lines;
+  if (scene.optics.cdom_fluorescence != "table")
+    return optics::cdom_fluorescence(library, laser_nm);
+  return optics::cdom_fluorescence(optics::DataTable::read(scene.optics.cdom_fluorescence_file),
+                                   laser_nm);
+}
+
+EmittedLight emitted_light(const scene::Scene& scene, const optics::Library& library,
+                           const std::vector<WaterOptics>& at_laser) {
+  const auto filters = filters_of(scene);
+  EmittedLight light;
+  for (const Emitter& emitter : emitters_of(scene, library, at_laser)) {
+    const auto& by_layer = emitter.photons_per_m;
+    if (std::ranges::all_of(by_layer, [](double a) { return a == 0; })) continue;
+    const auto lines = lines_of(emitter, scene, filters);
+    if (lines.empty()) continue;
+    check_number(lines, emitter.process);
+    for (const BandLine& line : lines) {
+      EmittedLine out{emitter.process, line.wavelength_nm, {}, line.counted_by, line.photons};
+      for (const double a : by_layer) out.coefficient_per_m.push_back(a * line.photons);
+      light.lines.push_back(std::move(out));
+    }
+    for (std::size_t k = 0; k < by_layer.size(); ++k)
+      if (by_layer[k] > 0) light.sources.push_back(source_of(emitter, lines, k));
+  }
+  return light;
 }
 
 double emitted_per_m(const std::vector<EmittedLine>& lines, const scene::Scene& scene,

@@ -1,10 +1,14 @@
 // The wavelengths that light of a scene can have.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "medium/filters.hpp"
+#include "medium/layer_optics.hpp"
 #include "medium/medium.hpp"
+#include "optics/emission.hpp"
 #include "optics/library.hpp"
 #include "scene/scene.hpp"
 
@@ -16,21 +20,33 @@ double refractive_index(const scene::Sea& sea, double wavelength_nm);
 /// Light of a process and wavelength in a sea. Throws InputError where its indices have no data.
 Line make_line(const scene::Sea& sea, Process process, double wavelength_nm);
 
-/// Whether a channel counts the light of a line.
-bool counts(const scene::Channel& channel, const Line& line);
+/// The share of light of a wavelength and process that each channel counts.
+std::vector<double> counted_by(const scene::Scene& scene,
+                               const std::vector<std::optional<Filter>>& filters, Process process,
+                               double wavelength_nm);
 
 /// A line of inelastic light, and what each layer emits into it.
 struct EmittedLine {
   Process process = Process::raman;
   double wavelength_nm = 0;
   std::vector<double> coefficient_per_m;  ///< by layer
-  std::vector<std::string> sources;       ///< of the coefficients that are not 0
+  std::vector<double> counted_by;         ///< channels of the scene: the share of it
+  double photons = 1;                     ///< in it, relative to other lines of its process
 };
 
-/// The lines that a channel of the scene counts. By layer: the absorption [1/m] of the laser's
-/// light that excites chlorophyll's fluorescence.
-std::vector<EmittedLine> emitted_lines(const scene::Scene& scene, const optics::Library& library,
-                                       const std::vector<double>& a_exciting_per_m);
+struct EmittedLight {
+  std::vector<EmittedLine> lines;    ///< those of a process one behind the other
+  std::vector<std::string> sources;  ///< of the coefficients that are not 0
+};
+
+/// The light that a channel of the scene counts. A spectrum is cut into lines that are at most
+/// 5 nm apart, each where the mean of its light is. By layer: its optics at the laser's wavelength.
+/// Throws InputError for tables that are of no use, and for more lines than a walk can choose from.
+EmittedLight emitted_light(const scene::Scene& scene, const optics::Library& library,
+                           const std::vector<WaterOptics>& at_laser);
+
+/// What the scene says of how CDOM fluoresces. Throws InputError for a table that is of no use.
+optics::Emission cdom_emission(const scene::Scene& scene, const optics::Library& library);
 
 /// What a layer emits into all lines [1/m]. Throws InputError if it absorbs less of the laser's
 /// light.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <ranges>
 #include <span>
 
 #include "core/error.hpp"
@@ -40,12 +41,30 @@ std::int32_t padded(std::int32_t environments) {
   return (environments + environment_padding - 1) / environment_padding * environment_padding;
 }
 
+/// Shares out the hues among the lines of a band: half of them by their photons, half of them
+/// evenly, for a channel's filter may let through one line alone.
+std::vector<std::int32_t> hues_of(std::span<const Line> band) {
+  expect(2 * band.size() <= hues, "a band has no more lines than half the hues");
+  double all = 0;
+  for (const Line& line : band) all += line.photons;
+  std::vector<std::int32_t> count;
+  double due = 0;
+  std::int32_t given = 0;
+  for (const Line& line : band) {
+    due += hues * 0.5 * (line.photons / all + 1 / static_cast<double>(band.size()));
+    const auto upto = static_cast<std::int32_t>(std::lround(due));
+    count.push_back(upto - given);
+    given = upto;
+  }
+  return count;
+}
+
 constexpr std::size_t table_size = std::size_t{PhaseView::cells} * PhaseView::fields;
 
 }  // namespace
 
 const char* process_name(Process process) {
-  constexpr std::array names{"elastic", "raman", "chlorophyll"};
+  constexpr std::array names{"elastic", "raman", "chlorophyll", "cdom"};
   return names.at(static_cast<std::size_t>(process));
 }
 
@@ -149,7 +168,6 @@ void Medium::finish(std::optional<double> walk_share) {
   top_ = TwinTable(top);
   c_ = TwinTable(c);
   albedo_ = TwinTable(albedo);
-  conversion_ = TwinTable(conversion);
   absorption_ = TwinTable(absorption);
   walk_c_ = TwinTable(walk_c);
   continuous_c_ = TwinTable(continuous_c);
@@ -161,24 +179,47 @@ void Medium::finish(std::optional<double> walk_share) {
   part_phase_ = IndexTableOwner(environments.part_phase);
   elastic_phase_ = IndexTableOwner(elastic_phase);
   conversion_phase_ = IndexTableOwner(conversion_phase);
-  std::vector<std::int32_t> convertible(cells), convertible_count;
-  for (std::size_t k = 0; k < n_layers; ++k) {
-    std::int32_t count = 0;
-    for (std::size_t l = 1; l < n_lines; ++l) {
-      if (conversion[l * n_layers + k] > 0) {
-        convertible[k * n_lines + static_cast<std::size_t>(count++)] = static_cast<std::int32_t>(l);
-      }
+  finish_bands();
+}
+
+void Medium::finish_bands() {
+  const auto n_layers = static_cast<std::size_t>(layers());
+  std::vector<std::vector<std::int32_t>> convertible(n_layers);
+  std::vector<std::int32_t> line_of_hue;
+  std::vector<double> emitted = conversion;
+  bands_ = 0;
+  for (std::size_t first = 1, end = 1; first < line.size(); first = end, ++bands_) {
+    while (end < line.size() && line[end].process == line[first].process) ++end;
+    const auto count = hues_of(std::span(line).subspan(first, end - first));
+    for (std::size_t l = first; l < end; ++l) {
+      line_of_hue.insert(line_of_hue.end(), static_cast<std::size_t>(count[l - first]),
+                         static_cast<std::int32_t>(l));
+      for (std::size_t k = 0; k < n_layers; ++k)
+        emitted[l * n_layers + k] *= static_cast<double>(hues) / count[l - first];
     }
-    convertible_count.push_back(count);
+    for (std::size_t k = 0; k < n_layers; ++k) {
+      const auto emits = [&](std::size_t l) { return conversion[l * n_layers + k] > 0; };
+      if (std::ranges::any_of(std::views::iota(first, end), emits))
+        convertible[k].push_back(bands_);
+    }
   }
-  convertible_ = IndexTableOwner(convertible);
-  convertible_count_ = IndexTableOwner(convertible_count);
+  std::vector<std::int32_t> padded_lists, list_lengths;
+  for (auto& list : convertible) {
+    list_lengths.push_back(static_cast<std::int32_t>(list.size()));
+    list.resize(static_cast<std::size_t>(bands_));
+    padded_lists.insert(padded_lists.end(), list.begin(), list.end());
+  }
+  conversion_ = TwinTable(emitted);
+  line_of_hue_ = IndexTableOwner(line_of_hue);
+  convertible_ = IndexTableOwner(padded_lists);
+  convertible_count_ = IndexTableOwner(list_lengths);
 }
 
 MediumView Medium::view() const {
   MediumView v;
   v.layers = layers();
   v.lines = static_cast<std::int32_t>(line.size());
+  v.bands = bands_;
   v.top = top_.view();
   v.c = c_.view();
   v.albedo = albedo_.view();
@@ -192,6 +233,7 @@ MediumView Medium::view() const {
   v.absorption = absorption_.view();
   v.convertible = convertible_.view();
   v.convertible_count = convertible_count_.view();
+  v.line_of_hue = line_of_hue_.view();
   v.index = index_.view();
   v.inverse_index = inverse_index_.view();
   v.group_index = group_index_.view();

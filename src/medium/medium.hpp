@@ -18,7 +18,7 @@
 namespace photic::medium {
 
 /// The processes that turn light back, in the order of the result file.
-enum class Process : std::int32_t { elastic, raman, chlorophyll };
+enum class Process : std::int32_t { elastic, raman, chlorophyll, cdom };
 const char* process_name(Process process);
 
 /// What a walk sees of the environments: other waters, whose echoes are those of the same paths
@@ -42,9 +42,18 @@ struct EnvironmentsView {
 /// Rows are a multiple of this long: a whole number of packs, however wide.
 inline constexpr std::int32_t environment_padding = 16;
 
+/// The lines of a process are a band, between which photons are shared out: a photon has a hue, by
+/// which it is known beforehand in which line of each band its light is emitted, if it is.
+inline constexpr std::int32_t hues = 512;
+
+template <class T>
+Index<T> hue_of(const T& u) {
+  return floor_index(u * T(hues));
+}
+
 /// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
-  std::int32_t layers = 0, lines = 0;
+  std::int32_t layers = 0, lines = 0, bands = 0;
   ShortTable top;        ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
   ShortTable c;          ///< attenuation, [line][layer]
   ShortTable albedo;     ///< b / c, [line][layer]
@@ -55,10 +64,12 @@ struct MediumView {
   ShortTable continuous_c;  ///< c less walk_c, absorbed along the way, [line][layer]
   ShortTable continuous_depth_tau;  ///< its integral, as above
   ShortTable collision_gain;        ///< c / walk_c, [line][layer]
-  ShortTable conversion;  ///< share of a collision at line 0 that emits at this line, [line][layer]
-  ShortTable absorption;  ///< share of a collision that ends the photon, [line][layer]
-  IndexTable convertible;        ///< the lines with conversion > 0, [layer][lines]
+  ShortTable conversion;   ///< share of a collision at line 0 that emits at this line, over the
+                           ///< share of hues that may, [line][layer]
+  ShortTable absorption;   ///< share of a collision that ends the photon, [line][layer]
+  IndexTable convertible;  ///< the bands that a layer emits in, [layer][bands]
   IndexTable convertible_count;  ///< how many they are, [layer]
+  IndexTable line_of_hue;        ///< the line of a band that a photon emits in, [band][hue]
   ShortTable index;              ///< refractive index against air, [line]
   ShortTable inverse_index;      ///< 1 / index, [line]
   ShortTable group_index;        ///< [line]
@@ -70,6 +81,13 @@ struct MediumView {
   template <class I>
   I at(const I& line, const I& layer) const {
     return line * I(layers) + layer;
+  }
+
+  /// The line that a photon of a hue emits in, if it is the i-th band of its layer that it does.
+  template <class T>
+  Index<T> emitted_line(const Index<T>& layer, const Index<T>& i, const Index<T>& hue) const {
+    const Index<T> band = gather_index<T>(convertible, layer * Index<T>(bands) + i);
+    return gather_index<T>(line_of_hue, band * Index<T>(hues) + hue);
   }
 
   /// Optical depth from the surface straight down to a depth inside a layer.
@@ -149,6 +167,8 @@ struct Line {
   double wavelength_nm = 0;
   double refractive_index = 1;
   double group_index = 1;
+  double photons = 1;                   ///< in it, relative to others of its process
+  std::vector<double> counted_by = {};  ///< each channel of the scene: the share of its light
 };
 
 /// The tables of the environments.
@@ -202,6 +222,8 @@ class Medium {
                                      const std::optional<double>& walk_share) const;
   /// The environments' numbers, [row][environment].
   [[nodiscard]] std::vector<double> environment_rows() const;
+  /// Groups the lines into bands.
+  void finish_bands();
   /// Integrals over depth from the surface to the layers' edges, [line][layers + 1], for as many
   /// lines as there are coefficients of.
   [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
@@ -210,7 +232,9 @@ class Medium {
   TwinTable top_, c_, albedo_, conversion_, absorption_, depth_tau_, walk_c_, walk_depth_tau_,
       continuous_c_, continuous_depth_tau_, collision_gain_, index_, inverse_index_, group_index_,
       environment_rows_;
-  IndexTableOwner convertible_, convertible_count_, elastic_phase_, conversion_phase_, part_phase_;
+  IndexTableOwner convertible_, convertible_count_, line_of_hue_, elastic_phase_, conversion_phase_,
+      part_phase_;
+  std::int32_t bands_ = 0;
   TwinTable phase_cells_;  ///< of all phase functions, one behind the other
   std::vector<std::int32_t> phase_guides_;
 };

@@ -1,19 +1,42 @@
-// Light that water gives back at another wavelength than the laser's.
+// Light that water gives back at other wavelengths than the laser's.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace photic::optics {
 
-/// All light of a process at one wavelength: the weight in a list that stands for its spectrum.
+/// All light of a process at one wavelength.
 struct EmissionLine {
   double wavelength_nm = 0;
-  double coefficient_per_m = 0;  ///< photons emitted per metre and photon of the laser's wavelength
+  double coefficient = 0;  ///< photons emitted, per photon and what the process says
 };
 
+/// How the light of a process is spread: straight lines between wavelengths, nothing outside.
+class EmissionSpectrum {
+ public:
+  EmissionSpectrum() = default;
+  /// Ascending wavelengths, and photons emitted per nm, and per photon and what the process says.
+  EmissionSpectrum(std::vector<double> wavelength_nm, std::vector<double> per_nm);
+
+  [[nodiscard]] bool empty() const { return nm_.size() < 2; }
+  [[nodiscard]] double min_nm() const { return nm_.front(); }
+  [[nodiscard]] double max_nm() const { return nm_.back(); }
+  /// The photons between two wavelengths, each counted as often as `weight` of its wavelength says.
+  [[nodiscard]] double photons(double from_nm, double to_nm,
+                               const std::function<double(double)>& weight) const;
+  [[nodiscard]] double photons(double from_nm, double to_nm) const;
+
+ private:
+  std::vector<double> nm_, per_nm_;
+};
+
+/// What a process emits.
 struct Emission {
-  std::vector<EmissionLine> lines;  ///< empty: nothing is emitted
+  std::optional<EmissionLine> line;  ///< all of it where its centre is, for those that have one
+  EmissionSpectrum spectrum;         ///< empty: nothing is emitted
   std::string source;
 };
 

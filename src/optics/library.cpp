@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
+#include "core/constants.hpp"
 #include "core/error.hpp"
 
 namespace photic::optics {
@@ -33,8 +35,7 @@ Parameters parameters(const std::string& folder, const char* file) {
   return own([&] { return Parameters(table(folder, file)); });
 }
 
-std::vector<double> wavelengths_of(const DataTable& table) {
-  constexpr const char* column = "wavelength_nm";
+std::vector<double> wavelengths_of(const DataTable& table, const std::string& column) {
   std::vector<double> nm = table.ascending_numbers(column);
   if (nm.size() < 2) table.fail(0, column, "a spectrum needs two rows or more");
   return nm;
@@ -59,8 +60,9 @@ std::string source_of(const DataTable& table) {
   return fmt::format("{} [{}]", table.header("SOURCE"), status.substr(0, status.find(" (")));
 }
 
-Spectrum::Spectrum(const DataTable& table, const std::string& column)
-    : values(wavelengths_of(table), table.numbers(column)), source(source_of(table)) {}
+Spectrum::Spectrum(const DataTable& table, const std::string& column,
+                   const std::string& wavelengths)
+    : values(wavelengths_of(table, wavelengths), table.numbers(column)), source(source_of(table)) {}
 
 double Spectrum::at(double wavelength_nm, const std::string& quantity) const {
   if (!values.covers(wavelength_nm))
@@ -113,6 +115,18 @@ double GaussianBand::mean_per_cm() const {
   return std::inner_product(weight.begin(), weight.end(), centre_per_cm.begin(), 0.0) / all;
 }
 
+double GaussianBand::density_cm(double per_cm) const {
+  const double c = 4 * std::log(2.0);
+  double sum = 0;
+  double all = 0;
+  for (std::size_t i = 0; i < weight.size(); ++i) {
+    const double t = (per_cm - centre_per_cm[i]) / fwhm_per_cm[i];
+    sum += weight[i] / fwhm_per_cm[i] * std::exp(-c * t * t);
+    all += weight[i];
+  }
+  return sum / (all * std::sqrt(pi / c));
+}
+
 Library::Library(const std::string& folder)
     : mason_a(spectrum(folder, "water_mason_2016.csv", "a_per_m")),
       mason_psi_s(spectrum(folder, "water_mason_2016.csv", "psi_s_per_m_psu")),
@@ -128,6 +142,10 @@ Library::Library(const std::string& folder)
       petzold(
           own([&] { return phase_from_table(table(folder, "particles_petzold_average.csv")); })),
       raman_band(own([&] { return GaussianBand(table(folder, "raman_band_walrafen_1967.csv")); })),
+      hawes_a0(own([&] {
+        return Spectrum(table(folder, "cdom_fluorescence_hawes_1992.csv"), "a0_per_nm",
+                        "excitation_nm");
+      })),
       raman(own([&] { return raman_parameters(table(folder, "raman_parameters.csv")); })),
       fluorescence(parameters(folder, "fluorescence_parameters.csv")) {}
 

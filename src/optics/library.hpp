@@ -23,7 +23,8 @@ std::string source_of(const DataTable& table);
 
 /// A column of a table against its wavelengths (two or more), with straight lines between.
 struct Spectrum {
-  Spectrum(const DataTable& table, const std::string& column);
+  Spectrum(const DataTable& table, const std::string& column,
+           const std::string& wavelengths = "wavelength_nm");
 
   LinearTable values;
   std::string source;
@@ -61,6 +62,7 @@ struct GaussianBand {
   std::string source;
 
   [[nodiscard]] double mean_per_cm() const;
+  [[nodiscard]] double density_cm(double per_cm) const;  ///< 1 over all wavenumbers
 };
 
 /// All tables. Throws EnvironmentError for a file that is missing or damaged.
@@ -75,6 +77,7 @@ class Library {
   const Spectrum relative_a_c;                                ///< Prieur & Sathyendranath 1981
   const TabulatedPhase petzold;
   const GaussianBand raman_band;
+  const Spectrum hawes_a0;  ///< 1/nm against the exciting wavelength
   const Parameters raman, fluorescence;
 
   const SpheresCache spheres;  ///< no table: what Mie theory gives, computed once

@@ -2,6 +2,7 @@
 // Visited by reader.hpp, writer.hpp and schema_builder.hpp.
 #pragma once
 
+#include "scene/channel_steps.hpp"
 #include "scene/rules.hpp"
 #include "scene/scene.hpp"
 #include "scene/visitor.hpp"
@@ -57,13 +58,24 @@ void describe(V& v, Channel& c) {
   v.one_of(option(c.process.has_value(),
                   [&](auto& w) {
                     w.required("process", c.process,
-                               Choice{{"elastic", "raman", "chlorophyll"}, {"cdom", "oil"}},
+                               Choice{{"elastic", "raman", "chlorophyll", "cdom"}, {"oil"}},
                                "count all light of this process");
                   }),
-           option(c.centre_nm.has_value(), [&](auto& w) {
-             w.required("centre_nm", c.centre_nm, positive,
-                        "count what passes a top-hat filter of this centre in nm");
-             w.required("fwhm_nm", c.fwhm_nm, positive, "the full width of the filter in nm");
+           option(c.centre_nm.has_value(),
+                  [&](auto& w) {
+                    w.required(
+                        "centre_nm", c.centre_nm, WavelengthOrSteps{},
+                        "count what passes a filter of this centre in nm; { from, to, step } "
+                        "makes a channel of each step");
+                    w.required("fwhm_nm", c.fwhm_nm, positive,
+                               "the filter's full width at half maximum in nm");
+                    w.optional("filter", c.filter, Choice{{"top-hat", "gaussian"}},
+                               "the shape of its transmission, 1 at the centre");
+                  }),
+           option(c.transmission_file.has_value(), [&](auto& w) {
+             w.required("transmission_file", c.transmission_file, File{},
+                        "count what passes a filter given by a CSV file of wavelength_nm, "
+                        "transmission");
            }));
 }
 

@@ -28,6 +28,17 @@ void describe(V& v, Optics& o) {
              "the phase function of phytoplankton; mie is that of the paper's spheres");
   v.optional("raman", o.raman, Choice{{"bartlett", "marshall-smith"}},
              "the Raman scattering coefficient of water");
+  v.optional("emission", o.emission, Choice{{"spectra", "lines"}},
+             "whether Raman light and chlorophyll's have spectra, or one wavelength each; by "
+             "default spectra in set modern, unless a layer has iop");
+  v.optional("chlorophyll_share_730", o.chlorophyll_share_730, from_to(0.0, 1.0),
+             "the share of chlorophyll's light that is emitted about 730 nm");
+  v.optional("cdom_fluorescence", o.cdom_fluorescence, Choice{{"hawes", "table"}},
+             "how dissolved organic matter fluoresces");
+  v.when("cdom_fluorescence", o.cdom_fluorescence, "table", [&](auto& w) {
+    w.required("cdom_fluorescence_file", o.cdom_fluorescence_file, File{},
+               "a CSV file of excitation_nm, emission_nm, yield_per_nm");
+  });
 }
 
 template <class V>
@@ -39,7 +50,9 @@ void describe(V& v, IopEntry& i) {
              "the scattering coefficient in 1/m, water included");
   v.optional("a_phytoplankton_per_m", i.a_phytoplankton_per_m, not_negative,
              "the share of a_per_m that excites chlorophyll fluorescence, in 1/m");
-  v.unavailable("a_cdom_per_m", "CDOM does not fluoresce in this version: count it in a_per_m");
+  v.optional("a_cdom_per_m", i.a_cdom_per_m, not_negative,
+             "the share of a_per_m that excites the fluorescence of dissolved organic matter, in "
+             "1/m");
 }
 
 inline constexpr const char* model_key = "model";

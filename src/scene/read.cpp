@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "scene/channel_steps.hpp"
 #include "scene/checks.hpp"
 #include "scene/describe.hpp"
 #include "scene/environment_grid.hpp"
@@ -83,6 +84,9 @@ Scene scene_of(const Node& document, const std::string& folder, Findings& findin
   fill_names(scene.telescope, "telescope");
   fill_names(scene.sea.layer, "layer");
   fill_names(scene.environment, "environment");
+  const auto has_iop = [](const Layer& layer) { return !layer.iop.empty(); };
+  if (scene.optics.emission.empty())
+    scene.optics.emission = std::ranges::any_of(scene.sea.layer, has_iop) ? "lines" : "spectra";
   return scene;
 }
 
@@ -93,6 +97,7 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   Findings findings(document, document.place);
   for (const Override& override_text : overrides) apply_override(override_text, document, findings);
   expand_grid(document, findings);
+  expand_channels(document);
   Reading reading{scene_of(document, folder, findings), {}};
   check_sea(reading.scene, findings);
   check_instrument(reading.scene, findings);

@@ -44,9 +44,12 @@ struct Telescope {
 /// a filter.
 struct Channel {
   std::string name;
-  std::optional<std::string> process;  ///< elastic | raman | chlorophyll
-  std::optional<double> centre_nm;     ///< a top-hat filter: centre +- fwhm/2, both given or none
+  std::optional<std::string> process;  ///< elastic | raman | chlorophyll | cdom
+  std::optional<double> centre_nm;     ///< of a filter; both given or none
   std::optional<double> fwhm_nm;
+  std::string filter = "top-hat";                ///< top-hat (centre +- fwhm/2) | gaussian
+  std::optional<std::string> transmission_file;  ///< a CSV of wavelength_nm, transmission;
+                                                 ///< absolute once read
   friend bool operator==(const Channel&, const Channel&) = default;
 };
 
@@ -59,6 +62,10 @@ struct Optics {
   std::string phytoplankton;      ///< bricaud | prieur-sathyendranath
   std::string phytoplankton_phase;  ///< fournier-forand | petzold | mie
   std::string raman;                ///< bartlett | marshall-smith
+  std::string emission;  ///< spectra | lines: chlorophyll's and Raman light at one wavelength each
+  double chlorophyll_share_730 = 0.0;  ///< of chlorophyll's light in its second band
+  std::string cdom_fluorescence;       ///< hawes | table
+  std::string cdom_fluorescence_file;  ///< table: absolute once read
   friend bool operator==(const Optics&, const Optics&) = default;
 };
 
@@ -68,6 +75,7 @@ struct IopEntry {
   double a_per_m{};
   double b_per_m{};
   double a_phytoplankton_per_m = 0.0;  ///< the share of a that excites chlorophyll fluorescence
+  double a_cdom_per_m = 0.0;           ///< the share of a that excites CDOM's
   friend bool operator==(const IopEntry&, const IopEntry&) = default;
 };
 

@@ -33,23 +33,24 @@ std::int32_t BatchTally::add(const Score& s) {
   const double depth_cell = (s.depth - shape_->depth_min) * shape_->per_depth_step;
   const bool has_depth = depth_cell >= 0 && depth_cell < static_cast<double>(shape_->depths);
 
-  for (const std::int32_t channel : shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
+  for (const auto& [channel, share] : shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
+    const double value = s.value * share;
     const std::size_t cell = shape_->cell(s.telescope, static_cast<std::size_t>(channel),
                                           static_cast<std::size_t>(gate));
     if (largest[cell] == 0 && cut_order[cell] == 0)
       touched_cells.push_back(static_cast<std::uint32_t>(cell));
     if (beyond) {
-      cut_order[cell] += s.value;
+      cut_order[cell] += value;
       continue;
     }
-    by_order[cell * shape_->orders + order] += s.value;
-    by_process[cell * shape_->processes + process] += s.value;
-    largest[cell] = std::max(largest[cell], s.value);
-    ++octaves[cell][static_cast<std::size_t>(score_octave(s.value))];
+    by_order[cell * shape_->orders + order] += value;
+    by_process[cell * shape_->processes + process] += value;
+    largest[cell] = std::max(largest[cell], value);
+    ++octaves[cell][static_cast<std::size_t>(score_octave(value))];
     if (has_depth) {
       const std::size_t k = cell * shape_->depths + static_cast<std::size_t>(depth_cell);
       if (by_depth[k] == 0) touched_depths.push_back(static_cast<std::uint32_t>(k));
-      by_depth[k] += s.value;
+      by_depth[k] += value;
     }
   }
   return beyond ? -1 : gate;

@@ -69,11 +69,12 @@ class BatchTally {
   void score(const Score& s, const Number* ratios) {
     const std::int32_t gate = add(s);
     if (gate < 0) return;
-    for (const std::int32_t channel : shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
+    for (const auto& [channel, share] :
+         shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
       const std::size_t cell = shape_->cell(s.telescope, static_cast<std::size_t>(channel),
                                             static_cast<std::size_t>(gate));
       for (std::size_t g = 0; g < environment_groups; ++g)
-        environment[cell * environment_groups + g].add(s.value,
+        environment[cell * environment_groups + g].add(s.value * share,
                                                        ratios + g * EnvironmentScores::size);
     }
   }

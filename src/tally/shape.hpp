@@ -9,12 +9,18 @@
 
 namespace photic::tally {
 
+/// A channel that counts light, and the share that it does.
+struct Counting {
+  std::int32_t channel = 0;
+  double share = 1;
+};
+
 /// Immutable; shared by all batches.
 struct Shape {
   std::size_t telescopes = 0, channels = 0, processes = 0, orders = 0, gates = 0, depths = 0,
               environments = 0;
-  std::vector<std::vector<std::int32_t>> channels_of_line;  ///< channels that count a line's light
-  std::vector<std::int32_t> process_of_line;                ///< index in the result's process axis
+  std::vector<std::vector<Counting>> channels_of_line;  ///< that count a line's light
+  std::vector<std::int32_t> process_of_line;            ///< index in the result's process axis
   std::int32_t max_order = 0;  ///< 0: none; order max_order + 1 is what is cut off
   double depth_min = 0, per_depth_step = 1;
 

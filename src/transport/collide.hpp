@@ -17,12 +17,12 @@ struct Branch {
 
 /// Implicit absorption with a branch into the inelastic processes: with probability `conversion`
 /// (where light of the laser's line can be converted at all) the photon becomes one of another
-/// line, each of these equally likely; else it is scattered. Weights are multiplied by the physical
-/// share over that probability, so that each branch is right in the mean. At most one conversion
-/// per photon.
+/// band, each of these equally likely, in the line of its hue; else it is scattered. Weights are
+/// multiplied by the physical share over that probability, so that each branch is right in the
+/// mean. At most one conversion per photon.
 template <class T>
-Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const T& conversion,
-                  const T& u_branch, const T& u_line) {
+Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& hue,
+                  const T& conversion, const T& u_branch, const T& u_band) {
   const Index<T> here = sea.at(photon.line, photon.layer);
   const T albedo = gather<T>(sea.albedo, here);
   photon.order = photon.order + Index<T>(1);
@@ -39,8 +39,8 @@ Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const T& con
   const T probability = select(choices > Index<T>(0), conversion, T(0));
   branch.converted = u_branch < probability;
   const Index<T> pick =
-      select(branch.converted, floor_index(u_line * to_real<T>(choices)), Index<T>(0));
-  const Index<T> line = gather_index<T>(sea.convertible, photon.layer * Index<T>(sea.lines) + pick);
+      select(branch.converted, floor_index(u_band * to_real<T>(choices)), Index<T>(0));
+  const Index<T> line = sea.emitted_line<T>(photon.layer, pick, hue);
   const T emitted = gather<T>(sea.conversion, sea.at(line, photon.layer));
   const T scattered_factor = any(choices > Index<T>(0)) ? albedo / (T(1) - probability) : albedo;
   const T converted_factor =

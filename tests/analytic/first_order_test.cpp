@@ -34,12 +34,9 @@ const Precision forward{
 const Precision bidirectional{
     simulation(1.5e6, 7, "max_order = 1\norders_kept = 1", "bidirectional"), 0.015, 0.02, false};
 
-/// What a scene's first order should be in one channel and telescope.
-std::vector<double> expected(const engine::Problem& problem, std::size_t telescope,
-                             std::size_t channel, const std::function<double(double)>& phase) {
-  const auto& medium = problem.medium;
-  std::size_t line = 0;
-  while (problem.shape.channels_of_line[line].front() != static_cast<std::int32_t>(channel)) ++line;
+/// The water that light of a line sees on its way.
+EquationWater water_of(const medium::Medium& medium, std::size_t line,
+                       const std::function<double(double)>& phase) {
   const auto layers = static_cast<std::size_t>(medium.layers());
   EquationWater water;
   water.n_out = medium.line[0].refractive_index;
@@ -52,10 +49,24 @@ std::vector<double> expected(const engine::Problem& problem, std::size_t telesco
         {medium.top[k], medium.c[k], medium.c[line * layers + k], share * medium.c[k]});
   }
   water.phase = phase;
+  return water;
+}
+
+/// What a scene's first order should be in one channel and telescope: the light of all its lines.
+std::vector<double> expected(const engine::Problem& problem, std::size_t telescope,
+                             std::size_t channel, const std::function<double(double)>& phase) {
   std::vector<double> edges;
   for (std::int32_t e = 0; e <= problem.gates.count(); ++e)
     edges.push_back(problem.gates.edge_path(e));
-  return first_order_echo(problem.scene.source, problem.scene.telescope[telescope], water, edges);
+  std::vector<double> sum(edges.size() - 1, 0.0);
+  for (std::size_t line = 0; line < problem.medium.line.size(); ++line) {
+    const double counted = problem.medium.line[line].counted_by[channel];
+    if (counted == 0) continue;
+    const auto echo = first_order_echo(problem.scene.source, problem.scene.telescope[telescope],
+                                       water_of(problem.medium, line, phase), edges);
+    for (std::size_t g = 0; g < sum.size(); ++g) sum[g] += counted * echo[g];
+  }
+  return sum;
 }
 
 /// Runs a problem at first order and holds every gate of every telescope and channel against the
@@ -99,9 +110,10 @@ std::function<double(double)> shape(const optics::PhaseShape& s) {
 
 /// By both estimators.
 void compare(const std::string& toml,
-             const std::vector<std::function<double(double)>>& phase_of_channel) {
+             const std::vector<std::function<double(double)>>& phase_of_channel,
+             const std::vector<Precision>& precisions = {forward, bidirectional}) {
   std::vector<std::vector<double>> equations;
-  for (const Precision& precision : {forward, bidirectional}) {
+  for (const Precision& precision : precisions) {
     SCOPED_TRACE(precision.simulation);
     const auto scene = read(toml + precision.simulation);
     if (equations.empty()) {
@@ -185,6 +197,44 @@ depth_max_m = 50.0
 depth_step_m = 2.5
 )",
           {shape(optics::rayleigh(0.039)), shape(optics::raman_phase(0.17)), lambert});
+}
+
+// Light that is spread over its spectra: the equation adds up all lines, each with its own way
+// home. Two walks of the laser and of the telescope in a set. Seen red: with hues that are not made
+// up for; with a hue of its own for each walk of a set; with the light of all lines in the first;
+// with all of a line's light in the filter.
+TEST(FirstOrder, Spectra) {
+  const auto lambert = [](double) { return 1 / (4 * pi); };
+  auto instrument = ship_instrument;
+  instrument.replace(instrument.find("532.0"), 5, "450.0");
+  compare(instrument + channel("raman") + channel("chlorophyll") + R"(
+[[channel]]
+name = "filter"
+centre_nm = 650.0
+fwhm_nm = 30.0
+filter = "gaussian"
+[optics]
+emission = "spectra"
+[[sea.layer]]
+bottom_depth_m = 6.0
+iop = [ { wavelength_nm = 440.0, a_per_m = 0.09, b_per_m = 0.03, a_phytoplankton_per_m = 0.02, a_cdom_per_m = 0.04 },
+        { wavelength_nm = 600.0, a_per_m = 0.25, b_per_m = 0.02 },
+        { wavelength_nm = 760.0, a_per_m = 1.20, b_per_m = 0.02 } ]
+phase_function = { model = "rayleigh", depolarisation = 0.039 }
+[[sea.layer]]
+iop = [ { wavelength_nm = 440.0, a_per_m = 0.06, b_per_m = 0.02, a_phytoplankton_per_m = 0.01, a_cdom_per_m = 0.01 },
+        { wavelength_nm = 600.0, a_per_m = 0.22, b_per_m = 0.01 },
+        { wavelength_nm = 760.0, a_per_m = 1.20, b_per_m = 0.01 } ]
+phase_function = { model = "rayleigh", depolarisation = 0.039 }
+[gates]
+depth_max_m = 12.0
+depth_step_m = 4.0
+)",
+          {shape(optics::raman_phase(0.17)), lambert, lambert},
+          {{simulation(4e6, 7, "max_order = 1\norders_kept = 1\nreception = \"overlap\""), 0.02,
+            0.03, true},
+           {simulation(4e5, 7, "max_order = 1\norders_kept = 1\nwalks = 2", "bidirectional"), 0.03,
+            0.05, false}});
 }
 
 // Seen red: with the optical depth of the way home straight up; with the absorption of a slanting

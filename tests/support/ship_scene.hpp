@@ -22,17 +22,19 @@ inline scene::Scene ship_scene() {
   telescope.focal_length_m = 2;
   telescope.detector_diameter_m = 0.04;
   scene.telescope = {telescope};
-  scene.channel = {{"elastic", "elastic", {}, {}}};
-  scene.optics = {"modern",  "mason-ioccg",     "zhang",   0.039,
-                  "bricaud", "fournier-forand", "bartlett"};
+  scene.channel = {{"elastic", "elastic", {}, {}, "top-hat", {}}};
+  scene.optics = {"modern",   "mason-ioccg", "zhang", 0.039,   "bricaud", "fournier-forand",
+                  "bartlett", "lines",       0.0,     "hawes", ""};
   scene.gates.depth_m = {0, 50, 0.5};
   scene.simulation.photons = 1000;
   return scene;
 }
 
-inline scene::Channel channel_of(const std::string& process) { return {process, process, {}, {}}; }
+inline scene::Channel channel_of(const std::string& process) {
+  return {process, process, {}, {}, "top-hat", {}};
+}
 inline scene::Channel filter(double centre_nm, double fwhm_nm) {
-  return {"filter", {}, centre_nm, fwhm_nm};
+  return {"filter", {}, centre_nm, fwhm_nm, "top-hat", {}};
 }
 
 }  // namespace photic::test

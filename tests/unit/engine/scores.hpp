@@ -17,7 +17,7 @@ struct Window {
     shape.telescopes = shape.channels = shape.processes = shape.gates = shape.depths = 1;
     shape.orders = 8;
     for (std::size_t l = 0; l < medium.line.size(); ++l) {
-      shape.channels_of_line.push_back({0});
+      shape.channels_of_line.push_back({tally::Counting{0}});
       shape.process_of_line.push_back(0);
     }
   }

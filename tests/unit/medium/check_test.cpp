@@ -106,7 +106,7 @@ const std::vector<Case>& cases() {
         "emits there (add an entry for it)"}},
       {"RamanWithoutWaterData",
        {{3, 3, "wavelength_nm = 780.0"}, {16, 17, raman_channel}, {22, 25, clear_layer}},
-       {R"(scene.toml:17:11: no water absorption data at 1059.69 nm: Mason 2016 / IOCCG 2018 cover 200-1000 nm; channel "r" counts raman light there (choose another wavelength, or give the layer's iop at this one))"}},
+       {R"(scene.toml:17:11: no water absorption data at 1006.27 nm: Mason 2016 / IOCCG 2018 cover 200-1000 nm; channel "r" counts raman light there (choose another wavelength, or give the layer's iop at this one))"}},
       {"FilteredRamanWithoutIndex",
        {{3, 3, "wavelength_nm = 880.0"},
         {17, 17, "centre_nm = 1253\nfwhm_nm = 10"},

@@ -204,7 +204,8 @@ step_ns = 1)"}},
         "scene.toml:8:1: 'diameter_m' is missing in [[telescope]] (add it: the diameter of the "
         "lens in m)",
         "scene.toml:12:1: unknown key 'diametre_m' in [[telescope]] (did you mean 'diameter_m'?)",
-        "scene.toml:15:1: [[channel]] needs 'process' or 'centre_nm' + 'fwhm_nm'",
+        "scene.toml:15:1: [[channel]] needs 'process', 'centre_nm' + 'fwhm_nm' or "
+        "'transmission_file'",
         "scene.toml:26:1: [gates] is missing (add it: the range gates)"}},
   };
   return all;

@@ -98,7 +98,8 @@ diameter_m = 0.05)"}},
         "the lens in m)",
         "scene.toml:2:1: [[telescope]] needs 'detector_diameter_m' or 'half_field_of_view_mrad'",
         "scene.toml:3:1: 'name' is missing in [[channel]] (add it: what results call it)",
-        "scene.toml:3:1: [[channel]] needs 'process' or 'centre_nm' + 'fwhm_nm'",
+        "scene.toml:3:1: [[channel]] needs 'process', 'centre_nm' + 'fwhm_nm' or "
+        "'transmission_file'",
         "scene.toml:5:1: [gates] needs 'depth_max_m' + 'depth_step_m', 'range_min_m' + "
         "'range_max_m' + 'range_step_m' or 'start_ns' + 'stop_ns' + 'step_ns'",
         "scene.toml:6:1: [simulation] needs 'photons', 'target_relative_error' or 'max_time_s'"}},
@@ -178,11 +179,12 @@ centre_nm = 532)"}},
         "them)"}},
       {"NeitherProcessNorFilter",
        {{17, 17, ""}},
-       {"scene.toml:15:1: [[channel]] needs 'process' or 'centre_nm' + 'fwhm_nm'"}},
+       {"scene.toml:15:1: [[channel]] needs 'process', 'centre_nm' + 'fwhm_nm' or "
+        "'transmission_file'"}},
       {"HalfAFilter",
        {{17, 17, "fwhm_nm = 3"}},
        {"scene.toml:15:1: 'centre_nm' is missing in [[channel]] (add it: count what passes a "
-        "top-hat filter of this centre in nm)"}},
+        "filter of this centre in nm; { from, to, step } makes a channel of each step)"}},
       {"GatesTwice",
        {{28, 28, R"(depth_step_m = 1
 stop_ns = 5)"}},

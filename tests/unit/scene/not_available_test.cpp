@@ -14,8 +14,8 @@ const std::vector<Case>& not_available_cases() {
 kind = "beam")"}},
        {R"(scene.toml:3:8: 'kind' = "beam" is not available yet (available: laser))"}},
       {"Process",
-       {{17, 17, R"(process = "cdom")"}},
-       {R"(scene.toml:17:11: 'process' = "cdom" is not available yet (available: elastic, raman and chlorophyll))"}},
+       {{17, 17, R"(process = "oil")"}},
+       {R"(scene.toml:17:11: 'process' = "oil" is not available yet (available: elastic, raman, chlorophyll and cdom))"}},
       {"Surface",
        {{19, 19, R"([sea]
 surface = { model = "cox-munk", wind_speed_m_s = 5, wind_direction_deg = 0 })"}},
@@ -39,11 +39,6 @@ model = "us-standard")"}},
        {{22, 22, "minerals_g_m3 = 0.1"}},
        {"scene.toml:22:1: 'minerals_g_m3' is not available yet (give the layer's iop and "
         "phase_function instead)"}},
-      {"CdomFluorescence",
-       {{24, 24,
-         "iop = [{ wavelength_nm = 532, a_per_m = 0.06, b_per_m = 0.1, a_cdom_per_m = 0.01 }]"}},
-       {"scene.toml:24:62: 'a_cdom_per_m' is not available yet (CDOM does not fluoresce in this "
-        "version: count it in a_per_m)"}},
   };
   return all;
 }

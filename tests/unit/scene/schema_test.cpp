@@ -30,10 +30,12 @@ void collect_keys(const json& value, std::set<std::string>& keys) {
     for (const auto& part : value) collect_keys(part, keys);
 }
 
-/// Scenes that together use every key but `file`, and but a grid, which is written as what it
-/// stands for.
+/// Scenes that together use every key but those of files, and but a grid and the steps of a row of
+/// channels, which are written as what they stand for.
 std::set<std::string> keys_of_scenes() {
-  std::set<std::string> keys{"file", "environment_grid"};
+  std::set<std::string> keys{
+      "file", "transmission_file", "cdom_fluorescence_file", "environment_grid", "from", "to",
+      "step"};
   for (const std::vector<Override>& overrides : std::vector<std::vector<Override>>{
            {"sea={ refractive_index = 1.3, group_index = 1.4, layer = [{ bottom_depth_m = 60 }] }",
             "simulation={ photons = 1, target_relative_error = 0.1, max_time_s = 1, max_order = 1, "

@@ -139,6 +139,9 @@ water_depolarisation = 0.039
 phytoplankton = "bricaud"
 phytoplankton_phase = "fournier-forand"
 raman = "bartlett"
+emission = "lines"
+chlorophyll_share_730 = 0.0
+cdom_fluorescence = "hawes"
 
 [sea]
 salinity_psu = 35.0
@@ -155,7 +158,7 @@ chlorophyll_yield = 0.01
 
 [[sea.layer]]
 name = "layer1"
-iop = [{ wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.1, a_phytoplankton_per_m = 0.0 }]
+iop = [{ wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.1, a_phytoplankton_per_m = 0.0, a_cdom_per_m = 0.0 }]
 phase_function = { model = "henyey-greenstein", g = 0.9 }
 chlorophyll_yield = 0.01
 
@@ -194,8 +197,8 @@ TEST(Write, SeveralInlineTablesTakeALineEach) {
        "\"petzold\" }] }"}));
   EXPECT_NE(text.find(R"(
 iop = [
-  { wavelength_nm = 500.0, a_per_m = 0.0, b_per_m = 1.0, a_phytoplankton_per_m = 0.0 },
-  { wavelength_nm = 600.0, a_per_m = 0.5, b_per_m = 1.0, a_phytoplankton_per_m = 0.25 },
+  { wavelength_nm = 500.0, a_per_m = 0.0, b_per_m = 1.0, a_phytoplankton_per_m = 0.0, a_cdom_per_m = 0.0 },
+  { wavelength_nm = 600.0, a_per_m = 0.5, b_per_m = 1.0, a_phytoplankton_per_m = 0.25, a_cdom_per_m = 0.0 },
 ]
 phase_function = { model = "mixture", components = [{ fraction = 1.0, model = "petzold" }] }
 )"),

@@ -35,7 +35,7 @@ struct Tallies {
     shape.orders = 3;
     shape.gates = 4;
     shape.depths = 4;
-    shape.channels_of_line = {{0}, {1, 2}, {2}};
+    shape.channels_of_line = {{Counting{0}}, {Counting{1}, Counting{2}}, {Counting{2}}};
     shape.process_of_line = {0, 1, 2};
     shape.max_order = max_order;
     shape.depth_min = 0;

@@ -19,7 +19,7 @@ std::vector<double> mean_weights(const medium::Medium& sea, std::int32_t line, s
       Photon<double> photon;
       photon.line = line;
       photon.layer = layer;
-      collide(sea.view(), photon, conversion, (i + 0.5) / strata, (j + 0.5) / strata);
+      collide(sea.view(), photon, 0, conversion, (i + 0.5) / strata, (j + 0.5) / strata);
       mean[static_cast<std::size_t>(photon.line)] += photon.weight / (double{strata} * strata);
     }
   }
@@ -54,7 +54,7 @@ TEST(Collide, TellsWhereTheLightGoesFromThere) {
   Photon<double> scattered;
   scattered.layer = 1;
   scattered.order = 3;
-  const auto on = collide(sea.view(), scattered, conversion, 0.5, 0.9);
+  const auto on = collide(sea.view(), scattered, 0, conversion, 0.5, 0.9);
   EXPECT_FALSE(on.converted);
   EXPECT_EQ(scattered.line, 0);
   EXPECT_EQ(scattered.order, 4);
@@ -64,7 +64,7 @@ TEST(Collide, TellsWhereTheLightGoesFromThere) {
 
   Photon<double> converted;
   converted.layer = 1;
-  const auto other = collide(sea.view(), converted, conversion, 0.1, 0.9);
+  const auto other = collide(sea.view(), converted, 0, conversion, 0.1, 0.9);
   EXPECT_TRUE(other.converted);
   EXPECT_EQ(converted.line, 2);
   EXPECT_EQ(other.phase, 4);  // isotropic

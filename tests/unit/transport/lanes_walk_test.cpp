@@ -203,9 +203,10 @@ TEST(LanesOf, CollideAndRoulette) {
     for (auto& photon : scalar) photon.line = random.chance(0.7) ? 0 : photon.line;
     auto packed = pack(scalar);
     const auto u = uniforms4(random), v = uniforms4(random), w = uniforms4(random);
-    const auto branch = collide(sea.view(), packed, Lanes4(0.4), pack(u), pack(v));
+    const auto branch =
+        collide(sea.view(), packed, Index<Lanes4>(0), Lanes4(0.4), pack(u), pack(v));
     for (std::size_t i = 0; i < lanes; ++i) {
-      const auto one = collide(sea.view(), scalar[i], 0.4, u[i], v[i]);
+      const auto one = collide(sea.view(), scalar[i], 0, 0.4, u[i], v[i]);
       expect_same(branch.converted[i], one.converted, "converted");
       expect_same(branch.phase[i], one.phase, "phase");
       expect_same(branch.lobe[i], one.lobe, "lobe");
