@@ -1,0 +1,194 @@
+#include "medium/optical_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "core/constants.hpp"
+#include "medium/layer_optics.hpp"
+#include "medium/lines.hpp"
+#include "optics/phase_table.hpp"
+
+namespace photic::medium {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Ascending, each once.
+void sort_each_once(std::vector<double>& values) {
+  std::ranges::sort(values);
+  const auto repeated = std::ranges::unique(values);
+  values.erase(repeated.begin(), repeated.end());
+}
+
+/// Of every layer at every wavelength, in the table's order.
+using Waters = std::vector<WaterOptics>;
+
+/// 1 - cos, with its digits near the forward direction.
+double x_of(double angle_deg) {
+  const double half = std::sin(angle_deg * radian_per_degree / 2);
+  return 2 * half * half;
+}
+
+void add_phase(const optics::PhaseTable& phase, OpticalTable& table) {
+  table.backscatter_fraction.push_back(phase.backscatter_fraction());
+  table.mean_cosine.push_back(phase.mean_cosine());
+  for (const double angle : table.angle_deg)
+    table.phase_function_per_sr.push_back(phase.view().value<double>(x_of(angle)));
+}
+
+/// The values of one constituent, as OpticalTable::Part has them.
+std::vector<double> values_of(const std::string& name, std::optional<double> Contribution::*value,
+                              const Waters& waters) {
+  std::vector<double> out;
+  bool told = false;
+  for (const WaterOptics& water : waters) {
+    double sum = 0;
+    for (const Contribution& each : water.contributions) {
+      if (each.name.empty()) sum = nan;
+      if (each.name != name || !(each.*value)) continue;
+      sum += *(each.*value);
+      told = true;
+    }
+    out.push_back(sum);
+  }
+  return told ? out : std::vector<double>{};
+}
+
+std::vector<OpticalTable::Part> parts_of(const Waters& waters) {
+  std::vector<OpticalTable::Part> parts;
+  for (const WaterOptics& water : waters) {
+    for (const Contribution& each : water.contributions) {
+      const bool known =
+          std::ranges::find(parts, each.name, &OpticalTable::Part::name) != parts.end();
+      if (each.name.empty() || known) continue;
+      parts.push_back({each.name, values_of(each.name, &Contribution::a_per_m, waters),
+                       values_of(each.name, &Contribution::b_per_m, waters)});
+    }
+  }
+  return parts;
+}
+
+std::string quantity_of(const Contribution& contribution) {
+  const std::string which = !contribution.b_per_m ? "a" : contribution.a_per_m ? "a and b" : "b";
+  return which + (contribution.name.empty() ? "" : " of " + contribution.name);
+}
+
+void add_source(const Contribution& contribution, double nm,
+                std::vector<OpticalTable::Source>& sources) {
+  const std::string quantity = quantity_of(contribution);
+  const auto known = std::ranges::find_if(sources, [&](const OpticalTable::Source& s) {
+    return s.quantity == quantity && s.source == contribution.source;
+  });
+  if (known == sources.end()) {
+    sources.push_back({quantity, nm, nm, contribution.source});
+    return;
+  }
+  known->first_nm = std::min(known->first_nm, nm);
+  known->last_nm = std::max(known->last_nm, nm);
+}
+
+/// The light of one process in all layers.
+OpticalTable::Emission emission_of(const std::vector<ProcessEmission>& of_layer) {
+  OpticalTable::Emission out{process_name(of_layer.front().process), {}, {}, {}, {}};
+  for (const ProcessEmission& one : of_layer) {
+    for (const auto& line : one.emission.lines) out.wavelength_nm.push_back(line.wavelength_nm);
+    if (!one.emission.lines.empty() &&
+        std::ranges::find(out.sources, one.emission.source) == out.sources.end())
+      out.sources.push_back(one.emission.source);
+  }
+  sort_each_once(out.wavelength_nm);
+  for (const ProcessEmission& one : of_layer) {
+    std::vector<double> lines(out.wavelength_nm.size(), 0.0);
+    for (const auto& [nm, per_m] : one.emission.lines)
+      lines[static_cast<std::size_t>(std::ranges::lower_bound(out.wavelength_nm, nm) -
+                                     out.wavelength_nm.begin())] += per_m;
+    out.line_per_m.insert(out.line_per_m.end(), lines.begin(), lines.end());
+    out.coefficient_per_m.push_back(std::accumulate(lines.begin(), lines.end(), 0.0));
+  }
+  return out;
+}
+
+std::vector<OpticalTable::Emission> emission_in(const scene::Scene& scene,
+                                                const optics::Library& library,
+                                                const LayerOptics& optics_of) {
+  std::vector<std::vector<ProcessEmission>> of_process;
+  for (const scene::Layer& layer : scene.sea.layer) {
+    const WaterOptics water = optics_of(layer, scene.source.wavelength_nm);
+    const auto emitted = emissions(scene, library, layer, water.a_exciting_per_m);
+    of_process.resize(emitted.size());
+    for (std::size_t p = 0; p < emitted.size(); ++p) of_process[p].push_back(emitted[p]);
+  }
+  std::vector<OpticalTable::Emission> out;
+  for (const auto& of_layer : of_process) out.push_back(emission_of(of_layer));
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> OpticalTable::c_per_m() const {
+  std::vector<double> c = a_per_m;
+  for (std::size_t i = 0; i < c.size(); ++i) c[i] += b_per_m[i];
+  return c;
+}
+
+std::vector<double> OpticalTable::bb_per_m() const {
+  std::vector<double> bb = b_per_m;
+  for (std::size_t i = 0; i < bb.size(); ++i) bb[i] *= backscatter_fraction[i];
+  return bb;
+}
+
+std::vector<double> OpticalTable::albedo() const {
+  std::vector<double> albedo = c_per_m();
+  for (std::size_t i = 0; i < albedo.size(); ++i) albedo[i] = b_per_m[i] / albedo[i];
+  return albedo;
+}
+
+std::vector<double> table_angles_deg() {
+  std::vector<double> angles = {0};
+  for (int k = -20; k <= 10; ++k) angles.push_back(std::pow(10, k / 10.0));
+  for (int angle = 15; angle <= 180; angle += 5) angles.push_back(angle);
+  return angles;
+}
+
+std::vector<double> wavelengths_of_light(const scene::Scene& scene,
+                                         const optics::Library& library) {
+  const LayerOptics optics_of(scene, library);
+  std::vector<double> a_exciting_per_m, nm = {scene.source.wavelength_nm};
+  for (const scene::Layer& layer : scene.sea.layer)
+    a_exciting_per_m.push_back(optics_of(layer, nm.front()).a_exciting_per_m);
+  for (const EmittedLine& line : emitted_lines(scene, library, a_exciting_per_m))
+    nm.push_back(line.wavelength_nm);
+  sort_each_once(nm);
+  return nm;
+}
+
+OpticalTable optical_table(const scene::Scene& scene, const optics::Library& library,
+                           const std::vector<double>& wavelength_nm) {
+  const LayerOptics optics_of(scene, library);
+  OpticalTable table;
+  table.wavelength_nm = wavelength_nm;
+  table.angle_deg = table_angles_deg();
+  table.edge_m = {0.0};
+  Waters waters;
+  for (const scene::Layer& layer : scene.sea.layer) {
+    table.layer_name.push_back(layer.name);
+    table.edge_m.push_back(layer.bottom_depth_m.value_or(std::numeric_limits<double>::infinity()));
+    for (const double nm : wavelength_nm) {
+      waters.push_back(optics_of(layer, nm));
+      table.a_per_m.push_back(waters.back().a_per_m);
+      table.b_per_m.push_back(waters.back().b_per_m);
+      add_phase(optics::PhaseTable(optics_of.phase(layer, nm, waters.back())), table);
+      for (const Contribution& each : waters.back().contributions)
+        add_source(each, nm, table.sources);
+    }
+  }
+  table.parts = parts_of(waters);
+  table.excitation_nm = scene.source.wavelength_nm;
+  table.emission = emission_in(scene, library, optics_of);
+  return table;
+}
+
+}  // namespace photic::medium
