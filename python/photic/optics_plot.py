@@ -157,6 +157,9 @@ def _finish(grid, optics):
         row[2].set_xscale("function", functions=(numpy.cbrt, lambda root: root**3))
         row[2].set_xticks(ANGLES)
         row[2].set_xlim(0, 180)
+        low, high = row[2].get_ylim()
+        if high > 1000 * low:  # many decades of minor ticks take seconds to draw
+            row[2].minorticks_off()
         row[3].margins(x=0.1)
     a, b = _constituents(optics, "absorption by "), _constituents(optics, "scattering by ")
     _limit(grid[0, 0], optics[["a_per_m", *a]])
