@@ -69,7 +69,7 @@ def test_the_same_numbers_in_every_form(photic, library, tmp_path):
     assert f"{out['layers'][1]['backscatter_fraction'][4]:.5f}" in text
 
 
-# c = a + b, parts are all of it, phase functions are 1 over the sphere: as far as their angles tell.
+# Seen red: with b in the place of bb. c = a + b, parts are all of it, phase functions are 1 over the sphere: as far as their angles tell.
 def test_numbers_go_together(library):
     a, b, c, bb = (library[name][:] for name in ["a_per_m", "b_per_m", "c_per_m", "bb_per_m"])
     assert c == pytest.approx(a + b, rel=1e-15)
@@ -140,7 +140,7 @@ def test_wavelengths_by_default(photic, scene):
     assert "chlorophyll: " in text  # emitted whether or not a channel counts it
 
 
-# Seen red: with the keys of the water in another layer's place; with --laser left out.
+# Seen red: without the keys of the water; with --laser left out.
 def test_water_without_a_scene(photic, scene):
     keys = ["chlorophyll_mg_m3=0.5", "cdom_a440_per_m=0.02"]
     more = ["--wavelengths", "400:700:10", "--set", "optics.set=paper", "--set", "sea.salinity_psu=20"]
@@ -190,7 +190,7 @@ REFUSED = {
 }
 
 
-# What was there stays as it was, and nothing half-made beside it.
+# What was there stays as it was, and nothing half-made beside it. Seen red: with the output opened first.
 @pytest.mark.parametrize("what", REFUSED)
 def test_refuses(photic, scene, tmp_path, what):
     arguments, message = REFUSED[what]
@@ -213,7 +213,7 @@ def test_tells_the_problems_of_a_scene_at_their_places(photic, scene):
     assert done.stderr.endswith("problem in quick.toml\n") or done.stderr.endswith("problems in quick.toml\n")
 
 
-# Seen red: without spare_files_of; in `photic run` alone, too.
+# Seen red: without spare_files_of, in each of the two.
 @pytest.mark.parametrize("subcommand", ["optics", "run"])
 def test_replaces_no_file_that_it_reads(photic, scene, tmp_path, subcommand):
     table = "angle_deg,phase_function_per_sr\n0,0.0795774715\n180,0.0795774715\n"

@@ -97,7 +97,7 @@ def test_a_row_for_each_layer(library):
         "wavelength [nm]", "wavelength [nm]", "scattering angle [degree]", "wavelength [nm]"]
 
 
-# 0 has no place on a logarithmic axis. Seen red: with constituents that the layer has nothing of.
+# 0 has no place on a logarithmic axis. Seen red: with a line for all constituents of the file.
 def test_what_is_not_there_is_not_drawn(tmp_path):
     path = made(tmp_path / "pure.nc", "--water", "--wavelengths", "500,600", "--laser", "900")
     absorption, scattering, _, emission = optics_plot.figure(photic.open(path)).axes
@@ -105,6 +105,10 @@ def test_what_is_not_there_is_not_drawn(tmp_path):
     assert legend(scattering) == ["all", "all, backwards", "water"]
     assert curves(absorption)["water"].get_marker() == "o"  # of two wavelengths
     assert len(emission.get_lines()) == 2  # the laser, and Raman light at 1294 nm
+    path = made(tmp_path / "clear.nc", SCENES / "three-layers.toml", "--set", "sea.layer.0.chlorophyll_mg_m3=0")
+    absorption, scattering, *_ = optics_plot.figure(photic.open(path)).axes
+    assert legend(absorption) == ["all", "water", "CDOM"]
+    assert legend(scattering) == ["all", "all, backwards", "water"]
     path = made(tmp_path / "given.nc", SCENES / "benchmark-hg.toml")
     absorption, *_ = optics_plot.figure(photic.open(path)).axes
     assert legend(absorption) == ["all"]

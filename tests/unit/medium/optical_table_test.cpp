@@ -43,7 +43,7 @@ std::size_t at_angle(const OpticalTable& table, double degree) {
   return static_cast<std::size_t>(nearest - table.angle_deg.begin());
 }
 
-// Seen red: with layers and wavelengths exchanged; with the last layer's phase function for all.
+// Seen red: with the last layer's phase function for all; with the first wavelength for all.
 TEST(OpticalTable, HoldsWhatTheLayersOpticsSay) {
   auto top = water_layer("top", 0.5, 0.03);
   top.bottom_depth_m = 7;
@@ -79,7 +79,8 @@ TEST(OpticalTable, HoldsWhatTheLayersOpticsSay) {
 }
 
 // Closed forms: the mean cosine of Henyey & Greenstein 1941 is g; their backscatter fraction is
-// (1 - g) / (2 g) [(1 + g) / sqrt(1 + g^2) - 1]. Seen red: with the function of 1 - x.
+// (1 - g) / (2 g) [(1 + g) / sqrt(1 + g^2) - 1]. Seen red: with angles taken from
+// behind.
 TEST(OpticalTable, HasTheMeanCosineAndBackscatteringOfHenyeyGreenstein) {
   for (const double g : {-0.3, 0.5, 0.924}) {
     const OpticalTable table = scattering_with(henyey_greenstein(g));
@@ -111,7 +112,7 @@ TEST(OpticalTable, HasTheBackscatterFractionsOfOceanicParticles) {
   EXPECT_NEAR(scattering_with(called("petzold")).backscatter_fraction[0], 0.0183, 5e-5);
 }
 
-// Seen red: with the parts of the first layer in all of them; with 0 in the iop layer.
+// Seen red: with all of a layer as the part of each; with 0 in the iop layer.
 TEST(OpticalTable, NamesTheConstituents) {
   const std::vector<double> nm = {510, 640};
   const OpticalTable table =
@@ -155,7 +156,8 @@ TEST(OpticalTable, TellsForWhichWavelengthsASourceServed) {
                                             "a of water 310 700 Mason"}));
 }
 
-// Whether or not a channel counts the light. Seen red: with the lines that channels count.
+// Whether or not a channel counts the light. Seen red: with what is absorbed at another wavelength
+// than the laser's.
 TEST(OpticalTable, TellsWhatLayersEmit) {
   auto scene =
       scene_of({water_layer("clear", 0), water_layer("green", 0.5)}, {test::channel_of("elastic")});
