@@ -119,10 +119,6 @@ def _emission(panel, layer):
         panel.vlines(nm, FLOOR, per_m, color=colours[process], linewidth=thick)
         label = panels.text(f"{process}: {total:.3g} 1/m in all")
         panel.plot(nm, per_m, "o", color=colours[process], markersize=size, label=label)
-    if not panel.get_legend_handles_labels()[0]:
-        panel.text(0.5, 0.5, NO_EMISSION, transform=panel.transAxes, ha="center", color="0.3")
-    else:
-        panel.legend(loc="best", fontsize=8.5, framealpha=0.92)
 
 
 def _lines_of(layer, process):
@@ -150,8 +146,11 @@ def _finish(grid, optics):
             panel.set_yscale("log")
             panel.grid(which="major", color="0.88", linewidth=0.7)
             panel.set_axisbelow(True)
-        for panel in row[:3]:
-            panel.legend(loc="best", fontsize=8.5, framealpha=0.92)
+        for panel, nothing in zip(row, ("no absorption", "no scattering", "", NO_EMISSION)):
+            if panel.get_legend_handles_labels()[0]:
+                panel.legend(loc="best", fontsize=8.5, framealpha=0.92)
+            else:
+                panel.text(0.5, 0.5, nothing, transform=panel.transAxes, ha="center", color="0.3")
         # Between a linear axis, where the forward peak is a wall, and a logarithmic one, which has
         # no room for the light that comes back.
         row[2].set_xscale("function", functions=(numpy.cbrt, lambda root: root**3))

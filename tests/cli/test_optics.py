@@ -121,6 +121,27 @@ def test_the_file_holds_its_scene(photic, library):
     assert "cdom_a440_per_m = 0.05" in shown.stdout
 
 
+# Seen red: told as a damaged result.
+def test_nothing_goes_on_from_optics(photic, library):
+    done = photic("run", "quick.toml", "--continue", "lib.nc")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("lib.nc: holds the optics of layers, and no echoes (a result is what")
+
+
+# Infrared light so far from water's band that none is emitted. Seen red: with a dimension of no lines.
+def test_light_that_nothing_is_emitted_of(photic, scene, tmp_path):
+    iop = 'iop = [ { wavelength_nm = 3000.0, a_per_m = 10.0, b_per_m = 0.0 } ]\nphase_function = "isotropic"'
+    text = QUICK_SCENE.replace("532.0", "3000.0").replace("chlorophyll_mg_m3 = 0.1", iop).replace(
+        "chlorophyll_mg_m3 = 1.0", iop).replace('[[channel]]\nname = "raman"\nprocess = "raman"\n', "")
+    scene.write_text(text.replace("[[sea.layer]]", "[sea]\nrefractive_index = 1.3\ngroup_index = 1.3\n[[sea.layer]]", 1))
+    assert "raman: nothing" in photic("optics", "quick.toml").stdout
+    assert photic("optics", "quick.toml", "-o", "ir.nc").returncode == 0
+    with netCDF4.Dataset(tmp_path / "ir.nc") as file:
+        assert "emission_line" not in file.dimensions
+        assert file["emission_per_m"][:].tolist() == [[0, 0], [0, 0]]
+        assert file["albedo"][:].tolist() == [[0], [0]]
+
+
 def test_tells_sources_and_what_stands_behind_them(photic, scene):
     text = photic("optics", "quick.toml").stdout
     sources = " ".join(text[text.index("Where the numbers come from") :].split())

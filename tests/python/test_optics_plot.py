@@ -112,6 +112,11 @@ def test_what_is_not_there_is_not_drawn(tmp_path):
     path = made(tmp_path / "given.nc", SCENES / "benchmark-hg.toml")
     absorption, *_ = optics_plot.figure(photic.open(path)).axes
     assert legend(absorption) == ["all"]
+    clear = photic.open(path)
+    clear = clear.assign(b_per_m=0 * clear.b_per_m, bb_per_m=0 * clear.bb_per_m)
+    scattering = optics_plot.figure(clear.drop_dims("emission_line")).axes[1]
+    assert [text.get_text() for text in scattering.texts] == ["no scattering"]
+    assert scattering.get_legend() is None
 
 
 # From the first to the last, and the caption says so.
