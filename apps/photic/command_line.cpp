@@ -1,8 +1,11 @@
 #include "photic/command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include "photic/quantities.hpp"
@@ -21,6 +24,8 @@ Examples:
   photic run my.toml --set sea.layer.0.chlorophyll_mg_m3=0.5 -o green.nc
   photic bench my.toml                    which estimator suits it best
   photic show my.nc                       the scene that a result came from
+  photic optics my.toml                   what its water does to light, and whose numbers these are
+  photic optics --water chlorophyll_mg_m3=0.5 --wavelengths 400:700:10 -o water.nc
 
 Exit codes: 0 done, 1 failed (disk, memory), 2 bad input, 130 after Ctrl-C, 143 after SIGTERM.)";
 
@@ -149,6 +154,46 @@ void add_show(CLI::App& app, ShowCommand& show) {
   sub.add_flag("--json", show.json, "Print as JSON");
 }
 
+/// "" if it is key=value.
+std::string not_a_pair(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals != std::string::npos && equals > 0) return "";
+  return fmt::format("'{}' is not KEY=VALUE (write chlorophyll_mg_m3=0.5)", text);
+}
+
+void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Override>& flags) {
+  CLI::App& sub = *app.add_subcommand(
+      "optics",
+      "Tell the optical properties of a scene's layers, or of water of given constituents");
+  sub.add_option("scene", optics.scene, "The scene file")->type_name("SCENE");
+  sub.add_option("--water", optics.water,
+                 "Instead of a scene: one layer with these keys (chlorophyll_mg_m3=0.5 "
+                 "cdom_a440_per_m=0.02); none: pure water")
+      ->type_name("KEY=VALUE")
+      ->expected(0, std::numeric_limits<int>::max())
+      ->check(CLI::Validator(not_a_pair, ""));
+  add_checked(sub, "--wavelengths", "NM",
+              "355,532,685 or 400:700:10 [default: the laser's and those that the channels count]",
+              [&optics](const std::string& text) { optics.wavelength_nm = wavelengths_nm(text); });
+  add_scene_value(sub, flags, "--laser", "NM", "source.wavelength_nm",
+                  "Wavelength of the light that excites Raman and fluorescence light [default: the "
+                  "scene's; 532 with --water]",
+                  wavelength_value);
+  sub.add_option("-o,--output", optics.output, "Write them to a file, .nc or .csv")
+      ->type_name("FILE");
+  add_overrides(sub, optics.overrides);
+  sub.add_flag("--json", optics.json, "Print as JSON");
+}
+
+/// Either a scene or water without one.
+void expect_scene_or_water(const CLI::App& optics) {
+  const bool scene = optics.count("scene") > 0, water = optics.count("--water") > 0;
+  if (!scene && !water) throw CLI::RequiredError("scene or --water");
+  if (scene && water)
+    throw CLI::ExcludesError("scene and --water exclude each other: write --set for a scene",
+                             CLI::ExitCodes::ExcludesError);
+}
+
 void add_new(CLI::App& app, NewCommand& starter) {
   CLI::App& sub = *app.add_subcommand("new", "Write a commented scene to start from");
   sub.add_option("kind", starter.kind, "Which one: ship")->required()->type_name("KIND");
@@ -181,12 +226,14 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   BenchCommand bench;
   CheckCommand check;
   ShowCommand show;
+  OpticsCommand optics;
   NewCommand starter;
   std::vector<scene::Override> flags;  // after --set: the flag that names a value wins
   add_run(app, run, flags);
   add_bench(app, bench, flags);
   add_check(app, check);
   add_show(app, show);
+  add_optics(app, optics, flags);
   add_new(app, starter);
   app.add_subcommand("schema", "Print the JSON Schema of scene files, for editors");
 
@@ -195,16 +242,19 @@ Parsed parse_command_line(int argc, const char* const* argv) {
     app.parse(argc, argv);
     if (app.got_subcommand("run") && run.scene.empty() && run.earlier.empty())
       throw CLI::RequiredError("scene");
+    if (app.got_subcommand("optics")) expect_scene_or_water(*app.get_subcommand("optics"));
   } catch (const CLI::ParseError& end) {
     return {std::nullopt, app.exit(end) == 0 ? done : bad_input};
   }
-  for (auto* overrides : {&run.overrides, &bench.overrides})
+  for (auto* overrides : {&run.overrides, &bench.overrides, &optics.overrides})
     overrides->insert(overrides->end(), flags.begin(), flags.end());
-  run.command_line = as_typed(argc, argv);
+  std::erase(optics.water, "");  // what CLI11 gives for --water without keys
+  run.command_line = optics.command_line = as_typed(argc, argv);
   if (app.got_subcommand("run")) return {run, done};
   if (app.got_subcommand("bench")) return {bench, done};
   if (app.got_subcommand("check")) return {check, done};
   if (app.got_subcommand("show")) return {show, done};
+  if (app.got_subcommand("optics")) return {optics, done};
   if (app.got_subcommand("new")) return {starter, done};
   return {SchemaCommand{}, done};
 }

@@ -52,6 +52,18 @@ struct ShowCommand {
   bool json = false;
 };
 
+/// photic optics: tells the optical properties of a scene's layers, or of water of given
+/// constituents.
+struct OpticsCommand {
+  std::string scene;                  ///< empty: one layer of this water, under the laser of 532 nm
+  std::vector<std::string> water;     ///< "key=value" of a layer
+  std::vector<double> wavelength_nm;  ///< ascending; empty: those that light of the scene has
+  std::string output;                 ///< .nc or .csv; empty: none
+  std::vector<scene::Override> overrides;
+  bool json = false;
+  std::string command_line;  ///< as typed, for the history of the output
+};
+
 /// photic new: writes a commented scene to start from.
 struct NewCommand {
   std::string kind;
@@ -61,13 +73,14 @@ struct NewCommand {
 /// photic schema: prints the JSON Schema of scene files.
 struct SchemaCommand {};
 
-using Command =
-    std::variant<RunCommand, BenchCommand, CheckCommand, ShowCommand, NewCommand, SchemaCommand>;
+using Command = std::variant<RunCommand, BenchCommand, CheckCommand, ShowCommand, OpticsCommand,
+                             NewCommand, SchemaCommand>;
 
 int run(const RunCommand& command);
 int run(const BenchCommand& command);
 int run(const CheckCommand& command);
 int run(const ShowCommand& command);
+int run(const OpticsCommand& command);
 int run(const NewCommand& command);
 int run(const SchemaCommand& command);
 

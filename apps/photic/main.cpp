@@ -22,6 +22,7 @@ struct Subject {
   std::string operator()(const app::BenchCommand& c) const { return c.scene; }
   std::string operator()(const app::CheckCommand& c) const { return c.scene; }
   std::string operator()(const app::ShowCommand& c) const { return c.file; }
+  std::string operator()(const app::OpticsCommand& c) const { return c.scene; }
   std::string operator()(const app::NewCommand& /*c*/) const { return {}; }
   std::string operator()(const app::SchemaCommand& /*c*/) const { return {}; }
 };

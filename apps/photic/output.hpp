@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "scene/scene.hpp"
+
 namespace photic::app {
 
 struct RunCommand;
@@ -25,6 +27,13 @@ void print_out(std::string_view text);
 /// scene is given, the name of the earlier result. Throws UsageError unless it ends in .nc or .csv
 /// and is another file than the scene.
 std::string result_path(const RunCommand& command);
+
+/// Throws UsageError unless the name of a command's output ends in .nc or .csv and is another file
+/// than its scene.
+void check_output(const std::string& output, const std::string& scene);
+
+/// Throws UsageError if the output is a file that the scene names, such as a table.
+void spare_files_of(const scene::Scene& scene, const std::string& output);
 
 /// What goes on from a result file and writes the longer one.
 std::string go_on_command(const std::string& earlier, const std::string& output);

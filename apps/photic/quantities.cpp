@@ -39,8 +39,41 @@ std::optional<std::int64_t> whole(std::string_view text) {
   return static_cast<std::int64_t>(real->number);
 }
 
-[[noreturn]] void refuse(const std::string& text, const char* reason) {
+[[noreturn]] void refuse(const std::string& text, const std::string& reason) {
   throw std::invalid_argument(fmt::format("'{}' {}", text, reason));
+}
+
+double wavelength(const std::string& text) {
+  const auto nm = measured(text);
+  if (!nm || !nm->unit.empty()) refuse(text, "is not a wavelength in nm (write 532 or 400:700:10)");
+  if (!(nm->number > 0)) refuse(text, "is not above 0 nm");
+  return nm->number;
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == at)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+/// Of "from:to:step": from, and every step on that does not pass to.
+std::vector<double> wavelength_range(const std::string& text) {
+  const auto parts = split(text, ':');
+  if (parts.size() != 3) refuse(text, "is not from:to:step (write 400:700:10)");
+  const double from = wavelength(parts[0]), to = wavelength(parts[1]), step = wavelength(parts[2]);
+  if (to < from) refuse(text, "ends before it begins (write 400:700:10)");
+  constexpr double rounding = 1e-9;  // of a step: 0.1 is not a whole part of anything
+  const double steps = std::floor((to - from) / step + rounding);
+  if (!(steps < most_wavelengths))
+    refuse(text, fmt::format("is more than {} wavelengths", most_wavelengths));
+  std::vector<double> out;
+  for (int i = 0; i <= static_cast<int>(steps); ++i) out.push_back(from + i * step);
+  return out;
 }
 
 }  // namespace
@@ -84,6 +117,30 @@ std::string seed_value(const std::string& text) {
   const auto number = whole(text);
   if (!number || *number < 0) refuse(text, "is not a whole number from 0 to 2^63 - 1");
   return fmt::format("{}", *number);
+}
+
+std::vector<double> wavelengths_nm(const std::string& text) {
+  std::vector<double> out;
+  for (const std::string& item : split(text, ',')) {
+    if (item.find(':') == std::string::npos) {
+      out.push_back(wavelength(item));
+    } else {
+      const auto range = wavelength_range(item);
+      out.insert(out.end(), range.begin(), range.end());
+    }
+  }
+  if (out.size() > most_wavelengths)
+    refuse(text, fmt::format("is more than {} wavelengths", most_wavelengths));
+  for (std::size_t i = 1; i < out.size(); ++i) {
+    if (out[i] == out[i - 1]) refuse(text, fmt::format("has {:g} nm twice", out[i]));
+    if (out[i] < out[i - 1])
+      refuse(text, fmt::format("is not ascending: {:g} nm follows {:g} nm", out[i], out[i - 1]));
+  }
+  return out;
+}
+
+std::string wavelength_value(const std::string& text) {
+  return fmt::format("{}", wavelength(text));
 }
 
 }  // namespace photic::app

@@ -2,7 +2,9 @@
 // Each throws std::invalid_argument with the reason and what to write instead.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace photic::app {
 
@@ -21,5 +23,13 @@ double bench_seconds(const std::string& text);
 
 /// A whole number from 0.
 std::string seed_value(const std::string& text);
+
+/// "355,532,685" or "400:700:10", or both in one list: ascending wavelengths in nm, at most
+/// most_wavelengths.
+inline constexpr std::size_t most_wavelengths = 10000;
+std::vector<double> wavelengths_nm(const std::string& text);
+
+/// "532" or "532.0": a wavelength in nm, above 0.
+std::string wavelength_value(const std::string& text);
 
 }  // namespace photic::app

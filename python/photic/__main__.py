@@ -5,6 +5,7 @@ import os
 import sys
 
 from photic.errors import Error
+from photic.result import is_optics
 from photic.result import open as open_result
 
 
@@ -15,12 +16,13 @@ def main(arguments=None):
     commands = parser.add_subparsers(dest="command", required=True)
     plot = commands.add_parser(
         "plot",
-        help="draw echoes against depth",
+        help="draw echoes against depth, or optics",
         description="Draws the echoes of one result by channel, process and order, or those of "
-        "several results over each other, channel by channel, and each by order beside them.",
+        "several results over each other, channel by channel, and each by order beside them. Of a "
+        "file of `photic optics` it draws coefficients, phase functions and emitted light.",
     )
     add = plot.add_argument
-    add("results", nargs="+", metavar="RESULT.nc", help="what `photic run` wrote")
+    add("results", nargs="+", metavar="RESULT.nc", help="what `photic run` or `photic optics` wrote")
     add("-o", "--output", required=True, metavar="OUT.png", help="picture: .png, .pdf or .svg")
     add("--title", help="default: the scene's title")
     add("--telescope", metavar="NAME", help="default: the first")
@@ -38,16 +40,27 @@ def draw(options):
         raise Error(f"{options.output}: pictures are .png, .pdf or .svg")
     results = [open_result(path) for path in options.results]
     try:
-        from photic import plot  # here, so that reading results needs no matplotlib
+        from photic import optics_plot, plot  # here, so that reading results needs no matplotlib
     except ImportError as error:
         raise Error(f"plots need matplotlib: {error}", exit_code=1) from error
-    names = _names(options.results)
-    picture = plot.figure(results, names, telescope=options.telescope, title=options.title)
+    if any(is_optics(result) for result in results):
+        _expect_one(options)
+        picture = optics_plot.figure(results[0], title=options.title)
+    else:
+        names = _names(options.results)
+        picture = plot.figure(results, names, telescope=options.telescope, title=options.title)
     try:
         picture.savefig(options.output)
     except OSError as error:
         message = f"{options.output}: cannot write the picture: {error.strerror or error}"
         raise Error(message, exit_code=1) from error
+
+
+def _expect_one(options):
+    if len(options.results) > 1:
+        raise Error("optics are drawn alone: give one file of `photic optics`, and nothing else")
+    if options.telescope is not None:
+        raise Error(f"{options.results[0]}: holds optics, and no telescopes (leave out --telescope)")
 
 
 def _names(paths):

@@ -22,7 +22,12 @@ def open(path):
     parameter_value, sensitivity and logarithmic_sensitivity, with _standard_error, and
     sensitivity_converged. Attributes: the run, and the scene as text.
 
-    Raises photic.Error if there is no such file or it is not a result of Photic.
+    What `photic optics` wrote is opened too. Dimensions: depth (the layers' upper edges) [m],
+    wavelength [nm], angle [degree], process (indexed by name), emission_line. Variables: a_per_m,
+    b_per_m, c_per_m, bb_per_m, albedo, mean_cosine, phase_function_per_sr, those of constituents
+    (a_water_per_m …), emission_per_m, emission_line_per_m; the attribute photic_content is "optics".
+
+    Raises photic.Error if there is no such file or it was not written by Photic.
     """
     path = os.fspath(path)
     dataset = _load(path)
@@ -35,6 +40,8 @@ def open(path):
             f"{path}: written by a newer Photic (result format {dataset.attrs['photic_format']}; "
             f"this package reads up to {FORMAT})"
         )
+    if is_optics(dataset):
+        return _indexed(dataset)
     has = {axis: axis + "_name" in dataset for axis in ("environment", "parameter")}
     for axis in ["telescope", "channel", "process"] + [axis for axis in has if has[axis]]:
         names = dataset[axis + "_name"]
@@ -47,6 +54,22 @@ def open(path):
         converged.attrs = {"long_name": dataset[name].attrs["long_name"]}
         dataset[name] = converged
     return dataset.set_coords(["gate_time_bounds", "gate_depth_bounds", "depth_bounds"])
+
+
+def is_optics(dataset):
+    """Whether a dataset holds the optics of layers, and no echoes."""
+    return dataset.attrs.get("photic_content") == "optics"
+
+
+def _indexed(dataset):
+    """Optics by depth, wavelength, angle and the names of processes."""
+    names = {"depth": "depth_m", "wavelength": "wavelength_nm", "angle": "angle_deg"}
+    for axis, name in (names | {"process": "process_name"}).items():
+        values = dataset[name]
+        values = values.astype(str) if values.dtype == object else values
+        dataset = dataset.assign_coords({axis: (axis, values.values, dataset[name].attrs)})
+        dataset = dataset.drop_vars(name)
+    return dataset.set_coords("depth_m_bounds")
 
 
 def _load(path):

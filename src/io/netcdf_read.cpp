@@ -12,6 +12,7 @@ std::string read_scene_attribute(const std::string& path) {
 RunSoFar read_run(const std::string& path) {
   const NetcdfReader reader(path);
   reader.expect_result();
+  if (reader.holds_optics()) reader.refuse("holds the optics of layers, and no echoes");
   return {.scene_toml = reader.text("scene"),
           .version = reader.text("version"),
           .engine = reader.text("engine"),

@@ -60,6 +60,11 @@ void NetcdfReader::expect_result() const {
                 "use the newer Photic");
 }
 
+bool NetcdfReader::holds_optics() const {
+  return nc_inq_attid(file_, NC_GLOBAL, "photic_content", nullptr) == NC_NOERR &&
+         text("photic_content") == "optics";
+}
+
 bool NetcdfReader::enter_group(const std::string& name) {
   return nc_inq_grp_ncid(file_, name.c_str(), &group_) == NC_NOERR;
 }

@@ -17,8 +17,11 @@ class NetcdfReader {
   NetcdfReader& operator=(const NetcdfReader&) = delete;
   ~NetcdfReader();
 
-  /// Throws InputError unless the file is a result of Photic of a format that is known.
+  /// Throws InputError unless the file was written by Photic in a format that is known.
   void expect_result() const;
+
+  /// Whether it holds the optics of layers, and no echoes (io/optics_file.hpp).
+  [[nodiscard]] bool holds_optics() const;
 
   /// Whatever is read afterwards comes from this group; false if there is none.
   bool enter_group(const std::string& name);

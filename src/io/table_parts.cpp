@@ -43,6 +43,12 @@ std::string trimmed(const std::string& text) {
   return out;
 }
 
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
 std::string legend(const std::vector<EchoRow>& rows) {
   std::string out;
   for (const auto& meaning : tally::flag_meanings()) {

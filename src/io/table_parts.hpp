@@ -13,6 +13,9 @@ namespace photic::io {
 /// Without blanks at the ends of lines.
 std::string trimmed(const std::string& text);
 
+/// Without ends of lines, for the head of a CSV file.
+std::string one_line(std::string text);
+
 /// Each reason why gates have not converged, with the number of gates it concerns.
 std::string legend(const std::vector<EchoRow>& rows);
 

@@ -68,17 +68,6 @@ void check_number(const std::vector<BandLine>& lines, Process process) {
                      "take fewer filters, or such that their edges coincide"}});
 }
 
-std::string source_of(const Emitter& emitter, const std::vector<BandLine>& lines,
-                      std::size_t layer) {
-  double photons = 0;
-  for (const auto& line : lines) photons += line.photons;
-  const auto at = [](const BandLine& line) { return fmt::format("{:.2f}", line.wavelength_nm); };
-  return fmt::format(
-      "layer {}: {} light at {} nm = {:.5g} 1/m: {}", layer, process_name(emitter.process),
-      lines.size() > 1 ? at(lines.front()) + " to " + at(lines.back()) : at(lines.front()),
-      photons * emitter.photons_per_m[layer], emitter.emission.source);
-}
-
 }  // namespace
 
 double refractive_index(const scene::Sea& sea, double wavelength_nm) {
@@ -132,10 +121,28 @@ EmittedLight emitted_light(const scene::Scene& scene, const optics::Library& lib
       for (const double a : by_layer) out.coefficient_per_m.push_back(a * line.photons);
       light.lines.push_back(std::move(out));
     }
-    for (std::size_t k = 0; k < by_layer.size(); ++k)
-      if (by_layer[k] > 0) light.sources.push_back(source_of(emitter, lines, k));
+    double photons = 0;
+    for (const auto& line : lines) photons += line.photons;
+    for (std::size_t k = 0; k < by_layer.size(); ++k) {
+      if (by_layer[k] > 0)
+        light.sources.push_back({emitter.process, k, lines.front().wavelength_nm,
+                                 lines.back().wavelength_nm, photons * by_layer[k],
+                                 emitter.emission.source});
+    }
   }
   return light;
+}
+
+std::vector<std::string> sources_of(const EmittedLight& light) {
+  std::vector<std::string> out;
+  for (const auto& s : light.sources) {
+    const bool many = s.first_nm < s.last_nm;
+    out.push_back(fmt::format("layer {}: {} light at {:.2f}{} nm = {:.5g} 1/m: {}", s.layer,
+                              process_name(s.process), s.first_nm,
+                              many ? fmt::format(" to {:.2f}", s.last_nm) : "", s.coefficient_per_m,
+                              s.source));
+  }
+  return out;
 }
 
 double emitted_per_m(const std::vector<EmittedLine>& lines, const scene::Scene& scene,

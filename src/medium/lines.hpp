@@ -34,10 +34,22 @@ struct EmittedLine {
   double photons = 1;                     ///< in it, relative to other lines of its process
 };
 
-struct EmittedLight {
-  std::vector<EmittedLine> lines;    ///< those of a process one behind the other
-  std::vector<std::string> sources;  ///< of the coefficients that are not 0
+/// All that a layer emits by a process, in the lines between two wavelengths.
+struct EmissionSource {
+  Process process = Process::raman;
+  std::size_t layer = 0;
+  double first_nm = 0, last_nm = 0;
+  double coefficient_per_m = 0;
+  std::string source;
 };
+
+struct EmittedLight {
+  std::vector<EmittedLine> lines;       ///< those of a process one behind the other
+  std::vector<EmissionSource> sources;  ///< of the coefficients that are not 0
+};
+
+/// "layer 0: raman light at 649.48 nm = 2e-4 1/m: source [status]", one for each source.
+std::vector<std::string> sources_of(const EmittedLight& light);
 
 /// The light that a channel of the scene counts. A spectrum is cut into lines that are at most
 /// 5 nm apart, each where the mean of its light is. By layer: its optics at the laser's wavelength.

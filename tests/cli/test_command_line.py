@@ -19,7 +19,7 @@ def test_help_shows_every_subcommand_and_an_example(photic):
         assert word in done.stdout
 
 
-@pytest.mark.parametrize("subcommand", ["run", "bench", "check", "show", "new", "schema"])
+@pytest.mark.parametrize("subcommand", ["run", "bench", "check", "show", "optics", "new", "schema"])
 def test_help_of_a_subcommand(photic, subcommand):
     done = photic(subcommand, "--help")
     assert (done.returncode, done.stderr) == (0, "")
@@ -29,7 +29,7 @@ def test_help_of_a_subcommand(photic, subcommand):
 REFUSED = {
     (): "A subcommand is required",
     ("rnu", "quick.toml"): "there is no subcommand 'rnu' (did you mean 'run'?)",
-    ("simulate", "quick.toml"): "there is no subcommand 'simulate' (there are: run, bench, check, show, new, schema)",
+    ("simulate", "quick.toml"): "there is no subcommand 'simulate' (there are: run, bench, check, show, optics, new, schema)",
     ("run",): "scene is required",
     ("run", "quick.toml", "--photon", "5"): "--photon",
     ("run", "quick.toml", "--photons", "many"): "--photons: 'many' is not a whole number from 1 to 2^63 - 1 "

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "engine/problem.hpp"
+#include "io/netcdf.hpp"
+#include "io/optics_file.hpp"
+#include "io/optics_table.hpp"
+#include "medium/optical_table.hpp"
+#include "optics/data_folder.hpp"
+#include "photic/commands.hpp"
+#include "photic/output.hpp"
+
+namespace photic::app {
+namespace {
+
+/// All that a scene must say besides its water, which has one bottomless layer.
+constexpr const char* water_scene = R"(
+[source]
+wavelength_nm = 532.0
+position_m = [0.0, 0.0, 10.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.01
+half_divergence_mrad = 1.0
+[[telescope]]
+position_m = [0.0, 0.0, 10.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.1
+focal_length_m = 1.0
+detector_diameter_m = 0.01
+[[channel]]
+name = "elastic"
+process = "elastic"
+[[sea.layer]]
+name = "water"
+[gates]
+depth_max_m = 1.0
+depth_step_m = 1.0
+[simulation]
+photons = 1
+)";
+
+scene::Reading read_water(const OpticsCommand& command) {
+  std::string title = "Sea water";
+  std::vector<scene::Override> overrides;
+  for (const std::string& key : command.water) {
+    title += (overrides.empty() ? ": " : ", ") + key;
+    overrides.push_back("sea.layer.0." + key);
+  }
+  overrides.push_back("title=" + title);
+  overrides.insert(overrides.end(), command.overrides.begin(), command.overrides.end());
+  return scene::read_scene_text(water_scene, "--water", "", overrides, engine::optics_check());
+}
+
+scene::Scene read(const OpticsCommand& command) {
+  const scene::Reading reading =
+      command.scene.empty()
+          ? read_water(command)
+          : scene::read_scene(command.scene, command.overrides, engine::optics_check());
+  for (const std::string& remark : reading.remarks) print_error(remark + '\n');
+  return reading.scene;
+}
+
+medium::OpticalTable table_of(const scene::Scene& scene, const OpticsCommand& command) {
+  const optics::Library library(optics::find_data_folder());
+  if (command.wavelength_nm.empty())
+    return medium::optical_table(scene, library, medium::wavelengths_of_light(scene, library));
+  try {
+    return medium::optical_table(scene, library, command.wavelength_nm);
+  } catch (const InputError& error) {  // nothing is wrong with the scene, which has been checked
+    throw UsageError(fmt::format("--wavelengths: {}", error.what()));
+  }
+}
+
+void write(const medium::OpticalTable& table, const scene::Scene& scene,
+           const OpticsCommand& command) {
+  const io::OpticsOrigin origin{.title = scene.title,
+                                .scene_toml = scene::write_scene(scene),
+                                .version = PHOTIC_VERSION,
+                                .history = io::history_line(command.command_line)};
+  if (std::filesystem::path(command.output).extension() == ".csv")
+    io::write_optics_csv(table, origin, command.output);
+  else
+    io::write_optics_netcdf(table, origin, command.output);
+}
+
+/// What is told of a file that was written.
+std::string where_it_is(const medium::OpticalTable& table, const std::string& output) {
+  std::string out = fmt::format("{}: the optics of {} layer{} at {} wavelength{}\n", output,
+                                table.layers(), table.layers() == 1 ? "" : "s", table.wavelengths(),
+                                table.wavelengths() == 1 ? "" : "s");
+  const std::filesystem::path file(output);
+  if (file.extension() == ".nc")
+    out += fmt::format("Plot it: python3 -m photic plot {} -o {}\n", output,
+                       std::filesystem::path(file).replace_extension(".png").string());
+  return out;
+}
+
+}  // namespace
+
+int run(const OpticsCommand& command) {
+  if (!command.output.empty()) check_output(command.output, command.scene);
+  const scene::Scene scene = read(command);
+  const medium::OpticalTable table = table_of(scene, command);
+  if (!command.output.empty()) {
+    spare_files_of(scene, command.output);
+    write(table, scene, command);
+    if (!command.json) print_out(where_it_is(table, command.output));
+  } else if (!command.json) {
+    print_out(io::optics_text(table));
+  }
+  if (command.json) print_out(io::optics_json(table));
+  return done;
+}
+
+}  // namespace photic::app

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+
+#include "io/atomic_file.hpp"
+#include "io/optics_file.hpp"
+#include "io/table_parts.hpp"
+
+namespace photic::io {
+namespace {
+
+using medium::OpticalTable;
+
+struct Column {
+  std::string name;
+  std::vector<double> values;
+};
+
+std::vector<Column> columns_of(const OpticalTable& table) {
+  std::vector<Column> columns = {{"a_per_m", table.a_per_m},   {"b_per_m", table.b_per_m},
+                                 {"c_per_m", table.c_per_m()}, {"bb_per_m", table.bb_per_m()},
+                                 {"albedo", table.albedo()},   {"mean_cosine", table.mean_cosine}};
+  for (const auto& [name, a, b] : table.parts) {
+    if (!a.empty()) columns.push_back({"a_" + name_in_files(name) + "_per_m", a});
+    if (!b.empty()) columns.push_back({"b_" + name_in_files(name) + "_per_m", b});
+  }
+  return columns;
+}
+
+std::string head(const OpticalTable& table, const OpticsOrigin& origin) {
+  const double end = table.edge_m.back();
+  std::string out = fmt::format("# {}\n# Photic {}, {}\n", one_line(origin.title), origin.version,
+                                one_line(origin.history));
+  out += fmt::format(
+      "# depth_m: the upper edge of a layer, which reaches down to the next; the last one {}\n",
+      std::isinf(end) ? "is bottomless" : fmt::format("ends at {} m", end));
+  out +=
+      "# a absorption, b scattering, c = a + b, bb backscattering, albedo = b / c, mean_cosine of "
+      "the scattering angle\n";
+  for (const auto& emission : table.emission) {
+    for (std::size_t k = 0; k < table.layers(); ++k)
+      out +=
+          fmt::format("# {} light, excited at {} nm, from depth_m {}: {} per m\n", emission.process,
+                      table.excitation_nm, table.edge_m[k], emission.coefficient_per_m[k]);
+  }
+  for (const auto& source : table.sources) out += "# " + one_line(source_line(source)) + '\n';
+  for (const auto& emission : table.emission)
+    for (const auto& line : source_lines(emission)) out += "# " + one_line(line) + '\n';
+  return out;
+}
+
+}  // namespace
+
+std::string name_in_files(const std::string& constituent) {
+  std::string out;
+  for (const unsigned char c : constituent)
+    out += std::isalnum(c) != 0 ? static_cast<char>(std::tolower(c)) : '_';
+  return out;
+}
+
+std::string source_line(const OpticalTable::Source& source) {
+  const std::string where = source.first_nm == source.last_nm
+                                ? fmt::format("{:.6g}", source.first_nm)
+                                : fmt::format("{:.6g}-{:.6g}", source.first_nm, source.last_nm);
+  return fmt::format("{}, {} nm: {}", source.quantity, where, source.source);
+}
+
+std::vector<std::string> source_lines(const OpticalTable::Emission& emission) {
+  std::vector<std::string> out;
+  for (const auto& source : emission.sources)
+    out.push_back(fmt::format("{} light: {}", emission.process, source));
+  return out;
+}
+
+std::string optics_csv(const OpticalTable& table, const OpticsOrigin& origin) {
+  const auto columns = columns_of(table);
+  std::string out = head(table, origin) + "depth_m,wavelength_nm";
+  for (const Column& column : columns) out += ',' + column.name;
+  out += '\n';
+  for (std::size_t i = 0; i < table.a_per_m.size(); ++i) {
+    const std::size_t layer = i / table.wavelengths();
+    out += fmt::format("{},{}", table.edge_m[layer], table.wavelength_nm[i % table.wavelengths()]);
+    for (const Column& column : columns) out += fmt::format(",{}", column.values[i]);
+    out += '\n';
+  }
+  return out;
+}
+
+void write_optics_csv(const OpticalTable& table, const OpticsOrigin& origin,
+                      const std::string& path) {
+  write_atomically(path, optics_csv(table, origin));
+}
+
+}  // namespace photic::io

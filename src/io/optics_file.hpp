@@ -1,0 +1,42 @@
+// The optics of a scene's layers as files: netCDF for programs and plots, comma-separated values
+// for spreadsheets. Names and units are those of IOP tables, so that what is written can be read
+// again.
+#pragma once
+
+#include <string>
+
+#include "medium/optical_table.hpp"
+
+namespace photic::io {
+
+/// How a table of optics came to be.
+struct OpticsOrigin {
+  std::string title;
+  std::string scene_toml;  ///< the effective scene
+  std::string version;     ///< of Photic
+  std::string history;     ///< see history_line (io/netcdf.hpp)
+};
+
+/// Writes a netCDF-4 file after CF-1.10, whole or not at all. Its layout is documented in
+/// docs/guide.md. Throws EnvironmentError.
+void write_optics_netcdf(const medium::OpticalTable& table, const OpticsOrigin& origin,
+                         const std::string& path);
+
+/// One row for each layer and wavelength after a head of lines that start with '#'; a row holds
+/// from its depth down to the next depth. Numbers read back to the same value; what is not known is
+/// "nan".
+std::string optics_csv(const medium::OpticalTable& table, const OpticsOrigin& origin);
+
+/// Writes optics_csv to a file, whole or not at all. Throws EnvironmentError.
+void write_optics_csv(const medium::OpticalTable& table, const OpticsOrigin& origin,
+                      const std::string& path);
+
+/// What files call a constituent: small letters, digits and underscores.
+std::string name_in_files(const std::string& constituent);
+
+/// "a of water, 300-700 nm: source [status]".
+std::string source_line(const medium::OpticalTable::Source& source);
+/// "raman light: source [status]", one for each source.
+std::vector<std::string> source_lines(const medium::OpticalTable::Emission& emission);
+
+}  // namespace photic::io

@@ -1,0 +1,70 @@
+// The optics of a scene's layers as a table: what `photic optics` tells (docs/guide.md).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "optics/library.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::medium {
+
+/// Values of a layer k at a wavelength w stand at k * wavelengths + w, those of a phase function at
+/// an angle i at (k * wavelengths + w) * angles + i.
+struct OpticalTable {
+  /// What one constituent absorbs and scatters. Empty where no layer's optics say anything of it,
+  /// NaN in a layer whose constituents are not known, 0 in one that has none of it.
+  struct Part {
+    std::string name;
+    std::vector<double> a_per_m, b_per_m;
+  };
+  /// Where numbers come from: "a of water", and the wavelengths they were taken for.
+  struct Source {
+    std::string quantity;
+    double first_nm = 0, last_nm = 0;
+    std::string source;
+  };
+  /// What the layers emit by one process [photons per metre and photon of the exciting light].
+  struct Emission {
+    std::string process;
+    std::vector<double> wavelength_nm;  ///< of its lines, ascending; none where nothing is emitted
+    std::vector<double> line_per_m;     ///< [layer][line]
+    std::vector<double> coefficient_per_m;  ///< all lines, by layer
+    std::vector<std::string> sources;
+  };
+
+  std::vector<std::string> layer_name;
+  std::vector<double>
+      edge_m;  ///< upper edges, and the end of the last layer, which may be infinite
+  std::vector<double> wavelength_nm;
+  std::vector<double> angle_deg;
+  std::vector<double> a_per_m, b_per_m, backscatter_fraction, mean_cosine;
+  std::vector<double> phase_function_per_sr;
+  std::vector<Part> parts;
+  std::vector<Source> sources;
+  double excitation_nm = 0;
+  std::vector<Emission> emission;
+
+  [[nodiscard]] std::size_t layers() const { return layer_name.size(); }
+  [[nodiscard]] std::size_t wavelengths() const { return wavelength_nm.size(); }
+  [[nodiscard]] std::size_t angles() const { return angle_deg.size(); }
+  [[nodiscard]] std::vector<double> c_per_m() const;
+  [[nodiscard]] std::vector<double> bb_per_m() const;  ///< backscattering
+  [[nodiscard]] std::vector<double> albedo() const;    ///< b / c
+};
+
+/// Scattering angles that phase functions are told at: 0, ten in each decade from 0.01 to 10, then
+/// every 5 degrees. Photic's phase functions are flat within 0.01 degree (optics/phase_table.hpp).
+std::vector<double> table_angles_deg();
+
+/// The wavelengths that light of the scene has: the laser's, and of each process's light that its
+/// channels count the mean; ascending.
+std::vector<double> wavelengths_of_light(const scene::Scene& scene, const optics::Library& library);
+
+/// The table for ascending wavelengths; what is emitted is excited by the scene's laser. Throws
+/// InputError where there are no data, at one of the wavelengths or at the laser's.
+OpticalTable optical_table(const scene::Scene& scene, const optics::Library& library,
+                           const std::vector<double>& wavelength_nm);
+
+}  // namespace photic::medium

@@ -1,0 +1,144 @@
+"""Opening and drawing what `photic optics` writes."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import matplotlib.image
+import netCDF4
+import numpy
+import pytest
+
+import photic
+from photic import optics_plot
+
+SCENES = Path(__file__).resolve().parents[2] / "scenes"
+
+
+def made(path, *arguments):
+    line = [os.environ["PHOTIC_PROGRAM"], "optics", *map(str, arguments), "-o", path]
+    subprocess.run(line, check=True, capture_output=True)
+    return path
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory):
+    path = tmp_path_factory.mktemp("optics") / "lib.nc"
+    return made(path, SCENES / "three-layers.toml", "--wavelengths", "400:700:10")
+
+
+def command(*arguments):
+    line = [sys.executable, "-m", "photic", *map(str, arguments)]
+    process = subprocess.run(line, capture_output=True, text=True)
+    return process.returncode, process.stderr
+
+
+def curves(panel):
+    """What is drawn under each name of the legend."""
+    handles, labels = panel.get_legend_handles_labels()
+    return dict(zip(labels, handles))
+
+
+def legend(panel):
+    return [text.get_text() for text in panel.get_legend().get_texts()]
+
+
+# Seen red: without the index of wavelengths.
+def test_optics_open_by_depth_and_wavelength(library):
+    ds = photic.open(library)
+    assert list(ds.layer_name.values) == ["surface", "maximum", "deep"]
+    one = ds.sel(depth=8, wavelength=550)
+    with netCDF4.Dataset(library) as file:
+        assert one.a_per_m == file["a_per_m"][1, 15]
+        assert one.phase_function_per_sr.sel(angle=180) == file["phase_function_per_sr"][1, 15, -1]
+        assert ds.emission_per_m.sel(process="chlorophyll", depth=15) == file["emission_per_m"][2, 1]
+    assert ds.wavelength.attrs["units"] == "nm" and ds.depth.attrs["positive"] == "down"
+    assert numpy.isinf(ds.depth_m_bounds.values[2, 1])
+
+
+def test_a_picture(library, tmp_path):
+    assert command("plot", library, "-o", tmp_path / "out.png") == (0, "")
+    picture = matplotlib.image.imread(tmp_path / "out.png")
+    assert picture.shape[0] > 1500 and picture.shape[1] > 2500
+    shades = (255 * picture).astype(numpy.uint32) @ (1 << 8 * numpy.arange(picture.shape[2], dtype=numpy.uint32))
+    assert len(numpy.unique(shades)) > 300
+
+
+# Seen red: with the first layer in all rows; with the scattering in the panel of the absorption.
+def test_a_row_for_each_layer(library):
+    ds = photic.open(library)
+    drawing = optics_plot.figure(ds)
+    titles = [panel.get_title(loc="left") for panel in drawing.axes]
+    assert titles[:4] == [f"surface, 0\u20138 m: {what}" for what in
+                          ("absorption", "scattering", "phase function", "light emitted")]
+    assert titles[8] == "deep, from 15 m down: absorption"
+    rows = numpy.array(drawing.axes).reshape(3, 4)
+    for k, (absorption, scattering, phases, emission) in enumerate(rows):
+        one = ds.isel(depth=k)
+        assert legend(absorption) == ["all", "water", "phytoplankton", "CDOM"]
+        assert legend(scattering) == ["all", "all, backwards", "water", "phytoplankton"]
+        drawn = curves(absorption)
+        assert numpy.array_equal(drawn["all"].get_ydata(), one.a_per_m)
+        assert numpy.array_equal(drawn["CDOM"].get_ydata(), one.a_cdom_per_m)
+        assert numpy.array_equal(drawn["CDOM"].get_xdata(), one.wavelength)
+        drawn = curves(scattering)
+        assert numpy.array_equal(drawn["all, backwards"].get_ydata(), one.bb_per_m)
+        assert legend(phases) == ["400 nm", "480 nm", "550 nm", "620 nm", "700 nm"]
+        green = one.phase_function_per_sr.sel(wavelength=550)
+        assert numpy.array_equal(curves(phases)["550 nm"].get_ydata(), green)
+        raman, chlorophyll = curves(emission).values()
+        assert list(raman.get_ydata()) == [float(one.emission_per_m.sel(process="raman"))]
+        assert list(chlorophyll.get_xdata()) == [685]
+        assert absorption.get_ylim()[0] < one.a_water_per_m.min()
+        for panel in (absorption, scattering, phases, emission):
+            assert panel.get_yscale() == "log" and panel.get_ylabel().endswith("/m]" if panel is not phases else "/sr]")
+    assert [panel.get_xlabel() for panel in rows[-1]] == [
+        "wavelength [nm]", "wavelength [nm]", "scattering angle [degree]", "wavelength [nm]"]
+
+
+# 0 has no place on a logarithmic axis. Seen red: with a line for all constituents of the file.
+def test_what_is_not_there_is_not_drawn(tmp_path):
+    path = made(tmp_path / "pure.nc", "--water", "--wavelengths", "500,600", "--laser", "900")
+    absorption, scattering, _, emission = optics_plot.figure(photic.open(path)).axes
+    assert legend(absorption) == ["all", "water"]
+    assert legend(scattering) == ["all", "all, backwards", "water"]
+    assert curves(absorption)["water"].get_marker() == "o"  # of two wavelengths
+    assert len(emission.get_lines()) == 2  # the laser, and Raman light at 1294 nm
+    path = made(tmp_path / "clear.nc", SCENES / "three-layers.toml", "--set", "sea.layer.0.chlorophyll_mg_m3=0")
+    absorption, scattering, *_ = optics_plot.figure(photic.open(path)).axes
+    assert legend(absorption) == ["all", "water", "CDOM"]
+    assert legend(scattering) == ["all", "all, backwards", "water"]
+    path = made(tmp_path / "given.nc", SCENES / "benchmark-hg.toml")
+    absorption, *_ = optics_plot.figure(photic.open(path)).axes
+    assert legend(absorption) == ["all"]
+    clear = photic.open(path)
+    clear = clear.assign(b_per_m=0 * clear.b_per_m, bb_per_m=0 * clear.bb_per_m)
+    scattering = optics_plot.figure(clear.drop_dims("emission_line")).axes[1]
+    assert [text.get_text() for text in scattering.texts] == ["no scattering"]
+    assert scattering.get_legend() is None
+
+
+# From the first to the last, and the caption says so.
+def test_of_many_layers_some_are_drawn(library):
+    ds = photic.open(library).isel(depth=[0, 0, 1, 1, 1, 0, 1, 0, 2])
+    ds = ds.assign_coords(layer_name=("depth", [f"l{k}" for k in range(9)]))
+    drawing = optics_plot.figure(ds, title="Many $ layers")
+    names = [panel.get_title(loc="left").split(",")[0] for panel in drawing.axes[::4]]
+    assert names == ["l0", "l2", "l3", "l5", "l6", "l8"]
+    assert "6 of its 9 layers" in drawing._supxlabel.get_text()
+    assert drawing._suptitle.get_text() == "Many \\$ layers"
+
+
+def test_optics_are_drawn_alone(library, sample, tmp_path):
+    picture = tmp_path / "out.png"
+    code, message = command("plot", library, sample, "-o", picture)
+    assert code == 2 and message.startswith("optics are drawn alone")
+    code, message = command("plot", library, "-o", picture, "--telescope", "narrow")
+    assert code == 2 and "holds optics, and no telescopes" in message
+    assert not picture.exists()
+
+
+def test_a_result_is_not_taken_for_optics(sample, tmp_path):
+    assert "echo" in photic.open(sample)
+    assert command("plot", sample, "-o", tmp_path / "out.png") == (0, "")
