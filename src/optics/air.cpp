@@ -34,9 +34,12 @@ class LayerMaker {
     const double air = mean(profile_.air_per_m3);
     layer.refractive_index = air_index(nm_, air);
     layer.molecules_b_per_m = air * air_scattering_m2(nm_);
-    const Sourced ozone = ozone_absorption_m2(library_, nm_, middle(profile_.temperature_k, i));
-    layer.ozone_a_per_m = mean(profile_.ozone_per_m3) * ozone.value;
-    out_.ozone_source = ozone.source;
+    const double ozone = mean(profile_.ozone_per_m3);
+    if (ozone > 0) {
+      const Sourced of = ozone_absorption_m2(library_, nm_, middle(profile_.temperature_k, i));
+      layer.ozone_a_per_m = ozone * of.value;
+      add_source(out_.ozone_source, of.source);
+    }
 
     Parts parts{{layer.molecules_b_per_m, rayleigh(out_.depolarisation)}};
     double g_b = 0;
@@ -82,6 +85,7 @@ AirOptics air_at(const AirLibrary& library, const AirProfile& profile,
   out.molecules_source = air_scattering_source;
   LayerMaker make(library, profile, aerosols, wavelength_nm, out);
   for (std::size_t i = 1; i < profile.z_km.size(); ++i) out.layers.push_back(make(i));
+  if (out.ozone_source.empty()) out.ozone_source = "no ozone";
   if (out.aerosols_source.empty()) out.aerosols_source = "no aerosols";
   return out;
 }

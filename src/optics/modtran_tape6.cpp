@@ -127,7 +127,8 @@ class Tape6 {
         scaled(column(*molecules_, "O3 (UV)", most), loschmidt_per_m3 * per_m_of_atm_cm_per_km);
     // MODTRAN prints a second column of that name if it scales the water vapour; aerosols go by
     // the first.
-    out.relative_humidity_percent = column(*aerosols_, aerosols_->has("RH") ? "RH" : "RH (%)", 100);
+    out.relative_humidity_percent =
+        column(*aerosols_, aerosols_->has("RH (%)") ? "RH (%)" : "RH", 100);
     for (std::size_t k = 0; k < aerosol_regions; ++k)
       out.aerosols_per_km[k] = column(*aerosols_, fmt::format("AEROSOL {}", k + 1), most);
     return out;

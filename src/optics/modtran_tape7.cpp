@@ -144,7 +144,7 @@ RoundedDepth ModtranTransmittances::optical_depth(const std::string& column,
   const auto i = static_cast<std::size_t>(above - w.begin());
   const double t = (wavenumber - w[i - 1]) / (w[i] - w[i - 1]);
   const RoundedDepth from = at_row(column, i - 1), to = at_row(column, i);
-  return {std::lerp(from.value, to.value, t), std::max(from.rounding, to.rounding)};
+  return {std::lerp(from.value, to.value, t), std::lerp(from.rounding, to.rounding, t)};
 }
 
 }  // namespace photic::optics

@@ -37,6 +37,6 @@ class Opac {
 
 /// Size parameters above this are refused: Mie theory integrated over sizes takes as long as the
 /// cube of it.
-inline constexpr double largest_opac_size = 600;
+inline constexpr double largest_opac_size = 425;
 
 }  // namespace photic::optics
