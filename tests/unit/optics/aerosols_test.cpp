@@ -47,7 +47,7 @@ TEST(Aerosols, GoAsPowersOfTheWavelength) {
 }
 
 // Between 80 and 99 % of the maritime model at 1060 nm: 0.87538 and 0.94791. Seen red: with linear
-// humidities; with no clamp (not a number).
+// humidities; with humidities up to 100 %.
 TEST(Aerosols, GoWithTheLogarithmOfTheDryness) {
   const double t = std::log(20.0 / 10) / std::log(20.0 / 1);
   EXPECT_NEAR(of("maritime", 1060, 90).extinction, std::pow(0.87538, 1 - t) * std::pow(0.94791, t),
@@ -66,7 +66,7 @@ TEST(Aerosols, OfLowtranDoNotDependOnHumidity) {
   EXPECT_NEAR(of("fog-advection", std::sqrt(200.0 * 300.0), 50).absorption, 0.000065, 1e-15);
 }
 
-// Seen red: with g of the extinction.
+// Seen red: with the phase function of 0.9 g.
 TEST(Aerosols, HaveAPhaseFunctionOfTheirMeanCosine) {
   for (const char* model : {"rural", "maritime", "urban", "tropospheric", "fog-advection",
                             "fog-radiation", "stratospheric", "meteoric"}) {

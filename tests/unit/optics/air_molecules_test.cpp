@@ -14,8 +14,8 @@ double standard_column_per_m2() {
   return 101325 * avogadro_per_mol / (kg_per_mol * gravity_m_s2);
 }
 
-// Expected values: Bodhaine et al. 1999, to four decimals. Seen red: with 0.0027059889 as
-// 0.0027059899e1; with 1e-27 for 1e-28.
+// Expected values: Bodhaine et al. 1999, to four decimals. Seen red: with 0.027059889 for
+// 0.0027059889; with 1e-27 for 1e-28.
 TEST(AirScattering, HasTheOpticalDepthsOfBodhaine) {
   const double n = standard_column_per_m2();
   EXPECT_NEAR(n * air_scattering_m2(355), 0.5937, 5e-5);
@@ -25,7 +25,8 @@ TEST(AirScattering, HasTheOpticalDepthsOfBodhaine) {
 }
 
 // The fit against the theory it was fitted to, made of the index and the King factor, which are
-// (6 + 3 rho) / (6 - 7 rho). Seen red: with the argon of the King factor left out of its sum.
+// (6 + 3 rho) / (6 - 7 rho). Seen red: without argon in the divisor of the King
+// factor; with the two resonances of the index changed over.
 TEST(AirScattering, IsThatOfItsIndexAndDepolarisation) {
   const double per_m3 = 101325 / (boltzmann_j_k * 288.15);
   for (double nm = 200; nm <= 1100; nm += 10) {
@@ -93,7 +94,8 @@ TEST(OzoneAbsorption, OfBothTablesAgrees) {
     EXPECT_NEAR(1e-4 * cm2[i] / ozone(nm[i], 293), 1, 0.035) << nm[i];
 }
 
-// Molina & Molina's coefficients at 320 nm by hand. Seen red: with 273.13 K left out.
+// Molina & Molina's coefficients at 320 nm by hand. Seen red: with 273.13 K left out;
+// without the ends of the measurements.
 TEST(OzoneAbsorption, GoesWithTemperatureWhereItWasMeasured) {
   const DataTable table = DataTable::read(data_folder + "/ozone_molina_1986.csv");
   const auto nm = table.numbers("wavelength_nm");

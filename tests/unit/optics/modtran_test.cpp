@@ -85,8 +85,8 @@ std::string with(std::string text, const std::string& part, const std::string& o
   return text.replace(at, part.size(), other);
 }
 
-// Seen red: with ozone in molecules per cm3; with the aerosols' columns in the order of the first
-// block; with Z of the path below.
+// Seen red: with ozone in molecules per cm3; with the regions in the other order; with MOL and SCAT
+// as two names.
 TEST(Tape6, OfLowtranIsAProfile) {
   const AirProfile air = tape6(lowtran);
   EXPECT_EQ(air.source, "tape6");
@@ -135,6 +135,8 @@ TEST(Tape6, SaysWhatIsWrongAndWhatWasExpected) {
        "tape6:18:1: a profile of one level (expected: two or more)"},
       {lowtran.substr(0, lowtran.find("   3    90.00     .000  187.0  1.000E+02")),
        "tape6:19:1: 2 levels where the block at line 6 has 3: is the file truncated?"},
+      {with(lowtran, "187.0  1.000E+02", "187.0  9.9 1.000E+02"),
+       "tape6:20:1: 14 numbers where 13 columns are named at line 15"},
       {lowtran.substr(0, lowtran.find(" 1.000E-09 0.000E+00")),
        "tape6:20:1: 5 numbers where 13 columns are named at line 15"},
       {lowtran.substr(0, lowtran.find("   1      .00 1010.000  290.0  7.1")) + lowtran_aerosols,
@@ -185,7 +187,7 @@ const std::string tape7 = tape7_head + tape7_names + tape7_rows + " -9999.\n";
 
 ModtranTransmittances transmittances(const std::string& text) { return {text, "tape7"}; }
 
-// Seen red: with the cells in the order of the names' map; with the wavenumber in nm.
+// Seen red: with 1e-4 cm in a nm; without the interpolation.
 TEST(Tape7, IsReadByTheNamesOfItsColumns) {
   const ModtranTransmittances air = transmittances(tape7);
   EXPECT_EQ(air.columns(),
@@ -243,6 +245,7 @@ TEST(Tape7, SaysWhatIsWrongAndWhatWasExpected) {
        "(expected: a tape7 of transmittances (IEMSCT = 0) of MODTRAN)"},
       {tape7_head + "    FREQ TOT TRANS PTH THRML THRML SCT\n" + tape7_rows,
        "tape7:3:1: no second line of as many names below, from CM-1 on"},
+      {with(tape7, "CM-1", "  NM"), "tape7:3:1: no second line of as many names below, from CM-1"},
       {tape7_head + tape7_names, "tape7:4:1: the file ends without -9999: is it truncated?"},
       {tape7_head + tape7_names + tape7_rows, "tape7:7:1: the file ends without -9999"},
       {tape7_head + tape7_names + " -9999.\n", "tape7:3:1: there are no two rows of numbers below"},

@@ -9,7 +9,7 @@ constexpr double per_km_of_m2_per_cm3 = 1e9;  // one particle in a cm3
 
 // Expected values: the optical data of OPAC 3.1 (Hess, Koepke & Schult 1998) for sulfate droplets
 // at 99 % relative humidity, of which it gives sizes, indices and results. Seen red: with the
-// spread's logarithm to the base of ten; with the mode's third moment.
+// spread's logarithm to the base of ten.
 TEST(Opac, DropletsHaveTheOpticsThatItPublishes) {
   const LogNormal sizes{0.231e-6, 2.03, 0.0103e-6, 81.8e-6};
   struct Known {
@@ -24,13 +24,17 @@ TEST(Opac, DropletsHaveTheOpticsThatItPublishes) {
   }
 }
 
-// Seen red: with k = -k of the data's convention (refused); with the humidities of 80 and 90 %
-// changed over.
+// Seen red: with a negative k in the data; with the index of the shorter wavelength; with the
+// humidities of 80 and 90 % changed over.
 TEST(Opac, KnowsSizesAndIndicesByHumidity) {
   const Spheres spheres = air_library().opac.spheres("waso-80", 550);
   EXPECT_EQ(spheres.wavelength_m, 550e-9);
   EXPECT_NEAR(spheres.index, 1.399, 1e-9);
   EXPECT_NEAR(spheres.absorption_index, 0.001995, 1e-9);
+  // In the middle of 700 and 750 nm.
+  const Spheres red = air_library().opac.spheres("waso-80", 725);
+  EXPECT_NEAR(red.index, (1.397 + 1.397) / 2, 1e-12);
+  EXPECT_NEAR(red.absorption_index, std::sqrt(0.002328 * 0.002827), 1e-12);
   const auto& sizes = std::get<LogNormal>(spheres.sizes);
   EXPECT_NEAR(sizes.mode_radius_m, 0.0306e-6, 1e-15);
   EXPECT_EQ(sizes.spread, 2.24);
