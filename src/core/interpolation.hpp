@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -10,6 +11,12 @@
 #include "core/error.hpp"
 
 namespace photic {
+
+/// Between two values, neither below 0, a straight line of the logarithm, which goes from 0 to 1
+/// with t; a straight line of the value where one of them is 0.
+inline double geometric_lerp(double from, double to, double t) {
+  return from == 0 || to == 0 ? (1 - t) * from + t * to : std::pow(from, 1 - t) * std::pow(to, t);
+}
 
 class LinearTable {
  public:

@@ -42,15 +42,17 @@ class Problems {
 
 }  // namespace
 
-DataTable DataTable::read(const std::string& path) {
+std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (file) text << file.rdbuf();
   if (!file || text.fail()) {
     throw InputError({{path, 0, 0, "cannot be read", "is the path right, and the file readable?"}});
   }
-  return parse(text.str(), path);
+  return text.str();
 }
+
+DataTable DataTable::read(const std::string& path) { return parse(read_text(path), path); }
 
 DataTable DataTable::parse(const std::string& text, const std::string& name) {
   DataTable table;
@@ -114,8 +116,8 @@ std::vector<DataTable::Cell> DataTable::split(const std::string& line, int numbe
 std::size_t DataTable::index_of(const std::string& column) const {
   const auto found = std::find(columns_.begin(), columns_.end(), column);
   if (found == columns_.end()) {
-    fail_at(column_line_, 1, fmt::format("no column \"{}\"", column),
-            fmt::format("there are: {}", fmt::join(columns_, ", ")));
+    fail_columns(fmt::format("no column \"{}\"", column),
+                 fmt::format("there are: {}", fmt::join(columns_, ", ")));
   }
   return static_cast<std::size_t>(found - columns_.begin());
 }
@@ -166,6 +168,10 @@ std::vector<double> DataTable::ascending_numbers(const std::string& column) cons
 void DataTable::fail(std::size_t row, const std::string& column, const std::string& reason,
                      const std::string& suggestion) const {
   fail_at(line_.at(row), cells_.at(row)[index_of(column)].column, reason, suggestion);
+}
+
+void DataTable::fail_columns(const std::string& reason, const std::string& suggestion) const {
+  fail_at(column_line_, 1, reason, suggestion);
 }
 
 void DataTable::fail_at(int line, int column, const std::string& reason,

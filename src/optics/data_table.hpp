@@ -13,6 +13,9 @@
 
 namespace photic::optics {
 
+/// What a text file holds. Throws InputError if it cannot be read.
+std::string read_text(const std::string& path);
+
 class DataTable {
  public:
   static DataTable read(const std::string& path);
@@ -34,6 +37,9 @@ class DataTable {
   /// Throws the InputError for something wrong in a row (from 0) and column.
   [[noreturn]] void fail(std::size_t row, const std::string& column, const std::string& reason,
                          const std::string& suggestion = "") const;
+  /// The same for something wrong with the line that names the columns.
+  [[noreturn]] void fail_columns(const std::string& reason,
+                                 const std::string& suggestion = "") const;
 
  private:
   struct Cell {

@@ -8,31 +8,17 @@
 
 #include "core/constants.hpp"
 #include "core/error.hpp"
+#include "optics/own_data.hpp"
 
 namespace photic::optics {
 namespace {
 
-/// A table of the installation: what is wrong with it is not the user's input.
-template <class Make>
-auto own(Make make) {
-  try {
-    return make();
-  } catch (const InputError& e) {
-    throw EnvironmentError(std::string("a data table of Photic is missing or damaged: ") +
-                           e.what());
-  }
-}
-
-DataTable table(const std::string& folder, const char* file) {
-  return own([&] { return DataTable::read(folder + "/" + file); });
-}
-
 Spectrum spectrum(const std::string& folder, const char* file, const char* column) {
-  return own([&] { return Spectrum(table(folder, file), column); });
+  return own([&] { return Spectrum(own_table(folder, file), column); });
 }
 
 Parameters parameters(const std::string& folder, const char* file) {
-  return own([&] { return Parameters(table(folder, file)); });
+  return own([&] { return Parameters(own_table(folder, file)); });
 }
 
 std::vector<double> wavelengths_of(const DataTable& table, const std::string& column) {
@@ -139,14 +125,15 @@ Library::Library(const std::string& folder)
       phytoplankton_a(spectrum(folder, "phytoplankton_bricaud_1995.csv", "a_m2_per_mg")),
       phytoplankton_b(spectrum(folder, "phytoplankton_bricaud_1995.csv", "b")),
       relative_a_c(spectrum(folder, "phytoplankton_prieur_sathyendranath_1981.csv", "a_c")),
-      petzold(
-          own([&] { return phase_from_table(table(folder, "particles_petzold_average.csv")); })),
-      raman_band(own([&] { return GaussianBand(table(folder, "raman_band_walrafen_1967.csv")); })),
+      petzold(own(
+          [&] { return phase_from_table(own_table(folder, "particles_petzold_average.csv")); })),
+      raman_band(
+          own([&] { return GaussianBand(own_table(folder, "raman_band_walrafen_1967.csv")); })),
       hawes_a0(own([&] {
-        return Spectrum(table(folder, "cdom_fluorescence_hawes_1992.csv"), "a0_per_nm",
+        return Spectrum(own_table(folder, "cdom_fluorescence_hawes_1992.csv"), "a0_per_nm",
                         "excitation_nm");
       })),
-      raman(own([&] { return raman_parameters(table(folder, "raman_parameters.csv")); })),
+      raman(own([&] { return raman_parameters(own_table(folder, "raman_parameters.csv")); })),
       fluorescence(parameters(folder, "fluorescence_parameters.csv")) {}
 
 }  // namespace photic::optics

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "optics/air_molecules.hpp"
 #include "optics/refractive_index.hpp"
 
 namespace photic::optics {
@@ -14,12 +15,6 @@ constexpr const char* scattering = "water scattering";
 constexpr const char* zhang_source = "Zhang, Hu & He 2009, Opt. Express 17, 5698 [verified]";
 constexpr double depolarisation = 0.039;  // Farinato & Rowell 1976, J. Chem. Phys. 65, 593
 constexpr double molar_mass_kg = 0.018;   // of water
-
-/// Ciddor 1996, Appl. Opt. 35, 1566: dry air at 15 C and 1013.25 hPa.
-double index_of_air(double nm) {
-  const double k2 = 1e6 / (nm * nm);  // 1/um^2
-  return 1 + (5792105 / (238.0185 - k2) + 167917 / (57.362 - k2)) * 1e-8;
-}
 
 /// [1/Pa], at one atmosphere. Millero et al. 1980, Deep-Sea Res. 27A, 255.
 double isothermal_compressibility(double s, double t) {
@@ -60,7 +55,7 @@ double density_derivative(double n) {
 double zhang(double nm, double s, double t) {
   if (!(nm >= refractive_index_min_nm && nm <= refractive_index_max_nm))
     no_data(scattering, nm, zhang_source, refractive_index_min_nm, refractive_index_max_nm);
-  const double air = index_of_air(nm);
+  const double air = standard_air_index(nm);
   const double n = refractive_index(nm, s, t) * air;
   const double dn_ds = refractive_index_per_psu(nm, t) * air;
   const double lambda4 = std::pow(nm * 1e-9, 4);

@@ -1,0 +1,42 @@
+// The optics of air at one wavelength, layer by layer.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "optics/air_library.hpp"
+
+namespace photic::optics {
+
+/// The aerosol model (optics/aerosols.hpp) of each region. The default is LOWTRAN 7's.
+struct AerosolChoice {
+  std::array<std::string, aerosol_regions> model{"rural", "tropospheric", "stratospheric",
+                                                 "meteoric"};
+};
+
+/// What is between two levels of a profile: means over it.
+struct AirLayer {
+  double bottom_km = 0, top_km = 0;
+  double refractive_index = 1;
+  double molecules_b_per_m = 0;
+  double ozone_a_per_m = 0;
+  double aerosols_a_per_m = 0, aerosols_b_per_m = 0;
+  double aerosols_g = 0;  ///< mean cosine of what aerosols scatter, 0 without aerosols
+  PhaseShape phase;       ///< of all that is scattered
+
+  [[nodiscard]] double a_per_m() const { return ozone_a_per_m + aerosols_a_per_m; }
+  [[nodiscard]] double b_per_m() const { return molecules_b_per_m + aerosols_b_per_m; }
+};
+
+struct AirOptics {
+  double depolarisation = 0;     ///< of what molecules scatter
+  std::vector<AirLayer> layers;  ///< from the lowest level up
+  std::string profile_source, molecules_source, ozone_source, aerosols_source;
+};
+
+/// Throws InputError for a wavelength without data (200 to 1100 nm) or a model that does not exist.
+AirOptics air_at(const AirLibrary& library, const AirProfile& profile,
+                 const AerosolChoice& aerosols, double wavelength_nm);
+
+}  // namespace photic::optics

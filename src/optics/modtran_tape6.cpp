@@ -1,0 +1,233 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "core/constants.hpp"
+#include "optics/modtran.hpp"
+#include "optics/modtran_text.hpp"
+
+namespace photic::optics {
+namespace {
+
+// LOWTRAN 7 measures gases against one at 0 C and one atmosphere, p / kT.
+constexpr double loschmidt_per_m3 = 101325 / (boltzmann_j_k * 273.15);
+constexpr double per_m_of_atm_cm_per_km = 1e-2 / 1e3;  // a thickness in cm on every km
+
+constexpr const char* title = "ATMOSPHERIC PROFILES";
+constexpr const char* height = "Z";
+constexpr const char* molecules = "MOL SCAT";
+constexpr const char* first_aerosols = "AEROSOL 1";
+
+/// A block of a tape6.
+struct Block {
+  int names_line = 0;
+  std::vector<std::string> names;
+  std::vector<int> lines;  ///< of the rows
+
+  [[nodiscard]] bool has(const std::string& name) const {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+};
+
+/// Whether the second word belongs to the name that the first one begins.
+bool one_name(const std::string& first, const std::string& second) {
+  static const std::vector<std::pair<std::string, std::string>> pairs{
+      {"MOL", "SCAT"}, {"WAT", "DROP"}, {"ICE", "PART"}, {"RAIN", "RATE"}};
+  return second.starts_with("(") || (first == "AEROSOL" && second.size() == 1) ||
+         std::find(pairs.begin(), pairs.end(), std::pair(first, second)) != pairs.end();
+}
+
+std::vector<std::string> joined(const std::vector<ModtranWord>& words) {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    out.push_back(words[i].text);
+    if (i + 1 < words.size() && one_name(words[i].text, words[i + 1].text))
+      out.back() += " " + words[++i].text;
+  }
+  return out;
+}
+
+/// Rows begin with the number of the level.
+bool is_row(const std::vector<ModtranWord>& words) {
+  return words.size() > 1 && std::all_of(words[0].text.begin(), words[0].text.end(), [](char c) {
+           return std::isdigit(static_cast<unsigned char>(c)) != 0;
+         });
+}
+
+bool is_title(const std::string& line) {
+  const auto at = line.find(title);  // after blanks or the 1 of a new page
+  return at != std::string::npos && line.find_first_not_of(" 1") == at;
+}
+
+Block block_below(const ModtranText& text, int title_line) {
+  Block block;
+  int n = title_line + 1;
+  while (n <= text.lines() && text.words(n).empty()) ++n;
+  if (n > text.lines())
+    text.fail(title_line, 1, "the file ends after this title: is it truncated?",
+              "expected: the names of columns");
+  block.names_line = n;
+  block.names = joined(text.words(n));
+  while (++n <= text.lines() && !is_title(text.line(n))) {
+    if (is_row(text.words(n))) {
+      block.lines.push_back(n);
+    } else if (!block.lines.empty()) {
+      break;
+    }
+  }
+  return block;
+}
+
+void check_version(const ModtranText& text, int first_title) {
+  for (int n = 1; n < first_title; ++n) {
+    if (text.line(n).find("MODTRAN") != std::string::npos) return;
+    const auto at = text.line(n).find("LOWTRAN");
+    if (at == std::string::npos) continue;
+    const auto version = text.line(n).find_first_of("0123456789", at);
+    if (version != std::string::npos && text.line(n)[version] == '7') return;
+    text.fail(n, static_cast<int>(at) + 1, "another version of LOWTRAN",
+              "expected: LOWTRAN 7 or MODTRAN");
+  }
+  text.fail(1, 1, "no LOWTRAN 7 or MODTRAN is named above the first profile",
+            "expected: a tape6 from its beginning");
+}
+
+/// The columns of a profile as they are read.
+class Tape6 {
+ public:
+  explicit Tape6(const ModtranText& text) : text_(text) {
+    int first_title = 0;
+    for (int n = 1; n <= text.lines(); ++n) {
+      if (!is_title(text.line(n))) continue;
+      if (first_title == 0) first_title = n;
+      const Block block = block_below(text, n);
+      if (block.has(molecules)) keep(molecules_, block);
+      if (block.has(first_aerosols)) keep(aerosols_, block);
+    }
+    if (first_title == 0)
+      text.fail(1, 1, fmt::format("no block \"{}\"", title), "expected: a tape6 that has one");
+    check_version(text, first_title);
+    if (!molecules_) missing(molecules);
+    if (!aerosols_) missing(first_aerosols);
+  }
+
+  [[nodiscard]] AirProfile profile(const std::string& name) const {
+    AirProfile out;
+    out.source = name;
+    out.z_km = heights(*molecules_);
+    check_same(out.z_km);
+    constexpr double most = 1e30;
+    out.pressure_hpa = column(*molecules_, "P", most);
+    out.temperature_k = positive_column(*molecules_, "T", most);
+    out.air_per_m3 = scaled(positive_column(*molecules_, molecules, most), loschmidt_per_m3);
+    out.ozone_per_m3 =
+        scaled(column(*molecules_, "O3 (UV)", most), loschmidt_per_m3 * per_m_of_atm_cm_per_km);
+    // MODTRAN prints a second column of that name if it scales the water vapour; aerosols go by
+    // the first.
+    out.relative_humidity_percent =
+        column(*aerosols_, aerosols_->has("RH (%)") ? "RH (%)" : "RH", 100);
+    for (std::size_t k = 0; k < aerosol_regions; ++k)
+      out.aerosols_per_km[k] = column(*aerosols_, fmt::format("AEROSOL {}", k + 1), most);
+    return out;
+  }
+
+ private:
+  void keep(std::optional<Block>& place, const Block& block) const {
+    if (place)
+      text_.fail(block.names_line, 1,
+                 fmt::format("these columns are also at line {}", place->names_line),
+                 "expected: one run in a file");
+    if (block.lines.empty())
+      text_.fail(block.names_line, 1, "there are no levels below: is the file truncated?",
+                 "expected: rows of numbers");
+    place = block;
+  }
+
+  [[noreturn]] void missing(const std::string& column) const {
+    text_.fail(
+        text_.lines(), 1,
+        fmt::format("the file ends without a block \"{}\" with a column {}: is it truncated?",
+                    title, column),
+        "");
+  }
+
+  /// A column of a block by its name.
+  [[nodiscard]] std::vector<double> column(const Block& block, const std::string& name,
+                                           double max) const {
+    const auto found = std::find(block.names.begin(), block.names.end(), name);
+    if (found == block.names.end())
+      text_.fail(block.names_line, 1, fmt::format("no column {}", name),
+                 fmt::format("there are: {}", fmt::join(block.names, ", ")));
+    const auto at = static_cast<std::size_t>(found - block.names.begin());
+    std::vector<double> out;
+    for (const int line : block.lines) {
+      const auto words = text_.words(line);
+      if (words.size() != block.names.size())
+        text_.fail(line, 1,
+                   fmt::format("{} numbers where {} columns are named at line {}", words.size(),
+                               block.names.size(), block.names_line),
+                   "");
+      out.push_back(text_.number(line, words[at], name, max));
+    }
+    return out;
+  }
+
+  [[nodiscard]] std::vector<double> positive_column(const Block& block, const std::string& name,
+                                                    double max) const {
+    std::vector<double> out = column(block, name, max);
+    const auto zero = std::find(out.begin(), out.end(), 0.0);
+    if (zero != out.end())
+      text_.fail(block.lines[static_cast<std::size_t>(zero - out.begin())], 1,
+                 fmt::format("{} is 0", name), "expected: above 0");
+    return out;
+  }
+
+  [[nodiscard]] std::vector<double> heights(const Block& block) const {
+    std::vector<double> z = column(block, height, 1e6);
+    for (std::size_t i = 1; i < z.size(); ++i) {
+      if (z[i] <= z[i - 1])
+        text_.fail(block.lines[i], text_.words(block.lines[i])[1].column,
+                   fmt::format("Z {:g} is not above the {:g} before it", z[i], z[i - 1]),
+                   "expected: ascending altitudes");
+    }
+    if (z.size() < 2)
+      text_.fail(block.lines[0], 1, "a profile of one level", "expected: two or more");
+    return z;
+  }
+
+  /// Both blocks must be about the same levels.
+  void check_same(const std::vector<double>& z) const {
+    const std::vector<double> other = heights(*aerosols_);
+    if (other.size() != z.size())
+      text_.fail(aerosols_->lines.back(), 1,
+                 fmt::format("{} levels where the block at line {} has {}: is the file truncated?",
+                             other.size(), molecules_->names_line, z.size()),
+                 "");
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      if (z[i] != other[i])
+        text_.fail(aerosols_->lines[i], 1,
+                   fmt::format("Z {:g} where the block at line {} has {:g}", other[i],
+                               molecules_->names_line, z[i]),
+                   "expected: one run in a file");
+    }
+  }
+
+  static std::vector<double> scaled(std::vector<double> values, double factor) {
+    for (double& value : values) value *= factor;
+    return values;
+  }
+
+  const ModtranText& text_;
+  std::optional<Block> molecules_, aerosols_;
+};
+
+}  // namespace
+
+AirProfile modtran_profile(const std::string& text, const std::string& name) {
+  return Tape6(ModtranText(text, name)).profile(name);
+}
+
+}  // namespace photic::optics

@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/error.hpp"
+#include "optics/modtran.hpp"
+#include "optics/modtran_text.hpp"
+
+namespace photic::optics {
+namespace {
+
+constexpr const char* transmittance = " TRANS";
+constexpr const char* minus_log = "-LOG ";
+constexpr double cm_per_nm = 1e-7;
+
+bool begins_with(const std::vector<ModtranWord>& words, const char* first) {
+  return !words.empty() && words[0].text == first;
+}
+
+/// The line of the first names; the second names stand below.
+int find_names(const ModtranText& text) {
+  for (int n = 1; n <= text.lines(); ++n) {
+    if (!begins_with(text.words(n), "FREQ")) continue;
+    if (n < text.lines()) {
+      const auto below = text.words(n + 1);
+      const bool units = begins_with(below, "CM-1") || begins_with(below, "1/CM");
+      if (units && below.size() == text.words(n).size()) return n;
+    }
+    text.fail(n, 1, "no second line of as many names below, from CM-1 on",
+              "expected: a tape7 of transmittances (IEMSCT = 0) of MODTRAN");
+  }
+  text.fail(1, 1, "no line of names that begins with FREQ: is the file truncated?",
+            "expected: a tape7 of transmittances (IEMSCT = 0) of MODTRAN");
+}
+
+/// Each name with the one below it.
+std::vector<std::string> joined_names(const ModtranText& text, int line) {
+  const auto first = text.words(line), second = text.words(line + 1);
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const std::string name = first[i].text + " " + second[i].text;
+    if (std::find(out.begin(), out.end(), name) != out.end())
+      text.fail(line, first[i].column, fmt::format("column \"{}\" is there twice", name), "");
+    out.push_back(name);
+  }
+  return out;
+}
+
+/// -9999 ends a run.
+bool is_end(const std::vector<ModtranWord>& words) {
+  return words.size() == 1 && words[0].text.starts_with("-9999");
+}
+
+/// Half a unit of the last digit of a number as it is printed.
+double half_last_digit(const std::string& text) {
+  const auto exponent = text.find_first_of("Ee");
+  const auto point = text.find('.');
+  const std::string mantissa = text.substr(0, exponent);
+  const double decimals =
+      point == std::string::npos ? 0 : static_cast<double>(mantissa.size() - point - 1);
+  const int power = exponent == std::string::npos ? 0 : std::atoi(text.c_str() + exponent + 1);
+  return 0.5 * std::pow(10.0, power - decimals);
+}
+
+}  // namespace
+
+ModtranTransmittances::ModtranTransmittances(const std::string& text, const std::string& name)
+    : name_(name) {
+  const ModtranText file(text, name);
+  names_line_ = find_names(file);
+  const std::vector<std::string> names = joined_names(file, names_line_);
+  int n = names_line_ + 2;
+  for (; n <= file.lines() && !is_end(file.words(n)); ++n) {
+    const auto words = file.words(n);
+    if (words.empty()) continue;
+    if (words.size() != names.size())
+      file.fail(n, 1,
+                fmt::format("{} numbers where {} columns are named at line {}", words.size(),
+                            names.size(), names_line_),
+                "");
+    const double wavenumber = file.number(n, words[0], "a wavenumber", 1e6);
+    if (!wavenumber_per_cm_.empty() && wavenumber <= wavenumber_per_cm_.back())
+      file.fail(n, words[0].column,
+                fmt::format("wavenumber {:g} is not above the {:g} before it", wavenumber,
+                            wavenumber_per_cm_.back()),
+                "expected: ascending wavenumbers");
+    wavenumber_per_cm_.push_back(wavenumber);
+    line_.push_back(n);
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const double max = names[i].starts_with(minus_log) ? 1e6 : 1;
+      cells_[names[i]].push_back(
+          {file.number(n, words[i], names[i], max), half_last_digit(words[i].text)});
+    }
+  }
+  if (n > file.lines())
+    file.fail(file.lines(), 1, "the file ends without -9999: is it truncated?", "");
+  while (++n <= file.lines()) {
+    if (!file.words(n).empty())
+      file.fail(n, 1, "something follows the -9999 that ends a run", "expected: one run in a file");
+  }
+  if (wavenumber_per_cm_.size() < 2)
+    file.fail(names_line_, 1, "there are no two rows of numbers below", "");
+}
+
+std::vector<std::string> ModtranTransmittances::columns() const {
+  std::vector<std::string> out;
+  for (const auto& [column, cells] : cells_) out.push_back(column);
+  return out;
+}
+
+RoundedDepth ModtranTransmittances::at_row(const std::string& column, std::size_t row) const {
+  const Cell t = cells_.at(column)[row];
+  const auto species = column.substr(0, column.find(' '));
+  const auto log = cells_.find(minus_log + species);
+  if (log != cells_.end() && column == species + transmittance) {
+    const Cell depth = log->second[row];
+    if (t.value == 0 || depth.rounding < t.rounding / t.value) return {depth.value, depth.rounding};
+  }
+  if (t.value == 0)
+    throw InputError({{name_, line_[row], 1,
+                       fmt::format("{} is printed as 0: its optical depth is above {:.1f}", column,
+                                   -std::log(t.rounding)),
+                       "take a shorter path"}});
+  return {0 - std::log(t.value), t.rounding / t.value};
+}
+
+RoundedDepth ModtranTransmittances::optical_depth(const std::string& column,
+                                                  double wavelength_nm) const {
+  if (!cells_.contains(column) || column.starts_with(minus_log))
+    throw InputError({{name_, names_line_, 1, fmt::format("no column \"{}\"", column),
+                       fmt::format("there are: {}", fmt::join(columns(), ", "))}});
+  const auto& w = wavenumber_per_cm_;
+  const double wavenumber = 1 / (cm_per_nm * wavelength_nm);
+  if (!(wavenumber >= w.front() && wavenumber <= w.back()))
+    throw InputError(
+        {{name_, 0, 0,
+          fmt::format("no transmittances at {:g} nm: the file covers {:g}-{:g} nm", wavelength_nm,
+                      1 / (cm_per_nm * w.back()), 1 / (cm_per_nm * w.front())),
+          "choose another wavelength"}});
+  const auto above = std::upper_bound(w.begin() + 1, w.end() - 1, wavenumber);
+  const auto i = static_cast<std::size_t>(above - w.begin());
+  const double t = (wavenumber - w[i - 1]) / (w[i] - w[i - 1]);
+  const RoundedDepth from = at_row(column, i - 1), to = at_row(column, i);
+  return {std::lerp(from.value, to.value, t), std::lerp(from.rounding, to.rounding, t)};
+}
+
+}  // namespace photic::optics

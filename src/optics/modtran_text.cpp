@@ -1,0 +1,52 @@
+#include "optics/modtran_text.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "core/error.hpp"
+
+namespace photic::optics {
+
+ModtranText::ModtranText(const std::string& text, std::string name) : name_(std::move(name)) {
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines_.push_back(line);
+}
+
+std::vector<ModtranWord> ModtranText::words(int number) const {
+  std::vector<ModtranWord> out;
+  const std::string& text = line(number);
+  constexpr const char* blanks = " \t\r\f";
+  auto from = text.find_first_not_of(blanks);
+  while (from != std::string::npos) {
+    const auto to = std::min(text.find_first_of(blanks, from), text.size());
+    out.push_back({text.substr(from, to - from), static_cast<int>(from) + 1});
+    from = text.find_first_not_of(blanks, to);
+  }
+  return out;
+}
+
+double ModtranText::number(int line, const ModtranWord& word, const std::string& what,
+                           double max) const {
+  double value = 0;
+  const char* end = word.text.data() + word.text.size();
+  const auto [stop, error] = std::from_chars(word.text.data(), end, value);
+  if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+    fail(line, word.column, fmt::format("\"{}\" where {} is expected", word.text, what),
+         "a number");
+  }
+  if (value < 0 || value > max) {
+    fail(line, word.column, fmt::format("{} {} where 0 to {:g} is expected", what, word.text, max),
+         "");
+  }
+  return value;
+}
+
+void ModtranText::fail(int line, int column, const std::string& reason,
+                       const std::string& suggestion) const {
+  throw InputError({{name_, line, column, reason, suggestion}});
+}
+
+}  // namespace photic::optics

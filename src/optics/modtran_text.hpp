@@ -1,0 +1,36 @@
+// Lines and words of the files that LOWTRAN and MODTRAN print.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace photic::optics {
+
+struct ModtranWord {
+  std::string text;
+  int column = 0;  ///< where it starts, from 1
+};
+
+/// A file with its name, for diagnostics.
+class ModtranText {
+ public:
+  ModtranText(const std::string& text, std::string name);
+
+  [[nodiscard]] int lines() const { return static_cast<int>(lines_.size()); }
+  /// Lines are numbered from 1.
+  [[nodiscard]] const std::string& line(int number) const { return lines_.at(number - 1); }
+  [[nodiscard]] std::vector<ModtranWord> words(int number) const;
+
+  /// A finite number, from 0 to max.
+  [[nodiscard]] double number(int line, const ModtranWord& word, const std::string& what,
+                              double max) const;
+
+  [[noreturn]] void fail(int line, int column, const std::string& reason,
+                         const std::string& suggestion) const;
+
+ private:
+  std::string name_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace photic::optics
