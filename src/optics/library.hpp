@@ -7,6 +7,7 @@
 
 #include "core/interpolation.hpp"
 #include "optics/data_table.hpp"
+#include "optics/oil.hpp"
 #include "optics/phase_from_table.hpp"
 #include "optics/spheres.hpp"
 
@@ -21,7 +22,10 @@ struct Sourced {
 /// "source [status]" of a table, from its header.
 std::string source_of(const DataTable& table);
 
-/// A column of a table against its wavelengths (two or more), with straight lines between.
+/// The column wavelength_nm of a table: two or more, above 0 and ascending. Throws InputError.
+std::vector<double> wavelengths_of(const DataTable& table);
+
+/// A column of a table against its wavelengths, with straight lines between.
 struct Spectrum {
   Spectrum(const DataTable& table, const std::string& column);
 
@@ -69,13 +73,14 @@ class Library {
   explicit Library(const std::string& folder);
 
   const Spectrum mason_a, mason_psi_s, mason_psi_t, ioccg_a;  ///< 1/m, 1/m/PSU, 1/m/K, 1/m
-  const Spectrum smith_baker_a, smith_baker_b;                ///< 1/m
+  const Spectrum pope_fry_a, smith_baker_a, smith_baker_b;    ///< 1/m
   const Spectrum particles_a, particles_e;                    ///< Bricaud 1998: 1/m, 1
   const Spectrum phytoplankton_a, phytoplankton_b;            ///< Bricaud 1995: m2/mg, 1
   const Spectrum relative_a_c;                                ///< Prieur & Sathyendranath 1981
   const TabulatedPhase petzold;
   const GaussianBand raman_band;
   const Parameters raman, fluorescence;
+  const std::vector<OilProperty> oils;
 
   const SpheresCache spheres;  ///< no table: what Mie theory gives, computed once
 };

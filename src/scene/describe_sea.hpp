@@ -14,9 +14,9 @@ template <class V>
 void describe(V& v, Optics& o) {
   v.optional("set", o.set, Choice{optics_sets()}, "fills in the choices below that are not given");
   v.once_read([&] { o = optics_of(o.set); });
-  v.optional("water_absorption", o.water_absorption, Choice{{"mason-ioccg", "smith-baker"}},
+  v.optional("water_absorption", o.water_absorption, Choice{{"mason-ioccg", "ioccg", "pope-fry", "smith-baker"}},
              "the absorption of pure sea water");
-  v.optional("water_scattering", o.water_scattering, Choice{{"zhang", "smith-baker"}},
+  v.optional("water_scattering", o.water_scattering, Choice{{"zhang", "morel", "smith-baker"}},
              "the scattering of pure sea water");
   v.optional(
       "water_depolarisation", o.water_depolarisation, from_to(0.0, 1.0),

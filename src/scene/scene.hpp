@@ -53,8 +53,8 @@ struct Channel {
 /// Which published data and models the water's optics are made of.
 struct Optics {
   std::string set = "modern";     ///< modern | paper; fills in the choices below that are not given
-  std::string water_absorption;   ///< mason-ioccg | smith-baker
-  std::string water_scattering;   ///< zhang | smith-baker
+  std::string water_absorption;   ///< mason-ioccg | ioccg | pope-fry | smith-baker
+  std::string water_scattering;   ///< zhang | morel | smith-baker
   double water_depolarisation{};  ///< of natural light, for the molecular phase function
   std::string phytoplankton;      ///< bricaud | prieur-sathyendranath
   std::string phytoplankton_phase;  ///< fournier-forand | petzold | mie
