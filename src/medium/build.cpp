@@ -36,7 +36,7 @@ void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of,
     medium.absorption.push_back((water.a_per_m - given_back) / c);
     medium.elastic_phase.push_back(medium.add_phase(
         optics::PhaseTable(optics_of.phase(layer, medium.line[l].wavelength_nm, water))));
-    for (const auto& source : water.sources) {
+    for (const auto& source : sources_of(water)) {
       medium.sources.push_back(
           fmt::format("layer {} at {:.2f} nm: {}", k, medium.line[l].wavelength_nm, source));
     }

@@ -57,12 +57,25 @@ WaterOptics of_table(const scene::Layer& layer, double wavelength_nm) {
   water.a_per_m = std::lerp(low.a_per_m, high.a_per_m, t);
   water.b_per_m = std::lerp(low.b_per_m, high.b_per_m, t);
   water.a_exciting_per_m = std::lerp(low.a_phytoplankton_per_m, high.a_phytoplankton_per_m, t);
-  water.sources = {fmt::format("a = {:.5g} 1/m, b = {:.5g} 1/m: given in the scene", water.a_per_m,
-                               water.b_per_m)};
+  water.contributions = {{"", water.a_per_m, water.b_per_m, "given in the scene"}};
   return water;
 }
 
 }  // namespace
+
+std::vector<std::string> sources_of(const WaterOptics& water) {
+  std::vector<std::string> out;
+  for (const auto& [name, a, b, source] : water.contributions) {
+    if (a && b) {
+      const std::string whose = name.empty() ? "" : name + ' ';
+      out.push_back(fmt::format("{}a = {:.5g} 1/m, b = {:.5g} 1/m: {}", whose, *a, *b, source));
+    } else if (a || b) {
+      out.push_back(
+          fmt::format("{} of {} = {:.5g} 1/m: {}", a ? 'a' : 'b', name, a ? *a : *b, source));
+    }
+  }
+  return out;
+}
 
 LayerOptics::LayerOptics(const scene::Scene& scene, const optics::Library& library)
     : scene_(&scene), library_(&library) {}
@@ -101,19 +114,18 @@ WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavel
   const double a_cdom =
       optics::cdom_absorption_per_m(layer.cdom_a440_per_m, layer.cdom_slope_per_nm, wavelength_nm);
   WaterOptics water;
-  water.a_per_m = a_water.value + algae.a_per_m + a_cdom;
-  water.b_per_m = b_water.value + algae.b_per_m;
+  auto& all = water.contributions;
+  all.push_back({"water", a_water.value, {}, a_water.source});
+  all.push_back({"water", {}, b_water.value, b_water.source});
+  if (layer.chlorophyll_mg_m3 > 0)
+    all.push_back({"phytoplankton", algae.a_per_m, algae.b_per_m, algae.source});
+  if (a_cdom > 0) all.push_back({"CDOM", a_cdom, {}, optics::cdom_source});
+  for (const Contribution& each : all) {
+    water.a_per_m += each.a_per_m.value_or(0);
+    water.b_per_m += each.b_per_m.value_or(0);
+  }
   water.a_exciting_per_m = algae.a_exciting_per_m;
   water.b_molecular_per_m = b_water.value;
-  water.sources = {fmt::format("a of water = {:.5g} 1/m: {}", a_water.value, a_water.source),
-                   fmt::format("b of water = {:.5g} 1/m: {}", b_water.value, b_water.source)};
-  if (layer.chlorophyll_mg_m3 > 0) {
-    water.sources.push_back(fmt::format("phytoplankton a = {:.5g} 1/m, b = {:.5g} 1/m: {}",
-                                        algae.a_per_m, algae.b_per_m, algae.source));
-  }
-  if (a_cdom > 0) {
-    water.sources.push_back(fmt::format("a of CDOM = {:.5g} 1/m: {}", a_cdom, optics::cdom_source));
-  }
   return water;
 }
 

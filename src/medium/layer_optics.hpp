@@ -1,6 +1,7 @@
 // The optical properties of one layer of water at one wavelength.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,14 +13,24 @@
 
 namespace photic::medium {
 
+/// What one model or table says of one constituent of the water; several may speak of the same.
+struct Contribution {
+  std::string name;  ///< "water", "phytoplankton", "CDOM"; "" in an iop layer: it is all of them
+  std::optional<double> a_per_m, b_per_m;  ///< none: nothing is said of it
+  std::string source;
+};
+
 struct WaterOptics {
   double a_per_m = 0;           ///< all absorption
   double b_per_m = 0;           ///< all scattering
   double a_exciting_per_m = 0;  ///< the share of a that excites chlorophyll fluorescence
   double b_molecular_per_m =
       0;  ///< the share of b by the water itself (0 in an iop layer: it is not known apart)
-  std::vector<std::string> sources;
+  std::vector<Contribution> contributions;  ///< which a and b are the sums of
 };
+
+/// "a of CDOM = 0.012 1/m: source [status]", one for each contribution.
+std::vector<std::string> sources_of(const WaterOptics& water);
 
 /// A part of the scattering that has one phase function.
 struct ScatteringPart {

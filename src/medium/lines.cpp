@@ -61,18 +61,26 @@ bool counts(const scene::Channel& channel, const Line& line) {
   return std::abs(line.wavelength_nm - *channel.centre_nm) <= *channel.fwhm_nm / 2;
 }
 
+std::vector<ProcessEmission> emissions(const scene::Scene& scene, const optics::Library& library,
+                                       const scene::Layer& layer, double a_exciting_per_m) {
+  const double laser_nm = scene.source.wavelength_nm;
+  return {
+      {Process::raman, optics::raman(library, scene.optics.raman, laser_nm)},
+      {Process::chlorophyll, optics::chlorophyll_fluorescence(library, laser_nm, a_exciting_per_m,
+                                                              layer.chlorophyll_yield)}};
+}
+
 std::vector<EmittedLine> emitted_lines(const scene::Scene& scene, const optics::Library& library,
                                        const std::vector<double>& a_exciting_per_m) {
-  const double laser_nm = scene.source.wavelength_nm;
   const auto& layers = scene.sea.layer;
-  std::vector<EmittedLine> lines;
+  std::vector<std::vector<ProcessEmission>> of_layer;
   for (std::size_t k = 0; k < layers.size(); ++k)
-    add(scene, k, Process::raman, optics::raman(library, scene.optics.raman, laser_nm), lines);
-  for (std::size_t k = 0; k < layers.size(); ++k)
-    add(scene, k, Process::chlorophyll,
-        optics::chlorophyll_fluorescence(library, laser_nm, a_exciting_per_m[k],
-                                         layers[k].chlorophyll_yield),
-        lines);
+    of_layer.push_back(emissions(scene, library, layers[k], a_exciting_per_m[k]));
+  std::vector<EmittedLine> lines;  // by process first, whatever layer emits it
+  for (std::size_t p = 0; !of_layer.empty() && p < of_layer.front().size(); ++p) {
+    for (std::size_t k = 0; k < layers.size(); ++k)
+      add(scene, k, of_layer[k][p].process, of_layer[k][p].emission, lines);
+  }
   return lines;
 }
 

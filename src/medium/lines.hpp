@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "medium/medium.hpp"
+#include "optics/emission.hpp"
 #include "optics/library.hpp"
 #include "scene/scene.hpp"
 
@@ -18,6 +19,17 @@ Line make_line(const scene::Sea& sea, Process process, double wavelength_nm);
 
 /// Whether a channel counts the light of a line.
 bool counts(const scene::Channel& channel, const Line& line);
+
+/// What a layer emits by one process when light of one wavelength is absorbed in it.
+struct ProcessEmission {
+  Process process = Process::raman;
+  optics::Emission emission;
+};
+
+/// Of all inelastic processes, whoever counts their light; the same processes in every layer.
+/// `a_exciting_per_m`: the layer's absorption that excites chlorophyll's fluorescence.
+std::vector<ProcessEmission> emissions(const scene::Scene& scene, const optics::Library& library,
+                                       const scene::Layer& layer, double a_exciting_per_m);
 
 /// A line of inelastic light, and what each layer emits into it.
 struct EmittedLine {
