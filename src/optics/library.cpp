@@ -132,6 +132,8 @@ Library::Library(const std::string& folder)
       raman_band(own([&] { return GaussianBand(table(folder, "raman_band_walrafen_1967.csv")); })),
       raman(own([&] { return raman_parameters(table(folder, "raman_parameters.csv")); })),
       fluorescence(parameters(folder, "fluorescence_parameters.csv")),
+      jerlov(
+          own([&] { return JerlovSpectra(table(folder, "jerlov_williamson_hollins_2022.csv")); })),
       oils(own([&] { return oil_properties(table(folder, "oils.csv")); })) {}
 
 }  // namespace photic::optics

@@ -67,6 +67,16 @@ struct GaussianBand {
   [[nodiscard]] double mean_per_cm() const;
 };
 
+/// Absorption and scattering of Jerlov's types of water [1/m], water included (optics/jerlov.hpp).
+struct JerlovSpectra {
+  explicit JerlovSpectra(const DataTable& table);
+
+  struct AbsorptionAndScattering {
+    Spectrum a, b;
+  };
+  std::map<std::string, AbsorptionAndScattering> of_type;
+};
+
 /// All tables. Throws EnvironmentError for a file that is missing or damaged.
 class Library {
  public:
@@ -80,6 +90,7 @@ class Library {
   const TabulatedPhase petzold;
   const GaussianBand raman_band;
   const Parameters raman, fluorescence;
+  const JerlovSpectra jerlov;
   const std::vector<OilProperty> oils;
 
   const SpheresCache spheres;  ///< no table: what Mie theory gives, computed once
