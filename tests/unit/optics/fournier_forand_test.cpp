@@ -49,8 +49,9 @@ TEST(FournierForand, HoldsTheKnownSharesNearTheForwardDirection) {
 // straight back; and how the peak grows, without bound.
 TEST(FournierForand, WouldScatterMoreBackIfItWereFlattenedAndScaled) {
   const FournierForand f(1.10, 3.5835);
-  const double flat = 2 * pi * 1e-6 * f.p(1e-6);
-  EXPECT_NEAR(1 / (1 - f.below(1e-6) + flat), 1.044, 5e-4);
+  const double x = 2 * std::pow(std::sin(0.04 * radian_per_degree), 2);
+  const double flat = 2 * pi * x * f.p(x);
+  EXPECT_NEAR(1 / (1 - f.below(x) + flat), 1.044, 5e-4);
   const double by_angle = 2 * std::log(f.p(1e-14) / f.p(1e-12)) / std::log(1e-2);
   EXPECT_NEAR(by_angle, -1.4, 0.05);
 }

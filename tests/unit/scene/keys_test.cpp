@@ -245,7 +245,7 @@ phase_function = "petzold")"}},
         "wavelength_nm, a_m2_per_mg, b_m2_per_mg)"}},
       {"FileWithoutTable",
        {{18, 18, "[optics]\nphytoplankton_file = \"a.csv\""}},
-       {R"(scene.toml:19:1: 'phytoplankton_file' does not belong to phytoplankton = "bricaud" (it belongs to "table"))"}},
+       {R"(scene.toml:19:22: 'phytoplankton_file' does not belong to phytoplankton = "bricaud" (it belongs to "table"))"}},
       {"JerlovTypeWithConstituents",
        {{22, 22, "chlorophyll_mg_m3 = 0.1\njerlov = \"II\""}},
        {"scene.toml:23:1: 'chlorophyll_mg_m3' and 'jerlov' exclude each other in [[sea.layer]] "
