@@ -203,7 +203,7 @@ optics::PhaseShape LayerOptics::shape(const scene::PhaseFunction& function,
   if (function.model == "isotropic") return optics::isotropic();
   if (function.model == "table") return phase_of_file(function.file).shape;
   if (function.model == "mie")
-    return library_->spheres.phase(spheres(function.particles, wavelength_nm));
+    return *library_->spheres.phase(spheres(function.particles, wavelength_nm));
   expect(function.model == "mixture", "the scene's reader knows the phase function's model");
   double sum = 0;  // 1, but for the digits of the user
   for (const auto& part : function.components) sum += part.fraction;
@@ -223,7 +223,7 @@ optics::PhaseShape LayerOptics::phase_of_particles(const std::string& model,
                                                    const optics::SeaParticles& particles,
                                                    double ff_index, double ff_slope,
                                                    double wavelength_nm) const {
-  if (model == "mie") return library_->spheres.phase(spheres(particles, wavelength_nm));
+  if (model == "mie") return *library_->spheres.phase(spheres(particles, wavelength_nm));
   if (model == "petzold") return optics::petzold(*library_);
   return optics::fournier_forand(ff_index, ff_slope);
 }

@@ -223,12 +223,12 @@ std::shared_ptr<const SpheresOptics> SpheresCache::operator()(const Spheres& sph
   return known;
 }
 
-const PhaseShape& SpheresCache::phase(const Spheres& spheres) const {
+std::shared_ptr<const PhaseShape> SpheresCache::phase(const Spheres& spheres) const {
   const auto optics = (*this)(spheres);
   const std::lock_guard lock(mutex_);
-  const auto known = phase_.find(spheres);
-  if (known != phase_.end()) return known->second;
-  return phase_.emplace(spheres, phase_of_spheres(optics)).first->second;
+  auto& known = phase_[spheres];
+  if (!known) known = std::make_shared<const PhaseShape>(phase_of_spheres(optics));
+  return known;
 }
 
 }  // namespace photic::optics

@@ -48,12 +48,12 @@ class SpheresCache {
  public:
   std::shared_ptr<const SpheresOptics> operator()(const Spheres& spheres) const;
   /// Throws as phase_of_spheres does.
-  const PhaseShape& phase(const Spheres& spheres) const;
+  std::shared_ptr<const PhaseShape> phase(const Spheres& spheres) const;
 
  private:
   mutable std::mutex mutex_;
   mutable std::map<Spheres, std::shared_ptr<const SpheresOptics>> known_;
-  mutable std::map<Spheres, PhaseShape> phase_;
+  mutable std::map<Spheres, std::shared_ptr<const PhaseShape>> phase_;
 };
 
 }  // namespace photic::optics

@@ -188,7 +188,7 @@ TEST(CheckMedium, TellsWithAllElse) {
 }
 
 // One finding each: nothing is concluded from what is refused. Seen red: with bad channels kept;
-// with iop that do not ascend asked for.
+// with iop that do not ascend asked for; with phytoplankton of a bad file asked for.
 TEST(CheckMedium, LooksOnlyAtGoodValues) {
   const std::vector<std::vector<scene::Edit>> each_wrong_once{
       {{3, 3, "wavelength_nm = -1"}},
@@ -258,7 +258,6 @@ TEST_F(PhytoplanktonTableOfAUser, IsReadOnceItIsGood) {
       << m.sources[2];
 }
 
-// Seen red: with what follows from a file of no use told as well.
 TEST_F(PhytoplanktonTableOfAUser, IsRefusedAtItsLine) {
   EXPECT_EQ(problems(with("500,0.04,0.3\n500,0.02,x\n")),
             Texts{file_ + ":3:1: wavelength_nm 500 is not above the 500 before it (this column "

@@ -44,7 +44,7 @@ TEST(Raman, OfBartlettIsAtTheMeanOfWalrafensBand) {
   EXPECT_NEAR(1e7 / 532 - 1e7 / bartlett(532).wavelength_nm, 3383.75, 1e-6);
 }
 
-// Walrafen's band from the table's four Gaussians. Seen red: with a weight taken for another's.
+// Walrafen's band from the table's four Gaussians.
 TEST(Raman, HasAPeakAndAWidthOfItsBand) {
   const GaussianBand& band = library().raman_band;
   const auto f = [&](double per_cm) {

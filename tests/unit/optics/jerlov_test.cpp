@@ -12,8 +12,7 @@ JerlovWater water_of(const std::string& type, double nm) {
   return jerlov_water(library(), type, nm);
 }
 
-// Rows of Williamson & Hollins 2022, Table 7. Seen red: with a and b exchanged; with the types in
-// another order.
+// Rows of Williamson & Hollins 2022, Table 7. Seen red: with a and b exchanged.
 TEST(Jerlov, IsThePublishedTable) {
   const std::vector<double> a_500{0.0398, 0.0529, 0.0835, 0.104, 0.144, 0.199};
   const std::vector<double> b_500{0.128, 0.185, 0.297, 0.44, 0.664, 1.23};

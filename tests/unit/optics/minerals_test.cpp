@@ -13,7 +13,7 @@ Minerals by_power_law(double nm, const MineralsPowerLaw& law = european_minerals
   return minerals_by_power_law(law, 2, nm);
 }
 
-// Seen red: with the slope's sign turned; with 550 for 555 nm; with a per mg.
+// Seen red: with the slope's sign turned; with 550 for 555 nm.
 TEST(Minerals, ByPowerLawsAreInProportionToTheirMass) {
   EXPECT_EQ(by_power_law(443).a_per_m, 2 * 0.041);
   EXPECT_NEAR(by_power_law(543).a_per_m, 2 * 0.041 * std::exp(-1.23), 1e-15);
@@ -24,7 +24,7 @@ TEST(Minerals, ByPowerLawsAreInProportionToTheirMass) {
   EXPECT_NEAR(own.b_per_m, 0.6 * 555 / 500, 1e-15);
 }
 
-// Each number its own. Seen red: with all four told as published if one of them is.
+// Each number its own. Seen red: with the exponent told by whether the slope is published.
 TEST(Minerals, NameTheSourceOfEachNumber) {
   const std::string published = by_power_law(500).source;
   expect_contains(published, "Babin, Stramski et al. 2003, J. Geophys. Res. 108(C7), 3211 [from");
@@ -38,7 +38,7 @@ TEST(Minerals, NameTheSourceOfEachNumber) {
 
 // The mass of so many spheres is that asked for: number, volume and cross-sections by the midpoint
 // rule over ln(radius), numbers per radius as radius^-5. Seen red: with a density of 2.65 kg/m^3;
-// with extinction for scattering; with the mean radius' volume.
+// with extinction for scattering.
 TEST(Minerals, OfSpheresHaveTheirMass) {
   const double nm = 532, n_water = refractive_index(nm, 35, 20);
   const double k = 2 * pi * n_water / (nm * 1e-9);

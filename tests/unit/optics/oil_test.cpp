@@ -20,7 +20,7 @@ double photons(const Oil& oil, double from, double to, int steps = 20000) {
 
 TEST(Oil, HasThreeClasses) { EXPECT_EQ(list_oils(library()), classes); }
 
-// Seen red: with the FWHM for sigma; with the slope's sign turned; with 355 for 337 nm.
+// Seen red: with the FWHM for sigma; with the slope's sign turned.
 TEST(Oil, OfAClassIsItsTable) {
   const Oil crude = oil(library(), "strongly-absorbing-crude");
   EXPECT_EQ(crude.refractive_index(532), 1.49);
@@ -90,7 +90,7 @@ class OilFile : public testing::Test {
       "# yield: 0.04\n# lifetime_ns: 7.5\nwavelength_nm,n,a_per_m,emission_per_nm\n";
 };
 
-// Seen red: with the emission not scaled; with the absorption held beyond the table.
+// Seen red: with the emission not scaled.
 TEST_F(OilFile, IsAnOilToo) {
   const Oil o = read(header_ + "300,1.46,5000,0\n400,1.45,1000,10\n500,1.44,0,0\n");
   EXPECT_EQ(o.name, file_);
@@ -135,7 +135,7 @@ TEST(Oil, OfNoNameIsRefused) {
             "/nowhere/oil.csv: cannot be read (is the path right, and the file readable?)");
 }
 
-// Seen red: each with its check left out.
+// Seen red: without the check of the range.
 TEST(Oil, OfATableNeedsAllItemsOnce) {
   const auto why_not = [](const std::string& rows) {
     return message<InputError>([&] {

@@ -16,7 +16,7 @@ std::string why_not(const std::string& text) {
   return message<InputError>([&] { algae_of(text); });
 }
 
-// Seen red: with C^0.62 for b; with the exciting absorption for all of it.
+// Seen red: with C^0.62 for b; with all absorption for what excites.
 TEST(PhytoplanktonTable, IsInProportionToChlorophyll) {
   const auto table = algae_of(four_columns + "400,0.04,0.3,0.03\n500,0.02,0.25,0.018\n");
   const Phytoplankton p = phytoplankton_of_table(table, 2.5, 450);

@@ -191,10 +191,10 @@ TEST(Spheres, AreComputedOnceForEachKind) {
 TEST(Spheres, HaveTheirPhaseFunctionTabulatedOnce) {
   const SpheresCache cache;
   const Spheres kind = all_kinds()[0];
-  const PhaseShape& once = cache.phase(kind);
-  EXPECT_EQ(&cache.phase(kind), &once);
+  const auto once = cache.phase(kind);
+  EXPECT_EQ(cache.phase(kind), once);
   const PhaseShape direct = phase_of_spheres(shared(kind));
-  for (const double x : {PhaseView::x_core, 0.01, 2.0}) EXPECT_EQ(once.p(x), direct.p(x)) << x;
+  for (const double x : {PhaseView::x_core, 0.01, 2.0}) EXPECT_EQ(once->p(x), direct.p(x)) << x;
   expect_contains(
       message<InputError>([&] {
         static_cast<void>(cache.phase({0.4 * um, 1.5, 0, Junge{4, 10 * um, 10.001 * um}}));

@@ -63,8 +63,8 @@ double table_absorption(const char* model, double nm) {
   return water_absorption_per_m(library(), model, nm, 35, 3).value;
 }
 
-// Rows of the published tables, which no salinity and no temperature changes. Seen red: with the
-// two tables exchanged; with half nanometres cut off.
+// Rows of the published tables, which no salinity and no temperature changes. Seen red: with one
+// table for the other.
 TEST(WaterAbsorption, OfPopeAndFryAndOfTheIoccgIsTheirTables) {
   EXPECT_EQ(table_absorption("pope-fry", 380), 0.01137);
   EXPECT_EQ(table_absorption("pope-fry", 417.5), 0.00442);  // the least of all
