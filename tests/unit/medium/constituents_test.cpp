@@ -190,8 +190,8 @@ TEST(Constituents, OfMineralsScatterAsPetzoldMeasuredIfAsked) {
       1, 1e-4);
 }
 
-// What water does not scatter particles do. Seen red: with the water's share left out; with all
-// scattering by particles.
+// What water does not scatter particles do. Seen red: with all scattering
+// by particles.
 TEST(Constituents, AreWaterAndParticlesInOneOfJerlovsTypes) {
   scene::Layer layer;
   layer.name = "top";

@@ -104,7 +104,7 @@ TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
 TEST(Schema, AsksForAFileWhereItsChoiceIsMade) {
   const json condition = json::parse(scene_schema())["properties"]["optics"]["allOf"][0];
   EXPECT_EQ(condition["if"]["properties"]["phytoplankton"]["const"], "table");
-  EXPECT_EQ(condition["if"]["required"], json::array({"phytoplankton"}));
+  EXPECT_EQ(condition["if"].value("required", json::array()), json::array({"phytoplankton"}));
   EXPECT_EQ(condition["then"]["required"], json::array({"phytoplankton_file"}));
   EXPECT_EQ(condition["else"]["properties"]["phytoplankton_file"], false);
 }
