@@ -32,7 +32,7 @@ class Checker {
       readable_.push_back(findings.good({below(layer_path(k), "iop")}));
   }
 
-  void check_phase_functions();
+  void check_files();
   void check_light();
 
  private:
@@ -125,7 +125,10 @@ void Checker::check_spheres(const scene::PhaseFunction& function, const std::str
       fmt::format("at {:.6g} nm: {}", light.nm, light.why_there));
 }
 
-void Checker::check_phase_functions() {
+void Checker::check_files() {
+  const std::string path = "optics.phytoplankton_file";
+  if (scene_.optics.phytoplankton == "table" && findings_.good({"optics.phytoplankton", path}))
+    ask(path, [&] { return phytoplankton_of_file(scene_.optics.phytoplankton_file); });
   for (std::size_t k = 0; k < scene_.sea.layer.size(); ++k)
     if (const auto& function = scene_.sea.layer[k].phase_function)
       check_phase_function(*function, below(layer_path(k), "phase_function"));
@@ -144,8 +147,11 @@ std::optional<WaterOptics> Checker::check_layer(std::size_t k, const Wavelength&
     check_spheres(*layer.phase_function, below(layer_path(k), "phase_function"), light);
   if (!readable_[k]) return std::nullopt;
   if (!layer.iop.empty()) return ask(below(layer_path(k), "iop"), all, light.why_there);
-  if (!findings_.good({"optics.set", "optics.water_absorption", "optics.water_scattering",
-                       "optics.phytoplankton", "sea.salinity_psu", "sea.temperature_c"}))
+  const std::string type = below(layer_path(k), "jerlov");
+  if (!layer.jerlov.empty() && findings_.good({type})) return ask(type, all, light.why_there);
+  if (!findings_.good({type, "optics.set", "optics.water_absorption", "optics.water_scattering",
+                       "optics.phytoplankton", "optics.phytoplankton_file", "optics.minerals",
+                       "sea.salinity_psu", "sea.temperature_c"}))
     return std::nullopt;
   bool good = true;
   const auto ask_for = [&](const auto& part) {
@@ -154,6 +160,7 @@ std::optional<WaterOptics> Checker::check_layer(std::size_t k, const Wavelength&
   ask_for([&] { return optics_of_.water_absorption(light.nm); });
   ask_for([&] { return optics_of_.water_scattering(light.nm); });
   ask_for([&] { return optics_of_.phytoplankton(layer, light.nm); });
+  ask_for([&] { return optics_of_.minerals(layer, light.nm); });
   return good ? ask(layer_path(k), all, light.why_there) : std::nullopt;
 }
 
@@ -231,7 +238,7 @@ void Checker::check_light() {
 void check_medium(const scene::Scene& scene, const optics::Library& library,
                   scene::Findings& findings) {
   Checker checker(scene, library, findings);
-  checker.check_phase_functions();
+  checker.check_files();
   checker.check_light();
 }
 

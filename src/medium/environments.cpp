@@ -33,11 +33,11 @@ class PhaseTables {
 
   /// Of a part of a layer's scattering at a wavelength.
   std::int32_t number(const scene::Scene& scene, const scene::Layer& layer, double wavelength_nm,
-                      std::size_t part, const optics::PhaseShape& shape) {
-    Key key{layer.phase_function, scene.optics, wavelength_nm, part};
+                      const ScatteringPart& part) {
+    Key key{layer.phase_function, scene.optics, wavelength_nm, part.of};
     const auto known = std::ranges::find(known_, key, &std::pair<Key, std::int32_t>::first);
     if (known != known_.end()) return known->second;
-    known_.emplace_back(std::move(key), medium_.add_phase(optics::PhaseTable(shape)));
+    known_.emplace_back(std::move(key), medium_.add_phase(optics::PhaseTable(part.phase)));
     return known_.back().second;
   }
 
@@ -46,7 +46,7 @@ class PhaseTables {
     std::optional<scene::PhaseFunction> function;
     scene::Optics optics;
     double wavelength_nm;
-    std::size_t part;
+    Scatterer of;
     friend bool operator==(const Key&, const Key&) = default;
   };
   Medium& medium_;
@@ -101,8 +101,7 @@ Waters waters_of(const std::string& who, const scene::Scene& scene, const optics
       const WaterOptics water = optics_of(layer, line.wavelength_nm);
       Water w{water.a_per_m + water.b_per_m, water.b_per_m, emitted_into(line, k, emitted), {}};
       for (const auto& part : optics_of.scattering(layer, line.wavelength_nm, water))
-        w.part.push_back({part.b_per_m, tables.number(scene, layer, line.wavelength_nm,
-                                                      w.part.size(), part.phase)});
+        w.part.push_back({part.b_per_m, tables.number(scene, layer, line.wavelength_nm, part)});
       out.push_back(std::move(w));
     }
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -9,6 +10,7 @@
 #include "optics/cdom.hpp"
 #include "optics/data_table.hpp"
 #include "optics/fournier_forand.hpp"
+#include "optics/jerlov.hpp"
 #include "optics/phase_functions.hpp"
 #include "optics/sea_particles.hpp"
 #include "optics/spheres.hpp"
@@ -82,8 +84,9 @@ LayerOptics::LayerOptics(const scene::Scene& scene, const optics::Library& libra
     : scene_(&scene), library_(&library) {}
 
 WaterOptics LayerOptics::operator()(const scene::Layer& layer, double wavelength_nm) const {
-  WaterOptics water =
-      layer.iop.empty() ? of_constituents(layer, wavelength_nm) : of_table(layer, wavelength_nm);
+  WaterOptics water = !layer.iop.empty()      ? of_table(layer, wavelength_nm)
+                      : !layer.jerlov.empty() ? of_jerlov_type(layer, wavelength_nm)
+                                              : of_constituents(layer, wavelength_nm);
   if (!std::isfinite(water.a_per_m + water.b_per_m))
     throw InputError({{"", 0, 0,
                        fmt::format("layer \"{}\" attenuates {:g} nm more than a number can say",
@@ -104,14 +107,29 @@ optics::Sourced LayerOptics::water_scattering(double wavelength_nm) const {
 
 optics::Phytoplankton LayerOptics::phytoplankton(const scene::Layer& layer,
                                                  double wavelength_nm) const {
-  return optics::phytoplankton(*library_, scene_->optics.phytoplankton, layer.chlorophyll_mg_m3,
-                               wavelength_nm);
+  const std::string& model = scene_->optics.phytoplankton;
+  if (model != "table")
+    return optics::phytoplankton(*library_, model, layer.chlorophyll_mg_m3, wavelength_nm);
+  if (!phytoplankton_table_)
+    phytoplankton_table_ = phytoplankton_of_file(scene_->optics.phytoplankton_file);
+  return optics::phytoplankton_of_table(*phytoplankton_table_, layer.chlorophyll_mg_m3,
+                                        wavelength_nm);
+}
+
+optics::Minerals LayerOptics::minerals(const scene::Layer& layer, double wavelength_nm) const {
+  const double g_m3 = layer.minerals_g_m3;
+  if (g_m3 == 0) return {};
+  if (scene_->optics.minerals == "mie")
+    return optics::minerals_of_spheres(
+        *library_->spheres(spheres(optics::paper_minerals, wavelength_nm)), g_m3);
+  return optics::minerals_by_power_law(scene_->optics.minerals_power_law, g_m3, wavelength_nm);
 }
 
 WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavelength_nm) const {
   const auto a_water = water_absorption(wavelength_nm);
   const auto b_water = water_scattering(wavelength_nm);
   const auto algae = phytoplankton(layer, wavelength_nm);
+  const auto minerals_there = minerals(layer, wavelength_nm);
   const double a_cdom =
       optics::cdom_absorption_per_m(layer.cdom_a440_per_m, layer.cdom_slope_per_nm, wavelength_nm);
   WaterOptics water;
@@ -121,6 +139,9 @@ WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavel
   if (layer.chlorophyll_mg_m3 > 0)
     all.push_back({"phytoplankton", algae.a_per_m, algae.b_per_m, algae.source});
   if (a_cdom > 0) all.push_back({"CDOM", a_cdom, {}, optics::cdom_source});
+  if (layer.minerals_g_m3 > 0)
+    all.push_back(
+        {"minerals", minerals_there.a_per_m, minerals_there.b_per_m, minerals_there.source});
   for (const Contribution& each : all) {
     water.a_per_m += each.a_per_m.value_or(0);
     water.b_per_m += each.b_per_m.value_or(0);
@@ -128,21 +149,41 @@ WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavel
   water.a_exciting_per_m = algae.a_exciting_per_m;
   water.a_cdom_per_m = a_cdom;
   water.b_molecular_per_m = b_water.value;
+  // As it is rounded in the sum, so that water and phytoplankton are the rest of any sum of them.
+  water.b_phytoplankton_per_m = (b_water.value + algae.b_per_m) - b_water.value;
+  water.b_minerals_per_m = minerals_there.b_per_m;
+  return water;
+}
+
+/// What is scattered beyond what water scatters, particles scatter.
+WaterOptics LayerOptics::of_jerlov_type(const scene::Layer& layer, double wavelength_nm) const {
+  const auto all = optics::jerlov_water(*library_, layer.jerlov, wavelength_nm);
+  WaterOptics water;
+  water.a_per_m = all.a_per_m;
+  water.b_per_m = all.b_per_m;
+  water.b_molecular_per_m = std::min(all.b_per_m, water_scattering(wavelength_nm).value);
+  water.b_phytoplankton_per_m = all.b_per_m - water.b_molecular_per_m;
+  water.contributions = {{"", all.a_per_m, all.b_per_m, all.source}};
   return water;
 }
 
 std::vector<ScatteringPart> LayerOptics::scattering(const scene::Layer& layer, double wavelength_nm,
                                                     const WaterOptics& water) const {
-  if (layer.phase_function) return {{water.b_per_m, shape(*layer.phase_function, wavelength_nm)}};
-  auto molecules = optics::rayleigh(scene_->optics.water_depolarisation);
-  const double particles = water.b_per_m - water.b_molecular_per_m;
-  if (particles <= 0) return {{water.b_per_m, molecules}};
-  const std::string& model = scene_->optics.phytoplankton_phase;
-  const auto algae = model == "mie" ? spheres(optics::paper_phytoplankton, wavelength_nm)
-                     : model == "petzold"
-                         ? optics::petzold(*library_)
-                         : optics::fournier_forand(default_ff_index, default_ff_slope);
-  return {{water.b_molecular_per_m, molecules}, {particles, algae}};
+  if (layer.phase_function)
+    return {{Scatterer::all, water.b_per_m, shape(*layer.phase_function, wavelength_nm)}};
+  const scene::Optics& choice = scene_->optics;
+  std::vector<ScatteringPart> parts{
+      {Scatterer::water, water.b_molecular_per_m, optics::rayleigh(choice.water_depolarisation)}};
+  if (water.b_phytoplankton_per_m > 0)
+    parts.push_back({Scatterer::phytoplankton, water.b_phytoplankton_per_m,
+                     phase_of_particles(choice.phytoplankton_phase, optics::paper_phytoplankton,
+                                        default_ff_index, default_ff_slope, wavelength_nm)});
+  if (water.b_minerals_per_m > 0)
+    parts.push_back(
+        {Scatterer::minerals, water.b_minerals_per_m,
+         phase_of_particles(choice.minerals_phase, optics::paper_minerals,
+                            optics::minerals_ff_index, optics::minerals_ff_slope, wavelength_nm)});
+  return parts;
 }
 
 optics::PhaseShape LayerOptics::phase(const scene::Layer& layer, double wavelength_nm,
@@ -163,7 +204,8 @@ optics::PhaseShape LayerOptics::shape(const scene::PhaseFunction& function,
   if (function.model == "rayleigh") return optics::rayleigh(function.depolarisation);
   if (function.model == "isotropic") return optics::isotropic();
   if (function.model == "table") return phase_of_file(function.file).shape;
-  if (function.model == "mie") return spheres(function.particles, wavelength_nm);
+  if (function.model == "mie")
+    return *library_->spheres.phase(spheres(function.particles, wavelength_nm));
   expect(function.model == "mixture", "the scene's reader knows the phase function's model");
   double sum = 0;  // 1, but for the digits of the user
   for (const auto& part : function.components) sum += part.fraction;
@@ -173,14 +215,27 @@ optics::PhaseShape LayerOptics::shape(const scene::PhaseFunction& function,
   return optics::mixture(parts);
 }
 
-optics::PhaseShape LayerOptics::spheres(const optics::SeaParticles& particles,
-                                        double wavelength_nm) const {
-  return optics::phase_of_spheres(library_->spheres(optics::spheres_in_water(
-      particles, wavelength_nm, refractive_index(scene_->sea, wavelength_nm))));
+optics::Spheres LayerOptics::spheres(const optics::SeaParticles& particles,
+                                     double wavelength_nm) const {
+  return optics::spheres_in_water(particles, wavelength_nm,
+                                  refractive_index(scene_->sea, wavelength_nm));
+}
+
+optics::PhaseShape LayerOptics::phase_of_particles(const std::string& model,
+                                                   const optics::SeaParticles& particles,
+                                                   double ff_index, double ff_slope,
+                                                   double wavelength_nm) const {
+  if (model == "mie") return *library_->spheres.phase(spheres(particles, wavelength_nm));
+  if (model == "petzold") return optics::petzold(*library_);
+  return optics::fournier_forand(ff_index, ff_slope);
 }
 
 optics::TabulatedPhase phase_of_file(const std::string& path) {
   return optics::phase_from_table(optics::DataTable::read(path));
+}
+
+optics::PhytoplanktonTable phytoplankton_of_file(const std::string& path) {
+  return optics::phytoplankton_table(optics::DataTable::read(path));
 }
 
 }  // namespace photic::medium

@@ -6,16 +6,19 @@
 #include <vector>
 
 #include "optics/library.hpp"
+#include "optics/minerals.hpp"
 #include "optics/phase_from_table.hpp"
 #include "optics/phase_table.hpp"
 #include "optics/phytoplankton.hpp"
+#include "optics/phytoplankton_table.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::medium {
 
 /// What one model or table says of one constituent of the water; several may speak of the same.
 struct Contribution {
-  std::string name;  ///< "water", "phytoplankton", "CDOM"; "" in an iop layer: it is all of them
+  std::string name;  ///< "water", "phytoplankton", "CDOM", "minerals"; "" in an iop layer and in
+                     ///< one of Jerlov's types: it is all of them
   std::optional<double> a_per_m, b_per_m;  ///< none: nothing is said of it
   std::string source;
 };
@@ -27,14 +30,21 @@ struct WaterOptics {
   double a_cdom_per_m = 0;      ///< the share of a that excites CDOM fluorescence
   double b_molecular_per_m =
       0;  ///< the share of b by the water itself (0 in an iop layer: it is not known apart)
+  double b_phytoplankton_per_m = 0;  ///< what phytoplankton adds to b; of one of Jerlov's types,
+                                     ///< all particles
+  double b_minerals_per_m = 0;       ///< what minerals add to b
   std::vector<Contribution> contributions;  ///< which a and b are the sums of
 };
 
 /// "a of CDOM = 0.012 1/m: source [status]", one for each contribution.
 std::vector<std::string> sources_of(const WaterOptics& water);
 
-/// A part of the scattering that has one phase function.
+/// What has one phase function.
+enum class Scatterer { all, water, phytoplankton, minerals };
+
+/// A part of the scattering.
 struct ScatteringPart {
+  Scatterer of = Scatterer::all;
   double b_per_m = 0;
   optics::PhaseShape phase;
 };
@@ -51,6 +61,7 @@ class LayerOptics {
   [[nodiscard]] optics::Sourced water_scattering(double wavelength_nm) const;
   [[nodiscard]] optics::Phytoplankton phytoplankton(const scene::Layer& layer,
                                                     double wavelength_nm) const;
+  [[nodiscard]] optics::Minerals minerals(const scene::Layer& layer, double wavelength_nm) const;
 
   /// Of what the scattering in the layer is made up, water first.
   [[nodiscard]] std::vector<ScatteringPart> scattering(const scene::Layer& layer,
@@ -64,15 +75,25 @@ class LayerOptics {
                                          double wavelength_nm) const;
 
  private:
-  [[nodiscard]] optics::PhaseShape spheres(const optics::SeaParticles& particles,
-                                           double wavelength_nm) const;
+  [[nodiscard]] optics::Spheres spheres(const optics::SeaParticles& particles,
+                                        double wavelength_nm) const;
+  /// Of particles, by the model that the scene names for them.
+  [[nodiscard]] optics::PhaseShape phase_of_particles(const std::string& model,
+                                                      const optics::SeaParticles& particles,
+                                                      double ff_index, double ff_slope,
+                                                      double wavelength_nm) const;
   [[nodiscard]] WaterOptics of_constituents(const scene::Layer& layer, double wavelength_nm) const;
+  [[nodiscard]] WaterOptics of_jerlov_type(const scene::Layer& layer, double wavelength_nm) const;
 
   const scene::Scene* scene_;
   const optics::Library* library_;
+  mutable std::optional<optics::PhytoplanktonTable> phytoplankton_table_;  ///< once it is needed
 };
 
 /// A user's table of a phase function.
 optics::TabulatedPhase phase_of_file(const std::string& path);
+
+/// A user's table of phytoplankton.
+optics::PhytoplanktonTable phytoplankton_of_file(const std::string& path);
 
 }  // namespace photic::medium

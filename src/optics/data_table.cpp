@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -39,6 +40,15 @@ class Problems {
  private:
   std::vector<Diagnostic> found_;
 };
+
+/// Of a whole text.
+std::optional<double> finite_number(const std::string& text) {
+  double value = 0;
+  const auto end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
 
 }  // namespace
 
@@ -77,7 +87,8 @@ void DataTable::add_line(const std::string& line, int number) {
   if (content.front() == '#') {
     const auto colon = content.find(':');
     if (colon != std::string::npos) {
-      headers_.emplace(trimmed(content.substr(1, colon - 1)), trimmed(content.substr(colon + 1)));
+      headers_.emplace(trimmed(content.substr(1, colon - 1)),
+                       Header{trimmed(content.substr(colon + 1)), number});
     }
     return;
   }
@@ -122,10 +133,25 @@ std::size_t DataTable::index_of(const std::string& column) const {
   return static_cast<std::size_t>(found - columns_.begin());
 }
 
-const std::string& DataTable::header(const std::string& key) const {
+const DataTable::Header& DataTable::header_of(const std::string& key) const {
   const auto found = headers_.find(key);
   if (found == headers_.end()) fail_at(1, 1, fmt::format("no line \"# {}: …\"", key));
   return found->second;
+}
+
+const std::string& DataTable::header(const std::string& key) const { return header_of(key).text; }
+
+double DataTable::number_in_header(const std::string& key) const {
+  const Header& header = header_of(key);
+  const auto value = finite_number(header.text);
+  if (!value || *value < 0)
+    fail_at(header.line, 1,
+            fmt::format("{} must be a finite number, not negative, not \"{}\"", key, header.text));
+  return *value;
+}
+
+bool DataTable::has(const std::string& column) const {
+  return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
 }
 
 std::vector<std::string> DataTable::texts(const std::string& column) const {
@@ -140,15 +166,24 @@ std::vector<double> DataTable::numbers(const std::string& column) const {
   std::vector<double> out;
   Problems problems;
   for (const std::string& text : texts(column)) {
-    double value = 0;
-    const auto end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+    const auto value = finite_number(text);
+    if (!value) {
       if (problems.enough()) break;
       problems.collect(
           [&] { fail(out.size(), column, fmt::format("\"{}\" is not a finite number", text)); });
     }
-    out.push_back(value);
+    out.push_back(value.value_or(0));
+  }
+  problems.raise();
+  return out;
+}
+
+std::vector<double> DataTable::numbers_from_0(const std::string& column) const {
+  std::vector<double> out = numbers(column);
+  Problems problems;
+  for (std::size_t i = 0; i < out.size() && !problems.enough(); ++i) {
+    if (out[i] < 0)
+      problems.collect([&] { fail(i, column, fmt::format("{} {} is negative", column, out[i])); });
   }
   problems.raise();
   return out;

@@ -27,10 +27,16 @@ class DataTable {
 
   /// The text of the first "# key: text"; an error if there is none.
   [[nodiscard]] const std::string& header(const std::string& key) const;
+  /// The same as a finite number, not negative.
+  [[nodiscard]] double number_in_header(const std::string& key) const;
+
+  [[nodiscard]] bool has(const std::string& column) const;
 
   [[nodiscard]] std::vector<std::string> texts(const std::string& column) const;
   /// Finite numbers only.
   [[nodiscard]] std::vector<double> numbers(const std::string& column) const;
+  /// Finite numbers, none below 0.
+  [[nodiscard]] std::vector<double> numbers_from_0(const std::string& column) const;
   /// Finite numbers, strictly ascending.
   [[nodiscard]] std::vector<double> ascending_numbers(const std::string& column) const;
 
@@ -46,15 +52,20 @@ class DataTable {
     std::string text;
     int column = 0;  ///< where it starts, from 1
   };
+  struct Header {
+    std::string text;
+    int line = 0;
+  };
 
   void add_line(const std::string& line, int number);
   [[nodiscard]] std::vector<Cell> split(const std::string& line, int number) const;
   [[nodiscard]] std::size_t index_of(const std::string& column) const;
+  [[nodiscard]] const Header& header_of(const std::string& key) const;
   [[noreturn]] void fail_at(int line, int column, const std::string& reason,
                             const std::string& suggestion = "") const;
 
   std::string name_;
-  std::map<std::string, std::string> headers_;
+  std::map<std::string, Header> headers_;
   std::vector<std::string> columns_;
   int column_line_ = 0;
   std::vector<std::vector<Cell>> cells_;

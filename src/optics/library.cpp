@@ -21,12 +21,6 @@ Parameters parameters(const std::string& folder, const char* file) {
   return own([&] { return Parameters(own_table(folder, file)); });
 }
 
-std::vector<double> wavelengths_of(const DataTable& table, const std::string& column) {
-  std::vector<double> nm = table.ascending_numbers(column);
-  if (nm.size() < 2) table.fail(0, column, "a spectrum needs two rows or more");
-  return nm;
-}
-
 /// Photic's parameters of Raman scattering, of which the phase function needs one in range.
 Parameters raman_parameters(const DataTable& table) {
   Parameters out(table);
@@ -40,6 +34,13 @@ Parameters raman_parameters(const DataTable& table) {
 }
 
 }  // namespace
+
+std::vector<double> wavelengths_of(const DataTable& table, const std::string& column) {
+  std::vector<double> nm = table.ascending_numbers(column);
+  if (nm.front() <= 0) table.fail(0, column, "a wavelength is above 0");
+  if (nm.size() < 2) table.fail(0, column, "a spectrum needs two rows or more");
+  return nm;
+}
 
 std::string source_of(const DataTable& table) {
   const std::string& status = table.header("STATUS");
@@ -118,6 +119,7 @@ Library::Library(const std::string& folder)
       mason_psi_s(spectrum(folder, "water_mason_2016.csv", "psi_s_per_m_psu")),
       mason_psi_t(spectrum(folder, "water_mason_2016.csv", "psi_t_per_m_k")),
       ioccg_a(spectrum(folder, "water_ioccg_2018.csv", "a_per_m")),
+      pope_fry_a(spectrum(folder, "water_pope_fry_1997.csv", "a_per_m")),
       smith_baker_a(spectrum(folder, "water_smith_baker_1981.csv", "a_per_m")),
       smith_baker_b(spectrum(folder, "water_smith_baker_1981.csv", "b_sea_per_m")),
       particles_a(spectrum(folder, "particles_bricaud_1998.csv", "a_per_m")),
@@ -134,6 +136,9 @@ Library::Library(const std::string& folder)
                         "excitation_nm");
       })),
       raman(own([&] { return raman_parameters(own_table(folder, "raman_parameters.csv")); })),
-      fluorescence(parameters(folder, "fluorescence_parameters.csv")) {}
+      fluorescence(parameters(folder, "fluorescence_parameters.csv")),
+      jerlov(own(
+          [&] { return JerlovSpectra(own_table(folder, "jerlov_williamson_hollins_2022.csv")); })),
+      oils(own([&] { return oil_properties(own_table(folder, "oils.csv")); })) {}
 
 }  // namespace photic::optics

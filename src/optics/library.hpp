@@ -7,6 +7,7 @@
 
 #include "core/interpolation.hpp"
 #include "optics/data_table.hpp"
+#include "optics/oil.hpp"
 #include "optics/phase_from_table.hpp"
 #include "optics/spheres.hpp"
 
@@ -21,7 +22,11 @@ struct Sourced {
 /// "source [status]" of a table, from its header.
 std::string source_of(const DataTable& table);
 
-/// A column of a table against its wavelengths (two or more), with straight lines between.
+/// The column wavelength_nm of a table: two or more, above 0 and ascending. Throws InputError.
+std::vector<double> wavelengths_of(const DataTable& table,
+                                   const std::string& column = "wavelength_nm");
+
+/// A column of a table against its wavelengths, with straight lines between.
 struct Spectrum {
   Spectrum(const DataTable& table, const std::string& column,
            const std::string& wavelengths = "wavelength_nm");
@@ -65,13 +70,23 @@ struct GaussianBand {
   [[nodiscard]] double density_cm(double per_cm) const;  ///< 1 over all wavenumbers
 };
 
+/// Absorption and scattering of Jerlov's types of water [1/m], water included (optics/jerlov.hpp).
+struct JerlovSpectra {
+  explicit JerlovSpectra(const DataTable& table);
+
+  struct AbsorptionAndScattering {
+    Spectrum a, b;
+  };
+  std::map<std::string, AbsorptionAndScattering> of_type;
+};
+
 /// All tables. Throws EnvironmentError for a file that is missing or damaged.
 class Library {
  public:
   explicit Library(const std::string& folder);
 
   const Spectrum mason_a, mason_psi_s, mason_psi_t, ioccg_a;  ///< 1/m, 1/m/PSU, 1/m/K, 1/m
-  const Spectrum smith_baker_a, smith_baker_b;                ///< 1/m
+  const Spectrum pope_fry_a, smith_baker_a, smith_baker_b;    ///< 1/m
   const Spectrum particles_a, particles_e;                    ///< Bricaud 1998: 1/m, 1
   const Spectrum phytoplankton_a, phytoplankton_b;            ///< Bricaud 1995: m2/mg, 1
   const Spectrum relative_a_c;                                ///< Prieur & Sathyendranath 1981
@@ -79,6 +94,8 @@ class Library {
   const GaussianBand raman_band;
   const Spectrum hawes_a0;  ///< 1/nm against the exciting wavelength
   const Parameters raman, fluorescence;
+  const JerlovSpectra jerlov;
+  const std::vector<OilProperty> oils;
 
   const SpheresCache spheres;  ///< no table: what Mie theory gives, computed once
 };

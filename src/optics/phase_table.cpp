@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -32,6 +34,27 @@ std::vector<double> nodes_of(const PhaseShape& shape) {
 }
 
 }  // namespace
+
+PhaseShape tabulated(const PhaseShape& shape) {
+  struct Known {
+    PhaseShape shape;
+    std::vector<double> x, p;
+  };
+  Known known{shape, {}, {}};
+  for (int i = 0; i <= outer_cells; ++i) {
+    known.x.push_back(edge(i));
+    known.p.push_back(shape.p(edge(i)));
+  }
+  PhaseShape out;
+  out.core_mass = shape.core_mass;
+  out.p = [known = std::make_shared<const Known>(std::move(known))](double x) {
+    const auto node = std::lower_bound(known->x.begin(), known->x.end(), x);
+    return node != known->x.end() && *node == x
+               ? known->p[static_cast<std::size_t>(node - known->x.begin())]
+               : known->shape.p(x);
+  };
+  return out;
+}
 
 double table_integral(const PhaseShape& shape) {
   const std::vector<double> node = nodes_of(shape);

@@ -74,6 +74,9 @@ struct PhaseShape {
   double core_mass = 0;             ///< the share of all scattering inside x_core
 };
 
+/// The same shape, which knows what the nodes of a table ask it for: that is computed once.
+PhaseShape tabulated(const PhaseShape& shape);
+
 /// The shape's integral over the sphere with straight lines between the nodes of a table: 1, but
 /// for what is finer than the cells. Its formulas stay below 5e-5 off.
 double table_integral(const PhaseShape& shape);

@@ -16,6 +16,9 @@ struct Phytoplankton {
   std::string source;
 };
 
+/// What there is of it without chlorophyll, whatever the model and the wavelength.
+inline const Phytoplankton no_phytoplankton{0, 0, 0, "no chlorophyll"};
+
 /// Models, with C in mg/m^3:
 /// "bricaud": a = A C^E (Bricaud 1998), exciting A C^(1-B) (Bricaud 1995, never more than a), b =
 /// 0.30 (550/nm) C^0.62. "prieur-sathyendranath": a = 0.06 C^0.602 A_C, all of it exciting, b =

@@ -203,6 +203,7 @@ PhaseShape phase_of_spheres(std::shared_ptr<const SpheresOptics> optics) {
   shape.core_mass =
       2 * pi *
       boost::math::quadrature::gauss<double, 7>::integrate(shape.p, 0.0, PhaseView::x_core);
+  shape = tabulated(shape);
   const double resolved = table_integral(shape);
   if (std::abs(resolved - 1) > 1e-4) {
     throw InputError(
@@ -219,6 +220,14 @@ std::shared_ptr<const SpheresOptics> SpheresCache::operator()(const Spheres& sph
   const std::lock_guard lock(mutex_);
   auto& known = known_[spheres];
   if (!known) known = std::make_shared<const SpheresOptics>(optics_of_spheres(spheres));
+  return known;
+}
+
+std::shared_ptr<const PhaseShape> SpheresCache::phase(const Spheres& spheres) const {
+  const auto optics = (*this)(spheres);
+  const std::lock_guard lock(mutex_);
+  auto& known = phase_[spheres];
+  if (!known) known = std::make_shared<const PhaseShape>(phase_of_spheres(optics));
   return known;
 }
 

@@ -42,14 +42,18 @@ SpheresOptics optics_of_spheres(const Spheres& spheres);
 /// that of large spheres near 180 degrees may be.
 PhaseShape phase_of_spheres(std::shared_ptr<const SpheresOptics> optics);
 
-/// Computes each kind of spheres once. May be used by several threads.
+/// Computes each kind of spheres once, and what their phase function is at the nodes of a table.
+/// May be used by several threads.
 class SpheresCache {
  public:
   std::shared_ptr<const SpheresOptics> operator()(const Spheres& spheres) const;
+  /// Throws as phase_of_spheres does.
+  std::shared_ptr<const PhaseShape> phase(const Spheres& spheres) const;
 
  private:
   mutable std::mutex mutex_;
   mutable std::map<Spheres, std::shared_ptr<const SpheresOptics>> known_;
+  mutable std::map<Spheres, std::shared_ptr<const PhaseShape>> phase_;
 };
 
 }  // namespace photic::optics

@@ -26,10 +26,12 @@ Sourced water_absorption_per_m(const Library& library, const std::string& model,
                                double wavelength_nm, double salinity_psu, double temperature_c) {
   if (model == "mason-ioccg")
     return mason_ioccg(library, wavelength_nm, salinity_psu, temperature_c);
-  if (model == "smith-baker") {
-    return {library.smith_baker_a.at(wavelength_nm, absorption), library.smith_baker_a.source};
-  }
-  no_model(absorption, model, "mason-ioccg, smith-baker");
+  const Spectrum* table = model == "pope-fry"      ? &library.pope_fry_a
+                          : model == "ioccg"       ? &library.ioccg_a
+                          : model == "smith-baker" ? &library.smith_baker_a
+                                                   : nullptr;
+  if (table == nullptr) no_model(absorption, model, "mason-ioccg, ioccg, pope-fry, smith-baker");
+  return {table->at(wavelength_nm, absorption), table->source};
 }
 
 }  // namespace photic::optics

@@ -69,15 +69,30 @@ double zhang(double nm, double s, double t) {
   return 8 * pi / 3 * at_90_degrees * (2 + depolarisation) / (1 + depolarisation);
 }
 
+// Morel 1974, in Optical Aspects of Oceanography, Academic Press: pure water scatters
+// 0.00222 (500 / nm)^4.32, the sea 1.30 times as much at 37 PSU, and in proportion between (as
+// Twardowski et al. 2007, Biogeosciences 4, 1041, take it). Measured at 350-600 nm; taken to
+// 200-800 by Smith & Baker 1981, Appl. Opt. 20, 177, whose table it reproduces.
+constexpr const char* morel_source =
+    "Morel 1974, in Optical Aspects of Oceanography, Academic Press [verified]";
+constexpr double morel_min_nm = 200, morel_max_nm = 800;
+
+double morel(double nm, double s) {
+  if (!(nm >= morel_min_nm && nm <= morel_max_nm))
+    no_data(scattering, nm, morel_source, morel_min_nm, morel_max_nm);
+  return 0.00222 * std::pow(500 / nm, 4.32) * (1 + 0.30 * s / 37);
+}
+
 }  // namespace
 
 Sourced water_scattering_per_m(const Library& library, const std::string& model,
                                double wavelength_nm, double salinity_psu, double temperature_c) {
   if (model == "zhang") return {zhang(wavelength_nm, salinity_psu, temperature_c), zhang_source};
+  if (model == "morel") return {morel(wavelength_nm, salinity_psu), morel_source};
   if (model == "smith-baker") {
     return {library.smith_baker_b.at(wavelength_nm, scattering), library.smith_baker_b.source};
   }
-  no_model(scattering, model, "zhang, smith-baker");
+  no_model(scattering, model, "zhang, morel, smith-baker");
 }
 
 }  // namespace photic::optics

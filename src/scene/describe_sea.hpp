@@ -14,23 +14,42 @@ template <class V>
 void describe(V& v, Optics& o) {
   v.optional("set", o.set, Choice{optics_sets()}, "fills in the choices below that are not given");
   v.once_read([&] { o = optics_of(o.set); });
-  v.optional("water_absorption", o.water_absorption, Choice{{"mason-ioccg", "smith-baker"}},
+  v.optional("water_absorption", o.water_absorption,
+             Choice{{"mason-ioccg", "ioccg", "pope-fry", "smith-baker"}},
              "the absorption of pure sea water");
-  v.optional("water_scattering", o.water_scattering, Choice{{"zhang", "smith-baker"}},
+  v.optional("water_scattering", o.water_scattering, Choice{{"zhang", "morel", "smith-baker"}},
              "the scattering of pure sea water");
   v.optional(
       "water_depolarisation", o.water_depolarisation, from_to(0.0, 1.0),
       "the depolarisation ratio of natural light scattered by water, for its phase function");
-  v.optional("phytoplankton", o.phytoplankton, Choice{{"bricaud", "prieur-sathyendranath"}},
+  v.optional("phytoplankton", o.phytoplankton,
+             Choice{{"bricaud", "prieur-sathyendranath", "table"}},
              "the absorption and scattering of phytoplankton by chlorophyll");
+  v.when("phytoplankton", o.phytoplankton, "table", [&](auto& w) {
+    w.required("phytoplankton_file", o.phytoplankton_file, File{},
+               "a CSV file of wavelength_nm, a_m2_per_mg, b_m2_per_mg");
+  });
   v.optional("phytoplankton_phase", o.phytoplankton_phase,
              Choice{{"fournier-forand", "petzold", "mie"}},
              "the phase function of phytoplankton; mie is that of the paper's spheres");
+  v.optional("minerals", o.minerals, Choice{{"power-law", "mie"}},
+             "the absorption and scattering of minerals; mie is that of the paper's spheres");
+  auto& minerals = o.minerals_power_law;
+  v.optional("minerals_a_443_m2_per_g", minerals.a_443_m2_per_g, not_negative,
+             "power-law: the absorption of minerals at 443 nm in m2/g");
+  v.optional("minerals_a_slope_per_nm", minerals.a_slope_per_nm, not_negative,
+             "power-law: how fast the absorption of minerals falls, in 1/nm");
+  v.optional("minerals_b_555_m2_per_g", minerals.b_555_m2_per_g, not_negative,
+             "power-law: the scattering of minerals at 555 nm in m2/g");
+  v.optional("minerals_b_exponent", minerals.b_exponent, any_number,
+             "power-law: the scattering of minerals goes as wavelength^-exponent");
+  v.optional("minerals_phase", o.minerals_phase, Choice{{"fournier-forand", "petzold", "mie"}},
+             "the phase function of minerals; mie is that of the paper's spheres");
   v.optional("raman", o.raman, Choice{{"bartlett", "marshall-smith"}},
              "the Raman scattering coefficient of water");
   v.optional("emission", o.emission, Choice{{"spectra", "lines"}},
              "whether Raman light and chlorophyll's have spectra, or one wavelength each; by "
-             "default spectra in set modern, unless a layer has iop");
+             "default spectra in set modern, unless a layer has iop or jerlov");
   v.optional("chlorophyll_share_730", o.chlorophyll_share_730, from_to(0.0, 1.0),
              "the share of chlorophyll's light that is emitted about 730 nm");
   v.optional("cdom_fluorescence", o.cdom_fluorescence, Choice{{"hawes", "table"}},
@@ -114,7 +133,7 @@ void describe(V& v, Layer& l) {
              "what messages and --set call it; by default layer0, layer1 …");
   v.optional("bottom_depth_m", l.bottom_depth_m, positive,
              "the depth of the layer's lower end in m; only the last layer may be bottomless");
-  v.one_of(option(l.iop.empty(),
+  v.one_of(option(l.iop.empty() && l.jerlov.empty(),
                   [&](auto& w) {
                     w.optional("chlorophyll_mg_m3", l.chlorophyll_mg_m3, not_negative,
                                "the concentration of chlorophyll in mg/m3");
@@ -123,16 +142,22 @@ void describe(V& v, Layer& l) {
                     w.optional(
                         "cdom_slope_per_nm", l.cdom_slope_per_nm, not_negative,
                         "how fast the absorption of dissolved organic matter falls, in 1/nm");
+                    w.optional("minerals_g_m3", l.minerals_g_m3, not_negative,
+                               "the mass of suspended minerals in g/m3");
                   }),
-           option(!l.iop.empty(), [&](auto& w) {
-             w.tables("iop", l.iop, "inherent optical properties by ascending wavelength",
-                      [](auto& inner, IopEntry& entry) { describe(inner, entry); });
-             w.table_or_word("phase_function", l.phase_function, model_key,
-                             "the phase function of all scattering, water's included");
+           option(!l.iop.empty(),
+                  [&](auto& w) {
+                    w.tables("iop", l.iop, "inherent optical properties by ascending wavelength",
+                             [](auto& inner, IopEntry& entry) { describe(inner, entry); });
+                    w.table_or_word("phase_function", l.phase_function, model_key,
+                                    "the phase function of all scattering, water's included");
+                  }),
+           option(!l.jerlov.empty(), [&](auto& w) {
+             w.required("jerlov", l.jerlov, Choice{{"IB", "II", "III", "1C", "3C", "5C"}},
+                        "Jerlov's type of water, which tells all absorption and scattering");
            }));
   v.optional("chlorophyll_yield", l.chlorophyll_yield, from_to(0.0, 1.0),
              "fluorescence photons per photon absorbed by phytoplankton");
-  v.unavailable("minerals_g_m3", "give the layer's iop and phase_function instead");
 }
 
 template <class V>

@@ -14,7 +14,10 @@ const std::array<Optics, 2>& presets() {
              .water_scattering = "zhang",
              .water_depolarisation = 0.039,  // Farinato & Rowell 1976, used by Zhang et al. 2009
              .phytoplankton = "bricaud",
+             .phytoplankton_file = "",
              .phytoplankton_phase = "fournier-forand",
+             .minerals = "power-law",
+             .minerals_phase = "fournier-forand",
              .raman = "bartlett",
              .emission = "",  // spectra, unless iops are given (read.cpp)
              .cdom_fluorescence = "hawes",
@@ -24,7 +27,10 @@ const std::array<Optics, 2>& presets() {
              .water_scattering = "smith-baker",
              .water_depolarisation = 0.17,  // as PREMAR-2F has it; it is a Raman value (Porto 1966)
              .phytoplankton = "prieur-sathyendranath",
+             .phytoplankton_file = "",
              .phytoplankton_phase = "mie",
+             .minerals = "mie",
+             .minerals_phase = "mie",
              .raman = "marshall-smith",
              .emission = "lines",
              .cdom_fluorescence = "hawes",

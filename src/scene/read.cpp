@@ -84,9 +84,9 @@ Scene scene_of(const Node& document, const std::string& folder, Findings& findin
   fill_names(scene.telescope, "telescope");
   fill_names(scene.sea.layer, "layer");
   fill_names(scene.environment, "environment");
-  const auto has_iop = [](const Layer& layer) { return !layer.iop.empty(); };
+  const auto is_measured = [](const Layer& l) { return !l.iop.empty() || !l.jerlov.empty(); };
   if (scene.optics.emission.empty())
-    scene.optics.emission = std::ranges::any_of(scene.sea.layer, has_iop) ? "lines" : "spectra";
+    scene.optics.emission = std::ranges::any_of(scene.sea.layer, is_measured) ? "lines" : "spectra";
   return scene;
 }
 

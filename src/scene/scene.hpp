@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/vec3.hpp"
+#include "optics/minerals.hpp"
 #include "optics/sea_particles.hpp"
 
 namespace photic::scene {
@@ -56,12 +57,16 @@ struct Channel {
 /// Which published data and models the water's optics are made of.
 struct Optics {
   std::string set = "modern";     ///< modern | paper; fills in the choices below that are not given
-  std::string water_absorption;   ///< mason-ioccg | smith-baker
-  std::string water_scattering;   ///< zhang | smith-baker
+  std::string water_absorption;   ///< mason-ioccg | ioccg | pope-fry | smith-baker
+  std::string water_scattering;   ///< zhang | morel | smith-baker
   double water_depolarisation{};  ///< of natural light, for the molecular phase function
-  std::string phytoplankton;      ///< bricaud | prieur-sathyendranath
+  std::string phytoplankton;      ///< bricaud | prieur-sathyendranath | table
+  std::string phytoplankton_file;   ///< table: a CSV; absolute once read
   std::string phytoplankton_phase;  ///< fournier-forand | petzold | mie
-  std::string raman;                ///< bartlett | marshall-smith
+  std::string minerals;             ///< power-law | mie
+  optics::MineralsPowerLaw minerals_power_law = optics::european_minerals;
+  std::string minerals_phase;  ///< fournier-forand | petzold | mie
+  std::string raman;           ///< bartlett | marshall-smith
   std::string emission;  ///< spectra | lines: chlorophyll's and Raman light at one wavelength each
   double chlorophyll_share_730 = 0.0;  ///< of chlorophyll's light in its second band
   std::string cdom_fluorescence;       ///< hawes | table
@@ -94,7 +99,8 @@ struct PhaseFunction {
   friend bool operator==(const PhaseFunction&, const PhaseFunction&) = default;
 };
 
-/// A homogeneous layer of water: constituents, or inherent optical properties given outright.
+/// A homogeneous layer of water: constituents, or inherent optical properties given outright, or
+/// one of Jerlov's types.
 struct Layer {
   std::string name;
   std::optional<double> bottom_depth_m;  ///< absent in a bottomless last layer
@@ -102,6 +108,8 @@ struct Layer {
   double chlorophyll_yield = 0.01;  ///< fluorescence photons per photon absorbed by phytoplankton
   double cdom_a440_per_m = 0.0;
   double cdom_slope_per_nm = 0.017;
+  double minerals_g_m3 = 0.0;
+  std::string jerlov;         ///< IB | II | III | 1C | 3C | 5C; empty in other layers
   std::vector<IopEntry> iop;  ///< empty in a layer of constituents; ascending in wavelength
   std::optional<PhaseFunction> phase_function;  ///< of an iop layer
   friend bool operator==(const Layer&, const Layer&) = default;

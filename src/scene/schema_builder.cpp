@@ -50,8 +50,9 @@ Node SchemaBuilder::word_or(Node schema) {
 }
 
 void SchemaBuilder::conditional(const char* selector, const char* choice, const Names& keys) {
-  Node condition =
-      keyed("if", keyed("properties", keyed(selector, keyed("const", to_node(choice)))));
+  Node chosen = keyed("properties", keyed(selector, keyed("const", to_node(choice))));
+  chosen.add("required", to_node(std::vector<std::string>{selector}));
+  Node condition = keyed("if", std::move(chosen));
   condition.add("then", keyed("required", to_node(keys.needed())));
   condition.add("else", without(keys.all()));
   conditions_.push_back(std::move(condition));

@@ -1,6 +1,7 @@
 // The lidar of the paper's Table 1 as a Scene made by hand, to be changed by tests.
 #pragma once
 
+#include "scene/presets.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::test {
@@ -23,8 +24,8 @@ inline scene::Scene ship_scene() {
   telescope.detector_diameter_m = 0.04;
   scene.telescope = {telescope};
   scene.channel = {{"elastic", "elastic", {}, {}, "top-hat", {}}};
-  scene.optics = {"modern",   "mason-ioccg", "zhang", 0.039,   "bricaud", "fournier-forand",
-                  "bartlett", "lines",       0.0,     "hawes", ""};
+  scene.optics = scene::optics_of("modern");
+  scene.optics.emission = "lines";
   scene.gates.depth_m = {0, 50, 0.5};
   scene.simulation.photons = 1000;
   return scene;

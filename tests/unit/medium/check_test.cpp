@@ -55,10 +55,11 @@ const std::vector<Case>& cases() {
         R"(scene.toml:22:7: the iop of layer "layer0" covers 529 to 531 nm, not 648.793 nm; channel "r" counts raman light there (add an entry for it))",
         R"(scene.toml:25:7: the iop of layer "layer1" covers 531 to 533 nm, not 648.793 nm; channel "r" counts raman light there (add an entry for it))"}},
       {"LaserWithoutWaterData",
-       {{3, 3, "wavelength_nm = 1064.0"},
+       {{3, 3, "wavelength_nm = 730.0"},
+        {18, 18, "[optics]\nwater_absorption = \"pope-fry\""},
         {22, 25, clear_layer + "\n[[sea.layer]]\n" + clear_layer}},
-       {"scene.toml:3:17: no water absorption data at 1064 nm: Mason 2016 / IOCCG 2018 cover "
-        "200-1000 nm (choose another wavelength, or give the layer's iop at this one)"}},
+       {"scene.toml:3:17: no water absorption data at 730 nm: " + library().pope_fry_a.source +
+        " cover 380-727.5 nm (choose another wavelength, or give the layer's iop at this one)"}},
       {"LaserWithoutPhytoplanktonData",
        {{3, 3, "wavelength_nm = 810.0"}, {23, 25, ""}},
        {"scene.toml:3:17: no phytoplankton absorption data at 810 nm: " +
@@ -94,7 +95,7 @@ const std::vector<Case>& cases() {
         "3477, eq. (3) [verified] cover 200-1100 nm (choose another wavelength, or give "
         "refractive_index and group_index of the sea)",
         "scene.toml:3:17: no water absorption data at 1200 nm: Mason 2016 / IOCCG 2018 cover "
-        "200-1000 nm (choose another wavelength, or give the layer's iop at this one)",
+        "200-1100 nm (choose another wavelength, or give the layer's iop at this one)",
         "scene.toml:3:17: no water scattering data at 1200 nm: Zhang, Hu & He 2009, Opt. Express "
         "17, 5698 [verified] cover 200-1100 nm (choose another wavelength, or give the layer's iop "
         "at this one)",
@@ -105,8 +106,13 @@ const std::vector<Case>& cases() {
         "source "
         "emits there (add an entry for it)"}},
       {"RamanWithoutWaterData",
-       {{3, 3, "wavelength_nm = 780.0"}, {16, 17, raman_channel}, {22, 25, clear_layer}},
-       {R"(scene.toml:17:11: no water absorption data at 1006.27 nm: Mason 2016 / IOCCG 2018 cover 200-1000 nm; channel "r" counts raman light there (choose another wavelength, or give the layer's iop at this one))"}},
+       {{3, 3, "wavelength_nm = 760.0"},
+        {16, 17, raman_channel},
+        {18, 18, "[optics]\nwater_absorption = \"ioccg\""},
+        {22, 25, clear_layer}},
+       {"scene.toml:17:11: no water absorption data at 1023.11 nm: " + library().ioccg_a.source +
+        " cover 200-1000 nm; channel \"r\" counts raman light there (choose another wavelength, or "
+        "give the layer's iop at this one)"}},
       {"FilteredRamanWithoutIndex",
        {{3, 3, "wavelength_nm = 880.0"},
         {17, 17, "centre_nm = 1253\nfwhm_nm = 10"},
@@ -126,6 +132,15 @@ const std::vector<Case>& cases() {
         {22, 25, clear_layer + "\n[[sea.layer]]\nchlorophyll_yield = 1"}},
        {R"(scene.toml:20:1: layer "layer0" emits more Raman and fluorescence light (0.00146 1/m) than it absorbs (0.000975 1/m) (choose other data in [optics], or give the layer's iop))",
         R"(scene.toml:24:21: layer "layer1" emits more Raman and fluorescence light (0.00146 1/m) than it absorbs (0.000975 1/m) (choose other data in [optics], or give the layer's iop))"}},
+      {"LaserOutsideAJerlovType",
+       {{3, 3, "wavelength_nm = 405.0"}, {22, 25, "jerlov = \"II\""}},
+       {"scene.toml:22:10: no Jerlov water type data at 405 nm: " +
+        library().jerlov.of_type.at("II").a.source +
+        " cover 420-700 nm; the source emits there (choose another wavelength, or give the layer's "
+        "iop at this one)"}},
+      {"MoreMineralsThanANumberCanSay",
+       {{18, 18, "[optics]\nminerals_b_555_m2_per_g = 100"}, {22, 25, "minerals_g_m3 = 1e308"}},
+       {R"(scene.toml:21:1: layer "layer0" attenuates 532 nm more than a number can say; the source emits there (are the units right?))"}},
       {"BeyondAllNumbers",
        {{20, 25,
          "[[sea.layer]]\ncdom_a440_per_m = 1e308\ncdom_slope_per_nm = 0\nbottom_depth_m = "
@@ -145,18 +160,21 @@ TEST(CheckMedium, EveryTextWithLineAndColumn) {
 
 TEST(CheckMedium, NamesTheSetThatAsksForIt) {
   EXPECT_EQ(
-      problems({{22, 25, clear_layer}}, {"source.wavelength_nm=1064"}),
-      Texts{"--set source.wavelength_nm: no water absorption data at 1064 nm: Mason 2016 / "
-            "IOCCG 2018 cover 200-1000 nm (choose another wavelength, or give the layer's iop "
-            "at this one)"});
+      problems({{22, 25, clear_layer}},
+               {"optics.water_absorption=ioccg", "source.wavelength_nm=1064"}),
+      Texts{"--set source.wavelength_nm: no water absorption data at 1064 nm: " +
+            library().ioccg_a.source +
+            " cover 200-1000 nm (choose another wavelength, or give the layer's iop at this one)"});
 }
 
 // Not what follows from it: Raman light of 1663 nm has no data either.
 TEST(CheckMedium, TellsAWrongLaserOnce) {
-  EXPECT_EQ(
-      problems({{3, 3, "wavelength_nm = 1064.0"}, {16, 17, raman_channel}, {22, 25, clear_layer}})
-          .size(),
-      1U);
+  EXPECT_EQ(problems({{3, 3, "wavelength_nm = 1064.0"},
+                      {16, 17, raman_channel},
+                      {18, 18, "[optics]\nwater_absorption = \"ioccg\""},
+                      {22, 25, clear_layer}})
+                .size(),
+            1U);
 }
 
 // With all else that is wrong, in the order of the file.
@@ -170,7 +188,7 @@ TEST(CheckMedium, TellsWithAllElse) {
 }
 
 // One finding each: nothing is concluded from what is refused. Seen red: with bad channels kept;
-// with iop that do not ascend asked for.
+// with iop that do not ascend asked for; with phytoplankton of a bad file asked for.
 TEST(CheckMedium, LooksOnlyAtGoodValues) {
   const std::vector<std::vector<scene::Edit>> each_wrong_once{
       {{3, 3, "wavelength_nm = -1"}},
@@ -182,6 +200,11 @@ TEST(CheckMedium, LooksOnlyAtGoodValues) {
       {{17, 17, "process = \"raman\"\ncentre_nm = 649\nfwhm_nm = 5"}},
       {{18, 18, "[optics]\nset = \"old\""}},
       {{18, 18, "[optics]\nwater_absorption = \"none\""}},
+      {{18, 18, "[optics]\nphytoplankton = \"table\""}},
+      {{18, 18, "[optics]\nphytoplankton = \"table\"\nphytoplankton_file = \"/no/such.csv\""}},
+      {{18, 18, "[optics]\nminerals = \"sand\""}},
+      {{22, 22, "minerals_g_m3 = -1"}},
+      {{22, 22, "jerlov = \"IV\""}},
       {{19, 19, "[sea]\nrefractive_index = 0"}},
       {{18, 25, "[sea]\nlayer = 3"}},
       {{20, 25, ""}},
@@ -205,6 +228,52 @@ TEST(CheckMedium, RemarksOnChannelsThatCountNothing) {
             Texts{"scene.toml:17:11: channel \"c\" will count nothing: no layer emits chlorophyll "
                   "light"});
   EXPECT_EQ(remarks({{16, 17, "name = \"c\"\nprocess = \"chlorophyll\""}, {23, 25, ""}}), Texts{});
+}
+
+/// A CSV of wavelength_nm, a_m2_per_mg, b_m2_per_mg that a scene's phytoplankton goes by.
+class PhytoplanktonTableOfAUser : public testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove(file_); }
+
+  std::vector<scene::Edit> with(const std::string& rows) const {
+    std::ofstream(file_) << "wavelength_nm,a_m2_per_mg,b_m2_per_mg\n" << rows;
+    return {
+        {18, 18, "[optics]\nphytoplankton = \"table\"\nphytoplankton_file = \"" + file_ + "\""}};
+  }
+
+  std::string file_ = testing::TempDir() + "photic_check_algae.csv";
+};
+
+TEST_F(PhytoplanktonTableOfAUser, IsReadOnceItIsGood) {
+  EXPECT_EQ(problems(with("500,0.04,0.3\n600,0.02,0.25\n")), Texts{});
+  const auto scene = scene::read_scene_text(edited(with("500,0.04,0.3\n600,0.02,0.25\n")),
+                                            "scene.toml", "/", {}, check)
+                         .scene;
+  const Medium m = medium_of(scene);
+  EXPECT_NE(
+      m.sources[2].find("layer 0 at 532.00 nm: phytoplankton a = 0.00336 1/m, b = 0.0284 1/m: "
+                        "given in " +
+                        file_),
+      std::string::npos)
+      << m.sources[2];
+}
+
+TEST_F(PhytoplanktonTableOfAUser, IsRefusedAtItsLine) {
+  EXPECT_EQ(problems(with("500,0.04,0.3\n500,0.02,x\n")),
+            Texts{file_ + ":3:1: wavelength_nm 500 is not above the 500 before it (this column "
+                          "must ascend)"});
+  EXPECT_EQ(problems(with("500,-0.04,0.3\n600,0.02,x\n")),
+            Texts{file_ + ":2:5: a_m2_per_mg -0.04 is negative"});
+}
+
+TEST_F(PhytoplanktonTableOfAUser, HasToReachAllLight) {
+  auto edits = with("500,0.04,0.3\n600,0.02,0.25\n");
+  edits.insert(edits.begin(), {16, 17, raman_channel});
+  edits.push_back({23, 25, ""});
+  EXPECT_EQ(problems(edits),
+            Texts{"scene.toml:17:11: no phytoplankton data at 648.793 nm: given in " + file_ +
+                  " cover 500-600 nm; channel \"r\" counts raman light there (choose another "
+                  "wavelength, or give the layer's iop at this one)"});
 }
 
 /// A CSV of angle_deg, phase_function_per_sr, and a scene whose second layer scatters by it.
@@ -289,10 +358,12 @@ std::string random_scene(std::mt19937& random) {
                  "{ model = \"mixture\", components = [{ fraction = 0.3333333, model = "
                  "\"isotropic\" }, { fraction = 0.6666666, model = \"petzold\" }] }"});
   };
-  const auto layer = [&] {
+  const auto layer = [&]() -> std::string {
+    if (random() % 8 == 0) return "[[sea.layer]]\njerlov = " + pick({"\"IB\"", "\"5C\""});
     return "[[sea.layer]]\n" + (random() % 2 == 0
                                     ? iop()
                                     : "chlorophyll_mg_m3 = " + pick({"0", "0.1", "30"}) +
+                                          "\nminerals_g_m3 = " + pick({"0", "2"}) +
                                           "\nchlorophyll_yield = " + pick({"0", "0.01", "1"}));
   };
   const std::string channel =
@@ -304,6 +375,9 @@ std::string random_scene(std::mt19937& random) {
                  {17, 17, channel},
                  {18, 19,
                   "[optics]\nset = " + pick({"\"modern\"", "\"paper\""}) +
+                      pick({"", "\nwater_absorption = \"ioccg\"",
+                            "\nwater_absorption = \"pope-fry\"\nwater_scattering = \"morel\""}) +
+                      "\nminerals = \"power-law\"\nminerals_phase = \"petzold\"" +
                       "\nphytoplankton_phase = " + pick({"\"petzold\"", "\"mie\""}) + "\n[sea]\n" +
                       pick({"", "refractive_index = 1.33\ngroup_index = 1.35"})},
                  {20, 25, layer() + "\nbottom_depth_m = 20\n" + layer()}});

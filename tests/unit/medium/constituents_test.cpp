@@ -1,6 +1,10 @@
 // Layers made of constituents: sums of what the optics say, phase functions weighted by scattering.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "optics/cdom.hpp"
 #include "optics/fournier_forand.hpp"
+#include "optics/minerals.hpp"
 #include "optics/phase_functions.hpp"
 #include "optics/phytoplankton.hpp"
 #include "optics/refractive_index.hpp"
@@ -111,6 +115,100 @@ TEST(Constituents, ScatterAsThePapersSpheresIfAsked) {
       EXPECT_NEAR(m.view().phases.value<double>(x, m.elastic_phase[l]) / expected, 1, 1e-4)
           << l << " " << x;
     }
+  }
+}
+
+scene::Layer mineral_layer(double minerals_g_m3, double chlorophyll_mg_m3 = 0) {
+  scene::Layer layer = algae_layer(chlorophyll_mg_m3);
+  layer.minerals_g_m3 = minerals_g_m3;
+  return layer;
+}
+
+// Beside algae, at both wavelengths, by the scene's own power laws. Seen red: without the minerals'
+// absorption; with their scattering given to the algae.
+TEST(Constituents, AddMineralsUp) {
+  auto scene =
+      scene_of({mineral_layer(2, 0.1)}, {test::channel_of("elastic"), test::channel_of("raman")});
+  scene.optics.minerals_power_law = {0.03, 0.01, 0.6, 0.7};
+  const auto m = medium_of(scene);
+  const optics::PhaseTable water(optics::rayleigh(0.039));
+  const optics::PhaseTable algae(optics::fournier_forand(1.10, 3.5835));
+  const optics::PhaseTable minerals(optics::fournier_forand(1.15, 3.5));
+  for (std::size_t l = 0; l < 2; ++l) {
+    const double nm = m.line[l].wavelength_nm;
+    const Parts parts = parts_at(nm, 0.1);
+    const double a_minerals = 2 * 0.03 * std::exp(-0.01 * (nm - 443));
+    const double b_minerals = 2 * 0.6 * std::pow(555 / nm, 0.7);
+    const double b = parts.b_water + parts.algae.b_per_m + b_minerals;
+    EXPECT_NEAR(m.c[l], parts.a_water + parts.algae.a_per_m + a_minerals + b, 1e-14) << nm;
+    EXPECT_NEAR(m.albedo[l] * m.c[l], b, 1e-14) << nm;
+    for (const double x : {1e-5, 0.1, 2.0}) {
+      const double expected = (parts.b_water * water.view().value<double>(x) +
+                               parts.algae.b_per_m * algae.view().value<double>(x) +
+                               b_minerals * minerals.view().value<double>(x)) /
+                              b;
+      EXPECT_NEAR(m.view().phases.value<double>(x, m.elastic_phase[l]) / expected, 1, 2e-5) << x;
+    }
+  }
+  EXPECT_NE(
+      fmt::format("{}", fmt::join(m.sources, "\n"))
+          .find("layer 0 at 532.00 nm: minerals a = 0.024639 1/m, b = 1.2361 1/m: a at 443 nm "
+                "given in the scene"),
+      std::string::npos);
+}
+
+// Without algae. Seen red: with the algae's spheres; with the index of the laser's light for all.
+TEST(Constituents, AreThePapersMineralsIfAsked) {
+  auto scene =
+      scene_of({mineral_layer(1.5)}, {test::channel_of("elastic"), test::channel_of("raman")});
+  scene.optics.minerals = scene.optics.minerals_phase = "mie";
+  const auto m = medium_of(scene);
+  for (std::size_t l = 0; l < 2; ++l) {
+    const double nm = m.line[l].wavelength_nm;
+    const Parts parts = parts_at(nm, 0);
+    const auto spheres = library().spheres(
+        optics::spheres_in_water(optics::paper_minerals, nm, optics::refractive_index(nm, 35, 20)));
+    const auto minerals = optics::minerals_of_spheres(*spheres, 1.5);
+    const double b = parts.b_water + minerals.b_per_m;
+    EXPECT_NEAR(m.c[l], parts.a_water + minerals.a_per_m + b, 1e-14) << nm;
+    for (const double x : {0.001, 1.0}) {
+      const double expected =
+          (minerals.b_per_m * spheres->phase.at(x) + parts.b_water * optics::rayleigh(0.039).p(x)) /
+          b;
+      EXPECT_NEAR(m.view().phases.value<double>(x, m.elastic_phase[l]) / expected, 1, 2e-4) << x;
+    }
+  }
+}
+
+TEST(Constituents, OfMineralsScatterAsPetzoldMeasuredIfAsked) {
+  auto scene = scene_of({mineral_layer(1000)}, {test::channel_of("elastic")});
+  scene.optics.minerals_phase = "petzold";
+  const auto m = medium_of(scene);
+  const optics::PhaseTable petzold(optics::petzold(library()));
+  EXPECT_NEAR(
+      m.view().phases.value<double>(0.01, m.elastic_phase[0]) / petzold.view().value<double>(0.01),
+      1, 1e-4);
+}
+
+// What water does not scatter particles do. Seen red: with all scattering
+// by particles.
+TEST(Constituents, AreWaterAndParticlesInOneOfJerlovsTypes) {
+  scene::Layer layer;
+  layer.name = "top";
+  layer.jerlov = "II";
+  const auto m = medium_of(scene_of({layer}, all_channels));
+  ASSERT_EQ(m.line.size(), 2U);  // nothing is said of what excites chlorophyll
+  const double a = 0.8 * 0.0607 + 0.2 * 0.065, b = 0.8 * 0.18 + 0.2 * 0.178;
+  EXPECT_NEAR(m.c[0], a + b, 1e-12);
+  EXPECT_NEAR(m.albedo[0] * m.c[0], b, 1e-12);
+  const double b_water = parts_at(532, 0).b_water;
+  const optics::PhaseTable water(optics::rayleigh(0.039));
+  const optics::PhaseTable particles(optics::fournier_forand(1.10, 3.5835));
+  for (const double x : {1e-5, 0.1, 2.0}) {
+    const double expected = (b_water * water.view().value<double>(x) +
+                             (b - b_water) * particles.view().value<double>(x)) /
+                            b;
+    EXPECT_NEAR(m.view().phases.value<double>(x, m.elastic_phase[0]) / expected, 1, 2e-5) << x;
   }
 }
 

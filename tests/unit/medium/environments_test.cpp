@@ -23,18 +23,11 @@ void expect_refused(const scene::Scene& scene, const std::string& what) {
       << all;
 }
 
-// Scattering at an angle, attenuation and emission, line by line. Seen red: with the scattering of
-// the parts over that of the environment; with the scene's emission.
-TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBe) {
-  const auto scene = scene_of({algae(0.5), algae(0.1)}, all_channels);
-  const auto other = scene_of({algae(1.5), algae(0.02)}, all_channels);
-  auto layered = scene, layered_other = other;
-  layered.sea.layer[0].bottom_depth_m = layered_other.sea.layer[0].bottom_depth_m = 5;
-  const Medium all = medium_of(with(layered, layered_other.sea));
-  const Medium own = medium_of(layered_other);
+/// Scattering at an angle, attenuation and emission of the only environment of one medium are
+/// those of the other, line by line. Two layers.
+void expect_alike(const Medium& all, const Medium& own) {
   const MediumView a = all.view(), o = own.view();
   ASSERT_EQ(a.environments.count, 1);
-  ASSERT_EQ(a.environments.parts, 1);  // the algae: the water is the same
   for (std::size_t i = 0; i < all.c.size(); ++i) {
     SCOPED_TRACE(i);
     EXPECT_NEAR(all.c[i] + all.environments.excess_c[i], own.c[i], 1e-15);
@@ -46,13 +39,63 @@ TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBe) {
     const double b = all.albedo[i] * all.c[i];
     for (const double x : {1e-6, 1e-3, 0.1, 1.0, 1.9}) {
       const double p = a.phases.value<double>(x, all.elastic_phase[i]);
-      const double part = a.phases.value<double>(x, all.environments.part_phase[i]);
-      const double scattered = b * (p + all.environments.excess_part[i] * part);
+      double parts = 0;
+      for (std::int32_t k = 0; k < a.environments.parts; ++k) {
+        const auto at =
+            i * static_cast<std::size_t>(a.environments.parts) + static_cast<std::size_t>(k);
+        parts += all.environments.excess_part[at] *
+                 a.phases.value<double>(x, all.environments.part_phase[at]);
+      }
+      const double scattered = b * (p + parts);
       const double expected =
           own.albedo[i] * own.c[i] * o.phases.value<double>(x, own.elastic_phase[i]);
       EXPECT_NEAR(scattered, expected, 2e-4 * expected) << x;
     }
   }
+}
+
+// Seen red: with the scattering of the parts over that of the environment; with the scene's
+// emission.
+TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBe) {
+  auto scene = scene_of({algae(0.5), algae(0.1)}, all_channels);
+  auto other = scene_of({algae(1.5), algae(0.02)}, all_channels);
+  scene.sea.layer[0].bottom_depth_m = other.sea.layer[0].bottom_depth_m = 5;
+  const Medium all = medium_of(with(scene, other.sea));
+  EXPECT_EQ(all.environments.parts, 1);  // the algae: the water is the same
+  expect_alike(all, medium_of(other));
+}
+
+// More minerals in a layer that has some beside algae, and in one that has algae alone: there, they
+// are the second part of the scattering, as the algae are elsewhere. Seen red: with the phase
+// functions of minerals taken for those of algae; with what algae scatter told apart by rounding.
+TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBeWithMinerals) {
+  const auto with_minerals = [](scene::Layer layer, double minerals_g_m3) {
+    layer.minerals_g_m3 = minerals_g_m3;
+    return layer;
+  };
+  auto scene = scene_of({with_minerals(algae(0.5), 0.3), algae(0)}, all_channels);
+  auto other =
+      scene_of({with_minerals(algae(0.5), 0.6), with_minerals(algae(0), 0.2)}, all_channels);
+  scene.sea.layer[0].bottom_depth_m = other.sea.layer[0].bottom_depth_m = 5;
+  const Medium all = medium_of(with(scene, other.sea));
+  EXPECT_EQ(all.environments.parts, 1);
+  expect_alike(all, medium_of(other));
+}
+
+// An environment of the paper's optics: all parts have other phase functions.
+TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBeWithOtherMinerals) {
+  auto layer = algae(0.5);
+  layer.minerals_g_m3 = 0.3;
+  auto scene = scene_of({layer, layer}, {test::channel_of("elastic")});
+  scene.sea.layer[0].bottom_depth_m = 5;
+  auto other = scene;
+  other.optics.minerals_phase = "petzold";
+  other.optics.minerals_power_law.b_555_m2_per_g = 0.7;
+  auto both = scene;
+  both.environment.push_back({"other", {}, other.optics, other.sea});
+  const Medium all = medium_of(both);
+  EXPECT_EQ(all.environments.parts, 2);
+  expect_alike(all, medium_of(other));
 }
 
 // Seen red: without the limit of the change; with what attenuates most left out; with the scene's

@@ -48,6 +48,24 @@ TEST(Sensitivities, ToChlorophyllAreTheDerivativesOfItsPowerLaws) {
   }
 }
 
+TEST(Sensitivities, ToMineralsAreExact) {
+  const Slopes slopes = slopes_of(
+      scene::read_text("sensitivity = ['sea.layer.0.minerals_g_m3']\n" + scene::edited({}),
+                       {"sea.layer.0.minerals_g_m3=0.5"}));
+  EXPECT_NEAR(slopes.a / (0.041 * std::exp(-0.0123 * (wavelength_nm - 443))), 1, 1e-11);
+  EXPECT_NEAR(slopes.b / (0.5 * std::sqrt(555 / wavelength_nm)), 1, 1e-11);
+}
+
+// Of one of the constants of [optics].
+TEST(Sensitivities, ToTheSlopeOfMineralsAreTheDerivativeOfItsPower) {
+  const Slopes slopes = slopes_of(
+      scene::read_text("sensitivity = ['optics.minerals_b_exponent']\n" + scene::edited({}),
+                       {"sea.layer.0.minerals_g_m3=0.5"}));
+  EXPECT_NEAR(slopes.b / (0.25 * std::log(555 / wavelength_nm) * std::sqrt(555 / wavelength_nm)), 1,
+              error_of_difference);
+  EXPECT_EQ(slopes.a, 0);
+}
+
 // What absorption is linear in has no such error.
 TEST(Sensitivities, ToDissolvedMatterAreExact) {
   const scene::Scene scene =

@@ -55,6 +55,19 @@ TEST(DataTable, DoesNotGoOnAboutAnotherKindOfFile) {
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 19);
 }
 
+// Seen red: with negative numbers let through.
+TEST(DataTable, HasNumbersInItsHeaderToo) {
+  const DataTable table = parse("# yield: 0.25\n# lifetime_ns: -1\n# note: much\nx\n1\n");
+  EXPECT_EQ(table.number_in_header("yield"), 0.25);
+  const auto why_not = [&](const char* key) {
+    return message<InputError>([&] { static_cast<void>(table.number_in_header(key)); });
+  };
+  EXPECT_EQ(why_not("lifetime_ns"),
+            "t.csv:2:1: lifetime_ns must be a finite number, not negative, not \"-1\"");
+  EXPECT_EQ(why_not("note"), "t.csv:3:1: note must be a finite number, not negative, not \"much\"");
+  EXPECT_EQ(why_not("colour"), "t.csv:1:1: no line \"# colour: …\"");
+}
+
 TEST(DataTable, NamesOtherFaults) {
   EXPECT_EQ(
       message<InputError>([] { parse("x,y\n1,2\n1,2,3\n"); }),

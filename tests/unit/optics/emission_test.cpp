@@ -41,6 +41,29 @@ TEST(Raman, OfBartlettIsAtTheMeanOfWalrafensBand) {
   EXPECT_NEAR(1e7 / 532 - 1e7 / bartlett(532).wavelength_nm, 3383.75, 1e-6);
 }
 
+// Walrafen's band from the table's four Gaussians.
+TEST(Raman, HasAPeakAndAWidthOfItsBand) {
+  const GaussianBand& band = library().raman_band;
+  const auto f = [&](double per_cm) {
+    double sum = 0;
+    for (std::size_t j = 0; j < band.weight.size(); ++j)
+      sum += band.weight[j] / band.fwhm_per_cm[j] *
+             std::exp(-4 * std::log(2.0) *
+                      std::pow((per_cm - band.centre_per_cm[j]) / band.fwhm_per_cm[j], 2));
+    return sum;
+  };
+  double peak = 3000;
+  for (double k = 3000; k < 4000; k += 0.5)
+    if (f(k) > f(peak)) peak = k;
+  EXPECT_NEAR(peak, 3417, 1);
+  double low = peak, high = peak;
+  while (f(low) > f(peak) / 2) low -= 0.5;
+  while (f(high) > f(peak) / 2) high += 0.5;
+  EXPECT_NEAR(high - low, 402, 1.5);
+  const double width_nm = 1e7 / (1e7 / 488 - high) - 1e7 / (1e7 / 488 - low);
+  EXPECT_NEAR(width_nm, 14, 0.5);
+}
+
 // Light of 2955.3 nm has the 3383.75 1/cm of Walrafen's band, of 2941.2 nm the 3400 of the paper's.
 TEST(Raman, NeedsMoreEnergyThanItsShift) {
   EXPECT_TRUE(raman(library(), "bartlett", 2955).line);

@@ -45,6 +45,17 @@ TEST(FournierForand, HoldsTheKnownSharesNearTheForwardDirection) {
   EXPECT_NEAR(f.below(PhaseView::x_core), 0.018, 5e-4);
 }
 
+// What flattening the peak inside 0.08 degree and scaling the rest up would do to the scattering
+// straight back; and how the peak grows, without bound.
+TEST(FournierForand, WouldScatterMoreBackIfItWereFlattenedAndScaled) {
+  const FournierForand f(1.10, 3.5835);
+  const double x = 2 * std::pow(std::sin(0.04 * radian_per_degree), 2);
+  const double flat = 2 * pi * x * f.p(x);
+  EXPECT_NEAR(1 / (1 - f.below(x) + flat), 1.044, 5e-4);
+  const double by_angle = 2 * std::log(f.p(1e-14) / f.p(1e-12)) / std::log(1e-2);
+  EXPECT_NEAR(by_angle, -1.4, 0.05);
+}
+
 // The closed cumulative and the function itself. Seen red: with the tail's cosine turned round in
 // below().
 TEST(FournierForand, IsTheDerivativeOfItsCumulative) {

@@ -18,6 +18,12 @@ TEST(PhaseFunctions, RayleighHasTheKnownValuesStraightBack) {
   EXPECT_NEAR(rayleigh(0.039).p(2), 0.1171, 5e-5);
 }
 
+// With 0.09 it is what Morel 1974 prints, 0.06225 (1 + 0.835 cos^2).
+TEST(PhaseFunctions, RayleighIsMorelsWithHisDepolarisation) {
+  for (const double cosine : {-1.0, -0.4, 0.0, 0.8, 1.0})
+    EXPECT_NEAR(rayleigh(0.09).p(1 - cosine), 0.06225 * (1 + 0.835 * cosine * cosine), 1e-5);
+}
+
 // The two depolarisation ratios are different quantities: natural light against a polarised beam.
 // At 90 degrees over 0 degrees the functions are (1+rho)/2 and (1+3rho)/(2+2rho). Seen red: with
 // either's formula in the other's place.

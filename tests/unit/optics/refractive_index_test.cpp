@@ -26,6 +26,15 @@ TEST(RefractiveIndex, HasTheGroupIndexOfItsDispersion) {
   }
 }
 
+// What depths would be off by, were light timed by the index that bends it.
+TEST(RefractiveIndex, IsNoGroupIndex) {
+  const auto off = [](double nm) {
+    return group_index(nm, 35, 20) / refractive_index(nm, 35, 20) - 1;
+  };
+  EXPECT_NEAR(off(532), 0.017, 5e-4);
+  EXPECT_NEAR(off(355), 0.039, 5e-4);
+}
+
 TEST(RefractiveIndex, HasItsDerivativeBySalinity) {
   const double difference = refractive_index(500, 36, 12) - refractive_index(500, 34, 12);
   EXPECT_NEAR(refractive_index_per_psu(500, 12), difference / 2, 1e-12);

@@ -187,6 +187,21 @@ TEST(Spheres, AreComputedOnceForEachKind) {
   EXPECT_EQ(cache(first), once);
 }
 
+// Seen red: tabulated each time.
+TEST(Spheres, HaveTheirPhaseFunctionTabulatedOnce) {
+  const SpheresCache cache;
+  const Spheres kind = all_kinds()[0];
+  const auto once = cache.phase(kind);
+  EXPECT_EQ(cache.phase(kind), once);
+  const PhaseShape direct = phase_of_spheres(shared(kind));
+  for (const double x : {PhaseView::x_core, 0.01, 2.0}) EXPECT_EQ(once->p(x), direct.p(x)) << x;
+  expect_contains(
+      message<InputError>([&] {
+        static_cast<void>(cache.phase({0.4 * um, 1.5, 0, Junge{4, 10 * um, 10.001 * um}}));
+      }),
+      "has detail that is too fine");
+}
+
 TEST(Spheres, RefuseDistributionsThatAreNone) {
   for (const SizeDistribution& sizes : std::vector<SizeDistribution>{
            Junge{4, 0, 1}, Junge{4, 2, 1}, Junge{std::nan(""), 1, 2}, LogNormal{1, 1, 0.1, 2},

@@ -357,6 +357,8 @@ TEST(Environment, IsWrittenWithAllThatItsChangesComeTo) {
                                  {"optics.water_depolarisation", "0.17"},
                                  {"optics.phytoplankton", R"("prieur-sathyendranath")"},
                                  {"optics.phytoplankton_phase", R"("mie")"},
+                                 {"optics.minerals", R"("mie")"},
+                                 {"optics.minerals_phase", R"("mie")"},
                                  {"optics.raman", R"("marshall-smith")"}}));
   expect_to_read_back(paper);
   const Scene constituents = read_text(edited({{22, 22, ""}}) +

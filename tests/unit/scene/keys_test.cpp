@@ -241,6 +241,18 @@ phase_function = "petzold")"}},
        {{25, 25,
          R"(phase_function = { model = "fournier-forand", refractive_index = 1.1, slope = 3.5, g = 0.9 })"}},
        {R"(scene.toml:25:88: 'g' does not belong to model = "fournier-forand" (it belongs to "henyey-greenstein"))"}},
+      {"TableWithoutFile",
+       {{18, 18, "[optics]\nphytoplankton = \"table\""}},
+       {"scene.toml:18:1: 'phytoplankton_file' is missing in [optics] (add it: a CSV file of "
+        "wavelength_nm, a_m2_per_mg, b_m2_per_mg)"}},
+      {"FileWithoutTable",
+       {{18, 18, "[optics]\nphytoplankton_file = \"a.csv\""}},
+       {R"(scene.toml:19:22: 'phytoplankton_file' does not belong to phytoplankton = "bricaud" (it belongs to "table"))"}},
+      {"JerlovTypeWithConstituents",
+       {{22, 22, "chlorophyll_mg_m3 = 0.1\njerlov = \"II\""}},
+       {"scene.toml:23:1: 'chlorophyll_mg_m3' and 'jerlov' exclude each other in [[sea.layer]] "
+        "(keep "
+        "one of them)"}},
       {"WordNeedsParameters",
        {{25, 25, R"(phase_function = "rayleigh")"}},
        {"scene.toml:25:18: 'depolarisation' is missing in 'phase_function' (add it: the "

@@ -35,10 +35,6 @@ albedo = 0.1)"}},
 model = "us-standard")"}},
        {"scene.toml:26:2: 'atmosphere' is not available yet (the air is clear vacuum in this "
         "version)"}},
-      {"Minerals",
-       {{22, 22, "minerals_g_m3 = 0.1"}},
-       {"scene.toml:22:1: 'minerals_g_m3' is not available yet (give the layer's iop and "
-        "phase_function instead)"}},
   };
   return all;
 }

@@ -37,6 +37,8 @@ TEST(Read, SetsOfOpticsGiveWhatIsNotGiven) {
   EXPECT_EQ(paper.water_depolarisation, 0.17);
   EXPECT_EQ(paper.phytoplankton, "prieur-sathyendranath");
   EXPECT_EQ(paper.phytoplankton_phase, "petzold");
+  EXPECT_EQ(paper.minerals, "mie");
+  EXPECT_EQ(paper.minerals_phase, "mie");
   EXPECT_EQ(paper.raman, "bartlett");
 }
 
@@ -48,6 +50,23 @@ TEST(Read, FilesAreRelativeToTheScene) {
       << edited({{25, 25, R"(phase_function = { model = "table", file = "vsf.csv" })"}});
   const Scene scene = read_scene((folder / "scene.toml").string()).scene;
   EXPECT_EQ(scene.sea.layer[1].phase_function->file, (folder / "vsf.csv").lexically_normal());
+  std::filesystem::remove_all(folder);
+}
+
+// In an environment, too.
+TEST(Read, AFileOfPhytoplanktonIsRelativeToTheScene) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "photic_read_algae_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "algae.csv") << "wavelength_nm,a_m2_per_mg,b_m2_per_mg\n";
+  std::ofstream(folder / "more.csv") << "wavelength_nm,a_m2_per_mg,b_m2_per_mg\n";
+  std::ofstream(folder / "scene.toml")
+      << edited({{18, 18,
+                  "[optics]\nphytoplankton = \"table\"\nphytoplankton_file = \"algae.csv\""}}) +
+             "[[environment]]\nset = { \"optics.phytoplankton_file\" = \"more.csv\" }\n";
+  const Scene scene = read_scene((folder / "scene.toml").string()).scene;
+  EXPECT_EQ(scene.optics.phytoplankton_file, (folder / "algae.csv").lexically_normal());
+  EXPECT_EQ(scene.environment[0].optics.phytoplankton_file,
+            (folder / "more.csv").lexically_normal());
   std::filesystem::remove_all(folder);
 }
 

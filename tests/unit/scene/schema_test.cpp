@@ -47,7 +47,10 @@ std::set<std::string> keys_of_scenes() {
             "sea.layer.1.phase_function={ model = \"mixture\", components = [{ fraction = 0.5, "
             "model = \"fournier-forand\", refractive_index = 1.1, slope = 3.6 }, { fraction = 0.5, "
             "model = \"rayleigh\", depolarisation = 0.04 }] }"},
-           {"sea.layer.1.phase_function=mie"},
+           {"sea.layer.1.phase_function=mie",
+            "sea.layer.0={ jerlov = \"II\", bottom_depth_m = 1 }"},
+           {"optics={ phytoplankton = \"table\", phytoplankton_file = \"" PHOTIC_SOURCE_DIR
+            "/CMakeLists.txt\" }"},
            {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"}})
     collect_keys(json::parse(write_scene_json(base_scene(overrides))), keys);
@@ -96,6 +99,16 @@ TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
   EXPECT_EQ(phase_function["allOf"][0]["then"]["required"], json::array({"g"}));
   EXPECT_EQ(phase_function["properties"]["components"]["items"]["$ref"],
             "#/$defs/mixture_component");
+}
+
+// Where the choice is not made the set makes it: the file of another choice is not asked for then.
+// Seen red: with the condition met by a table without the choice.
+TEST(Schema, AsksForAFileWhereItsChoiceIsMade) {
+  const json condition = json::parse(scene_schema())["properties"]["optics"]["allOf"][0];
+  EXPECT_EQ(condition["if"]["properties"]["phytoplankton"]["const"], "table");
+  EXPECT_EQ(condition["if"].value("required", json::array()), json::array({"phytoplankton"}));
+  EXPECT_EQ(condition["then"]["required"], json::array({"phytoplankton_file"}));
+  EXPECT_EQ(condition["else"]["properties"]["phytoplankton_file"], false);
 }
 
 TEST(Schema, EnvironmentsSetAnyPath) {

@@ -144,7 +144,7 @@ set = "old"
 water_absorption = "smith-bakker"
 water_depolarisation = 1.1)"}},
        {R"(scene.toml:19:7: 'set' must be "modern" or "paper", not text "old" (choose from: modern, paper))",
-        R"(scene.toml:20:20: 'water_absorption' must be "mason-ioccg" or "smith-baker", not text "smith-bakker" (did you mean 'smith-baker'?))",
+        R"(scene.toml:20:20: 'water_absorption' must be "mason-ioccg", "ioccg", "pope-fry" or "smith-baker", not text "smith-bakker" (did you mean 'smith-baker'?))",
         "scene.toml:21:24: 'water_depolarisation' must be a finite number, at least 0 and at most "
         "1, not 1.1"}},
       {"SeaOutOfRange",

@@ -39,6 +39,8 @@ std::vector<Override> everything() {
       "sea.layer.0.cdom_a440_per_m=0.30000000000000004",
       "sea.layer.0.cdom_slope_per_nm=1e-5",
       "sea.layer.0.chlorophyll_yield=0.02",
+      "sea.layer.0.minerals_g_m3=0.7000000000000001",
+      "optics.minerals_b_exponent=-0.30000000000000004",
       "sea.layer.1.iop=[{ wavelength_nm = 500, a_per_m = 1e-300, b_per_m = 1 }, { wavelength_nm "
       "= 700, a_per_m = 0.4, b_per_m = 0.1, a_phytoplankton_per_m = 0.1 }]",
       "sea.layer.1.phase_function={ model = \"mixture\", components = [{ fraction = 0.9, model = "
@@ -99,6 +101,9 @@ TEST(Write, KeepsTheOtherWaysOfSayingThings) {
            {"sea.layer.1.phase_function={ model = \"table\", file = \"" PHOTIC_SOURCE_DIR
             "/CMakeLists.txt\" }"},
            {"simulation={ max_time_s = 5 }"},
+           {"sea.layer.0={ jerlov = \"5C\", bottom_depth_m = 20 }"},
+           {"optics.phytoplankton=table",
+            "optics.phytoplankton_file=" PHOTIC_SOURCE_DIR "/CMakeLists.txt"},
            {"optics.set=paper", "sea.layer.0.chlorophyll_mg_m3=0"}}) {
     SCOPED_TRACE(overrides.front());
     EXPECT_FALSE(base_scene(overrides) == base_scene());
@@ -138,6 +143,12 @@ water_scattering = "zhang"
 water_depolarisation = 0.039
 phytoplankton = "bricaud"
 phytoplankton_phase = "fournier-forand"
+minerals = "power-law"
+minerals_a_443_m2_per_g = 0.041
+minerals_a_slope_per_nm = 0.0123
+minerals_b_555_m2_per_g = 0.5
+minerals_b_exponent = 0.5
+minerals_phase = "fournier-forand"
 raman = "bartlett"
 emission = "lines"
 chlorophyll_share_730 = 0.0
@@ -154,6 +165,7 @@ bottom_depth_m = 20.0
 chlorophyll_mg_m3 = 0.1
 cdom_a440_per_m = 0.0
 cdom_slope_per_nm = 0.017
+minerals_g_m3 = 0.0
 chlorophyll_yield = 0.01
 
 [[sea.layer]]

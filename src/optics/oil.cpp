@@ -1,0 +1,166 @@
+#include "optics/oil.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "core/error.hpp"
+#include "optics/library.hpp"
+
+namespace photic::optics {
+namespace {
+
+/// What a class has, in the order it is told.
+constexpr const char* items[] = {"refractive_index", "absorption_337_nm", "absorption_slope",
+                                 "emission_peak",    "emission_fwhm",     "quantum_yield",
+                                 "lifetime"};
+
+/// Where the formulas of a class are taken as good.
+constexpr double class_min_nm = 200, class_max_nm = 1100;
+
+const OilProperty* find(const std::vector<OilProperty>& all, const std::string& oil,
+                        const std::string& item) {
+  const auto found = std::ranges::find_if(
+      all, [&](const OilProperty& p) { return p.oil == oil && p.item == item; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+void check(const std::vector<OilProperty>& all, const DataTable& table) {
+  const std::size_t last = all.size() - 1;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const OilProperty& p = all[i];
+    if (std::ranges::find(items, p.item) == std::end(items))
+      table.fail(i, "item", fmt::format("no property of oil \"{}\"", p.item),
+                 fmt::format("there are: {}", fmt::join(items, ", ")));
+    if (find(all, p.oil, p.item) != &p)
+      table.fail(i, "item", fmt::format("\"{}\" of {} is there twice", p.item, p.oil));
+    if (!(p.low <= p.value && p.value <= p.high))
+      table.fail(i, "value", fmt::format("{} is not from {} to {}", p.value, p.low, p.high));
+    for (const char* item : items)
+      if (find(all, p.oil, item) == nullptr)
+        table.fail(last, "item", fmt::format("\"{}\" of {} is missing", item, p.oil));
+  }
+}
+
+/// A formula within the range of the classes.
+OilSpectrum of_class(const char* quantity, const std::string& source,
+                     const std::function<double(double)>& formula) {
+  return [=](double nm) {
+    if (!(nm >= class_min_nm && nm <= class_max_nm))
+      no_data(fmt::format("oil {}", quantity), nm, source, class_min_nm, class_max_nm,
+              "choose another wavelength, or give the spectra of the oil in a file");
+    return formula(nm);
+  };
+}
+
+OilSpectrum gaussian_per_nm(double peak_nm, double fwhm_nm) {
+  const double sigma = fwhm_nm / (2 * std::sqrt(2 * std::log(2.0)));
+  return [=](double nm) {
+    const double t = (nm - peak_nm) / sigma;
+    return std::exp(-t * t / 2) / (std::sqrt(2 * pi) * sigma);
+  };
+}
+
+Oil oil_of_class(const std::vector<OilProperty>& all, const std::string& name) {
+  const auto property = [&](const char* item) { return *find(all, name, item); };
+  const auto index = property("refractive_index"), absorption = property("absorption_337_nm");
+  const double slope = property("absorption_slope").value;
+  Oil out;
+  out.name = name;
+  out.refractive_index =
+      of_class("refractive index", index.source, [n = index.value](double) { return n; });
+  out.absorption_per_m = of_class(
+      "absorption", absorption.source,
+      [a = absorption.value, slope](double nm) { return a * std::exp(-slope * (nm - 337)); });
+  out.emission_per_nm =
+      gaussian_per_nm(property("emission_peak").value, property("emission_fwhm").value);
+  out.yield = property("quantum_yield").value;
+  out.lifetime_ns = property("lifetime").value;
+  for (const char* item : items) out.properties.push_back(property(item));
+  return out;
+}
+
+/// Straight lines between values that are 1 in all; 0 outside.
+OilSpectrum emission_of_table(const DataTable& table, const std::vector<double>& nm) {
+  constexpr const char* column = "emission_per_nm";
+  auto values = table.numbers_from_0(column);
+  double sum = 0;
+  for (std::size_t i = 1; i < nm.size(); ++i)
+    sum += (values[i - 1] + values[i]) / 2 * (nm[i] - nm[i - 1]);
+  if (!(sum > 0 && std::isfinite(sum)))
+    table.fail(0, column, "an emission spectrum has an integral above 0");
+  for (double& value : values) value /= sum;
+  const LinearTable emission(nm, values);
+  return [=](double at) { return emission.covers(at) ? emission(at) : 0.0; };
+}
+
+OilSpectrum column_of(const DataTable& table, const std::vector<double>& nm, const char* column,
+                      const char* quantity) {
+  const LinearTable values(nm, table.numbers_from_0(column));
+  return [values, quantity, file = table.name()](double at) {
+    if (!values.covers(at))
+      no_data(fmt::format("oil {}", quantity), at, "given in " + file, values.min(), values.max(),
+              "choose another wavelength, or a table that reaches it");
+    return values(at);
+  };
+}
+
+Oil oil_of_table(const DataTable& table) {
+  const auto nm = wavelengths_of(table);
+  constexpr const char* index_column = "n";
+  const auto index = table.numbers(index_column);
+  for (std::size_t i = 0; i < index.size(); ++i)
+    if (index[i] < 1) table.fail(i, index_column, "a refractive index is 1 or more");
+  const std::string source = "given in " + table.name();
+  const auto number = [&](const char* key, const char* item, const char* unit) {
+    const double value = table.number_in_header(key);
+    return OilProperty{table.name(), item, value, value, value, unit, source};
+  };
+  Oil out;
+  out.name = table.name();
+  out.refractive_index = column_of(table, nm, index_column, "refractive index");
+  out.absorption_per_m = column_of(table, nm, "a_per_m", "absorption");
+  out.emission_per_nm = emission_of_table(table, nm);
+  out.properties = {number("yield", "quantum_yield", "1"), number("lifetime_ns", "lifetime", "ns")};
+  out.yield = out.properties[0].value;
+  out.lifetime_ns = out.properties[1].value;
+  if (out.yield > 1)
+    throw InputError({{table.name(), 0, 0, fmt::format("yield is {}", out.yield),
+                       "it counts photons emitted per photon absorbed: 1 at most"}});
+  return out;
+}
+
+}  // namespace
+
+std::vector<OilProperty> oil_properties(const DataTable& table) {
+  const auto oil = table.texts("class"), item = table.texts("item"), unit = table.texts("unit"),
+             source = table.texts("source"), status = table.texts("status");
+  const auto value = table.numbers_from_0("value"), low = table.numbers_from_0("low"),
+             high = table.numbers_from_0("high");
+  std::vector<OilProperty> out;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    out.push_back({oil[i], item[i], value[i], low[i], high[i], unit[i],
+                   fmt::format("{} [{}]", source[i], status[i])});
+  check(out, table);
+  return out;
+}
+
+std::vector<std::string> list_oils(const Library& library) {
+  std::vector<std::string> names;
+  for (const OilProperty& p : library.oils)
+    if (std::ranges::find(names, p.oil) == names.end()) names.push_back(p.oil);
+  return names;
+}
+
+Oil oil(const Library& library, const std::string& name_or_file) {
+  const auto names = list_oils(library);
+  if (std::ranges::find(names, name_or_file) != names.end())
+    return oil_of_class(library.oils, name_or_file);
+  if (name_or_file.ends_with(".csv")) return oil_of_table(DataTable::read(name_or_file));
+  no_model("oil", name_or_file, fmt::format("{}, or a file .csv", fmt::join(names, ", ")));
+}
+
+}  // namespace photic::optics
