@@ -59,6 +59,13 @@ WaterOptics of_table(const scene::Layer& layer, double wavelength_nm) {
   water.a_exciting_per_m = std::lerp(low.a_phytoplankton_per_m, high.a_phytoplankton_per_m, t);
   water.sources = {fmt::format("a = {:.5g} 1/m, b = {:.5g} 1/m: given in the scene", water.a_per_m,
                                water.b_per_m)};
+  if (low.bb_per_m && high.bb_per_m && water.b_per_m > 0) {
+    water.backscatter_fraction = std::lerp(*low.bb_per_m, *high.bb_per_m, t) / water.b_per_m;
+    water.sources.push_back(
+        fmt::format("b_b/b = {:.5g}: given in the scene; phase function: Fournier-Forand of that "
+                    "b_b/b, Mobley, Sundman & Boss 2002 [verified]",
+                    *water.backscatter_fraction));
+  }
   return water;
 }
 
@@ -120,6 +127,8 @@ WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavel
 std::vector<ScatteringPart> LayerOptics::scattering(const scene::Layer& layer, double wavelength_nm,
                                                     const WaterOptics& water) const {
   if (layer.phase_function) return {{water.b_per_m, shape(*layer.phase_function, wavelength_nm)}};
+  if (const auto fraction = water.backscatter_fraction)
+    return {{water.b_per_m, optics::FournierForand::of_backscatter(*fraction).shape()}};
   auto molecules = optics::rayleigh(scene_->optics.water_depolarisation);
   const double particles = water.b_per_m - water.b_molecular_per_m;
   if (particles <= 0) return {{water.b_per_m, molecules}};

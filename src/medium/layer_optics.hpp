@@ -1,6 +1,7 @@
 // The optical properties of one layer of water at one wavelength.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct WaterOptics {
   double a_exciting_per_m = 0;  ///< the share of a that excites chlorophyll fluorescence
   double b_molecular_per_m =
       0;  ///< the share of b by the water itself (0 in an iop layer: it is not known apart)
+  std::optional<double> backscatter_fraction;  ///< b_b/b, which tells an iop layer's phase function
   std::vector<std::string> sources;
 };
 

@@ -3,6 +3,7 @@
 
 #include "optics/fournier_forand.hpp"
 #include "optics/phase_functions.hpp"
+#include "scene/iop_layers.hpp"
 #include "scene/presets.hpp"
 #include "scene/rules.hpp"
 #include "scene/scene.hpp"
@@ -39,10 +40,17 @@ void describe(V& v, IopEntry& i) {
              "the scattering coefficient in 1/m, water included");
   v.optional("a_phytoplankton_per_m", i.a_phytoplankton_per_m, not_negative,
              "the share of a_per_m that excites chlorophyll fluorescence, in 1/m");
+  v.optional("bb_per_m", i.bb_per_m, not_negative,
+             "the backscattering coefficient in 1/m, water included; tells the phase function");
   v.unavailable("a_cdom_per_m", "CDOM does not fluoresce in this version: count it in a_per_m");
 }
 
 inline constexpr const char* model_key = "model";
+inline constexpr const char* phase_function_meaning =
+    "the phase function of all scattering, water's included";
+/// How far constituents may depart from their mean in what a layer is cut into, against their
+/// greatest value.
+inline constexpr Number profile_tolerance_rule{.low = 0.0, .high = 1.0, .low_open = true};
 
 /// Everything of a phase function but its share in a mixture.
 template <class V>
@@ -103,9 +111,9 @@ void describe(V& v, Layer& l) {
              "the depth of the layer's lower end in m; only the last layer may be bottomless");
   v.one_of(option(l.iop.empty(),
                   [&](auto& w) {
-                    w.optional("chlorophyll_mg_m3", l.chlorophyll_mg_m3, not_negative,
+                    w.profiled("chlorophyll_mg_m3", l.chlorophyll_mg_m3, not_negative,
                                "the concentration of chlorophyll in mg/m3");
-                    w.optional("cdom_a440_per_m", l.cdom_a440_per_m, not_negative,
+                    w.profiled("cdom_a440_per_m", l.cdom_a440_per_m, not_negative,
                                "the absorption of dissolved organic matter at 440 nm in 1/m");
                     w.optional(
                         "cdom_slope_per_nm", l.cdom_slope_per_nm, not_negative,
@@ -114,8 +122,7 @@ void describe(V& v, Layer& l) {
            option(!l.iop.empty(), [&](auto& w) {
              w.tables("iop", l.iop, "inherent optical properties by ascending wavelength",
                       [](auto& inner, IopEntry& entry) { describe(inner, entry); });
-             w.table_or_word("phase_function", l.phase_function, model_key,
-                             "the phase function of all scattering, water's included");
+             w.table_or_word("phase_function", l.phase_function, model_key, phase_function_meaning);
            }));
   v.optional("chlorophyll_yield", l.chlorophyll_yield, from_to(0.0, 1.0),
              "fluorescence photons per photon absorbed by phytoplankton");
@@ -141,6 +148,11 @@ void describe(V& v, Sea& s) {
              "replaces the group index from salinity and temperature, at all wavelengths");
   v.table("surface", s.surface, "the sea surface");
   v.sections("layer", s.layer, Need::required, "the layers of water from the surface down");
+  v.in_place_of("iop_table", "layer", IopTableKey{},
+                "a file of optical properties by depth and wavelength, instead of layers");
+  v.expanded("profile_tolerance", profile_tolerance_rule,
+             "how far constituents may depart from their mean in the layers that profiles are cut "
+             "into, against their greatest value; 0.05 by default");
 }
 
 }  // namespace photic::scene

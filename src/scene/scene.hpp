@@ -68,6 +68,7 @@ struct IopEntry {
   double a_per_m{};
   double b_per_m{};
   double a_phytoplankton_per_m = 0.0;  ///< the share of a that excites chlorophyll fluorescence
+  std::optional<double> bb_per_m;      ///< backscattering; in all entries of a layer or in none
   friend bool operator==(const IopEntry&, const IopEntry&) = default;
 };
 
@@ -95,7 +96,7 @@ struct Layer {
   double cdom_a440_per_m = 0.0;
   double cdom_slope_per_nm = 0.017;
   std::vector<IopEntry> iop;  ///< empty in a layer of constituents; ascending in wavelength
-  std::optional<PhaseFunction> phase_function;  ///< of an iop layer
+  std::optional<PhaseFunction> phase_function;  ///< of an iop layer whose entries have no bb_per_m
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 
