@@ -88,7 +88,7 @@ class LayerExpander {
   [[nodiscard]] std::optional<Span> span_of(std::size_t i) const {
     const auto top = i == 0 ? 0.0 : number_of(layers_[i - 1].find(bottom_key));
     const auto bottom = number_of(layers_[i].find(bottom_key));
-    if (!top || !bottom || !(*bottom > *top)) return std::nullopt;
+    if (!top || !bottom || *top < 0 || !(*bottom > *top)) return std::nullopt;
     return Span{*top, *bottom};
   }
 

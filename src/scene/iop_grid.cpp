@@ -1,10 +1,12 @@
 #include "scene/iop_grid.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "core/error.hpp"
@@ -22,7 +24,11 @@ constexpr const char* order = "sort rows by depth, and those of a depth by wavel
 /// Pairs of a depth and a wavelength: every one of them becomes a line of the effective scene.
 constexpr std::size_t most_pairs = 100'000;
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
+constexpr const char* known_names[] = {
+    depth_name, wavelength_name,        "a_per_m", "b_per_m", "c_per_m",
+    "bb_per_m", "a_phytoplankton_per_m"};
+
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -31,16 +37,23 @@ std::vector<std::string> value_names(const std::vector<std::string>& there, cons
   const auto fail = [&](const std::string& reason, const std::string& suggestion) {
     throw InputError({{place.file, place.line, place.column, reason, suggestion}});
   };
+  const auto instead_of = [&](const std::string& name) {
+    std::vector<std::string> strange;  // nobody meant one name of these by writing another
+    std::copy_if(there.begin(), there.end(), std::back_inserter(strange), [](const std::string& n) {
+      return std::find(std::begin(known_names), std::end(known_names), n) == std::end(known_names);
+    });
+    const std::string hint = suggestion_for(name, strange, "");
+    return hint.starts_with("did you mean") ? hint
+                                            : fmt::format("there are: {}", fmt::join(there, ", "));
+  };
   for (const std::string name : {depth_name, wavelength_name, "a_per_m"})
-    if (!contains(there, name))
-      fail(fmt::format("no \"{}\"", name), suggestion_for(name, there, "there are"));
-  const bool has_b = contains(there, "b_per_m"), has_c = contains(there, "c_per_m");
-  if (!has_b && !has_c)
-    fail(R"(neither "b_per_m" nor "c_per_m")", suggestion_for("b_per_m", there, "there are"));
+    if (!is_among(there, name)) fail(fmt::format("no \"{}\"", name), instead_of(name));
+  const bool has_b = is_among(there, "b_per_m"), has_c = is_among(there, "c_per_m");
+  if (!has_b && !has_c) fail(R"(neither "b_per_m" nor "c_per_m")", instead_of("b_per_m"));
   if (has_b && has_c) fail(R"("b_per_m" and "c_per_m" exclude each other)", "keep one of them");
   std::vector<std::string> names{"a_per_m", has_b ? "b_per_m" : "c_per_m"};
   for (const char* optional : {"bb_per_m", "a_phytoplankton_per_m"})
-    if (contains(there, optional)) names.emplace_back(optional);
+    if (is_among(there, optional)) names.emplace_back(optional);
   return names;
 }
 
@@ -171,7 +184,11 @@ IopGrid grid_of_netcdf(const std::string& path, const NetcdfFiles& netcdf) {
     grid.value[name] = std::move(variable.value);
   }
   grid.place = [path, per_depth = wavelength.value.size()](const std::string& name, std::size_t i) {
-    return Place{fmt::format("{}: {}[{}, {}]", path, name, i / per_depth, i % per_depth), 0, 0};
+    const std::size_t d = i / per_depth, w = i % per_depth;
+    const std::string index = name == depth_name        ? fmt::format("{}", d)
+                              : name == wavelength_name ? fmt::format("{}", w)
+                                                        : fmt::format("{}, {}", d, w);
+    return Place{fmt::format("{}: {}[{}]", path, name, index), 0, 0};
   };
   return grid;
 }

@@ -17,7 +17,8 @@ struct IopGrid {
   /// By name: a_per_m, one of b_per_m and c_per_m, and those optional ones that the file has; the
   /// wavelength fastest.
   std::map<std::string, std::vector<double>> value;
-  /// Where a value stands: the file, and line and column or the variable's index.
+  /// Where a value stands, or its depth or wavelength: the file, and line and column or the
+  /// variable's index.
   std::function<Place(const std::string& name, std::size_t i)> place;
 
   [[nodiscard]] bool has(const std::string& name) const { return value.contains(name); }

@@ -33,7 +33,7 @@ Node entry_of(const IopGrid& grid, std::size_t d, std::size_t w, Findings& findi
   const auto place = [&](const char* name) { return grid.place(name, i); };
   const auto value = [&](const char* name) { return grid.value.at(name)[i]; };
   Node entry = empty_table_at(place("a_per_m"));
-  entry.add("wavelength_nm", at(entry.place, grid.wavelength_nm[w]));
+  entry.add("wavelength_nm", at(place("wavelength_nm"), grid.wavelength_nm[w]));
   entry.add("a_per_m", at(entry.place, value("a_per_m")));
   if (grid.has("b_per_m")) {
     entry.add("b_per_m", at(place("b_per_m"), value("b_per_m")));
@@ -57,7 +57,7 @@ Node layers_of(const IopGrid& grid, const Node* phase_function, const Place& pla
   for (std::size_t d = 0; d < grid.depth_m.size(); ++d) {
     Node& layer = layers.emplace_back(empty_table_at(place));
     if (d + 1 < grid.depth_m.size())
-      layer.add("bottom_depth_m", at(grid.place("a_per_m", (d + 1) * grid.wavelength_nm.size()),
+      layer.add("bottom_depth_m", at(grid.place("depth_m", (d + 1) * grid.wavelength_nm.size()),
                                      grid.depth_m[d + 1]));
     Node::Array iop;
     for (std::size_t w = 0; w < grid.wavelength_nm.size(); ++w)

@@ -68,7 +68,8 @@ struct IopEntry {
   double a_per_m{};
   double b_per_m{};
   double a_phytoplankton_per_m = 0.0;  ///< the share of a that excites chlorophyll fluorescence
-  std::optional<double> bb_per_m;      ///< backscattering; in all entries of a layer or in none
+  std::optional<double> bb_per_m =
+      std::nullopt;  ///< backscattering; in all entries of a layer or in none
   friend bool operator==(const IopEntry&, const IopEntry&) = default;
 };
 
