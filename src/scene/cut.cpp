@@ -76,14 +76,15 @@ std::optional<std::vector<double>> cut(const std::vector<Profile>& profiles, con
   return ends;
 }
 
-double tolerance_to_keep(const std::vector<Profile>& profiles, const Span& span, double tolerance) {
-  for (double power = 1e-6; power < 1; power *= 10) {
+std::optional<double> tolerance_to_keep(const std::vector<Profile>& profiles, const Span& span,
+                                        double tolerance) {
+  for (const double power : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0}) {
     for (const double digit : {1.0, 2.0, 5.0}) {
       const double more = digit * power;
-      if (more > tolerance && cut(profiles, span, more)) return more;
+      if (more > tolerance && more <= 1 && cut(profiles, span, more)) return more;
     }
   }
-  return 1;  // one layer: values are not negative
+  return std::nullopt;
 }
 
 }  // namespace photic::scene

@@ -30,8 +30,9 @@ inline constexpr std::size_t most_cuts = 500;
 [[nodiscard]] std::optional<std::vector<double>> cut(const std::vector<Profile>& profiles,
                                                      const Span& span, double tolerance);
 
-/// The least of 1, 2 and 5 times powers of ten, above `tolerance`, that cut() can keep.
-[[nodiscard]] double tolerance_to_keep(const std::vector<Profile>& profiles, const Span& span,
-                                       double tolerance);
+/// The least of 1, 2 and 5 times powers of ten, above `tolerance` and at most 1, that cut() can
+/// keep; none where values are too large to be added up.
+[[nodiscard]] std::optional<double> tolerance_to_keep(const std::vector<Profile>& profiles,
+                                                      const Span& span, double tolerance);
 
 }  // namespace photic::scene

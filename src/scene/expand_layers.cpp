@@ -131,13 +131,14 @@ class LayerExpander {
     std::vector<Profile> profiles;
     for (const Found& f : found) profiles.push_back(f.profile);
     auto ends = cut(profiles, *span, tolerance_);
-    if (!ends)
-      findings_.add(found.front().path, found.front().place,
-                    fmt::format("the layer becomes more than {} with profile_tolerance = {}",
-                                most_cuts, plain_number(tolerance_)),
-                    fmt::format("profile_tolerance = {:g} would do",
-                                tolerance_to_keep(profiles, *span, tolerance_)));
-    return ends;
+    if (ends) return ends;
+    const auto enough = tolerance_to_keep(profiles, *span, tolerance_);
+    findings_.add(found.front().path, found.front().place,
+                  fmt::format("the layer becomes more than {} with profile_tolerance = {}",
+                              most_cuts, plain_number(tolerance_)),
+                  enough ? fmt::format("profile_tolerance = {:g} would do", *enough)
+                         : "are the units right?");
+    return std::nullopt;
   }
 
   /// Whether an environment's profiles are well cut where the scene's are.

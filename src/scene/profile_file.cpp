@@ -121,6 +121,15 @@ void check_known(const NetcdfColumns& file, const Levels& depth, const Levels& v
   }
 }
 
+/// Which profiles have values: floats write each of their instruments into another one.
+std::string others_text(const NetcdfVariable& variable) {
+  const std::size_t levels = std::max<std::size_t>(variable.length.back(), 1);
+  for (std::size_t i = 0; i < variable.value.size(); ++i)
+    if (std::isfinite(variable.value[i]))
+      return fmt::format("the first profile with values is {}", i / levels);
+  return "no profile has values";
+}
+
 std::string gaps_text(const std::string& name, std::size_t levels, const Known& known) {
   double widest = 0, from = 0;
   for (std::size_t k = 1; k < known.depth_m.size(); ++k) {
@@ -165,8 +174,10 @@ ReadProfile profile_of_netcdf(const ProfileFile& from, const Number& rule,
   if (is_pressure(file, from.depth, depths)) to_depths(file, profile, depth, remarks);
   Known known = known_levels(depth, value);
   if (known.level.size() < 2)
-    file.fail(from.variable, fmt::format("profile {} has values at {} of {} levels; it takes two",
-                                         from.profile, known.level.size(), value.value.size()));
+    file.fail(from.variable,
+              fmt::format("profile {} has values at {} of {} levels; it takes two", from.profile,
+                          known.level.size(), value.value.size()),
+              others_text(variable));
   check_known(file, depth, value, known, rule);
   if (known.level.size() < value.value.size())
     remarks.push_back(gaps_text(from.variable, value.value.size(), known));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
 
 #include "unit/scene/written_files.hpp"
 
@@ -94,6 +95,27 @@ TEST(IopTable, OfAnEnvironmentIsAnotherFile) {
             (Texts{"deeper.csv:3:1: 'bottom_depth_m' must be as in the scene, 10, not 11: light "
                    "crosses from layer to layer alike in all environments (simulate that water in "
                    "a scene of its own)"}));
+}
+
+/// Whatever stands in the file, there is a scene or a word on what is wrong.
+TEST(IopTable, DamagedFiles) {
+  WrittenFiles files("iop_damaged");
+  std::mt19937_64 random(20240602);
+  int refused = 0;
+  for (int i = 0; i < 1000; ++i) {
+    std::string damaged = good_rows;
+    damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+    if (i % 5 == 0) damaged.resize(random() % damaged.size());
+    files.write("lib.csv", damaged);
+    try {
+      const Scene scene = files.read(tabled(with_phase)).scene;
+      EXPECT_TRUE(read_scene_text(write_scene(scene), "written.toml", "/").scene == scene);
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 300);
+  EXPECT_LT(refused, 1000);
 }
 
 struct Table {

@@ -176,7 +176,11 @@ TEST(FloatProfile, ProblemsNameVariableAndLevel) {
   EXPECT_EQ(problems([](Variables& v) {
               for (int i = 0; i < 5; ++i) v["CHLA"].value[i] = none;
             }),
-            (Texts{"float.nc: CHLA: profile 0 has values at 0 of 5 levels; it takes two"}));
+            (Texts{"float.nc: CHLA: profile 0 has values at 0 of 5 levels; it takes two (the first "
+                   "profile with values is 1)"}));
+  EXPECT_EQ(problems([](Variables& v) { v["CHLA"].value.assign(10, none); }),
+            (Texts{"float.nc: CHLA: profile 0 has values at 0 of 5 levels; it takes two (no "
+                   "profile has values)"}));
   EXPECT_EQ(problems([](Variables&) {}, ", profile = 2"),
             (Texts{"float.nc: CHLA(N_PROF, N_LEVELS): there is no profile 2: it has 2, counted "
                    "from 0"}));

@@ -326,6 +326,9 @@ INSTANTIATE_TEST_SUITE_P(
               {22, 22, "chlorophyll_mg_m3 = { depth_m = [0, 20], value = [0, 1] }"}},
              {"scene.toml:23:21: the layer becomes more than 500 with profile_tolerance = 0.0001 "
               "(profile_tolerance = 0.002 would do)"}},
+        chlorophyll("TooLarge", "{ depth_m = [-1e308, 1e308], value = [0, 1e308] }",
+                    {"scene.toml:22:21: the layer becomes more than 500 with profile_tolerance = "
+                     "0.05 (are the units right?)"}),
         Case{"ToleranceOfNothing",
              {{19, 19, "[sea]\nprofile_tolerance = 0"}},
              {"scene.toml:20:21: 'profile_tolerance' must be a finite number, greater than 0 and "
