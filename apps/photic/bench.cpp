@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/problem.hpp"
+#include "io/netcdf_variable.hpp"
 #include "photic/commands.hpp"
 #include "photic/interrupt.hpp"
 #include "photic/output.hpp"
@@ -218,8 +219,8 @@ std::string json(const engine::Comparison& comparison, const std::string& scene)
 }  // namespace
 
 int run(const BenchCommand& command) {
-  const scene::Reading reading =
-      scene::read_scene(command.scene, command.overrides, engine::optics_check());
+  const scene::Reading reading = scene::read_scene(command.scene, command.overrides,
+                                                   engine::optics_check(), io::netcdf_files());
   for (const std::string& remark : reading.remarks) print_error(remark + '\n');
   engine::BenchOptions options;
   options.time_s = command.time_s;

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "engine/problem.hpp"
+#include "io/netcdf_variable.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
 
@@ -9,7 +10,9 @@ namespace photic::app {
 namespace {
 
 std::vector<std::string> remarks_on(const CheckCommand& command) {
-  return scene::read_scene(command.scene, command.overrides, engine::optics_check()).remarks;
+  return scene::read_scene(command.scene, command.overrides, engine::optics_check(),
+                           io::netcdf_files())
+      .remarks;
 }
 
 nlohmann::ordered_json as_json(const Diagnostic& d) {

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "engine/problem.hpp"
 #include "io/netcdf.hpp"
+#include "io/netcdf_variable.hpp"
 #include "scene/compare.hpp"
 
 namespace photic::app {
@@ -56,8 +57,8 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
 
 scene::Reading read_scene_of(const RunCommand& command) {
   if (!command.scene.empty()) {
-    scene::Reading reading =
-        scene::read_scene(command.scene, command.overrides, engine::optics_check());
+    scene::Reading reading = scene::read_scene(command.scene, command.overrides,
+                                               engine::optics_check(), io::netcdf_files());
     if (!command.earlier.empty()) {
       const auto text = io::read_run(command.earlier).scene_toml;
       const auto then =
@@ -68,7 +69,7 @@ scene::Reading read_scene_of(const RunCommand& command) {
   }
   return scene::read_scene_text(io::read_run(command.earlier).scene_toml, command.earlier,
                                 folder_of(command.earlier), command.overrides,
-                                engine::optics_check());
+                                engine::optics_check(), io::netcdf_files());
 }
 
 Earlier take_up(const std::string& file, const scene::Scene& scene) {

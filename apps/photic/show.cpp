@@ -2,6 +2,7 @@
 
 #include "engine/problem.hpp"
 #include "io/netcdf.hpp"
+#include "io/netcdf_variable.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
 
@@ -11,10 +12,11 @@ namespace {
 scene::Reading read(const ShowCommand& command) {
   const std::filesystem::path file(command.file);
   if (file.extension() != ".nc")
-    return scene::read_scene(command.file, command.overrides, engine::optics_check());
+    return scene::read_scene(command.file, command.overrides, engine::optics_check(),
+                             io::netcdf_files());
   return scene::read_scene_text(io::read_scene_attribute(command.file), command.file,
                                 file.parent_path().string(), command.overrides,
-                                engine::optics_check());
+                                engine::optics_check(), io::netcdf_files());
 }
 
 /// Where every number of the water comes from, as comments under the scene.

@@ -17,14 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* what_is_wanted = "a result is what `photic run SCENE -o out.nc` writes";
-
 [[noreturn]] void refuse_file(const std::string& path, const std::string& reason,
-                              const std::string& suggestion = what_is_wanted) {
+                              const std::string& suggestion) {
   throw InputError({{.file = path, .reason = reason, .suggestion = suggestion}});
 }
 
-int open_file(const std::string& path) {
+int open_file(const std::string& path, const std::string& wanted) {
   // Asked of the file system first: netCDF would take some paths for addresses on the network.
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
@@ -35,16 +33,19 @@ int open_file(const std::string& path) {
   const int status = nc_open(path.c_str(), NC_NOWRITE, &file);
   if (status > 0)  // an errno of the system
     throw EnvironmentError(fmt::format("{}: cannot read the file: {}", path, nc_strerror(status)));
-  if (status == NC_ENOTNC) refuse_file(path, "not a netCDF file");
+  if (status == NC_ENOTNC) refuse_file(path, "not a netCDF file", wanted);
   if (status != NC_NOERR)
-    refuse_file(path, fmt::format("a damaged netCDF file: {}", nc_strerror(status)));
+    refuse_file(path, fmt::format("a damaged netCDF file: {}", nc_strerror(status)), wanted);
   return file;
 }
 
 }  // namespace
 
-NetcdfReader::NetcdfReader(std::string path)
-    : path_(std::move(path)), file_(open_file(path_)), group_(file_) {}
+NetcdfReader::NetcdfReader(std::string path, std::string wanted)
+    : path_(std::move(path)),
+      wanted_(std::move(wanted)),
+      file_(open_file(path_, wanted_)),
+      group_(file_) {}
 
 NetcdfReader::~NetcdfReader() { nc_close(file_); }
 
@@ -112,7 +113,7 @@ std::vector<std::uint64_t> NetcdfReader::counts(const std::string& name,
   return values<std::uint64_t>(name, NC_UINT64, lengths);
 }
 
-void NetcdfReader::refuse(const std::string& reason) const { refuse_file(path_, reason); }
+void NetcdfReader::refuse(const std::string& reason) const { refuse_file(path_, reason, wanted_); }
 
 template <class T>
 std::vector<T> NetcdfReader::values(const std::string& name, int type,

@@ -1,5 +1,5 @@
-// A result file opened for reading. Nothing in it is believed: whatever is not of the type and size
-// asked for is an InputError that names the file.
+// A netCDF file opened for reading, a result above all. Nothing in it is believed: whatever is not
+// of the type and size asked for is an InputError that names the file.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,10 @@ namespace photic::io {
 class NetcdfReader {
  public:
   /// Throws EnvironmentError if the file cannot be read, InputError if it is no netCDF file.
-  explicit NetcdfReader(std::string path);
+  /// `wanted` says in all such errors what file it should be.
+  explicit NetcdfReader(
+      std::string path,
+      std::string wanted = "a result is what `photic run SCENE -o out.nc` writes");
   NetcdfReader(const NetcdfReader&) = delete;
   NetcdfReader& operator=(const NetcdfReader&) = delete;
   ~NetcdfReader();
@@ -37,6 +40,9 @@ class NetcdfReader {
   [[nodiscard]] std::vector<std::uint64_t> counts(const std::string& name,
                                                   const std::vector<std::size_t>& lengths) const;
 
+  /// The number netCDF knows the file by.
+  [[nodiscard]] int id() const { return file_; }
+
   /// Throws InputError about the file.
   [[noreturn]] void refuse(const std::string& reason) const;
 
@@ -48,7 +54,7 @@ class NetcdfReader {
   [[nodiscard]] std::vector<std::size_t> lengths_of(int variable) const;
   void check(int status, const std::string& name) const;
 
-  std::string path_;
+  std::string path_, wanted_;
   int file_ = -1, group_ = -1;
 };
 

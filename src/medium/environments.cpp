@@ -32,9 +32,9 @@ class PhaseTables {
   explicit PhaseTables(Medium& medium) : medium_(medium) {}
 
   /// Of a part of a layer's scattering at a wavelength.
-  std::int32_t number(const scene::Scene& scene, const scene::Layer& layer, double wavelength_nm,
-                      const ScatteringPart& part) {
-    Key key{layer.phase_function, scene.optics, wavelength_nm, part.of};
+  std::int32_t number(const scene::Scene& scene, const scene::Layer& layer,
+                      const WaterOptics& water, double wavelength_nm, const ScatteringPart& part) {
+    Key key{layer.phase_function, water.backscatter_fraction, scene.optics, wavelength_nm, part.of};
     const auto known = std::ranges::find(known_, key, &std::pair<Key, std::int32_t>::first);
     if (known != known_.end()) return known->second;
     known_.emplace_back(std::move(key), medium_.add_phase(optics::PhaseTable(part.phase)));
@@ -44,6 +44,7 @@ class PhaseTables {
  private:
   struct Key {
     std::optional<scene::PhaseFunction> function;
+    std::optional<double> backscatter_fraction;
     scene::Optics optics;
     double wavelength_nm;
     Scatterer of;
@@ -101,7 +102,8 @@ Waters waters_of(const std::string& who, const scene::Scene& scene, const optics
       const WaterOptics water = optics_of(layer, line.wavelength_nm);
       Water w{water.a_per_m + water.b_per_m, water.b_per_m, emitted_into(line, k, emitted), {}};
       for (const auto& part : optics_of.scattering(layer, line.wavelength_nm, water))
-        w.part.push_back({part.b_per_m, tables.number(scene, layer, line.wavelength_nm, part)});
+        w.part.push_back(
+            {part.b_per_m, tables.number(scene, layer, water, line.wavelength_nm, part)});
       out.push_back(std::move(w));
     }
   }

@@ -60,7 +60,15 @@ WaterOptics of_table(const scene::Layer& layer, double wavelength_nm) {
   water.b_per_m = std::lerp(low.b_per_m, high.b_per_m, t);
   water.a_exciting_per_m = std::lerp(low.a_phytoplankton_per_m, high.a_phytoplankton_per_m, t);
   water.a_cdom_per_m = std::lerp(low.a_cdom_per_m, high.a_cdom_per_m, t);
-  water.contributions = {{"", water.a_per_m, water.b_per_m, "given in the scene"}};
+  std::string source = "given in the scene";
+  if (low.bb_per_m && high.bb_per_m && water.b_per_m > 0) {
+    water.backscatter_fraction = std::lerp(*low.bb_per_m, *high.bb_per_m, t) / water.b_per_m;
+    source += fmt::format(
+        "; b_b/b = {:.5g}, too: phase function Fournier-Forand of that b_b/b, "
+        "Mobley, Sundman & Boss 2002 [verified]",
+        *water.backscatter_fraction);
+  }
+  water.contributions = {{"", water.a_per_m, water.b_per_m, source}};
   return water;
 }
 
@@ -171,6 +179,9 @@ std::vector<ScatteringPart> LayerOptics::scattering(const scene::Layer& layer, d
                                                     const WaterOptics& water) const {
   if (layer.phase_function)
     return {{Scatterer::all, water.b_per_m, shape(*layer.phase_function, wavelength_nm)}};
+  if (const auto fraction = water.backscatter_fraction)
+    return {
+        {Scatterer::all, water.b_per_m, optics::FournierForand::of_backscatter(*fraction).shape()}};
   const scene::Optics& choice = scene_->optics;
   std::vector<ScatteringPart> parts{
       {Scatterer::water, water.b_molecular_per_m, optics::rayleigh(choice.water_depolarisation)}};

@@ -33,7 +33,8 @@ struct WaterOptics {
   double b_phytoplankton_per_m = 0;  ///< what phytoplankton adds to b; of one of Jerlov's types,
                                      ///< all particles
   double b_minerals_per_m = 0;       ///< what minerals add to b
-  std::vector<Contribution> contributions;  ///< which a and b are the sums of
+  std::optional<double> backscatter_fraction;  ///< b_b/b, which tells an iop layer's phase function
+  std::vector<Contribution> contributions;     ///< which a and b are the sums of
 };
 
 /// "a of CDOM = 0.012 1/m: source [status]", one for each contribution.

@@ -202,7 +202,8 @@ std::vector<double> DataTable::ascending_numbers(const std::string& column) cons
 
 void DataTable::fail(std::size_t row, const std::string& column, const std::string& reason,
                      const std::string& suggestion) const {
-  fail_at(line_.at(row), cells_.at(row)[index_of(column)].column, reason, suggestion);
+  const auto [at_line, at_column] = place(row, column);
+  fail_at(at_line, at_column, reason, suggestion);
 }
 
 void DataTable::fail_columns(const std::string& reason, const std::string& suggestion) const {

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace photic::optics {
@@ -39,6 +40,12 @@ class DataTable {
   [[nodiscard]] std::vector<double> numbers_from_0(const std::string& column) const;
   /// Finite numbers, strictly ascending.
   [[nodiscard]] std::vector<double> ascending_numbers(const std::string& column) const;
+
+  /// The line that names the columns; line and column of a cell (row from 0).
+  [[nodiscard]] int column_line() const { return column_line_; }
+  [[nodiscard]] std::pair<int, int> place(std::size_t row, const std::string& column) const {
+    return {line_.at(row), cells_.at(row)[index_of(column)].column};
+  }
 
   /// Throws the InputError for something wrong in a row (from 0) and column.
   [[noreturn]] void fail(std::size_t row, const std::string& column, const std::string& reason,

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 
 #include "core/constants.hpp"
 #include "core/error.hpp"
@@ -65,6 +67,26 @@ double FournierForand::below(double x) const {
   const double main = first_quotient(delta, v_ + 1) - first_quotient(delta, v_) * x / 2;
   // The tail's integral over 0 … x; sin^2 = x (2 - x).
   return main / std::pow(delta, v_) + 2 * pi * tail_ * (1 - x) * x * (2 - x);
+}
+
+FournierForand FournierForand::of_backscatter(double fraction) {
+  if (!(fraction >= lowest_backscatter && fraction <= highest_backscatter)) {
+    throw InputError(
+        {{"", 0, 0,
+          fmt::format("a backscatter fraction b_b/b of {:.4g} is outside {:g} to {:g}, "
+                      "where it tells the phase function",
+                      fraction, lowest_backscatter, highest_backscatter),
+          "give a phase_function instead"}});
+  }
+  const auto along = [](double slope) {
+    return FournierForand(1.01 + 0.1542 * (slope - 3), slope);
+  };
+  // The fraction rises with the slope, from 0 at 3 to 1/2 at 5.
+  const auto excess = [&](double slope) { return along(slope).backscatter_fraction() - fraction; };
+  std::uintmax_t steps = 100;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      excess, 3.01, 4.99, boost::math::tools::eps_tolerance<double>(), steps);
+  return along((low + high) / 2);
 }
 
 PhaseShape FournierForand::shape() const {

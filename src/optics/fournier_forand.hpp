@@ -22,7 +22,16 @@ class FournierForand {
   /// The share of the scattering at angles below that of x.
   [[nodiscard]] double below(double x) const;
 
+  /// b_b / b.
+  [[nodiscard]] double backscatter_fraction() const { return 1 - below(1); }
+
   [[nodiscard]] PhaseShape shape() const;
+
+  /// The function of a backscatter fraction, on a line through the plane of index and slope that
+  /// goes with what is measured in the sea: n = 1.01 + 0.1542 (slope - 3), Mobley et al. 2002
+  /// [verified]. Throws InputError outside the fractions below.
+  static FournierForand of_backscatter(double fraction);
+  static constexpr double lowest_backscatter = 2e-4, highest_backscatter = 0.45;
 
  private:
   double v_;            ///< (3 - slope) / 2

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
+#include "optics/fournier_forand.hpp"
 #include "scene/checks.hpp"
+#include "scene/describe_sea.hpp"
 
 namespace photic::scene {
 namespace {
@@ -45,11 +48,42 @@ void check_iop_entry(const Layer& layer, std::size_t k, const std::string& path,
                  "sort the iop by ascending wavelength, each once");
 }
 
+void check_backscatter_fraction(const IopEntry& entry, const std::string& path,
+                                Findings& findings) {
+  if (!entry.bb_per_m || (entry.b_per_m == 0 && *entry.bb_per_m == 0)) return;
+  try {
+    optics::FournierForand::of_backscatter(*entry.bb_per_m / entry.b_per_m);
+  } catch (const InputError& error) {
+    const Diagnostic& d = error.diagnostics().front();
+    findings.add(path + ".bb_per_m", d.reason, d.suggestion);
+  }
+}
+
+/// The phase function is given, or told by all entries' bb_per_m.
+void check_phase_source(const Layer& layer, const std::string& layer_path, Findings& findings) {
+  const std::string iop = below(layer_path, "iop");
+  const std::string function = below(layer_path, "phase_function");
+  const bool told = layer.iop.front().bb_per_m.has_value();
+  for (std::size_t k = 0; k < layer.iop.size(); ++k) {
+    if (layer.iop[k].bb_per_m.has_value() != told)
+      findings.add(below(iop, k), "'bb_per_m' is in some entries of the iop and not in others",
+                   "give it in all or in none");
+    check_backscatter_fraction(layer.iop[k], below(iop, k), findings);
+  }
+  if (told && layer.phase_function)
+    findings.add(function, "'bb_per_m' and 'phase_function' exclude each other in [[sea.layer]]",
+                 "keep one of them");
+  if (!told && !layer.phase_function)
+    findings.add(function, "'phase_function' is missing in [[sea.layer]]",
+                 std::string("add it: ") + phase_function_meaning);
+}
+
 void check_iop(const Layer& layer, std::size_t i, Findings& findings) {
   const std::string path = below(below("sea.layer", i), "iop");
   if (layer.iop.empty() || !findings.good({path})) return;
   for (std::size_t k = 0; k < layer.iop.size(); ++k)
     check_iop_entry(layer, k, below(path, k), findings);
+  check_phase_source(layer, below("sea.layer", i), findings);
 }
 
 void check_mixture(const PhaseFunction& mixture, const std::string& path, Findings& findings) {

@@ -3,6 +3,7 @@
 
 #include "optics/fournier_forand.hpp"
 #include "optics/phase_functions.hpp"
+#include "scene/iop_layers.hpp"
 #include "scene/presets.hpp"
 #include "scene/rules.hpp"
 #include "scene/scene.hpp"
@@ -69,12 +70,19 @@ void describe(V& v, IopEntry& i) {
              "the scattering coefficient in 1/m, water included");
   v.optional("a_phytoplankton_per_m", i.a_phytoplankton_per_m, not_negative,
              "the share of a_per_m that excites chlorophyll fluorescence, in 1/m");
+  v.optional("bb_per_m", i.bb_per_m, not_negative,
+             "the backscattering coefficient in 1/m, water included; tells the phase function");
   v.optional("a_cdom_per_m", i.a_cdom_per_m, not_negative,
              "the share of a_per_m that excites the fluorescence of dissolved organic matter, in "
              "1/m");
 }
 
 inline constexpr const char* model_key = "model";
+inline constexpr const char* phase_function_meaning =
+    "the phase function of all scattering, water's included";
+/// How far constituents may depart from their mean in what a layer is cut into, against their
+/// greatest value.
+inline constexpr Number profile_tolerance_rule{.low = 0.0, .high = 1.0, .low_open = true};
 
 /// Everything of a phase function but its share in a mixture.
 template <class V>
@@ -135,14 +143,14 @@ void describe(V& v, Layer& l) {
              "the depth of the layer's lower end in m; only the last layer may be bottomless");
   v.one_of(option(l.iop.empty() && l.jerlov.empty(),
                   [&](auto& w) {
-                    w.optional("chlorophyll_mg_m3", l.chlorophyll_mg_m3, not_negative,
+                    w.profiled("chlorophyll_mg_m3", l.chlorophyll_mg_m3, not_negative,
                                "the concentration of chlorophyll in mg/m3");
-                    w.optional("cdom_a440_per_m", l.cdom_a440_per_m, not_negative,
+                    w.profiled("cdom_a440_per_m", l.cdom_a440_per_m, not_negative,
                                "the absorption of dissolved organic matter at 440 nm in 1/m");
                     w.optional(
                         "cdom_slope_per_nm", l.cdom_slope_per_nm, not_negative,
                         "how fast the absorption of dissolved organic matter falls, in 1/nm");
-                    w.optional("minerals_g_m3", l.minerals_g_m3, not_negative,
+                    w.profiled("minerals_g_m3", l.minerals_g_m3, not_negative,
                                "the mass of suspended minerals in g/m3");
                   }),
            option(!l.iop.empty(),
@@ -179,6 +187,11 @@ void describe(V& v, Sea& s) {
              "replaces the group index from salinity and temperature, at all wavelengths");
   v.table("surface", s.surface, "the sea surface");
   v.sections("layer", s.layer, Need::required, "the layers of water from the surface down");
+  v.in_place_of("iop_table", "layer", IopTableKey{},
+                "a file of optical properties by depth and wavelength, instead of layers");
+  v.expanded("profile_tolerance", profile_tolerance_rule,
+             "how far constituents may depart from their mean in the layers that profiles are cut "
+             "into, against their greatest value; 0.05 by default");
 }
 
 }  // namespace photic::scene

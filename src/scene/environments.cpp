@@ -178,16 +178,17 @@ const Entry& set_of(const Node& document, std::size_t i) {
 
 }  // namespace
 
-void read_environments(const Node& document, const std::string& folder, const Check& check,
-                       Scene& scene, Findings& findings) {
+void read_environments(const Layered& layered, const Check& check, Scene& scene,
+                       Findings& findings) {
   if (scene.environment.empty()) return;
-  const Node alone = without_environments(document);
+  const Node alone = without_environments(layered.document);
   const Node as_written = written(scene);
-  const Reference reference{alone, folder, as_written, findings, check};
+  const Reference reference{alone, layered.files, &layered.cuts, as_written, findings, check};
   for (std::size_t i = 0; i < scene.environment.size(); ++i) {
     const std::string path = below(below("environment", i), "set");
     if (findings.good({path}))
-      read_environment(reference, set_of(document, i), path, scene.environment[i], findings);
+      read_environment(reference, set_of(layered.document, i), path, scene.environment[i],
+                       findings);
   }
   if (!findings.problems().empty()) return;
   for (Environment& environment : scene.environment) settle(environment, scene, as_written);

@@ -20,6 +20,10 @@ const Node* child(const Node& node, const std::string& key) {
   return index < array->size() ? &(*array)[index] : nullptr;
 }
 
+bool same(const Diagnostic& a, const Diagnostic& b) {
+  return a.file == b.file && a.line == b.line && a.column == b.column && a.reason == b.reason;
+}
+
 /// The order of the file, and --set, which has no lines, last.
 auto rank(int line, int column) { return std::tuple(line == 0, line, column); }
 
@@ -91,6 +95,9 @@ void Findings::raise() const {
   std::stable_sort(sorted.begin(), sorted.end(), [&](const Diagnostic& a, const Diagnostic& b) {
     return rank(a, end_.file) < rank(b, end_.file);
   });
+  // What stands for several layers may be wrong with all of them.
+  const auto end = std::unique(sorted.begin(), sorted.end(), same);
+  sorted.erase(end, sorted.end());
   throw InputError(std::move(sorted));
 }
 

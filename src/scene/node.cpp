@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -47,6 +48,10 @@ const Node* Node::find(const std::string& key) const {
   const auto entry =
       std::find_if(table->begin(), table->end(), [&](const Entry& e) { return e.key == key; });
   return entry == table->end() ? nullptr : &entry->value;
+}
+
+Node* Node::find(const std::string& key) {
+  return const_cast<Node*>(std::as_const(*this).find(key));
 }
 
 Node& Node::add(std::string key, Node child) {

@@ -42,6 +42,7 @@ struct Node {
 
   /// The value of a key; null if this is no table or has no such key.
   [[nodiscard]] const Node* find(const std::string& key) const;
+  [[nodiscard]] Node* find(const std::string& key);
   /// Adds a key to this table.
   Node& add(std::string key, Node child);
 };

@@ -118,7 +118,8 @@ void OtherWater::change(const std::string& path, Node value, const Place& place)
 }
 
 Scene OtherWater::read() {
-  Scene scene = scene_of(document_, reference_.folder, findings_);
+  if (reference_.cuts) expand_layers(document_, reference_.files, reference_.cuts, findings_);
+  Scene scene = scene_of(document_, reference_.files.folder, findings_);
   check_sea(scene, findings_);
   check_instrument(scene, findings_);
   check_gates(scene, findings_);

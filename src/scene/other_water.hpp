@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/expand_layers.hpp"
 #include "scene/findings.hpp"
 #include "scene/node.hpp"
 #include "scene/read.hpp"
@@ -20,8 +21,9 @@ Node written(const Scene& scene);
 /// The scene that other waters are made of.
 struct Reference {
   const Node& document;  ///< without environments and sensitivities
-  std::string folder;    ///< where relative files lie
-  const Node& written;   ///< the scene as it is written
+  OtherFiles files;
+  const Cuts* cuts;     ///< of the scene's layers; null where the document has layers as they are
+  const Node& written;  ///< the scene as it is written
   const Findings& findings;
   const Check& check;
 };

@@ -13,6 +13,7 @@
 #include "scene/describe.hpp"
 #include "scene/environment_grid.hpp"
 #include "scene/environments.hpp"
+#include "scene/expand_layers.hpp"
 #include "scene/override.hpp"
 #include "scene/parse.hpp"
 #include "scene/reader.hpp"
@@ -58,12 +59,12 @@ void check_together(const Node& document, const Check& check, const Scene& scene
 }
 
 /// What needs files. Where they fail, what is known to be wrong with the scene is told first.
-void read_on(const Node& document, const std::string& folder, const Check& check, Scene& scene,
+void read_on(const Node& document, const Layered& layered, const Check& check, Scene& scene,
              Findings& findings) {
   try {
     if (check) check(scene, findings);
     read_sensitivities(document, check, scene, findings);
-    read_environments(document, folder, check, scene, findings);
+    read_environments(layered, check, scene, findings);
     check_estimator(scene, findings);
     if (check && scene.compares() && findings.problems().empty())
       check_together(document, check, scene, findings);
@@ -91,28 +92,31 @@ Scene scene_of(const Node& document, const std::string& folder, Findings& findin
 }
 
 Reading read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
-                        const std::vector<Override>& overrides, const Check& check) {
+                        const std::vector<Override>& overrides, const Check& check,
+                        const NetcdfFiles& netcdf) {
   Node document = parse_toml(text, name);
   document.place = end_of(text, name);
   Findings findings(document, document.place);
   for (const Override& override_text : overrides) apply_override(override_text, document, findings);
   expand_grid(document, findings);
   expand_channels(document);
+  Layered layered{document, {folder, netcdf}, {}};
+  layered.cuts = expand_layers(document, layered.files, nullptr, findings);
   Reading reading{scene_of(document, folder, findings), {}};
   check_sea(reading.scene, findings);
   check_instrument(reading.scene, findings);
   check_gates(reading.scene, findings);
   check_memory(reading.scene, findings);
-  read_on(document, folder, check, reading.scene, findings);
+  read_on(document, layered, check, reading.scene, findings);
   findings.raise();
   reading.remarks = findings.remarks();
   return reading;
 }
 
 Reading read_scene(const std::string& path, const std::vector<Override>& overrides,
-                   const Check& check) {
+                   const Check& check, const NetcdfFiles& netcdf) {
   return read_scene_text(text_of(path), path, std::filesystem::path(path).parent_path().string(),
-                         overrides, check);
+                         overrides, check, netcdf);
 }
 
 }  // namespace photic::scene

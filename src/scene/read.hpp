@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/findings.hpp"
+#include "scene/netcdf_files.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::scene {
@@ -29,12 +30,13 @@ using Check = std::function<void(const Scene&, Findings&)>;
 /// alone), EnvironmentError if the file cannot be read. Files the scene names are relative to the
 /// scene file.
 Reading read_scene(const std::string& path, const std::vector<Override>& overrides = {},
-                   const Check& check = {});
+                   const Check& check = {}, const NetcdfFiles& netcdf = {});
 
 /// The same for a text; `name` stands for the file in diagnostics, `folder` is where relative files
 /// lie.
 Reading read_scene_text(const std::string& text, const std::string& name, const std::string& folder,
-                        const std::vector<Override>& overrides = {}, const Check& check = {});
+                        const std::vector<Override>& overrides = {}, const Check& check = {},
+                        const NetcdfFiles& netcdf = {});
 
 /// The effective scene as TOML, every default written out; reads back to the same scene, to the
 /// last bit.

@@ -36,6 +36,12 @@ class Reader : public TableReader {
     if (const Node* node = look(key)) read(key, *node, value, rule);
   }
 
+  /// Profiles have become numbers.
+  template <class T, class Rule>
+  void profiled(const char* key, T& value, const Rule& rule, const char* meaning) {
+    optional(key, value, rule, meaning);
+  }
+
   template <class T>
   void section(const char* key, T& value, Need need, const char* meaning) {
     const TableName name = section_name(key, "[", "]");
@@ -66,12 +72,11 @@ class Reader : public TableReader {
     elements(key, *node, values, inline_name(key), keys);
   }
 
-  /// A required inline table, for which a word may stand that is the value of `word_key`.
+  /// An optional inline table, for which a word may stand that is the value of `word_key`.
   template <class T>
-  void table_or_word(const char* key, std::optional<T>& value, const char* word_key,
-                     const char* meaning) {
+  void table_or_word(const char* key, std::optional<T>& value, const char* word_key, const char*) {
     const Node* node = look(key);
-    if (!node) return missing(key, meaning);
+    if (!node) return;
     if (!node->as<std::string>()) return descend(key, node, value.emplace(), inline_name(key));
     Node table = empty_table();
     table.place = node->place;
@@ -103,6 +108,10 @@ class Reader : public TableReader {
 
   template <class Rule>
   void expanded(const char* key, const Rule&, const char*) {
+    look(key);
+  }
+  template <class Rule>
+  void in_place_of(const char* key, const char*, const Rule&, const char*) {
     look(key);
   }
   template <class Action>

@@ -41,6 +41,11 @@ struct Count {
   std::int64_t high = std::numeric_limits<std::int64_t>::max();
 };
 
+/// [a, b, …]: two or more finite numbers.
+struct Numbers {
+  using Value = std::vector<double>;
+};
+
 /// One of some words; `later` are those the format knows and this version cannot do.
 struct Choice {
   using Value = std::string;
@@ -72,6 +77,7 @@ struct Direction {
 /// Checks a value and stores it if it passes. `folder` is where relative files lie.
 std::optional<Refusal> check(const Number& rule, const Node& node, double& value);
 std::optional<Refusal> check(const Count& rule, const Node& node, std::int64_t& value);
+std::optional<Refusal> check(const Numbers& rule, const Node& node, std::vector<double>& value);
 std::optional<Refusal> check(const Choice& rule, const Node& node, std::string& value);
 std::optional<Refusal> check(const Text& rule, const Node& node, std::string& value);
 std::optional<Refusal> check(const File& rule, const Node& node, std::string& value,
@@ -82,6 +88,7 @@ std::optional<Refusal> check(const Direction& rule, const Node& node, Vec3<doubl
 /// The rule as JSON Schema.
 Node schema_of(const Number& rule);
 Node schema_of(const Count& rule);
+Node schema_of(const Numbers& rule);
 Node schema_of(const Choice& rule);
 Node schema_of(const Text& rule);
 Node schema_of(const File& rule);

@@ -81,6 +81,16 @@ std::optional<Refusal> check(const Count& rule, const Node& node, std::int64_t& 
   return std::nullopt;
 }
 
+std::optional<Refusal> check(const Numbers&, const Node& node, std::vector<double>& value) {
+  const auto* array = node.as<Node::Array>();
+  const bool good = array && array->size() >= 2 &&
+                    std::all_of(array->begin(), array->end(),
+                                [](const Node& x) { return finite_number(x).has_value(); });
+  if (!good) return refusal("two or more finite numbers [a, b, …]", node);
+  for (const Node& x : *array) value.push_back(*finite_number(x));
+  return std::nullopt;
+}
+
 std::optional<Refusal> check(const Choice& rule, const Node& node, std::string& value) {
   const auto* word = node.as<std::string>();
   const auto among = [&](const std::vector<std::string>& words) {

@@ -37,6 +37,13 @@ Node schema_of(const Count& rule) {
   return schema;
 }
 
+Node schema_of(const Numbers&) {
+  Node schema = typed("array");
+  schema.add("items", typed("number"));
+  schema.add("minItems", to_node(std::int64_t{2}));
+  return schema;
+}
+
 Node schema_of(const Choice& rule) {
   Node schema = empty_table();
   schema.add("enum", to_node(rule.words));

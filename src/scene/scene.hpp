@@ -80,7 +80,9 @@ struct IopEntry {
   double a_per_m{};
   double b_per_m{};
   double a_phytoplankton_per_m = 0.0;  ///< the share of a that excites chlorophyll fluorescence
-  double a_cdom_per_m = 0.0;           ///< the share of a that excites CDOM's
+  std::optional<double> bb_per_m =
+      std::nullopt;           ///< backscattering; in all entries of a layer or in none
+  double a_cdom_per_m = 0.0;  ///< the share of a that excites CDOM's
   friend bool operator==(const IopEntry&, const IopEntry&) = default;
 };
 
@@ -111,7 +113,7 @@ struct Layer {
   double minerals_g_m3 = 0.0;
   std::string jerlov;         ///< IB | II | III | 1C | 3C | 5C; empty in other layers
   std::vector<IopEntry> iop;  ///< empty in a layer of constituents; ascending in wavelength
-  std::optional<PhaseFunction> phase_function;  ///< of an iop layer
+  std::optional<PhaseFunction> phase_function;  ///< of an iop layer whose entries have no bb_per_m
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 

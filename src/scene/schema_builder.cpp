@@ -49,6 +49,10 @@ Node SchemaBuilder::word_or(Node schema) {
   return keyed("anyOf", array({keyed("type", to_node("string")), std::move(schema)}));
 }
 
+Node SchemaBuilder::or_profile(Node schema) {
+  return keyed("anyOf", array({std::move(schema), reference(profile_name)}));
+}
+
 void SchemaBuilder::conditional(const char* selector, const char* choice, const Names& keys) {
   Node chosen = keyed("properties", keyed(selector, keyed("const", to_node(choice))));
   chosen.add("required", to_node(std::vector<std::string>{selector}));
@@ -67,6 +71,15 @@ void SchemaBuilder::alternatives(const std::vector<Names>& groups) {
     Node& way = ways.emplace_back(without(foreign));
     if (!group.needed().empty()) way.add("required", to_node(group.needed()));
   }
+  conditions_.push_back(keyed("oneOf", array(std::move(ways))));
+}
+
+void SchemaBuilder::either(const char* key, const char* other) {
+  std::erase(required_, other);
+  needs_one_ = true;
+  Node::Array ways;
+  for (const char* one : {other, key})
+    ways.push_back(keyed("required", to_node(std::vector<std::string>{one})));
   conditions_.push_back(keyed("oneOf", array(std::move(ways))));
 }
 

@@ -24,6 +24,11 @@ class SchemaBuilder {
     add_default(property(key, schema_of(rule), meaning), value);
   }
 
+  template <class T, class Rule>
+  void profiled(const char* key, const T& value, const Rule& rule, const char* meaning) {
+    add_default(property(key, or_profile(schema_of(rule)), meaning), value);
+  }
+
   /// A section with keys that must be given is required itself.
   template <class T>
   void section(const char* key, T& value, Need need, const char* meaning) {
@@ -39,7 +44,7 @@ class SchemaBuilder {
   bool table(const char* key, T& value, const char* meaning) {
     SchemaBuilder child;
     describe(child, value);
-    const bool needed = !child.required_.empty();
+    const bool needed = !child.required_.empty() || child.needs_one_;
     property(key, child.take(), meaning);
     return needed;
   }
@@ -62,7 +67,6 @@ class SchemaBuilder {
   void table_or_word(const char* key, std::optional<T>&, const char*, const char* meaning) {
     static_assert(std::is_same_v<T, PhaseFunction>);
     property(key, word_or(reference(phase_function_name)), meaning);
-    required_.push_back(key);
   }
 
   template <class Keys>
@@ -84,6 +88,11 @@ class SchemaBuilder {
   void expanded(const char* key, const Rule& rule, const char* meaning) {
     property(key, schema_of(rule), meaning);
   }
+  template <class Rule>
+  void in_place_of(const char* key, const char* other, const Rule& rule, const char* meaning) {
+    property(key, schema_of(rule), meaning);
+    either(key, other);
+  }
   template <class Action>
   void once_read(const Action&) {}
   void unavailable(const char*, const char*) {}
@@ -92,6 +101,7 @@ class SchemaBuilder {
   [[nodiscard]] Node take();
 
   static constexpr const char* phase_function_name = "phase_function";
+  static constexpr const char* profile_name = "profile";
   static constexpr const char* component_name = "mixture_component";
 
  private:
@@ -99,6 +109,7 @@ class SchemaBuilder {
   static Node reference(const char* definition);
   static Node array_of(Node element);
   static Node word_or(Node schema);
+  static Node or_profile(Node schema);
   /// The keys of a group as properties, none of them required everywhere.
   template <class Keys>
   void adopt(const Keys& keys) {
@@ -109,6 +120,8 @@ class SchemaBuilder {
   void conditional(const char* selector, const char* choice, const Names& keys);
   void alternatives(const std::vector<Names>& groups);
   void at_least_one(const Names& keys);
+  /// One of two keys, if the other is required.
+  void either(const char* key, const char* other);
 
   template <class T>
   static void add_default(Node& schema, const T& value) {
@@ -122,6 +135,7 @@ class SchemaBuilder {
 
   Node::Table properties_;
   std::vector<std::string> required_;
+  bool needs_one_ = false;  ///< of two keys
   Node::Array conditions_;  ///< schemas that must hold as well
 };
 

@@ -166,11 +166,13 @@ void read_sensitivities(const Node& document, const Check& check, Scene& scene,
   const bool water_good = findings.good({"sea", "optics"});
   const bool all_good = findings.problems().empty();
   const Node as_written = written(scene);
-  const Reference reference{as_written, nowhere, as_written, findings, check};
+  const NetcdfFiles no_files;  // a scene that is written names none
+  const Reference reference{as_written, {nowhere, no_files}, nullptr, as_written, findings, check};
   const auto& elements = *document.find("sensitivity")->as<Node::Array>();
   std::set<std::string> seen;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     Sensitivity& sensitivity = scene.sensitivity[i];
+    if (!findings.good({below("sensitivity", i)})) continue;
     ParameterReader reader(reference, below("sensitivity", i), elements[i], findings);
     if (!reader.text() || !water_good) continue;
     const auto numbered = reader.find(sensitivity);

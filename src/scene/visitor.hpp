@@ -1,5 +1,7 @@
 // What the visitors of describe_*.hpp have in common. A visitor has
 //   required, optional(name, value, rule, meaning)   a single value
+//   profiled(name, value, rule, meaning)             a number that may be a profile in the file
+//                                                    (scene/expand_layers.hpp)
 //   section, sections(name, value, …)                [name] and [[name]]
 //   table, tables, table_or_word(name, value, …)     inline tables
 //   when(key, word, choice, keys)                    keys that belong to one choice of another key
@@ -8,6 +10,8 @@
 //   once_read(action)                                done when the keys before have been read
 //   expanded(name, rule, …)                          a key that stands for others, and has become
 //                                                    them before anything is read
+//   in_place_of(name, other, rule, meaning)      the same, where it and the other exclude each
+//                                                    other
 //   unavailable(name, instead)                       a key of the format that this version refuses
 #pragma once
 
@@ -50,12 +54,16 @@ class Names {
     all_.push_back(name);
   }
   template <class... Rest>
+  void profiled(const char* name, Rest&&...) {
+    all_.push_back(name);
+  }
+  template <class... Rest>
   void tables(const char* name, Rest&&...) {
     required(name);
   }
   template <class... Rest>
   void table_or_word(const char* name, Rest&&...) {
-    required(name);
+    all_.push_back(name);
   }
   template <class Action>
   void once_read(const Action&) {}

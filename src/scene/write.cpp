@@ -1,4 +1,5 @@
 #include "scene/describe.hpp"
+#include "scene/describe_profile.hpp"
 #include "scene/format.hpp"
 #include "scene/read.hpp"
 #include "scene/schema_builder.hpp"
@@ -14,6 +15,22 @@ Node definition(const Describe& keys) {
   PhaseFunction phase_function;
   keys(builder, phase_function);
   return builder.take();
+}
+
+template <class Form>
+Node form_schema() {
+  SchemaBuilder builder;
+  Form form;
+  describe(builder, form);
+  return builder.take();
+}
+
+Node profile_schema() {
+  Node schema = empty_table();
+  schema.add("anyOf",
+             {.value = Node::Array{form_schema<ProfilePoints>(), form_schema<ProfileFile>(),
+                                   form_schema<ProfileModel>()}});
+  return schema;
 }
 
 }  // namespace
@@ -43,6 +60,7 @@ std::string scene_schema() {
   Node definitions = empty_table();
   definitions.add(SchemaBuilder::phase_function_name,
                   definition([](auto& v, PhaseFunction& p) { describe(v, p); }));
+  definitions.add(SchemaBuilder::profile_name, profile_schema());
   definitions.add(SchemaBuilder::component_name,
                   definition([](auto& v, PhaseFunction& p) { describe_component(v, p); }));
   schema.add("$defs", std::move(definitions));

@@ -30,6 +30,11 @@ class Writer {
     if (!values.empty()) required(key, values);
   }
 
+  template <class T, class... Rest>
+  void profiled(const char* key, const T& value, const Rest&...) {
+    required(key, value);
+  }
+
   template <class T>
   void section(const char* key, T& value, Need, const char*) {
     table_.add(key, written(value, describe_it)).section = true;
@@ -69,6 +74,8 @@ class Writer {
   }
   template <class Rule>
   void expanded(const char*, const Rule&, const char*) {}
+  template <class Rule>
+  void in_place_of(const char*, const char*, const Rule&, const char*) {}
   template <class Action>
   void once_read(const Action&) {}
   void unavailable(const char*, const char*) {}

@@ -1,5 +1,6 @@
 #include "optics/fournier_forand.hpp"
 
+#include "core/error.hpp"
 #include "unit/optics/support.hpp"
 
 namespace photic::optics {
@@ -35,6 +36,24 @@ TEST(FournierForand, IsPetzoldLikeAtItsDefaults) {
   const FournierForand f(1.10, 3.5835);
   EXPECT_NEAR(f.p(2), 2.8578e-3, 5e-8);
   EXPECT_NEAR(1 - f.below(1), 0.0183, 5e-5);
+}
+
+// Index and slope on the line of Mobley, Sundman & Boss 2002, which goes through the Petzold-like
+// pair. Seen red: with 0.1452 for 0.1542; with the share below 90 degrees for that above.
+TEST(FournierForand, OfABackscatterFraction) {
+  const FournierForand petzold_like(1.10, 3.5835);
+  const auto same = FournierForand::of_backscatter(petzold_like.backscatter_fraction());
+  for (const double x : {1e-6, 1e-3, 0.1, 1.0, 2.0})
+    EXPECT_NEAR(same.p(x) / petzold_like.p(x), 1, 2e-4) << x;
+  for (const double fraction : {2e-4, 1e-3, 0.01, 0.03, 0.1, 0.3, 0.45}) {
+    const auto f = FournierForand::of_backscatter(fraction);
+    EXPECT_NEAR(f.backscatter_fraction() / fraction, 1, 1e-9);
+    EXPECT_NEAR(PhaseTable(f.shape()).backscatter_fraction() / fraction, 1, 1e-4) << fraction;
+    EXPECT_NEAR(f.below(2), 1, 1e-12);
+  }
+  EXPECT_THROW(FournierForand::of_backscatter(1.9e-4), InputError);
+  EXPECT_THROW(FournierForand::of_backscatter(0.46), InputError);
+  EXPECT_THROW(FournierForand::of_backscatter(std::nan("")), InputError);
 }
 
 TEST(FournierForand, HoldsTheKnownSharesNearTheForwardDirection) {

@@ -30,12 +30,25 @@ void collect_keys(const json& value, std::set<std::string>& keys) {
     for (const auto& part : value) collect_keys(part, keys);
 }
 
-/// Scenes that together use every key but those of files, and but a grid and the steps of a row of
-/// channels, which are written as what they stand for.
+/// Scenes that together use every key but those of files, and but those that are written as what
+/// they stand for: a grid, a table, profiles, the steps of a row of channels.
 std::set<std::string> keys_of_scenes() {
-  std::set<std::string> keys{
-      "file", "transmission_file", "cdom_fluorescence_file", "environment_grid", "from", "to",
-      "step"};
+  std::set<std::string> keys{"file",
+                             "transmission_file",
+                             "cdom_fluorescence_file",
+                             "environment_grid",
+                             "from",
+                             "to",
+                             "step",
+                             "iop_table",
+                             "column",
+                             "profile_tolerance",
+                             "variable",
+                             "profile",
+                             "depth",
+                             "background",
+                             "maximum",
+                             "width_m"};
   for (const std::vector<Override>& overrides : std::vector<std::vector<Override>>{
            {"sea={ refractive_index = 1.3, group_index = 1.4, layer = [{ bottom_depth_m = 60 }] }",
             "simulation={ photons = 1, target_relative_error = 0.1, max_time_s = 1, max_order = 1, "
@@ -51,6 +64,8 @@ std::set<std::string> keys_of_scenes() {
             "sea.layer.0={ jerlov = \"II\", bottom_depth_m = 1 }"},
            {"optics={ phytoplankton = \"table\", phytoplankton_file = \"" PHOTIC_SOURCE_DIR
             "/CMakeLists.txt\" }"},
+           {"sea.layer.1={ iop = [{ wavelength_nm = 532, a_per_m = 1, b_per_m = 1, bb_per_m = 0.02 "
+            "}] }"},
            {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"}})
     collect_keys(json::parse(write_scene_json(base_scene(overrides))), keys);
@@ -109,6 +124,20 @@ TEST(Schema, AsksForAFileWhereItsChoiceIsMade) {
   EXPECT_EQ(condition["if"].value("required", json::array()), json::array({"phytoplankton"}));
   EXPECT_EQ(condition["then"]["required"], json::array({"phytoplankton_file"}));
   EXPECT_EQ(condition["else"]["properties"]["phytoplankton_file"], false);
+}
+
+// Seen red: with [[sea.layer]] required beside a table.
+TEST(Schema, ConstituentsMayBeProfilesAndLayersATable) {
+  const json schema = json::parse(scene_schema());
+  const json& sea = schema["properties"]["sea"];
+  const json& chlorophyll = sea["properties"]["layer"]["items"]["properties"]["chlorophyll_mg_m3"];
+  EXPECT_EQ(chlorophyll["anyOf"][0], json({{"type", "number"}, {"minimum", 0}}));
+  EXPECT_EQ(chlorophyll["anyOf"][1]["$ref"], "#/$defs/profile");
+  EXPECT_EQ(chlorophyll["default"], 0);
+  EXPECT_EQ(schema["$defs"]["profile"]["anyOf"].size(), 3U);
+  EXPECT_FALSE(sea.contains("required"));
+  EXPECT_EQ(sea["allOf"][0]["oneOf"][0]["required"], json::array({"layer"}));
+  EXPECT_EQ(sea["allOf"][0]["oneOf"][1]["required"], json::array({"iop_table"}));
 }
 
 TEST(Schema, EnvironmentsSetAnyPath) {

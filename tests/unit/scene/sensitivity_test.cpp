@@ -197,7 +197,8 @@ TEST(Sensitivity, IsToldWithAllElse) {
       (Texts{"scene.toml:1:16: there is no 'k' in 'sea.layer.1.phase_function' (did you mean 'g'?)",
              "scene.toml:7:14: 'diameter_m' must be a finite number, greater than 0, not -1",
              "scene.toml:33:9: unknown key 'x' in [sea] (known here: salinity_psu, "
-             "temperature_c, refractive_index, group_index, surface, layer)"}));
+             "temperature_c, refractive_index, group_index, surface, layer, iop_table, "
+             "profile_tolerance)"}));
   EXPECT_EQ(diagnostics_of(deriving("'sea.layer.0.chlorophyll_mg_m3', 5",
                                     edited({{22, 22, "chlorophyll_mg_m3 = -1"}}))),
             (Texts{"scene.toml:1:49: 'sensitivity' must hold paths, not 5 (write "

@@ -1,0 +1,22 @@
+// Variables of netCDF files that a scene names: profiles of floats, tables of optical properties.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/netcdf_files.hpp"
+
+namespace photic::io {
+
+/// The names of the variables in a file.
+std::vector<std::string> netcdf_names(const std::string& path);
+
+/// A variable of numbers, unpacked (scale_factor, add_offset), with NaN where it has _FillValue or
+/// missing_value (CF-1.10, sections 2.5.1 and 8.1).
+scene::NetcdfVariable netcdf_variable(const std::string& path, const std::string& name);
+
+/// Both, for those who read scenes. They throw EnvironmentError for a file that cannot be read and
+/// InputError for one that is of no use, or so large that it is no such table.
+scene::NetcdfFiles netcdf_files();
+
+}  // namespace photic::io

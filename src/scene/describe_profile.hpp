@@ -1,0 +1,62 @@
+// The keys of a constituent that changes with depth, written in the place of a number.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/rules.hpp"
+#include "scene/visitor.hpp"
+
+namespace photic::scene {
+
+/// Values at depths.
+struct ProfilePoints {
+  std::vector<double> depth_m, value;
+};
+
+/// A column of a CSV file, or a variable of a netCDF file.
+struct ProfileFile {
+  std::string file;
+  std::string depth;  ///< the column or variable of depths
+  std::string column, variable;
+  std::int64_t profile = 0;  ///< of several in a netCDF file
+};
+
+/// A formula.
+struct ProfileModel {
+  std::string model;  ///< gaussian
+  double background{}, maximum{}, depth_m{}, width_m{};
+};
+
+template <class V>
+void describe(V& v, ProfilePoints& p) {
+  v.required("depth_m", p.depth_m, Numbers{}, "depths in m, ascending");
+  v.required("value", p.value, Numbers{}, "the values there; linear between");
+}
+
+template <class V>
+void describe(V& v, ProfileFile& p) {
+  v.required("file", p.file, File{}, "a CSV file, or a netCDF file as floats write it");
+  v.one_of(option(!p.column.empty(),
+                  [&](auto& w) {
+                    w.required("column", p.column, Text{}, "the values' column of a CSV file");
+                  }),
+           option(!p.variable.empty(), [&](auto& w) {
+             w.required("variable", p.variable, Text{}, "the values' variable of a netCDF file");
+             w.optional("profile", p.profile, Count{.low = 0}, "which of its profiles, from 0");
+           }));
+  v.required("depth", p.depth, Text{},
+             "the column of depths in m, or the variable of depths or pressures");
+}
+
+template <class V>
+void describe(V& v, ProfileModel& p) {
+  v.required("model", p.model, Choice{{"gaussian"}}, "the shape: a maximum on a background");
+  v.required("background", p.background, not_negative, "the value far from the maximum");
+  v.required("maximum", p.maximum, not_negative, "the value at the maximum");
+  v.required("depth_m", p.depth_m, any_number, "the depth of the maximum in m");
+  v.required("width_m", p.width_m, positive, "its standard deviation in m");
+}
+
+}  // namespace photic::scene

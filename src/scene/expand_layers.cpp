@@ -1,0 +1,261 @@
+#include "scene/expand_layers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "scene/describe_sea.hpp"
+#include "scene/profile_reader.hpp"
+
+namespace photic::scene {
+namespace {
+
+constexpr const char* bottom_key = "bottom_depth_m";
+constexpr const char* name_key = "name";
+
+std::optional<double> number_of(const Node* node) {
+  double value = 0;
+  if (!node || check(any_number, *node, value)) return std::nullopt;
+  return value;
+}
+
+void set(Node& table, const std::string& key, Node value) {
+  if (Node* old = table.find(key))
+    *old = std::move(value);
+  else
+    table.add(key, std::move(value));
+}
+
+void set_number(Node& table, const std::string& key, double value) {
+  const Node* old = table.find(key);
+  set(table, key, {.value = value, .place = old ? old->place : table.place});
+}
+
+/// Takes the layers of a document one by one, and says what they become.
+class LayerExpander {
+ public:
+  LayerExpander(const Node::Array& layers, const OtherFiles& files, double tolerance,
+                const Cuts* scene_cuts, Findings& findings)
+      : layers_(layers),
+        keys_(profiled_keys()),
+        files_(files),
+        tolerance_(tolerance),
+        scene_cuts_(scene_cuts && scene_cuts->size() == layers.size() ? scene_cuts : nullptr),
+        findings_(findings) {}
+
+  void expand(std::size_t i) {
+    Node layer = layers_[i];
+    const std::vector<Found> found = take_profiles(i, layer);
+    auto ends = ends_of(i, found);
+    if (!ends) ends.emplace();  // what is wrong with it has been told
+    for (std::size_t k = 0; k < ends->size(); ++k) add_cut(layer, i, k, *ends, found);
+    if (ends->empty()) out.push_back(std::move(layer));
+    origin_.resize(out.size(), i);
+    cuts.push_back(std::move(*ends));
+  }
+
+  /// Layers keep the names that they have by default, and their cuts add a number to it.
+  void name_layers() {
+    if (out.size() == layers_.size()) return;
+    std::size_t k = 0;
+    for (std::size_t j = 0; j < out.size(); ++j) {
+      const std::size_t i = origin_[j];
+      k = j > 0 && origin_[j - 1] == i ? k + 1 : 0;
+      const Node* given = out[j].find(name_key);
+      if (given && !given->as<std::string>()) continue;  // refused where it is read
+      std::string name = given ? *given->as<std::string>() : fmt::format("layer{}", i);
+      if (cuts[i].size() > 1) name += fmt::format(".{}", k);
+      set(out[j], name_key, {.value = name, .place = given ? given->place : out[j].place});
+    }
+  }
+
+  Node::Array out;
+  Cuts cuts;
+
+ private:
+  struct Found {
+    std::string key;
+    std::string path;
+    Place place;
+    Profile profile;
+  };
+
+  /// From the bottom of the layer above to its own; nothing if they are missing or wrong.
+  [[nodiscard]] std::optional<Span> span_of(std::size_t i) const {
+    const auto top = i == 0 ? 0.0 : number_of(layers_[i - 1].find(bottom_key));
+    const auto bottom = number_of(layers_[i].find(bottom_key));
+    if (!top || !bottom || *top < 0 || !(*bottom > *top)) return std::nullopt;
+    return Span{*top, *bottom};
+  }
+
+  /// Reads the profiles of a layer, in whose place there are numbers from now on.
+  std::vector<Found> take_profiles(std::size_t i, Node& layer) {
+    std::vector<Found> found;
+    const auto span = span_of(i);
+    for (const ProfiledKey& key : keys_) {
+      const Node* node = layers_[i].find(key.key);
+      if (!node || !node->as<Node::Table>()) continue;
+      const std::string path = below(below("sea.layer", out.size()), key.key);
+      if (span) {
+        if (auto profile = read_profile(*node, path, key, *span, files_, findings_))
+          found.push_back({key.key, path, node->place, std::move(*profile)});
+      } else if (!layers_[i].find(bottom_key)) {
+        findings_.add(
+            path, node->place,
+            fmt::format("'{}' changes with depth in a layer without '{}'", key.key, bottom_key),
+            "end the layer, and let one with a number follow");
+      }
+      if (!span) findings_.spoil(path);
+      set_number(layer, key.key, 0.0);
+    }
+    return found;
+  }
+
+  /// Where a layer's cuts end: none if it stays as it is; nothing if it cannot be.
+  std::optional<std::vector<double>> ends_of(std::size_t i, const std::vector<Found>& found) {
+    const auto span = span_of(i);
+    if (scene_cuts_ && span) {
+      const auto& given = (*scene_cuts_)[i];
+      if (given.empty() && found.empty()) return given;
+      if (given.empty() || given.back() == span->bottom_m) {
+        const auto ends = given.empty() ? std::vector{span->bottom_m} : given;
+        check_departures(found, *span, ends);
+        return ends;
+      }
+    }
+    if (found.empty()) return std::vector<double>{};
+    std::vector<Profile> profiles;
+    for (const Found& f : found) profiles.push_back(f.profile);
+    auto ends = cut(profiles, *span, tolerance_);
+    if (ends) return ends;
+    const auto enough = tolerance_to_keep(profiles, *span, tolerance_);
+    findings_.add(found.front().path, found.front().place,
+                  fmt::format("the layer becomes more than {} with profile_tolerance = {}",
+                              most_cuts, plain_number(tolerance_)),
+                  enough ? fmt::format("profile_tolerance = {:g} would do", *enough)
+                         : "are the units right?");
+    return std::nullopt;
+  }
+
+  /// Whether an environment's profiles are well cut where the scene's are.
+  void check_departures(const std::vector<Found>& found, const Span& span,
+                        const std::vector<double>& ends) {
+    constexpr double rounding = 1 + 1e-9;
+    for (const Found& f : found) {
+      const double allowed = tolerance_ * greatest(f.profile, span.top_m, span.bottom_m);
+      double top = span.top_m;
+      for (const double end : ends) {
+        const double most = departure(f.profile, top, end);
+        if (!(most <= allowed * rounding)) {
+          findings_.add(f.path, f.place,
+                        fmt::format("'{}' departs from its mean by {:.3g} between {:.6g} and "
+                                    "{:.6g} m, a layer of the scene; profile_tolerance allows "
+                                    "{:.3g}",
+                                    f.key, most, top, end, allowed),
+                        "allow more by \"sea.profile_tolerance\" in the environment, or simulate "
+                        "that water in a scene of its own");
+          break;
+        }
+        top = end;
+      }
+    }
+  }
+
+  void add_cut(const Node& layer, std::size_t i, std::size_t k, const std::vector<double>& ends,
+               const std::vector<Found>& found) {
+    const double top = k == 0 ? span_of(i)->top_m : ends[k - 1];
+    Node& part = out.emplace_back(layer);
+    if (k + 1 < ends.size()) set_number(part, bottom_key, ends[k]);
+    for (const Found& f : found) set_number(part, f.key, mean(f.profile, top, ends[k]));
+  }
+
+  const Node::Array& layers_;
+  const std::vector<ProfiledKey> keys_;
+  const OtherFiles& files_;
+  double tolerance_;
+  const Cuts* scene_cuts_;
+  Findings& findings_;
+  std::vector<std::size_t> origin_;  ///< the layer that each of `out` comes from
+};
+
+constexpr double default_tolerance = 0.05;
+
+double tolerance_of(const Node& sea, Findings& findings) {
+  const Node* given = sea.find("profile_tolerance");
+  double tolerance = default_tolerance;
+  if (!given) return tolerance;
+  if (const auto refusal = check(profile_tolerance_rule, *given, tolerance))
+    findings.add("sea.profile_tolerance", given->place, "'profile_tolerance' " + refusal->reason,
+                 refusal->suggestion);
+  return tolerance;
+}
+
+/// The layer that a part of a path names.
+std::optional<std::size_t> layer_called(const Node::Array& layers, const std::string& part) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
+  if (error == std::errc() && end == part.data() + part.size())
+    return index < layers.size() ? std::optional(index) : std::nullopt;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const Node* name = layers[i].find(name_key);
+    if (name && name->as<std::string>() && *name->as<std::string>() == part) return i;
+  }
+  return std::nullopt;
+}
+
+/// Derivatives are with respect to values of the layers that there are now.
+void move_sensitivities(Node& document, const Node::Array& layers, const Cuts& cuts,
+                        Findings& findings) {
+  Node* sensitivity = document.find("sensitivity");
+  auto* elements = sensitivity ? sensitivity->as<Node::Array>() : nullptr;
+  if (!elements) return;
+  for (std::size_t s = 0; s < elements->size(); ++s) {
+    auto* path = (*elements)[s].as<std::string>();
+    if (!path) continue;
+    const auto parts = components(*path);
+    if (parts.size() < 4 || parts[0] != "sea" || parts[1] != "layer") continue;
+    const auto i = layer_called(layers, parts[2]);
+    if (!i) continue;
+    if (cuts[*i].size() > 1) {
+      findings.add(below("sensitivity", s), (*elements)[s].place,
+                   fmt::format("'{}' is in a layer that its profiles cut into {}: there is no one "
+                               "value to derive by",
+                               *path, cuts[*i].size()),
+                   "compare environments, or derive in the scene that `photic show` writes");
+      continue;
+    }
+    std::size_t now = 0;
+    for (std::size_t k = 0; k < *i; ++k) now += std::max<std::size_t>(cuts[k].size(), 1);
+    std::string moved = below("sea.layer", now);
+    for (std::size_t p = 3; p < parts.size(); ++p) moved = below(moved, parts[p]);
+    *path = moved;
+  }
+}
+
+}  // namespace
+
+Cuts expand_layers(Node& document, const OtherFiles& files, const Cuts* scene_cuts,
+                   Findings& findings) {
+  expand_iop_table(document, files, findings);
+  Node* sea = document.find("sea");
+  if (!sea || !sea->as<Node::Table>()) return {};
+  const double tolerance = tolerance_of(*sea, findings);
+  Node* given = sea->find("layer");
+  auto* layers = given ? given->as<Node::Array>() : nullptr;
+  if (!layers || !std::all_of(layers->begin(), layers->end(),
+                              [](const Node& layer) { return layer.as<Node::Table>(); }))
+    return {};
+  LayerExpander expander(*layers, files, tolerance, scene_cuts, findings);
+  for (std::size_t i = 0; i < layers->size(); ++i) expander.expand(i);
+  expander.name_layers();
+  if (expander.out.size() != layers->size())
+    move_sensitivities(document, *layers, expander.cuts, findings);
+  *layers = std::move(expander.out);
+  return std::move(expander.cuts);
+}
+
+}  // namespace photic::scene

@@ -1,0 +1,203 @@
+#include "scene/iop_grid.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <utility>
+
+#include "core/error.hpp"
+#include "optics/data_table.hpp"
+#include "scene/cut.hpp"
+#include "scene/netcdf_columns.hpp"
+#include "scene/suggest.hpp"
+
+namespace photic::scene {
+namespace {
+
+constexpr const char* depth_name = "depth_m";
+constexpr const char* wavelength_name = "wavelength_nm";
+constexpr const char* order = "sort rows by depth, and those of a depth by wavelength";
+/// Pairs of a depth and a wavelength: every one of them becomes a line of the effective scene.
+constexpr std::size_t most_pairs = 100'000;
+
+constexpr const char* known_names[] = {
+    depth_name, wavelength_name,        "a_per_m", "b_per_m", "c_per_m",
+    "bb_per_m", "a_phytoplankton_per_m"};
+
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The names of the values in a file that has these names.
+std::vector<std::string> value_names(const std::vector<std::string>& there, const Place& place) {
+  const auto fail = [&](const std::string& reason, const std::string& suggestion) {
+    throw InputError({{place.file, place.line, place.column, reason, suggestion}});
+  };
+  const auto instead_of = [&](const std::string& name) {
+    std::vector<std::string> strange;  // nobody meant one name of these by writing another
+    std::copy_if(there.begin(), there.end(), std::back_inserter(strange), [](const std::string& n) {
+      return std::find(std::begin(known_names), std::end(known_names), n) == std::end(known_names);
+    });
+    const std::string hint = suggestion_for(name, strange, "");
+    return hint.starts_with("did you mean") ? hint
+                                            : fmt::format("there are: {}", fmt::join(there, ", "));
+  };
+  for (const std::string name : {depth_name, wavelength_name, "a_per_m"})
+    if (!is_among(there, name)) fail(fmt::format("no \"{}\"", name), instead_of(name));
+  const bool has_b = is_among(there, "b_per_m"), has_c = is_among(there, "c_per_m");
+  if (!has_b && !has_c) fail(R"(neither "b_per_m" nor "c_per_m")", instead_of("b_per_m"));
+  if (has_b && has_c) fail(R"("b_per_m" and "c_per_m" exclude each other)", "keep one of them");
+  std::vector<std::string> names{"a_per_m", has_b ? "b_per_m" : "c_per_m"};
+  for (const char* optional : {"bb_per_m", "a_phytoplankton_per_m"})
+    if (is_among(there, optional)) names.emplace_back(optional);
+  return names;
+}
+
+std::string size_refusal(std::size_t depths, std::size_t wavelengths) {
+  if (depths <= most_cuts && wavelengths <= most_pairs / std::max<std::size_t>(depths, 1))
+    return "";
+  return fmt::format("{} depths with {} wavelengths are too many: at most {} depths, and {} pairs",
+                     depths, wavelengths, most_cuts, most_pairs);
+}
+
+// --- CSV -----------------------------------------------------------------------------------------
+
+/// Takes the rows of a table one by one, and learns its depths and wavelengths.
+class RowReader {
+ public:
+  RowReader(const optics::DataTable& table, IopGrid& grid) : table_(table), grid_(grid) {}
+
+  void add(std::size_t row, double depth, double wavelength) {
+    if (row == 0 && depth != 0)
+      fail(row, depth_name, fmt::format("the first depth is {:g} m, not 0", depth), "");
+    if (row > 0 && depth < grid_.depth_m.back())
+      fail(row, depth_name, fmt::format("{:g} m comes after {:g} m", depth, grid_.depth_m.back()),
+           order);
+    if (row == 0 || depth > grid_.depth_m.back()) {
+      if (row > 0) finish(row);
+      grid_.depth_m.push_back(depth);
+      at_depth_ = 0;
+    }
+    if (at_depth_ > 0 && !(wavelength > last_))
+      fail(row, wavelength_name,
+           wavelength == last_ ? fmt::format("{:g} nm is there twice at {:g} m", wavelength, depth)
+                               : fmt::format("{:g} nm comes after {:g} nm", wavelength, last_),
+           order);
+    if (grid_.depth_m.size() == 1)
+      grid_.wavelength_nm.push_back(wavelength);
+    else
+      expect_known(row, depth, wavelength);
+    last_ = wavelength;
+    ++at_depth_;
+  }
+
+  /// Before this row there must be no wavelength left.
+  void finish(std::size_t row) const {
+    if (at_depth_ < grid_.wavelength_nm.size()) missing(std::min(row, table_.rows() - 1));
+  }
+
+ private:
+  void expect_known(std::size_t row, double depth, double wavelength) const {
+    const auto& known = grid_.wavelength_nm;
+    if (at_depth_ < known.size() && wavelength == known[at_depth_]) return;
+    if (at_depth_ < known.size() && wavelength > known[at_depth_]) missing(row);
+    fail(row, wavelength_name,
+         fmt::format("{:g} nm at {:g} m, and not at {:g} m", wavelength, depth, grid_.depth_m[0]),
+         "all depths have the same wavelengths");
+  }
+
+  [[noreturn]] void missing(std::size_t row) const {
+    fail(row, wavelength_name,
+         fmt::format("the row of {:g} m and {:g} nm is missing", grid_.depth_m.back(),
+                     grid_.wavelength_nm[at_depth_]),
+         "all depths have the same wavelengths");
+  }
+
+  [[noreturn]] void fail(std::size_t row, const char* column, const std::string& reason,
+                         const std::string& suggestion) const {
+    table_.fail(row, column, reason, suggestion);
+  }
+
+  const optics::DataTable& table_;
+  IopGrid& grid_;
+  std::size_t at_depth_ = 0;  ///< rows read of the last depth
+  double last_ = 0;           ///< wavelength
+};
+
+IopGrid grid_of_csv(const std::string& path) {
+  const auto table = optics::DataTable::read(path);
+  const auto names = value_names(table.columns(), {path, table.column_line(), 1});
+  const auto depth = table.numbers(depth_name);
+  const auto wavelength = table.numbers(wavelength_name);
+  IopGrid grid;
+  RowReader rows(table, grid);
+  for (std::size_t row = 0; row < table.rows(); ++row) rows.add(row, depth[row], wavelength[row]);
+  rows.finish(table.rows());
+  const auto too_many = size_refusal(grid.depth_m.size(), grid.wavelength_nm.size());
+  if (!too_many.empty()) table.fail(0, depth_name, too_many);
+  for (const std::string& name : names) grid.value[name] = table.numbers(name);
+  grid.place = [table](const std::string& name, std::size_t i) {
+    const auto [line, column] = table.place(i, name);
+    return Place{table.name(), line, column};
+  };
+  return grid;
+}
+
+// --- netCDF --------------------------------------------------------------------------------------
+
+/// A coordinate: of one dimension, ascending.
+NetcdfVariable coordinate(const NetcdfColumns& file, const std::string& name) {
+  NetcdfVariable variable = file.read(name);
+  if (variable.length.size() != 1 || variable.value.empty())
+    file.fail(shape_text(name, variable), "is not of one dimension with values");
+  const auto& value = variable.value;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const std::string at = fmt::format("{}[{}]", name, i);
+    if (!std::isfinite(value[i])) file.fail(at, "must be a finite number, not missing");
+    if (i > 0 && !(value[i] > value[i - 1]))
+      file.fail(at, fmt::format("{:g} does not come after {:g}", value[i], value[i - 1]),
+                "values ascend, each once");
+  }
+  return variable;
+}
+
+IopGrid grid_of_netcdf(const std::string& path, const NetcdfFiles& netcdf) {
+  const NetcdfColumns file(path, netcdf);
+  const auto names = value_names(file.names(), {path, 0, 0});
+  const NetcdfVariable depth = coordinate(file, depth_name);
+  const NetcdfVariable wavelength = coordinate(file, wavelength_name);
+  if (depth.value.front() != 0)
+    file.fail("depth_m[0]", fmt::format("the first depth is {:g} m, not 0", depth.value.front()));
+  const auto too_many = size_refusal(depth.value.size(), wavelength.value.size());
+  if (!too_many.empty()) file.fail("", too_many);
+  IopGrid grid{depth.value, wavelength.value, {}, {}};
+  const std::vector<std::string> dimensions{depth.dimension[0], wavelength.dimension[0]};
+  for (const std::string& name : names) {
+    NetcdfVariable variable = file.read(name);
+    if (variable.dimension != dimensions)
+      file.fail(shape_text(name, variable),
+                fmt::format("its dimensions must be ({}, {})", dimensions[0], dimensions[1]));
+    grid.value[name] = std::move(variable.value);
+  }
+  grid.place = [path, per_depth = wavelength.value.size()](const std::string& name, std::size_t i) {
+    const std::size_t d = i / per_depth, w = i % per_depth;
+    const std::string index = name == depth_name        ? fmt::format("{}", d)
+                              : name == wavelength_name ? fmt::format("{}", w)
+                                                        : fmt::format("{}, {}", d, w);
+    return Place{fmt::format("{}: {}[{}]", path, name, index), 0, 0};
+  };
+  return grid;
+}
+
+}  // namespace
+
+IopGrid read_iop_grid(const std::string& path, const NetcdfFiles& netcdf) {
+  const bool is_netcdf = std::filesystem::path(path).extension() == ".nc";
+  return is_netcdf ? grid_of_netcdf(path, netcdf) : grid_of_csv(path);
+}
+
+}  // namespace photic::scene

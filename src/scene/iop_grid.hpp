@@ -1,0 +1,31 @@
+// Inherent optical properties at depths and wavelengths, as a file holds them.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/netcdf_files.hpp"
+#include "scene/node.hpp"
+
+namespace photic::scene {
+
+struct IopGrid {
+  std::vector<double> depth_m;        ///< ascending, from 0
+  std::vector<double> wavelength_nm;  ///< ascending
+  /// By name: a_per_m, one of b_per_m and c_per_m, and those optional ones that the file has; the
+  /// wavelength fastest.
+  std::map<std::string, std::vector<double>> value;
+  /// Where a value stands, or its depth or wavelength: the file, and line and column or the
+  /// variable's index.
+  std::function<Place(const std::string& name, std::size_t i)> place;
+
+  [[nodiscard]] bool has(const std::string& name) const { return value.contains(name); }
+};
+
+/// Of a CSV file with a row for each pair of depth and wavelength, or of a netCDF file (.nc) with
+/// variables of the dimensions (depth, wavelength). Throws InputError for what is no such grid.
+IopGrid read_iop_grid(const std::string& path, const NetcdfFiles& netcdf);
+
+}  // namespace photic::scene

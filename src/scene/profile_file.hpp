@@ -1,0 +1,29 @@
+// Profiles in files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/describe_profile.hpp"
+#include "scene/netcdf_files.hpp"
+#include "scene/profile.hpp"
+#include "scene/rules.hpp"
+
+namespace photic::scene {
+
+/// A profile, and what its user should know.
+struct ReadProfile {
+  LinearProfile profile;
+  std::vector<std::string> remarks;
+};
+
+/// A column of a CSV file; each value obeys the rule. Throws InputError at its line and column.
+ReadProfile profile_of_csv(const ProfileFile& from, const Number& rule);
+
+/// A variable of a netCDF file with the dimensions (levels) or (profiles, levels), such as floats
+/// write. Depths are in m, or pressures in dbar, which become depths at the file's LATITUDE. Levels
+/// without a value are left out. Throws InputError naming file, variable and level.
+ReadProfile profile_of_netcdf(const ProfileFile& from, const Number& rule,
+                              const NetcdfFiles& netcdf);
+
+}  // namespace photic::scene

@@ -1,0 +1,158 @@
+#include "scene/profile_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/error.hpp"
+#include "scene/describe_sea.hpp"
+#include "scene/profile_file.hpp"
+#include "scene/reader.hpp"
+
+namespace photic::scene {
+namespace {
+
+/// The visitor that learns which keys may be profiles.
+class ProfiledKeys {
+ public:
+  template <class T>
+  void profiled(const char* key, const T&, const Number& rule, const char*) {
+    keys.push_back({key, rule});
+  }
+  template <class... Keys>
+  void one_of(const Option<Keys>&... options) {
+    (options.keys(*this), ...);
+  }
+  template <class... Rest>
+  void optional(Rest&&...) {}
+  template <class... Rest>
+  void tables(Rest&&...) {}
+  template <class... Rest>
+  void table_or_word(Rest&&...) {}
+  void unavailable(const char*, const char*) {}
+
+  std::vector<ProfiledKey> keys;
+};
+
+/// One profile on its way out of the document.
+class ProfileReader {
+ public:
+  ProfileReader(const Node& node, const std::string& path, const ProfiledKey& key,
+                const OtherFiles& files, Findings& findings)
+      : node_(node), path_(path), key_(key), files_(files), findings_(findings) {}
+
+  std::optional<Profile> read() {
+    if (node_.find("model")) return model();
+    if (node_.find("file")) return file();
+    return points();
+  }
+
+  void refuse(const Place& place, const std::string& reason, const std::string& suggestion) {
+    findings_.add(path_, place, fmt::format("'{}' {}", key_.key, reason), suggestion);
+  }
+
+ private:
+  /// The keys of a form; nothing if anything is wrong with them.
+  template <class Form>
+  std::optional<Form> keys() {
+    const std::size_t before = findings_.problems().size();
+    Form form;
+    ReadContext context{findings_, files_.folder};
+    Reader reader(node_, {path_, path_, fmt::format("'{}'", key_.key)}, context);
+    describe(reader, form);
+    reader.finish();
+    return findings_.problems().size() == before ? std::optional(std::move(form)) : std::nullopt;
+  }
+
+  std::optional<Profile> model() {
+    const auto form = keys<ProfileModel>();
+    if (!form) return std::nullopt;
+    if (form->maximum < form->background) {
+      refuse(node_.find("maximum")->place,
+             fmt::format("has a maximum of {}, below its background of {}",
+                         plain_number(form->maximum), plain_number(form->background)),
+             "the maximum is the value there, background included");
+      return std::nullopt;
+    }
+    return GaussianProfile{form->background, form->maximum, form->depth_m, form->width_m};
+  }
+
+  std::optional<Profile> file() {
+    const auto form = keys<ProfileFile>();
+    if (!form) return std::nullopt;
+    try {
+      ReadProfile read = form->column.empty() ? profile_of_netcdf(*form, key_.rule, files_.netcdf)
+                                              : profile_of_csv(*form, key_.rule);
+      for (const std::string& remark : read.remarks)
+        findings_.remark_at(node_.place, form->file + ": " + remark);
+      return std::move(read.profile);
+    } catch (const InputError& error) {
+      for (const Diagnostic& d : error.diagnostics())
+        findings_.add(path_, {d.file, d.line, d.column}, d.reason, d.suggestion);
+      return std::nullopt;
+    }
+  }
+
+  std::optional<Profile> points() {
+    auto form = keys<ProfilePoints>();
+    if (!form) return std::nullopt;
+    const auto& depths = *node_.find("depth_m")->as<Node::Array>();
+    const auto& values = *node_.find("value")->as<Node::Array>();
+    if (depths.size() != values.size()) {
+      refuse(node_.find("value")->place,
+             fmt::format("has {} values at {} depths", values.size(), depths.size()),
+             "give a value for each depth");
+      return std::nullopt;
+    }
+    bool good = true;
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+      double checked = 0;
+      if (const auto refusal = check(key_.rule, values[i], checked)) {
+        refuse(values[i].place, refusal->reason, refusal->suggestion);
+        good = false;
+      }
+      if (i > 0 && !(form->depth_m[i] > form->depth_m[i - 1])) {
+        refuse(depths[i].place,
+               fmt::format("goes from {} m to {} m: depths must ascend",
+                           plain_number(form->depth_m[i - 1]), plain_number(form->depth_m[i])),
+               "");
+        good = false;
+      }
+    }
+    if (!good) return std::nullopt;
+    return LinearProfile(std::move(form->depth_m), std::move(form->value));
+  }
+
+  const Node& node_;
+  const std::string& path_;
+  const ProfiledKey& key_;
+  const OtherFiles& files_;
+  Findings& findings_;
+};
+
+}  // namespace
+
+std::vector<ProfiledKey> profiled_keys() {
+  ProfiledKeys visitor;
+  Layer layer;
+  describe(visitor, layer);
+  return std::move(visitor.keys);
+}
+
+std::optional<Profile> read_profile(const Node& node, const std::string& path,
+                                    const ProfiledKey& key, const Span& layer,
+                                    const OtherFiles& files, Findings& findings) {
+  ProfileReader reader(node, path, key, files, findings);
+  auto profile = reader.read();
+  const auto* linear = profile ? std::get_if<LinearProfile>(&*profile) : nullptr;
+  if (!linear || (linear->first_m() <= layer.top_m && layer.bottom_m <= linear->last_m()))
+    return profile;
+  reader.refuse(node.place,
+                fmt::format("is known from {:.6g} to {:.6g} m, and its layer goes from {:.6g} to "
+                            "{:.6g} m",
+                            linear->first_m(), linear->last_m(), layer.top_m, layer.bottom_m),
+                "let layers with a number begin and end where the profile does");
+  return std::nullopt;
+}
+
+}  // namespace photic::scene

@@ -1,0 +1,127 @@
+"""Constituents that change with depth, and tables of optical properties."""
+
+import json
+import re
+
+import netCDF4
+import numpy as np
+import pytest
+
+
+@pytest.fixture
+def float_file(tmp_path):
+    """Two profiles as a BGC-Argo float writes them, with gaps."""
+    path = tmp_path / "float.nc"
+    with netCDF4.Dataset(path, "w", format="NETCDF3_CLASSIC") as file:
+        file.createDimension("N_PROF", 2)
+        file.createDimension("N_LEVELS", 6)
+        file.createVariable("LATITUDE", "f8", ("N_PROF",))[:] = [45.0, 45.0]
+        for name, units, rows in [
+            ("PRES", "decibar", [[0, 2, 4, 6, 8, 10], [0, 2, 4, 6, 8, 10]]),
+            ("CHLA", "mg/m3", [[9, 9, 9, 9, 9, 9], [0.2, 0.4, 99999, 0.8, 0.6, 0.4]]),
+        ]:
+            variable = file.createVariable(name, "f4", ("N_PROF", "N_LEVELS"), fill_value=99999.0)
+            variable.units = units
+            variable[:] = np.ma.masked_equal(np.array(rows, dtype="f4"), 99999)
+    return path
+
+
+def with_profile(scene, profile):
+    text = scene.read_text()
+    scene.write_text(text.replace("chlorophyll_mg_m3 = 0.1", f"chlorophyll_mg_m3 = {profile}"))
+
+
+FROM_FLOAT = '{ file = "float.nc", variable = "CHLA", depth = "PRES", profile = 1 }'
+
+
+def shown(photic, *arguments):
+    done = photic("show", "--json", *arguments)
+    assert (done.returncode, done.stderr) == (0, "")
+    return json.loads(done.stdout)
+
+
+# Seen red: with the reader of netCDF files not handed to `photic run`.
+def test_a_float_profile_from_end_to_end(photic, scene, float_file):
+    with_profile(scene, FROM_FLOAT)
+    done = photic("run", "quick.toml", "--photons", "4000")
+    assert done.returncode == 0, done.stderr
+    remark = r"quick.toml:\d+:21: .*float.nc: 1 of 6 levels of CHLA have no value or no depth and are left out; "
+    assert re.search(remark + r"the widest gap is from 1.984 to 5.951 m", done.stderr)
+    layers = shown(photic, "quick.toml")["sea"]["layer"]
+    names = [layer["name"] for layer in layers]
+    assert names == [f"layer0.{i}" for i in range(len(names) - 1)] + ["layer1"]
+    assert len(names) > 5
+    tops = [0.0] + [layer["bottom_depth_m"] for layer in layers[:-1]]
+    depths = np.array([0, 2, 6, 8]) * 0.99187  # of 2 - 8 dbar at 45 degrees, to 1e-5
+    chlorophyll = np.array([0.2, 0.4, 0.8, 0.6])
+    z = np.linspace(0, 5, 200001)
+    column = np.trapz(np.interp(z, depths, chlorophyll), z)
+    cut = sum(layer["chlorophyll_mg_m3"] * (layer["bottom_depth_m"] - top) for layer, top in zip(layers[:-1], tops))
+    assert cut == pytest.approx(column, rel=2e-5)
+    # The result holds its layers and needs no other file.
+    float_file.unlink()
+    assert photic("check", "quick.toml").returncode == 2
+    assert shown(photic, "quick.nc")["sea"]["layer"] == layers
+    again = photic("run", "--continue", "quick.nc", "--photons", "8000", "-o", "more.nc")
+    assert again.returncode == 0, again.stderr
+
+
+def test_problems_of_a_float_profile(photic, scene, float_file):
+    with_profile(scene, FROM_FLOAT.replace("CHLA", "CHL"))
+    problem = json.loads(photic("check", "quick.toml", "--json").stdout)["problems"][0]
+    assert problem["file"].endswith("float.nc")
+    assert (problem["reason"], problem["suggestion"]) == ('no variable "CHL"', "did you mean 'CHLA'?")
+    float_file.write_bytes(float_file.read_bytes()[:100])
+    done = photic("check", "quick.toml")
+    assert done.returncode == 2
+    assert "float.nc: " in done.stderr
+
+
+def with_table(scene, table):
+    head, rest = scene.read_text().split("[[sea.layer]]", 1)
+    scene.write_text(f"{head}[sea]\niop_table = {table}\n[gates]" + rest.split("[gates]", 1)[1])
+
+
+def test_a_table_in_netcdf_and_csv_give_the_same_echo(photic, scene, tmp_path):
+    wavelengths, depths = np.array([500.0, 600.0, 700.0]), np.array([0.0, 5.0])
+    a = np.array([[0.05, 0.25, 0.65], [0.04, 0.24, 0.64]])
+    b = np.array([[0.2, 0.15, 0.1], [0.1, 0.08, 0.06]])
+    with netCDF4.Dataset(tmp_path / "lib.nc", "w") as file:
+        file.createDimension("depth", 2)
+        file.createDimension("wavelength", 3)
+        file.createVariable("depth_m", "f8", ("depth",))[:] = depths
+        file.createVariable("wavelength_nm", "f8", ("wavelength",))[:] = wavelengths
+        for name, values in [("a_per_m", a), ("c_per_m", a + b), ("bb_per_m", 0.02 * b)]:
+            file.createVariable(name, "f8", ("depth", "wavelength"))[:] = values
+    rows = ["depth_m, wavelength_nm, a_per_m, c_per_m, bb_per_m"]
+    for i, depth in enumerate(depths):
+        for j, nm in enumerate(wavelengths):
+            values = (float(x[i, j]) for x in (a, a + b, 0.02 * b))
+            rows.append(f"{depth}, {nm}, " + ", ".join(map(repr, values)))
+    (tmp_path / "lib.csv").write_text("\n".join(rows))
+    echoes = []
+    with_table(scene, '"lib.nc"')
+    for name in ("lib.nc", "lib.csv"):
+        done = photic("run", "quick.toml", "--photons", "4000", "-o", "out.nc", "--set", f"sea.iop_table={name}")
+        assert done.returncode == 0, done.stderr
+        with netCDF4.Dataset(tmp_path / "out.nc") as result:
+            echoes.append(np.array(result["echo"][:]))
+    assert (echoes[0] == echoes[1]).all()
+    assert (echoes[0][0, 0] > 0).all()
+    layers = shown(photic, "out.nc")["sea"]["layer"]
+    assert len(layers) == 2
+    assert layers[1]["iop"][0]["b_per_m"] == pytest.approx(0.1, rel=1e-12)
+    assert "phase_function" not in layers[1]
+    sources = photic("show", "out.nc").stdout
+    assert "b_b/b = 0.02: given in the scene; phase function: Fournier-Forand" in sources
+
+
+# Seen red: with the place of the scene's key for that of the cell.
+def test_problems_of_a_table_as_json(photic, scene, tmp_path):
+    (tmp_path / "lib.csv").write_text("depth_m, wavelength_nm, a_per_m, b_per_m\n0, 532, -1, 0.1\n")
+    with_table(scene, '{ file = "lib.csv", phase_function = "petzold" }')
+    out = json.loads(photic("check", "quick.toml", "--json").stdout)
+    problem = out["problems"][0]
+    assert problem["file"].endswith("lib.csv")
+    assert (problem["line"], problem["column"]) == (2, 8)
+    assert problem["reason"] == "'a_per_m' must be a finite number, at least 0, not -1"

@@ -1,0 +1,200 @@
+// Variables of other programs' netCDF files: fill values, packing, and files that lie.
+#include <gtest/gtest.h>
+#include <netcdf.h>
+
+#include <cmath>
+#include <functional>
+
+#include "core/error.hpp"
+#include "io/netcdf_variable.hpp"
+#include "unit/io/temporary_folder.hpp"
+
+namespace photic::io {
+namespace {
+
+using test::TemporaryFolder;
+
+void must(int status) {
+  if (status != NC_NOERR) throw std::runtime_error(nc_strerror(status));
+}
+
+/// A file in the way of a BGC-Argo float's, of any of netCDF's formats.
+class FloatFile {
+ public:
+  FloatFile(const std::string& path, int format) {
+    must(nc_create(path.c_str(), NC_CLOBBER | format, &id_));
+    must(nc_def_dim(id_, "N_PROF", 2, &dimensions_[0]));
+    must(nc_def_dim(id_, "N_LEVELS", 3, &dimensions_[1]));
+  }
+  FloatFile(const FloatFile&) = delete;
+  FloatFile& operator=(const FloatFile&) = delete;
+  ~FloatFile() { nc_close(id_); }
+
+  int define(const char* name, nc_type type, int rank = 2) {
+    int variable = 0;
+    must(nc_def_var(id_, name, type, rank, dimensions_, &variable));
+    return variable;
+  }
+  void attribute(int variable, const char* name, nc_type type, double value) {
+    must(nc_put_att_double(id_, variable, name, type, 1, &value));
+  }
+  void text(int variable, const char* name, const std::string& value) {
+    must(nc_put_att_text(id_, variable, name, value.size(), value.c_str()));
+  }
+  void put(int variable, const std::vector<double>& values) {
+    nc_enddef(id_);  // of no use, and an error, in netCDF-4
+    must(nc_put_var_double(id_, variable, values.data()));
+  }
+  [[nodiscard]] int id() const { return id_; }
+
+ private:
+  int id_ = -1, dimensions_[2] = {};
+};
+
+std::string refusal_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+// Seen red: with fill values kept; with the values of the second profile first.
+TEST(NetcdfVariable, OfAFloatHasNaNForFillValues) {
+  const TemporaryFolder folder;
+  for (const int format : {0, NC_64BIT_OFFSET, NC_NETCDF4}) {
+    SCOPED_TRACE(format);
+    const std::string path = folder.file("float.nc");
+    {
+      FloatFile file(path, format);
+      const int chla = file.define("CHLA", NC_FLOAT);
+      file.text(chla, "units", "mg/m3");
+      file.attribute(chla, "_FillValue", NC_FLOAT, 99999);
+      file.put(chla, {0.5, 99999, 0.25, 1, 2, 99999});
+    }
+    EXPECT_EQ(netcdf_names(path), std::vector<std::string>{"CHLA"});
+    const auto chla = netcdf_variable(path, "CHLA");
+    EXPECT_EQ(chla.dimension, (std::vector<std::string>{"N_PROF", "N_LEVELS"}));
+    EXPECT_EQ(chla.length, (std::vector<std::size_t>{2, 3}));
+    EXPECT_EQ(chla.units, "mg/m3");
+    ASSERT_EQ(chla.value.size(), 6U);
+    EXPECT_EQ(chla.value[0], 0.5);
+    EXPECT_TRUE(std::isnan(chla.value[1]));
+    EXPECT_EQ(chla.value[3], 1);
+    EXPECT_TRUE(std::isnan(chla.value[5]));
+  }
+}
+
+TEST(NetcdfVariable, WhatWasNeverWrittenIsMissingToo) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("float.nc");
+  {
+    FloatFile file(path, NC_NETCDF4);
+    file.define("PRES", NC_FLOAT);
+    file.define("TEMP", NC_DOUBLE);
+  }
+  for (const char* name : {"PRES", "TEMP"})
+    for (const double x : netcdf_variable(path, name).value) EXPECT_TRUE(std::isnan(x)) << name;
+  EXPECT_EQ(netcdf_variable(path, "PRES").units, "");
+}
+
+// Seen red: with the fill value looked for after unpacking.
+TEST(NetcdfVariable, IsUnpacked) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("packed.nc");
+  {
+    FloatFile file(path, 0);
+    const int pres = file.define("PRES", NC_SHORT);
+    file.attribute(pres, "scale_factor", NC_DOUBLE, 0.1);
+    file.attribute(pres, "add_offset", NC_DOUBLE, 100);
+    file.attribute(pres, "missing_value", NC_SHORT, -7);
+    file.put(pres, {0, 10, -7, 30, 40, 50});
+  }
+  const auto pres = netcdf_variable(path, "PRES").value;
+  EXPECT_EQ(pres[0], 100);
+  EXPECT_NEAR(pres[1], 101, 1e-12);
+  EXPECT_TRUE(std::isnan(pres[2]));
+}
+
+TEST(NetcdfVariable, UnitsMayBeStrings) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("strings.nc");
+  {
+    FloatFile file(path, NC_NETCDF4);
+    const int pres = file.define("PRES", NC_DOUBLE, 1);
+    const char* units = "decibar";
+    must(nc_put_att_string(file.id(), pres, "units", 1, &units));
+  }
+  EXPECT_EQ(netcdf_variable(path, "PRES").units, "decibar");
+}
+
+TEST(NetcdfVariable, FilesOfNoUse) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("float.nc");
+  const std::string wanted = " (is it the file you mean?)";
+  EXPECT_EQ(refusal_of([&] { netcdf_names(path); }),
+            path + ": cannot read the file: No such file or directory");
+  test::write_file(path, "these are notes");
+  EXPECT_EQ(refusal_of([&] { netcdf_names(path); }), path + ": not a netCDF file" + wanted);
+  {
+    FloatFile file(path, NC_NETCDF4);
+    file.define("PLATFORM", NC_CHAR);
+    file.define("WMO", NC_STRING, 1);
+    file.text(file.define("PRES", NC_DOUBLE), "_FillValue_", "none");
+    const int chla = file.define("CHLA", NC_DOUBLE);
+    file.text(chla, "missing_value", "none");
+    const int packed = file.define("TEMP", NC_DOUBLE);
+    file.text(packed, "units", std::string(2000, 'x'));
+  }
+  const auto refusal = [&](const char* name) {
+    return refusal_of([&] { netcdf_variable(path, name); });
+  };
+  EXPECT_EQ(refusal("PLATFORM"), path + ": PLATFORM: does not hold numbers" + wanted);
+  EXPECT_EQ(refusal("WMO"), path + ": WMO: does not hold numbers" + wanted);
+  EXPECT_EQ(refusal("CHLA"), path + ": CHLA: its attribute missing_value is not a number" + wanted);
+  EXPECT_EQ(refusal("TEMP"), path + ": TEMP: its attribute units is not a word" + wanted);
+  EXPECT_EQ(refusal("NONE").rfind(path + ": NONE: cannot be read: ", 0), 0U) << refusal("NONE");
+}
+
+// A few bytes that promise 10^18 numbers. Seen red: with the product of the lengths not bounded.
+TEST(NetcdfVariable, HugeDimensionsAreRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("huge.nc");
+  int id = 0, dimensions[2] = {}, variable = 0;
+  must(nc_create(path.c_str(), NC_CLOBBER | NC_NETCDF4, &id));
+  must(nc_def_dim(id, "x", 1'000'000'000, &dimensions[0]));
+  must(nc_def_dim(id, "y", 1'000'000'000, &dimensions[1]));
+  must(nc_def_var(id, "CHLA", NC_DOUBLE, 2, dimensions, &variable));
+  const std::size_t chunk[2] = {1000, 1000};
+  must(nc_def_var_chunking(id, variable, NC_CHUNKED, chunk));
+  must(nc_close(id));
+  EXPECT_EQ(refusal_of([&] { netcdf_variable(path, "CHLA"); }),
+            path + ": CHLA: has more than 10000000 values (is it the file you mean?)");
+}
+
+/// Cut off anywhere, a file is refused or read, but nothing else happens.
+TEST(NetcdfVariable, TornFiles) {
+  const TemporaryFolder folder;
+  for (const int format : {0, NC_NETCDF4}) {
+    const std::string path = folder.file("whole.nc");
+    {
+      FloatFile file(path, format);
+      file.put(file.define("CHLA", NC_DOUBLE), {1, 2, 3, 4, 5, 6});
+    }
+    const std::string whole = test::read_file(path);
+    int refused = 0;
+    for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 200) {
+      test::write_file(folder.file("torn.nc"), whole.substr(0, size));
+      try {
+        netcdf_variable(folder.file("torn.nc"), "CHLA");
+      } catch (const InputError&) {
+        ++refused;
+      }
+    }
+    EXPECT_GT(refused, 20);
+  }
+}
+
+}  // namespace
+}  // namespace photic::io

@@ -1,0 +1,210 @@
+// Profiles in CSV files and in netCDF files such as floats write.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "optics/pressure.hpp"
+#include "scene/profile.hpp"
+#include "unit/scene/written_files.hpp"
+
+namespace photic::scene {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::string profiled(const std::string& profile) {
+  return edited({{22, 22, "chlorophyll_mg_m3 = { " + profile + " }"}});
+}
+
+double mean_chlorophyll(const Scene& scene) {
+  double sum = 0, top = 0;
+  for (const Layer& layer : scene.sea.layer) {
+    if (!layer.bottom_depth_m) break;
+    sum += layer.chlorophyll_mg_m3 * (*layer.bottom_depth_m - top);
+    top = *layer.bottom_depth_m;
+  }
+  return sum / top;
+}
+
+// --- CSV -----------------------------------------------------------------------------------------
+
+const std::string from_csv = "file = 'chl.csv', depth = 'depth_m', column = 'chl'";
+
+TEST(CsvProfile, IsRead) {
+  WrittenFiles files("csv_profile");
+  files.write("chl.csv", "# a comment\ndepth_m, chl, other\n0, 0.2, x\n10, 0.4, y\n30, 0.0, z\n");
+  const Scene scene = files.read(profiled(from_csv)).scene;
+  EXPECT_NEAR(mean_chlorophyll(scene), (10 * 0.3 + 10 * 0.3) / 20, 1e-14);
+  EXPECT_TRUE(read_scene_text(write_scene(scene), "written.toml", "/").scene == scene);
+}
+
+TEST(CsvProfile, ProblemsAreToldAtTheirLineAndColumn) {
+  WrittenFiles files("csv_profile_problems");
+  const auto problems = [&](const std::string& rows, const std::string& profile = from_csv) {
+    files.write("chl.csv", "depth_m, chl\n" + rows);
+    return files.problems(profiled(profile));
+  };
+  EXPECT_EQ(problems("0, 0.2\n30, -0.4\n"),
+            (Texts{"chl.csv:3:4: must be a finite number, at least 0, not -0.4"}));
+  EXPECT_EQ(problems("0, 0.2\n10,\n30, nan\n"),
+            (Texts{"chl.csv:3:4: \"\" is not a finite number",
+                   "chl.csv:4:4: \"nan\" is not a finite number"}));
+  EXPECT_EQ(problems("10, 0.2\n0, 0.4\n"),
+            (Texts{"chl.csv:3:1: depth_m 0 is not above the 10 before it (this column must "
+                   "ascend)"}));
+  EXPECT_EQ(problems("0, 0.2\n"), (Texts{"chl.csv:2:1: a profile needs at least two rows"}));
+  EXPECT_EQ(problems("0, 0.2\n30, 0.4\n", "file = 'chl.csv', depth = 'depth_m', column = 'chla'"),
+            (Texts{"chl.csv:1:1: no column \"chla\" (there are: depth_m, chl)"}));
+  EXPECT_EQ(problems("0, 0.2\n15, 0.4\n"),
+            (Texts{"scene.toml:22:21: 'chlorophyll_mg_m3' is known from 0 to 15 m, and its layer "
+                   "goes from 0 to 20 m (let layers with a number begin and end where the profile "
+                   "does)"}));
+}
+
+TEST(CsvProfile, KeysThatAreMissing) {
+  WrittenFiles files("csv_profile_keys");
+  files.write("chl.csv", "");
+  EXPECT_EQ(files.problems(profiled("file = 'chl.csv', depth = 'z'")),
+            (Texts{"scene.toml:22:21: 'chlorophyll_mg_m3' needs 'column' or 'variable'"}));
+  EXPECT_EQ(
+      files.problems(profiled("file = 'chl.csv', column = 'chl', variable = 'CHLA'")),
+      (Texts{"scene.toml:22:21: 'depth' is missing in 'chlorophyll_mg_m3' (add it: the column "
+             "of depths in m, or the variable of depths or pressures)",
+             "scene.toml:22:57: 'column' and 'variable' exclude each other in "
+             "'chlorophyll_mg_m3' (keep one of them)"}));
+}
+
+// --- netCDF --------------------------------------------------------------------------------------
+
+const std::string from_float = "file = 'float.nc', depth = 'PRES', variable = 'CHLA'";
+
+/// Two profiles of five levels, the second shallower by far.
+void write_float(WrittenFiles& files) {
+  files.write("float.nc", "");
+  const std::vector<std::string> dimensions{"N_PROF", "N_LEVELS"};
+  files.netcdf["PRES"] = {dimensions, {2, 5}, "decibar", {0, 5, 10, 20, 30, 0, 1, 2, 3, 4}};
+  files.netcdf["CHLA"] = {dimensions, {2, 5}, "mg/m3", {0.1, 0.2, 0.4, 0.3, 0.3, 9, 9, 9, 9, 9}};
+  files.netcdf["LATITUDE"] = {{"N_PROF"}, {2}, "degree_north", {30, 60}};
+}
+
+// The check value of the source. Seen red: with the latitude in degrees for radians.
+TEST(Pressure, GivesTheDepthOfTheSource) {
+  EXPECT_NEAR(optics::depth_of_pressure_m(10000, 30), 9712.653, 5e-4);
+  EXPECT_NEAR(optics::depth_of_pressure_m(500, 0), 496.65299, 5e-6);
+  EXPECT_NEAR(optics::depth_of_pressure_m(5000, 90), 4889.13133, 5e-6);
+  EXPECT_EQ(optics::depth_of_pressure_m(0, 45), 0);
+}
+
+// Seen red: with the second profile for the first; with pressures for depths.
+TEST(FloatProfile, IsTheOneAskedForAtTheDepthsOfItsPressures) {
+  WrittenFiles files("float");
+  write_float(files);
+  const Reading reading = files.read(profiled(from_float));
+  EXPECT_EQ(reading.remarks, Texts{});
+  std::vector<double> depth;
+  for (const double p : {0.0, 5.0, 10.0, 20.0, 30.0})
+    depth.push_back(optics::depth_of_pressure_m(p, 30));
+  const LinearProfile expected(depth, {0.1, 0.2, 0.4, 0.3, 0.3});
+  EXPECT_NEAR(mean_chlorophyll(reading.scene), expected.integral(0, 20) / 20, 1e-14);
+  EXPECT_EQ(files.problems(profiled(from_float + ", profile = 1")),
+            (Texts{"scene.toml:22:21: 'chlorophyll_mg_m3' is known from 0 to 3.96225 m, and its "
+                   "layer goes from 0 to 20 m (let layers with a number begin and end where the "
+                   "profile does)"}));
+}
+
+// Seen red: without the remark; with the gap from the level that is left out.
+TEST(FloatProfile, LevelsWithoutAValueAreLeftOutWithARemark) {
+  WrittenFiles files("float_gaps");
+  write_float(files);
+  files.netcdf["CHLA"].value[1] = none;
+  files.netcdf["PRES"].value[2] = none;
+  const Reading reading = files.read(profiled(from_float));
+  const LinearProfile expected(
+      {0, optics::depth_of_pressure_m(20, 30), optics::depth_of_pressure_m(30, 30)},
+      {0.1, 0.3, 0.3});
+  EXPECT_NEAR(mean_chlorophyll(reading.scene), expected.integral(0, 20) / 20, 1e-14);
+  ASSERT_EQ(reading.remarks.size(), 1U);
+  EXPECT_EQ(files.without_folder(reading.remarks[0]),
+            "scene.toml:22:21: float.nc: 2 of 5 levels of CHLA have no value or no depth and are "
+            "left out; the widest gap is from 0 to 19.86 m");
+}
+
+TEST(FloatProfile, WithoutLatitudeIsTakenAt45Degrees) {
+  WrittenFiles files("float_latitude");
+  write_float(files);
+  files.netcdf["LATITUDE"].value[0] = none;
+  const Reading reading = files.read(profiled(from_float));
+  ASSERT_EQ(reading.remarks.size(), 1U);
+  EXPECT_EQ(files.without_folder(reading.remarks[0]),
+            "scene.toml:22:21: float.nc: no LATITUDE in the file: depths are those of the "
+            "pressures at 45 degrees");
+  files.netcdf.erase("LATITUDE");
+  EXPECT_EQ(files.read(profiled(from_float)).remarks, reading.remarks);
+}
+
+TEST(FloatProfile, OfOneDimensionInMetres) {
+  WrittenFiles files("float_metres");
+  files.write("float.nc", "");
+  files.netcdf["z"] = {{"z"}, {3}, "m", {0, 10, 20}};
+  files.netcdf["CHLA"] = {{"z"}, {3}, "", {0.1, 0.3, 0.1}};
+  const Reading reading = files.read(profiled("file = 'float.nc', depth = 'z', variable = 'CHLA'"));
+  EXPECT_NEAR(mean_chlorophyll(reading.scene), 0.2, 1e-15);
+  EXPECT_EQ(reading.remarks, Texts{});
+}
+
+TEST(FloatProfile, ProblemsNameVariableAndLevel) {
+  WrittenFiles files("float_problems");
+  const auto problems = [&](const auto& damage, const std::string& more = "") {
+    write_float(files);
+    damage(files.netcdf);
+    return files.problems(profiled(from_float + more));
+  };
+  using Variables = std::map<std::string, NetcdfVariable>;
+  EXPECT_EQ(problems([](Variables& v) { v.erase("CHLA"); }),
+            (Texts{"float.nc: no variable \"CHLA\" (there are: LATITUDE, PRES)"}));
+  EXPECT_EQ(problems([](Variables& v) {
+              v["CHLA_ADJUSTED"] = v["CHL"] = v["CHLA"];
+              v.erase("CHLA");
+            }),
+            (Texts{"float.nc: no variable \"CHLA\" (did you mean 'CHL'?)"}));
+  EXPECT_EQ(problems([](Variables& v) { v["CHLA"].value[3] = -0.02; }),
+            (Texts{"float.nc: CHLA[0, 3]: must be a finite number, at least 0, not -0.02"}));
+  EXPECT_EQ(problems([](Variables& v) { v["PRES"].value[3] = 10; }),
+            (Texts{"float.nc: PRES[0, 3]: a depth of 9.9317 m is not below the 9.9317 m of the "
+                   "level before it (depths must ascend)"}));
+  EXPECT_EQ(problems([](Variables& v) {
+              for (int i = 0; i < 5; ++i) v["CHLA"].value[i] = none;
+            }),
+            (Texts{"float.nc: CHLA: profile 0 has values at 0 of 5 levels; it takes two (the first "
+                   "profile with values is 1)"}));
+  EXPECT_EQ(problems([](Variables& v) { v["CHLA"].value.assign(10, none); }),
+            (Texts{"float.nc: CHLA: profile 0 has values at 0 of 5 levels; it takes two (no "
+                   "profile has values)"}));
+  EXPECT_EQ(problems([](Variables&) {}, ", profile = 2"),
+            (Texts{"float.nc: CHLA(N_PROF, N_LEVELS): there is no profile 2: it has 2, counted "
+                   "from 0"}));
+  EXPECT_EQ(problems([](Variables& v) { v["PRES"].units = "bar"; }),
+            (Texts{"float.nc: PRES: is in units of \"bar\" (depths are in \"m\", pressures in "
+                   "\"decibar\")"}));
+  EXPECT_EQ(problems([](Variables& v) { v["PRES"].units = ""; }),
+            (Texts{"float.nc: PRES: has no attribute units (depths are in \"m\", pressures in "
+                   "\"decibar\")"}));
+  EXPECT_EQ(problems([](Variables& v) {
+              v["PRES"] = {{"N_LEVELS"}, {2}, "m", {0, 30}};
+            }),
+            (Texts{"float.nc: PRES(N_LEVELS): has 2 levels where CHLA has 5"}));
+  EXPECT_EQ(problems([](Variables& v) {
+              v["CHLA"] = {{}, {}, "", {1}};
+            }),
+            (Texts{"float.nc: CHLA(): has 0 dimensions, not (levels) or (profiles, levels)"}));
+  EXPECT_EQ(problems([](Variables& v) {
+              v["CHLA"].length = {1, 100001};
+              v["CHLA"].value.resize(100001);
+            }),
+            (Texts{"float.nc: CHLA(N_PROF, N_LEVELS): has 100001 levels; at most 100000 are "
+                   "read"}));
+}
+
+}  // namespace
+}  // namespace photic::scene
