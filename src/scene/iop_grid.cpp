@@ -25,8 +25,8 @@ constexpr const char* order = "sort rows by depth, and those of a depth by wavel
 constexpr std::size_t most_pairs = 100'000;
 
 constexpr const char* known_names[] = {
-    depth_name, wavelength_name,        "a_per_m", "b_per_m", "c_per_m",
-    "bb_per_m", "a_phytoplankton_per_m"};
+    depth_name, wavelength_name,         "a_per_m",     "b_per_m", "c_per_m",
+    "bb_per_m", "a_phytoplankton_per_m", "a_cdom_per_m"};
 
 bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -52,7 +52,7 @@ std::vector<std::string> value_names(const std::vector<std::string>& there, cons
   if (!has_b && !has_c) fail(R"(neither "b_per_m" nor "c_per_m")", instead_of("b_per_m"));
   if (has_b && has_c) fail(R"("b_per_m" and "c_per_m" exclude each other)", "keep one of them");
   std::vector<std::string> names{"a_per_m", has_b ? "b_per_m" : "c_per_m"};
-  for (const char* optional : {"bb_per_m", "a_phytoplankton_per_m"})
+  for (const char* optional : {"bb_per_m", "a_phytoplankton_per_m", "a_cdom_per_m"})
     if (is_among(there, optional)) names.emplace_back(optional);
   return names;
 }

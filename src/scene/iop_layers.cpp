@@ -46,7 +46,7 @@ Node entry_of(const IopGrid& grid, std::size_t d, std::size_t w, Findings& findi
           "c is a + b");
     entry.add("b_per_m", at(place("c_per_m"), c < a ? 0.0 : c - a));
   }
-  for (const char* name : {"a_phytoplankton_per_m", "bb_per_m"})
+  for (const char* name : {"a_phytoplankton_per_m", "a_cdom_per_m", "bb_per_m"})
     if (grid.has(name)) entry.add(name, at(place(name), value(name)));
   return entry;
 }

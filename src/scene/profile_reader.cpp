@@ -26,6 +26,8 @@ class ProfiledKeys {
   template <class... Rest>
   void optional(Rest&&...) {}
   template <class... Rest>
+  void required(Rest&&...) {}
+  template <class... Rest>
   void tables(Rest&&...) {}
   template <class... Rest>
   void table_or_word(Rest&&...) {}
