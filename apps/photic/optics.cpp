@@ -54,11 +54,13 @@ scene::Reading read_water(const OpticsCommand& command) {
 }
 
 scene::Scene read(const OpticsCommand& command) {
+  if (!command.output.empty()) check_output(command.output, command.scene);
   const scene::Reading reading =
       command.scene.empty()
           ? read_water(command)
           : scene::read_scene(command.scene, command.overrides, engine::optics_check());
   for (const std::string& remark : reading.remarks) print_error(remark + '\n');
+  spare(reading.files, command.output);
   return reading.scene;
 }
 
@@ -100,11 +102,9 @@ std::string where_it_is(const medium::OpticalTable& table, const std::string& ou
 }  // namespace
 
 int run(const OpticsCommand& command) {
-  if (!command.output.empty()) check_output(command.output, command.scene);
   const scene::Scene scene = read(command);
   const medium::OpticalTable table = table_of(scene, command);
   if (!command.output.empty()) {
-    spare_files_of(scene, command.output);
     write(table, scene, command);
     if (!command.json) print_out(where_it_is(table, command.output));
   } else if (!command.json) {
