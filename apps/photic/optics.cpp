@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "engine/problem.hpp"
 #include "io/netcdf.hpp"
+#include "io/netcdf_variable.hpp"
 #include "io/optics_file.hpp"
 #include "io/optics_table.hpp"
 #include "medium/optical_table.hpp"
@@ -50,15 +51,18 @@ scene::Reading read_water(const OpticsCommand& command) {
   }
   overrides.push_back("title=" + title);
   overrides.insert(overrides.end(), command.overrides.begin(), command.overrides.end());
-  return scene::read_scene_text(water_scene, "--water", "", overrides, engine::optics_check());
+  return scene::read_scene_text(water_scene, "--water", "", overrides, engine::optics_check(),
+                                io::netcdf_files());
 }
 
 scene::Scene read(const OpticsCommand& command) {
+  if (!command.output.empty()) check_output(command.output, command.scene);
   const scene::Reading reading =
-      command.scene.empty()
-          ? read_water(command)
-          : scene::read_scene(command.scene, command.overrides, engine::optics_check());
+      command.scene.empty() ? read_water(command)
+                            : scene::read_scene(command.scene, command.overrides,
+                                                engine::optics_check(), io::netcdf_files());
   for (const std::string& remark : reading.remarks) print_error(remark + '\n');
+  spare(reading.files, command.output);
   return reading.scene;
 }
 
@@ -100,11 +104,9 @@ std::string where_it_is(const medium::OpticalTable& table, const std::string& ou
 }  // namespace
 
 int run(const OpticsCommand& command) {
-  if (!command.output.empty()) check_output(command.output, command.scene);
   const scene::Scene scene = read(command);
   const medium::OpticalTable table = table_of(scene, command);
   if (!command.output.empty()) {
-    spare_files_of(scene, command.output);
     write(table, scene, command);
     if (!command.json) print_out(where_it_is(table, command.output));
   } else if (!command.json) {

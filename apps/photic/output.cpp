@@ -2,18 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 #include "core/error.hpp"
 #include "photic/checkpoint.hpp"
 #include "photic/commands.hpp"
-#include "scene/tree.hpp"
 
 namespace photic::app {
 namespace {
@@ -22,20 +19,6 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& what) {
   throw EnvironmentError(fmt::format("{}: {}", what, std::strerror(errno)));
-}
-
-/// All texts that the values of a scene hold, the names of files among them.
-std::vector<std::string> texts_in(const scene::Node& node) {
-  if (const auto* text = node.as<std::string>()) return {*text};
-  std::vector<std::string> out;
-  const auto add = [&](const scene::Node& below) {
-    const auto texts = texts_in(below);
-    out.insert(out.end(), texts.begin(), texts.end());
-  };
-  if (const auto* array = node.as<scene::Node::Array>()) std::ranges::for_each(*array, add);
-  if (const auto* table = node.as<scene::Node::Table>())
-    std::ranges::for_each(*table, add, &scene::Entry::value);
-  return out;
 }
 
 }  // namespace
@@ -71,14 +54,13 @@ void check_output(const std::string& output, const std::string& scene) {
     throw UsageError(output + ": the result would replace the scene (choose another name with -o)");
 }
 
-void spare_files_of(const scene::Scene& scene, const std::string& output) {
+void spare(const std::vector<std::string>& inputs, const std::string& output) {
   std::error_code none;
-  for (const std::string& text : texts_in(scene::tree_of(scene))) {
-    if (fs::equivalent(output, text, none))
-      throw UsageError(
-          output +
-          ": the result would replace a file that the scene is made of (choose another "
-          "name with -o)");
+  for (const std::string& input : inputs) {
+    if (fs::equivalent(output, input, none))
+      throw UsageError(output +
+                       ": the result would replace a file that the scene is made of "
+                       "(choose another name with -o)");
   }
 }
 

@@ -4,8 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-
-#include "scene/scene.hpp"
+#include <vector>
 
 namespace photic::app {
 
@@ -32,8 +31,8 @@ std::string result_path(const RunCommand& command);
 /// than its scene.
 void check_output(const std::string& output, const std::string& scene);
 
-/// Throws UsageError if the output is a file that the scene names, such as a table.
-void spare_files_of(const scene::Scene& scene, const std::string& output);
+/// Throws UsageError if the output is one of the files that a scene names (scene::Reading).
+void spare(const std::vector<std::string>& inputs, const std::string& output);
 
 /// What goes on from a result file and writes the longer one.
 std::string go_on_command(const std::string& earlier, const std::string& output);

@@ -113,7 +113,7 @@ Plan plan(const RunCommand& command) {
   Plan plan;
   plan.scene = std::move(reading.scene);
   plan.path = result_path(command);
-  spare_files_of(plan.scene, plan.path);
+  spare(reading.files, plan.path);
   plan.history = io::history_line(command.command_line);
   io::check_writable(plan.path);  // now, not after hours of work
   plan.lanes = lanes_asked(command, plan.scene);

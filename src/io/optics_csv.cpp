@@ -18,9 +18,13 @@ struct Column {
 };
 
 std::vector<Column> columns_of(const OpticalTable& table) {
-  std::vector<Column> columns = {{"a_per_m", table.a_per_m},   {"b_per_m", table.b_per_m},
-                                 {"c_per_m", table.c_per_m()}, {"bb_per_m", table.bb_per_m()},
-                                 {"albedo", table.albedo()},   {"mean_cosine", table.mean_cosine}};
+  std::vector<Column> columns = {{"a_per_m", table.a_per_m},
+                                 {"b_per_m", table.b_per_m},
+                                 {"c_per_m", table.c_per_m()},
+                                 {"bb_per_m", table.bb_per_m()},
+                                 {"albedo", table.albedo()},
+                                 {"mean_cosine", table.mean_cosine},
+                                 {"a_phytoplankton_per_m", table.a_exciting_per_m}};
   for (const auto& [name, a, b] : table.parts) {
     if (!a.empty()) columns.push_back({"a_" + name_in_files(name) + "_per_m", a});
     if (!b.empty()) columns.push_back({"b_" + name_in_files(name) + "_per_m", b});
@@ -37,7 +41,8 @@ std::string head(const OpticalTable& table, const OpticsOrigin& origin) {
       std::isinf(end) ? "is bottomless" : fmt::format("ends at {} m", end));
   out +=
       "# a absorption, b scattering, c = a + b, bb backscattering, albedo = b / c, mean_cosine of "
-      "the scattering angle\n";
+      "the scattering angle\n"
+      "# a_phytoplankton_per_m: the share of a that excites chlorophyll fluorescence\n";
   for (const auto& emission : table.emission) {
     for (std::size_t k = 0; k < table.layers(); ++k)
       out +=
@@ -53,6 +58,7 @@ std::string head(const OpticalTable& table, const OpticsOrigin& origin) {
 }  // namespace
 
 std::string name_in_files(const std::string& constituent) {
+  if (constituent == "phytoplankton") return "phytoplankton_and_detritus";
   std::string out;
   for (const unsigned char c : constituent)
     out += std::isalnum(c) != 0 ? static_cast<char>(std::tolower(c)) : '_';

@@ -31,7 +31,9 @@ std::string optics_csv(const medium::OpticalTable& table, const OpticsOrigin& or
 void write_optics_csv(const medium::OpticalTable& table, const OpticsOrigin& origin,
                       const std::string& path);
 
-/// What files call a constituent: small letters, digits and underscores.
+/// What files call a constituent: small letters, digits and underscores. What comes with
+/// phytoplankton is in its absorption, but not in a_phytoplankton_per_m: as in a scene's iop, that
+/// is the share which excites fluorescence.
 std::string name_in_files(const std::string& constituent);
 
 /// "a of water, 300-700 nm: source [status]".

@@ -51,6 +51,7 @@ Json layer(const OpticalTable& table, std::size_t k) {
               {"albedo", of_layer(table.albedo())},
               {"backscatter_fraction", of_layer(table.backscatter_fraction)},
               {"mean_cosine", of_layer(table.mean_cosine)},
+              {"a_phytoplankton_per_m", of_layer(table.a_exciting_per_m)},
               {"parts", Json::object()},
               {"emission", Json::object()},
               {"phase_function_per_sr", phase_functions(table, k)}};

@@ -74,6 +74,10 @@ void add_totals(NetcdfImage& file, const OpticalTable& table) {
                     {{"long_name", "mean cosine g of the scattering angle"},
                      {"units", "1"},
                      {"coordinates", spectral_coordinates}});
+  file.add_variable("a_phytoplankton_per_m", spectral, table.a_exciting_per_m,
+                    {{"long_name", "share of the absorption that excites chlorophyll fluorescence"},
+                     {"units", "m-1"},
+                     {"coordinates", spectral_coordinates}});
   file.add_variable("phase_function_per_sr", {"depth", "wavelength", "angle"},
                     table.phase_function_per_sr,
                     {{"long_name", "phase function of all scattering, 1 over the whole sphere"},

@@ -192,6 +192,7 @@ OpticalTable optical_table(const scene::Scene& scene, const optics::Library& lib
       waters.push_back(optics_of(layer, nm));
       table.a_per_m.push_back(waters.back().a_per_m);
       table.b_per_m.push_back(waters.back().b_per_m);
+      table.a_exciting_per_m.push_back(waters.back().a_exciting_per_m);
       add_phase(optics::PhaseTable(optics_of.phase(layer, nm, waters.back())), table);
       for (const Contribution& each : waters.back().contributions)
         add_source(each, nm, table.sources);

@@ -40,6 +40,7 @@ struct OpticalTable {
   std::vector<double> wavelength_nm;
   std::vector<double> angle_deg;
   std::vector<double> a_per_m, b_per_m, backscatter_fraction, mean_cosine;
+  std::vector<double> a_exciting_per_m;  ///< the share of a that excites chlorophyll fluorescence
   std::vector<double> phase_function_per_sr;
   std::vector<Part> parts;
   std::vector<Source> sources;

@@ -50,7 +50,6 @@ std::vector<std::string> value_names(const std::vector<std::string>& there, cons
     if (!is_among(there, name)) fail(fmt::format("no \"{}\"", name), instead_of(name));
   const bool has_b = is_among(there, "b_per_m"), has_c = is_among(there, "c_per_m");
   if (!has_b && !has_c) fail(R"(neither "b_per_m" nor "c_per_m")", instead_of("b_per_m"));
-  if (has_b && has_c) fail(R"("b_per_m" and "c_per_m" exclude each other)", "keep one of them");
   std::vector<std::string> names{"a_per_m", has_b ? "b_per_m" : "c_per_m"};
   for (const char* optional : {"bb_per_m", "a_phytoplankton_per_m", "a_cdom_per_m"})
     if (is_among(there, optional)) names.emplace_back(optional);

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "core/error.hpp"
 #include "scene/channel_steps.hpp"
@@ -47,6 +48,19 @@ std::string text_of(const std::string& path) {
   std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (file.bad()) fail("reading failed");
   return text;
+}
+
+/// Texts of the scene that are names of files, whatever keys they stand under.
+void add_files(const Node& node, const std::filesystem::path& folder,
+               std::vector<std::string>& files) {
+  std::error_code none;
+  const auto* text = node.as<std::string>();
+  if (text && std::filesystem::is_regular_file(folder / *text, none))
+    files.push_back((folder / *text).string());
+  if (const auto* array = node.as<Node::Array>())
+    for (const Node& element : *array) add_files(element, folder, files);
+  if (const auto* table = node.as<Node::Table>())
+    for (const Entry& entry : *table) add_files(entry.value, folder, files);
 }
 
 /// The scene with its environments, alone all of them being good.
@@ -98,11 +112,13 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   document.place = end_of(text, name);
   Findings findings(document, document.place);
   for (const Override& override_text : overrides) apply_override(override_text, document, findings);
+  std::vector<std::string> files;
+  add_files(document, folder, files);
   expand_grid(document, findings);
   expand_channels(document);
   Layered layered{document, {folder, netcdf}, {}};
   layered.cuts = expand_layers(document, layered.files, nullptr, findings);
-  Reading reading{scene_of(document, folder, findings), {}};
+  Reading reading{scene_of(document, folder, findings), {}, std::move(files)};
   check_sea(reading.scene, findings);
   check_instrument(reading.scene, findings);
   check_gates(reading.scene, findings);

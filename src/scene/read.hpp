@@ -19,6 +19,7 @@ using Override = std::string;
 struct Reading {
   Scene scene;
   std::vector<std::string> remarks;  ///< e.g. "scene.toml:3:1: …"
+  std::vector<std::string> files;    ///< that the scene names, which nothing should replace
 };
 
 /// A check of the whole scene that this folder is too low for (engine/problem.hpp has the one of

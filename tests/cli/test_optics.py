@@ -13,7 +13,8 @@ from conftest import QUICK_SCENE
 LAYERS = [(0.0, 5.0), (5.0, numpy.inf)]
 WAVELENGTHS = [355.0, 400.0, 450.0, 500.0, 532.0]
 LIST = "355,400:500:50,532"
-TOTALS = ["a_per_m", "b_per_m", "c_per_m", "bb_per_m", "albedo", "mean_cosine"]
+TOTALS = ["a_per_m", "b_per_m", "c_per_m", "bb_per_m", "albedo", "mean_cosine", "a_phytoplankton_per_m"]
+PARTS = {"water": "water", "phytoplankton": "phytoplankton_and_detritus", "CDOM": "cdom"}
 
 
 def as_json(photic, *arguments):
@@ -54,10 +55,10 @@ def test_the_same_numbers_in_every_form(photic, library, tmp_path):
         for name in TOTALS:
             assert layer[name] == list(library[name][k]) == [float(row[name]) for row in rows[5 * k : 5 * k + 5]]
         assert layer["phase_function_per_sr"] == library["phase_function_per_sr"][k].tolist()
-        assert list(layer["parts"]) == ["water", "phytoplankton", "CDOM"]
+        assert list(layer["parts"]) == list(PARTS)
         for part, values in layer["parts"].items():
             for quantity, numbers in values.items():
-                name = f"{quantity[0]}_{part.lower()}_per_m"
+                name = f"{quantity[0]}_{PARTS[part]}_per_m"
                 assert numbers == list(library[name][k]) == [float(row[name]) for row in rows[5 * k : 5 * k + 5]]
         emission = layer["emission"]
         assert list(emission) == list(library["process_name"][:]) == ["raman", "chlorophyll"]
@@ -74,8 +75,10 @@ def test_numbers_go_together(library):
     a, b, c, bb = (library[name][:] for name in ["a_per_m", "b_per_m", "c_per_m", "bb_per_m"])
     assert c == pytest.approx(a + b, rel=1e-15)
     assert library["albedo"][:] == pytest.approx(b / c, rel=1e-15)
-    assert sum(library[f"a_{part}_per_m"][:] for part in ("water", "phytoplankton", "cdom")) == pytest.approx(a)
-    assert sum(library[f"b_{part}_per_m"][:] for part in ("water", "phytoplankton")) == pytest.approx(b)
+    assert sum(library[f"a_{part}_per_m"][:] for part in PARTS.values()) == pytest.approx(a)
+    assert sum(library[f"b_{part}_per_m"][:] for part in list(PARTS.values())[:2]) == pytest.approx(b)
+    emitted = library["emission_per_m"][:, list(library["process_name"][:]).index("chlorophyll")]
+    assert emitted == pytest.approx(0.01 * library["a_phytoplankton_per_m"][:, -1], rel=1e-9)  # yield 0.01, 532 nm
     angle = numpy.radians(library["angle_deg"][:])
     back = angle >= numpy.radians(89.9)
     p = library["phase_function_per_sr"][:] * 2 * numpy.pi * numpy.sin(angle)
@@ -234,7 +237,7 @@ def test_tells_the_problems_of_a_scene_at_their_places(photic, scene):
     assert done.stderr.endswith("problem in quick.toml\n") or done.stderr.endswith("problems in quick.toml\n")
 
 
-# Seen red: without spare_files_of, in each of the two.
+# Seen red: without looking at these files, in each of the two.
 @pytest.mark.parametrize("subcommand", ["optics", "run"])
 def test_replaces_no_file_that_it_reads(photic, scene, tmp_path, subcommand):
     table = "angle_deg,phase_function_per_sr\n0,0.0795774715\n180,0.0795774715\n"

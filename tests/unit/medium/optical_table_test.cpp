@@ -63,6 +63,7 @@ TEST(OpticalTable, HoldsWhatTheLayersOpticsSay) {
       const std::size_t i = 3 * k + w;
       EXPECT_EQ(table.a_per_m[i], water.a_per_m);
       EXPECT_EQ(table.b_per_m[i], water.b_per_m);
+      EXPECT_EQ(table.a_exciting_per_m[i], water.a_exciting_per_m);
       EXPECT_EQ(table.c_per_m()[i], water.a_per_m + water.b_per_m);
       EXPECT_EQ(table.albedo()[i], water.b_per_m / (water.a_per_m + water.b_per_m));
       EXPECT_EQ(table.bb_per_m()[i], water.b_per_m * phase.backscatter_fraction());

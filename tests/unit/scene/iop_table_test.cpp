@@ -149,9 +149,6 @@ INSTANTIATE_TEST_SUITE_P(
               "depth_m, wavelength_nm, a_per_m\n0, 500, 1\n",
               {"lib.csv:1:1: neither \"b_per_m\" nor \"c_per_m\" (there are: depth_m, "
                "wavelength_nm, a_per_m)"}},
-        Table{"BothScatteringAndAttenuation",
-              "depth_m, wavelength_nm, a_per_m, b_per_m, c_per_m\n0, 500, 1, 1, 2\n",
-              {"lib.csv:1:1: \"b_per_m\" and \"c_per_m\" exclude each other (keep one of them)"}},
         Table{"AttenuationBelowAbsorption",
               "depth_m, wavelength_nm, a_per_m, c_per_m\n0, 500, 1, 0.5\n",
               {"lib.csv:2:11: c_per_m, 0.5, is below a_per_m, 1 (c is a + b)"}},
