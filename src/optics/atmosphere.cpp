@@ -54,33 +54,24 @@ void check_columns(const DataTable& table) {
   }
 }
 
-// More than any air has: what is above is another unit.
-constexpr double most_hpa = 2000, most_k = 5000, most_per_cm3 = 1e20, most_per_km = 1e6;
+constexpr double most_per_cm3 = 1e20;
 
-/// A column of numbers from 0 to max.
-std::vector<double> numbers(const DataTable& table, const char* column, double max) {
+/// A column of numbers from min to max.
+std::vector<double> numbers(const DataTable& table, const char* column, double min, double max) {
   std::vector<double> out = table.numbers(column);
   for (std::size_t i = 0; i < out.size(); ++i) {
-    if (out[i] < 0) table.fail(i, column, fmt::format("{} {:g} is below 0", column, out[i]));
+    if (out[i] < min)
+      table.fail(i, column, fmt::format("{} {:g} is below {:g}", column, out[i], min));
     if (out[i] > max)
       table.fail(i, column, fmt::format("{} {:g} is above {:g}", column, out[i], max));
   }
   return out;
 }
 
-/// The same above 0.
-std::vector<double> positive_numbers(const DataTable& table, const char* column, double max) {
-  std::vector<double> out = numbers(table, column, max);
-  const auto zero = std::find(out.begin(), out.end(), 0.0);
-  if (zero != out.end())
-    table.fail(static_cast<std::size_t>(zero - out.begin()), column,
-               fmt::format("{} is not above 0", column));
-  return out;
-}
-
-/// The same, or zeros if there is no such column.
+/// From 0, or zeros if there is no such column.
 std::vector<double> numbers_or_0(const DataTable& table, const char* column, double max) {
-  return has(table, column) ? numbers(table, column, max) : std::vector<double>(table.rows(), 0.0);
+  return has(table, column) ? numbers(table, column, 0, max)
+                            : std::vector<double>(table.rows(), 0.0);
 }
 
 void scale(std::vector<double>& values, double factor) {
@@ -89,7 +80,7 @@ void scale(std::vector<double>& values, double factor) {
 
 std::vector<double> air_per_m3(const DataTable& table, const AirProfile& profile) {
   if (has(table, air_column)) {
-    std::vector<double> out = positive_numbers(table, air_column, most_per_cm3);
+    std::vector<double> out = numbers(table, air_column, 1, most_per_cm3);
     scale(out, per_m3_of_cm3);
     return out;
   }
@@ -102,7 +93,7 @@ std::vector<double> air_per_m3(const DataTable& table, const AirProfile& profile
 
 std::vector<double> humidity(const DataTable& table, const AirProfile& profile) {
   if (!has(table, vapour_column)) return numbers_or_0(table, humidity_column, 100);
-  std::vector<double> out = numbers(table, vapour_column, most_per_cm3);
+  std::vector<double> out = numbers(table, vapour_column, 0, most_per_cm3);
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] = relative_humidity_percent(per_m3_of_cm3 * out[i], profile.temperature_k[i]);
   return out;
@@ -126,14 +117,14 @@ AirProfile air_profile(const DataTable& table) {
   out.z_km = table.ascending_numbers(altitude_column);
   if (out.z_km.size() < 2) table.fail(0, altitude_column, "a profile needs two levels or more");
   if (out.z_km.front() < 0) table.fail(0, altitude_column, "altitudes begin at the sea level, 0");
-  out.pressure_hpa = positive_numbers(table, pressure_column, most_hpa);
-  out.temperature_k = positive_numbers(table, temperature_column, most_k);
+  out.pressure_hpa = numbers(table, pressure_column, 1e-12, most_hpa);
+  out.temperature_k = numbers(table, temperature_column, lowest_k, highest_k);
   out.air_per_m3 = air_per_m3(table, out);
   out.ozone_per_m3 = numbers_or_0(table, ozone_column, most_per_cm3);
   scale(out.ozone_per_m3, per_m3_of_cm3);
   out.relative_humidity_percent = humidity(table, out);
   for (std::size_t k = 0; k < aerosol_regions; ++k)
-    out.aerosols_per_km[k] = numbers_or_0(table, aerosol_column[k], most_per_km);
+    out.aerosols_per_km[k] = numbers_or_0(table, aerosol_column[k], most_aerosols_per_km);
   return out;
 }
 

@@ -31,6 +31,10 @@ struct AirProfile {
   friend bool operator==(const AirProfile&, const AirProfile&) = default;
 };
 
+// What air can be: other numbers are in another unit.
+inline constexpr double most_hpa = 2000, lowest_k = 50, highest_k = 5000;
+inline constexpr double most_aerosols_per_km = 1e6;
+
 /// Columns z_km, p_hpa, t_k; and as they are known air_per_cm3 (else p / kT), ozone_per_cm3,
 /// relative_humidity_percent or water_vapour_per_cm3, aerosol extinction at 550 nm by region as
 /// boundary_layer_per_km, troposphere_per_km, stratosphere_per_km, upper_atmosphere_per_km (else

@@ -119,18 +119,18 @@ class Tape6 {
     out.source = name;
     out.z_km = heights(*molecules_);
     check_same(out.z_km);
-    constexpr double most = 1e30;
-    out.pressure_hpa = column(*molecules_, "P", most);
-    out.temperature_k = positive_column(*molecules_, "T", most);
-    out.air_per_m3 = scaled(positive_column(*molecules_, molecules, most), loschmidt_per_m3);
+    out.pressure_hpa = column(*molecules_, "P", 0, most_hpa);
+    out.temperature_k = column(*molecules_, "T", lowest_k, highest_k);
+    out.air_per_m3 = scaled(column(*molecules_, molecules, 1e-20, 10), loschmidt_per_m3);
     out.ozone_per_m3 =
-        scaled(column(*molecules_, "O3 (UV)", most), loschmidt_per_m3 * per_m_of_atm_cm_per_km);
+        scaled(column(*molecules_, "O3 (UV)", 0, 1e3), loschmidt_per_m3 * per_m_of_atm_cm_per_km);
     // MODTRAN prints a second column of that name if it scales the water vapour; aerosols go by
     // the first.
     out.relative_humidity_percent =
-        column(*aerosols_, aerosols_->has("RH (%)") ? "RH (%)" : "RH", 100);
+        column(*aerosols_, aerosols_->has("RH (%)") ? "RH (%)" : "RH", 0, 100);
     for (std::size_t k = 0; k < aerosol_regions; ++k)
-      out.aerosols_per_km[k] = column(*aerosols_, fmt::format("AEROSOL {}", k + 1), most);
+      out.aerosols_per_km[k] =
+          column(*aerosols_, fmt::format("AEROSOL {}", k + 1), 0, most_aerosols_per_km);
     return out;
   }
 
@@ -155,7 +155,7 @@ class Tape6 {
   }
 
   /// A column of a block by its name.
-  [[nodiscard]] std::vector<double> column(const Block& block, const std::string& name,
+  [[nodiscard]] std::vector<double> column(const Block& block, const std::string& name, double min,
                                            double max) const {
     const auto found = std::find(block.names.begin(), block.names.end(), name);
     if (found == block.names.end())
@@ -170,23 +170,13 @@ class Tape6 {
                    fmt::format("{} numbers where {} columns are named at line {}", words.size(),
                                block.names.size(), block.names_line),
                    "");
-      out.push_back(text_.number(line, words[at], name, max));
+      out.push_back(text_.number(line, words[at], name, min, max));
     }
     return out;
   }
 
-  [[nodiscard]] std::vector<double> positive_column(const Block& block, const std::string& name,
-                                                    double max) const {
-    std::vector<double> out = column(block, name, max);
-    const auto zero = std::find(out.begin(), out.end(), 0.0);
-    if (zero != out.end())
-      text_.fail(block.lines[static_cast<std::size_t>(zero - out.begin())], 1,
-                 fmt::format("{} is 0", name), "expected: above 0");
-    return out;
-  }
-
   [[nodiscard]] std::vector<double> heights(const Block& block) const {
-    std::vector<double> z = column(block, height, 1e6);
+    std::vector<double> z = column(block, height, 0, 1e6);
     for (std::size_t i = 1; i < z.size(); ++i) {
       if (z[i] <= z[i - 1])
         text_.fail(block.lines[i], text_.words(block.lines[i])[1].column,

@@ -81,7 +81,7 @@ ModtranTransmittances::ModtranTransmittances(const std::string& text, const std:
                 fmt::format("{} numbers where {} columns are named at line {}", words.size(),
                             names.size(), names_line_),
                 "");
-    const double wavenumber = file.number(n, words[0], "a wavenumber", 1e6);
+    const double wavenumber = file.number(n, words[0], "a wavenumber", 1, 1e6);
     if (!wavenumber_per_cm_.empty() && wavenumber <= wavenumber_per_cm_.back())
       file.fail(n, words[0].column,
                 fmt::format("wavenumber {:g} is not above the {:g} before it", wavenumber,
@@ -92,7 +92,7 @@ ModtranTransmittances::ModtranTransmittances(const std::string& text, const std:
     for (std::size_t i = 1; i < words.size(); ++i) {
       const double max = names[i].starts_with(minus_log) ? 1e6 : 1;
       cells_[names[i]].push_back(
-          {file.number(n, words[i], names[i], max), half_last_digit(words[i].text)});
+          {file.number(n, words[i], names[i], 0, max), half_last_digit(words[i].text)});
     }
   }
   if (n > file.lines())

@@ -28,7 +28,7 @@ std::vector<ModtranWord> ModtranText::words(int number) const {
   return out;
 }
 
-double ModtranText::number(int line, const ModtranWord& word, const std::string& what,
+double ModtranText::number(int line, const ModtranWord& word, const std::string& what, double min,
                            double max) const {
   double value = 0;
   const char* end = word.text.data() + word.text.size();
@@ -37,9 +37,9 @@ double ModtranText::number(int line, const ModtranWord& word, const std::string&
     fail(line, word.column, fmt::format("\"{}\" where {} is expected", word.text, what),
          "a number");
   }
-  if (value < 0 || value > max) {
-    fail(line, word.column, fmt::format("{} {} where 0 to {:g} is expected", what, word.text, max),
-         "");
+  if (value < min || value > max) {
+    fail(line, word.column,
+         fmt::format("{} {} where {:g} to {:g} is expected", what, word.text, min, max), "");
   }
   return value;
 }

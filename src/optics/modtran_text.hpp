@@ -21,9 +21,9 @@ class ModtranText {
   [[nodiscard]] const std::string& line(int number) const { return lines_.at(number - 1); }
   [[nodiscard]] std::vector<ModtranWord> words(int number) const;
 
-  /// A finite number, from 0 to max.
+  /// A finite number from min to max.
   [[nodiscard]] double number(int line, const ModtranWord& word, const std::string& what,
-                              double max) const;
+                              double min, double max) const;
 
   [[noreturn]] void fail(int line, int column, const std::string& reason,
                          const std::string& suggestion) const;

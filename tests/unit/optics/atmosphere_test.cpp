@@ -124,10 +124,10 @@ TEST(AirProfileTable, SaysWhatIsWrongAndWhere) {
   const std::vector<BadTable> bad{
       {rows("0,1000,290\n1,,280\n"), "air.csv:3:3: \"\" is not a finite number"},
       {rows("0,1000,290\n1,900,nan\n"), "air.csv:3:7: \"nan\" is not a finite number"},
-      {rows("0,1000,290\n1,-900,280\n"), "air.csv:3:3: p_hpa -900 is below 0"},
-      {rows("0,1000,290\n1,0,280\n"), "air.csv:3:3: p_hpa is not above 0"},
+      {rows("0,1000,290\n1,-900,280\n"), "air.csv:3:3: p_hpa -900 is below 1e-12"},
+      {rows("0,1000,290\n1,0,280\n"), "air.csv:3:3: p_hpa 0 is below 1e-12"},
       {rows("0,101325,290\n1,900,280\n"), "air.csv:2:3: p_hpa 101325 is above 2000"},
-      {rows("0,1000,290\n1,900,0\n"), "air.csv:3:7: t_k is not above 0"},
+      {rows("0,1000,290\n1,900,0\n"), "air.csv:3:7: t_k 0 is below 50"},
       {rows("2,1000,290\n1,900,280\n"), "air.csv:3:1: z_km 1 is not above the 2 before it"},
       {rows("1,1000,290\n1,900,280\n"), "air.csv:3:1: z_km 1 is not above the 1 before it"},
       {rows("-1,1000,290\n1,900,280\n"), "air.csv:2:1: altitudes begin at the sea level, 0"},
