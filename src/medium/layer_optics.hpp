@@ -31,7 +31,7 @@ struct WaterOptics {
       0;  ///< the share of b by the water itself (0 in an iop layer: it is not known apart)
   double b_phytoplankton_per_m = 0;  ///< what phytoplankton adds to b; of one of Jerlov's types,
                                      ///< all particles
-  double b_minerals_per_m = 0;              ///< what minerals add to b
+  double b_minerals_per_m = 0;       ///< what minerals add to b
   std::vector<Contribution> contributions;  ///< which a and b are the sums of
 };
 
