@@ -129,7 +129,7 @@ optics::Minerals LayerOptics::minerals(const scene::Layer& layer, double wavelen
   if (g_m3 == 0) return {};
   if (scene_->optics.minerals == "mie")
     return optics::minerals_of_spheres(
-        *library_->spheres(spheres(optics::paper_minerals, wavelength_nm)), g_m3);
+        library_->spheres.sections(spheres(optics::paper_minerals, wavelength_nm)), g_m3);
   return optics::minerals_by_power_law(scene_->optics.minerals_power_law, g_m3, wavelength_nm);
 }
 

@@ -36,7 +36,7 @@ Minerals minerals_by_power_law(const MineralsPowerLaw& law, double g_m3, double 
   return out;
 }
 
-Minerals minerals_of_spheres(const SpheresOptics& one, double g_m3) {
+Minerals minerals_of_spheres(const SphereSections& one, double g_m3) {
   const double spheres_per_m3 = g_m3 / (density_g_m3 * one.volume_m3);
   return {spheres_per_m3 * one.absorption_m2, spheres_per_m3 * one.scattering_m2,
           "spheres by Mie theory, sizes, index and density of PREMAR-2F, Barbini et al. 2000 "

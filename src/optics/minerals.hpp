@@ -5,7 +5,7 @@
 
 namespace photic::optics {
 
-struct SpheresOptics;
+struct SphereSections;
 
 struct Minerals {
   double a_per_m = 0, b_per_m = 0;
@@ -35,6 +35,6 @@ Minerals minerals_by_power_law(const MineralsPowerLaw& law, double minerals_g_m3
                                double wavelength_nm);
 
 /// So many spheres of these as have that mass.
-Minerals minerals_of_spheres(const SpheresOptics& one, double minerals_g_m3);
+Minerals minerals_of_spheres(const SphereSections& one, double minerals_g_m3);
 
 }  // namespace photic::optics

@@ -26,10 +26,10 @@ struct Of {
 
 class Integrand {
  public:
-  explicit Integrand(const Spheres& spheres)
+  Integrand(const Spheres& spheres, int angles)
       : spheres_(spheres),
         wave_number_(2 * pi / spheres.wavelength_m),
-        rule_(2 * mie_orders(wave_number_ * smooth_between_m(spheres.sizes).back()) + 2),
+        rule_(angles),
         amplitude_(rule_.node.size()) {}
 
   [[nodiscard]] const GaussRule& rule() const { return rule_; }
@@ -179,7 +179,8 @@ bool AdaptiveIntegral::halve_the_worst(Integrand& f) {
 }  // namespace
 
 SpheresOptics optics_of_spheres(const Spheres& spheres) {
-  Integrand integrand(spheres);
+  const double largest_m = smooth_between_m(spheres.sizes).back();
+  Integrand integrand(spheres, 2 * mie_orders(2 * pi / spheres.wavelength_m * largest_m) + 2);
   const AdaptiveIntegral integral(integrand, smooth_between_m(spheres.sizes));
   const Values& total = integral.total();
   Values p(total.begin() + Of::angles, total.end());
@@ -193,6 +194,14 @@ SpheresOptics optics_of_spheres(const Spheres& spheres) {
           .phase = LegendreSeries(integrand.rule(), p),
           .error = integral.error(),
           .radii = integrand.radii()};
+}
+
+SphereSections sections_of_spheres(const Spheres& spheres) {
+  Integrand integrand(spheres, 2);  // as few angles as there can be
+  const AdaptiveIntegral integral(integrand, smooth_between_m(spheres.sizes));
+  const double n = integral.total()[Of::number];
+  return {integral.total()[Of::scattering] / n, integral.total()[Of::absorption] / n,
+          integral.total()[Of::volume] / n};
 }
 
 PhaseShape phase_of_spheres(std::shared_ptr<const SpheresOptics> optics) {
@@ -221,6 +230,13 @@ std::shared_ptr<const SpheresOptics> SpheresCache::operator()(const Spheres& sph
   auto& known = known_[spheres];
   if (!known) known = std::make_shared<const SpheresOptics>(optics_of_spheres(spheres));
   return known;
+}
+
+SphereSections SpheresCache::sections(const Spheres& spheres) const {
+  const std::lock_guard lock(mutex_);
+  const auto known = sections_.find(spheres);
+  if (known != sections_.end()) return known->second;
+  return sections_.emplace(spheres, sections_of_spheres(spheres)).first->second;
 }
 
 std::shared_ptr<const PhaseShape> SpheresCache::phase(const Spheres& spheres) const {

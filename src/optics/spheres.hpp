@@ -29,6 +29,12 @@ struct SpheresOptics {
   int radii = 0;         ///< for how many Mie theory was evaluated
 };
 
+/// Means over all spheres without their phase function, which takes nearly all the time.
+struct SphereSections {
+  double scattering_m2 = 0, absorption_m2 = 0;  ///< cross-sections of one
+  double volume_m3 = 0;                         ///< of one
+};
+
 /// The integration over sizes goes on until its estimated error is below this; the true one is
 /// smaller still. Resonances of large spheres that hardly absorb keep the estimate above.
 inline constexpr double spheres_tolerance = 1e-4;
@@ -37,6 +43,9 @@ inline constexpr double spheres_tolerance = 1e-4;
 /// 1000, where it ends with what it has reached. Throws ContractViolation for what Mie theory
 /// cannot do or for a distribution that is none.
 SpheresOptics optics_of_spheres(const Spheres& spheres);
+
+/// As optics_of_spheres.
+SphereSections sections_of_spheres(const Spheres& spheres);
 
 /// The phase function for a PhaseTable. Throws InputError if it has detail too fine for one, as
 /// that of large spheres near 180 degrees may be.
@@ -47,12 +56,14 @@ PhaseShape phase_of_spheres(std::shared_ptr<const SpheresOptics> optics);
 class SpheresCache {
  public:
   std::shared_ptr<const SpheresOptics> operator()(const Spheres& spheres) const;
+  SphereSections sections(const Spheres& spheres) const;
   /// Throws as phase_of_spheres does.
   std::shared_ptr<const PhaseShape> phase(const Spheres& spheres) const;
 
  private:
   mutable std::mutex mutex_;
   mutable std::map<Spheres, std::shared_ptr<const SpheresOptics>> known_;
+  mutable std::map<Spheres, SphereSections> sections_;
   mutable std::map<Spheres, std::shared_ptr<const PhaseShape>> phase_;
 };
 

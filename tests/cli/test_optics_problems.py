@@ -9,18 +9,19 @@ from conftest import QUICK_SCENE
 LAYER = "chlorophyll_mg_m3 = 1.0"  # of the last layer
 IOP = "iop = [ { wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.1 } ]\nphase_function = "
 TABLE = IOP + '{ model = "table", file = "vsf.csv" }'
-WATER = "no water absorption data at 1064 nm: Mason 2016 / IOCCG 2018 cover 200-1000 nm"
+WATER = "no water absorption data at 1150 nm: Mason 2016 / IOCCG 2018 cover 200-1100 nm"
+INDEX = "no refractive index data at 1150 nm: Quan & Fry 1995, Appl. Opt. 34, 3477, eq. (3) [verified] cover 200-1100 nm"
 
 # What is replaced by what; then the text at which, so many characters on, the problem is told, and the problem.
 PROBLEMS = {
-    "the laser in the water": ("532.0", "1064.0", "1064.0", 0, WATER),
+    "the laser in the water": ("532.0", "1150.0", "1150.0", 0, WATER),
     "the laser in the algae": ("532.0", "810.0", "810.0", 0, "no phytoplankton absorption data at 810 nm"),
     "the laser in the iop": (LAYER, IOP.replace("532.0", "500.0") + '"petzold"', "[ {", 0,
                              'the iop of layer "layer1" covers 499 to 501 nm, not 532 nm; the source emits there'),
     "raman light in the iop": (LAYER, IOP + '"petzold"', "[ {", 0, 'the iop of layer "layer1" covers 531 to 533 nm, '
                                'not 648.793 nm; channel "raman" counts raman light there (add an entry for it)'),
-    "raman light in the water": ("532.0", "780.0", '"raman"\n[[sea', 0, 'no water absorption data at 1059.69 nm: Mason '
-                                 '2016 / IOCCG 2018 cover 200-1000 nm; channel "raman" counts raman light there'),
+    "raman light in the algae": ("532.0", "780.0", '"raman"\n[[sea', 0,
+                                 'no phytoplankton absorption data at 1059.69 nm: Bricaud et al. 1998'),
     "more light than absorbed": ("532.0", "355.0", "[[sea.layer]]", 0,
                                  'layer "layer0" emits more Raman and fluorescence light'),
     "a mean cosine too low": (LAYER, IOP + '{ model = "henyey-greenstein", g = -0.9 }', "g = -0.9", 4,
@@ -53,9 +54,9 @@ def test_has_its_place_in_every_command(photic, scene, tmp_path, name):
 
 
 def test_is_told_with_all_else(photic, scene):
-    scene.write_text(QUICK_SCENE.replace("532.0", "1064.0").replace("depth_step_m = 1.0", "depth_step_m = -1.0"))
+    scene.write_text(QUICK_SCENE.replace("532.0", "1150.0").replace("depth_step_m = 1.0", "depth_step_m = -1.0"))
     first, *_, last, count = photic("check", "quick.toml").stderr.splitlines()
-    assert first.startswith(f"quick.toml:3:17: {WATER} (")
+    assert first.startswith(f"quick.toml:3:17: {INDEX} (")
     assert last.startswith("quick.toml:27:16: 'depth_step_m' must be a finite number")
     assert not count.startswith("quick.toml")
 
@@ -80,9 +81,9 @@ def test_of_an_environment_is_told_at_its_change(photic, scene):
 
 
 def test_names_the_set_that_asks_for_it(photic, scene):
-    done = photic("run", "quick.toml", "--set", "source.wavelength_nm=1064")
+    done = photic("run", "quick.toml", "--set", "source.wavelength_nm=1150")
     assert done.returncode == 2
-    assert done.stderr.startswith(f"--set source.wavelength_nm: {WATER} (")
+    assert done.stderr.startswith(f"--set source.wavelength_nm: {INDEX} (")
 
 
 def test_a_phase_table_is_refused_at_its_own_lines(photic, scene, tmp_path):

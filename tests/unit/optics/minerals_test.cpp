@@ -53,8 +53,8 @@ TEST(Minerals, OfSpheresHaveTheirMass) {
     scattering += number * pi * r * r * q.scattering;
     absorption += number * pi * r * r * q.absorption;
   }
-  const auto one = library().spheres(spheres_in_water(paper_minerals, nm, n_water));
-  const Minerals minerals = minerals_of_spheres(*one, 3);
+  const auto one = library().spheres.sections(spheres_in_water(paper_minerals, nm, n_water));
+  const Minerals minerals = minerals_of_spheres(one, 3);
   EXPECT_NEAR(minerals.b_per_m / (3 * scattering / grams), 1, 1e-4);
   EXPECT_NEAR(minerals.a_per_m / (3 * absorption / grams), 1, 1e-4);
   expect_contains(minerals.source, "PREMAR-2F");

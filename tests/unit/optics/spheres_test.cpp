@@ -74,6 +74,21 @@ TEST(Spheres, AreTheDirectSumOverTheirSizes) {
   }
 }
 
+// Without the angles, in a fraction of the time.
+TEST(Spheres, HaveTheSameCrossSectionsWithoutTheirPhaseFunction) {
+  auto kinds = all_kinds();
+  kinds.push_back(in_water(paper_minerals));
+  const SpheresCache cache;
+  for (const Spheres& spheres : kinds) {
+    const SpheresOptics optics = optics_of_spheres(spheres);
+    const SphereSections sections = cache.sections(spheres);
+    EXPECT_NEAR(sections.scattering_m2 / optics.scattering_m2, 1, 1e-5);
+    EXPECT_NEAR(sections.absorption_m2, optics.absorption_m2, 1e-5 * optics.extinction_m2);
+    EXPECT_NEAR(sections.volume_m3 / optics.volume_m3, 1, 1e-5);
+    EXPECT_EQ(cache.sections(spheres).scattering_m2, sections.scattering_m2);
+  }
+}
+
 // Over the angles, against the sums of coefficients. Seen red: with p over extinction; with g not
 // weighted by the scattering.
 TEST(Spheres, ConserveEnergy) {
