@@ -18,7 +18,8 @@ LinearProfile::LinearProfile(std::vector<double> depth_m, std::vector<double> va
 double LinearProfile::at(double depth_m) const {
   const auto above = std::upper_bound(depth_m_.begin() + 1, depth_m_.end() - 1, depth_m);
   const auto i = static_cast<std::size_t>(above - depth_m_.begin());
-  const double t = (depth_m - depth_m_[i - 1]) / (depth_m_[i] - depth_m_[i - 1]);
+  // By halves, which are exact and whose differences are finite.
+  const double t = (depth_m / 2 - depth_m_[i - 1] / 2) / (depth_m_[i] / 2 - depth_m_[i - 1] / 2);
   return std::lerp(value_[i - 1], value_[i], t);
 }
 

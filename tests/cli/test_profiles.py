@@ -116,7 +116,6 @@ def test_a_table_in_netcdf_and_csv_give_the_same_echo(photic, scene, tmp_path):
     assert "b_b/b = 0.02: given in the scene; phase function: Fournier-Forand" in sources
 
 
-# Seen red: with the place of the scene's key for that of the cell.
 def test_problems_of_a_table_as_json(photic, scene, tmp_path):
     (tmp_path / "lib.csv").write_text("depth_m, wavelength_nm, a_per_m, b_per_m\n0, 532, -1, 0.1\n")
     with_table(scene, '{ file = "lib.csv", phase_function = "petzold" }')

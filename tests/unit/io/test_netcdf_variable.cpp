@@ -60,7 +60,7 @@ std::string refusal_of(const std::function<void()>& action) {
   return "no error";
 }
 
-// Seen red: with fill values kept; with the values of the second profile first.
+// Seen red: with fill values kept.
 TEST(NetcdfVariable, OfAFloatHasNaNForFillValues) {
   const TemporaryFolder folder;
   for (const int format : {0, NC_64BIT_OFFSET, NC_NETCDF4}) {

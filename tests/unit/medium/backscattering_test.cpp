@@ -21,7 +21,7 @@ double fraction_in(const scene::Scene& scene) {
 }
 
 // b_b and b are linear between entries, and not their quotient. Seen red: with the quotient's
-// interpolation; with the fraction of the first entry.
+// interpolation.
 TEST(Backscattering, IsThatOfThePhaseFunction) {
   for (const auto& [bb_500, bb_600] : {std::pair{0.0001, 0.00002}, {0.002, 0.003}, {0.08, 0.04}}) {
     auto scene = scene_of({backscattering_layer(bb_500, bb_600)}, {test::channel_of("elastic")});

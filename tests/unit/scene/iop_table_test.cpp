@@ -25,7 +25,7 @@ PhaseFunction petzold_by_name() {
   return function;
 }
 
-// Seen red: with the depth of a row for the bottom of its layer.
+// Seen red: with the end of a layer 1 m below its top.
 TEST(IopTable, OfCsvIsAStackOfLayers) {
   WrittenFiles files("iop_csv");
   files.write("lib.csv", good_rows);

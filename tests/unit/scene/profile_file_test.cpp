@@ -96,7 +96,7 @@ TEST(Pressure, GivesTheDepthOfTheSource) {
   EXPECT_EQ(optics::depth_of_pressure_m(0, 45), 0);
 }
 
-// Seen red: with the second profile for the first; with pressures for depths.
+// Seen red: with the first profile for the second; with pressures for depths.
 TEST(FloatProfile, IsTheOneAskedForAtTheDepthsOfItsPressures) {
   WrittenFiles files("float");
   write_float(files);
@@ -113,7 +113,7 @@ TEST(FloatProfile, IsTheOneAskedForAtTheDepthsOfItsPressures) {
                    "profile does)"}));
 }
 
-// Seen red: without the remark; with the gap from the level that is left out.
+// Seen red: with the gap from its lower end.
 TEST(FloatProfile, LevelsWithoutAValueAreLeftOutWithARemark) {
   WrittenFiles files("float_gaps");
   write_float(files);
