@@ -15,9 +15,10 @@ class TwinTable {
   explicit TwinTable(std::span<const double> numbers) { append(numbers); }
 
   void append(std::span<const double> numbers) {
+    std::size_t i = exact_.size();  // a medium of many layers appends hundreds of tables
     exact_.insert(exact_.end(), numbers.begin(), numbers.end());
-    rounded_.assign((exact_.size() / table_padding + 1) * table_padding, 0.0F);
-    for (std::size_t i = 0; i < exact_.size(); ++i) rounded_[i] = static_cast<float>(exact_[i]);
+    rounded_.resize((exact_.size() / table_padding + 1) * table_padding, 0.0F);
+    for (; i < exact_.size(); ++i) rounded_[i] = static_cast<float>(exact_[i]);
   }
 
   [[nodiscard]] Table table() const { return {exact_.data(), rounded_.data()}; }
