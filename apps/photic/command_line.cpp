@@ -172,6 +172,10 @@ void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Overrid
       ->type_name("KEY=VALUE")
       ->expected(0, std::numeric_limits<int>::max())
       ->check(CLI::Validator(not_a_pair, ""));
+  sub.add_option("--oil", optics.oil,
+                 "Instead of a scene: an oil, by its class (light-refined …) or a CSV file of its "
+                 "spectra")
+      ->type_name("CLASS|FILE");
   add_checked(sub, "--wavelengths", "NM",
               "355,532,685 or 400:700:10 [default: the laser's and those that the channels count]",
               [&optics](const std::string& text) { optics.wavelength_nm = wavelengths_nm(text); });
@@ -185,10 +189,17 @@ void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Overrid
   sub.add_flag("--json", optics.json, "Print as JSON");
 }
 
-/// Either a scene or water without one.
+/// Either a scene or water without one, or an oil, of which there is a table only.
 void expect_scene_or_water(const CLI::App& optics) {
   const bool scene = optics.count("scene") > 0, water = optics.count("--water") > 0;
-  if (!scene && !water) throw CLI::RequiredError("scene or --water");
+  if (optics.count("--oil") > 0) {
+    for (const char* other : {"scene", "--water", "--laser", "--set", "--output", "--json"})
+      if (optics.count(other) > 0)
+        throw CLI::ExcludesError(fmt::format("--oil and {} exclude each other", other),
+                                 CLI::ExitCodes::ExcludesError);
+    return;
+  }
+  if (!scene && !water) throw CLI::RequiredError("scene, --water or --oil");
   if (scene && water)
     throw CLI::ExcludesError("scene and --water exclude each other: write --set for a scene",
                              CLI::ExitCodes::ExcludesError);

@@ -52,11 +52,12 @@ struct ShowCommand {
   bool json = false;
 };
 
-/// photic optics: tells the optical properties of a scene's layers, or of water of given
-/// constituents.
+/// photic optics: tells the optical properties of a scene's layers, of water of given constituents,
+/// or of an oil.
 struct OpticsCommand {
   std::string scene;                  ///< empty: one layer of this water, under the laser of 532 nm
   std::vector<std::string> water;     ///< "key=value" of a layer
+  std::string oil;                    ///< a class or a file: tells of it alone
   std::vector<double> wavelength_nm;  ///< ascending; empty: those that light of the scene has
   std::string output;                 ///< .nc or .csv; empty: none
   std::vector<scene::Override> overrides;

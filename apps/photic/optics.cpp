@@ -6,6 +6,7 @@
 #include "engine/problem.hpp"
 #include "io/netcdf.hpp"
 #include "io/netcdf_variable.hpp"
+#include "io/oil_text.hpp"
 #include "io/optics_file.hpp"
 #include "io/optics_table.hpp"
 #include "medium/optical_table.hpp"
@@ -101,9 +102,22 @@ std::string where_it_is(const medium::OpticalTable& table, const std::string& ou
   return out;
 }
 
+/// From the ultraviolet of fluorosensors to the red.
+std::string oil_table(const OpticsCommand& command) {
+  const optics::Library library(optics::find_data_folder());
+  std::vector<double> nm = command.wavelength_nm;
+  for (double each = 300; command.wavelength_nm.empty() && each <= 700; each += 50)
+    nm.push_back(each);
+  return io::oil_text(optics::oil(library, command.oil), nm);
+}
+
 }  // namespace
 
 int run(const OpticsCommand& command) {
+  if (!command.oil.empty()) {
+    print_out(oil_table(command));
+    return done;
+  }
   const scene::Scene scene = read(command);
   const medium::OpticalTable table = table_of(scene, command);
   if (!command.output.empty()) {

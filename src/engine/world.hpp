@@ -11,7 +11,6 @@
 #include "engine/problem.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/telescope.hpp"
-#include "medium/lines.hpp"
 #include "medium/medium.hpp"
 #include "scene/scene.hpp"
 #include "tally/gates.hpp"

@@ -52,7 +52,7 @@ Phytoplankton phytoplankton(const Library& library, const std::string& model,
   const bool modern = model == "bricaud";
   if (!modern && model != "prieur-sathyendranath")
     no_model("phytoplankton", model, "bricaud, prieur-sathyendranath");
-  if (chlorophyll_mg_m3 == 0.0) return no_phytoplankton;
+  if (chlorophyll_mg_m3 == 0.0) return no_phytoplankton();
   return modern ? bricaud(library, chlorophyll_mg_m3, wavelength_nm)
                 : prieur_sathyendranath(library, chlorophyll_mg_m3, wavelength_nm);
 }

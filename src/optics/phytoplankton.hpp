@@ -17,7 +17,7 @@ struct Phytoplankton {
 };
 
 /// What there is of it without chlorophyll, whatever the model and the wavelength.
-inline const Phytoplankton no_phytoplankton{0, 0, 0, "no chlorophyll"};
+inline Phytoplankton no_phytoplankton() { return {0, 0, 0, "no chlorophyll"}; }
 
 /// Models, with C in mg/m^3:
 /// "bricaud": a = A C^E (Bricaud 1998), exciting A C^(1-B) (Bricaud 1995, never more than a), b =

@@ -33,7 +33,7 @@ PhytoplanktonTable phytoplankton_table(const DataTable& table) {
 }
 
 Phytoplankton phytoplankton_of_table(const PhytoplanktonTable& table, double c, double nm) {
-  if (c == 0.0) return no_phytoplankton;
+  if (c == 0.0) return no_phytoplankton();
   const LinearTable& a = table.a_m2_per_mg;
   if (!a.covers(nm)) no_data("phytoplankton", nm, table.source, a.min(), a.max());
   return {c * a(nm), c * table.a_exciting_m2_per_mg(nm), c * table.b_m2_per_mg(nm), table.source};

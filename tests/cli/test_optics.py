@@ -187,8 +187,10 @@ def test_pure_water(photic):
 
 
 REFUSED = {
-    "neither scene nor water": ([], "scene or --water is required"),
+    "neither scene nor water": ([], "scene, --water or --oil is required"),
     "both": (["quick.toml", "--water"], "exclude each other"),
+    "an oil and water": (["--oil", "light-refined", "--water"], "--oil and --water exclude each other"),
+    "an oil in a file": (["--oil", "light-refined"], "--oil and --output exclude each other"),
     "water that is no pair": (["--water", "0.5"], "--water: '0.5' is not KEY=VALUE"),
     "an unknown key": (["--water", "chlorophyl=1"], "--set sea.layer.0.chlorophyl: unknown key 'chlorophyl'"),
     "a negative concentration": (["--water", "chlorophyll_mg_m3=-1"], "--set sea.layer.0.chlorophyll_mg_m3: "),
@@ -207,7 +209,7 @@ REFUSED = {
     "too many": (["quick.toml", "--wavelengths", "400:700:0.01"], "is more than 10000 wavelengths"),
     "too many by far": (["quick.toml", "--wavelengths", "400:700:1e-300"], "is more than 10000 wavelengths"),
     "no data": (["quick.toml", "--wavelengths", "532,1200"], "--wavelengths: no water absorption data at 1200 nm: Mason "
-                "2016 / IOCCG 2018 cover 200-1000 nm"),
+                "2016 / IOCCG 2018 cover 200-1100 nm"),
     "a laser without data": (["--water", "--laser", "3000"], "no water absorption data at 3000 nm"),
     "a laser that is no number": (["--water", "--laser", "green"], "--laser: 'green' is not a wavelength in nm"),
     "an output of no kind": (["quick.toml", "-o", "lib.txt"], "lib.txt: the result's name ends neither in .nc nor in .csv"),
@@ -230,10 +232,10 @@ def test_refuses(photic, scene, tmp_path, what):
 
 
 def test_tells_the_problems_of_a_scene_at_their_places(photic, scene):
-    scene.write_text(QUICK_SCENE.replace("532.0", "1064.0"))
+    scene.write_text(QUICK_SCENE.replace("532.0", "1200.0"))
     done = photic("optics", "quick.toml", "--wavelengths", "532")
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.startswith("quick.toml:3:17: no water absorption data at 1064 nm")
+    assert done.stderr.startswith("quick.toml:3:17: no water absorption data at 1200 nm")
     assert done.stderr.endswith("problem in quick.toml\n") or done.stderr.endswith("problems in quick.toml\n")
 
 
@@ -260,3 +262,31 @@ def test_a_folder_that_cannot_be_written(photic, scene, tmp_path):
     assert (done.returncode, done.stdout) == (1, "")
     assert "nowhere" in done.stderr
     assert os.listdir(tmp_path) == ["quick.toml"]
+
+
+# The paper's LIBSEA: what is written is read as water. Seen red: with c_per_m refused beside b_per_m.
+@pytest.mark.parametrize("name", ["lib.nc", "lib.csv"])
+def test_writes_what_scenes_can_read_as_water(photic, scene, tmp_path, name):
+    water = ["chlorophyll_mg_m3=0.5", "cdom_a440_per_m=0.02", "minerals_g_m3=0.3"]
+    assert photic("optics", "--water", *water, "--wavelengths", "440:740:20", "-o", name).returncode == 0
+    layers = re.search(r"\[\[sea.layer\]\].*?(?=\[gates\])", QUICK_SCENE, re.DOTALL)
+    scene.write_text(QUICK_SCENE.replace(layers.group(), f'[sea]\niop_table = "{name}"\n'))
+    there, back = as_json(photic, "--water", *water, "--wavelengths", "532,700"), as_json(photic, "quick.toml", "--wavelengths", "532,700")
+    for quantity in ["a_per_m", "b_per_m", "bb_per_m", "a_phytoplankton_per_m"]:
+        assert back["layers"][0][quantity] == pytest.approx(there["layers"][0][quantity], rel=0.02), quantity
+    assert back["layers"][0]["emission"]["raman"]["coefficient_per_m"] > 0
+
+
+# Placeholders say so. Seen red: without the sources.
+def test_tells_of_oils(photic, tmp_path):
+    done = photic("optics", "--oil", "strongly-absorbing-crude", "--wavelengths", "337,355")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "placeholder" in done.stdout and "[1/nm]" in done.stdout
+    (tmp_path / "mine.csv").write_text("# yield: 0.02\n# lifetime_ns: 4\nwavelength_nm,n,a_per_m,emission_per_nm\n"
+                                       "300,1.48,3e5,0\n400,1.48,1e5,1\n500,1.48,2e4,0\n")
+    mine = photic("optics", "--oil", "mine.csv", "--wavelengths", "350,450")
+    assert (mine.returncode, mine.stderr) == (0, "")
+    assert "0.02 photons are emitted per photon absorbed, after 4 ns" in mine.stdout
+    unknown = photic("optics", "--oil", "gasolene")
+    assert (unknown.returncode, unknown.stdout) == (2, "")
+    assert "light-refined" in unknown.stderr

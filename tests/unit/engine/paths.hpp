@@ -182,6 +182,7 @@ inline Walks<double> telescope_walk(const World<double>& world,
   outset.outward = outward;
   outset.shift_area = shift_area(telescope, dot(outward, telescope.axis));
   outset.grid_offset = grid_offset;
+  outset.line = path.line;
   Writer writer(world, samples,
                 transport::begin_at_telescope(world.sea, telescope, world.telescope_layer[0],
                                               path.line, path.lens, outward),

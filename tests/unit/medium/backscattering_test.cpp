@@ -37,11 +37,10 @@ TEST(Backscattering, IsThatOfThePhaseFunction) {
 TEST(Backscattering, IsNamedAmongTheSources) {
   const auto m =
       medium_of(scene_of({backscattering_layer(0.004, 0.004)}, {test::channel_of("elastic")}));
-  EXPECT_NE(std::ranges::find(m.sources,
-                              "layer 0 at 532.00 nm: b_b/b = 0.02381: given in the scene; phase "
-                              "function: Fournier-Forand of that b_b/b, Mobley, Sundman & Boss "
-                              "2002 [verified]"),
-            m.sources.end());
+  const std::string told =
+      "given in the scene; b_b/b = 0.02381, too: phase function Fournier-Forand of that b_b/b, "
+      "Mobley, Sundman & Boss 2002 [verified]";
+  EXPECT_TRUE(std::ranges::any_of(m.sources, [&](const auto& s) { return s.ends_with(told); }));
 }
 
 TEST(Backscattering, OfNoScatteringIsNothing) {

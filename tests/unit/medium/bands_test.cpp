@@ -1,6 +1,8 @@
 // Spectra cut into lines, filters, and the hues by which photons are shared out among lines.
 #include "medium/bands.hpp"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -77,7 +79,8 @@ TEST(FilterOf, HasHalfItsTransmissionAtHalfItsWidth) {
 }
 
 TEST(FilterOf, ReadsAUsersTable) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "photic_filter_test.csv";
+  const auto path =
+      std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + "photic_filter.csv");
   const auto with = [&](const std::string& rows) {
     std::ofstream(path) << "wavelength_nm,transmission\n" << rows;
     scene::Channel channel;

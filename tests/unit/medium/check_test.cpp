@@ -1,6 +1,8 @@
 // What the optics find wrong with a scene: all of it, each with line and column.
 #include "medium/check.hpp"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -110,7 +112,7 @@ const std::vector<Case>& cases() {
         {16, 17, raman_channel},
         {18, 18, "[optics]\nwater_absorption = \"ioccg\""},
         {22, 25, clear_layer}},
-       {"scene.toml:17:11: no water absorption data at 1023.11 nm: " + library().ioccg_a.source +
+       {"scene.toml:17:11: no water absorption data at 1001.41 nm: " + library().ioccg_a.source +
         " cover 200-1000 nm; channel \"r\" counts raman light there (choose another wavelength, or "
         "give the layer's iop at this one)"}},
       {"FilteredRamanWithoutIndex",
@@ -241,7 +243,7 @@ class PhytoplanktonTableOfAUser : public testing::Test {
         {18, 18, "[optics]\nphytoplankton = \"table\"\nphytoplankton_file = \"" + file_ + "\""}};
   }
 
-  std::string file_ = testing::TempDir() + "photic_check_algae.csv";
+  std::string file_ = testing::TempDir() + std::to_string(getpid()) + "photic_check_algae.csv";
 };
 
 TEST_F(PhytoplanktonTableOfAUser, IsReadOnceItIsGood) {
@@ -286,7 +288,7 @@ class PhaseTableOfAUser : public testing::Test {
     return {{25, 25, "phase_function = { model = \"table\", file = \"" + file_ + "\" }"}};
   }
 
-  std::string file_ = testing::TempDir() + "photic_check_vsf.csv";
+  std::string file_ = testing::TempDir() + std::to_string(getpid()) + "photic_check_vsf.csv";
 };
 
 TEST_F(PhaseTableOfAUser, IsRefusedAtItsLineAfterTheScene) {
