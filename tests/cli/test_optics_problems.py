@@ -21,7 +21,7 @@ PROBLEMS = {
     "raman light in the iop": (LAYER, IOP + '"petzold"', "[ {", 0, 'the iop of layer "layer1" covers 531 to 533 nm, '
                                'not 648.793 nm; channel "raman" counts raman light there (add an entry for it)'),
     "raman light in the algae": ("532.0", "780.0", '"raman"\n[[sea', 0,
-                                 'no phytoplankton absorption data at 1059.69 nm: Bricaud et al. 1998'),
+                                 'no phytoplankton absorption data at 1006.27 nm: Bricaud et al. 1998'),
     "more light than absorbed": ("532.0", "355.0", "[[sea.layer]]", 0,
                                  'layer "layer0" emits more Raman and fluorescence light'),
     "a mean cosine too low": (LAYER, IOP + '{ model = "henyey-greenstein", g = -0.9 }', "g = -0.9", 4,

@@ -113,7 +113,7 @@ def test_a_table_in_netcdf_and_csv_give_the_same_echo(photic, scene, tmp_path):
     assert layers[1]["iop"][0]["b_per_m"] == pytest.approx(0.1, rel=1e-12)
     assert "phase_function" not in layers[1]
     sources = photic("show", "out.nc").stdout
-    assert "b_b/b = 0.02: given in the scene; phase function: Fournier-Forand" in sources
+    assert "given in the scene; b_b/b = 0.02, too: phase function Fournier-Forand" in sources
 
 
 def test_problems_of_a_table_as_json(photic, scene, tmp_path):

@@ -273,7 +273,7 @@ TEST_F(PhytoplanktonTableOfAUser, HasToReachAllLight) {
   edits.insert(edits.begin(), {16, 17, raman_channel});
   edits.push_back({23, 25, ""});
   EXPECT_EQ(problems(edits),
-            Texts{"scene.toml:17:11: no phytoplankton data at 648.793 nm: given in " + file_ +
+            Texts{"scene.toml:17:11: no phytoplankton data at 631.024 nm: given in " + file_ +
                   " cover 500-600 nm; channel \"r\" counts raman light there (choose another "
                   "wavelength, or give the layer's iop at this one)"});
 }
