@@ -16,11 +16,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace photic::optics;
     const DataTable table = DataTable::parse(text, "fuzz.csv");
     switch (data[0]) {
-      case 'a': air_profile(table); break;
-      case 'c': cdom_fluorescence(table, 355.0); break;
-      case 'p': phase_from_table(table); break;
-      case 'r': size_table(table); break;
-      default: phytoplankton_table(table); break;
+      case 'a':
+        air_profile(table);
+        break;
+      case 'c':
+        cdom_fluorescence(table, 355.0);
+        break;
+      case 'p':
+        phase_from_table(table);
+        break;
+      case 'r':
+        size_table(table);
+        break;
+      default:
+        phytoplankton_table(table);
+        break;
     }
   });
   return 0;
