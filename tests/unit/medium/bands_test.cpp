@@ -37,7 +37,6 @@ double counted(const std::vector<BandLine>& lines, std::size_t channel) {
   return sum;
 }
 
-// Seen red: in the middle of pieces; the last piece left out.
 TEST(CutIntoLines, KeepsPhotonsAndTheirMeanWavelength) {
   const auto lines = cut({test::channel_of("raman")}, {true});
   EXPECT_EQ(lines.size(), 20U);
@@ -48,7 +47,7 @@ TEST(CutIntoLines, KeepsPhotonsAndTheirMeanWavelength) {
   EXPECT_NEAR(lines[0].wavelength_nm, 600 + 10.0 / 3, 1e-9);
 }
 
-// Seen red: with the transmission at the mean wavelength of a piece for its mean.
+// Seen red: with all of a line's light counted where some passes.
 TEST(CutIntoLines, CountsWhatFiltersLetThrough) {
   const auto top_hat = cut({test::filter(650, 3)}, {false});
   EXPECT_EQ(top_hat.size(), 1U);  // nothing else is seen
@@ -126,7 +125,7 @@ double emitted_in(const Medium& m, Process process) {
   return sum;
 }
 
-// As many photons as in one line each. Seen red: CDOM's by the absorption of phytoplankton.
+// As many photons as in one line each.
 TEST(BuildMedium, SpreadsEmittedLightOverSpectra) {
   const std::vector<scene::Channel> channels{
       test::channel_of("raman"), test::channel_of("chlorophyll"), test::channel_of("cdom")};
@@ -166,7 +165,7 @@ TEST(BuildMedium, ShowsAllProcessesThroughAFilter) {
 }
 
 // Every line has hues, as many as its share of photons and an even share come to, and what it
-// emits is made up for them. Seen red: not made up for; all evenly; the last line without hues.
+// emits is made up for them. Seen red: made up for as if all lines had as many.
 TEST(Medium, SharesOutHuesAmongTheLinesOfABand) {
   const auto m = medium_of(spectra_scene({test::channel_of("raman"), test::channel_of("cdom")}));
   const auto view = m.view();

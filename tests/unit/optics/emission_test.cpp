@@ -155,7 +155,7 @@ TEST(Chlorophyll, MayHaveASecondBandAt730Nm) {
 }
 
 // The yields that Hawes's function comes to, 0.9 % excited at 310 nm and 1.9 % at 450, and its
-// peaks. Seen red: with the excitation's wavelength where the emission's is; without the 0.6.
+// peaks. Seen red: without the 0.6.
 TEST(Cdom, FluorescesAsHawesSays) {
   const auto yield = [](double nm) {
     return cdom_fluorescence(library(), nm).spectrum.photons(0, 1e4);

@@ -12,7 +12,7 @@ std::string with_centre(const std::string& centre) {
 
 Texts diagnostics(const std::string& centre) { return diagnostics_of(with_centre(centre), {}, {}); }
 
-// Seen red: with the last step left out; with steps added up, which makes 380.6000000000001.
+// Seen red: with the last step left out.
 TEST(ChannelSteps, MakeAChannelOfEach) {
   const Scene scene = read_text(with_centre("{ from = 380, to = 381, step = 0.2 }"));
   Texts names;
@@ -42,7 +42,6 @@ TEST(ChannelSteps, SayWhatIsWrongWithThem) {
              "longer steps)"}));
 }
 
-// Seen red: spectra whatever the layers are.
 TEST(Emission, IsInSpectraUnlessIopsAreGiven) {
   EXPECT_EQ(read_text(edited({})).optics.emission, "lines");
   EXPECT_EQ(read_text(edited({{23, 25, ""}})).optics.emission, "spectra");
