@@ -13,7 +13,7 @@ namespace {
 
 using medium::OpticalTable;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 const std::vector<std::string> spectral = {"depth", "wavelength"};
 const std::string spectral_coordinates = "layer_name depth_m wavelength_nm";
@@ -68,7 +68,7 @@ void add_totals(NetcdfImage& file, const OpticalTable& table) {
   file.add_variable("albedo", spectral, table.albedo(),
                     {{"long_name", "single-scattering albedo b / c"},
                      {"units", "1"},
-                     {"_FillValue", nan},
+                     {"_FillValue", unknown},
                      {"coordinates", spectral_coordinates}});
   file.add_variable("mean_cosine", spectral, table.mean_cosine,
                     {{"long_name", "mean cosine g of the scattering angle"},
@@ -101,7 +101,7 @@ void add_parts(NetcdfImage& file, const OpticalTable& table) {
                         values,
                         {{"long_name", fmt::format("{} by {}", verb, part.name)},
                          {"units", "m-1"},
-                         {"_FillValue", nan},
+                         {"_FillValue", unknown},
                          {"coordinates", spectral_coordinates},
                          {"source", LongText{sources_of(part.name, table)}}});
     };

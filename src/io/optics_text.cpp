@@ -16,14 +16,14 @@ constexpr std::size_t width = 100;          ///< of lines that can be broken
 constexpr std::size_t lines_told_each = 3;  ///< of a process; of more only where they lie
 
 /// A heading and the numbers below it.
-struct Column {
+struct TextColumn {
   std::string heading;
   std::vector<std::string> cells;
 };
 
-Column column(const std::string& heading, const std::vector<double>& values, std::size_t first,
-              std::size_t count, const char* format) {
-  Column out{heading, {}};
+TextColumn column(const std::string& heading, const std::vector<double>& values, std::size_t first,
+                  std::size_t count, const char* format) {
+  TextColumn out{heading, {}};
   for (std::size_t i = first; i < first + count; ++i) {
     std::string cell = std::isnan(values[i]) ? "?" : fmt::format(fmt::runtime(format), values[i]);
     if (cell.starts_with("-0.") && cell.find_first_of("123456789") == std::string::npos)
@@ -34,23 +34,23 @@ Column column(const std::string& heading, const std::vector<double>& values, std
 }
 
 /// Columns side by side, to the right in their widths.
-std::string side_by_side(const std::vector<Column>& columns) {
+std::string side_by_side(const std::vector<TextColumn>& columns) {
   std::string out;
   const auto add_line = [&](const auto& text_of) {
-    for (const Column& c : columns) {
+    for (const TextColumn& c : columns) {
       std::size_t wide = c.heading.size();
       for (const std::string& cell : c.cells) wide = std::max(wide, cell.size());
       out += fmt::format("  {:>{}}", text_of(c), wide);
     }
     out += '\n';
   };
-  add_line([](const Column& c) { return c.heading; });
+  add_line([](const TextColumn& c) { return c.heading; });
   for (std::size_t i = 0; i < columns.front().cells.size(); ++i)
-    add_line([i](const Column& c) { return c.cells[i]; });
+    add_line([i](const TextColumn& c) { return c.cells[i]; });
   return out;
 }
 
-Column wavelengths(const OpticalTable& table) {
+TextColumn wavelengths(const OpticalTable& table) {
   return column("nm", table.wavelength_nm, 0, table.wavelengths(), "{:.2f}");
 }
 
@@ -71,7 +71,7 @@ std::string totals(const OpticalTable& table, std::size_t layer) {
 /// Nothing if they are not known.
 std::string parts(const OpticalTable& table, std::size_t layer) {
   const std::size_t count = table.wavelengths(), first = layer * count;
-  std::vector<Column> columns = {wavelengths(table)};
+  std::vector<TextColumn> columns = {wavelengths(table)};
   for (const auto& [name, a, b] : table.parts) {
     const auto add = [&](const char* letter, const std::vector<double>& values) {
       if (!values.empty() && !std::isnan(values[first]))

@@ -26,7 +26,7 @@ void sort_each_once(std::vector<double>& values) {
 }
 
 /// Of every layer at every wavelength, in the table's order.
-using Waters = std::vector<WaterOptics>;
+using WatersOptics = std::vector<WaterOptics>;
 
 /// 1 - cos, with its digits near the forward direction.
 double x_of(double angle_deg) {
@@ -43,7 +43,7 @@ void add_phase(const optics::PhaseTable& phase, OpticalTable& table) {
 
 /// The values of one constituent, as OpticalTable::Part has them.
 std::vector<double> values_of(const std::string& name, std::optional<double> Contribution::*value,
-                              const Waters& waters) {
+                              const WatersOptics& waters) {
   std::vector<double> out;
   bool told = false;
   for (const WaterOptics& water : waters) {
@@ -59,7 +59,7 @@ std::vector<double> values_of(const std::string& name, std::optional<double> Con
   return told ? out : std::vector<double>{};
 }
 
-std::vector<OpticalTable::Part> parts_of(const Waters& waters) {
+std::vector<OpticalTable::Part> parts_of(const WatersOptics& waters) {
   std::vector<OpticalTable::Part> parts;
   for (const WaterOptics& water : waters) {
     for (const Contribution& each : water.contributions) {
@@ -184,7 +184,7 @@ OpticalTable optical_table(const scene::Scene& scene, const optics::Library& lib
   table.wavelength_nm = wavelength_nm;
   table.angle_deg = table_angles_deg();
   table.edge_m = {0.0};
-  Waters waters;
+  WatersOptics waters;
   for (const scene::Layer& layer : scene.sea.layer) {
     table.layer_name.push_back(layer.name);
     table.edge_m.push_back(layer.bottom_depth_m.value_or(std::numeric_limits<double>::infinity()));

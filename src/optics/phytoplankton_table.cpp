@@ -10,7 +10,7 @@ constexpr const char* exciting_column = "a_exciting_m2_per_mg";
 
 std::vector<double> exciting(const DataTable& table, const std::vector<double>& all) {
   if (!table.has(exciting_column)) return all;
-  const auto out = table.numbers_from_0(exciting_column);
+  auto out = table.numbers_from_0(exciting_column);
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (out[i] > all[i])
       table.fail(i, exciting_column,

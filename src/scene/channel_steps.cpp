@@ -71,7 +71,7 @@ Node channel_at(const Node& channel, double nm) {
 std::optional<Refusal> check(const WavelengthOrSteps&, const Node& node, double& value) {
   if (!node.as<Node::Table>()) return check(positive, node, value);
   Steps steps;
-  const auto refusal = read(node, steps);
+  auto refusal = read(node, steps);
   value = steps.from;
   return refusal;
 }
