@@ -25,17 +25,6 @@ std::vector<double> counted_by(const scene::Scene& scene,
                                const std::vector<std::optional<Filter>>& filters, Process process,
                                double wavelength_nm);
 
-/// What a layer emits by one process when light of one wavelength is absorbed in it.
-struct ProcessEmission {
-  Process process = Process::raman;
-  optics::Emission emission;
-};
-
-/// Of all inelastic processes, whoever counts their light; the same processes in every layer.
-/// `a_exciting_per_m`: the layer's absorption that excites chlorophyll's fluorescence.
-std::vector<ProcessEmission> emissions(const scene::Scene& scene, const optics::Library& library,
-                                       const scene::Layer& layer, double a_exciting_per_m);
-
 /// A line of inelastic light, and what each layer emits into it.
 struct EmittedLine {
   Process process = Process::raman;

@@ -1,0 +1,113 @@
+// What is found wrong with tables that users give, at the lines of their files.
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "unit/medium/checked_scenes.hpp"
+
+namespace photic::medium {
+namespace {
+
+/// A file of this process alone: tests run side by side.
+class TableOfAUser : public testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove(file_); }
+
+  std::string file_ = testing::TempDir() + std::to_string(getpid()) + "photic_table.csv";
+};
+
+/// A CSV of wavelength_nm, a_m2_per_mg, b_m2_per_mg that a scene's phytoplankton goes by.
+class PhytoplanktonTableOfAUser : public TableOfAUser {
+ protected:
+  std::vector<scene::Edit> with(const std::string& rows) const {
+    std::ofstream(file_) << "wavelength_nm,a_m2_per_mg,b_m2_per_mg\n" << rows;
+    return {
+        {18, 18, "[optics]\nphytoplankton = \"table\"\nphytoplankton_file = \"" + file_ + "\""}};
+  }
+};
+
+TEST_F(PhytoplanktonTableOfAUser, IsReadOnceItIsGood) {
+  EXPECT_EQ(problems(with("500,0.04,0.3\n600,0.02,0.25\n")), Texts{});
+  const auto scene = scene::read_scene_text(edited(with("500,0.04,0.3\n600,0.02,0.25\n")),
+                                            "scene.toml", "/", {}, check)
+                         .scene;
+  const Medium m = medium_of(scene);
+  EXPECT_NE(
+      m.sources[2].find("layer 0 at 532.00 nm: phytoplankton a = 0.00336 1/m, b = 0.0284 1/m: "
+                        "given in " +
+                        file_),
+      std::string::npos)
+      << m.sources[2];
+}
+
+TEST_F(PhytoplanktonTableOfAUser, IsRefusedAtItsLine) {
+  EXPECT_EQ(problems(with("500,0.04,0.3\n500,0.02,x\n")),
+            Texts{file_ + ":3:1: wavelength_nm 500 is not above the 500 before it (this column "
+                          "must ascend)"});
+  EXPECT_EQ(problems(with("500,-0.04,0.3\n600,0.02,x\n")),
+            Texts{file_ + ":2:5: a_m2_per_mg -0.04 is negative"});
+}
+
+TEST_F(PhytoplanktonTableOfAUser, HasToReachAllLight) {
+  auto edits = with("500,0.04,0.3\n600,0.02,0.25\n");
+  edits.insert(edits.begin(), {16, 17, raman_channel});
+  edits.push_back({23, 25, ""});
+  EXPECT_EQ(problems(edits),
+            Texts{"scene.toml:17:11: no phytoplankton data at 631.024 nm: given in " + file_ +
+                  " cover 500-600 nm; channel \"r\" counts raman light there (choose another "
+                  "wavelength, or give the layer's iop at this one)"});
+}
+
+/// A CSV of angle_deg, phase_function_per_sr, and a scene whose second layer scatters by it.
+class PhaseTableOfAUser : public TableOfAUser {
+ protected:
+  std::vector<scene::Edit> with(const std::string& rows) const {
+    std::ofstream(file_) << "angle_deg,phase_function_per_sr\n" << rows;
+    return {{25, 25, "phase_function = { model = \"table\", file = \"" + file_ + "\" }"}};
+  }
+};
+
+TEST_F(PhaseTableOfAUser, IsRefusedAtItsLineAfterTheScene) {
+  auto edits = with("0,0.0796\n90,x\n120,0.1;\n180,0.0796\n");
+  edits.push_back({30, 30, "photons = 0"});
+  EXPECT_EQ(problems(edits, {"gates.depth_step_m=-1"}),
+            (Texts{"scene.toml:30:11: 'photons' must be a whole number, at least 1 and below 2^63, "
+                   "not 0",
+                   file_ + ":3:4: \"x\" is not a finite number",
+                   file_ + ":4:5: \"0.1;\" is not a finite number",
+                   "--set gates.depth_step_m: 'depth_step_m' must be a finite number, greater than "
+                   "0, not -1"}));
+}
+
+TEST_F(PhaseTableOfAUser, IsToldOnceWhereTwoLayersUseIt) {
+  auto edits = with("0,0.5\n180,0.5\n");
+  edits.insert(
+      edits.begin(),
+      {22, 22, "iop = [{ wavelength_nm = 532, a_per_m = 0.06, b_per_m = 0.1 }]\n" + edits[0].text});
+  EXPECT_EQ(problems(edits),
+            Texts{file_ + ":2:3: integrates to 6.283 over the sphere, not 1 within "
+                          "1 % (divide a volume scattering function by its "
+                          "scattering coefficient)"});
+}
+
+// Seen red: with the remark dropped.
+TEST_F(PhaseTableOfAUser, IsRemarkedOnWhenItIsScaled) {
+  EXPECT_EQ(remarks(with("0,0.0799\n180,0.0799\n")),
+            Texts{"scene.toml:25:44: " + file_ +
+                  ": the phase function integrates to 1.00405; scaled to 1"});
+  EXPECT_EQ(remarks(with("0,0.0795774715\n180,0.0795774715\n")), Texts{});
+}
+
+TEST_F(PhaseTableOfAUser, IsFoundInAMixture) {
+  auto edits = with("0,0.0799\n180,0.0799\n");
+  edits[0].text =
+      "phase_function = { model = \"mixture\", components = [{ fraction = 0.5, model = "
+      "\"petzold\" }, { fraction = 0.5, model = \"table\", file = \"" +
+      file_ + "\" }] }";
+  EXPECT_EQ(remarks(edits), Texts{"scene.toml:25:134: " + file_ +
+                                  ": the phase function integrates to 1.00405; scaled to 1"});
+}
+
+}  // namespace
+}  // namespace photic::medium
