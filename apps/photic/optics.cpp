@@ -17,43 +17,19 @@
 namespace photic::app {
 namespace {
 
-/// All that a scene must say besides its water, which has one bottomless layer.
-constexpr const char* water_scene = R"(
-[source]
-wavelength_nm = 532.0
-position_m = [0.0, 0.0, 10.0]
-direction = [0.0, 0.0, -1.0]
-diameter_m = 0.01
-half_divergence_mrad = 1.0
-[[telescope]]
-position_m = [0.0, 0.0, 10.0]
-direction = [0.0, 0.0, -1.0]
-diameter_m = 0.1
-focal_length_m = 1.0
-detector_diameter_m = 0.01
-[[channel]]
-name = "elastic"
-process = "elastic"
-[[sea.layer]]
-name = "water"
-[gates]
-depth_max_m = 1.0
-depth_step_m = 1.0
-[simulation]
-photons = 1
-)";
-
+/// The starter scene with one bottomless layer of the water that is asked for.
 scene::Reading read_water(const OpticsCommand& command) {
   std::string title = "Sea water";
-  std::vector<scene::Override> overrides;
+  std::vector<scene::Override> overrides{R"(channel=[{ name = "elastic", process = "elastic" }])",
+                                         R"(sea.layer=[{ name = "water" }])"};
   for (const std::string& key : command.water) {
-    title += (overrides.empty() ? ": " : ", ") + key;
+    title += (&key == command.water.data() ? ": " : ", ") + key;
     overrides.push_back("sea.layer.0." + key);
   }
   overrides.push_back("title=" + title);
   overrides.insert(overrides.end(), command.overrides.begin(), command.overrides.end());
-  return scene::read_scene_text(water_scene, "--water", "", overrides, engine::optics_check(),
-                                io::netcdf_files());
+  return scene::read_scene_text(scene::starter_scene("ship"), "--water", "", overrides,
+                                engine::optics_check(), io::netcdf_files());
 }
 
 scene::Scene read(const OpticsCommand& command) {
