@@ -64,16 +64,13 @@ struct FromTelescope : WalkDraws<T> {
     const auto v = this->draw(walk, Index<T>(0), 1);
     outset.grid_offset = v[0];
     outset.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
-    outset.line = line_of(walk);
+    outset.line = line_of(medium::hue_of(v[2]));
     return transport::begin_at_telescope(world.sea, telescope, receiver.layer, outset.line,
                                          outset.lens, outset.outward);
   }
-  /// The line it detects: the same for all walks of a set, which are connected with each other.
-  [[nodiscard]] Index<T> line_of(const Index<T>& walk) const {
+  /// The line that a walk of a hue detects.
+  [[nodiscard]] Index<T> line_of(const Index<T>& hue) const {
     if (receiver.band < 0) return receiver.line;
-    const Index<T> set = Index<T>(static_cast<std::int32_t>(world.walks));
-    const Index<T> leader = floor_index(to_real<T>(walk) / to_real<T>(set)) * set;
-    const Index<T> hue = medium::hue_of(this->draw(leader, Index<T>(0), 1)[2]);
     return gather_index<T>(world.sea.line_of_hue, Index<T>(receiver.band * medium::hues) + hue);
   }
   /// Whether light can still come from the laser within the last gate.
