@@ -176,6 +176,17 @@ void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Overrid
                  "Instead of a scene: an oil, by its class (light-refined …) or a CSV file of its "
                  "spectra")
       ->type_name("CLASS|FILE");
+  sub.add_option("--air", optics.air,
+                 "Instead of a scene: the air, by an atmosphere (us-standard …), a CSV file of "
+                 "levels, or a tape6 of MODTRAN")
+      ->type_name("NAME|FILE");
+  sub.add_option("--visibility", optics.visibility_km,
+                 "With --air: its aerosols are those of this visibility in km")
+      ->type_name("KM");
+  sub.add_option("--aerosol", optics.aerosol,
+                 "With --air: of the lowest 2 km: rural, maritime, urban …")
+      ->capture_default_str()
+      ->type_name("MODEL");
   add_checked(sub, "--wavelengths", "NM",
               "355,532,685 or 400:700:10 [default: the laser's and those that the channels count]",
               [&optics](const std::string& text) { optics.wavelength_nm = wavelengths_nm(text); });
@@ -189,17 +200,22 @@ void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Overrid
   sub.add_flag("--json", optics.json, "Print as JSON");
 }
 
-/// Either a scene or water without one, or an oil, of which there is a table only.
+/// Either a scene or water without one, or an oil or air, of which there is a table only.
 void expect_scene_or_water(const CLI::App& optics) {
   const bool scene = optics.count("scene") > 0, water = optics.count("--water") > 0;
-  if (optics.count("--oil") > 0) {
-    for (const char* other : {"scene", "--water", "--laser", "--set", "--output", "--json"})
-      if (optics.count(other) > 0)
-        throw CLI::ExcludesError(fmt::format("--oil and {} exclude each other", other),
+  const bool air = optics.count("--air") > 0;
+  for (const char* of_air : {"--visibility", "--aerosol"})
+    if (!air && optics.count(of_air) > 0) throw CLI::RequiresError(of_air, "--air");
+  if (air || optics.count("--oil") > 0) {
+    const char* alone = air ? "--air" : "--oil";
+    for (const char* other :
+         {"scene", "--water", "--oil", "--laser", "--set", "--output", "--json"})
+      if (optics.count(other) > 0 && std::string(other) != alone)
+        throw CLI::ExcludesError(fmt::format("{} and {} exclude each other", alone, other),
                                  CLI::ExitCodes::ExcludesError);
     return;
   }
-  if (!scene && !water) throw CLI::RequiredError("scene, --water or --oil");
+  if (!scene && !water) throw CLI::RequiredError("scene, --water, --oil or --air");
   if (scene && water)
     throw CLI::ExcludesError("scene and --water exclude each other: write --set for a scene",
                              CLI::ExitCodes::ExcludesError);

@@ -53,13 +53,16 @@ struct ShowCommand {
 };
 
 /// photic optics: tells the optical properties of a scene's layers, of water of given constituents,
-/// or of an oil.
+/// of an oil, or of air.
 struct OpticsCommand {
-  std::string scene;                  ///< empty: one layer of this water, under the laser of 532 nm
-  std::vector<std::string> water;     ///< "key=value" of a layer
-  std::string oil;                    ///< a class or a file: tells of it alone
-  std::vector<double> wavelength_nm;  ///< ascending; empty: those that light of the scene has
-  std::string output;                 ///< .nc or .csv; empty: none
+  std::string scene;               ///< empty: one layer of this water, under the laser of 532 nm
+  std::vector<std::string> water;  ///< "key=value" of a layer
+  std::string oil;                 ///< a class or a file: tells of it alone
+  std::string air;                 ///< an atmosphere or a file: tells of it alone
+  std::string aerosol = "rural";   ///< of its lowest 2 km
+  std::optional<double> visibility_km;  ///< without one the air is as the profile says
+  std::vector<double> wavelength_nm;    ///< ascending; empty: those that light of the scene has
+  std::string output;                   ///< .nc or .csv; empty: none
   std::vector<scene::Override> overrides;
   bool json = false;
   std::string command_line;  ///< as typed, for the history of the output

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "engine/problem.hpp"
+#include "io/air_text.hpp"
 #include "io/netcdf.hpp"
 #include "io/netcdf_variable.hpp"
 #include "io/oil_text.hpp"
@@ -11,6 +12,7 @@
 #include "io/optics_table.hpp"
 #include "medium/optical_table.hpp"
 #include "optics/data_folder.hpp"
+#include "optics/modtran.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
 
@@ -78,20 +80,45 @@ std::string where_it_is(const medium::OpticalTable& table, const std::string& ou
   return out;
 }
 
-/// From the ultraviolet of fluorosensors to the red.
-std::string oil_table(const OpticsCommand& command) {
-  const optics::Library library(optics::find_data_folder());
+/// Those asked for, or from the ultraviolet of fluorosensors to the red.
+std::vector<double> wavelengths_of(const OpticsCommand& command) {
   std::vector<double> nm = command.wavelength_nm;
   for (double each = 300; command.wavelength_nm.empty() && each <= 700; each += 50)
     nm.push_back(each);
-  return io::oil_text(optics::oil(library, command.oil), nm);
+  return nm;
+}
+
+std::string oil_table(const OpticsCommand& command) {
+  const optics::Library library(optics::find_data_folder());
+  return io::oil_text(optics::oil(library, command.oil), wavelengths_of(command));
+}
+
+/// A CSV file by its name, another file as a tape6, else one of Photic's atmospheres.
+optics::AirProfile air_profile(const optics::AirLibrary& library, const std::string& name) {
+  if (std::filesystem::path(name).extension() == ".csv")
+    return optics::air_profile(optics::DataTable::read(name));
+  std::error_code none;
+  if (std::filesystem::is_regular_file(name, none))
+    return optics::modtran_profile(optics::read_text(name), name);
+  return library.atmosphere(name);
+}
+
+std::string air_table(const OpticsCommand& command) {
+  const optics::AirLibrary library(optics::find_data_folder());
+  optics::AirProfile profile = air_profile(library, command.air);
+  if (command.visibility_km)
+    profile = optics::with_aerosols(library, std::move(profile), *command.visibility_km,
+                                    optics::AerosolProfiles::seasons.front());
+  optics::AerosolChoice aerosols;
+  aerosols.model[optics::boundary_layer] = command.aerosol;
+  return io::air_text(library, profile, aerosols, wavelengths_of(command));
 }
 
 }  // namespace
 
 int run(const OpticsCommand& command) {
-  if (!command.oil.empty()) {
-    print_out(oil_table(command));
+  if (!command.oil.empty() || !command.air.empty()) {
+    print_out(command.air.empty() ? oil_table(command) : air_table(command));
     return done;
   }
   const scene::Scene scene = read(command);
