@@ -69,11 +69,10 @@ function(photic_for_each_isa target source entry)
   endforeach()
 endfunction()
 
-# The folder of tests/ that a test belongs to: unit, statistical, …
+# The folder of a test inside tests/, its label: unit/scene, statistical, …
 function(photic_test_label result)
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/tests OUTPUT_VARIABLE path)
-  string(REGEX REPLACE "/.*" "" kind ${path})
-  set(${result} ${kind} PARENT_SCOPE)
+  set(${result} ${path} PARENT_SCOPE)
 endfunction()
 
 # The headers that all tests share, read once. Linked like a test, for the same flags.
@@ -87,7 +86,7 @@ function(photic_test_headers)
 endfunction()
 
 # photic_test(name SOURCES a.cpp … USES core …)  → one test program; ctest knows each of its tests,
-# under the name of their folder of tests/ as label (ctest -L unit); target tests_unit builds a folder's
+# under their folder in tests/ as label (ctest -L unit); target tests_unit builds all in tests/unit
 function(photic_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;USES;LINKS" ${ARGN})
   if(NOT ARG_TIMEOUT)
@@ -104,10 +103,11 @@ function(photic_test name)
   target_compile_options(${name} PRIVATE -Wno-array-bounds)
   photic_test_label(label)
   gtest_discover_tests(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS ${label} DISCOVERY_TIMEOUT 60)
-  if(NOT TARGET tests_${label})
-    add_custom_target(tests_${label})
+  string(REGEX REPLACE "/.*" "" kind ${label})
+  if(NOT TARGET tests_${kind})
+    add_custom_target(tests_${kind})
   endif()
-  add_dependencies(tests_${label} ${name})
+  add_dependencies(tests_${kind} ${name})
 endfunction()
 
 # Debian's own interpreter: it has the packages of tools/install_packages, another python3 in PATH may not.

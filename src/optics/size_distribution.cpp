@@ -55,11 +55,11 @@ struct Number {
     const auto& r = s.radius_m;
     const auto above = std::upper_bound(r.begin() + 1, r.end() - 1, radius_m);
     const auto i = static_cast<std::size_t>(above - r.begin());
-    const double n0 = s.number[i - 1], n1 = s.number[i];
-    const bool straight = n0 == 0 || n1 == 0;
+    const double lower = s.number[i - 1], upper = s.number[i];
+    const bool straight = lower == 0 || upper == 0;
     const double t = straight ? (radius_m - r[i - 1]) / (r[i] - r[i - 1])
                               : std::log(radius_m / r[i - 1]) / std::log(r[i] / r[i - 1]);
-    return radius_m * (straight ? std::lerp(n0, n1, t) : n0 * std::pow(n1 / n0, t));
+    return radius_m * (straight ? std::lerp(lower, upper, t) : lower * std::pow(upper / lower, t));
   }
 };
 
