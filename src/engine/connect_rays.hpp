@@ -19,8 +19,7 @@ void Connections<T>::each_pair(std::size_t laser, std::size_t back, std::int32_t
       const Mask<T> in_time =
           mask & in_order(i + Index<T>(m + 1)) & (out.path + home.path < world_.last_path);
       if (!any(in_time)) break;
-      const Mask<T> may = in_time & (out.direction.z * home.direction.z > T(0));
-      if (any(may)) act(ends_of<T>(laser, i, back, Index<T>(m)), may, out, home);
+      act(ends_of<T>(laser, i, back, Index<T>(m)), in_time, out, home);
     }
   });
 }
@@ -31,8 +30,10 @@ PHOTIC_FLATTEN void Connections<T>::shifted(std::size_t laser, std::size_t back)
   if (!any(outset.shift_area > T(0))) return;
   each_pair(
       laser, back, 0, [&](const auto& ends, const auto& mask, const Ray& out, const Ray& home) {
+        const Mask<T> may = mask & transport::turns_back(out, home);
+        if (!any(may)) return;
         const auto chord = transport::chord(out, home, telescope_, outset.lens, world_.deepest);
-        const Mask<T> meet = mask & chord.exists;
+        const Mask<T> meet = may & chord.exists;
         if (any(meet))
           chords_.admit(meet, ends,
                         [this](const auto& e, const auto& all) { serve_chords(e, all); });

@@ -56,11 +56,12 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
   const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
   const transport::Freedom<T> freedom{instrument::shift_area(telescope_, sight.cos_off_axis),
                                       vertical_at(v.position)};
-  const T behind = v.behind.all(freedom.shift_area) + turned;
-  const Joint from = all(line == Index<T>(0))
-                         ? scattering_from_laser(sea_, v, behind, way.direction, T(1), freedom)
-                         : conversion_from_laser(sea_, v, behind, way.direction, line,
-                                                 world_.reversal, T(1), T(1), freedom);
+  const T behind = v.passed * (v.behind.all(freedom.shift_area) + turned);
+  const Joint from =
+      all(line == Index<T>(0))
+          ? scattering_from_laser(sea_, v, behind, way.direction, world_.reversal, T(1), freedom)
+          : conversion_from_laser(sea_, v, behind, way.direction, line, world_.reversal, T(1), T(1),
+                                  freedom);
   const T area =
       samples_.to_instrument * from.share * solid_angle / (way.per_area * way.index_squared) +
       (mirrored ? T(0) : from.meeting);
@@ -163,18 +164,18 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
   if (any(arrives)) {
     const transport::Freedom<T> freedom{shift_area,
                                         axis_or(inelastic, back_.axis(ends.back), w.position)};
-    const T behind =
-        v.behind.all(shift_area) + laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis);
+    const T behind = v.passed * (v.behind.all(shift_area) +
+                                 laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis));
     const Joint to = arrival_from_laser(sea_, w, -direction, world_.reversal, freedom);
     along(ends, arrives, Index<T>(0),
-          scattering_from_laser(sea_, v, behind, direction, to.goes_on, freedom), to, v, w, length,
-          in_path);
+          scattering_from_laser(sea_, v, behind, direction, world_.reversal, to.goes_on, freedom),
+          to, v, w, length, in_path);
   }
   const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
   if (any(converts)) {
     const transport::Freedom<T> freedom{shift_area, vertical_at(v.position)};
-    const T behind =
-        v.behind.all(shift_area) + laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis);
+    const T behind = v.passed * (v.behind.all(shift_area) +
+                                 laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis));
     const T goes_on = T(1) - world_.reversal.chance(sea_, w.line, w.layer);
     along(ends, converts, w.line,
           conversion_from_laser(sea_, v, behind, direction, w.line, world_.reversal, w.chance,

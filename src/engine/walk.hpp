@@ -68,11 +68,9 @@ class Walks {
         vertex_(walks * stride),
         rays_(walks),
         vertices_(walks),
-        turns_(walks),
         converted_(walks),
         connected_(walks),
         line_(walks),
-        turned_(walks * stride),
         ratios_(environments, walks * stride) {}
 
   // Written by walkers, in the lanes of a mask.
@@ -81,7 +79,6 @@ class Walks {
     scatter(mask, walk, outset.connected, connected_.data());
     scatter(mask, walk, outset.line, line_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
-    scatter(mask, walk, Index<T>(0), turns_.data());
     scatter(mask, walk, Index<T>(-1), converted_.data());
     add(mask, walk, Index<T>(0), first);
   }
@@ -97,11 +94,6 @@ class Walks {
   void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i, const Vertex& vertex) {
     vertex_.put(mask, slot(walk, i), vertex);
     scatter(mask, walk, i + Index<T>(1), vertices_.data());
-    const Mask<T> turned = mask & (vertex.last_turn.density > T(0));
-    if (from_telescope_ || !any(turned)) return;
-    const Index<T> turns = gather_index<T>(turns_.data(), walk);
-    scatter(turned, slot(walk, turns), i, turned_.data());
-    scatter(turned, walk, turns + Index<T>(1), turns_.data());
   }
   /// A telescope's walk turns a conversion back at vertex i.
   void converts(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i) {
@@ -119,6 +111,8 @@ class Walks {
   static std::size_t size(const medium::EnvironmentsView& environments) {
     return stride * transport::PathRatios<T>::size(environments);
   }
+
+  [[nodiscard]] bool from_telescope() const { return from_telescope_; }
 
   // Of one walk.
   [[nodiscard]] std::int32_t rays(std::size_t walk) const { return rays_[walk]; }
@@ -182,20 +176,15 @@ class Walks {
     return v;
   }
   /// The densities of turning a telescope's walk about an axis so that it meets this walk of the
-  /// laser at a vertex before vertex i.
+  /// laser at a vertex before vertex i, over what has been passed.
   [[nodiscard]] T turned_before(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
-                                const transport::Vertical<T>& other) const {
+                                const transport::Vertical<T>& axis) const {
     T sum(0);
-    if (!any(other.exists)) return sum;
-    const Index<T> count = gather_index<T>(turns_.data(), walk);
-    for (Index<T> n(0);; n = n + Index<T>(1)) {
-      const Mask<T> exists = n < count;
-      if (!any(exists)) return sum;
-      const Index<T> k =
-          gather_index<T>(turned_.data(), slot(walk, select(exists, n, Index<T>(0))));
-      const Mask<T> before = exists & (k <= i);
+    if (!any(axis.exists)) return sum;
+    for (Index<T> k(1);; k = k + Index<T>(1)) {
+      const Mask<T> before = k <= i;
       if (!any(before)) return sum;
-      const T density = vertex(walk, select(before, k, Index<T>(0))).last_turn.about(other);
+      const T density = vertex(walk, select(before, k, Index<T>(0))).last_turn.about(axis);
       sum = sum + select(before & usable.meeting(k), density, T(0));
     }
   }
@@ -208,6 +197,7 @@ class Walks {
     side.behind = behind(ray, walk, m, usable).all(freedom.shift_area);
     if (!from_telescope_)
       side.behind = side.behind + turned_before(walk, m - Index<T>(1), usable, freedom.axis);
+    side.behind = ray.passed * side.behind;
     side.last = select(usable.meeting(passed(m, usable)),
                        freedom.shift_area * transport::turning(ray.meeting, ray.direction.z) +
                            ray.turn.about(freedom.axis),
@@ -249,10 +239,8 @@ class Walks {
   Records<T, Outset<T>> outset_;
   Records<T, Ray> ray_;
   Records<T, Vertex> vertex_;
-  std::vector<std::int32_t> rays_, vertices_, turns_, converted_, connected_,
-      line_;                          ///< of each walk
-  std::vector<std::int32_t> turned_;  ///< vertices with a last turn, of the laser's walks
-  transport::PathRatios<T> ratios_;   ///< of each ray
+  std::vector<std::int32_t> rays_, vertices_, converted_, connected_, line_;  ///< of each walk
+  transport::PathRatios<T> ratios_;                                           ///< of each ray
 };
 
 }  // namespace photic::engine

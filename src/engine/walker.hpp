@@ -175,7 +175,8 @@ class WalkTaker {
     const Mask<T> convertible = colliding & (photon.line > Index<T>(0));
     const auto v =
         any(convertible) ? source_.draw(walker_.walk, walker_.event, 1) : std::array<T, 4>{};
-    const auto departure = depart(sea_, photon, world_.reversal, {u[1], u[2], v[0], v[1]});
+    const auto departure =
+        depart(sea_, photon, world_.reversal, {u[1], u[2], v[0], v[1]}, walks_.from_telescope());
     book(source_.ledger.absorbed, colliding, weight - photon.weight);
     const Mask<T> converted = convertible & (photon.line == Index<T>(0));
     if (any(converted)) {

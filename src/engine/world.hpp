@@ -177,9 +177,10 @@ inline constexpr std::uint32_t quasi_random_blocks = 3;
 inline constexpr std::uint32_t quasi_random_dimensions =
     4 * quasi_random_blocks * quasi_random_events;
 
-/// Share of the directions in which a walk from a telescope goes on after a conversion that are
-/// drawn about the laser's beam.
+/// Shares of the directions that walks from telescopes draw about the laser's beam: after a
+/// conversion, and where they scatter the laser's light in scenes with conversions.
 inline constexpr double directed_reversal = 0.6;
+inline constexpr double directed_scattering = 0.1;
 
 /// Of a vertex of a telescope's walk in emitted light: where that is hardly scattered, as many
 /// conversions are turned back as if its free paths were drawn like those of the laser's light.
@@ -273,7 +274,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   const Vec3<double> beam = axis_in_water(normalised(scene.source.direction), world.laser.submerged,
                                           medium.line.front().refractive_index);
   world.reversal = {T(reversal_probability(scene.simulation.conversion_probability)),
-                    T(directed_reversal), vec3_cast<T>(beam), Index<T>(medium.beam_lobe)};
+                    T(directed_reversal), vec3_cast<T>(beam), Index<T>(medium.beam_lobe),
+                    T(converts ? directed_scattering : 0.0)};
   world.turns = beam.x == 0 && beam.y == 0;
   world.makes_choices = world.directs || medium.line.size() > 1;
   if (scene.simulation.estimator == "bidirectional")

@@ -10,8 +10,9 @@
 namespace photic::transport {
 
 /// How a walk from a telescope turns conversions back: how often, and where to. Converted light
-/// leaves in all directions, but the light it was made of comes along the laser's beam. Where that
-/// is vertical, the densities depend on the angle to the vertical alone.
+/// leaves in all directions, but the light it was made of comes along the laser's beam, which some
+/// scatterings of the laser's light look for, too. Where that is vertical, the densities depend on
+/// the angle to the vertical alone.
 template <class T>
 struct Reversal {
   T probability{};  ///< at a vertex
@@ -19,6 +20,7 @@ struct Reversal {
                     ///< is drawn from all alike
   Vec3<T> beam;     ///< of the laser in the water, a unit vector
   Index<T> lobe{};  ///< a table of the medium
+  T scattered{};    ///< share of directions drawn so where the laser's light is scattered
 
   /// Where a telescope detects `line`: 0 for the laser's own and where that line is not emitted.
   T chance(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer) const {
@@ -31,6 +33,13 @@ struct Reversal {
     const T x = one_minus_cos(beam, direction);
     return ((T(1) - directed) * T(0.25 / pi) + directed * sea.phases.template value<T>(x, lobe)) /
            p;
+  }
+  /// The same where a walk from a telescope scatters the laser's light.
+  T scattered_over_phase(const medium::MediumView& sea, const Vec3<T>& direction,
+                         const T& p) const {
+    if (!any(scattered > T(0))) return T(1);
+    const T x = one_minus_cos(beam, direction);
+    return T(1) + scattered * (sea.phases.template value<T>(x, lobe) / p - T(1));
   }
 };
 
@@ -53,12 +62,21 @@ struct DepartUniforms {
   T polar, azimuth, branch, mixture;
 };
 
+/// The number that a polar angle is drawn with, what the choice of the lobe leaves of it.
+template <class T>
+T polar_of(const Reversal<T>& reversal, const Mask<T>& scatters, const Mask<T>& to_beam,
+           const T& u) {
+  if (!any(scatters)) return u;
+  const T q = reversal.scattered;
+  return select(scatters, select(to_beam, u / q, (u - q) / (T(1) - q)), u);
+}
+
 /// Sends a walk on from the vertex it stands at. Its weight takes b / c, or for a conversion its
 /// coefficient over c; that it was drawn with a chance is left to the connections, which know the
-/// chances of all strategies.
+/// chances of all strategies. `from_telescope`: the walk, which else comes from the laser.
 template <class T>
 Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon, const Reversal<T>& reversal,
-                    const DepartUniforms<T>& u) {
+                    const DepartUniforms<T>& u, bool from_telescope) {
   const Index<T> here = sea.at(photon.line, photon.layer);
   const T albedo = gather<T>(sea.albedo, here);
   const T chance = reversal.chance(sea, photon.line, photon.layer);
@@ -77,17 +95,29 @@ Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon, const Reve
   photon.line = select(converts, Index<T>(0), photon.line);
   photon.order = photon.order + Index<T>(1);
 
-  const Mask<T> to_beam = converts & (u.mixture < reversal.directed);
-  const T drawn = sea.phases.template sample<T>(u.polar, select(to_beam, reversal.lobe, phase));
-  const T x = select(converts, select(to_beam, drawn, T(2) * u.polar), drawn);
+  const Mask<T> scatters =
+      from_telescope ? (reversal.scattered > T(0)) & !inelastic : Mask<T>(false);
+  const Mask<T> scatters_to_beam = scatters & (u.polar < reversal.scattered);
+  const T polar = polar_of(reversal, scatters, scatters_to_beam, u.polar);
+  const Mask<T> to_beam = scatters_to_beam | (converts & (u.mixture < reversal.directed));
+  const T drawn = sea.phases.template sample<T>(polar, select(to_beam, reversal.lobe, phase));
+  const T x = select(converts & !to_beam, T(2) * polar, drawn);
   const auto [cosine, sine] = cos_sin_of_turns(u.azimuth);
   const Vec3<T> old = photon.direction;
-  photon.direction = turned(select(converts, reversal.beam, old), x, cosine, sine);
+  const Mask<T> about_beam = converts | to_beam;
+  photon.direction = turned(select(about_beam, reversal.beam, old), x, cosine, sine);
   departure.p = sea.phases.template value<T>(
-      select(converts, one_minus_cos(old, photon.direction), x), phase);
+      select(about_beam, one_minus_cos(old, photon.direction), x), phase);
   departure.chance =
       departure.chance *
       select(converts, reversal.over_phase(sea, photon.direction, departure.p), T(1));
+  if (from_telescope) {
+    departure.chance =
+        departure.chance *
+        select(scatters, reversal.scattered_over_phase(sea, photon.direction, departure.p), T(1));
+  } else {
+    departure.passed = reversal.scattered_over_phase(sea, -old, departure.p);
+  }
   return departure;
 }
 

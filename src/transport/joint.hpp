@@ -41,13 +41,14 @@ T phase_value(const medium::MediumView& sea, const Vertex<T>& v, const Vec3<T>& 
 /// `behind`: the densities behind the vertex.
 template <class T>
 Joint<T> scattering_from_laser(const medium::MediumView& sea, const Vertex<T>& v, const T& behind,
-                               const Vec3<T>& direction, const T& goes_on,
-                               const Freedom<T>& freedom) {
+                               const Vec3<T>& direction, const Reversal<T>& reversal,
+                               const T& goes_on, const Freedom<T>& freedom) {
   const Index<T> here = sea.at(v.line, v.layer);
   Joint<T> joint;
   joint.end.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
   joint.end.open = goes_on * v.open;
-  joint.end.behind = goes_on * behind;
+  joint.end.behind =
+      goes_on * reversal.scattered_over_phase(sea, -v.direction, joint.end.p) * behind;
   joint.meeting = goes_on * freedom.meeting(v, direction);
   joint.weight = v.weight * gather<T>(sea.albedo, here);
   return joint;
@@ -95,7 +96,7 @@ Joint<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
   joint.goes_on = v.chance * select(converts,
                                     reversal.chance(sea, v.line, v.layer) *
                                         reversal.over_phase(sea, direction, joint.end.p),
-                                    T(1));
+                                    reversal.scattered_over_phase(sea, direction, joint.end.p));
   return joint;
 }
 

@@ -12,7 +12,7 @@
 
 namespace photic::transport {
 
-/// The depths that two rays have in common if both go down or both up.
+/// The depths that two rays have in common.
 template <class T>
 struct Span {
   Mask<T> exists;
@@ -21,15 +21,15 @@ struct Span {
 /// `deepest`: of the water [m].
 template <class T>
 Span<T> common_span(const Ray<T>& laser, const Ray<T>& back, const T& deepest) {
-  const Mask<T> down = laser.direction.z < T(0);
-  const T laser_depth = -laser.position.z;
-  const T back_depth = -back.position.z;
-  const T lower = select(laser_depth > back_depth, laser_depth, back_depth);
-  const T upper = select(laser_depth < back_depth, laser_depth, back_depth);
-  const T from = select(down, lower, T(0));
-  const T to = select(down, deepest, upper);
-  const Mask<T> same_way = laser.direction.z * back.direction.z > T(0);
-  return {Mask<T>(same_way & (to > from)), from, to};
+  const auto from = [](const Ray<T>& ray) {
+    return select(ray.direction.z < T(0), T(-ray.position.z), T(0));
+  };
+  const auto to = [&](const Ray<T>& ray) {
+    return select(ray.direction.z < T(0), deepest, T(-ray.position.z));
+  };
+  const T upper = select(from(laser) > from(back), from(laser), from(back));
+  const T lower = select(to(laser) < to(back), to(laser), to(back));
+  return {Mask<T>(lower > upper), upper, lower};
 }
 
 /// Where a telescope's walk comes through the lens if it is shifted to meet a ray at a depth.
@@ -42,6 +42,12 @@ struct LensLine {
     return {at_surface.x + depth * per_depth.x, at_surface.y + depth * per_depth.y};
   }
 };
+
+/// Whether light turns back, up or down, where two rays meet: else no walk is shifted for it.
+template <class T>
+Mask<T> turns_back(const Ray<T>& laser, const Ray<T>& back) {
+  return laser.direction.z * back.direction.z > T(0);
+}
 
 /// The depths between which two rays can meet so that the telescope's walk comes through the lens.
 template <class T>
@@ -207,7 +213,7 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
   const T p = sea.phases.template value<T>(one_minus_cos(laser.direction, -back.direction), phase);
 
   // Strategies, each with n h / g times p and the walked exp(-tau) of both rays.
-  const T steep = laser.direction.z * back.direction.z;
+  const T steep = select(turns_back(laser, back), T(laser.direction.z * back.direction.z), T(0));
   const T swept = sweep(laser.position + out * laser.direction, laser.direction, back.direction)
                       .about(freedom.axis);
   const T here_met =
@@ -221,7 +227,7 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
   const T goes_on = back.chance * select(converts,
                                          reversal.chance(sea, line, layer) *
                                              reversal.over_phase(sea, -laser.direction, p),
-                                         T(1));
+                                         reversal.scattered_over_phase(sea, -laser.direction, p));
   const T met_next = goes_on * laser_side.last * walked_home + side.last * walked_out;
   const T met_behind = walked_out * walked_home * (goes_on * laser_side.behind + side.behind);
   Meeting<T> meeting;

@@ -180,17 +180,18 @@ template <class T>
 struct Ray : WalkPoint<T> {
   T left_chance{1};       ///< h of a walk that ends at the vertex
   T chance{1};            ///< h of this ray
+  T passed{1};            ///< h of telescopes' walks that pass a laser's walk as far as this ray
   T per_p{1};             ///< 1 over the phase function's value at the vertex [sr]
-  Densities<T> last{};    ///< of what is complete by this ray's direction
-  Densities<T> behind{};  ///< of all that is complete
+  Densities<T> last{};    ///< of what is complete by this ray's direction, over `passed`
+  Densities<T> behind{};  ///< of all that is complete, over `passed`
   T meeting{};     ///< n h / g of meeting at the vertex, but for what is this ray's: P included
   Turn<T> turn{};  ///< the same of turning
 
-  static constexpr std::size_t members = 25;
+  static constexpr std::size_t members = 26;
   template <class F>
   void each_member(F f) {
     WalkPoint<T>::each_member(f);
-    f(left_chance), f(chance), f(per_p), f(meeting);
+    f(left_chance), f(chance), f(passed), f(per_p), f(meeting);
     last.each_member(f);
     behind.each_member(f);
     turn.each_member(f);
@@ -200,20 +201,22 @@ struct Ray : WalkPoint<T> {
 /// A walk as it arrives where it collides, before this collision.
 template <class T>
 struct Vertex : WalkPoint<T> {
-  T chance{1};          ///< h of a walk that ends here
-  T open{};             ///< n h / g of connecting the last edge, times P here; 0: it cannot be
-  T meeting{};          ///< n h / g of meeting here, but for P and for the edge beyond; its sign is
-                        ///< that of the arriving direction's z
-  T turn{};             ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
-  Turn<T> last_turn{};  ///< of turning to meet at the vertex before, complete by the last edge
-  Densities<T> last{};  ///< of what has become complete by the last edge
+  T chance{1};  ///< h of a walk that ends here
+  T passed{1};  ///< h of telescopes' walks that pass a laser's walk as far as here
+  T open{};     ///< n h / g of connecting the last edge, times P here; 0: it cannot be
+  T meeting{};  ///< n h / g of meeting here, but for P and for the edge beyond; its sign is
+                ///< that of the arriving direction's z
+  T turn{};     ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
+  // Over `passed`:
+  Turn<T> last_turn{};    ///< of turning to meet at the vertex before, complete by the last edge
+  Densities<T> last{};    ///< of what has become complete by the last edge
   Densities<T> behind{};  ///< of all that is complete
 
-  static constexpr std::size_t members = 25;
+  static constexpr std::size_t members = 26;
   template <class F>
   void each_member(F f) {
     WalkPoint<T>::each_member(f);
-    f(chance), f(open), f(meeting), f(turn);
+    f(chance), f(passed), f(open), f(meeting), f(turn);
     last_turn.each_member(f);
     last.each_member(f);
     behind.each_member(f);
@@ -256,15 +259,15 @@ T turning(const T& meeting, const T& z) {
 /// beyond.
 template <class T>
 Turn<T> turn_at(const Vertex<T>& v, const Vec3<T>& direction) {
-  const Mask<T> turns_back = v.direction.z * direction.z < T(0);
-  return {select(turns_back, v.turn, T(0)), sweep(v.position, v.direction, direction)};
+  return {v.turn, sweep(v.position, v.direction, direction)};
 }
 
 /// How a walk left a vertex.
 template <class T>
 struct Departure {
   T p{1};        ///< phase function's value [1/sr]
-  T chance{1};   ///< of the choice between scattering and conversion
+  T chance{1};   ///< of the choices that the phase function does not make
+  T passed{1};   ///< the same of a telescope's walk that passes a vertex of the laser's
   T density{1};  ///< c' of the line that a walk from the laser would have come with, over that of
                  ///< the walk's own; 0: the path's edges behind can be drawn by no other strategy
 };
@@ -275,8 +278,9 @@ Ray<T> next_ray(const Photon<T>& photon, const Vertex<T>& from, const Departure<
   Ray<T> ray{walk_point(photon)};
   ray.left_chance = from.chance;
   ray.chance = from.chance * departure.chance;
+  ray.passed = from.passed * departure.passed;
   ray.per_p = T(1) / departure.p;
-  ray.last.edges = departure.density * from.open * ray.per_p;
+  ray.last.edges = departure.density * from.open * ray.per_p / ray.passed;
   ray.last.meetings = from.last.meetings;
   ray.last.turned = from.last.turned;
   ray.behind = from.behind;
@@ -310,6 +314,7 @@ Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Mask
                     const Vertical<T>& axis, const Samples<T>& samples) {
   Vertex<T> v{walk_point(photon)};
   v.chance = ray.chance;
+  v.passed = ray.passed;
   const T growth = T(1) / exp_minus(leg.walk_tau);
   const T straight = select(leg.mirrored, T(0), growth);
   // A mirrored first edge can be connected: to the instrument's mirror image.
@@ -319,9 +324,10 @@ Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Mask
   v.meeting = samples.meeting(-photon.position.z) * drawn * photon.direction.z;
   v.turn = samples.turned * T(2 * pi) * drawn;
   v.last_turn = ray.turn;
-  v.last_turn.density = ray.turn.density * straight;
+  const T over_passed = straight / ray.passed;
+  v.last_turn.density = ray.turn.density * over_passed;
   v.last.edges = ray.last.edges;
-  v.last.meetings = turning(ray.meeting, straight * photon.direction.z);
+  v.last.meetings = turning(ray.meeting, over_passed * photon.direction.z);
   v.last.turned = v.last_turn.about(axis);
   v.behind.edges = ray.behind.edges;
   v.behind.meetings = ray.behind.meetings + v.last.meetings;

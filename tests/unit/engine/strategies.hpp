@@ -52,6 +52,7 @@ struct Strategies {
   /// The same of meeting at vertex i.
   [[nodiscard]] double meeting(std::int32_t i) const {
     const double steep = -at(i - 1).arriving.z * at(i).leaving.z;
+    if (steep <= 0) return 0;
     return samples.meeting(-path.x(i).z) * shift_area * steep * drawn_but(i);
   }
   /// The same of turning about the conversion so that rays meet at vertex i.
@@ -74,8 +75,7 @@ struct Strategies {
   /// Where rays can meet at vertex i: 1 over what is not drawn of it.
   [[nodiscard]] double drawn_but(std::int32_t i) const {
     if (i > most || path.order() - i + 1 > most) return 0;
-    if (at(i - 1).arriving.z * at(i).leaving.z >= 0 || at(i - 1).mirrored || at(i).mirrored)
-      return 0;
+    if (at(i - 1).mirrored || at(i).mirrored) return 0;
     return std::exp(at(i - 1).walk_tau + at(i).walk_tau) * chance_of_meeting(i) /
            (walk_c(i) * phase(i));
   }
@@ -120,21 +120,36 @@ struct Strategies {
   /// That it does at the conversion and finds the path's direction, over the phase function.
   [[nodiscard]] double turns_back() const {
     const auto& r = world.reversal;
-    const double lobe = world.sea.phases.value<double>(
-        one_minus_cos(r.beam, -at(path.converted - 1).arriving), r.lobe);
-    return reversal(path.converted) * ((1 - r.directed) / (4 * pi) + r.directed * lobe) /
+    return reversal(path.converted) *
+           ((1 - r.directed) / (4 * pi) + r.directed * lobe(path.converted)) /
            phase(path.converted);
   }
+  /// Of the direction in which a telescope's walk leaves vertex i.
+  [[nodiscard]] double lobe(std::int32_t i) const {
+    return world.sea.phases.value<double>(one_minus_cos(world.reversal.beam, -at(i - 1).arriving),
+                                          world.reversal.lobe);
+  }
+  /// That it finds the path's directions where it scatters the laser's light from vertex `from` on,
+  /// over the phase functions.
+  [[nodiscard]] double scatters(std::int32_t from) const {
+    const double share = world.reversal.scattered;
+    double chance = 1;
+    for (std::int32_t i = from; i <= path.order(); ++i)
+      if (path.line_of(i) == 0) chance *= 1 - share + share * lobe(i) / phase(i);
+    return chance;
+  }
   [[nodiscard]] double chance_of_connecting(std::int32_t e) const {
-    if (path.converted == 0) return 1;
+    if (path.converted == 0) return scatters(e + 2);
     if (e > path.converted) return 0;
     if (e == path.converted) return ratio() * stays_converted(path.converted + 2);
-    return stays_converted(path.converted + 1) * (e < path.converted - 1 ? turns_back() : 1);
+    return stays_converted(path.converted + 1) * (e < path.converted - 1 ? turns_back() : 1) *
+           scatters(e + 2);
   }
   [[nodiscard]] double chance_of_meeting(std::int32_t i) const {
-    if (path.converted == 0) return 1;
+    if (path.converted == 0) return scatters(i + 1);
     if (i > path.converted) return 0;
-    return stays_converted(path.converted + 1) * (i < path.converted ? turns_back() : 1);
+    return stays_converted(path.converted + 1) * (i < path.converted ? turns_back() : 1) *
+           scatters(i + 1);
   }
 
   void add_water(Edge& e, std::int32_t line, const std::vector<V>& points) const {

@@ -115,6 +115,7 @@ void fields(P& a, S& b, F f) {
   walk_point_fields(a, b, f);
   f(a.left_chance, b.left_chance, "chance before");
   f(a.chance, b.chance, "chance");
+  f(a.passed, b.passed, "passed");
   f(a.per_p, b.per_p, "per p");
   fields(a.last, b.last, f);
   fields(a.behind, b.behind, f);
@@ -126,6 +127,7 @@ template <class P, class S, class F>
 void fields(P& a, S& b, F f) {
   walk_point_fields(a, b, f);
   f(a.chance, b.chance, "chance");
+  f(a.passed, b.passed, "passed");
   f(a.open, b.open, "open");
   f(a.meeting, b.meeting, "meeting");
   f(a.turn, b.turn, "turn");
@@ -145,6 +147,7 @@ template <class P, class S, class F>
 void fields(P& a, S& b, F f) {
   f(a.p, b.p, "p");
   f(a.chance, b.chance, "chance");
+  f(a.passed, b.passed, "passed");
   f(a.density, b.density, "density");
 }
 template <class P, class S, class F>
@@ -170,6 +173,7 @@ void fields(P& a, S& b, F f) {
   f(a.directed, b.directed, "directed");
   fields(a.beam, b.beam, f);
   f(a.lobe, b.lobe, "lobe");
+  f(a.scattered, b.scattered, "scattered");
 }
 template <class P, class S, class F>
   requires is_packed<P, MeetingGrid>

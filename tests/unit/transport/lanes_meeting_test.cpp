@@ -18,7 +18,8 @@ Samples<double> random_samples(Random& random) {
           {random.between(0, 5), 30, random.scale(1, 100)}};
 }
 Reversal<double> random_reversal(Random& random) {
-  return {random.uniform(), random.uniform(), random.direction(), random.below(5)};
+  return {random.uniform(), random.uniform(), random.direction(), random.below(5),
+          random.chance(0.5) ? random.between(0, 0.5) : 0.0};
 }
 Densities<double> random_densities(Random& random) {
   return {random.scale(1e-3, 1e3), random.scale(1e-3, 1e3), random.scale(1e-3, 1e3)};
@@ -38,6 +39,7 @@ Ray<double> random_ray(const medium::Medium& sea, Random& random) {
   Ray<double> ray{walk_point(random_photon(sea, random))};
   ray.left_chance = random.uniform();
   ray.chance = random.uniform();
+  ray.passed = random.between(0.5, 5);
   ray.per_p = random.scale(1e-3, 1e3);
   ray.last = random_densities(random);
   ray.behind = random_densities(random);
@@ -55,6 +57,7 @@ Vertex<double> random_vertex(const medium::Medium& sea, Random& random) {
           photon.line,
           photon.layer,
           random.uniform(),
+          random.between(0.5, 5),
           random.chance(0.2) ? 0 : random.uniform(),
           random.between(-1, 1),
           random.uniform(),
@@ -130,12 +133,14 @@ TEST(LanesOf, DepartAndNextRay) {
     auto photon4 = pack(photon);
     const auto a = uniforms4(random), b = uniforms4(random), c = uniforms4(random),
                d = uniforms4(random);
-    const auto departure4 =
-        depart(sea.view(), photon4, in_all_lanes(reversal), {pack(a), pack(b), pack(c), pack(d)});
+    const bool from_telescope = random.chance(0.5);
+    const auto departure4 = depart(sea.view(), photon4, in_all_lanes(reversal),
+                                   {pack(a), pack(b), pack(c), pack(d)}, from_telescope);
     const auto ray4 = next_ray(photon4, pack_fields<Vertex>(vertex), departure4);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto line = photon[i].line;
-      const auto departure = depart(sea.view(), photon[i], reversal, {a[i], b[i], c[i], d[i]});
+      const auto departure =
+          depart(sea.view(), photon[i], reversal, {a[i], b[i], c[i], d[i]}, from_telescope);
       expect_same(photon4, i, photon[i]);
       expect_same_fields(departure4, i, departure);
       expect_same_fields(ray4, i, next_ray(photon[i], vertex[i], departure));
@@ -163,7 +168,7 @@ TEST(LanesOf, Joints) {
     const auto freedom = four([&] { return random_freedom(random); });
     const auto freedom4 = pack_fields<Freedom>(freedom);
     const auto scattered4 = scattering_from_laser(view, vertex4, pack(behind), pack(direction),
-                                                  pack(goes_on), freedom4);
+                                                  reversal4, pack(goes_on), freedom4);
     const auto converted4 =
         conversion_from_laser(view, vertex4, pack(behind), pack(direction), pack(line), reversal4,
                               pack(chance), pack(goes_on), freedom4);
@@ -174,7 +179,7 @@ TEST(LanesOf, Joints) {
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& v = vertex[i];
       const auto scattered =
-          scattering_from_laser(view, v, behind[i], direction[i], goes_on[i], freedom[i]);
+          scattering_from_laser(view, v, behind[i], direction[i], reversal, goes_on[i], freedom[i]);
       const auto arrived = arrival_from_laser(view, v, direction[i], reversal, freedom[i]);
       expect_same_fields(scattered4, i, scattered);
       expect_same_fields(converted4, i,

@@ -79,7 +79,8 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
     const auto lens = lens_point(telescope, random.uniform(), random.uniform());
     const Pair pair = random_pair(telescope, random);
     const auto c = chord(pair.laser, pair.back, telescope, lens, deepest);
-    exists += c.exists;
+    const bool may = turns_back(pair.laser, pair.back);
+    exists += may && c.exists;
     parallel += c.exists && pair.laser.direction == pair.back.direction;
     for (int i = 0; i < 20; ++i) {
       const double length = c.to - c.from;
@@ -89,7 +90,7 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
       if (std::abs(depth - c.from) < 1e-8 || std::abs(depth - c.to) < 1e-8) continue;
       instrument::PlanePoint<double> shifted{};
       const bool meets = can_meet(pair, telescope, lens, depth, shifted);
-      ASSERT_EQ(meets, c.exists && depth > c.from && depth < c.to) << n << " " << depth;
+      ASSERT_EQ(meets, may && c.exists && depth > c.from && depth < c.to) << n << " " << depth;
       if (!meets) {
         ++outside;
         continue;
@@ -125,14 +126,14 @@ TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
     const Vertical<double> axis{true, random.between(-5, 5), random.between(-5, 5)};
     const auto c = crossings(pair.laser, pair.back, axis, deepest);
     int found = 0;
-    const bool same_way = pair.laser.direction.z * pair.back.direction.z > 0;
-    const bool down = pair.laser.direction.z < 0;
+    const bool laser_down = pair.laser.direction.z < 0, back_down = pair.back.direction.z < 0;
     const double a = -pair.laser.position.z, b = -pair.back.position.z;
-    const double from = down ? std::max(a, b) : 0, to = down ? deepest : std::min(a, b);
+    const double from = std::max(laser_down ? a : 0, back_down ? b : 0);
+    const double to = std::min(laser_down ? deepest : a, back_down ? deepest : b);
     const auto difference = [&](double depth) {
       return off_axis(pair.laser, axis, depth) - off_axis(pair.back, axis, depth);
     };
-    for (int i = 0; same_way && to > from && i < steps; ++i) {
+    for (int i = 0; to > from && i < steps; ++i) {
       const double upper = from + (to - from) * i / steps;
       const double lower = from + (to - from) * (i + 1) / steps;
       if (difference(upper) * difference(lower) >= 0) continue;
@@ -164,7 +165,7 @@ TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
   }
   EXPECT_GT(crossed, 200);
   EXPECT_GT(twice, 50);
-  EXPECT_GT(none, 300);
+  EXPECT_GT(none, 200);
 }
 
 // Floats have no squares of squares of what is that near. Seen red: with one root of the product of
