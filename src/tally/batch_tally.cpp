@@ -39,6 +39,7 @@ std::span<const GateShare> BatchTally::add(const Score& s) {
     return {};
   }
   const auto gates = gates_of(s);
+  if (gates.empty()) return {};
   const bool beyond = shape_->max_order > 0 && s.order > shape_->max_order;
   const auto order = std::min(static_cast<std::size_t>(s.order), shape_->orders) - 1;
   const auto process =
