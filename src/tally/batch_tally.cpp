@@ -18,7 +18,7 @@ BatchTally::BatchTally(const Shape& shape, const Gates& gates)
       shape_(&shape),
       gates_(&gates) {}
 
-std::span<const GateShare> BatchTally::gates_of(const Score& s) {
+inline std::span<const GateShare> BatchTally::gates_of(const Score& s) {
   if (!shape_->decay_of_line.empty()) {
     const Decay& decay = shape_->decay_of_line[static_cast<std::size_t>(s.line)];
     if (!decay.at_once()) {
