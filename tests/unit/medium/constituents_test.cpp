@@ -51,8 +51,7 @@ TEST(Constituents, AddUp) {
 }
 
 // A layer's own salinity and temperature: in what its water absorbs and scatters, not in where the
-// light goes and when. Seen red: with the sea's temperature in either; with the layer's salinity in
-// the other layer.
+// light goes and when. Seen red: with the sea's temperature; with its salinity.
 TEST(Constituents, AreInWaterOfTheLayersSalinityAndTemperature) {
   auto layer = algae_layer(0.5);
   auto scene = scene_of({layer, layer}, {test::channel_of("elastic"), test::channel_of("raman")});

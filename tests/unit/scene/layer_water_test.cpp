@@ -64,8 +64,8 @@ TEST(LayerWater, ProfilesOfSalinityAreCutBy35Psu) {
 // Seen red: with means as they are rounded.
 TEST(LayerWater, MayBeAtTheEndOfItsRange) {
   const Scene scene = read_text(with_keys(
-      "temperature_c = { depth_m = [0, 3, 7, 13, 20], value = [-2, -2, -2, -2, -2] }\n"
-      "salinity_psu = { depth_m = [0, 0.1, 0.7, 1.3, 20], value = [45, 45, 45, 45, 45] }"));
+      "temperature_c = { depth_m = [0, 6.3, 14.9, 17.7, 20], value = [-2, -2, -2, -2, -2] }\n"
+      "salinity_psu = { depth_m = [0, 6.4, 16.9, 17.8, 20], value = [45, 45, 45, 45, 45] }"));
   EXPECT_EQ(scene.sea.layer[0].temperature_c, -2);
   EXPECT_EQ(scene.sea.layer[0].salinity_psu, 45);
 }

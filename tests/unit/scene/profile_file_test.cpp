@@ -175,6 +175,9 @@ TEST(FloatProfile, LevelsFlaggedBadAreLeftOutWithARemark) {
   EXPECT_EQ(files.without_folder(reading.remarks[1]),
             "scene.toml:22:21: float.nc: 2 of 5 levels of CHLA have no value or no depth and are "
             "left out; the widest gap is from 9.932 to 29.79 m");
+  const auto of_second = files.problems(profiled(from_float + ", profile = 1"));
+  ASSERT_EQ(of_second.size(), 1U);
+  EXPECT_NE(of_second[0].find("profile 1 has values at 0 of 5 levels"), std::string::npos);
   files.netcdf["PRES_QC"] = {dimensions, {2, 5}, "", {1, 1, 9, none, 1, 1, 1, 1, 1, 1}};
   EXPECT_NEAR(mean_chlorophyll(files.read(profiled(from_float)).scene),
               expected_mean({0, 30}, {0.1, 0.3}), 1e-14);
