@@ -26,9 +26,10 @@ Decay::Decay(double lifetime_ns, const Gates& gates)
 
 void Decay::spread(double path, const Gates& gates, std::vector<GateShare>& out) const {
   out.clear();
-  if (!(path < last_path_)) return;
   double stays = 0;
   std::int32_t gate = gates.find(path);
+  // In no gate, but for rounding before the first one or after the last.
+  if (gate < 0 && !(path - first_path_ < last_path_ - path)) return;
   if (gate >= 0) {
     const double to_end = std::max(0.0, gates.edge_path(gate + 1) - path) * per_metre_;
     out.push_back({gate, -std::expm1(-to_end)});

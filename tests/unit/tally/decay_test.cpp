@@ -61,6 +61,26 @@ TEST(Decay, NothingComesBeforeItsTimeOrAfterTheGates) {
   EXPECT_EQ(shares_of(1, t.gates, t.gates.edge_path(0) - 100), (std::array<double, 4>{}));
 }
 
+// Gates find their ends but for rounding: what is a hair before the last one has not come before
+// the first one. Seen red: with all that is in no gate and before the end taken for what came
+// before.
+TEST(Decay, RoundingTakesNothingFromTheEndToTheBeginning) {
+  for (double depth = 10; depth < 40; depth += 0.37) {
+    auto scene = Tallies::scene();
+    scene.gates.depth_m = {0.1, depth, depth / 4.1};
+    const Gates gates(scene, lines());
+    std::vector<GateShare> shares;
+    for (double path = gates.last_path(); path > gates.last_path() - 1e-13;
+         path = std::nextafter(path, 0)) {
+      Decay(5, gates).spread(path, gates, shares);
+      for (const auto& [gate, share] : shares) EXPECT_EQ(gate, gates.count() - 1) << depth;
+    }
+    Decay(5, gates).spread(gates.edge_path(0), gates, shares);
+    ASSERT_FALSE(shares.empty());
+    EXPECT_EQ(shares.front().gate, 0);
+  }
+}
+
 TEST(Decay, MayBeAtOnce) {
   const Tallies t;
   EXPECT_TRUE(Decay().at_once());
