@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <vector>
 
 #include "core/isa.hpp"
@@ -68,6 +69,10 @@ struct Case {
   const char* estimator;
   bool lanes;
   double start_ns;
+  friend std::ostream& operator<<(std::ostream& out, const Case& c) {
+    return out << fmt::format("{} {} from {} ns", c.estimator, c.lanes ? "lanes" : "scalar",
+                              c.start_ns);
+  }
 };
 
 // That scores are not where a fine gate has its middle is what is left of the difference: it fell
