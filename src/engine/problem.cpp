@@ -46,6 +46,8 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
     const auto at = std::find(processes.begin(), processes.end(), line.process);
     shape.process_of_line.push_back(static_cast<std::int32_t>(at - processes.begin()));
   }
+  if (std::ranges::any_of(medium.line, [](const auto& line) { return line.lifetime_ns > 0; }))
+    for (const auto& line : medium.line) shape.decay_of_line.emplace_back(line.lifetime_ns, gates);
   return shape;
 }
 

@@ -24,7 +24,21 @@ class Variable {
     check(nc_inq_varid(file_.id(), name_.c_str(), &id_));
   }
 
-  scene::NetcdfVariable read() const {
+  [[nodiscard]] scene::NetcdfVariable flags() const {
+    if (type() != NC_CHAR) return read();
+    scene::NetcdfVariable out;
+    read_shape(out);
+    std::string text(count(out), ' ');
+    if (!text.empty()) check(nc_get_var_text(file_.id(), id_, text.data()));
+    for (const char c : text)
+      out.value.push_back(c >= '0' && c <= '9' ? c - '0'
+                                               : std::numeric_limits<double>::quiet_NaN());
+    return out;
+  }
+
+  [[nodiscard]] scene::NetcdfVariable read() const {
+    if (type() < NC_BYTE || type() > NC_UINT64 || type() == NC_CHAR)
+      refuse("does not hold numbers");
     scene::NetcdfVariable out;
     read_shape(out);
     out.units = units();
@@ -41,11 +55,14 @@ class Variable {
   }
 
  private:
-  void read_shape(scene::NetcdfVariable& out) const {
+  [[nodiscard]] nc_type type() const {
     nc_type type = NC_NAT;
-    int dimensions = 0;
     check(nc_inq_vartype(file_.id(), id_, &type));
-    if (type < NC_BYTE || type > NC_UINT64 || type == NC_CHAR) refuse("does not hold numbers");
+    return type;
+  }
+
+  void read_shape(scene::NetcdfVariable& out) const {
+    int dimensions = 0;
     check(nc_inq_varndims(file_.id(), id_, &dimensions));
     std::vector<int> ids(static_cast<std::size_t>(dimensions));
     check(nc_inq_vardimid(file_.id(), id_, ids.data()));
@@ -102,9 +119,7 @@ class Variable {
 
   /// What netCDF puts where nothing was written. Bytes have none: all their values are in use.
   [[nodiscard]] std::optional<double> default_fill() const {
-    nc_type type = NC_NAT;
-    check(nc_inq_vartype(file_.id(), id_, &type));
-    switch (type) {
+    switch (type()) {
       case NC_FLOAT:
         return static_cast<double>(NC_FILL_FLOAT);
       case NC_DOUBLE:
@@ -150,6 +165,11 @@ scene::NetcdfVariable netcdf_variable(const std::string& path, const std::string
   return Variable(file, name).read();
 }
 
-scene::NetcdfFiles netcdf_files() { return {netcdf_names, netcdf_variable}; }
+scene::NetcdfVariable netcdf_flags(const std::string& path, const std::string& name) {
+  const NetcdfReader file(path, what_is_wanted);
+  return Variable(file, name).flags();
+}
+
+scene::NetcdfFiles netcdf_files() { return {netcdf_names, netcdf_variable, netcdf_flags}; }
 
 }  // namespace photic::io

@@ -15,7 +15,11 @@ std::vector<std::string> netcdf_names(const std::string& path);
 /// missing_value (CF-1.10, sections 2.5.1 and 8.1).
 scene::NetcdfVariable netcdf_variable(const std::string& path, const std::string& name);
 
-/// Both, for those who read scenes. They throw EnvironmentError for a file that cannot be read and
+/// A variable of flags: of numbers, or of the characters 0 to 9 as floats write them, with NaN for
+/// any other character.
+scene::NetcdfVariable netcdf_flags(const std::string& path, const std::string& name);
+
+/// All, for those who read scenes. They throw EnvironmentError for a file that cannot be read and
 /// InputError for one that is of no use, or so large that it is no such table.
 scene::NetcdfFiles netcdf_files();
 

@@ -25,11 +25,22 @@ std::vector<Column> columns_of(const OpticalTable& table) {
                                  {"albedo", table.albedo()},
                                  {"mean_cosine", table.mean_cosine},
                                  {"a_phytoplankton_per_m", table.a_exciting_per_m}};
-  for (const auto& [name, a, b] : table.parts) {
+  for (const auto& [name, a, b, bb] : table.parts) {
     if (!a.empty()) columns.push_back({"a_" + name_in_files(name) + "_per_m", a});
     if (!b.empty()) columns.push_back({"b_" + name_in_files(name) + "_per_m", b});
+    if (!bb.empty()) columns.push_back({"bb_" + name_in_files(name) + "_per_m", bb});
   }
   return columns;
+}
+
+/// All lines of a process's light in a layer.
+std::string spectrum_line(const OpticalTable::Emission& emission, std::size_t layer) {
+  const std::size_t count = emission.wavelength_nm.size();
+  std::string out = "#   of which, by line";
+  for (std::size_t i = 0; i < count; ++i)
+    out += fmt::format("{} {:.2f} nm: {:.6g}", i == 0 ? ":" : ",", emission.wavelength_nm[i],
+                       emission.line_per_m[layer * count + i]);
+  return out + '\n';
 }
 
 std::string head(const OpticalTable& table, const OpticsOrigin& origin) {
@@ -44,10 +55,12 @@ std::string head(const OpticalTable& table, const OpticsOrigin& origin) {
       "the scattering angle\n"
       "# a_phytoplankton_per_m: the share of a that excites chlorophyll fluorescence\n";
   for (const auto& emission : table.emission) {
-    for (std::size_t k = 0; k < table.layers(); ++k)
+    for (std::size_t k = 0; k < table.layers(); ++k) {
       out +=
           fmt::format("# {} light, excited at {} nm, from depth_m {}: {} per m\n", emission.process,
                       table.excitation_nm, table.edge_m[k], emission.coefficient_per_m[k]);
+      if (emission.coefficient_per_m[k] > 0) out += spectrum_line(emission, k);
+    }
   }
   for (const auto& source : table.sources) out += "# " + one_line(source_line(source)) + '\n';
   for (const auto& emission : table.emission)

@@ -19,6 +19,7 @@ Json part(const OpticalTable& table, const OpticalTable::Part& part, std::size_t
   const std::size_t count = table.wavelengths();
   if (!part.a_per_m.empty()) out["a_per_m"] = in_layer(part.a_per_m, layer, count);
   if (!part.b_per_m.empty()) out["b_per_m"] = in_layer(part.b_per_m, layer, count);
+  if (!part.bb_per_m.empty()) out["bb_per_m"] = in_layer(part.bb_per_m, layer, count);
   return out;
 }
 

@@ -107,6 +107,7 @@ void add_parts(NetcdfImage& file, const OpticalTable& table) {
     };
     add("a", "absorption", part.a_per_m);
     add("b", "scattering", part.b_per_m);
+    add("bb", "backscattering", part.bb_per_m);
   }
 }
 

@@ -72,7 +72,7 @@ std::string totals(const OpticalTable& table, std::size_t layer) {
 std::string parts(const OpticalTable& table, std::size_t layer) {
   const std::size_t count = table.wavelengths(), first = layer * count;
   std::vector<TextColumn> columns = {wavelengths(table)};
-  for (const auto& [name, a, b] : table.parts) {
+  for (const auto& [name, a, b, bb] : table.parts) {
     const auto add = [&](const char* letter, const std::vector<double>& values) {
       if (!values.empty() && !std::isnan(values[first]))
         columns.push_back(
@@ -80,6 +80,7 @@ std::string parts(const OpticalTable& table, std::size_t layer) {
     };
     add("a", a);
     add("b", b);
+    add("b_b", bb);
   }
   return columns.size() == 1 ? "" : "\n  of these, by constituent [1/m]\n" + side_by_side(columns);
 }

@@ -61,6 +61,7 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   for (const EmittedLine& emitted : light.lines) {
     Line line = make_line(scene.sea, emitted.process, emitted.wavelength_nm);
     line.photons = emitted.photons;
+    line.lifetime_ns = lifetime_ns(scene.optics, emitted.process);
     line.counted_by = emitted.counted_by;
     medium.line.push_back(std::move(line));
   }

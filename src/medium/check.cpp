@@ -157,8 +157,8 @@ std::optional<WaterOptics> Checker::check_layer(std::size_t k, const Wavelength&
   const auto ask_for = [&](const auto& part) {
     good = ask(light.path, part, light.why_here).has_value() && good;
   };
-  ask_for([&] { return optics_of_.water_absorption(light.nm); });
-  ask_for([&] { return optics_of_.water_scattering(light.nm); });
+  ask_for([&] { return optics_of_.water_absorption(layer, light.nm); });
+  ask_for([&] { return optics_of_.water_scattering(layer, light.nm); });
   ask_for([&] { return optics_of_.phytoplankton(layer, light.nm); });
   ask_for([&] { return optics_of_.minerals(layer, light.nm); });
   return good ? ask(layer_path(k), all, light.why_there) : std::nullopt;

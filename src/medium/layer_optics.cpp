@@ -103,14 +103,24 @@ WaterOptics LayerOptics::operator()(const scene::Layer& layer, double wavelength
   return water;
 }
 
-optics::Sourced LayerOptics::water_absorption(double wavelength_nm) const {
-  return optics::water_absorption_per_m(*library_, scene_->optics.water_absorption, wavelength_nm,
-                                        scene_->sea.salinity_psu, scene_->sea.temperature_c);
+double LayerOptics::salinity_psu(const scene::Layer& layer) const {
+  return layer.salinity_psu.value_or(scene_->sea.salinity_psu);
 }
 
-optics::Sourced LayerOptics::water_scattering(double wavelength_nm) const {
+double LayerOptics::temperature_c(const scene::Layer& layer) const {
+  return layer.temperature_c.value_or(scene_->sea.temperature_c);
+}
+
+optics::Sourced LayerOptics::water_absorption(const scene::Layer& layer,
+                                              double wavelength_nm) const {
+  return optics::water_absorption_per_m(*library_, scene_->optics.water_absorption, wavelength_nm,
+                                        salinity_psu(layer), temperature_c(layer));
+}
+
+optics::Sourced LayerOptics::water_scattering(const scene::Layer& layer,
+                                              double wavelength_nm) const {
   return optics::water_scattering_per_m(*library_, scene_->optics.water_scattering, wavelength_nm,
-                                        scene_->sea.salinity_psu, scene_->sea.temperature_c);
+                                        salinity_psu(layer), temperature_c(layer));
 }
 
 optics::Phytoplankton LayerOptics::phytoplankton(const scene::Layer& layer,
@@ -134,8 +144,8 @@ optics::Minerals LayerOptics::minerals(const scene::Layer& layer, double wavelen
 }
 
 WaterOptics LayerOptics::of_constituents(const scene::Layer& layer, double wavelength_nm) const {
-  const auto a_water = water_absorption(wavelength_nm);
-  const auto b_water = water_scattering(wavelength_nm);
+  const auto a_water = water_absorption(layer, wavelength_nm);
+  const auto b_water = water_scattering(layer, wavelength_nm);
   const auto algae = phytoplankton(layer, wavelength_nm);
   const auto minerals_there = minerals(layer, wavelength_nm);
   const double a_cdom =
@@ -169,7 +179,7 @@ WaterOptics LayerOptics::of_jerlov_type(const scene::Layer& layer, double wavele
   WaterOptics water;
   water.a_per_m = all.a_per_m;
   water.b_per_m = all.b_per_m;
-  water.b_molecular_per_m = std::min(all.b_per_m, water_scattering(wavelength_nm).value);
+  water.b_molecular_per_m = std::min(all.b_per_m, water_scattering(layer, wavelength_nm).value);
   water.b_phytoplankton_per_m = all.b_per_m - water.b_molecular_per_m;
   water.contributions = {{"", all.a_per_m, all.b_per_m, all.source}};
   return water;

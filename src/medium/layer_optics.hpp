@@ -58,8 +58,10 @@ class LayerOptics {
   WaterOptics operator()(const scene::Layer& layer, double wavelength_nm) const;
 
   /// What a layer of constituents is made of.
-  [[nodiscard]] optics::Sourced water_absorption(double wavelength_nm) const;
-  [[nodiscard]] optics::Sourced water_scattering(double wavelength_nm) const;
+  [[nodiscard]] optics::Sourced water_absorption(const scene::Layer& layer,
+                                                 double wavelength_nm) const;
+  [[nodiscard]] optics::Sourced water_scattering(const scene::Layer& layer,
+                                                 double wavelength_nm) const;
   [[nodiscard]] optics::Phytoplankton phytoplankton(const scene::Layer& layer,
                                                     double wavelength_nm) const;
   [[nodiscard]] optics::Minerals minerals(const scene::Layer& layer, double wavelength_nm) const;
@@ -76,6 +78,9 @@ class LayerOptics {
                                          double wavelength_nm) const;
 
  private:
+  /// A layer's own, or else the sea's.
+  [[nodiscard]] double salinity_psu(const scene::Layer& layer) const;
+  [[nodiscard]] double temperature_c(const scene::Layer& layer) const;
   [[nodiscard]] optics::Spheres spheres(const optics::SeaParticles& particles,
                                         double wavelength_nm) const;
   /// Of particles, by the model that the scene names for them.

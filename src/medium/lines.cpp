@@ -40,6 +40,10 @@ std::vector<Emitter> emitters_of(const scene::Scene& scene, const optics::Librar
        by_chlorophyll}};
   if (std::ranges::any_of(by_cdom, [](double a) { return a > 0; }))
     out.push_back({Process::cdom, cdom_emission(scene, library), by_cdom});
+  for (Emitter& emitter : out) {
+    if (const double lifetime = lifetime_ns(choice, emitter.process); lifetime > 0)
+      emitter.emission.source += fmt::format("; lifetime {:g} ns, given in the scene", lifetime);
+  }
   return out;
 }
 
@@ -85,6 +89,12 @@ Line make_line(const scene::Sea& sea, Process process, double wavelength_nm) {
                          ? *sea.group_index
                          : optics::group_index(wavelength_nm, sea.salinity_psu, sea.temperature_c);
   return line;
+}
+
+double lifetime_ns(const scene::Optics& optics, Process process) {
+  return process == Process::chlorophyll ? optics.chlorophyll_lifetime_ns
+         : process == Process::cdom      ? optics.cdom_lifetime_ns
+                                         : 0.0;
 }
 
 std::vector<double> counted_by(const scene::Scene& scene,

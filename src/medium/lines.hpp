@@ -17,8 +17,12 @@ namespace photic::medium {
 /// The index that bends rays. Throws InputError where it has no data.
 double refractive_index(const scene::Sea& sea, double wavelength_nm);
 
-/// Light of a process and wavelength in a sea. Throws InputError where its indices have no data.
+/// Light of a process and wavelength in a sea, emitted at once. Throws InputError where its indices
+/// have no data.
 Line make_line(const scene::Sea& sea, Process process, double wavelength_nm);
+
+/// The mean time from excitation to emission.
+double lifetime_ns(const scene::Optics& optics, Process process);
 
 /// The share of light of a wavelength and process that each channel counts.
 std::vector<double> counted_by(const scene::Scene& scene,

@@ -168,6 +168,7 @@ struct Line {
   double refractive_index = 1;
   double group_index = 1;
   double photons = 1;                   ///< in it, relative to others of its process
+  double lifetime_ns = 0;               ///< mean time from excitation to emission
   std::vector<double> counted_by = {};  ///< each channel of the scene: the share of its light
 };
 

@@ -5,18 +5,16 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "core/constants.hpp"
 #include "medium/layer_optics.hpp"
 #include "medium/lines.hpp"
+#include "medium/optical_parts.hpp"
 #include "optics/phase_table.hpp"
 
 namespace photic::medium {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Ascending, each once.
 void sort_each_once(std::vector<double>& values) {
@@ -24,9 +22,6 @@ void sort_each_once(std::vector<double>& values) {
   const auto repeated = std::ranges::unique(values);
   values.erase(repeated.begin(), repeated.end());
 }
-
-/// Of every layer at every wavelength, in the table's order.
-using WatersOptics = std::vector<WaterOptics>;
 
 /// 1 - cos, with its digits near the forward direction.
 double x_of(double angle_deg) {
@@ -39,38 +34,6 @@ void add_phase(const optics::PhaseTable& phase, OpticalTable& table) {
   table.mean_cosine.push_back(phase.mean_cosine());
   for (const double angle : table.angle_deg)
     table.phase_function_per_sr.push_back(phase.view().value<double>(x_of(angle)));
-}
-
-/// The values of one constituent, as OpticalTable::Part has them.
-std::vector<double> values_of(const std::string& name, std::optional<double> Contribution::*value,
-                              const WatersOptics& waters) {
-  std::vector<double> out;
-  bool told = false;
-  for (const WaterOptics& water : waters) {
-    double sum = 0;
-    for (const Contribution& each : water.contributions) {
-      if (each.name.empty()) sum = nan;
-      if (each.name != name || !(each.*value)) continue;
-      sum += *(each.*value);
-      told = true;
-    }
-    out.push_back(sum);
-  }
-  return told ? out : std::vector<double>{};
-}
-
-std::vector<OpticalTable::Part> parts_of(const WatersOptics& waters) {
-  std::vector<OpticalTable::Part> parts;
-  for (const WaterOptics& water : waters) {
-    for (const Contribution& each : water.contributions) {
-      const bool known =
-          std::ranges::find(parts, each.name, &OpticalTable::Part::name) != parts.end();
-      if (each.name.empty() || known) continue;
-      parts.push_back({each.name, values_of(each.name, &Contribution::a_per_m, waters),
-                       values_of(each.name, &Contribution::b_per_m, waters)});
-    }
-  }
-  return parts;
 }
 
 std::string quantity_of(const Contribution& contribution) {
@@ -185,11 +148,14 @@ OpticalTable optical_table(const scene::Scene& scene, const optics::Library& lib
   table.angle_deg = table_angles_deg();
   table.edge_m = {0.0};
   WatersOptics waters;
+  Backscattering backscattering_in(optics_of);
+  std::vector<BackscatteringByName> backscattering;
   for (const scene::Layer& layer : scene.sea.layer) {
     table.layer_name.push_back(layer.name);
     table.edge_m.push_back(layer.bottom_depth_m.value_or(std::numeric_limits<double>::infinity()));
     for (const double nm : wavelength_nm) {
       waters.push_back(optics_of(layer, nm));
+      backscattering.push_back(backscattering_in(layer, nm, waters.back()));
       table.a_per_m.push_back(waters.back().a_per_m);
       table.b_per_m.push_back(waters.back().b_per_m);
       table.a_exciting_per_m.push_back(waters.back().a_exciting_per_m);
@@ -198,7 +164,7 @@ OpticalTable optical_table(const scene::Scene& scene, const optics::Library& lib
         add_source(each, nm, table.sources);
     }
   }
-  table.parts = parts_of(waters);
+  table.parts = parts_of(waters, backscattering);
   table.excitation_nm = scene.source.wavelength_nm;
   table.emission = emission_in(scene, library, optics_of);
   return table;

@@ -13,11 +13,12 @@ namespace photic::medium {
 /// Values of a layer k at a wavelength w stand at k * wavelengths + w, those of a phase function at
 /// an angle i at (k * wavelengths + w) * angles + i.
 struct OpticalTable {
-  /// What one constituent absorbs and scatters. Empty where no layer's optics say anything of it,
-  /// NaN in a layer whose constituents are not known, 0 in one that has none of it.
+  /// What one constituent absorbs, scatters, and scatters backwards. Empty where no layer's optics
+  /// say anything of it, NaN in a layer whose constituents are not known, 0 in one that has none of
+  /// it.
   struct Part {
     std::string name;
-    std::vector<double> a_per_m, b_per_m;
+    std::vector<double> a_per_m, b_per_m, bb_per_m;
   };
   /// Where numbers come from: "a of water", and the wavelengths they were taken for.
   struct Source {

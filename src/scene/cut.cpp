@@ -9,10 +9,10 @@ namespace {
 /// The profiles of a layer and how far each may depart from its mean.
 class Cutter {
  public:
-  Cutter(const std::vector<Profile>& profiles, const Span& span, double tolerance)
+  Cutter(const std::vector<Varying>& profiles, const Span& span, double tolerance)
       : profiles_(profiles) {
-    for (const Profile& profile : profiles)
-      allowed_.push_back(tolerance * greatest(profile, span.top_m, span.bottom_m));
+    for (const Varying& varying : profiles)
+      allowed_.push_back(allowed_departure(varying, span, tolerance));
   }
 
   /// Where a layer from `top` down ends, at `bottom` at the deepest.
@@ -30,7 +30,7 @@ class Cutter {
  private:
   [[nodiscard]] bool holds(double a, double b) const {
     for (std::size_t i = 0; i < profiles_.size(); ++i)
-      if (!(departure(profiles_[i], a, b) <= allowed_[i])) return false;
+      if (!(departure(profiles_[i].profile, a, b) <= allowed_[i])) return false;
     return true;
   }
 
@@ -41,7 +41,7 @@ class Cutter {
     return power < 0 ? std::floor(depth * scale) / scale : std::floor(depth / scale) * scale;
   }
 
-  const std::vector<Profile>& profiles_;
+  const std::vector<Varying>& profiles_;
   std::vector<double> allowed_;
 };
 
@@ -61,7 +61,11 @@ double departure(const Profile& profile, double a_m, double b_m) {
   return std::max(high - centre, centre - low);
 }
 
-std::optional<std::vector<double>> cut(const std::vector<Profile>& profiles, const Span& span,
+double allowed_departure(const Varying& varying, const Span& span, double tolerance) {
+  return tolerance * varying.scale.value_or(greatest(varying.profile, span.top_m, span.bottom_m));
+}
+
+std::optional<std::vector<double>> cut(const std::vector<Varying>& profiles, const Span& span,
                                        double tolerance) {
   const Cutter cutter(profiles, span, tolerance);
   std::vector<double> ends;
@@ -76,7 +80,7 @@ std::optional<std::vector<double>> cut(const std::vector<Profile>& profiles, con
   return ends;
 }
 
-std::optional<double> tolerance_to_keep(const std::vector<Profile>& profiles, const Span& span,
+std::optional<double> tolerance_to_keep(const std::vector<Varying>& profiles, const Span& span,
                                         double tolerance) {
   for (const double power : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0}) {
     for (const double digit : {1.0, 2.0, 5.0}) {

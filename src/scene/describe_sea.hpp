@@ -59,6 +59,10 @@ void describe(V& v, Optics& o) {
     w.required("cdom_fluorescence_file", o.cdom_fluorescence_file, File{},
                "a CSV file of excitation_nm, emission_nm, yield_per_nm");
   });
+  v.optional("chlorophyll_lifetime_ns", o.chlorophyll_lifetime_ns, not_negative,
+             "the mean time from excitation to emission of chlorophyll's light in ns; 0: at once");
+  v.optional("cdom_lifetime_ns", o.cdom_lifetime_ns, not_negative,
+             "the same of the light of dissolved organic matter");
 }
 
 template <class V>
@@ -80,9 +84,15 @@ void describe(V& v, IopEntry& i) {
 inline constexpr const char* model_key = "model";
 inline constexpr const char* phase_function_meaning =
     "the phase function of all scattering, water's included";
-/// How far constituents may depart from their mean in what a layer is cut into, against their
-/// greatest value.
+/// How far constituents may depart from their mean in what a layer is cut into (cut.hpp).
 inline constexpr Number profile_tolerance_rule{.low = 0.0, .high = 1.0, .low_open = true};
+
+// Wider than the seas: the formulas behind were fitted to 0-40 PSU and 0-40 C (Millero 1980).
+inline constexpr Number salinity_rule = from_to(0.0, 45.0);
+inline constexpr Number temperature_rule = from_to(-2.0, 45.0);
+/// What their departures are measured against, 0 C being no less water than 20 C: what a sea has by
+/// default.
+inline constexpr double salinity_scale_psu = 35.0, temperature_scale_c = 20.0;
 
 /// Everything of a phase function but its share in a mixture.
 template <class V>
@@ -152,6 +162,14 @@ void describe(V& v, Layer& l) {
                         "how fast the absorption of dissolved organic matter falls, in 1/nm");
                     w.profiled("minerals_g_m3", l.minerals_g_m3, not_negative,
                                "the mass of suspended minerals in g/m3");
+                    w.profiled("salinity_psu", l.salinity_psu, salinity_rule,
+                               "the salinity in PSU, for the layer's absorption and scattering "
+                               "alone; by default the sea's, which bends and times all light",
+                               salinity_scale_psu);
+                    w.profiled("temperature_c", l.temperature_c, temperature_rule,
+                               "the temperature in C, for the layer's absorption and scattering "
+                               "alone; by default the sea's, which bends and times all light",
+                               temperature_scale_c);
                   }),
            option(!l.iop.empty(),
                   [&](auto& w) {
@@ -178,9 +196,8 @@ void describe(V& v, Surface& s) {
 
 template <class V>
 void describe(V& v, Sea& s) {
-  // Wider than the seas: the formulas behind were fitted to 0-40 PSU and 0-40 C (Millero 1980).
-  v.optional("salinity_psu", s.salinity_psu, from_to(0.0, 45.0), "the salinity in PSU");
-  v.optional("temperature_c", s.temperature_c, from_to(-2.0, 45.0), "the temperature in C");
+  v.optional("salinity_psu", s.salinity_psu, salinity_rule, "the salinity in PSU");
+  v.optional("temperature_c", s.temperature_c, temperature_rule, "the temperature in C");
   v.optional("refractive_index", s.refractive_index, from_to(1.0, 2.0),
              "replaces the refractive index from salinity and temperature, at all wavelengths");
   v.optional("group_index", s.group_index, from_to(1.0, 2.0),
@@ -191,7 +208,8 @@ void describe(V& v, Sea& s) {
                 "a file of optical properties by depth and wavelength, instead of layers");
   v.expanded("profile_tolerance", profile_tolerance_rule,
              "how far constituents may depart from their mean in the layers that profiles are cut "
-             "into, against their greatest value; 0.05 by default");
+             "into, against their greatest value, temperatures against 20 C, salinities against "
+             "35 PSU; 0.05 by default");
 }
 
 }  // namespace photic::scene

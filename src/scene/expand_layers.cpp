@@ -81,7 +81,8 @@ class LayerExpander {
     std::string key;
     std::string path;
     Place place;
-    Profile profile;
+    Varying varying;
+    Number rule;
   };
 
   /// From the bottom of the layer above to its own; nothing if they are missing or wrong.
@@ -102,7 +103,7 @@ class LayerExpander {
       const std::string path = below(below("sea.layer", out.size()), key.key);
       if (span) {
         if (auto profile = read_profile(*node, path, key, *span, files_, findings_))
-          found.push_back({key.key, path, node->place, std::move(*profile)});
+          found.push_back({key.key, path, node->place, {std::move(*profile), key.scale}, key.rule});
       } else if (!layers_[i].find(bottom_key)) {
         findings_.add(
             path, node->place,
@@ -128,8 +129,8 @@ class LayerExpander {
       }
     }
     if (found.empty()) return std::vector<double>{};
-    std::vector<Profile> profiles;
-    for (const Found& f : found) profiles.push_back(f.profile);
+    std::vector<Varying> profiles;
+    for (const Found& f : found) profiles.push_back(f.varying);
     auto ends = cut(profiles, *span, tolerance_);
     if (ends) return ends;
     const auto enough = tolerance_to_keep(profiles, *span, tolerance_);
@@ -146,10 +147,10 @@ class LayerExpander {
                         const std::vector<double>& ends) {
     constexpr double rounding = 1 + 1e-9;
     for (const Found& f : found) {
-      const double allowed = tolerance_ * greatest(f.profile, span.top_m, span.bottom_m);
+      const double allowed = allowed_departure(f.varying, span, tolerance_);
       double top = span.top_m;
       for (const double end : ends) {
-        const double most = departure(f.profile, top, end);
+        const double most = departure(f.varying.profile, top, end);
         if (!(most <= allowed * rounding)) {
           findings_.add(f.path, f.place,
                         fmt::format("'{}' departs from its mean by {:.3g} between {:.6g} and "
@@ -170,7 +171,10 @@ class LayerExpander {
     const double top = k == 0 ? span_of(i)->top_m : ends[k - 1];
     Node& part = out.emplace_back(layer);
     if (k + 1 < ends.size()) set_number(part, bottom_key, ends[k]);
-    for (const Found& f : found) set_number(part, f.key, mean(f.profile, top, ends[k]));
+    for (const Found& f : found) {  // rounding must not take a mean out of what values may be
+      const double value = mean(f.varying.profile, top, ends[k]);
+      set_number(part, f.key, std::clamp(value, f.rule.low, f.rule.high));
+    }
   }
 
   const Node::Array& layers_;

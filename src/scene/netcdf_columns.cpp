@@ -13,7 +13,7 @@ namespace photic::scene {
 
 NetcdfColumns::NetcdfColumns(std::string path, const NetcdfFiles& netcdf)
     : path_(std::move(path)), netcdf_(netcdf) {
-  expect(netcdf_.names && netcdf_.read,
+  expect(netcdf_.names && netcdf_.read && netcdf_.flags,
          "whoever reads scenes hands down how netCDF files are read");
   names_ = netcdf_.names(path_);
 }
@@ -23,9 +23,18 @@ bool NetcdfColumns::has(const std::string& name) const {
 }
 
 NetcdfVariable NetcdfColumns::read(const std::string& name) const {
+  expect_variable(name);
+  return netcdf_.read(path_, name);
+}
+
+NetcdfVariable NetcdfColumns::read_flags(const std::string& name) const {
+  expect_variable(name);
+  return netcdf_.flags(path_, name);
+}
+
+void NetcdfColumns::expect_variable(const std::string& name) const {
   if (!has(name))
     fail("", fmt::format("no variable \"{}\"", name), suggestion_for(name, names_, "there are"));
-  return netcdf_.read(path_, name);
 }
 
 void NetcdfColumns::fail(const std::string& what, const std::string& reason,

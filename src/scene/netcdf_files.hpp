@@ -17,10 +17,15 @@ struct NetcdfVariable {
   std::vector<double> value;        ///< the last dimension fastest
 };
 
-/// Both throw InputError for a file of no use, EnvironmentError for one that cannot be read.
+/// All throw InputError for a file of no use, EnvironmentError for one that cannot be read.
 struct NetcdfFiles {
   std::function<std::vector<std::string>(const std::string& path)> names;  ///< of the variables
   std::function<NetcdfVariable(const std::string& path, const std::string& name)> read;
+  /// A variable of flags: numbers, or the characters 0 to 9 (others are NaN).
+  std::function<NetcdfVariable(const std::string& path, const std::string& name)> flags;
 };
+
+/// The same, each list and variable being read once and kept: environments ask for them again.
+[[nodiscard]] NetcdfFiles read_once(const NetcdfFiles& files);
 
 }  // namespace photic::scene

@@ -41,6 +41,8 @@ constexpr const char* bends_and_times =
 constexpr const char* borders = "light crosses from layer to layer alike in all environments";
 constexpr const char* called = "all environments have the same layers";
 
+constexpr Fixed fixed_of_optics[] = {{"chlorophyll_lifetime_ns", times},
+                                     {"cdom_lifetime_ns", times}};
 constexpr Fixed fixed_of_sea[] = {{"salinity_psu", bends_and_times},
                                   {"temperature_c", bends_and_times},
                                   {"refractive_index", bends},
@@ -53,6 +55,10 @@ class Comparison {
  public:
   Comparison(const Findings& of_scene, Findings& findings)
       : of_scene_(of_scene), findings_(findings) {}
+
+  void compare_optics(const Node& scene, const Node& here) {
+    for (const Fixed& fixed : fixed_of_optics) compare(scene, here, "optics", fixed);
+  }
 
   void compare_seas(const Node& scene, const Node& here) {
     for (const Fixed& fixed : fixed_of_sea) compare(scene, here, "sea", fixed);
@@ -123,8 +129,10 @@ Scene OtherWater::read() {
   check_sea(scene, findings_);
   check_instrument(scene, findings_);
   check_gates(scene, findings_);
-  Comparison(reference_.findings, findings_)
-      .compare_seas(*reference_.written.find("sea"), *written(scene).find("sea"));
+  const Node here = written(scene);
+  Comparison comparison(reference_.findings, findings_);
+  comparison.compare_optics(*reference_.written.find("optics"), *here.find("optics"));
+  comparison.compare_seas(*reference_.written.find("sea"), *here.find("sea"));
   if (reference_.check) reference_.check(scene, findings_);
   return scene;
 }

@@ -1,11 +1,14 @@
 #include "scene/profile_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <tuple>
 
 #include "optics/data_table.hpp"
 #include "optics/pressure.hpp"
@@ -90,6 +93,36 @@ void to_depths(const NetcdfColumns& file, std::size_t profile, Levels& depth,
     z = optics::depth_of_pressure_m(z, latitude.value_or(latitude_by_default_deg));
 }
 
+/// Quality flags of Argo floats (Argo user's manual, reference table 2; from memory) that say that
+/// a value is probably bad, bad, or missing.
+bool is_bad(double flag) { return flag == 3 || flag == 4 || flag == 9; }
+
+/// Takes out the levels of a variable NAME that NAME_QC, if there is one, flags; how many they are.
+std::size_t drop_flagged(const NetcdfColumns& file, const std::string& name, std::size_t profile,
+                         const NetcdfVariable& variable, Levels& levels) {
+  const std::string flags_name = name + "_QC";
+  if (!file.has(flags_name)) return 0;
+  const NetcdfVariable flags = file.read_flags(flags_name);
+  if (flags.length != variable.length)
+    file.fail(shape_text(flags_name, flags),
+              fmt::format("should have a flag for each value of {}", shape_text(name, variable)));
+  const auto of_levels = levels_of(file, flags_name, flags, profile);
+  std::size_t dropped = 0;
+  for (std::size_t i = 0; i < levels.value.size(); ++i) {
+    if (!is_bad(of_levels.value[i]) || !std::isfinite(levels.value[i])) continue;
+    levels.value[i] = std::numeric_limits<double>::quiet_NaN();
+    ++dropped;
+  }
+  return dropped;
+}
+
+std::string flagged_text(const std::string& name, std::size_t dropped, std::size_t levels) {
+  return fmt::format(
+      "{}_QC flags {} of {} levels of {} as bad (3, 4) or missing (9), "
+      "which then have no value",
+      name, dropped, levels, name);
+}
+
 /// Levels that have both a depth and a value.
 struct Known {
   std::vector<std::size_t> level;
@@ -130,6 +163,12 @@ std::string others_text(const NetcdfVariable& variable) {
   return "no profile has values";
 }
 
+/// What may serve where flags leave nothing of a variable.
+std::string adjusted_text(const NetcdfColumns& file, const std::string& name) {
+  const std::string adjusted = name + "_ADJUSTED";
+  return file.has(adjusted) ? fmt::format("there is {}", adjusted) : "take another profile";
+}
+
 std::string gaps_text(const std::string& name, std::size_t levels, const Known& known) {
   double widest = 0, from = 0;
   for (std::size_t k = 1; k < known.depth_m.size(); ++k) {
@@ -164,20 +203,27 @@ ReadProfile profile_of_netcdf(const ProfileFile& from, const Number& rule,
   const NetcdfVariable variable = file.read(from.variable);
   const NetcdfVariable depths = file.read(from.depth);
   const auto profile = static_cast<std::size_t>(from.profile);
-  const Levels value = levels_of(file, from.variable, variable, profile);
+  Levels value = levels_of(file, from.variable, variable, profile);
   Levels depth = levels_of(file, from.depth, depths, depths.length.size() == 2 ? profile : 0);
   if (depth.value.size() != value.value.size())
     file.fail(shape_text(from.depth, depths),
               fmt::format("has {} levels where {} has {}", depth.value.size(), from.variable,
                           value.value.size()));
   std::vector<std::string> remarks;
+  for (const auto& [name, of, levels] :
+       {std::tuple(&from.variable, &variable, &value), {&from.depth, &depths, &depth}}) {
+    const std::size_t i = of->length.size() == 2 ? profile : 0;
+    if (const std::size_t dropped = drop_flagged(file, *name, i, *of, *levels))
+      remarks.push_back(flagged_text(*name, dropped, levels->value.size()));
+  }
+  const std::string flags = remarks.empty() ? "" : fmt::format(": {}", fmt::join(remarks, ", "));
   if (is_pressure(file, from.depth, depths)) to_depths(file, profile, depth, remarks);
   Known known = known_levels(depth, value);
   if (known.level.size() < 2)
     file.fail(from.variable,
-              fmt::format("profile {} has values at {} of {} levels; it takes two", from.profile,
-                          known.level.size(), value.value.size()),
-              others_text(variable));
+              fmt::format("profile {} has values at {} of {} levels; it takes two{}", from.profile,
+                          known.level.size(), value.value.size(), flags),
+              flags.empty() ? others_text(variable) : adjusted_text(file, from.variable));
   check_known(file, depth, value, known, rule);
   if (known.level.size() < value.value.size())
     remarks.push_back(gaps_text(from.variable, value.value.size(), known));

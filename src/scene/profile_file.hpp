@@ -22,7 +22,8 @@ ReadProfile profile_of_csv(const ProfileFile& from, const Number& rule);
 
 /// A variable of a netCDF file with the dimensions (levels) or (profiles, levels), such as floats
 /// write. Depths are in m, or pressures in dbar, which become depths at the file's LATITUDE. Levels
-/// without a value are left out. Throws InputError naming file, variable and level.
+/// without a value, and those that a variable of quality flags (NAME_QC) calls bad, are left out.
+/// Throws InputError naming file, variable and level.
 ReadProfile profile_of_netcdf(const ProfileFile& from, const Number& rule,
                               const NetcdfFiles& netcdf);
 

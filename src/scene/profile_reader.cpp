@@ -16,8 +16,9 @@ namespace {
 class ProfiledKeys {
  public:
   template <class T>
-  void profiled(const char* key, const T&, const Number& rule, const char*) {
-    keys.push_back({key, rule});
+  void profiled(const char* key, const T&, const Number& rule, const char*,
+                std::optional<double> scale = {}) {
+    keys.push_back({key, rule, scale});
   }
   template <class... Keys>
   void one_of(const Option<Keys>&... options) {
@@ -69,6 +70,14 @@ class ProfileReader {
   std::optional<Profile> model() {
     const auto form = keys<ProfileModel>();
     if (!form) return std::nullopt;
+    for (const char* key : {"background", "maximum"}) {
+      double checked = 0;
+      const Node& value = *node_.find(key);
+      if (const auto refusal = check(key_.rule, value, checked)) {
+        refuse(value.place, refusal->reason, refusal->suggestion);
+        return std::nullopt;
+      }
+    }
     if (form->maximum < form->background) {
       refuse(node_.find("maximum")->place,
              fmt::format("has a maximum of {}, below its background of {}",

@@ -16,6 +16,7 @@ namespace photic::scene {
 struct ProfiledKey {
   std::string key;
   Number rule;
+  std::optional<double> scale;  ///< what departures are measured against (Varying)
 };
 
 /// All such keys.

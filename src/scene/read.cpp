@@ -116,7 +116,8 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   add_files(document, folder, files);
   expand_grid(document, findings);
   expand_channels(document);
-  Layered layered{document, {folder, netcdf}, {}};
+  const NetcdfFiles kept_netcdf = read_once(netcdf);
+  Layered layered{document, {folder, kept_netcdf}, {}};
   layered.cuts = expand_layers(document, layered.files, nullptr, findings);
   Reading reading{scene_of(document, folder, findings), {}, std::move(files)};
   check_sea(reading.scene, findings);

@@ -38,7 +38,7 @@ class Reader : public TableReader {
 
   /// Profiles have become numbers.
   template <class T, class Rule>
-  void profiled(const char* key, T& value, const Rule& rule, const char* meaning) {
+  void profiled(const char* key, T& value, const Rule& rule, const char* meaning, double = 0) {
     optional(key, value, rule, meaning);
   }
 

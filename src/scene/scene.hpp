@@ -68,9 +68,11 @@ struct Optics {
   std::string minerals_phase;  ///< fournier-forand | petzold | mie
   std::string raman;           ///< bartlett | marshall-smith
   std::string emission;  ///< spectra | lines: chlorophyll's and Raman light at one wavelength each
-  double chlorophyll_share_730 = 0.0;  ///< of chlorophyll's light in its second band
-  std::string cdom_fluorescence;       ///< hawes | table
-  std::string cdom_fluorescence_file;  ///< table: absolute once read
+  double chlorophyll_share_730 = 0.0;    ///< of chlorophyll's light in its second band
+  std::string cdom_fluorescence;         ///< hawes | table
+  std::string cdom_fluorescence_file;    ///< table: absolute once read
+  double chlorophyll_lifetime_ns = 0.0;  ///< mean time from excitation to emission; 0: at once
+  double cdom_lifetime_ns = 0.0;
   friend bool operator==(const Optics&, const Optics&) = default;
 };
 
@@ -111,6 +113,8 @@ struct Layer {
   double cdom_a440_per_m = 0.0;
   double cdom_slope_per_nm = 0.017;
   double minerals_g_m3 = 0.0;
+  std::optional<double> temperature_c, salinity_psu;  ///< of the water's absorption and scattering;
+                                                      ///< none: the sea's
   std::string jerlov;         ///< IB | II | III | 1C | 3C | 5C; empty in other layers
   std::vector<IopEntry> iop;  ///< empty in a layer of constituents; ascending in wavelength
   std::optional<PhaseFunction> phase_function;  ///< of an iop layer whose entries have no bb_per_m

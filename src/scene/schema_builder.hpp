@@ -25,7 +25,8 @@ class SchemaBuilder {
   }
 
   template <class T, class Rule>
-  void profiled(const char* key, const T& value, const Rule& rule, const char* meaning) {
+  void profiled(const char* key, const T& value, const Rule& rule, const char* meaning,
+                double = 0) {
     add_default(property(key, or_profile(schema_of(rule)), meaning), value);
   }
 

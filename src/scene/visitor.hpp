@@ -1,7 +1,8 @@
 // What the visitors of describe_*.hpp have in common. A visitor has
 //   required, optional(name, value, rule, meaning)   a single value
-//   profiled(name, value, rule, meaning)             a number that may be a profile in the file
-//                                                    (scene/expand_layers.hpp)
+//   profiled(name, value, rule, meaning, scale)      a number that may be a profile in the file
+//                                                    (scene/expand_layers.hpp); the scale, which
+//                                                    may be left out, is that of cut.hpp
 //   section, sections(name, value, …)                [name] and [[name]]
 //   table, tables, table_or_word(name, value, …)     inline tables
 //   when(key, word, choice, keys)                    keys that belong to one choice of another key

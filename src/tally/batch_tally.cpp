@@ -18,14 +18,28 @@ BatchTally::BatchTally(const Shape& shape, const Gates& gates)
       shape_(&shape),
       gates_(&gates) {}
 
-std::int32_t BatchTally::add(const Score& s) {
+inline std::span<const GateShare> BatchTally::gates_of(const Score& s) {
+  if (!shape_->decay_of_line.empty()) {
+    const Decay& decay = shape_->decay_of_line[static_cast<std::size_t>(s.line)];
+    if (!decay.at_once()) {
+      decay.spread(s.path, *gates_, shares_);
+      return shares_;
+    }
+  }
+  const std::int32_t gate = gates_->find(s.path);
+  if (gate < 0) return {};
+  whole_.gate = gate;
+  return {&whole_, 1};
+}
+
+std::span<const GateShare> BatchTally::add(const Score& s) {
   ++scores;
   if (!(s.value > 0)) {
     if (std::isnan(s.value)) ++not_finite;
-    return -1;
+    return {};
   }
-  const std::int32_t gate = gates_->find(s.path);
-  if (gate < 0) return -1;
+  const auto gates = gates_of(s);
+  if (gates.empty()) return {};
   const bool beyond = shape_->max_order > 0 && s.order > shape_->max_order;
   const auto order = std::min(static_cast<std::size_t>(s.order), shape_->orders) - 1;
   const auto process =
@@ -33,27 +47,30 @@ std::int32_t BatchTally::add(const Score& s) {
   const double depth_cell = (s.depth - shape_->depth_min) * shape_->per_depth_step;
   const bool has_depth = depth_cell >= 0 && depth_cell < static_cast<double>(shape_->depths);
 
-  for (const auto& [channel, share] : shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
-    const double value = s.value * share;
-    const std::size_t cell = shape_->cell(s.telescope, static_cast<std::size_t>(channel),
-                                          static_cast<std::size_t>(gate));
-    if (largest[cell] == 0 && cut_order[cell] == 0)
-      touched_cells.push_back(static_cast<std::uint32_t>(cell));
-    if (beyond) {
-      cut_order[cell] += value;
-      continue;
-    }
-    by_order[cell * shape_->orders + order] += value;
-    by_process[cell * shape_->processes + process] += value;
-    largest[cell] = std::max(largest[cell], value);
-    ++octaves[cell][static_cast<std::size_t>(score_octave(value))];
-    if (has_depth) {
-      const std::size_t k = cell * shape_->depths + static_cast<std::size_t>(depth_cell);
-      if (by_depth[k] == 0) touched_depths.push_back(static_cast<std::uint32_t>(k));
-      by_depth[k] += value;
+  for (const auto& [gate, part] : gates) {
+    for (const auto& [channel, share] :
+         shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
+      const double value = s.value * part * share;
+      const std::size_t cell = shape_->cell(s.telescope, static_cast<std::size_t>(channel),
+                                            static_cast<std::size_t>(gate));
+      if (largest[cell] == 0 && cut_order[cell] == 0)
+        touched_cells.push_back(static_cast<std::uint32_t>(cell));
+      if (beyond) {
+        cut_order[cell] += value;
+        continue;
+      }
+      by_order[cell * shape_->orders + order] += value;
+      by_process[cell * shape_->processes + process] += value;
+      largest[cell] = std::max(largest[cell], value);
+      ++octaves[cell][static_cast<std::size_t>(score_octave(value))];
+      if (has_depth) {
+        const std::size_t k = cell * shape_->depths + static_cast<std::size_t>(depth_cell);
+        if (by_depth[k] == 0) touched_depths.push_back(static_cast<std::uint32_t>(k));
+        by_depth[k] += value;
+      }
     }
   }
-  return beyond ? -1 : gate;
+  return beyond ? std::span<const GateShare>() : gates;
 }
 
 void BatchTally::clear() {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tally/shape.hpp"
@@ -25,7 +26,8 @@ struct Score {
   std::size_t telescope = 0;
   std::int32_t line = 0, order = 0;
   double depth = 0;  ///< of the collision [m]
-  double path = 0;   ///< group path from the laser's disc to the aperture [m]
+  double path = 0;   ///< group path from the laser's disc to the aperture [m], as if emitters
+                     ///< gave light back at once
   double value = 0;  ///< expected photons
 };
 
@@ -67,15 +69,15 @@ class BatchTally {
   /// groups of EnvironmentScores::size of them, the last ones perhaps of no environment.
   template <class Number>
   void score(const Score& s, const Number* ratios) {
-    const std::int32_t gate = add(s);
-    if (gate < 0) return;
-    for (const auto& [channel, share] :
-         shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
-      const std::size_t cell = shape_->cell(s.telescope, static_cast<std::size_t>(channel),
-                                            static_cast<std::size_t>(gate));
-      for (std::size_t g = 0; g < environment_groups; ++g)
-        environment[cell * environment_groups + g].add(s.value * share,
-                                                       ratios + g * EnvironmentScores::size);
+    for (const auto& [gate, part] : add(s)) {
+      for (const auto& [channel, share] :
+           shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
+        const std::size_t cell = shape_->cell(s.telescope, static_cast<std::size_t>(channel),
+                                              static_cast<std::size_t>(gate));
+        for (std::size_t g = 0; g < environment_groups; ++g)
+          environment[cell * environment_groups + g].add(s.value * part * share,
+                                                         ratios + g * EnvironmentScores::size);
+      }
     }
   }
   void clear();
@@ -95,11 +97,15 @@ class BatchTally {
   std::uint64_t photons = 0, collisions = 0, scores = 0, too_many_events = 0, not_finite = 0;
 
  private:
-  /// Tells the gate, or -1 if the score is in none, or nothing that counts there.
-  std::int32_t add(const Score& s);
+  /// Tells the gates that it counts in, until the next score.
+  std::span<const GateShare> add(const Score& s);
+  /// The gates that it falls into, until the next score.
+  std::span<const GateShare> gates_of(const Score& s);
 
   const Shape* shape_;
   const Gates* gates_;
+  GateShare whole_;                ///< of the last score, emitted at once
+  std::vector<GateShare> shares_;  ///< of the last score that was not
 };
 
 }  // namespace photic::tally

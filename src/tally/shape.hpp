@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tally/gates.hpp"
+#include "tally/decay.hpp"
 
 namespace photic::tally {
 
@@ -21,6 +21,7 @@ struct Shape {
               environments = 0;
   std::vector<std::vector<Counting>> channels_of_line;  ///< that count a line's light
   std::vector<std::int32_t> process_of_line;            ///< index in the result's process axis
+  std::vector<Decay> decay_of_line;                     ///< empty if all lines are emitted at once
   std::int32_t max_order = 0;  ///< 0: none; order max_order + 1 is what is cut off
   double depth_min = 0, per_depth_step = 1;
 

@@ -58,7 +58,7 @@ def test_the_same_numbers_in_every_form(photic, library, tmp_path):
         assert list(layer["parts"]) == list(PARTS)
         for part, values in layer["parts"].items():
             for quantity, numbers in values.items():
-                name = f"{quantity[0]}_{PARTS[part]}_per_m"
+                name = f"{quantity.removesuffix('_per_m')}_{PARTS[part]}_per_m"
                 assert numbers == list(library[name][k]) == [float(row[name]) for row in rows[5 * k : 5 * k + 5]]
         emission = layer["emission"]
         assert list(emission) == list(library["process_name"][:]) == ["raman", "chlorophyll", "cdom"]
@@ -77,6 +77,7 @@ def test_numbers_go_together(library):
     assert library["albedo"][:] == pytest.approx(b / c, rel=1e-15)
     assert sum(library[f"a_{part}_per_m"][:] for part in PARTS.values()) == pytest.approx(a)
     assert sum(library[f"b_{part}_per_m"][:] for part in list(PARTS.values())[:2]) == pytest.approx(b)
+    assert sum(library[f"bb_{part}_per_m"][:] for part in list(PARTS.values())[:2]) == pytest.approx(bb, rel=1e-4)
     emitted = library["emission_per_m"][:, list(library["process_name"][:]).index("chlorophyll")]
     assert emitted == pytest.approx(0.01 * library["a_phytoplankton_per_m"][:, -1], rel=1e-5)  # yield 0.01, 532 nm; a spectrum to 4.5 sigma
     angle = numpy.radians(library["angle_deg"][:])

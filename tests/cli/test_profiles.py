@@ -66,6 +66,58 @@ def test_a_float_profile_from_end_to_end(photic, scene, float_file):
     assert again.returncode == 0, again.stderr
 
 
+@pytest.fixture
+def bgc_file(tmp_path):
+    """A profile with all that a BGC-Argo float measures, and the flags of it."""
+    path = tmp_path / "bgc.nc"
+    with netCDF4.Dataset(path, "w", format="NETCDF3_CLASSIC") as file:
+        file.createDimension("N_PROF", 1)
+        file.createDimension("N_LEVELS", 5)
+        file.createVariable("LATITUDE", "f8", ("N_PROF",))[:] = [45.0]
+        for name, units, row, flags in [
+            ("PRES", "decibar", [0, 2, 4, 5, 8], b"11111"),
+            ("CHLA", "mg/m3", [0.2, 0.2, 0.2, 0.2, 0.2], b"11111"),
+            ("TEMP", "degree_Celsius", [21, 19, 99, 16, 13], b"1132 "),
+            ("PSAL", "psu", [38, 38, 37, 36.5, 35], b"12589"),
+        ]:
+            variable = file.createVariable(name, "f4", ("N_PROF", "N_LEVELS"), fill_value=99999.0)
+            variable.units = units
+            variable[:] = [row]
+            characters = file.createVariable(f"{name}_QC", "S1", ("N_PROF", "N_LEVELS"), fill_value=b" ")
+            characters[:] = np.frombuffer(flags, dtype="S1").reshape(1, 5)
+    return path
+
+
+def from_bgc(variable):
+    return f'{{ file = "bgc.nc", variable = "{variable}", depth = "PRES" }}'
+
+
+# Seen red: with the sea's temperature in all layers; with flag 9 taken for good.
+def test_temperature_and_salinity_of_a_float(photic, scene, bgc_file):
+    keys = f'{from_bgc("CHLA")}\ntemperature_c = {from_bgc("TEMP")}\nsalinity_psu = {from_bgc("PSAL")}'
+    with_profile(scene, keys)
+    scene.write_text(scene.read_text().replace("bottom_depth_m = 5.0", "bottom_depth_m = 4.9"))
+    done = photic("run", "quick.toml", "--photons", "4000")
+    assert done.returncode == 0, done.stderr
+    assert "bgc.nc: TEMP_QC flags 1 of 5 levels of TEMP as bad (3, 4) or missing (9)" in done.stderr
+    assert "bgc.nc: PSAL_QC flags 1 of 5 levels of PSAL as bad (3, 4) or missing (9)" in done.stderr
+    layers = shown(photic, "quick.nc")["sea"]["layer"]
+    assert [layer["temperature_c"] for layer in layers[:-1]] == pytest.approx([20, 18, 16.4], abs=0.6)
+    assert layers[0]["salinity_psu"] == pytest.approx(38, abs=0.3)
+    assert "temperature_c" not in layers[-1]
+    done = photic("optics", "quick.toml", "--wavelengths", "600", "--json")
+    told = json.loads(done.stdout)["layers"]
+    a_water = [layer["parts"]["water"]["a_per_m"][0] for layer in told]
+    # Their absorption rises with temperature there; the last layer has the sea's 20 C.
+    assert a_water[0] > a_water[1] > a_water[2]
+    flags = bgc_file.read_bytes()
+    assert flags.count(b"12589") == 1
+    bgc_file.write_bytes(flags.replace(b"12589", b"44499"))
+    done = photic("check", "quick.toml")
+    assert done.returncode == 2
+    assert "bgc.nc: PSAL: profile 0 has values at 0 of 5 levels; it takes two: PSAL_QC flags 5 of 5 levels" in done.stderr
+
+
 def test_problems_of_a_float_profile(photic, scene, float_file):
     with_profile(scene, FROM_FLOAT.replace("CHLA", "CHL"))
     problem = json.loads(photic("check", "quick.toml", "--json").stdout)["problems"][0]

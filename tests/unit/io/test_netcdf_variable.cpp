@@ -117,6 +117,31 @@ TEST(NetcdfVariable, IsUnpacked) {
   EXPECT_TRUE(std::isnan(pres[2]));
 }
 
+// Characters as floats write them, and bytes as others do. Seen red: with the codes of characters.
+TEST(NetcdfVariable, FlagsAreDigits) {
+  const TemporaryFolder folder;
+  for (const int format : {0, NC_NETCDF4}) {
+    const std::string path = folder.file("flags.nc");
+    {
+      FloatFile file(path, format);
+      const int characters = file.define("CHLA_QC", NC_CHAR);
+      const int bytes = file.define("TEMP_QC", NC_BYTE);
+      file.text(characters, "_FillValue", " ");
+      file.put(bytes, {1, 2, 3, 4, 8, 9});
+      must(nc_put_var_text(file.id(), characters, "14 9A0"));
+    }
+    const auto flags = netcdf_flags(path, "CHLA_QC");
+    EXPECT_EQ(flags.length, (std::vector<std::size_t>{2, 3}));
+    EXPECT_EQ(flags.value[0], 1);
+    EXPECT_EQ(flags.value[1], 4);
+    EXPECT_TRUE(std::isnan(flags.value[2]));
+    EXPECT_EQ(flags.value[3], 9);
+    EXPECT_TRUE(std::isnan(flags.value[4]));
+    EXPECT_EQ(flags.value[5], 0);
+    EXPECT_EQ(netcdf_flags(path, "TEMP_QC").value, (std::vector<double>{1, 2, 3, 4, 8, 9}));
+  }
+}
+
 TEST(NetcdfVariable, UnitsMayBeStrings) {
   const TemporaryFolder folder;
   const std::string path = folder.file("strings.nc");

@@ -50,6 +50,30 @@ TEST(Constituents, AddUp) {
   }
 }
 
+// A layer's own salinity and temperature: in what its water absorbs and scatters, not in where the
+// light goes and when. Seen red: with the sea's temperature; with its salinity.
+TEST(Constituents, AreInWaterOfTheLayersSalinityAndTemperature) {
+  auto layer = algae_layer(0.5);
+  auto scene = scene_of({layer, layer}, {test::channel_of("elastic"), test::channel_of("raman")});
+  scene.sea.layer[0].bottom_depth_m = 5;
+  const auto plain = medium_of(scene);
+  scene.sea.layer[0].salinity_psu = 10;
+  scene.sea.layer[0].temperature_c = 2;
+  const auto m = medium_of(scene);
+  for (std::size_t l = 0; l < 2; ++l) {
+    const double nm = m.line[l].wavelength_nm;
+    const auto algae = optics::phytoplankton(library(), "bricaud", 0.5, nm);
+    const double a = optics::water_absorption_per_m(library(), "mason-ioccg", nm, 10, 2).value;
+    const double b = optics::water_scattering_per_m(library(), "zhang", nm, 10, 2).value;
+    EXPECT_NEAR(m.c[2 * l], a + b + algae.a_per_m + algae.b_per_m, 1e-15);
+    EXPECT_NEAR(m.albedo[2 * l] * m.c[2 * l], b + algae.b_per_m, 1e-15);
+    EXPECT_GT(std::fabs(m.c[2 * l] - plain.c[2 * l]), 1e-4);
+    EXPECT_EQ(m.c[2 * l + 1], plain.c[2 * l + 1]);
+    EXPECT_EQ(m.line[l].refractive_index, plain.line[l].refractive_index);
+    EXPECT_EQ(m.line[l].group_index, plain.line[l].group_index);
+  }
+}
+
 // Seen red: with equal shares; with the shares swapped.
 TEST(Constituents, ScatterWithPhaseFunctionsWeightedByTheirScattering) {
   const auto m = medium_of(scene_of({algae_layer(0.1)}, {test::channel_of("elastic")}));

@@ -113,7 +113,8 @@ TEST(OpticalTable, HasTheBackscatterFractionsOfOceanicParticles) {
   EXPECT_NEAR(scattering_with(called("petzold")).backscatter_fraction[0], 0.0183, 5e-5);
 }
 
-// Seen red: with all of a layer as the part of each; with 0 in the iop layer.
+// Seen red: with all of a layer as the part of each; with 0 in the iop layer; with the
+// backscattered share of water for each.
 TEST(OpticalTable, NamesTheConstituents) {
   const std::vector<double> nm = {510, 640};
   const OpticalTable table =
@@ -123,19 +124,24 @@ TEST(OpticalTable, NamesTheConstituents) {
   EXPECT_EQ(table.parts[1].name, "phytoplankton");
   EXPECT_EQ(table.parts[2].name, "CDOM");
   EXPECT_TRUE(table.parts[2].b_per_m.empty());  // which does not scatter
+  EXPECT_TRUE(table.parts[2].bb_per_m.empty());
   for (std::size_t w = 0; w < 2; ++w) {
     EXPECT_EQ(table.parts[1].a_per_m[w], 0);
     EXPECT_NEAR(table.parts[2].a_per_m[2 + w], 0.1 * std::exp(-0.017 * (nm[w] - 440)), 1e-15);
     EXPECT_TRUE(std::isnan(table.parts[0].a_per_m[4 + w]));
+    EXPECT_TRUE(std::isnan(table.parts[0].bb_per_m[4 + w]));
   }
   for (std::size_t i = 0; i < 4; ++i) {  // of the layers whose constituents are known
-    double a = 0, b = 0;
+    double a = 0, b = 0, bb = 0;
     for (const auto& part : table.parts) {
+      bb += part.bb_per_m.empty() ? 0 : part.bb_per_m[i];
       a += part.a_per_m[i];
       b += part.b_per_m.empty() ? 0 : part.b_per_m[i];
     }
     EXPECT_NEAR(a, table.a_per_m[i], 1e-15);
     EXPECT_NEAR(b, table.b_per_m[i], 1e-15);
+    EXPECT_NEAR(bb / table.bb_per_m()[i], 1, 1e-4);  // but for the table of the mixture
+    EXPECT_NEAR(table.parts[0].bb_per_m[i], table.parts[0].b_per_m[i] / 2, 1e-7);
   }
 }
 

@@ -173,6 +173,14 @@ const std::vector<ChangeCase>& change_cases() {
        {"scene.toml:32:9: 'group_index' must be as in the scene, which has none, not 1.36: it "
         "times the light, whose histories are the same in all environments (simulate that water in "
         "a scene of its own)"}},
+      {R"("optics.chlorophyll_lifetime_ns" = 1.5)",
+       {"scene.toml:32:9: 'chlorophyll_lifetime_ns' must be as in the scene, 0, not 1.5: it times "
+        "the light, whose histories are the same in all environments (simulate that water in a "
+        "scene of its own)"}},
+      {R"("optics.cdom_lifetime_ns" = 2, "optics.raman" = "bartlett")",
+       {"scene.toml:32:9: 'cdom_lifetime_ns' must be as in the scene, 0, not 2: it times the "
+        "light, whose histories are the same in all environments (simulate that water in a scene "
+        "of its own)"}},
       {R"("sea.surface.model" = "cox-munk")",
        {R"(scene.toml:32:9: 'model' = "cox-munk" is not available yet (available: flat))"}},
       {R"("sea.surface.wind_speed_m_s" = 3)",

@@ -1,4 +1,5 @@
 // Profiles in CSV files and in netCDF files such as floats write.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -151,6 +152,82 @@ TEST(FloatProfile, OfOneDimensionInMetres) {
   const Reading reading = files.read(profiled("file = 'float.nc', depth = 'z', variable = 'CHLA'"));
   EXPECT_NEAR(mean_chlorophyll(reading.scene), 0.2, 1e-15);
   EXPECT_EQ(reading.remarks, Texts{});
+}
+
+// Seen red: with flag 2 for 3; with the flags of the first profile for those of the second; without
+// the flags of depths.
+TEST(FloatProfile, LevelsFlaggedBadAreLeftOutWithARemark) {
+  WrittenFiles files("float_flags");
+  write_float(files);
+  const std::vector<std::string> dimensions{"N_PROF", "N_LEVELS"};
+  files.netcdf["CHLA"].value[1] = -5;  // refused if it were taken
+  files.netcdf["CHLA_QC"] = {dimensions, {2, 5}, "", {1, 4, 2, 3, 8, 4, 4, 4, 4, 4}};
+  const auto expected_mean = [](std::vector<double> dbar, const std::vector<double>& value) {
+    for (double& p : dbar) p = optics::depth_of_pressure_m(p, 30);
+    return LinearProfile(dbar, value).integral(0, 20) / 20;
+  };
+  Reading reading = files.read(profiled(from_float));
+  EXPECT_NEAR(mean_chlorophyll(reading.scene), expected_mean({0, 10, 30}, {0.1, 0.4, 0.3}), 1e-14);
+  ASSERT_EQ(reading.remarks.size(), 2U);
+  EXPECT_EQ(files.without_folder(reading.remarks[0]),
+            "scene.toml:22:21: float.nc: CHLA_QC flags 2 of 5 levels of CHLA as bad (3, 4) or "
+            "missing (9), which then have no value");
+  EXPECT_EQ(files.without_folder(reading.remarks[1]),
+            "scene.toml:22:21: float.nc: 2 of 5 levels of CHLA have no value or no depth and are "
+            "left out; the widest gap is from 9.932 to 29.79 m");
+  const auto of_second = files.problems(profiled(from_float + ", profile = 1"));
+  ASSERT_EQ(of_second.size(), 1U);
+  EXPECT_NE(of_second[0].find("profile 1 has values at 0 of 5 levels"), std::string::npos);
+  files.netcdf["PRES_QC"] = {dimensions, {2, 5}, "", {1, 1, 9, none, 1, 1, 1, 1, 1, 1}};
+  EXPECT_NEAR(mean_chlorophyll(files.read(profiled(from_float)).scene),
+              expected_mean({0, 30}, {0.1, 0.3}), 1e-14);
+}
+
+TEST(FloatProfile, FlagsThatLeaveNothing) {
+  WrittenFiles files("float_all_flagged");
+  write_float(files);
+  const std::vector<std::string> dimensions{"N_PROF", "N_LEVELS"};
+  files.netcdf["CHLA_QC"] = {dimensions, {2, 5}, "", std::vector<double>(10, 4)};
+  const std::string flagged =
+      "float.nc: CHLA: profile 0 has values at 0 of 5 levels; it takes two: CHLA_QC flags 5 of 5 "
+      "levels of CHLA as bad (3, 4) or missing (9), which then have no value";
+  EXPECT_EQ(files.problems(profiled(from_float)), (Texts{flagged + " (take another profile)"}));
+  files.netcdf["CHLA_ADJUSTED"] = files.netcdf["CHLA"];
+  EXPECT_EQ(files.problems(profiled(from_float)), (Texts{flagged + " (there is CHLA_ADJUSTED)"}));
+  EXPECT_EQ(
+      files.read(profiled("file = 'float.nc', depth = 'PRES', variable = 'CHLA_ADJUSTED'")).remarks,
+      Texts{});
+  files.netcdf["CHLA_QC"] = {{"N_PROF"}, {2}, "", {1, 1}};
+  EXPECT_EQ(files.problems(profiled(from_float)),
+            (Texts{"float.nc: CHLA_QC(N_PROF): should have a flag for each value of CHLA(N_PROF, "
+                   "N_LEVELS)"}));
+}
+
+// Seen red: with the reader's own functions handed on.
+TEST(FloatProfile, IsReadOnceForAllEnvironments) {
+  WrittenFiles files("float_once");
+  write_float(files);
+  files.netcdf["CHLA_QC"] = {{"N_PROF", "N_LEVELS"}, {2, 5}, "", std::vector<double>(10, 1)};
+  const NetcdfFiles plain = files.netcdf_files();
+  int lists = 0, variables = 0;
+  const auto counting = [&](const auto& read) {
+    return [&variables, read](const std::string& path, const std::string& name) {
+      ++variables;
+      return read(path, name);
+    };
+  };
+  const NetcdfFiles counted{[&](const std::string& path) {
+                              ++lists;
+                              return plain.names(path);
+                            },
+                            counting(plain.read), counting(plain.flags)};
+  std::string text = profiled(from_float);
+  for (int i = 1; i < 4; ++i)
+    text += fmt::format("[[environment]]\nset = {{ 'sea.layer.1.iop.0.a_per_m' = 0.{} }}\n", i);
+  const Scene scene = read_scene_text(text, "scene.toml", files.path(""), {}, {}, counted).scene;
+  EXPECT_EQ(scene.environment.size(), 3U);
+  EXPECT_EQ(lists, 1);
+  EXPECT_EQ(variables, 4);  // CHLA, CHLA_QC, PRES, LATITUDE
 }
 
 TEST(FloatProfile, ProblemsNameVariableAndLevel) {

@@ -60,8 +60,8 @@ TEST(Profile, GaussianIntegralsAreThoseOfItsFormula) {
 
 // Seen red: with a departure of twice the tolerance allowed; with the extremes of the ends alone.
 TEST(Cut, KeepsTheToleranceWithFewLayers) {
-  const std::vector<Profile> profiles{LinearProfile({0, 5, 20}, {0.2, 1.0, 0.1}),
-                                      GaussianProfile{0.05, 0.6, 12, 3}};
+  const std::vector<Varying> profiles{{LinearProfile({0, 5, 20}, {0.2, 1.0, 0.1})},
+                                      {GaussianProfile{0.05, 0.6, 12, 3}}};
   for (const double tolerance : {0.3, 0.05, 0.01}) {
     SCOPED_TRACE(tolerance);
     const auto ends = cut(profiles, {0, 20}, tolerance);
@@ -77,8 +77,8 @@ TEST(Cut, KeepsTheToleranceWithFewLayers) {
         };
         const double linear = z < 5 ? 0.2 + 0.16 * z : 1.0 - 0.06 * (z - 5);
         const double bell = 0.05 + 0.55 * std::exp(-(z - 12) * (z - 12) / 18);
-        EXPECT_LE(departs(profiles[0], linear), tolerance + 1e-12);
-        EXPECT_LE(departs(profiles[1], bell), tolerance + 1e-12);
+        EXPECT_LE(departs(profiles[0].profile, linear), tolerance + 1e-12);
+        EXPECT_LE(departs(profiles[1].profile, bell), tolerance + 1e-12);
       }
       top = end;
     }
@@ -88,19 +88,19 @@ TEST(Cut, KeepsTheToleranceWithFewLayers) {
 }
 
 TEST(Cut, OfWhatIsConstantIsOneLayer) {
-  EXPECT_EQ(cut({LinearProfile({0, 20}, {0.1, 0.1})}, {0, 20}, 1e-3), std::vector{20.0});
-  EXPECT_EQ(cut({LinearProfile({0, 20}, {0, 0})}, {0, 20}, 1e-3), std::vector{20.0});
+  EXPECT_EQ(cut({{LinearProfile({0, 20}, {0.1, 0.1})}}, {0, 20}, 1e-3), std::vector{20.0});
+  EXPECT_EQ(cut({{LinearProfile({0, 20}, {0, 0})}}, {0, 20}, 1e-3), std::vector{20.0});
 }
 
 TEST(Cut, DepthsAreRound) {
-  const auto ends = cut({LinearProfile({0, 20}, {0, 1})}, {0, 20}, 0.05);
+  const auto ends = cut({{LinearProfile({0, 20}, {0, 1})}}, {0, 20}, 0.05);
   ASSERT_EQ(ends->size(), 11U);  // of 2 m, but for rounding
   EXPECT_EQ((*ends)[0], 1.9);
   EXPECT_EQ((*ends)[9], 19.0);
 }
 
 TEST(Cut, HasAnEnd) {
-  const std::vector<Profile> steep{LinearProfile({0, 20}, {0, 1})};
+  const std::vector<Varying> steep{{LinearProfile({0, 20}, {0, 1})}};
   EXPECT_FALSE(cut(steep, {0, 20}, 1e-4));
   EXPECT_EQ(tolerance_to_keep(steep, {0, 20}, 1e-4), 0.002);
   EXPECT_TRUE(cut(steep, {0, 20}, 0.002));

@@ -112,7 +112,7 @@ TEST(Sensitivity, EveryTextOfWhatIsWrong) {
        "water_depolarisation, phytoplankton, phytoplankton_phase, minerals, "
        "minerals_a_443_m2_per_g, minerals_a_slope_per_nm, minerals_b_555_m2_per_g, "
        "minerals_b_exponent, minerals_phase, raman, emission, chlorophyll_share_730, "
-       "cdom_fluorescence)"},
+       "cdom_fluorescence, chlorophyll_lifetime_ns, cdom_lifetime_ns)"},
       {"'sea..layer'",
        "there is an empty name in the path (write names and numbers with dots between)"},
       {"'sea.layer.top.chlorophyll_mg_m3'",

@@ -153,6 +153,8 @@ raman = "bartlett"
 emission = "lines"
 chlorophyll_share_730 = 0.0
 cdom_fluorescence = "hawes"
+chlorophyll_lifetime_ns = 0.0
+cdom_lifetime_ns = 0.0
 
 [sea]
 salinity_psu = 35.0

@@ -37,6 +37,7 @@ class WrittenFiles {
               for (const auto& [name, variable] : netcdf) names.push_back(name);
               return names;
             },
+            [this](const std::string&, const std::string& name) { return netcdf.at(name); },
             [this](const std::string&, const std::string& name) { return netcdf.at(name); }};
   }
 

@@ -29,13 +29,13 @@ struct Tangent : Tallies {
 };
 
 /// What batches scored.
-struct Sample {
+struct ChangedSample {
   double photons, echo, change;
 };
 
-std::vector<Sample> correlated_batches() {
+std::vector<ChangedSample> correlated_batches() {
   test::Random random(5);
-  std::vector<Sample> batches;
+  std::vector<ChangedSample> batches;
   for (int i = 0; i < 40; ++i) {
     const double photons = i == 39 ? 500 : 2000;
     const double echo = photons * random.between(1e-4, 3e-4);
@@ -45,13 +45,13 @@ std::vector<Sample> correlated_batches() {
 }
 
 /// Standard error of the mean of weighted batches, of echo * a + change * b.
-double direct_error(const std::vector<Sample>& batches, double a, double b) {
+double direct_error(const std::vector<ChangedSample>& batches, double a, double b) {
   double sum = 0, photons = 0, squares = 0;
-  for (const Sample& s : batches) {
+  for (const ChangedSample& s : batches) {
     sum += a * s.echo + b * s.change;
     photons += s.photons;
   }
-  for (const Sample& s : batches)
+  for (const ChangedSample& s : batches)
     squares += s.photons * std::pow((a * s.echo + b * s.change) / s.photons - sum / photons, 2);
   return std::sqrt(squares / static_cast<double>(batches.size() - 1) / photons);
 }
@@ -63,7 +63,7 @@ TEST(Sensitivity, AndItsErrorAreThoseOfTheResiduals) {
   const auto batches = correlated_batches();
   Tangent t(-0.2);
   double echo = 0, change = 0, photons = 0;
-  for (const Sample& s : batches) {
+  for (const ChangedSample& s : batches) {
     for (int k = 0; k < 10; ++k) t.add(s.echo / 10, s.change / 10);
     t.end_batch(static_cast<std::uint64_t>(s.photons));
     echo += s.echo;
@@ -88,7 +88,7 @@ TEST(Sensitivity, AndItsErrorAreThoseOfTheResiduals) {
 // covariance.
 TEST(Sensitivity, OfAnEchoThatIsProportionalIsCertain) {
   Tangent t(0.5);
-  for (const Sample& s : correlated_batches()) {
+  for (const ChangedSample& s : correlated_batches()) {
     t.add(s.echo, s.echo);
     t.end_batch(2000);
   }

@@ -1,0 +1,37 @@
+#include "scene/netcdf_files.hpp"
+
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace photic::scene {
+namespace {
+
+using Names = std::vector<std::string>;
+using ReadVariable = std::function<NetcdfVariable(const std::string&, const std::string&)>;
+
+/// What a function gave is given again. What it throws is not kept.
+ReadVariable kept(const ReadVariable& read) {
+  using Known = std::map<std::pair<std::string, std::string>, NetcdfVariable>;
+  return
+      [read, known = std::make_shared<Known>()](const std::string& path, const std::string& name) {
+        const auto at = known->find({path, name});
+        return at != known->end()
+                   ? at->second
+                   : known->emplace(std::pair(path, name), read(path, name)).first->second;
+      };
+}
+
+}  // namespace
+
+NetcdfFiles read_once(const NetcdfFiles& files) {
+  if (!files.names) return files;
+  const auto names = [read = files.names, known = std::make_shared<std::map<std::string, Names>>()](
+                         const std::string& path) {
+    const auto at = known->find(path);
+    return at != known->end() ? at->second : known->emplace(path, read(path)).first->second;
+  };
+  return {names, kept(files.read), kept(files.flags)};
+}
+
+}  // namespace photic::scene
