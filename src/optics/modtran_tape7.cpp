@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 #include "core/error.hpp"
 #include "optics/modtran.hpp"
@@ -127,7 +126,6 @@ RoundedDepth ModtranTransmittances::at_row(const std::string& column, std::size_
     const Cell depth = log->second[row];
     if (t.value == 0 || depth.rounding < t.rounding / t.value) return {depth.value, depth.rounding};
   }
-  if (t.value == 0) return {std::numeric_limits<double>::infinity(), 0};
   return {0 - std::log(t.value), t.rounding / t.value};
 }
 

@@ -158,7 +158,7 @@ def test_oils_are_the_same_in_every_form(photic, tmp_path):
 
 
 # Half way between two wavenumbers in depth; what is printed as 0 stays 0. Seen red: with transmittances
-# interpolated themselves; with depths written for them.
+# interpolated themselves.
 def test_tells_what_a_tape7_holds(photic, tape7, tmp_path):
     every = as_json(photic, "--air", "tape7")
     assert every["wavelength_nm"] == pytest.approx([500, 1e7 / 19000, 1e7 / 18000])

@@ -9,18 +9,20 @@ namespace {
 
 constexpr double micron = 1e-6;
 
-/// Soot, mineral dust and droplets that do not absorb, of up to 10 um.
+/// Soot, mineral dust, droplets that do not absorb, and grey ones that have a rainbow.
 const Spheres soot{0.55 * micron, 1.75, 0.44,
                    LogNormal{0.0118 * micron, 2, 0.005 * micron, 1 * micron}};
 const Spheres dust{0.55 * micron, 1.53, 0.0055,
                    LogNormal{0.39 * micron, 2, 0.005 * micron, 10 * micron}};
 const Spheres droplets{1.064 * micron, 1.34, 1e-7,
                        LogNormal{0.5 * micron, 2, 0.01 * micron, 10 * micron}};
+const Spheres rain{1.064 * micron, 1.33, 2e-3, LogNormal{5 * micron, 1.4, 1 * micron, 20 * micron}};
 
 // Against the adaptive integral over sizes and the exact polynomial of the angle. Seen red: with
-// steps of 4 and 20 % in size; with widest angles of 10 degrees; with the ends at full weight.
+// steps of 4 in the size parameter; with 50 % in radius; with the width of small steps for all;
+// with angles tens of degrees apart behind 90 degrees.
 TEST(SampledSpheres, AreTheIntegralOverSizes) {
-  for (const Spheres& spheres : {soot, dust, droplets}) {
+  for (const Spheres& spheres : {soot, dust, droplets, rain}) {
     const bool absorb = spheres.absorption_index > 1e-3;
     const SampledSpheres sampled = sampled_spheres(spheres);
     const SpheresOptics exact = optics_of_spheres(spheres);
@@ -30,7 +32,7 @@ TEST(SampledSpheres, AreTheIntegralOverSizes) {
     EXPECT_NEAR(sampled.mean_cosine, exact.mean_cosine, 1e-3);
     EXPECT_NEAR(sampled.integral, 1, 1e-4);
     for (double degrees = 0; degrees <= 180; degrees += degrees < 1 ? 0.05 : 0.37) {
-      const double tolerance = absorb ? 1e-2 : degrees < 90 ? 2e-2 : 6e-2;
+      const double tolerance = absorb ? 1.5e-2 : degrees < 90 ? 2e-2 : 6e-2;
       EXPECT_NEAR(sampled.phase.p(x_of(degrees)) / exact.phase.at(x_of(degrees)), 1, tolerance)
           << degrees;
     }
@@ -63,7 +65,7 @@ TEST(PhaseBetweenAngles, IsTheFunctionBetweenThem) {
 }
 
 // A glory of half a degree: a table of p itself would have too much light go back. Seen red: so;
-// and with the nearness left out.
+// with the nearness left out; with p of the part in the mixture.
 TEST(PhaseBetweenAngles, HasTheTablesIntegralDespiteAGlory) {
   const PhaseAngles angles;
   std::vector<double> values;
