@@ -17,8 +17,8 @@ class Opac {
 
   /// The spheres of a component at a relative humidity: "waso-80" is water-soluble at 80 %,
   /// "soot-0" soot. The index of the air around them is taken as 1. Of the distribution the largest
-  /// spheres, with 3e-7 of the cross-sectional area, are left out: less than 1e-4 of extinction. Throws InputError for another
-  /// name or a wavelength outside the data.
+  /// spheres, with 3e-7 of the cross-sectional area, are left out: less than 1e-4 of extinction.
+  /// Throws InputError for another name or a wavelength outside the data.
   [[nodiscard]] Spheres spheres(const std::string& component, double wavelength_nm) const;
 
   /// Throws InputError as spheres() does. Takes up to some seconds, once for each wavelength.

@@ -14,9 +14,9 @@ namespace photic::optics {
 namespace {
 
 constexpr double finest_size_step = 0.25;  ///< of size parameters, between large spheres
-constexpr double most_size_steps = 4000;  ///< of that kind
-constexpr double ratio_step = 0.02;       ///< of the logarithm of the radius, between small spheres
-constexpr std::size_t size_blocks = 16;   ///< of sizes, summed side by side
+constexpr double most_size_steps = 4000;   ///< of that kind
+constexpr double ratio_step = 0.02;      ///< of the logarithm of the radius, between small spheres
+constexpr std::size_t size_blocks = 16;  ///< of sizes, summed side by side
 
 /// Size parameters, each with the width in ln(radius) that it stands for: even steps of
 /// t = x / step + ln(x) / ratio.
