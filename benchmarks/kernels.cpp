@@ -1,9 +1,10 @@
-// Time of the parts of a collision, alone: build/dev/benchmarks/kernels
+// Time of the parts of a collision, alone, and of Mie theory: build/dev/benchmarks/kernels
 #include <benchmark/benchmark.h>
 
 #include "core/random.hpp"
 #include "engine/problem.hpp"
 #include "engine/world.hpp"
+#include "optics/mie.hpp"
 #include "scene/read.hpp"
 #include "transport/connect.hpp"
 #include "transport/flight.hpp"
@@ -81,6 +82,23 @@ void connection(benchmark::State& state) {
   }
 }
 BENCHMARK(connection)->Arg(0)->Arg(2)->Arg(50);
+
+/// 1000 spheres of size parameters from 0.1 to 1e4, as many in each decade, at 180 angles each.
+void mie(benchmark::State& state) {
+  constexpr int sizes = 1000, angles = 180;
+  std::vector<double> cosines;
+  for (int i = 0; i < angles; ++i) cosines.push_back(std::cos(pi * i / (angles - 1)));
+  std::vector<optics::MieAmplitudes> amplitudes(angles);
+  for (auto _ : state) {
+    for (int i = 0; i < sizes; ++i) {
+      const optics::MieSphere sphere(0.1 * std::pow(1e5, i / (sizes - 1.0)), {1.33, -1e-3});
+      sphere.amplitudes(cosines, amplitudes);
+      benchmark::DoNotOptimize(sphere.efficiencies());
+      benchmark::DoNotOptimize(amplitudes.data());
+    }
+  }
+}
+BENCHMARK(mie)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace photic

@@ -164,7 +164,8 @@ std::string not_a_pair(const std::string& text) {
 void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Override>& flags) {
   CLI::App& sub = *app.add_subcommand(
       "optics",
-      "Tell the optical properties of a scene's layers, or of water of given constituents");
+      "Tell the optical properties of a scene's layers, or of water of given constituents, of air, "
+      "of an oil");
   sub.add_option("scene", optics.scene, "The scene file")->type_name("SCENE");
   sub.add_option("--water", optics.water,
                  "Instead of a scene: one layer with these keys (chlorophyll_mg_m3=0.5 "
@@ -178,7 +179,7 @@ void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Overrid
       ->type_name("CLASS|FILE");
   sub.add_option("--air", optics.air,
                  "Instead of a scene: the air, by an atmosphere (us-standard …), a CSV file of "
-                 "levels, or a tape6 of MODTRAN")
+                 "levels, or a tape6 or tape7 of MODTRAN")
       ->type_name("NAME|FILE");
   sub.add_option("--visibility", optics.visibility_km,
                  "With --air: its aerosols are those of this visibility in km")
@@ -187,9 +188,11 @@ void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Overrid
                  "With --air: of the lowest 2 km: rural, maritime, urban …")
       ->capture_default_str()
       ->type_name("MODEL");
-  add_checked(sub, "--wavelengths", "NM",
-              "355,532,685 or 400:700:10 [default: the laser's and those that the channels count]",
-              [&optics](const std::string& text) { optics.wavelength_nm = wavelengths_nm(text); });
+  add_checked(
+      sub, "--wavelengths", "NM",
+      "355,532,685 or 400:700:10 [default: the laser's and those that the channels count; of air "
+      "and oil 300:700:50, of a tape7 all]",
+      [&optics](const std::string& text) { optics.wavelength_nm = wavelengths_nm(text); });
   add_scene_value(sub, flags, "--laser", "NM", "source.wavelength_nm",
                   "Wavelength of the light that excites Raman and fluorescence light [default: the "
                   "scene's; 532 with --water]",
@@ -200,7 +203,7 @@ void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Overrid
   sub.add_flag("--json", optics.json, "Print as JSON");
 }
 
-/// Either a scene or water without one, or an oil or air, of which there is a table only.
+/// Either a scene or water without one, or an oil or air.
 void expect_scene_or_water(const CLI::App& optics) {
   const bool scene = optics.count("scene") > 0, water = optics.count("--water") > 0;
   const bool air = optics.count("--air") > 0;
@@ -208,8 +211,7 @@ void expect_scene_or_water(const CLI::App& optics) {
     if (!air && optics.count(of_air) > 0) throw CLI::RequiresError(of_air, "--air");
   if (air || optics.count("--oil") > 0) {
     const char* alone = air ? "--air" : "--oil";
-    for (const char* other :
-         {"scene", "--water", "--oil", "--laser", "--set", "--output", "--json"})
+    for (const char* other : {"scene", "--water", "--oil", "--laser", "--set"})
       if (optics.count(other) > 0 && std::string(other) != alone)
         throw CLI::ExcludesError(fmt::format("{} and {} exclude each other", alone, other),
                                  CLI::ExitCodes::ExcludesError);

@@ -59,7 +59,7 @@ void spare(const std::vector<std::string>& inputs, const std::string& output) {
   for (const std::string& input : inputs) {
     if (fs::equivalent(output, input, none))
       throw UsageError(output +
-                       ": the result would replace a file that the scene is made of "
+                       ": the result would replace a file that it is made of "
                        "(choose another name with -o)");
   }
 }

@@ -31,7 +31,7 @@ std::string result_path(const RunCommand& command);
 /// than its scene.
 void check_output(const std::string& output, const std::string& scene);
 
-/// Throws UsageError if the output is one of the files that a scene names (scene::Reading).
+/// Throws UsageError if the output is one of the files that it is made of.
 void spare(const std::vector<std::string>& inputs, const std::string& output);
 
 /// What goes on from a result file and writes the longer one.

@@ -5,7 +5,7 @@ import os
 import sys
 
 from photic.errors import Error
-from photic.result import is_optics
+from photic.result import is_optics, is_spectra
 from photic.result import open as open_result
 
 
@@ -19,7 +19,8 @@ def main(arguments=None):
         help="draw echoes against depth, or optics",
         description="Draws the echoes of one result by channel, process and order, or those of "
         "several results over each other, channel by channel, and each by order beside them. Of a "
-        "file of `photic optics` it draws coefficients, phase functions and emitted light.",
+        "file of `photic optics` it draws coefficients, phase functions and emitted light, or "
+        "spectra.",
     )
     add = plot.add_argument
     add("results", nargs="+", metavar="RESULT.nc", help="what `photic run` or `photic optics` wrote")
@@ -43,9 +44,10 @@ def draw(options):
         from photic import optics_plot, plot  # here, so that reading results needs no matplotlib
     except ImportError as error:
         raise Error(f"plots need matplotlib: {error}", exit_code=1) from error
-    if any(is_optics(result) for result in results):
+    if any(is_optics(result) or is_spectra(result) for result in results):
         _expect_one(options)
-        picture = optics_plot.figure(results[0], title=options.title)
+        draws = optics_plot.figure if is_optics(results[0]) else optics_plot.spectra
+        picture = draws(results[0], title=options.title)
     else:
         names = _names(options.results)
         picture = plot.figure(results, names, telescope=options.telescope, title=options.title)

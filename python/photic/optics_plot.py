@@ -1,5 +1,6 @@
 """Drawing what `photic optics` wrote: absorption and scattering against wavelength, phase functions
-against angle, and emitted light; a row for each layer."""
+against angle, and emitted light; a row for each layer. Air emits nothing: the lowest layer is at the
+bottom. Spectra of an oil and transmittances have a panel for each unit."""
 
 import numpy
 from matplotlib import colormaps
@@ -12,8 +13,12 @@ MOST_LAYERS = 6  # rows of a figure; of more layers so many are drawn, from the 
 MOST_PHASES = 5  # phase functions in a panel, of so many wavelengths
 FEW = 12  # points or lines that are drawn one by one
 DECADES = 6  # of an axis: what is less than all of them below the most is not seen
-OF_CONSTITUENT = {"water": "#0072B2", "phytoplankton": "#009E73", "CDOM": "#D55E00"}
+OF_CONSTITUENT = {
+    **{"water": "#0072B2", "phytoplankton": "#009E73", "CDOM": "#D55E00"},
+    **{"molecules": "#0072B2", "ozone": "#009E73", "aerosols": "#D55E00"},
+}
 OF_PROCESS = {"raman": "#0072B2", "chlorophyll": "#009E73", "cdom": "#D55E00"}
+UNITS = {"m-1": "1/m", "nm-1": "1/nm"}
 FLOOR = 1e-30  # 0 for a logarithmic axis
 ANGLES = [0, 1, 10, 30, 60, 90, 120, 180]
 TOTAL = {"color": "black", "linewidth": 2.0}
@@ -22,26 +27,79 @@ NO_EMISSION = "no light of other wavelengths"
 
 def figure(optics, title=None):
     """optics: what photic.open gives for a file of `photic optics`; title: default the scene's."""
-    layers = _spread(optics.sizes["depth"], MOST_LAYERS)
-    drawing = Figure(figsize=(18, 1.3 + 3.9 * len(layers)), **LOOK)
-    grid = drawing.subplots(len(layers), 4, sharex="col", sharey="col", squeeze=False)
-    for (absorption, scattering, phases, emission), layer in zip(grid, layers):
-        one = optics.isel(depth=layer)
+    axis = _axis(optics)
+    layers = _spread(optics.sizes[axis], MOST_LAYERS)
+    layers = layers[::-1] if axis == "altitude" else layers
+    panels_across = 4 if "process" in optics.sizes else 3
+    drawing = Figure(figsize=(4.5 * panels_across, 1.3 + 3.9 * len(layers)), **LOOK)
+    together = "col" if axis == "depth" else "none"  # air thins out by more than an axis can show
+    grid = drawing.subplots(
+        len(layers), panels_across, sharex="col", sharey=together, squeeze=False
+    )
+    for row, layer in zip(grid, layers):
+        absorption, scattering, phases = row[:3]
+        one = optics.isel({axis: layer})
         name = _name(one)
         _spectra(absorption, one, [("a_per_m", "all", "-")], "absorption by ")
         totals = [("b_per_m", "all", "-"), ("bb_per_m", "all, backwards", "--")]
         _spectra(scattering, one, totals, "scattering by ")
         _phases(phases, one)
-        _emission(emission, one)
+        for emission in row[3:]:
+            _emission(emission, one)
         titles = ("absorption", "scattering", "phase function", "light emitted")
-        for panel, what in zip((absorption, scattering, phases, emission), titles):
+        for panel, what in zip(row, titles):
             panel.set_title(panels.text(f"{name}: {what}"), fontsize=10.5, loc="left")
-    _finish(grid, optics)
+    _finish(grid)
+    for row, layer in zip(grid, layers):
+        _limit_row(row, optics if together == "col" else optics.isel({axis: layer}))
     title = optics.attrs["title"] if title is None else title
     drawing.suptitle(panels.text(title), x=0.01, ha="left", fontsize=14, fontweight="bold")
     caption = panels.text(_caption(optics, len(layers)))
     drawing.supxlabel(caption, x=0.01, ha="left", fontsize=8, color="0.3")
     return drawing
+
+
+def spectra(table, title=None):
+    """table: what photic.open gives for spectra of an oil, or for transmittances."""
+    units = list(dict.fromkeys(table[name].attrs["units"] for name in _curves(table)))
+    drawing = Figure(figsize=(6.0 * len(units), 5.2), **LOOK)
+    row = drawing.subplots(1, len(units), squeeze=False)[0]
+    for panel, unit in zip(row, units):
+        names = [name for name in _curves(table) if table[name].attrs["units"] == unit]
+        names.sort(key=lambda name: -float(abs(table[name] - table[name][0]).max()))
+        for name, colour in zip(names[: len(COLOURS) - 1], COLOURS):
+            label = panels.text(table[name].attrs["long_name"])
+            _spectrum(panel, table[name], label, color=colour, linewidth=1.5)
+        panel.set_xlabel("wavelength [nm]", fontsize=9)
+        panel.set_ylabel(panels.text(f"[{UNITS.get(unit, unit)}]"), fontsize=9)
+        panel.grid(which="major", color="0.88", linewidth=0.7)
+        if unit == "m-1":
+            panel.set_yscale("log")
+        if panel.get_legend_handles_labels()[0]:
+            panel.legend(loc="best", fontsize=8.5, framealpha=0.92)
+    title = table.attrs["title"] if title is None else title
+    drawing.suptitle(panels.text(title), x=0.01, ha="left", fontsize=14, fontweight="bold")
+    caption = panels.text(table.attrs["source"] + _numbers(table))
+    drawing.supxlabel(caption, x=0.01, ha="left", fontsize=8, color="0.3")
+    return drawing
+
+
+def _curves(table):
+    return [name for name in table.data_vars if table[name].dims == ("wavelength",)]
+
+
+def _numbers(table):
+    """What there is one number of."""
+    said = [
+        f"; {table[name].attrs['long_name']}: {float(table[name]):.4g} {table[name].attrs['units']}"
+        for name in table.data_vars
+        if not table[name].dims
+    ]
+    return "".join(said).replace(" 1;", ";").removesuffix(" 1")
+
+
+def _axis(optics):
+    return "altitude" if "altitude" in optics.sizes else "depth"
 
 
 def _spread(count, most):
@@ -50,6 +108,8 @@ def _spread(count, most):
 
 
 def _name(layer):
+    if "altitude" in layer.coords:
+        return str(layer.layer_name.values)
     top, bottom = layer.depth_m_bounds.values
     where = f"from {top:g} m down" if numpy.isinf(bottom) else f"{top:g}\u2013{bottom:g} m"
     return f"{layer.layer_name.values}, {where}"
@@ -57,10 +117,12 @@ def _name(layer):
 
 def _caption(optics, drawn):
     parts = [optics.attrs["source"]]
-    if drawn < optics.sizes["depth"]:
-        parts.append(f"{drawn} of its {optics.sizes['depth']} layers")
-    nm = float(optics.excitation_wavelength_nm)
-    parts.append(f"light emitted: photons per metre and photon of {nm:.6g} nm (dotted)")
+    layers = optics.sizes[_axis(optics)]
+    if drawn < layers:
+        parts.append(f"{drawn} of its {layers} layers")
+    if "process" in optics.sizes:
+        nm = float(optics.excitation_wavelength_nm)
+        parts.append(f"light emitted: photons per metre and photon of {nm:.6g} nm (dotted)")
     return "; ".join(parts)
 
 
@@ -130,8 +192,8 @@ def _lines_of(layer, process):
     return layer.emission_wavelength_nm.values[its], per_m[its]
 
 
-def _finish(grid, optics):
-    """Axes and legends. All panels of a column have the same axes."""
+def _finish(grid):
+    """Axes and legends. All panels of a column have the same wavelengths or angles."""
     labels = [
         ("wavelength [nm]", "absorption coefficient [1/m]"),
         ("wavelength [nm]", "scattering coefficient [1/m]"),
@@ -159,11 +221,16 @@ def _finish(grid, optics):
         low, high = row[2].get_ylim()
         if high > 1000 * low:  # many decades of minor ticks take seconds to draw
             row[2].minorticks_off()
-        row[3].margins(x=0.1)
+        for emission in row[3:]:
+            emission.margins(x=0.1)
+
+
+def _limit_row(row, optics):
     a, b = _constituents(optics, "absorption by "), _constituents(optics, "scattering by ")
-    _limit(grid[0, 0], optics[["a_per_m", *a]])
-    _limit(grid[0, 1], optics[["b_per_m", "bb_per_m", *b]])
-    _limit(grid[0, 3], optics[[name for name in ["emission_line_per_m"] if name in optics]])
+    _limit(row[0], optics[["a_per_m", *a]])
+    _limit(row[1], optics[["b_per_m", "bb_per_m", *b]])
+    for emission in row[3:]:
+        _limit(emission, optics[[name for name in ["emission_line_per_m"] if name in optics]])
 
 
 def _limit(panel, variables):

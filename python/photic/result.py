@@ -26,6 +26,9 @@ def open(path):
     wavelength [nm], angle [degree], process (indexed by name), emission_line. Variables: a_per_m,
     b_per_m, c_per_m, bb_per_m, albedo, mean_cosine, phase_function_per_sr, those of constituents
     (a_water_per_m …), emission_per_m, emission_line_per_m; the attribute photic_content is "optics".
+    Layers of air have altitude (their lower edges) [m] in the place of depth, refractive_index, and
+    emit nothing. Spectra of an oil and transmittances have the dimension wavelength alone;
+    photic_content is then "spectra".
 
     Raises photic.Error if there is no such file or it was not written by Photic.
     """
@@ -40,7 +43,7 @@ def open(path):
             f"{path}: written by a newer Photic (result format {dataset.attrs['photic_format']}; "
             f"this package reads up to {FORMAT})"
         )
-    if is_optics(dataset):
+    if is_optics(dataset) or is_spectra(dataset):
         return _indexed(dataset)
     has = {axis: axis + "_name" in dataset for axis in ("environment", "parameter")}
     for axis in ["telescope", "channel", "process"] + [axis for axis in has if has[axis]]:
@@ -61,15 +64,23 @@ def is_optics(dataset):
     return dataset.attrs.get("photic_content") == "optics"
 
 
+def is_spectra(dataset):
+    """Whether a dataset holds spectra of an oil or transmittances of air."""
+    return dataset.attrs.get("photic_content") == "spectra"
+
+
 def _indexed(dataset):
-    """Optics by depth, wavelength, angle and the names of processes."""
-    names = {"depth": "depth_m", "wavelength": "wavelength_nm", "angle": "angle_deg"}
-    for axis, name in (names | {"process": "process_name"}).items():
+    """Optics by depth or altitude, wavelength, angle and the names of processes."""
+    names = {"depth": "depth_m", "altitude": "altitude_m", "wavelength": "wavelength_nm"}
+    for axis, name in (names | {"angle": "angle_deg", "process": "process_name"}).items():
+        if name not in dataset:
+            continue
         values = dataset[name]
         values = values.astype(str) if values.dtype == object else values
         dataset = dataset.assign_coords({axis: (axis, values.values, dataset[name].attrs)})
         dataset = dataset.drop_vars(name)
-    return dataset.set_coords("depth_m_bounds")
+    bounds = [name for name in ("depth_m_bounds", "altitude_m_bounds") if name in dataset]
+    return dataset.set_coords(bounds)
 
 
 def _load(path):

@@ -2,59 +2,76 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
+
+#include "io/optics_file.hpp"
+#include "io/text_columns.hpp"
 
 namespace photic::io {
 namespace {
 
-/// Of molecules, ozone, scattering and absorption by aerosols.
-std::array<double, 4> optical_depths(const optics::AirOptics& air) {
-  std::array<double, 4> depth{};
-  for (const optics::AirLayer& layer : air.layers) {
-    const double metres = (layer.top_km - layer.bottom_km) * 1e3;
-    depth[0] += layer.molecules_b_per_m * metres;
-    depth[1] += layer.ozone_a_per_m * metres;
-    depth[2] += layer.aerosols_b_per_m * metres;
-    depth[3] += layer.aerosols_a_per_m * metres;
+using medium::OpticalTable;
+
+constexpr double km_per_m = 1e-3;
+
+/// Through all layers, by wavelength; of nothing 0.
+std::vector<double> optical_depths(const OpticalTable& table, const std::vector<double>& per_m) {
+  std::vector<double> depth(table.wavelengths());
+  for (std::size_t i = 0; i < per_m.size(); ++i) {
+    const std::size_t layer = i / table.wavelengths();
+    depth[i % table.wavelengths()] += per_m[i] * (table.edge_m[layer + 1] - table.edge_m[layer]);
   }
   return depth;
 }
 
-/// Each once: ozone's tables change with the wavelength.
-void add_sources(const optics::AirOptics& air, std::vector<std::string>& sources) {
-  for (const auto& [what, source] :
-       {std::pair{"profile", air.profile_source}, std::pair{"molecules", air.molecules_source},
-        std::pair{"ozone", air.ozone_source}, std::pair{"aerosols", air.aerosols_source}}) {
-    const std::string line = fmt::format("  {}: {}\n", what, source);
-    if (!source.empty() && std::ranges::find(sources, line) == sources.end())
-      sources.push_back(line);
+std::string depths(const OpticalTable& table) {
+  const std::size_t count = table.wavelengths();
+  std::vector<TextColumn> columns = {text_column("nm", table.wavelength_nm, 0, count, "{:g}")};
+  const auto add = [&](const std::string& heading, const std::vector<double>& depth) {
+    columns.push_back(text_column(heading, depth, 0, count, "{:.5f}"));
+  };
+  for (const auto& [name, a, b, bb] : table.parts) {
+    const bool both = !a.empty() && !b.empty();
+    if (!b.empty()) add(name + (both ? ", scattering" : ""), optical_depths(table, b));
+    if (!a.empty()) add(name + (both ? ", absorption" : ""), optical_depths(table, a));
   }
+  std::vector<double> transmission;
+  for (const double depth : optical_depths(table, table.c_per_m()))
+    transmission.push_back(std::exp(-depth));
+  add("transmission", transmission);
+  return side_by_side(columns);
+}
+
+/// The coefficients of all layers at the first wavelength.
+std::string layers(const OpticalTable& table) {
+  const auto of = [&](const char* heading, const std::vector<double>& values, const char* format) {
+    std::vector<double> first;
+    for (std::size_t k = 0; k < table.layers(); ++k)
+      first.push_back(values[k * table.wavelengths()]);
+    return text_column(heading, first, 0, first.size(), format);
+  };
+  std::vector<double> km;
+  for (const double edge : table.edge_m) km.push_back(edge * km_per_m);
+  const char* const coefficient = "{:.4g}";
+  const char* const ratio = "{:.4f}";
+  return side_by_side(
+      {text_column("from km", km, 0, table.layers(), "{:g}"),
+       text_column("to km", km, 1, table.layers(), "{:g}"),
+       of("a [1/m]", table.a_per_m, coefficient), of("b [1/m]", table.b_per_m, coefficient),
+       of("c [1/m]", table.c_per_m(), coefficient), of("b_b [1/m]", table.bb_per_m(), coefficient),
+       of("b/c", table.albedo(), ratio), of("g", table.mean_cosine, ratio)});
 }
 
 }  // namespace
 
-std::string air_text(const optics::AirLibrary& library, const optics::AirProfile& profile,
-                     const optics::AerosolChoice& aerosols,
-                     const std::vector<double>& wavelength_nm) {
-  std::string out = fmt::format(
-      "Air from {:g} to {:g} km, straight up: optical depths\n\n{:>8} {:>10} {:>10} {:>12} {:>12} "
-      "{:>13}\n{:>8} {:>10} {:>10} {:>12} {:>12} {:>13}\n",
-      profile.z_km.front(), profile.z_km.back(), "", "", "", "aerosols", "aerosols", "", "nm",
-      "molecules", "ozone", "scattering", "absorption", "transmission");
-  std::vector<std::string> sources;
-  for (const double nm : wavelength_nm) {
-    const optics::AirOptics air = optics::air_at(library, profile, aerosols, nm);
-    add_sources(air, sources);
-    const auto [molecules, ozone, scattering, absorption] = optical_depths(air);
-    out += fmt::format("{:>8g} {:>10.5f} {:>10.5f} {:>12.5f} {:>12.5f} {:>13.5f}\n", nm, molecules,
-                       ozone, scattering, absorption,
-                       std::exp(-(molecules + ozone + scattering + absorption)));
-  }
-  out += "\nWhere the numbers come from\n";
-  for (const std::string& source : sources) out += source;
+std::string air_text(const OpticalTable& table) {
+  std::string out = fmt::format("Air from {:g} to {:g} km, straight up: optical depths\n\n",
+                                table.edge_m.front() * km_per_m, table.edge_m.back() * km_per_m);
+  out += depths(table);
+  out += fmt::format("\nIts layers at {:g} nm{}\n\n", table.wavelength_nm.front(),
+                     table.wavelengths() == 1 ? "" : " (all wavelengths: -o FILE, --json)");
+  out += layers(table) + "\nWhere the numbers come from\n";
+  for (const auto& source : table.sources) out += set_back(source_line(source));
   return out;
 }
 

@@ -2,16 +2,13 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "optics/air.hpp"
+#include "medium/optical_table.hpp"
 
 namespace photic::io {
 
-/// Vertical optical depths of all layers, by what is in them, and where they come from. Throws
-/// InputError for wavelengths without data.
-std::string air_text(const optics::AirLibrary& library, const optics::AirProfile& profile,
-                     const optics::AerosolChoice& aerosols,
-                     const std::vector<double>& wavelength_nm);
+/// Vertical optical depths of all layers of air, by what is in them; the layers' coefficients at
+/// the first wavelength; and where the numbers come from.
+std::string air_text(const medium::OpticalTable& table);
 
 }  // namespace photic::io

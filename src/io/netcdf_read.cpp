@@ -6,13 +6,17 @@ namespace photic::io {
 std::string read_scene_attribute(const std::string& path) {
   const NetcdfReader reader(path);
   reader.expect_result();
+  const std::string other = reader.other_content();
+  if (!other.empty() && !reader.has("scene"))
+    reader.refuse("holds " + other + " of what is no scene");
   return reader.text("scene");
 }
 
 RunSoFar read_run(const std::string& path) {
   const NetcdfReader reader(path);
   reader.expect_result();
-  if (reader.holds_optics()) reader.refuse("holds the optics of layers, and no echoes");
+  const std::string other = reader.other_content();
+  if (!other.empty()) reader.refuse("holds " + other + ", and no echoes");
   return {.scene_toml = reader.text("scene"),
           .version = reader.text("version"),
           .engine = reader.text("engine"),

@@ -61,9 +61,14 @@ void NetcdfReader::expect_result() const {
                 "use the newer Photic");
 }
 
-bool NetcdfReader::holds_optics() const {
-  return nc_inq_attid(file_, NC_GLOBAL, "photic_content", nullptr) == NC_NOERR &&
-         text("photic_content") == "optics";
+bool NetcdfReader::has(const std::string& attribute) const {
+  return nc_inq_attid(file_, NC_GLOBAL, attribute.c_str(), nullptr) == NC_NOERR;
+}
+
+std::string NetcdfReader::other_content() const {
+  if (!has("photic_content")) return "";
+  const std::string content = text("photic_content");
+  return content == "optics" ? "the optics of layers" : content;
 }
 
 bool NetcdfReader::enter_group(const std::string& name) {

@@ -23,8 +23,11 @@ class NetcdfReader {
   /// Throws InputError unless the file was written by Photic in a format that is known.
   void expect_result() const;
 
-  /// Whether it holds the optics of layers, and no echoes (io/optics_file.hpp).
-  [[nodiscard]] bool holds_optics() const;
+  /// What it holds in the place of echoes: "the optics of layers" (io/optics_file.hpp), "spectra"
+  /// (io/spectral_table.hpp). Empty: echoes.
+  [[nodiscard]] std::string other_content() const;
+
+  [[nodiscard]] bool has(const std::string& attribute) const;
 
   /// Whatever is read afterwards comes from this group; false if there is none.
   bool enter_group(const std::string& name);

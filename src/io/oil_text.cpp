@@ -26,4 +26,23 @@ std::string oil_text(const optics::Oil& oil, const std::vector<double>& waveleng
   return out;
 }
 
+SpectralTable oil_table(const optics::Oil& oil, const std::vector<double>& wavelength_nm) {
+  SpectralTable table{.what = "optical properties of an oil", .wavelength_nm = wavelength_nm};
+  const auto add = [&](const char* name, const char* long_name, const char* units,
+                       const optics::OilSpectrum& spectrum) {
+    table.columns.push_back({name, name, long_name, units, {}});
+    for (const double nm : wavelength_nm) table.columns.back().values.push_back(spectrum(nm));
+  };
+  add("n", "index of refraction against air", "1", oil.refractive_index);
+  add("a_per_m", "absorption coefficient", "m-1", oil.absorption_per_m);
+  add("emission_per_nm", "spectrum of emitted photons, 1 in all", "nm-1", oil.emission_per_nm);
+  table.numbers = {{"yield", "photons emitted per photon absorbed", "1", oil.yield},
+                   {"lifetime_ns", "mean time from absorption to emission", "ns", oil.lifetime_ns}};
+  for (const auto& property : oil.properties) {
+    table.sources.push_back(property_line(property));
+    table.sources.back().pop_back();  // the end of the line
+  }
+  return table;
+}
+
 }  // namespace photic::io

@@ -18,13 +18,13 @@ struct Column {
 };
 
 std::vector<Column> columns_of(const OpticalTable& table) {
-  std::vector<Column> columns = {{"a_per_m", table.a_per_m},
-                                 {"b_per_m", table.b_per_m},
-                                 {"c_per_m", table.c_per_m()},
-                                 {"bb_per_m", table.bb_per_m()},
-                                 {"albedo", table.albedo()},
-                                 {"mean_cosine", table.mean_cosine},
-                                 {"a_phytoplankton_per_m", table.a_exciting_per_m}};
+  std::vector<Column> columns = {{"a_per_m", table.a_per_m},   {"b_per_m", table.b_per_m},
+                                 {"c_per_m", table.c_per_m()}, {"bb_per_m", table.bb_per_m()},
+                                 {"albedo", table.albedo()},   {"mean_cosine", table.mean_cosine}};
+  if (!table.a_exciting_per_m.empty())
+    columns.push_back({"a_phytoplankton_per_m", table.a_exciting_per_m});
+  if (!table.refractive_index.empty())
+    columns.push_back({"refractive_index", table.refractive_index});
   for (const auto& [name, a, b, bb] : table.parts) {
     if (!a.empty()) columns.push_back({"a_" + name_in_files(name) + "_per_m", a});
     if (!b.empty()) columns.push_back({"b_" + name_in_files(name) + "_per_m", b});
@@ -47,13 +47,16 @@ std::string head(const OpticalTable& table, const OpticsOrigin& origin) {
   const double end = table.edge_m.back();
   std::string out = fmt::format("# {}\n# Photic {}, {}\n", one_line(origin.title), origin.version,
                                 one_line(origin.history));
-  out += fmt::format(
-      "# depth_m: the upper edge of a layer, which reaches down to the next; the last one {}\n",
-      std::isinf(end) ? "is bottomless" : fmt::format("ends at {} m", end));
+  const EdgeNames edges = edge_names(table);
+  out +=
+      fmt::format("# {}: the {} edge of a layer, which reaches {} to the next; the last one {}\n",
+                  edges.first_m, edges.first, edges.onwards,
+                  std::isinf(end) ? "is bottomless" : fmt::format("ends at {} m", end));
   out +=
       "# a absorption, b scattering, c = a + b, bb backscattering, albedo = b / c, mean_cosine of "
-      "the scattering angle\n"
-      "# a_phytoplankton_per_m: the share of a that excites chlorophyll fluorescence\n";
+      "the scattering angle\n";
+  if (!table.a_exciting_per_m.empty())
+    out += "# a_phytoplankton_per_m: the share of a that excites chlorophyll fluorescence\n";
   for (const auto& emission : table.emission) {
     for (std::size_t k = 0; k < table.layers(); ++k) {
       out +=
@@ -69,6 +72,12 @@ std::string head(const OpticalTable& table, const OpticsOrigin& origin) {
 }
 
 }  // namespace
+
+EdgeNames edge_names(const OpticalTable& table) {
+  if (table.of == medium::Layered::air)
+    return {"altitude", "altitude_m", "top_altitude_m", "lower", "up"};
+  return {"depth", "depth_m", "bottom_depth_m", "upper", "down"};
+}
 
 std::string name_in_files(const std::string& constituent) {
   if (constituent == "phytoplankton") return "phytoplankton_and_detritus";
@@ -94,7 +103,7 @@ std::vector<std::string> source_lines(const OpticalTable::Emission& emission) {
 
 std::string optics_csv(const OpticalTable& table, const OpticsOrigin& origin) {
   const auto columns = columns_of(table);
-  std::string out = head(table, origin) + "depth_m,wavelength_nm";
+  std::string out = head(table, origin) + edge_names(table).first_m + ",wavelength_nm";
   for (const Column& column : columns) out += ',' + column.name;
   out += '\n';
   for (std::size_t i = 0; i < table.a_per_m.size(); ++i) {

@@ -1,6 +1,6 @@
-// The optics of a scene's layers as files: netCDF for programs and plots, comma-separated values
-// for spreadsheets. Names and units are those of IOP tables, so that what is written can be read
-// again.
+// The optics of layers, of a scene or of air, as files: netCDF for programs and plots,
+// comma-separated values for spreadsheets. Names and units are those of IOP tables, so that what is
+// written can be read again.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace photic::io {
 /// How a table of optics came to be.
 struct OpticsOrigin {
   std::string title;
-  std::string scene_toml;  ///< the effective scene
+  std::string scene_toml;  ///< the effective scene; empty: none, for air
   std::string version;     ///< of Photic
   std::string history;     ///< see history_line (io/netcdf.hpp)
 };
@@ -23,13 +23,23 @@ void write_optics_netcdf(const medium::OpticalTable& table, const OpticsOrigin& 
                          const std::string& path);
 
 /// One row for each layer and wavelength after a head of lines that start with '#'; a row holds
-/// from its depth down to the next depth. Numbers read back to the same value; what is not known is
-/// "nan".
+/// from its depth down to the next depth, or from its altitude up. Numbers read back to the same
+/// value; what is not known is "nan".
 std::string optics_csv(const medium::OpticalTable& table, const OpticsOrigin& origin);
 
 /// Writes optics_csv to a file, whole or not at all. Throws EnvironmentError.
 void write_optics_csv(const medium::OpticalTable& table, const OpticsOrigin& origin,
                       const std::string& path);
+
+/// What files call edges of layers.
+struct EdgeNames {
+  std::string axis;     ///< "depth", "altitude"
+  std::string first_m;  ///< of the edge that a layer begins with: "depth_m", "altitude_m"
+  std::string last_m;   ///< "bottom_depth_m", "top_altitude_m"
+  std::string first;    ///< "upper", "lower"
+  std::string onwards;  ///< "down", "up"
+};
+EdgeNames edge_names(const medium::OpticalTable& table);
 
 /// What files call a constituent: small letters, digits and underscores. What comes with
 /// phytoplankton is in its absorption, but not in a_phytoplankton_per_m: as in a scene's iop, that

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "io/optics_file.hpp"
 #include "io/optics_table.hpp"
 
 namespace photic::io {
@@ -42,22 +43,25 @@ Json layer(const OpticalTable& table, std::size_t k) {
   const auto of_layer = [&](const std::vector<double>& values) {
     return in_layer(values, k, table.wavelengths());
   };
+  const EdgeNames edges = edge_names(table);
   Json out = {{"name", table.layer_name[k]},
-              {"depth_m", table.edge_m[k]},
-              {"bottom_depth_m", table.edge_m[k + 1]},
+              {edges.first_m, table.edge_m[k]},
+              {edges.last_m, table.edge_m[k + 1]},
               {"a_per_m", of_layer(table.a_per_m)},
               {"b_per_m", of_layer(table.b_per_m)},
               {"c_per_m", of_layer(table.c_per_m())},
               {"bb_per_m", of_layer(table.bb_per_m())},
               {"albedo", of_layer(table.albedo())},
               {"backscatter_fraction", of_layer(table.backscatter_fraction)},
-              {"mean_cosine", of_layer(table.mean_cosine)},
-              {"a_phytoplankton_per_m", of_layer(table.a_exciting_per_m)},
-              {"parts", Json::object()},
-              {"emission", Json::object()},
-              {"phase_function_per_sr", phase_functions(table, k)}};
+              {"mean_cosine", of_layer(table.mean_cosine)}};
+  if (!table.a_exciting_per_m.empty())
+    out["a_phytoplankton_per_m"] = of_layer(table.a_exciting_per_m);
+  if (!table.refractive_index.empty()) out["refractive_index"] = of_layer(table.refractive_index);
+  out["parts"] = Json::object();
   for (const auto& each : table.parts) out["parts"][each.name] = part(table, each, k);
+  if (!table.emission.empty()) out["emission"] = Json::object();
   for (const auto& each : table.emission) out["emission"][each.process] = emission(each, k);
+  out["phase_function_per_sr"] = phase_functions(table, k);
   return out;
 }
 
@@ -78,11 +82,10 @@ Json sources(const OpticalTable& table) {
 }  // namespace
 
 std::string optics_json(const OpticalTable& table) {
-  Json json = {{"wavelength_nm", table.wavelength_nm},
-               {"angle_deg", table.angle_deg},
-               {"excitation_nm", table.excitation_nm},
-               {"layers", Json::array()},
-               {"sources", sources(table)}};
+  Json json = {{"wavelength_nm", table.wavelength_nm}, {"angle_deg", table.angle_deg}};
+  if (!table.emission.empty()) json["excitation_nm"] = table.excitation_nm;
+  json["layers"] = Json::array();
+  json["sources"] = sources(table);
   for (std::size_t k = 0; k < table.layers(); ++k) json["layers"].push_back(layer(table, k));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -15,31 +15,46 @@ using medium::OpticalTable;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-const std::vector<std::string> spectral = {"depth", "wavelength"};
-const std::string spectral_coordinates = "layer_name depth_m wavelength_nm";
+using Dimensions = std::vector<std::string>;
+
+Dimensions spectral(const OpticalTable& table) { return {edge_names(table).axis, "wavelength"}; }
+
+std::string layer_coordinates(const OpticalTable& table) {
+  return "layer_name " + edge_names(table).first_m;
+}
+
+std::string spectral_coordinates(const OpticalTable& table) {
+  return layer_coordinates(table) + " wavelength_nm";
+}
 
 void add_axes(NetcdfImage& file, const OpticalTable& table) {
-  file.add_dimension("depth", table.layers());
+  const EdgeNames edges = edge_names(table);
+  const std::string bounds_name = edges.first_m + "_bounds";
+  file.add_dimension(edges.axis, table.layers());
   file.add_dimension("wavelength", table.wavelengths());
   file.add_dimension("angle", table.angles());
   file.add_dimension("bnds", 2);
-  file.add_variable("layer_name", {"depth"}, table.layer_name,
+  file.add_variable("layer_name", {edges.axis}, table.layer_name,
                     {{"long_name", "name of the layer"}});
-  std::vector<double> top, bounds;
+  std::vector<double> first, bounds;
   for (std::size_t k = 0; k < table.layers(); ++k) {
-    top.push_back(table.edge_m[k]);
+    first.push_back(table.edge_m[k]);
     bounds.insert(bounds.end(), {table.edge_m[k], table.edge_m[k + 1]});
   }
-  file.add_variable("depth_m", {"depth"}, top,
-                    {{"standard_name", "depth"},
-                     {"long_name", "depth of the upper edge of the layer"},
-                     {"units", "m"},
-                     {"positive", "down"},
-                     {"coordinates", "layer_name"},
-                     {"bounds", "depth_m_bounds"},
-                     {"comment", "a bottomless layer ends at an infinite depth"}});
-  file.add_variable("depth_m_bounds", {"depth", "bnds"}, bounds,
-                    {{"long_name", "upper and lower edge of the layer"}});
+  Attributes attributes = {
+      {"standard_name", edges.axis},
+      {"long_name", fmt::format("{} of the {} edge of the layer", edges.axis, edges.first)},
+      {"units", "m"},
+      {"positive", edges.onwards},
+      {"coordinates", "layer_name"},
+      {"bounds", bounds_name}};
+  if (table.of == medium::Layered::water)
+    attributes.emplace_back("comment", "a bottomless layer ends at an infinite depth");
+  file.add_variable(edges.first_m, {edges.axis}, first, attributes);
+  file.add_variable(
+      bounds_name, {edges.axis, "bnds"}, bounds,
+      {{"long_name", table.of == medium::Layered::water ? "upper and lower edge of the layer"
+                                                        : "lower and upper edge of the layer"}});
   file.add_variable("wavelength_nm", {"wavelength"}, table.wavelength_nm,
                     {{"standard_name", "radiation_wavelength"},
                      {"long_name", "wavelength of the light, in air"},
@@ -49,40 +64,53 @@ void add_axes(NetcdfImage& file, const OpticalTable& table) {
                      {"units", "degree"}});
 }
 
-Attributes per_metre(const std::string& quantity, const std::string& standard_name) {
-  return {{"standard_name", standard_name + "_of_radiative_flux_in_sea_water"},
-          {"long_name", quantity + " coefficient, water and all its constituents"},
-          {"units", "m-1"},
-          {"coordinates", spectral_coordinates}};
+/// CF has names of the totals in sea water, not of those in air.
+Attributes per_metre(const OpticalTable& table, const std::string& quantity,
+                     const std::string& standard_name) {
+  const bool water = table.of == medium::Layered::water;
+  Attributes out;
+  if (water) out.emplace_back("standard_name", standard_name + "_of_radiative_flux_in_sea_water");
+  out.emplace_back("long_name", quantity + (water ? " coefficient, water and all its constituents"
+                                                  : " coefficient, air and all that is in it"));
+  out.emplace_back("units", "m-1");
+  out.emplace_back("coordinates", spectral_coordinates(table));
+  return out;
 }
 
 void add_totals(NetcdfImage& file, const OpticalTable& table) {
-  file.add_variable("a_per_m", spectral, table.a_per_m,
-                    per_metre("absorption", "volume_absorption_coefficient"));
-  file.add_variable("b_per_m", spectral, table.b_per_m,
-                    per_metre("scattering", "volume_scattering_coefficient"));
-  file.add_variable("c_per_m", spectral, table.c_per_m(),
-                    per_metre("attenuation", "volume_beam_attenuation_coefficient"));
-  file.add_variable("bb_per_m", spectral, table.bb_per_m(),
-                    per_metre("backscattering", "volume_backwards_scattering_coefficient"));
-  file.add_variable("albedo", spectral, table.albedo(),
-                    {{"long_name", "single-scattering albedo b / c"},
-                     {"units", "1"},
-                     {"_FillValue", unknown},
-                     {"coordinates", spectral_coordinates}});
-  file.add_variable("mean_cosine", spectral, table.mean_cosine,
-                    {{"long_name", "mean cosine g of the scattering angle"},
-                     {"units", "1"},
-                     {"coordinates", spectral_coordinates}});
-  file.add_variable("a_phytoplankton_per_m", spectral, table.a_exciting_per_m,
-                    {{"long_name", "share of the absorption that excites chlorophyll fluorescence"},
-                     {"units", "m-1"},
-                     {"coordinates", spectral_coordinates}});
-  file.add_variable("phase_function_per_sr", {"depth", "wavelength", "angle"},
+  const std::string coordinates = spectral_coordinates(table);
+  const auto add = [&](const char* name, const std::vector<double>& values,
+                       const Attributes& attributes) {
+    if (!values.empty()) file.add_variable(name, spectral(table), values, attributes);
+  };
+  add("a_per_m", table.a_per_m, per_metre(table, "absorption", "volume_absorption_coefficient"));
+  add("b_per_m", table.b_per_m, per_metre(table, "scattering", "volume_scattering_coefficient"));
+  add("c_per_m", table.c_per_m(),
+      per_metre(table, "attenuation", "volume_beam_attenuation_coefficient"));
+  add("bb_per_m", table.bb_per_m(),
+      per_metre(table, "backscattering", "volume_backwards_scattering_coefficient"));
+  add("albedo", table.albedo(),
+      {{"long_name", "single-scattering albedo b / c"},
+       {"units", "1"},
+       {"_FillValue", unknown},
+       {"coordinates", coordinates}});
+  add("mean_cosine", table.mean_cosine,
+      {{"long_name", "mean cosine g of the scattering angle"},
+       {"units", "1"},
+       {"coordinates", coordinates}});
+  add("a_phytoplankton_per_m", table.a_exciting_per_m,
+      {{"long_name", "share of the absorption that excites chlorophyll fluorescence"},
+       {"units", "m-1"},
+       {"coordinates", coordinates}});
+  add("refractive_index", table.refractive_index,
+      {{"long_name", "index of refraction against vacuum"},
+       {"units", "1"},
+       {"coordinates", coordinates}});
+  file.add_variable("phase_function_per_sr", {edge_names(table).axis, "wavelength", "angle"},
                     table.phase_function_per_sr,
                     {{"long_name", "phase function of all scattering, 1 over the whole sphere"},
                      {"units", "sr-1"},
-                     {"coordinates", spectral_coordinates + " angle_deg"}});
+                     {"coordinates", coordinates + " angle_deg"}});
 }
 
 /// What is said of where the numbers of a constituent come from.
@@ -97,12 +125,12 @@ void add_parts(NetcdfImage& file, const OpticalTable& table) {
   for (const auto& part : table.parts) {
     const auto add = [&](const char* letter, const char* verb, const std::vector<double>& values) {
       if (values.empty()) return;
-      file.add_variable(fmt::format("{}_{}_per_m", letter, name_in_files(part.name)), spectral,
-                        values,
+      file.add_variable(fmt::format("{}_{}_per_m", letter, name_in_files(part.name)),
+                        spectral(table), values,
                         {{"long_name", fmt::format("{} by {}", verb, part.name)},
                          {"units", "m-1"},
                          {"_FillValue", unknown},
-                         {"coordinates", spectral_coordinates},
+                         {"coordinates", spectral_coordinates(table)},
                          {"source", LongText{sources_of(part.name, table)}}});
     };
     add("a", "absorption", part.a_per_m);
@@ -135,12 +163,12 @@ void add_emission_lines(NetcdfImage& file, const OpticalTable& table) {
                      {"units", "nm"},
                      {"coordinates", "emission_line_process"}});
   file.add_variable(
-      "emission_line_per_m", {"depth", "emission_line"}, per_m,
+      "emission_line_per_m", {edge_names(table).axis, "emission_line"}, per_m,
       {{"long_name", "photons emitted in the line per metre and photon of the exciting light"},
        {"units", "m-1"},
        {"coordinates",
-        "layer_name depth_m emission_line_process emission_wavelength_nm "
-        "excitation_wavelength_nm"}});
+        layer_coordinates(table) +
+            " emission_line_process emission_wavelength_nm excitation_wavelength_nm"}});
 }
 
 void add_emission(NetcdfImage& file, const OpticalTable& table) {
@@ -157,10 +185,10 @@ void add_emission(NetcdfImage& file, const OpticalTable& table) {
                      {"long_name", "wavelength of the light that excites emission, in air"},
                      {"units", "nm"}});
   file.add_variable(
-      "emission_per_m", {"depth", "process"}, per_m,
+      "emission_per_m", {edge_names(table).axis, "process"}, per_m,
       {{"long_name", "photons emitted by the process per metre and photon of the exciting light"},
        {"units", "m-1"},
-       {"coordinates", "layer_name depth_m process_name excitation_wavelength_nm"}});
+       {"coordinates", layer_coordinates(table) + " process_name excitation_wavelength_nm"}});
   add_emission_lines(file, table);
 }
 
@@ -171,14 +199,16 @@ void add_description(NetcdfImage& file, const OpticalTable& table, const OpticsO
     for (const auto& line : source_lines(emission)) references.push_back(line);
   file.add_global("Conventions", "CF-1.10");
   file.add_global("title", LongText{origin.title});
-  file.add_global("source", fmt::format("Photic {}: optical properties of the layers of a scene",
-                                        origin.version));
+  file.add_global("source",
+                  fmt::format("Photic {}: optical properties of {}", origin.version,
+                              table.of == medium::Layered::water ? "the layers of a scene"
+                                                                 : "the layers of the air"));
   file.add_global("history", LongText{origin.history});
   file.add_global("references", LongText{fmt::format("{}", fmt::join(references, "\n"))});
   file.add_global("photic_format", photic_format);
   file.add_global("photic_content", "optics");
   file.add_global("version", origin.version);
-  file.add_global("scene", LongText{origin.scene_toml});
+  if (!origin.scene_toml.empty()) file.add_global("scene", LongText{origin.scene_toml});
 }
 
 }  // namespace
@@ -190,7 +220,7 @@ void write_optics_netcdf(const OpticalTable& table, const OpticsOrigin& origin,
   add_axes(file, table);
   add_totals(file, table);
   add_parts(file, table);
-  add_emission(file, table);
+  if (!table.emission.empty()) add_emission(file, table);
   write_atomically(path, file.finish());
 }
 

@@ -1,63 +1,27 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "io/air_text.hpp"
 #include "io/optics_file.hpp"
 #include "io/optics_table.hpp"
-#include "io/table_parts.hpp"
+#include "io/text_columns.hpp"
 
 namespace photic::io {
 namespace {
 
 using medium::OpticalTable;
 
-constexpr std::size_t width = 100;          ///< of lines that can be broken
 constexpr std::size_t lines_told_each = 3;  ///< of a process; of more only where they lie
 
-/// A heading and the numbers below it.
-struct TextColumn {
-  std::string heading;
-  std::vector<std::string> cells;
-};
-
-TextColumn column(const std::string& heading, const std::vector<double>& values, std::size_t first,
-                  std::size_t count, const char* format) {
-  TextColumn out{heading, {}};
-  for (std::size_t i = first; i < first + count; ++i) {
-    std::string cell = std::isnan(values[i]) ? "?" : fmt::format(fmt::runtime(format), values[i]);
-    if (cell.starts_with("-0.") && cell.find_first_of("123456789") == std::string::npos)
-      cell.erase(0, 1);  // g of molecules is 0, but for rounding
-    out.cells.push_back(std::move(cell));
-  }
-  return out;
-}
-
-/// Columns side by side, to the right in their widths.
-std::string side_by_side(const std::vector<TextColumn>& columns) {
-  std::string out;
-  const auto add_line = [&](const auto& text_of) {
-    for (const TextColumn& c : columns) {
-      std::size_t wide = c.heading.size();
-      for (const std::string& cell : c.cells) wide = std::max(wide, cell.size());
-      out += fmt::format("  {:>{}}", text_of(c), wide);
-    }
-    out += '\n';
-  };
-  add_line([](const TextColumn& c) { return c.heading; });
-  for (std::size_t i = 0; i < columns.front().cells.size(); ++i)
-    add_line([i](const TextColumn& c) { return c.cells[i]; });
-  return out;
-}
-
 TextColumn wavelengths(const OpticalTable& table) {
-  return column("nm", table.wavelength_nm, 0, table.wavelengths(), "{:.2f}");
+  return text_column("nm", table.wavelength_nm, 0, table.wavelengths(), "{:.2f}");
 }
 
 std::string totals(const OpticalTable& table, std::size_t layer) {
   const std::size_t count = table.wavelengths(), first = layer * count;
   const auto of = [&](const char* heading, const std::vector<double>& values, const char* format) {
-    return column(heading, values, first, count, format);
+    return text_column(heading, values, first, count, format);
   };
   const char* const coefficient = "{:#.5g}";
   const char* const ratio = "{:.4f}";
@@ -76,7 +40,7 @@ std::string parts(const OpticalTable& table, std::size_t layer) {
     const auto add = [&](const char* letter, const std::vector<double>& values) {
       if (!values.empty() && !std::isnan(values[first]))
         columns.push_back(
-            column(fmt::format("{} {}", letter, name), values, first, count, "{:#.5g}"));
+            text_column(fmt::format("{} {}", letter, name), values, first, count, "{:#.5g}"));
     };
     add("a", a);
     add("b", b);
@@ -110,17 +74,10 @@ std::string layer_text(const OpticalTable& table, std::size_t layer) {
   return out + '\n';
 }
 
-/// A line of any length, broken; what follows the first is set back.
-std::string set_back(const std::string& line) {
-  std::string out;
-  for (const std::string& part : wrapped(line, width - 4))
-    out += (out.empty() ? "  " : "    ") + part + '\n';
-  return out;
-}
-
 }  // namespace
 
 std::string optics_text(const OpticalTable& table) {
+  if (table.of == medium::Layered::air) return air_text(table);
   std::string out;
   for (std::size_t k = 0; k < table.layers(); ++k) out += layer_text(table, k);
   out += "Where the numbers come from\n";

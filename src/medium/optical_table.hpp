@@ -1,4 +1,5 @@
-// The optics of a scene's layers as a table: what `photic optics` tells (docs/guide.md).
+// The optics of layers, of a scene's water or of air, as a table: what `photic optics` tells
+// (docs/guide.md).
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,10 @@
 #include "scene/scene.hpp"
 
 namespace photic::medium {
+
+/// What lies between the edges of layers: water, from the surface down, or air, from the lowest
+/// level up.
+enum class Layered { water, air };
 
 /// Values of a layer k at a wavelength w stand at k * wavelengths + w, those of a phase function at
 /// an angle i at (k * wavelengths + w) * angles + i.
@@ -35,18 +40,21 @@ struct OpticalTable {
     std::vector<std::string> sources;
   };
 
+  Layered of = Layered::water;
   std::vector<std::string> layer_name;
-  std::vector<double>
-      edge_m;  ///< upper edges, and the end of the last layer, which may be infinite
+  /// Depths of upper edges, and of the end of the last layer, which may be infinite; altitudes of
+  /// lower edges, and of the top.
+  std::vector<double> edge_m;
   std::vector<double> wavelength_nm;
   std::vector<double> angle_deg;
   std::vector<double> a_per_m, b_per_m, backscatter_fraction, mean_cosine;
-  std::vector<double> a_exciting_per_m;  ///< the share of a that excites chlorophyll fluorescence
+  std::vector<double> a_exciting_per_m;  ///< of water: the share of a that excites chlorophyll
+  std::vector<double> refractive_index;  ///< of air
   std::vector<double> phase_function_per_sr;
   std::vector<Part> parts;
   std::vector<Source> sources;
   double excitation_nm = 0;
-  std::vector<Emission> emission;
+  std::vector<Emission> emission;  ///< of water
 
   [[nodiscard]] std::size_t layers() const { return layer_name.size(); }
   [[nodiscard]] std::size_t wavelengths() const { return wavelength_nm.size(); }
@@ -55,6 +63,13 @@ struct OpticalTable {
   [[nodiscard]] std::vector<double> bb_per_m() const;  ///< backscattering
   [[nodiscard]] std::vector<double> albedo() const;    ///< b / c
 };
+
+/// Adds where a number comes from, or another wavelength that it comes from there at.
+void add_source(const std::string& quantity, const std::string& source, double wavelength_nm,
+                std::vector<OpticalTable::Source>& sources);
+
+/// 1 - cos, with its digits near the forward direction.
+double x_of_angle(double angle_deg);
 
 /// Scattering angles that phase functions are told at: 0, ten in each decade from 0.01 to 10, then
 /// every 5 degrees. Photic's phase functions are flat within 0.01 degree (optics/phase_table.hpp).

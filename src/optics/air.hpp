@@ -35,7 +35,8 @@ struct AirOptics {
   std::string profile_source, molecules_source, ozone_source, aerosols_source;
 };
 
-/// Throws InputError for a wavelength without data (200 to 1100 nm) or a model that does not exist.
+/// Throws InputError for a wavelength without data (200 to 1100 nm; to 1099 nm where
+/// there is ozone, from 250 nm for OPAC) or a model that does not exist.
 AirOptics air_at(const AirLibrary& library, const AirProfile& profile,
                  const AerosolChoice& aerosols, double wavelength_nm);
 

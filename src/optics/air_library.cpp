@@ -64,7 +64,7 @@ const AirProfile& AirLibrary::atmosphere(const std::string& name) const {
   if (found == atmospheres_.end()) {
     no_model("atmosphere", name,
              "us-standard, tropical, midlatitude-summer, midlatitude-winter, subarctic-summer, "
-             "subarctic-winter");
+             "subarctic-winter, or a file: levels in a .csv, a tape6 or tape7 of MODTRAN");
   }
   return found->second;
 }

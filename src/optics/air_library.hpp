@@ -29,7 +29,7 @@ class AirLibrary {
   const std::map<std::string, AerosolModel> aerosols;
   const Opac opac;
 
-  const SpheresCache spheres;  ///< no table: what Mie theory gives, computed once
+  const SampledSpheresCache spheres;  ///< no table: what Mie theory gives, computed once
 
  private:
   std::map<std::string, AirProfile> atmospheres_;

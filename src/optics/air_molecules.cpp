@@ -55,8 +55,14 @@ Sourced ozone_absorption_m2(const AirLibrary& library, double nm, double tempera
     no_data("ozone absorption", nm, c0.source, c0.values.min(), c0.values.max(),
             "choose another wavelength");
   }
-  if (nm > c0.values.max())
-    return {m2_per_cm2 * library.ozone_293k.at(nm, "ozone absorption"), library.ozone_293k.source};
+  if (nm > c0.values.max()) {
+    const Spectrum& warm = library.ozone_293k;
+    if (!warm.values.covers(nm)) {
+      no_data("ozone absorption", nm, warm.source, warm.values.min(), warm.values.max(),
+              "choose another wavelength");
+    }
+    return {m2_per_cm2 * warm.values(nm), warm.source};
+  }
   constexpr double coldest_k = 226, warmest_k = 298;  // that were measured
   const double t = std::clamp(temperature_k, coldest_k, warmest_k) - 273.13;
   const double e20_cm2 =

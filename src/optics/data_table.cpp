@@ -55,8 +55,8 @@ std::optional<double> finite_number(const std::string& text) {
 std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file || text.fail()) {
+  if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
+  if (!file.is_open() || file.bad() || text.fail()) {
     throw InputError({{path, 0, 0, "cannot be read", "is the path right, and the file readable?"}});
   }
   return text.str();

@@ -16,6 +16,9 @@ namespace photic::optics {
 /// and with AEROSOL 1 to 4 and RH. One run in a file.
 AirProfile modtran_profile(const std::string& text, const std::string& name);
 
+/// Whether a text looks like a tape7: a line of it begins with FREQ.
+bool is_tape7(const std::string& text);
+
 /// An optical depth, and how far off it may be because the file has so few digits.
 struct RoundedDepth {
   double value = 0, rounding = 0;
@@ -34,11 +37,26 @@ class ModtranTransmittances {
   /// transmittance that is printed as 0.
   [[nodiscard]] RoundedDepth optical_depth(const std::string& column, double wavelength_nm) const;
 
+  /// Through the same depth; 0 beside a transmittance that is printed as 0. Throws as above, but
+  /// not for those.
+  [[nodiscard]] double transmittance(const std::string& column, double wavelength_nm) const;
+
+  /// Of the rows, ascending.
+  [[nodiscard]] std::vector<double> wavelengths_nm() const;
+
  private:
   struct Cell {
     double value = 0, rounding = 0;  ///< half a unit of the last digit printed
   };
+  /// Between the rows `above` - 1 and `above`, from 0 to 1.
+  struct Between {
+    std::size_t above = 1;
+    double t = 0;
+  };
+  [[nodiscard]] Between between_rows(const std::string& column, double wavelength_nm) const;
+  /// Infinite where the transmittance is printed as 0.
   [[nodiscard]] RoundedDepth at_row(const std::string& column, std::size_t row) const;
+  [[noreturn]] void fail_opaque(const std::string& column, std::size_t row) const;
 
   std::string name_;
   int names_line_ = 0;

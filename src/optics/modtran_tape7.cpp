@@ -12,7 +12,7 @@
 namespace photic::optics {
 namespace {
 
-constexpr const char* transmittance = " TRANS";
+constexpr const char* of_transmittance = " TRANS";
 constexpr const char* minus_log = "-LOG ";
 constexpr double cm_per_nm = 1e-7;
 
@@ -67,6 +67,13 @@ double half_last_digit(const std::string& text) {
 
 }  // namespace
 
+bool is_tape7(const std::string& text) {
+  const ModtranText file(text, "");
+  for (int n = 1; n <= file.lines(); ++n)
+    if (begins_with(file.words(n), "FREQ")) return true;
+  return false;
+}
+
 ModtranTransmittances::ModtranTransmittances(const std::string& text, const std::string& name)
     : name_(name) {
   const ModtranText file(text, name);
@@ -115,26 +122,29 @@ RoundedDepth ModtranTransmittances::at_row(const std::string& column, std::size_
   const Cell t = cells_.at(column)[row];
   const auto species = column.substr(0, column.find(' '));
   const auto log = cells_.find(minus_log + species);
-  if (log != cells_.end() && column == species + transmittance) {
+  if (log != cells_.end() && column == species + of_transmittance) {
     const Cell depth = log->second[row];
     if (t.value == 0 || depth.rounding < t.rounding / t.value) return {depth.value, depth.rounding};
   }
-  if (t.value == 0)
-    throw InputError({{name_, line_[row], 1,
-                       fmt::format("{} is printed as 0: its optical depth is above {:.1f}", column,
-                                   -std::log(t.rounding)),
-                       "take a shorter path"}});
   return {0 - std::log(t.value), t.rounding / t.value};
 }
 
-RoundedDepth ModtranTransmittances::optical_depth(const std::string& column,
-                                                  double wavelength_nm) const {
+void ModtranTransmittances::fail_opaque(const std::string& column, std::size_t row) const {
+  throw InputError({{name_, line_[row], 1,
+                     fmt::format("{} is printed as 0: its optical depth is above {:.1f}", column,
+                                 -std::log(cells_.at(column)[row].rounding)),
+                     "take a shorter path"}});
+}
+
+ModtranTransmittances::Between ModtranTransmittances::between_rows(const std::string& column,
+                                                                   double wavelength_nm) const {
   if (!cells_.contains(column) || column.starts_with(minus_log))
     throw InputError({{name_, names_line_, 1, fmt::format("no column \"{}\"", column),
                        fmt::format("there are: {}", fmt::join(columns(), ", "))}});
   const auto& w = wavenumber_per_cm_;
   const double wavenumber = 1 / (cm_per_nm * wavelength_nm);
-  if (!(wavenumber >= w.front() && wavenumber <= w.back()))
+  constexpr double rounding = 1e-12;  // of a wavelength that wavelengths_nm() gave
+  if (!(wavenumber >= w.front() * (1 - rounding) && wavenumber <= w.back() * (1 + rounding)))
     throw InputError(
         {{name_, 0, 0,
           fmt::format("no transmittances at {:g} nm: the file covers {:g}-{:g} nm", wavelength_nm,
@@ -142,9 +152,32 @@ RoundedDepth ModtranTransmittances::optical_depth(const std::string& column,
           "choose another wavelength"}});
   const auto above = std::upper_bound(w.begin() + 1, w.end() - 1, wavenumber);
   const auto i = static_cast<std::size_t>(above - w.begin());
-  const double t = (wavenumber - w[i - 1]) / (w[i] - w[i - 1]);
+  return {i, std::clamp((wavenumber - w[i - 1]) / (w[i] - w[i - 1]), 0.0, 1.0)};
+}
+
+RoundedDepth ModtranTransmittances::optical_depth(const std::string& column,
+                                                  double wavelength_nm) const {
+  const auto [i, t] = between_rows(column, wavelength_nm);
   const RoundedDepth from = at_row(column, i - 1), to = at_row(column, i);
+  if (std::isinf(from.value)) fail_opaque(column, i - 1);
+  if (std::isinf(to.value)) fail_opaque(column, i);
   return {std::lerp(from.value, to.value, t), std::lerp(from.rounding, to.rounding, t)};
+}
+
+double ModtranTransmittances::transmittance(const std::string& column, double wavelength_nm) const {
+  constexpr double at_a_row = 1e-9;  // of the way to the next
+  const auto [i, t] = between_rows(column, wavelength_nm);
+  const double from = at_row(column, i - 1).value, to = at_row(column, i).value;
+  if (t < at_a_row) return std::exp(-from);
+  if (t > 1 - at_a_row) return std::exp(-to);
+  return std::exp(-(1 - t) * from - t * to);
+}
+
+std::vector<double> ModtranTransmittances::wavelengths_nm() const {
+  std::vector<double> out;
+  for (auto w = wavenumber_per_cm_.rbegin(); w != wavenumber_per_cm_.rend(); ++w)
+    out.push_back(1 / (cm_per_nm * *w));
+  return out;
 }
 
 }  // namespace photic::optics

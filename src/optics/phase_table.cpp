@@ -25,7 +25,7 @@ std::vector<double> nodes_of(const PhaseShape& shape) {
   constexpr double least = 1e-30;
   std::vector<double> node;
   for (int i = 0; i <= outer_cells; ++i) {
-    const double p = shape.p(edge(i));
+    const double p = shape.at_node(edge(i));
     expect(std::isfinite(p) && p >= 0,
            "a phase function is finite and not negative outside its core");
     node.push_back(std::max(p, least));

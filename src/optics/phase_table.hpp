@@ -72,6 +72,11 @@ struct PhaseView {
 struct PhaseShape {
   std::function<double(double)> p;  ///< p(x) [1/sr] at x = 1 - cos, for x_core <= x <= 2
   double core_mass = 0;             ///< the share of all scattering inside x_core
+  /// What a table holds at its nodes, where p has detail finer than its cells: p over the cells
+  /// around. Empty: p itself.
+  std::function<double(double)> resolved = {};
+
+  [[nodiscard]] double at_node(double x) const { return resolved ? resolved(x) : p(x); }
 };
 
 /// The same shape, which knows what the nodes of a table ask it for: that is computed once.

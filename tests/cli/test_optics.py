@@ -88,20 +88,18 @@ def test_numbers_go_together(library):
 
 # As tests/unit/io/test_cf.cpp does for results (CF-1.10; sections are named). Seen red: without the units of albedo;
 # with a misspelt name in `coordinates`; with the bounds' units.
-def test_follows_the_cf_conventions(library):
+def follows_the_cf_conventions(library):
     assert library.Conventions == "CF-1.10"  # 2.6
-    for name in ["title", "source", "history", "references", "scene"]:
+    for name in ["title", "source", "history", "references"]:
         assert library.getncattr(name)
-    assert (library.photic_format, library.photic_content) == (1, "optics")
     bounds = {v.bounds for v in library.variables.values() if "bounds" in v.ncattrs()}
-    assert bounds == {"depth_m_bounds"}
     for name, variable in library.variables.items():
         assert re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name)  # 2.3
         assert len(variable.long_name) > 10  # 3.2
         if variable.dtype == str or name in bounds:  # 7.1: bounds have the units of their parent
             assert "units" not in variable.ncattrs()
         else:
-            assert variable.units in {"m-1", "1", "m", "nm", "degree", "sr-1"}  # 3.1
+            assert variable.units in {"m-1", "1", "m", "nm", "degree", "sr-1", "nm-1", "ns"}  # 3.1
             assert ("_per_m" in name) == (variable.units == "m-1")
         if "_FillValue" not in variable.ncattrs() and variable.dtype == float:
             assert not numpy.isnan(variable[...]).any()  # 2.5.1
@@ -112,6 +110,12 @@ def test_follows_the_cf_conventions(library):
             described |= set(library[coordinate].dimensions)
         if len(variable.dimensions) > 1 and name not in bounds:
             assert described == set(variable.dimensions)
+
+
+def test_follows_the_cf_conventions(library):
+    follows_the_cf_conventions(library)
+    assert library.scene and (library.photic_format, library.photic_content) == (1, "optics")
+    assert {v.bounds for v in library.variables.values() if "bounds" in v.ncattrs()} == {"depth_m_bounds"}
     assert library["depth_m"].positive == "down"
     standard = {v.standard_name for v in library.variables.values() if "standard_name" in v.ncattrs()}
     assert "volume_absorption_coefficient_of_radiative_flux_in_sea_water" in standard
@@ -191,7 +195,8 @@ REFUSED = {
     "neither scene nor water": ([], "scene, --water, --oil or --air is required"),
     "both": (["quick.toml", "--water"], "exclude each other"),
     "an oil and water": (["--oil", "light-refined", "--water"], "--oil and --water exclude each other"),
-    "an oil in a file": (["--oil", "light-refined"], "--oil and --output exclude each other"),
+    "air under a laser": (["--air", "us-standard", "--laser", "355"], "--air and --laser exclude each other"),
+    "no oil": (["--oil", "gasolene"], "there are: light-refined"),
     "water that is no pair": (["--water", "0.5"], "--water: '0.5' is not KEY=VALUE"),
     "an unknown key": (["--water", "chlorophyl=1"], "--set sea.layer.0.chlorophyl: unknown key 'chlorophyl'"),
     "a negative concentration": (["--water", "chlorophyll_mg_m3=-1"], "--set sea.layer.0.chlorophyll_mg_m3: "),
@@ -276,41 +281,3 @@ def test_writes_what_scenes_can_read_as_water(photic, scene, tmp_path, name):
     for quantity in ["a_per_m", "b_per_m", "bb_per_m", "a_phytoplankton_per_m"]:
         assert back["layers"][0][quantity] == pytest.approx(there["layers"][0][quantity], rel=0.02), quantity
     assert back["layers"][0]["emission"]["raman"]["coefficient_per_m"] > 0
-
-
-# Placeholders say so. Seen red: without the sources.
-def test_tells_of_oils(photic, tmp_path):
-    done = photic("optics", "--oil", "strongly-absorbing-crude", "--wavelengths", "337,355")
-    assert (done.returncode, done.stderr) == (0, "")
-    assert "placeholder" in done.stdout and "[1/nm]" in done.stdout
-    (tmp_path / "mine.csv").write_text("# yield: 0.02\n# lifetime_ns: 4\nwavelength_nm,n,a_per_m,emission_per_nm\n"
-                                       "300,1.48,3e5,0\n400,1.48,1e5,1\n500,1.48,2e4,0\n")
-    mine = photic("optics", "--oil", "mine.csv", "--wavelengths", "350,450")
-    assert (mine.returncode, mine.stderr) == (0, "")
-    assert "0.02 photons are emitted per photon absorbed, after 4 ns" in mine.stdout
-    unknown = photic("optics", "--oil", "gasolene")
-    assert (unknown.returncode, unknown.stdout) == (2, "")
-    assert "light-refined" in unknown.stderr
-
-
-# The depths that Bodhaine et al. 1999 print hold at 1013.25 hPa; the standard atmosphere has 0.02 % more.
-# Seen red: with the thickness of layers in km.
-def test_tells_of_air(photic, tmp_path):
-    def depths(*arguments):
-        done = photic("optics", "--air", *arguments, "--wavelengths", "355,532")
-        assert (done.returncode, done.stderr) == (0, "")
-        rows = [line.split() for line in done.stdout.splitlines() if re.match(r" +(355|532) ", line)]
-        return [[float(cell) for cell in row] for row in rows]
-
-    clear, hazy = depths("us-standard"), depths("us-standard", "--visibility", "5", "--aerosol", "maritime")
-    assert [row[1] for row in clear] == pytest.approx([0.5938, 0.1112], abs=2e-4)
-    assert clear[1][3] == 0 and hazy[1][3] > 0.3 and hazy[1][1] == clear[1][1]
-    for row in clear + hazy:
-        assert row[5] == pytest.approx(numpy.exp(-sum(row[1:5])), abs=2e-5)
-    (tmp_path / "mine.csv").write_text("z_km,p_hpa,t_k\n0,1000,290\n10,250,220\n")
-    assert depths("mine.csv")[1][1] < clear[1][1]
-    for arguments, message in [(["mars"], "us-standard"), (["us-standard", "--aerosol", "martian"], "maritime"),
-                               (["us-standard", "--visibility", "-1"], "visibility")]:
-        done = photic("optics", "--air", *arguments, *(["--visibility", "23"] if "--aerosol" in arguments else []))
-        assert (done.returncode, done.stdout) == (2, "") and message in done.stderr
-    assert photic("optics", "--water", "--visibility", "5").returncode == 2

@@ -142,3 +142,42 @@ def test_optics_are_drawn_alone(library, sample, tmp_path):
 def test_a_result_is_not_taken_for_optics(sample, tmp_path):
     assert "echo" in photic.open(sample)
     assert command("plot", sample, "-o", tmp_path / "out.png") == (0, "")
+
+
+@pytest.fixture(scope="module")
+def air(tmp_path_factory):
+    path = tmp_path_factory.mktemp("optics") / "air.nc"
+    return made(path, "--air", "us-standard", "--visibility", "23", "--wavelengths", "300:1000:50")
+
+
+# Seen red: with the highest layer below; with one range of coefficients for all layers.
+def test_air_has_a_row_for_each_layer_the_lowest_below(air):
+    ds = photic.open(air)
+    assert ds.sel(altitude=0, wavelength=550).c_per_m > ds.sel(altitude=5000, wavelength=550).c_per_m
+    assert ds.altitude.attrs["positive"] == "up" and "altitude_m_bounds" in ds.coords
+    drawing = optics_plot.figure(ds)
+    rows = numpy.array(drawing.axes).reshape(6, 3)
+    assert rows[0, 0].get_title(loc="left") == "115 to 120 km: absorption"
+    assert rows[5, 2].get_title(loc="left") == "0 to 1 km: phase function"
+    assert legend(rows[5, 0]) == ["all", "ozone", "aerosols"]
+    assert legend(rows[5, 1]) == ["all", "all, backwards", "molecules", "aerosols"]
+    for row, layer in [(rows[5], 0), (rows[0], 48)]:
+        low, high = row[1].get_ylim()
+        b = ds.b_per_m.isel(altitude=layer)
+        assert low < b.min() and b.max() < high
+        assert numpy.array_equal(curves(row[1])["all"].get_ydata(), b)
+    assert "6 of its 49 layers" in drawing._supxlabel.get_text()
+    assert command("plot", air, "-o", air.with_suffix(".png")) == (0, "")
+
+
+# Seen red: with all spectra in one panel.
+def test_spectra_have_a_panel_for_each_unit(tmp_path):
+    ds = photic.open(made(tmp_path / "oil.nc", "--oil", "light-refined", "--wavelengths", "300:600:10"))
+    drawing = optics_plot.spectra(ds)
+    assert [panel.get_ylabel() for panel in drawing.axes] == ["[1]", "[1/m]", "[1/nm]"]
+    (line,) = curves(drawing.axes[2]).values()
+    assert numpy.array_equal(line.get_ydata(), ds.emission_per_nm)
+    assert "photons emitted per photon absorbed: 0.059;" in drawing._supxlabel.get_text()
+    assert command("plot", tmp_path / "oil.nc", "-o", tmp_path / "oil.png") == (0, "")
+    code, said = command("plot", tmp_path / "oil.nc", tmp_path / "oil.nc", "-o", tmp_path / "two.png")
+    assert code == 2 and "drawn alone" in said

@@ -113,8 +113,10 @@ TEST(OzoneAbsorption, GoesWithTemperatureWhereItWasMeasured) {
 TEST(OzoneAbsorption, NamesItsRange) {
   expect_contains(message<InputError>([] { ozone(199, 293); }),
                   "no ozone absorption data at 199 nm: Molina & Molina 1986");
-  expect_contains(message<InputError>([] { ozone(1100, 293); }),
-                  "no ozone absorption data at 1100 nm: Serdyuchenko et al. 2014");
+  expect_contains(
+      message<InputError>([] { ozone(1100, 293); }),
+      "no ozone absorption data at 1100 nm: Serdyuchenko et al. 2014, Atmos. Meas. Tech. "
+      "7, 625 [verified] cover 230.04-1099.3 nm (choose another wavelength)");
 }
 
 }  // namespace

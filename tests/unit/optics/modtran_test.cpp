@@ -1,5 +1,7 @@
 #include "optics/modtran.hpp"
 
+#include <algorithm>
+
 #include "unit/optics/air_support.hpp"
 
 namespace photic::optics {
@@ -219,6 +221,28 @@ TEST(Tape7, TakesTheLogarithmWhereItRoundsLess) {
   EXPECT_NEAR(air.optical_depth("COMBIN TRANS", 1e7 / 19000).value, 3.219, 1e-12);
   EXPECT_NEAR(air.optical_depth("COMBIN TRANS", 1e7 / 20000).value, 11.513, 1e-12);
   EXPECT_NEAR(air.optical_depth("COMBIN TRANS", 1e7 / 20000).rounding, 5e-4, 1e-12);
+}
+
+// In depth between rows; exactly what is printed at them, 0 too. Seen red: with transmittances
+// interpolated themselves.
+TEST(Tape7, HasTransmittancesAtItsWavelengthsAndBetween) {
+  const ModtranTransmittances air = transmittances(tape7);
+  const std::vector<double> nm = air.wavelengths_nm();
+  ASSERT_TRUE(std::ranges::is_sorted(nm));
+  const std::vector<double> ozone{0.992, 0.991, 0.99}, aerosols{0, 0.046, 0.558};
+  for (std::size_t i = 0; i < nm.size(); ++i) {
+    EXPECT_NEAR(air.transmittance("O3 TRANS", nm[i]), ozone.at(i), 1e-9);
+    EXPECT_NEAR(air.transmittance("AER+CLD TRANS", nm[i]), aerosols.at(i), 1e-9);
+  }
+  EXPECT_EQ(air.transmittance("AER+CLD TRANS", (nm[0] + nm[1]) / 2), 0);
+  const double middle = 2 / (1 / nm[1] + 1 / nm[2]);
+  EXPECT_NEAR(
+      air.transmittance("O3 TRANS", middle),
+      std::sqrt(air.transmittance("O3 TRANS", nm[1]) * air.transmittance("O3 TRANS", nm[2])),
+      1e-12);
+  EXPECT_THROW(static_cast<void>(air.transmittance("CO2 TRANS", nm[0])), InputError);
+  EXPECT_TRUE(is_tape7(tape7) && is_tape7(tape7_names));
+  EXPECT_FALSE(is_tape7(lowtran) || is_tape7(""));
 }
 
 TEST(Tape7, SaysWhatItDoesNotHold) {

@@ -18,8 +18,6 @@ std::shared_ptr<const SpheresOptics> shared(const Spheres& spheres) {
   return std::make_shared<const SpheresOptics>(optics_of_spheres(spheres));
 }
 
-double x_of(double degrees) { return 2 * std::pow(std::sin(degrees * radian_per_degree / 2), 2); }
-
 /// One of each kind of distribution and of material.
 std::vector<Spheres> all_kinds() {
   return {in_water(paper_phytoplankton),

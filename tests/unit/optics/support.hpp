@@ -41,6 +41,11 @@ inline void expect_contains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is not in: " << text;
 }
 
+/// 1 - cos of an angle.
+inline double x_of(double degrees) {
+  return 2 * std::pow(std::sin(degrees * radian_per_degree / 2), 2);
+}
+
 /// 2 pi times the integral of p over x0 … x1, x0 > 0: by quadrature over ln x, octave by octave.
 inline double integral(const std::function<double(double)>& p, double x0, double x1) {
   using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;

@@ -1,0 +1,200 @@
+#include "photic/tell_optics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <utility>
+
+#include "core/error.hpp"
+#include "io/netcdf.hpp"
+#include "io/oil_text.hpp"
+#include "io/optics_file.hpp"
+#include "io/optics_table.hpp"
+#include "io/spectral_table.hpp"
+#include "medium/air_table.hpp"
+#include "optics/data_folder.hpp"
+#include "optics/modtran.hpp"
+#include "photic/output.hpp"
+
+namespace photic::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+io::OpticsOrigin origin_of(const Told& what, const OpticsCommand& command) {
+  return {.title = what.title,
+          .scene_toml = what.scene_toml,
+          .version = PHOTIC_VERSION,
+          .history = io::history_line(command.command_line)};
+}
+
+/// "5 layers".
+std::string count(std::size_t number, const char* noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+/// What is told of a file that was written.
+std::string where_it_is(const std::string& output, const std::string& what) {
+  std::string out = fmt::format("{}: {}\n", output, what);
+  const fs::path file(output);
+  if (file.extension() == ".nc")
+    out += fmt::format("Plot it: python3 -m photic plot {} -o {}\n", output,
+                       fs::path(file).replace_extension(".png").string());
+  return out;
+}
+
+/// Those asked for, or from the ultraviolet of fluorosensors to the red.
+std::vector<double> wavelengths_of(const OpticsCommand& command) {
+  std::vector<double> nm = command.wavelength_nm;
+  for (double each = 300; command.wavelength_nm.empty() && each <= 700; each += 50)
+    nm.push_back(each);
+  return nm;
+}
+
+/// Prints the text, or JSON, or writes the file.
+void tell(const io::SpectralTable& table, const std::string& text, const std::string& title,
+          const OpticsCommand& command) {
+  if (!command.output.empty()) {
+    io::write_spectral(table, origin_of({title, ""}, command), command.output);
+    if (!command.json)
+      print_out(where_it_is(command.output,
+                            title + " at " + count(table.wavelength_nm.size(), "wavelength")));
+  } else if (!command.json) {
+    print_out(text);
+  }
+  if (command.json) print_out(io::spectral_json(table));
+}
+
+/// Before anything is computed.
+void check_output_of(const std::string& input, const OpticsCommand& command) {
+  if (command.output.empty()) return;
+  check_output(command.output, "");
+  spare({input}, command.output);
+}
+
+/// A tape6, if nothing else.
+optics::AirProfile modtran_air(const std::string& text, const std::string& name) {
+  if (text.find("ATMOSPHERIC PROFILES") == std::string::npos) {
+    throw InputError({{name, 0, 0,
+                       "neither a tape6 of MODTRAN (no block \"ATMOSPHERIC PROFILES\") nor a tape7 "
+                       "(no line of names that begins with FREQ)",
+                       "a table of levels is known by its name: it ends in .csv"}});
+  }
+  return optics::modtran_profile(text, name);
+}
+
+/// A CSV file by its name, another file as a tape6, else one of Photic's atmospheres.
+optics::AirProfile air_profile(const optics::AirLibrary& library, const std::string& name) {
+  std::error_code none;
+  if (fs::path(name).extension() == ".csv")
+    return optics::air_profile(optics::DataTable::read(name));
+  if (fs::exists(name, none) || name.find('/') != std::string::npos)
+    return modtran_air(optics::read_text(name), name);
+  return library.atmosphere(name);
+}
+
+/// "O3 TRANS" as "o3_trans".
+std::string column_name(const std::string& heading) {
+  std::string out;
+  for (const unsigned char c : heading)
+    out += std::isalnum(c) != 0 ? static_cast<char>(std::tolower(c)) : '_';
+  return out;
+}
+
+io::SpectralTable transmittances(const optics::ModtranTransmittances& air,
+                                 const OpticsCommand& command) {
+  io::SpectralTable table{.what = "transmittances of the air that MODTRAN computed"};
+  table.wavelength_nm =
+      command.wavelength_nm.empty() ? air.wavelengths_nm() : command.wavelength_nm;
+  for (const std::string& column : air.columns()) {
+    if (column.starts_with("-LOG ")) continue;
+    table.columns.push_back({column_name(column), column, "transmittance: " + column, "1", {}});
+    for (const double nm : table.wavelength_nm)
+      table.columns.back().values.push_back(air.transmittance(column, nm));
+  }
+  table.sources = {command.air + ", a tape7 of MODTRAN"};
+  return table;
+}
+
+/// Without the columns that are 1 everywhere, which are named below.
+std::string transmittances_text(const io::SpectralTable& table) {
+  io::SpectralTable seen = table;
+  std::string clear;
+  std::erase_if(seen.columns, [&](const io::SpectralTable::Column& column) {
+    const bool all_1 = std::ranges::all_of(column.values, [](double t) { return t == 1; });
+    if (all_1) clear += (clear.empty() ? "" : ", ") + column.heading;
+    return all_1;
+  });
+  return io::spectral_text(seen) + (clear.empty() ? "" : "\n1 throughout: " + clear + "\n");
+}
+
+/// Refuses what a tape7 has no use for.
+void tell_tape7(const std::string& text, const OpticsCommand& command) {
+  if (command.visibility_km || command.aerosol != OpticsCommand().aerosol)
+    throw UsageError(command.air +
+                     ": a tape7 holds transmittances, and no profile that aerosols could be added "
+                     "to (leave out --visibility and --aerosol, or give a tape6)");
+  const io::SpectralTable table =
+      transmittances(optics::ModtranTransmittances(text, command.air), command);
+  const std::string title = "Transmittances of " + command.air;
+  tell(table, title + "\n\n" + transmittances_text(table), title, command);
+}
+
+bool holds_tape7(const std::string& file) {
+  std::error_code none;
+  return fs::is_regular_file(file, none) && fs::path(file).extension() != ".csv" &&
+         optics::is_tape7(optics::read_text(file));
+}
+
+}  // namespace
+
+void tell(const medium::OpticalTable& table, const Told& what, const OpticsCommand& command) {
+  if (!command.output.empty()) {
+    const io::OpticsOrigin origin = origin_of(what, command);
+    if (fs::path(command.output).extension() == ".csv")
+      io::write_optics_csv(table, origin, command.output);
+    else
+      io::write_optics_netcdf(table, origin, command.output);
+    if (!command.json)
+      print_out(where_it_is(command.output, "the optics of " + count(table.layers(), "layer") +
+                                                " at " + count(table.wavelengths(), "wavelength")));
+  } else if (!command.json) {
+    print_out(io::optics_text(table));
+  }
+  if (command.json) print_out(io::optics_json(table));
+}
+
+int tell_oil(const OpticsCommand& command) {
+  check_output_of(command.oil, command);
+  const optics::Library library(optics::find_data_folder());
+  const optics::Oil oil = optics::oil(library, command.oil);
+  const auto nm = wavelengths_of(command);
+  tell(io::oil_table(oil, nm), io::oil_text(oil, nm), "Oil: " + oil.name, command);
+  return done;
+}
+
+int tell_air(const OpticsCommand& command) {
+  check_output_of(command.air, command);
+  if (holds_tape7(command.air)) {
+    tell_tape7(optics::read_text(command.air), command);
+    return done;
+  }
+  const optics::AirLibrary library(optics::find_data_folder());
+  optics::AirProfile profile = air_profile(library, command.air);
+  std::string title = "Air: " + command.air;
+  if (command.visibility_km) {
+    profile = optics::with_aerosols(library, std::move(profile), *command.visibility_km,
+                                    optics::AerosolProfiles::seasons.front());
+    title +=
+        fmt::format(", visibility {:g} km, {} aerosols", *command.visibility_km, command.aerosol);
+  }
+  optics::AerosolChoice aerosols;
+  aerosols.model[optics::boundary_layer] = command.aerosol;
+  tell(medium::air_table(library, profile, aerosols, wavelengths_of(command)), {title, ""},
+       command);
+  return done;
+}
+
+}  // namespace photic::app
