@@ -1,7 +1,9 @@
 #include "optics/sampled_spheres.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <future>
 #include <utility>
 #include <vector>
@@ -40,12 +42,11 @@ struct SampledSizes {
  private:
   template <class F>
   static double inverse(const F& t, double wanted, double low, double high) {
-    while (high - low > 1e-12 * low) {
-      const double middle = (low + high) / 2;
-      if (middle <= low || middle >= high) break;
-      (t(middle) < wanted ? low : high) = middle;
-    }
-    return low;
+    std::uintmax_t steps = 100;
+    const auto [below, above] =
+        boost::math::tools::toms748_solve([&](double x) { return t(x) - wanted; }, low, high,
+                                          boost::math::tools::eps_tolerance<double>(40), steps);
+    return below;
   }
 };
 
