@@ -2,8 +2,13 @@
 
 add_library(photic_flags INTERFACE)
 target_compile_features(photic_flags INTERFACE cxx_std_20)
+# Where files are compiled together, a name of one is none of another's business.
+set(shadow -Wshadow)
+if(CMAKE_UNITY_BUILD)
+  set(shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
+endif()
 # No contraction: the same bits from every schedule of the same formulas (docs/decisions).
-target_compile_options(photic_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+target_compile_options(photic_flags INTERFACE -Wall -Wextra -Wpedantic ${shadow} -Wconversion
                        -Wno-sign-conversion -Wno-psabi -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
 # The instruction sets that lanes are compiled for, from the least to the best (core/isa.hpp).

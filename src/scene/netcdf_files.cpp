@@ -7,7 +7,7 @@
 namespace photic::scene {
 namespace {
 
-using Names = std::vector<std::string>;
+using NamesOfFiles = std::map<std::string, std::vector<std::string>>;
 using ReadVariable = std::function<NetcdfVariable(const std::string&, const std::string&)>;
 
 /// What a function gave is given again. What it throws is not kept.
@@ -26,8 +26,8 @@ ReadVariable kept(const ReadVariable& read) {
 
 NetcdfFiles read_once(const NetcdfFiles& files) {
   if (!files.names) return files;
-  const auto names = [read = files.names, known = std::make_shared<std::map<std::string, Names>>()](
-                         const std::string& path) {
+  const auto names = [read = files.names,
+                      known = std::make_shared<NamesOfFiles>()](const std::string& path) {
     const auto at = known->find(path);
     return at != known->end() ? at->second : known->emplace(path, read(path)).first->second;
   };
