@@ -2,6 +2,7 @@
 
 #include "optics/fluorescence.hpp"
 #include "optics/raman.hpp"
+#include "optics/water_absorption.hpp"
 #include "unit/optics/support.hpp"
 
 namespace photic::optics {
@@ -62,6 +63,21 @@ TEST(Raman, HasAPeakAndAWidthOfItsBand) {
   EXPECT_NEAR(high - low, 402, 1.5);
   const double width_nm = 1e7 / (1e7 / 488 - high) - 1e7 / (1e7 / 488 - low);
   EXPECT_NEAR(width_nm, 14, 0.5);
+}
+
+// Of what returns from 20 m: water's absorption is steep there. Against the paper's line. Seen red:
+// with the line at the band's mean.
+TEST(Raman, OfABandReturnsMoreThanOfALine) {
+  const auto returned = [](double nm) {
+    return std::exp(-20 * water_absorption_per_m(library(), "mason-ioccg", nm, 35, 20).value);
+  };
+  const auto band_over_line = [&](double laser_nm) {
+    const EmissionSpectrum band = raman(library(), "bartlett", laser_nm).spectrum;
+    return band.photons(band.min_nm(), band.max_nm(), returned) /
+           band.photons(band.min_nm(), band.max_nm()) / returned(paper(laser_nm).wavelength_nm);
+  };
+  EXPECT_NEAR(band_over_line(488), 1.09, 0.005);
+  EXPECT_NEAR(band_over_line(532), 1.02, 0.005);
 }
 
 // Light of 2955.3 nm has the 3383.75 1/cm of Walrafen's band, of 2941.2 nm the 3400 of the paper's.
