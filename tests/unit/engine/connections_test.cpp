@@ -26,7 +26,8 @@ struct Sea {
     world.telescope_layer = {medium.layer_at(std::max(0.0, -telescope.position_m.z))};
     world.reversal = {
         0.3, 0.5,
-        axis_in_water(world.laser.axis, world.laser.submerged, medium.line[0].refractive_index), 1};
+        axis_in_water(world.laser.axis, world.laser.submerged, medium.line[0].refractive_index), 1,
+        0.2};
     world.last_path = 1e4;
     world.deepest = 40;
     world.most_vertices = most_vertices;
@@ -143,7 +144,9 @@ std::vector<Place> looking_at_the_surface() {
 }
 
 // In one layer and through all three. Seen red: with n for n^2 in the spread of a ray through the
-// surface; with the way in the air left out of it; with the sign in turning() lost.
+// surface; with the way in the air left out of it; with the sign in turning() lost. And of what
+// telescopes' walks draw about the beam: without it where a connection arrives, where it leaves, at
+// a meeting; without what has been passed, behind a ray, behind a vertex, in an edge.
 TEST(Strategies, OfElasticLightAgree) {
   Random random(101);
   int met = 0;
@@ -245,7 +248,8 @@ TEST(Strategies, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
 // for that of a walk that ends at its vertex, in edges and in meetings; with meetings behind a
 // scattering of converted light; without the ratio of walk coefficients in a connection, in a
 // meeting behind it; without the telescope's chance, or where it turns conversions back; with the
-// last scattering of converted light taken for certain.
+// last scattering of converted light taken for certain; with shifted rays where light goes on;
+// without what has been passed in last turns.
 TEST(Strategies, OfConvertedLightAgree) {
   Random random(104);
   int met = 0;

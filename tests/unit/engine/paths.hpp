@@ -118,6 +118,11 @@ class Writer {
       walks.converts(true, 0, walks.vertices(0) - 1);
     } else {
       photon_.weight *= world_.sea.albedo[here()];
+      const auto drawn = [&](const V& direction) {
+        return world_.reversal.scattered_over_phase(world_.sea, direction, p);
+      };
+      if (!walks.from_telescope()) departure.passed = drawn(-old);
+      if (walks.from_telescope() && photon_.line == 0) departure.chance *= drawn(photon_.direction);
     }
     ray_ = transport::next_ray(photon_, vertex_, departure);
     walks.add(true, 0, walks.vertices(0), ray_);
