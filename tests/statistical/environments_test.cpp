@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
              5,
              1e7,
              10},
-        Case{"bidirectional", three, chlorophyll(0.5, 0.02), changed_algae, 10, 1e5, 70,
+        Case{"bidirectional", three, chlorophyll(0.5, 0.02), changed_algae, 10, 1.5e5, 70,
              "bidirectional"},
         Case{"bidirectional_three_layers", three, three_layers_here, three_layers_changed, 6, 2e5,
              25, "bidirectional"}),
