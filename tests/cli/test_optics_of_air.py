@@ -9,7 +9,7 @@ import pytest
 from test_optics import as_json, follows_the_cf_conventions, rows_of
 
 LAYERS_OF_AIR = ["a_per_m", "b_per_m", "c_per_m", "bb_per_m", "albedo", "mean_cosine", "refractive_index"]
-HAZY = ["--air", "us-standard", "--visibility", "23", "--aerosol", "opac-sscm-80", "--wavelengths", "355,532"]
+HAZY = ["--air", "us-standard", "--visibility", "23", "--aerosol", "opac-waso-80", "--wavelengths", "355,532"]
 TAPE7 = """\
 T F 1    2    0    0    1    1
    10000.0   25000.0      10.0      20.0NW
