@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "core/error.hpp"
@@ -142,10 +143,12 @@ void tell_tape7(const std::string& text, const OpticsCommand& command) {
   tell(table, title + "\n\n" + transmittances_text(table), title, command);
 }
 
-bool holds_tape7(const std::string& file) {
+/// The text of a file that is a tape7.
+std::optional<std::string> tape7(const std::string& file) {
   std::error_code none;
-  return fs::is_regular_file(file, none) && fs::path(file).extension() != ".csv" &&
-         optics::is_tape7(optics::read_text(file));
+  if (!fs::is_regular_file(file, none) || fs::path(file).extension() == ".csv") return {};
+  std::string text = optics::read_text(file);
+  return optics::is_tape7(text) ? std::optional(std::move(text)) : std::nullopt;
 }
 
 }  // namespace
@@ -177,8 +180,8 @@ int tell_oil(const OpticsCommand& command) {
 
 int tell_air(const OpticsCommand& command) {
   check_output_of(command.air, command);
-  if (holds_tape7(command.air)) {
-    tell_tape7(optics::read_text(command.air), command);
+  if (const auto text = tape7(command.air)) {
+    tell_tape7(*text, command);
     return done;
   }
   const optics::AirLibrary library(optics::find_data_folder());

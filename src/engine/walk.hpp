@@ -218,7 +218,7 @@ class Walks {
     auto sum = in_path(walk, select(first, m, m - Index<T>(1)), usable).behind;
     const Mask<T> connecting =
         usable.connecting(passed(m, usable) - Index<T>(from_telescope_ ? 0 : 1));
-    sum.edges = sum.edges + select(connecting, ray.last.edges, T(0));
+    sum.edges = sum.edges + select(connecting, ray.last_edge, T(0));
     return select(whole, ray.behind, sum);
   }
   /// The path's number of the vertex that ray m leaves.

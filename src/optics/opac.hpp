@@ -17,7 +17,7 @@ class Opac {
 
   /// The spheres of a component at a relative humidity: "waso-80" is water-soluble at 80 %,
   /// "soot-0" soot. The index of the air around them is taken as 1. Of the distribution the largest
-  /// spheres, with 3e-7 of the cross-sectional area, are left out: less than 1e-4 of extinction.
+  /// spheres, with 1e-9 of the cross-sectional area, are left out: less than 1e-5 of extinction.
   /// Throws InputError for another name or a wavelength outside the data.
   [[nodiscard]] Spheres spheres(const std::string& component, double wavelength_nm) const;
 

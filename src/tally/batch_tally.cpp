@@ -51,6 +51,7 @@ std::span<const GateShare> BatchTally::add(const Score& s) {
     for (const auto& [channel, share] :
          shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
       const double value = s.value * part * share;
+      if (!(value > 0)) continue;  // a share of nothing: the cell would be touched twice
       const std::size_t cell = shape_->cell(s.telescope, static_cast<std::size_t>(channel),
                                             static_cast<std::size_t>(gate));
       if (largest[cell] == 0 && cut_order[cell] == 0)

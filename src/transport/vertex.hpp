@@ -13,7 +13,8 @@
 // telescope's walk beyond x_q may be turned about the vertical through it, until the two rays meet.
 //
 // The density of a strategy is in proportion to n h / g: n samples of it exist in a set of walks; h
-// is the chance that walks choose, between scattering and conversion, as the path does; and
+// is the chance that walks choose as the path does, between scattering and conversion, and
+// directions that are drawn about the beam; and
 //   1 / g = d^2 exp(tau) / (P_j P_{j+1})                 connecting edge j of length d,
 //   1 / g = A |cos cos'| exp(tau + tau') / (c' P_i)      meeting at x_i, per metre of depth,
 //   1 / g = 2 pi S exp(tau + tau') / (c' P_i)            turning so that they meet at x_i,
@@ -182,17 +183,16 @@ struct Ray : WalkPoint<T> {
   T chance{1};            ///< h of this ray
   T passed{1};            ///< h of telescopes' walks that pass a laser's walk as far as this ray
   T per_p{1};             ///< 1 over the phase function's value at the vertex [sr]
-  Densities<T> last{};    ///< of what is complete by this ray's direction, over `passed`
+  T last_edge{};          ///< of connecting the edge before, over `passed`
   Densities<T> behind{};  ///< of all that is complete, over `passed`
   T meeting{};     ///< n h / g of meeting at the vertex, but for what is this ray's: P included
   Turn<T> turn{};  ///< the same of turning
 
-  static constexpr std::size_t members = 26;
+  static constexpr std::size_t members = 24;
   template <class F>
   void each_member(F f) {
     WalkPoint<T>::each_member(f);
-    f(left_chance), f(chance), f(passed), f(per_p), f(meeting);
-    last.each_member(f);
+    f(left_chance), f(chance), f(passed), f(per_p), f(last_edge), f(meeting);
     behind.each_member(f);
     turn.each_member(f);
   }
@@ -280,11 +280,9 @@ Ray<T> next_ray(const Photon<T>& photon, const Vertex<T>& from, const Departure<
   ray.chance = from.chance * departure.chance;
   ray.passed = from.passed * departure.passed;
   ray.per_p = T(1) / departure.p;
-  ray.last.edges = departure.density * from.open * ray.per_p / ray.passed;
-  ray.last.meetings = from.last.meetings;
-  ray.last.turned = from.last.turned;
+  ray.last_edge = departure.density * from.open * ray.per_p / ray.passed;
   ray.behind = from.behind;
-  ray.behind.edges = from.behind.edges + ray.last.edges;
+  ray.behind.edges = from.behind.edges + ray.last_edge;
   const Mask<T> known = departure.density > T(0);
   ray.meeting = select(known, from.meeting * ray.per_p, T(0));
   ray.turn = turn_at(from, photon.direction);
@@ -326,7 +324,7 @@ Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Mask
   v.last_turn = ray.turn;
   const T over_passed = straight / ray.passed;
   v.last_turn.density = ray.turn.density * over_passed;
-  v.last.edges = ray.last.edges;
+  v.last.edges = ray.last_edge;
   v.last.meetings = turning(ray.meeting, over_passed * photon.direction.z);
   v.last.turned = v.last_turn.about(axis);
   v.behind.edges = ray.behind.edges;

@@ -1,6 +1,7 @@
 // Light of emitters that decay: what each gate gets of a score.
 #include "tally/decay.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -120,6 +121,17 @@ TEST(BatchTally, SpreadsWhatDecays) {
   t.batch.clear();
   for (const auto* table : {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth})
     EXPECT_EQ(total_of(*table), 0);
+}
+
+// As of light that comes as its gate ends, but for rounding. What comes next counts once. Seen red:
+// with a share of 0 taken for a score.
+TEST(BatchTally, SharesOfNothingAreNoScores) {
+  DecayingTallies t;
+  t.batch.score({0, 2, 1, 2, t.path_in(1), 5e-324});  // each of its shares is rounded to 0
+  t.score(1, 0.5, 1, 2);
+  std::vector<std::uint32_t> cells = t.batch.touched_cells;
+  std::ranges::sort(cells);
+  EXPECT_EQ(std::ranges::adjacent_find(cells), cells.end());
 }
 
 // Seen red: with what comes before the first gate dropped.

@@ -117,7 +117,7 @@ void fields(P& a, S& b, F f) {
   f(a.chance, b.chance, "chance");
   f(a.passed, b.passed, "passed");
   f(a.per_p, b.per_p, "per p");
-  fields(a.last, b.last, f);
+  f(a.last_edge, b.last_edge, "last edge");
   fields(a.behind, b.behind, f);
   f(a.meeting, b.meeting, "meeting");
   fields(a.turn, b.turn, f);

@@ -41,7 +41,7 @@ Ray<double> random_ray(const medium::Medium& sea, Random& random) {
   ray.chance = random.uniform();
   ray.passed = random.between(0.5, 5);
   ray.per_p = random.scale(1e-3, 1e3);
-  ray.last = random_densities(random);
+  ray.last_edge = random.scale(1e-3, 1e3);
   ray.behind = random_densities(random);
   ray.meeting = random.between(-1, 1);
   ray.turn = random_turn(random);
