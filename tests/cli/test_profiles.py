@@ -8,22 +8,30 @@ import numpy as np
 import pytest
 
 
-@pytest.fixture
-def float_file(tmp_path):
-    """Two profiles as a BGC-Argo float writes them, with gaps."""
-    path = tmp_path / "float.nc"
+def write_float(path, **variables):
+    """What a BGC-Argo float measured, as it writes it: name=(units, rows, flags of each row or nothing)."""
+    profiles, levels = np.shape(next(iter(variables.values()))[1])
     with netCDF4.Dataset(path, "w", format="NETCDF3_CLASSIC") as file:
-        file.createDimension("N_PROF", 2)
-        file.createDimension("N_LEVELS", 6)
-        file.createVariable("LATITUDE", "f8", ("N_PROF",))[:] = [45.0, 45.0]
-        for name, units, rows in [
-            ("PRES", "decibar", [[0, 2, 4, 6, 8, 10], [0, 2, 4, 6, 8, 10]]),
-            ("CHLA", "mg/m3", [[9, 9, 9, 9, 9, 9], [0.2, 0.4, 99999, 0.8, 0.6, 0.4]]),
-        ]:
+        file.createDimension("N_PROF", profiles)
+        file.createDimension("N_LEVELS", levels)
+        file.createVariable("LATITUDE", "f8", ("N_PROF",))[:] = [45.0] * profiles
+        for name, (units, rows, *flags) in variables.items():
             variable = file.createVariable(name, "f4", ("N_PROF", "N_LEVELS"), fill_value=99999.0)
             variable.units = units
             variable[:] = np.ma.masked_equal(np.array(rows, dtype="f4"), 99999)
+            if flags:
+                characters = file.createVariable(f"{name}_QC", "S1", ("N_PROF", "N_LEVELS"), fill_value=b" ")
+                characters[:] = np.frombuffer(b"".join(flags), dtype="S1").reshape(profiles, levels)
     return path
+
+
+@pytest.fixture
+def float_file(tmp_path):
+    """Two profiles, with gaps."""
+    depths = [0, 2, 4, 6, 8, 10]
+    return write_float(tmp_path / "float.nc",
+                       PRES=("decibar", [depths, depths]),
+                       CHLA=("mg/m3", [[9, 9, 9, 9, 9, 9], [0.2, 0.4, 99999, 0.8, 0.6, 0.4]]))
 
 
 def with_profile(scene, profile):
@@ -68,24 +76,12 @@ def test_a_float_profile_from_end_to_end(photic, scene, float_file):
 
 @pytest.fixture
 def bgc_file(tmp_path):
-    """A profile with all that a BGC-Argo float measures, and the flags of it."""
-    path = tmp_path / "bgc.nc"
-    with netCDF4.Dataset(path, "w", format="NETCDF3_CLASSIC") as file:
-        file.createDimension("N_PROF", 1)
-        file.createDimension("N_LEVELS", 5)
-        file.createVariable("LATITUDE", "f8", ("N_PROF",))[:] = [45.0]
-        for name, units, row, flags in [
-            ("PRES", "decibar", [0, 2, 4, 5, 8], b"11111"),
-            ("CHLA", "mg/m3", [0.2, 0.2, 0.2, 0.2, 0.2], b"11111"),
-            ("TEMP", "degree_Celsius", [21, 19, 99, 16, 13], b"1132 "),
-            ("PSAL", "psu", [38, 38, 37, 36.5, 35], b"12589"),
-        ]:
-            variable = file.createVariable(name, "f4", ("N_PROF", "N_LEVELS"), fill_value=99999.0)
-            variable.units = units
-            variable[:] = [row]
-            characters = file.createVariable(f"{name}_QC", "S1", ("N_PROF", "N_LEVELS"), fill_value=b" ")
-            characters[:] = np.frombuffer(flags, dtype="S1").reshape(1, 5)
-    return path
+    """A profile with all that such a float measures, and the flags of it."""
+    return write_float(tmp_path / "bgc.nc",
+                       PRES=("decibar", [[0, 2, 4, 5, 8]], b"11111"),
+                       CHLA=("mg/m3", [[0.2, 0.2, 0.2, 0.2, 0.2]], b"11111"),
+                       TEMP=("degree_Celsius", [[21, 19, 99, 16, 13]], b"1132 "),
+                       PSAL=("psu", [[38, 38, 37, 36.5, 35]], b"12589"))
 
 
 def from_bgc(variable):
