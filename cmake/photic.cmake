@@ -37,8 +37,8 @@ function(photic_library name)
   target_link_libraries(photic_${name} ${scope} ${ARG_USES} ${ARG_LINKS})
 endfunction()
 
-# photic_for_each_isa(target source.cpp "entry*" library…)  → the source compiled for each of photic_isas,
-# in one program; PHOTIC_ISA is the set's name.
+# photic_for_each_isa(target source.cpp "entry*" library… [WITHOUT isa…])  → the source compiled for each of photic_isas
+# but some, in one program; PHOTIC_ISA is the set's name.
 #
 # The danger: an inline function or template, std::max<float> say, is compiled into each of these objects and into
 # ordinary ones, and the linker keeps one copy for the whole program. If that is one made of AVX-512, a program on a
@@ -52,7 +52,11 @@ function(photic_for_each_isa target source entry)
   set(flags_of_avx2 -mavx2 -mfma)
   set(flags_of_avx512 -mavx2 -mfma -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512)
   cmake_path(GET source STEM stem)
+  cmake_parse_arguments(ARG "" "" "WITHOUT" ${ARGN})
   foreach(isa IN LISTS photic_isas)
+    if(isa IN_LIST ARG_WITHOUT)
+      continue()
+    endif()
     set(object ${target}_${stem}_${isa})
     add_library(${object} OBJECT ${source})
     target_compile_definitions(${object} PRIVATE PHOTIC_ISA=${isa})
@@ -60,7 +64,7 @@ function(photic_for_each_isa target source entry)
     # the whole process cannot be made local.
     target_compile_options(${object} PRIVATE ${flags_of_${isa}}
                            "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-fno-gnu-unique>")
-    target_link_libraries(${object} PRIVATE ${ARGN} photic_flags)
+    target_link_libraries(${object} PRIVATE ${ARG_UNPARSED_ARGUMENTS} photic_flags)
     target_include_directories(${object} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
     set(sealed ${CMAKE_CURRENT_BINARY_DIR}/${object}.sealed.o)
     add_custom_command(

@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "engine/batches.hpp"
 #include "engine/choose.hpp"
-#include "engine/lanes.hpp"
+#include "engine/engines.hpp"
 #include "engine/problem.hpp"
 
 namespace photic::engine {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/batches.hpp"
 #include "engine/problem.hpp"
-#include "engine/scalar.hpp"
 
 namespace photic::engine {
 namespace {
@@ -78,7 +78,7 @@ void try_out(Contender& contender, const RunOptions& options) {
   quiet.threads = options.threads;
   const Problem problem = make_problem(pilot);
   Conductor conductor(pilot.simulation, quiet);
-  const tally::Totals totals = run_batches<double>(problem, conductor);
+  const tally::Totals totals = run_batches(problem, conductor, {});
   tally::Result result = describe(problem);
   totals.fill(result);
 

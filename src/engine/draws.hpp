@@ -26,9 +26,9 @@ class Draws {
     for (std::uint32_t i = 0; spread() && i < quasi_random_dimensions; i += 4) {
       const std::uint32_t event = i / 4 / quasi_random_blocks, slot = i / 4 % quasi_random_blocks;
       if (slot < first_slot) continue;
-      const auto words = philox_words<std::uint64_t>(
-          world.key, batch / batch_photons, event, key_blocks + first_block + (slot - first_slot));
-      for (std::size_t k = 0; k < 4; ++k) keys_[i + k] = static_cast<std::uint32_t>(words[k]);
+      const auto words = philox_words(world.key, batch / batch_photons, event,
+                                      key_blocks + first_block + (slot - first_slot));
+      std::ranges::copy(words, &keys_[i]);
     }
   }
 

@@ -46,10 +46,10 @@ PHOTIC_APART std::array<T, 4> more_uniforms(const RandomPlace<T>& place, std::ui
 
 /// Where a telescope's lens is looked through by a photon, all its life.
 template <class T>
-instrument::PlanePoint<T> chosen_lens_point(const World<T>& world, RandomPlace<T> place,
+instrument::PlanePoint<T> chosen_lens_point(const World<T>& world, const Counter<T>& photon,
                                             std::size_t telescope) {
-  place.event = Index<T>(0);
-  const auto u = uniforms(place, 4 + static_cast<std::uint32_t>(telescope));
+  const auto u =
+      uniforms<T>(world.key, photon, Index<T>(0), 4 + static_cast<std::uint32_t>(telescope));
   return lens_point(world.telescopes[telescope], u[0], u[1]);
 }
 
@@ -253,8 +253,10 @@ void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask
 /// Scores what the telescopes expect of the conversions on photons' way to their next collision; of
 /// all their collisions, if these are not scored where they happen.
 template <bool special, class T>
-void score_on_the_way(const World<T>& world, const Travellers<T>& from, const Mask<T>& travelling,
-                      Estimates<T>& estimates, tally::BatchTally& tally) {
+PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const Travellers<T>& from,
+                                                  const Mask<T>& travelling,
+                                                  Estimates<T>& estimates,
+                                                  tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
   const Mask<T> convertible = travelling & (from.photon.line == Index<T>(0));
   const bool all_collisions = special && world.tools.scores_on_the_way;

@@ -30,7 +30,7 @@ Mask<T> set_out(const World<T>& world, const Counter<T>& number, const Mask<T>& 
   travellers.place.event = Index<T>(0);
   travellers.lens.resize(world.single_rays ? world.telescopes.size() : 0);
   for (std::size_t t = 0; t < travellers.lens.size(); ++t)
-    travellers.lens[t] = chosen_lens_point(world, travellers.place, t);
+    travellers.lens[t] = chosen_lens_point(world, number, t);
 
   const auto u = uniforms(travellers.place, 0);
   travellers.hue = medium::hue_of(u[3]);

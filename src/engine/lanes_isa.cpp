@@ -1,4 +1,4 @@
-// Compiled once for each instruction set, as PHOTIC_ISA (cmake/photic.cmake).
+// Lanes, compiled once for each instruction set, as PHOTIC_ISA (cmake/photic.cmake).
 #include <algorithm>
 #include <memory>
 #include <mutex>
@@ -6,8 +6,8 @@
 
 #include "core/pack.hpp"
 #include "engine/bidirectional.hpp"
+#include "engine/engines.hpp"
 #include "engine/lane_ledger.hpp"
-#include "engine/lanes.hpp"
 #include "engine/pool.hpp"
 
 namespace photic::engine {
@@ -69,8 +69,8 @@ class BidirectionalLanes final : public Simulator {
 }  // namespace
 
 namespace PHOTIC_ISA {
-std::unique_ptr<Simulator> make_lanes(const Problem& problem);
-std::unique_ptr<Simulator> make_lanes(const Problem& problem) {
+std::unique_ptr<Simulator> make_lane_simulator(const Problem& problem);
+std::unique_ptr<Simulator> make_lane_simulator(const Problem& problem) {
   if (problem.scene.simulation.estimator == "bidirectional")
     return std::make_unique<BidirectionalLanes>(problem);
   return std::make_unique<ForwardLanes>(problem);

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "engine/batches.hpp"
 #include "engine/choose.hpp"
 #include "engine/problem.hpp"
-#include "engine/scalar.hpp"
 
 namespace photic::engine {
 namespace {
@@ -88,12 +88,9 @@ void check_lanes(const scene::Scene& scene, Isa isa) {
 
 }  // namespace
 
-template tally::Totals run_batches<double>(const Problem& problem, Conductor& conductor);
-
 tally::Totals run_batches(const Problem& problem, Conductor& conductor,
                           const std::optional<Isa>& lanes) {
-  if (!lanes) return run_batches<double>(problem, conductor);
-  return BatchRunner(problem, *make_lanes(problem, *lanes), conductor).run();
+  return BatchRunner(problem, *make_simulator(problem, lanes), conductor).run();
 }
 
 tally::Result run(const scene::Scene& asked, const RunOptions& options) {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/lanes.hpp"
+#include "engine/engines.hpp"
 #include "scene/scene.hpp"
 #include "tally/result.hpp"
 

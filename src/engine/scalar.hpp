@@ -4,9 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/batches.hpp"
 #include "engine/bidirectional.hpp"
 #include "engine/history.hpp"
+#include "engine/problem.hpp"
+#include "engine/simulator.hpp"
 
 namespace photic::engine {
 
@@ -15,6 +16,8 @@ template <class T>
 class ScalarSimulator final : public Simulator {
  public:
   explicit ScalarSimulator(World<T> world) : world_(std::move(world)) {}
+  explicit ScalarSimulator(const Problem& problem)
+      : world_(make_world<T>(problem.scene, problem.medium, problem.gates)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     if (world_.walks == 0) {
@@ -37,15 +40,5 @@ class ScalarSimulator final : public Simulator {
  private:
   World<T> world_;
 };
-
-/// Runs a problem in the arithmetic of T.
-template <class T>
-tally::Totals run_batches(const Problem& problem, Conductor& conductor) {
-  const ScalarSimulator<T> simulator(make_world<T>(problem.scene, problem.medium, problem.gates));
-  return BatchRunner(problem, simulator, conductor).run();
-}
-
-// Compiled once, in run.cpp: each copy of the whole walk costs a compiler ten seconds.
-extern template tally::Totals run_batches<double>(const Problem& problem, Conductor& conductor);
 
 }  // namespace photic::engine

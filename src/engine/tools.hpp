@@ -21,9 +21,9 @@ inline constexpr std::uint32_t copy_blocks = std::uint32_t{1} << 30;
 /// numbers by. No photon of the laser has such a one; of two copies with probability 2^-63.
 inline std::uint64_t copy_number(const RandomKey& key, std::uint64_t photon, std::int32_t event,
                                  std::int32_t copy) {
-  const auto word = philox_words<std::uint64_t>(key, photon, static_cast<std::uint32_t>(event),
-                                                copy_blocks + static_cast<std::uint32_t>(copy));
-  return std::uint64_t{1} << 63 | (word[1] & 0xffffffff) << 32 | (word[0] & 0xffffffff);
+  const auto word = philox_words(key, photon, static_cast<std::uint32_t>(event),
+                                 copy_blocks + static_cast<std::uint32_t>(copy));
+  return std::uint64_t{1} << 63 | std::uint64_t{word[1]} << 32 | word[0];
 }
 
 template <class T>

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/batches.hpp"
 #include "engine/problem.hpp"
 #include "engine/run.hpp"
 #include "engine/scalar.hpp"
@@ -88,7 +89,8 @@ tally::Result run_in(const scene::Scene& scene, int threads) {
   engine::RunOptions options;
   options.threads = threads;
   engine::Conductor conductor(scene.simulation, options);
-  const auto totals = engine::run_batches<T>(problem, conductor);
+  const engine::ScalarSimulator<T> simulator(problem);
+  const auto totals = engine::BatchRunner(problem, simulator, conductor).run();
   auto result = engine::describe(problem);
   totals.fill(result);
   return result;

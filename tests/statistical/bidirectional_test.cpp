@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "engine/batches.hpp"
 #include "engine/problem.hpp"
 #include "engine/scalar.hpp"
 #include "support/runs.hpp"

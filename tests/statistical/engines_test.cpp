@@ -9,7 +9,7 @@
 #include <ostream>
 
 #include "core/error.hpp"
-#include "engine/lanes.hpp"
+#include "engine/engines.hpp"
 #include "engine/run.hpp"
 #include "support/scenes.hpp"
 

@@ -60,7 +60,7 @@ TEST(Scrambled, IsUniformOverKeys) {
   for (const std::uint32_t word : {0U, 0x80000000U, 0x35a1c000U}) {
     std::vector<double> one(cells), two(cells);
     for (std::uint64_t i = 0; i < keys_drawn; ++i) {
-      const auto key = static_cast<std::uint32_t>(philox_words<std::uint64_t>(11, i, 0, 0)[0]);
+      const std::uint32_t key = philox_words(11, i, 0, 0)[0];
       const std::uint32_t a = scrambled(word, key);
       const std::uint32_t b = scrambled(word ^ 0x40000000, key);
       one[a >> 26] += 1;

@@ -1,9 +1,10 @@
 // The lane engine against the scalar one.
-#include "engine/lanes.hpp"
+#include "engine/engines.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "engine/batches.hpp"
 #include "engine/run.hpp"
 #include "engine/scalar.hpp"
 #include "support/scenes.hpp"
@@ -131,7 +132,8 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
   const RunOptions options;
   Conductor conductor(problem.scene.simulation, options);
   tally::Result scalar = describe(problem);
-  run_batches<float>(problem, conductor).fill(scalar);
+  const ScalarSimulator<float> simulator(problem);
+  BatchRunner(problem, simulator, conductor).run().fill(scalar);
   for (const Isa isa : isas_here()) {
     SCOPED_TRACE(isa_name(isa));
     const tally::Result lanes = run_on(1, scene, isa);

@@ -1,6 +1,7 @@
-// The lane engine: the same physics, many photons at a time, in float.
+// The engines: the same physics by one photon at a time in double, the scalar engine, or by many in
+// float, the lanes.
 //
-// It is compiled once for each instruction set of x86 that is worth it; which one runs is chosen
+// Each is compiled once for each instruction set of x86 that is worth it; which one runs is chosen
 // when the program does.
 #pragma once
 
@@ -26,8 +27,8 @@ inline constexpr double float_reach_m = 3000;
 /// Whether all instruments of a scene are that near.
 bool lanes_resolve(const scene::Scene& scene);
 
-/// A problem in lanes; the processor must have the instruction set. The
-/// problem must outlive what is returned.
-std::unique_ptr<Simulator> make_lanes(const Problem& problem, Isa isa);
+/// A problem in lanes of an instruction set, which the processor must have, or by the scalar
+/// engine, whose bits are the same by any. The problem must outlive what is returned.
+std::unique_ptr<Simulator> make_simulator(const Problem& problem, const std::optional<Isa>& lanes);
 
 }  // namespace photic::engine
