@@ -7,8 +7,10 @@ set(shadow -Wshadow)
 if(CMAKE_UNITY_BUILD)
   set(shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
 endif()
+# The masks of one photon are bools, and `&` is theirs, too.
+set(bool_masks $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 # No contraction: the same bits from every schedule of the same formulas (docs/decisions).
-target_compile_options(photic_flags INTERFACE -Wall -Wextra -Wpedantic ${shadow} -Wconversion
+target_compile_options(photic_flags INTERFACE -Wall -Wextra -Wpedantic ${shadow} ${bool_masks} -Wconversion
                        -Wno-sign-conversion -Wno-psabi -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
 # The instruction sets that lanes are compiled for, from the least to the best (core/isa.hpp).
@@ -18,6 +20,13 @@ if(PHOTIC_WIDE_LANES AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   target_compile_definitions(photic_flags INTERFACE PHOTIC_WIDE_LANES)
 endif()
 
+# To optimise takes most of the time that a debug build needs, so only what tests would wait for is.
+function(photic_optimise_debug_build target)
+  if(target MATCHES "core|optics|medium|instrument|tally|engine")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O1>)
+  endif()
+endfunction()
+
 # photic_library(name SOURCES a.cpp … USES core … [LINKS …])  → target photic_name, headers under src/
 function(photic_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES;LINKS;PRIVATE_INCLUDES" ${ARGN})
@@ -25,6 +34,7 @@ function(photic_library name)
     add_library(photic_${name} STATIC ${ARG_SOURCES})
     set(scope PUBLIC)
     target_link_libraries(photic_${name} PRIVATE photic_flags)
+    photic_optimise_debug_build(photic_${name})
     if(ARG_PRIVATE_INCLUDES)
       target_include_directories(photic_${name} SYSTEM PRIVATE ${ARG_PRIVATE_INCLUDES})
     endif()
@@ -36,6 +46,9 @@ function(photic_library name)
   list(TRANSFORM ARG_USES PREPEND photic_)
   target_link_libraries(photic_${name} ${scope} ${ARG_USES} ${ARG_LINKS})
 endfunction()
+
+# GNU's linker, whatever the compiler's own is: others do not seal.
+find_program(PHOTIC_SEALER NAMES ld.bfd ld REQUIRED)
 
 # photic_for_each_isa(target source.cpp "entry*" library… [WITHOUT isa…])  → the source compiled for each of photic_isas
 # but some, in one program; PHOTIC_ISA is the set's name.
@@ -65,11 +78,12 @@ function(photic_for_each_isa target source entry)
     target_compile_options(${object} PRIVATE ${flags_of_${isa}}
                            "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-fno-gnu-unique>")
     target_link_libraries(${object} PRIVATE ${ARG_UNPARSED_ARGUMENTS} photic_flags)
+    photic_optimise_debug_build(${object})
     target_include_directories(${object} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
     set(sealed ${CMAKE_CURRENT_BINARY_DIR}/${object}.sealed.o)
     add_custom_command(
       OUTPUT ${sealed}
-      COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${sealed} $<TARGET_OBJECTS:${object}>
+      COMMAND ${PHOTIC_SEALER} -r --force-group-allocation -o ${sealed} $<TARGET_OBJECTS:${object}>
       COMMAND ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=${entry} ${sealed}
       DEPENDS ${object} $<TARGET_OBJECTS:${object}> VERBATIM)
     target_sources(${target} PRIVATE ${sealed})

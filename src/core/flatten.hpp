@@ -4,6 +4,13 @@
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define PHOTIC_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define PHOTIC_SANITIZED
+#endif
+#endif
+#if defined(PHOTIC_SANITIZED)
 #define PHOTIC_FLATTEN
 #else
 #define PHOTIC_FLATTEN [[gnu::flatten]]

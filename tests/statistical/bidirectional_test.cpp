@@ -233,7 +233,7 @@ TEST(Bidirectional, WalksOfTwoVertices) {
                             inelastic_water(0.06, broad_phase, 6.0) +
                             inelastic_water(0.1, broad_phase, 0) + depth_gates(12, 2);
   const auto up_to_third_order = [&](std::uint64_t seed) {
-    return scene + simulation(2e6, seed, "max_order = 3", "bidirectional");
+    return scene + simulation(1e6, seed, "max_order = 3", "bidirectional");
   };
   const auto capped =
       simulate_in(up_to_third_order(3), [](auto& world) { world.most_vertices = 2; });

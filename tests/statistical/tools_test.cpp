@@ -78,10 +78,10 @@ const std::vector<Case> tools_one_by_one{
 // not divided at splitting; with the copies dropped; with collisions scored on the way and where
 // they happen; with the weight of those who pass an analog test of absorption left lower.
 TEST(Tools, LeaveEchoesAsTheyAre) {
-  const auto plain = run_in_lanes(bright_scene(4e6, 6, ""));
+  const auto plain = run_in_lanes(bright_scene(2e6, 6, ""));
   ZFamily family(0.01);
   for (const Case& c : tools_one_by_one) {
-    const auto result = run_in_lanes(bright_scene(2e6, 5, with(c.tools)));
+    const auto result = run_in_lanes(bright_scene(1e6, 5, with(c.tools)));
     EXPECT_EQ(result.ledger.lost, 0);
     EXPECT_GE(add_settled(family, result, plain, c.name), 25U) << c.name;
   }

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/run.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 
@@ -142,7 +142,7 @@ phase_function = {{ model = "henyey-greenstein", g = {g} }}
 depth_max_m = {depth}
 depth_step_m = {step}
 [simulation]
-photons = 4000000
+photons = 2000000
 seed = 3
 )",
                   fmt::arg("height", height), fmt::arg("divergence", laser_divergence * 1e3),
@@ -151,7 +151,7 @@ seed = 3
                   fmt::arg("obstruction", 2 * obstruction_radius), fmt::arg("index", index),
                   fmt::arg("group", group), fmt::arg("a", a), fmt::arg("b", b), fmt::arg("g", g),
                   fmt::arg("depth", gates * gate_depth), fmt::arg("step", gate_depth)));
-  const auto result = engine::run(scene);
+  const auto result = run_in_lanes(scene);
   constexpr std::uint64_t photons = 40'000'000;
   const Counts counts = analog_counts(photons);
   ZFamily family(0.01);
