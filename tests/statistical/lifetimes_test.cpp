@@ -9,6 +9,7 @@
 
 #include "core/isa.hpp"
 #include "engine/run.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 
 namespace photic::test {
@@ -82,7 +83,7 @@ class Lifetimes : public testing::TestWithParam<Case> {};
 
 TEST_P(Lifetimes, AreAConvolution) {
   const auto& [estimator, in_lanes, start_ns] = GetParam();
-  const auto lanes = in_lanes ? std::optional(isas_here().back()) : std::nullopt;
+  const auto lanes = in_lanes ? std::optional(isa_of_tests()) : std::nullopt;
   const auto fine = run_in(lanes, lidar(estimator, 80, step_ns, false));
   const auto coarse = run_in(lanes, lidar(estimator, start_ns, 2, true));
   const auto at_once = run_in(lanes, lidar(estimator, start_ns, 2, false));

@@ -1,13 +1,27 @@
-// Runs of scenes as users make them: in the lanes that this processor has.
+// Runs of scenes as users make them: in lanes.
 #pragma once
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
 
 #include "engine/run.hpp"
 
 namespace photic::test {
 
+/// The instruction set of lanes: the best that is here, or PHOTIC_TEST_ISA (tools/test_each_isa).
+inline Isa isa_of_tests() {
+  const char* asked = std::getenv("PHOTIC_TEST_ISA");
+  if (asked == nullptr) return isas_here().back();
+  const auto isa = isa_of(asked);
+  if (!isa || !runs_here(*isa))
+    throw std::invalid_argument(std::string("not here: PHOTIC_TEST_ISA=") + asked);
+  return *isa;
+}
+
 inline tally::Result run_in_lanes(const scene::Scene& scene) {
   engine::RunOptions options;
-  options.lanes = isas_here().back();
+  options.lanes = isa_of_tests();
   return engine::run(scene, options);
 }
 
