@@ -21,11 +21,7 @@ if(PHOTIC_WIDE_LANES AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
 endif()
 
 # To optimise takes most of the time that a debug build needs, so only what tests would wait for is.
-function(photic_optimise_debug_build target)
-  if(target MATCHES "core|optics|scene|medium|instrument|transport|tally|engine")
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O1>)
-  endif()
-endfunction()
+set(optimised_also_for_debugging $<$<CONFIG:Debug>:-O1>)
 
 # photic_library(name SOURCES a.cpp … USES core … [LINKS …])  → target photic_name, headers under src/
 function(photic_library name)
@@ -34,7 +30,9 @@ function(photic_library name)
     add_library(photic_${name} STATIC ${ARG_SOURCES})
     set(scope PUBLIC)
     target_link_libraries(photic_${name} PRIVATE photic_flags)
-    photic_optimise_debug_build(photic_${name})
+    if(NOT name STREQUAL "io")
+      target_compile_options(photic_${name} PRIVATE ${optimised_also_for_debugging})
+    endif()
     if(ARG_PRIVATE_INCLUDES)
       target_include_directories(photic_${name} SYSTEM PRIVATE ${ARG_PRIVATE_INCLUDES})
     endif()
@@ -78,7 +76,7 @@ function(photic_for_each_isa target source entry)
     target_compile_options(${object} PRIVATE ${flags_of_${isa}}
                            "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized;-fno-gnu-unique>")
     target_link_libraries(${object} PRIVATE ${ARG_UNPARSED_ARGUMENTS} photic_flags)
-    photic_optimise_debug_build(${object})
+    target_compile_options(${object} PRIVATE ${optimised_also_for_debugging})
     target_include_directories(${object} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
     set(sealed ${CMAKE_CURRENT_BINARY_DIR}/${object}.sealed.o)
     add_custom_command(
@@ -108,10 +106,10 @@ function(photic_test_headers)
                             <algorithm> <cmath> <filesystem> <functional> <map> <optional> <random> <string> <vector>)
 endfunction()
 
-# photic_test(name SOURCES a.cpp … USES core …)  → one test program; ctest knows each of its tests,
+# photic_test(name SOURCES a.cpp … USES core … [LONG_LOOPS])  → one test program; ctest knows each of its tests,
 # under their folder in tests/ as label (ctest -L unit); target tests_unit builds all in tests/unit
 function(photic_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;USES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "LONG_LOOPS" "TIMEOUT" "SOURCES;USES;LINKS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
@@ -120,8 +118,8 @@ function(photic_test name)
   target_link_libraries(${name} PRIVATE ${ARG_USES} ${ARG_LINKS} photic_flags GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE PHOTIC_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND name STREQUAL "unit_transport")
-    photic_optimise_debug_build(${name})  # it has the loops itself; the shared headers are not
+  if(ARG_LONG_LOOPS AND CMAKE_BUILD_TYPE STREQUAL "Debug")
+    target_compile_options(${name} PRIVATE ${optimised_also_for_debugging})  # and the shared headers are not
   else()
     target_precompile_headers(${name} REUSE_FROM test_headers)
   endif()

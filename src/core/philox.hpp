@@ -13,7 +13,7 @@ namespace photic {
 
 /// Two words side by side in a register, each in the lower half of 64 bits.
 // NOLINTNEXTLINE(modernize-use-using): an alias takes no such attribute
-typedef std::uint64_t Words __attribute__((vector_size(16)));
+typedef std::uint64_t TwoWords __attribute__((vector_size(16)));
 
 /// A seed as the rounds of Philox want it.
 class RandomKey {
@@ -25,16 +25,16 @@ class RandomKey {
     constexpr std::uint32_t step0 = 0x9e3779b9, step1 = 0xbb67ae85;
     auto low = static_cast<std::uint32_t>(seed), high = static_cast<std::uint32_t>(seed >> 32);
     for (auto& round : round_) {
-      round = Words{low, high};
+      round = TwoWords{low, high};
       low += step0;
       high += step1;
     }
   }
   /// The words of a round.
-  [[nodiscard]] const Words& round(int i) const { return round_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const TwoWords& round(int i) const { return round_[static_cast<std::size_t>(i)]; }
 
  private:
-  std::array<Words, rounds> round_{};
+  std::array<TwoWords, rounds> round_{};
 };
 
 /// Two words of a block, each in the lower half of a W; the upper halves are scratch.
@@ -48,21 +48,21 @@ struct WordPair {
   [[nodiscard]] WordPair swapped() const { return {second, first}; }
   [[nodiscard]] WordPair upper_halves() const { return {first >> 32, second >> 32}; }
   WordPair operator^(const WordPair& b) const { return {first ^ b.first, second ^ b.second}; }
-  WordPair operator^(const Words& b) const { return {first ^ W(b[0]), second ^ W(b[1])}; }
+  WordPair operator^(const TwoWords& b) const { return {first ^ W(b[0]), second ^ W(b[1])}; }
 };
 
 /// Those of one photon, side by side in a register: a round is five instructions.
 template <>
 struct WordPair<std::uint64_t> {
-  Words v;
+  TwoWords v;
 
-  WordPair(const Words& words) : v(words) {}  // NOLINT(*-explicit-*): one is the other
+  WordPair(const TwoWords& words) : v(words) {}  // NOLINT(*-explicit-*): one is the other
   WordPair(std::uint64_t a, std::uint64_t b) : v{a, b} {}
 
   [[nodiscard]] WordPair times(std::uint32_t a, std::uint32_t b) const {
-    const Words factors{a, b};
+    const TwoWords factors{a, b};
 #if defined(__SSE2__)
-    return (Words)_mm_mul_epu32((__m128i)v, (__m128i)factors);
+    return (TwoWords)_mm_mul_epu32((__m128i)v, (__m128i)factors);
 #else
     return (v & 0xffffffff) * factors;
 #endif
@@ -74,15 +74,15 @@ struct WordPair<std::uint64_t> {
 
 /// The words 0 and 2, and 1 and 3, of a block.
 template <class W>
-struct Block {
+struct PhiloxBlock {
   WordPair<W> even, odd;
 };
 
 template <class W>
-Block<W> philox(const RandomKey& key, const W& photon, const W& event, std::uint32_t block) {
+PhiloxBlock<W> philox(const RandomKey& key, const W& photon, const W& event, std::uint32_t block) {
   // Constants of the authors' Philox4x32: multipliers.
   constexpr std::uint32_t multiplier0 = 0xd2511f53, multiplier1 = 0xcd9e8d57;
-  Block<W> words{{photon, event}, {photon >> 32, W(block)}};
+  PhiloxBlock<W> words{{photon, event}, {photon >> 32, W(block)}};
   for (int i = 0; i < RandomKey::rounds; ++i) {
     const WordPair<W> products = words.even.times(multiplier0, multiplier1).swapped();
     words = {products.upper_halves() ^ words.odd ^ key.round(i), products};
