@@ -113,6 +113,24 @@ TEST(Agreement, FloatAndDouble) {
             in_double.echo.mean);  // or the comparison would be of one with itself
 }
 
+// This file is compiled for any processor of its kind, the program's scalar engine for this one,
+// too. Seen red: with products and sums contracted in the program's.
+TEST(Agreement, BitsDoNotDependOnInstructions) {
+  const std::string algae =
+      "[[sea.layer]]\nbottom_depth_m = 5.0\nchlorophyll_mg_m3 = 1.0\n[[sea.layer]]\n";
+  auto scene =
+      read(ship(algae, channel("elastic") + channel("raman"), 2e4, "directed_fraction = 0.5"));
+  for (const auto* estimator : {"forward", "bidirectional"}) {
+    scene.simulation.estimator = estimator;
+    const auto here = engine::run(scene);
+    const auto anywhere = run_in<double>(scene, 2);
+    EXPECT_GT(here.echo.mean.front(), 0);
+    EXPECT_EQ(here.echo.mean, anywhere.echo.mean);
+    EXPECT_EQ(here.echo_by_order.standard_error, anywhere.echo_by_order.standard_error);
+    EXPECT_EQ(here.ledger.absorbed, anywhere.ledger.absorbed);
+  }
+}
+
 // Seen red: with batches merged as they come; with any of a tally's ledger, depths, largest scores
 // or octaves left as they were from one batch to the next.
 TEST(Agreement, BitsDoNotDependOnThreads) {
