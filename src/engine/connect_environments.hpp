@@ -53,9 +53,15 @@ template <class T>
 PHOTIC_APART void Connections<T>::complete_by_meeting(const Ray& out, const Ray& home,
                                                       const T& depth, const Index<T>& layer) {
   const auto pass = [&](const Ray& ray) {
-    const T from = -ray.position.z;
-    completion_.pass(
-        sea_, {ray.line, ray.layer, from, layer, depth, T((from - depth) / ray.direction.z)});
+    const Mask<T> reflected = ray.is_reflected();
+    transport::WalkPoint<T> left = ray;
+    left.position.z = select(reflected, T(-ray.position.z), ray.position.z);
+    left.direction.z = ray.left_z();
+    const T reach = (-ray.position.z - depth) / ray.direction.z;
+    transport::WalkPoint<T> arrived = ray;
+    arrived.position = ray.position + reach * ray.direction;
+    arrived.layer = layer;
+    transport::add_leg(sea_, left, arrived, completion_.ways);
   };
   completion_.clear();
   pass(out);

@@ -7,19 +7,30 @@
 namespace photic::engine {
 
 /// Calls act(ends, mask, ray i, ray m) for all rays i of the laser's walk and m of the telescope's,
-/// from `first` on, that may meet in time.
+/// from `first` on, that may meet in time: as they are, and those that go up as the surface
+/// reflects them.
 template <class T>
 template <class Act>
 void Connections<T>::each_pair(std::size_t laser, std::size_t back, std::int32_t first,
                                Act act) const {
   each_index<T>(laser_.rays(laser), [&](const Index<T>& i, const Mask<T>& mask) {
     const Ray out = laser_.ray(Index<T>(laser), i);
+    const Mask<T> rises = mask & (out.direction.z > T(0));
+    const Ray image = any(rises) ? reflected(sea_, out) : out;
     for (std::int32_t m = first; m < back_.rays(back); ++m) {
       const Ray home = back_.ray_in_all_lanes(back, m);
       const Mask<T> in_time =
           mask & in_order(i + Index<T>(m + 1)) & (out.path + home.path < world_.last_path);
       if (!any(in_time)) break;
-      act(ends_of<T>(laser, i, back, Index<T>(m)), in_time, out, home);
+      const auto ends = ends_of<T>(laser, i, back, Index<T>(m));
+      const bool home_rises = all(home.direction.z > T(0));
+      const Ray home_image = home_rises ? reflected(sea_, home) : home;
+      for (std::int32_t which = 0; which < (home_rises ? 4 : 2); ++which) {
+        const Mask<T> some = which % 2 == 0 ? in_time : in_time & rises;
+        if (any(some))
+          act(RayEnds<T>{ends, Index<T>(which)}, some, which % 2 == 0 ? out : image,
+              which < 2 ? home : home_image);
+      }
     }
   });
 }
@@ -40,14 +51,25 @@ PHOTIC_FLATTEN void Connections<T>::shifted(std::size_t laser, std::size_t back)
       });
 }
 
+/// The rays again that each_pair had found.
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_chords(const Ends<T>& ends, const Mask<T>& mask) {
+Pair<T> Connections<T>::pair_of(const RayEnds<T>& ends) const {
+  Pair<T> pair{laser_.ray(ends.laser, ends.i),
+               back_.ray(ends.back, ends.m),
+               back_.outset(ends.back),
+               ends,
+               {}};
+  const Mask<T> home = ends.reflected >= Index<T>(2);
+  const Mask<T> out = (ends.reflected == Index<T>(1)) | (ends.reflected == Index<T>(3));
+  if (any(out)) assign<T>(out, reflected(sea_, pair.out), pair.out);
+  if (any(home)) assign<T>(home, reflected(sea_, pair.back), pair.back);
+  return pair;
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const Mask<T>& mask) {
   const auto& grid = samples_.grid;
-  Pair<T> pairs{laser_.ray(ends.laser, ends.i),
-                back_.ray(ends.back, ends.m),
-                back_.outset(ends.back),
-                ends,
-                {}};
+  Pair<T> pairs = pair_of(ends);
   const auto chord =
       transport::chord(pairs.out, pairs.back, telescope_, pairs.outset.lens, world_.deepest);
   pairs.lens = chord.lens;
@@ -87,13 +109,9 @@ PHOTIC_FLATTEN void Connections<T>::turned(std::size_t laser, std::size_t back) 
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Ends<T>& ends, const Mask<T>& mask,
+PHOTIC_FLATTEN void Connections<T>::serve_crossings(const RayEnds<T>& ends, const Mask<T>& mask,
                                                     std::size_t which) {
-  const Pair<T> pair{laser_.ray(ends.laser, ends.i),
-                     back_.ray(ends.back, ends.m),
-                     back_.outset(ends.back),
-                     ends,
-                     {}};
+  const Pair<T> pair = pair_of(ends);
   const auto axis = back_.axis(ends.back);
   const T depth = transport::crossings(pair.out, pair.back, axis, world_.deepest).depth[which];
   const auto turn = transport::turn_to_meet(pair.out, pair.back, axis, depth);

@@ -64,7 +64,7 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
                                   freedom);
   const T area =
       samples_.to_instrument * from.share * solid_angle / (way.per_area * way.index_squared) +
-      (mirrored ? T(0) : from.meeting);
+      from.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_telescope(ends, v, way, mirrored);
   score(ends, Walked::laser, seen,
@@ -127,7 +127,7 @@ void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, c
       transport::connectable_solid_angle(laser, transport::fictitious_vertex(laser));
   const T area =
       samples_.to_instrument * to.share * solid_angle / (way.per_area * way.index_squared) +
-      (mirrored ? T(0) : to.meeting);
+      to.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_laser(ends, w, way, water, mirrored);
   score(ends, Walked::telescope, lit,

@@ -36,12 +36,25 @@ Ends<T> ends_of(std::size_t laser, const Index<T>& i, std::size_t back, const In
   return {Index<T>(laser), i, Index<T>(back), m};
 }
 
+/// Rays i and m that may be made to meet, as they are or as the surface has reflected them.
+template <class T>
+struct RayEnds : Ends<T> {
+  Index<T> reflected{};  ///< 1: the laser's, 2: the telescope's, 3: both
+
+  template <class F>
+  void each_member(F f) {
+    Ends<T>::each_member(f);
+    f(reflected);
+  }
+  static constexpr std::size_t reals = 0, integers = 5;
+};
+
 /// Two rays that may be made to meet.
 template <class T>
 struct Pair {
   transport::Ray<T> out, back;
   Outset<T> outset;  ///< of the telescope's walk
-  Ends<T> ends;
+  RayEnds<T> ends;
   transport::LensLine<T> lens;  ///< where it comes through, if it is shifted
 
   template <class F>
@@ -94,6 +107,7 @@ class Connections {
   using Ray = transport::Ray<T>;
   using Joint = transport::Joint<T>;
   using Room = WaitingRoom<T, Ends<T>>;
+  using RayRoom = WaitingRoom<T, RayEnds<T>>;
 
   template <class Act>
   void each_pair(std::size_t laser, std::size_t back, std::int32_t first, Act act) const;
@@ -102,8 +116,8 @@ class Connections {
   void serve_to_telescope(const Ends<T>& ends, const Mask<T>& mask);
   void serve_to_laser(const Ends<T>& ends, const Mask<T>& mask);
   void serve_between(const Ends<T>& ends, const Mask<T>& mask);
-  void serve_chords(const Ends<T>& ends, const Mask<T>& mask);
-  void serve_crossings(const Ends<T>& ends, const Mask<T>& mask, std::size_t which);
+  void serve_chords(const RayEnds<T>& ends, const Mask<T>& mask);
+  void serve_crossings(const RayEnds<T>& ends, const Mask<T>& mask, std::size_t which);
 
   void by_way(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v, const T& turned,
               const Outset<T>& outset, const transport::Way<T>& way, bool mirrored);
@@ -112,6 +126,7 @@ class Connections {
   void along(const Ends<T>& ends, const Mask<T>& mask, const Index<T>& line, const Joint& from,
              const Joint& to, const Vertex& v, const Vertex& w, const T& length,
              const Usable<T>& usable);
+  Pair<T> pair_of(const RayEnds<T>& ends) const;
   void meet_at(const Pair<T>& pair, const Mask<T>& mask, const Ray& moved,
                const transport::Vertical<T>& axis, const T& depth, const T& gain);
 
@@ -184,8 +199,9 @@ class Connections {
   const Walks<T>& laser_;
   const Walks<T>& back_;
   tally::BatchTally& tally_;
-  Room to_telescope_, to_laser_, between_, chords_;
-  std::array<Room, 2> crossings_;
+  Room to_telescope_, to_laser_, between_;
+  RayRoom chords_;
+  std::array<RayRoom, 2> crossings_;
   transport::Completion<T> completion_;
   std::vector<Element<T>> ratios_;  ///< of one lane, [environment]
 };

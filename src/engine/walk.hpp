@@ -199,7 +199,7 @@ class Walks {
       side.behind = side.behind + turned_before(walk, m - Index<T>(1), usable, freedom.axis);
     side.behind = ray.passed * side.behind;
     side.last = select(usable.meeting(passed(m, usable)),
-                       freedom.shift_area * transport::turning(ray.meeting, ray.direction.z) +
+                       freedom.shift_area * transport::turning(ray.meeting, ray.left_z()) +
                            ray.turn.about(freedom.axis),
                        T(0));
     return side;

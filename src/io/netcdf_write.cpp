@@ -133,7 +133,8 @@ void add_estimates(NetcdfImage& file, const std::string& name,
 void add_echoes(NetcdfImage& file, const tally::Result& result) {
   add_estimates(
       file, "echo", {"telescope", "channel", "gate"}, result.echo, echo_meaning, "gate: sum",
-      " converged convergence_flags largest_score_share variance_of_variance order_cut_share");
+      " converged convergence_flags largest_score_share variance_of_variance error_growth "
+      "order_cut_share");
   add_estimates(file, "echo_by_process", {"telescope", "channel", "process", "gate"},
                 result.echo_by_process, echo_meaning + ", by the process in which the light turned",
                 "gate: sum", "", " process_name");
@@ -180,6 +181,9 @@ void add_convergence(NetcdfImage& file, const tally::Result& result) {
                     dimensionless("share of the largest single score in the echo"));
   file.add_variable("variance_of_variance", dimensions, result.variance_of_variance,
                     dimensionless("relative variance of the estimated variance of the echo"));
+  file.add_variable("error_growth", dimensions, result.error_growth,
+                    dimensionless("standard error of echo times the root of the photons, over the "
+                                  "same with a quarter to a half of the photons"));
   file.add_variable("order_cut_share", dimensions, result.order_cut_share,
                     dimensionless("first order of scattering that was cut off, over the echo"));
 }

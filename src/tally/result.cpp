@@ -8,9 +8,10 @@ const std::vector<FlagMeaning>& flag_meanings() {
       {few_batches, "few_batches", "fewer than 30 batches: the error itself is not known"},
       {large_error, "large_error", "the standard error is above 10 % of the echo"},
       {large_score, "large_score", "a single score carries more than 2 % of the echo"},
-      {uncertain_variance, "uncertain_variance", "the variance of the variance is above 0.1"},
-      {heavy_tail, "heavy_tail", "a few scores carry the variance: the echo may be too low"},
-      {error_not_falling, "error_not_falling", "the error does not fall as 1/sqrt(photons)"},
+      {uncertain_variance, "uncertain_variance",
+       "of environments: the variance of the variance is above 0.1"},
+      {heavy_tail, "heavy_tail",
+       "scores too rare to have been seen may carry more than half the error"},
       {among_flagged, "among_flagged", "most of the gates around it are flagged"},
   };
   return meanings;

@@ -23,9 +23,8 @@ enum ConvergenceFlag : std::int32_t {
   few_batches = 2,          ///< too few batches to know a standard error
   large_error = 4,          ///< the standard error is above 10 % of the echo
   large_score = 8,          ///< one score carries too much of the echo
-  uncertain_variance = 16,  ///< the variance of the variance is above 0.1
-  heavy_tail = 32,          ///< the largest scores are still getting larger: the mean may be low
-  error_not_falling = 64,   ///< the error does not fall as 1/sqrt(photons)
+  uncertain_variance = 16,  ///< of an environment: the variance of the variance is above 0.1
+  heavy_tail = 32,          ///< scores too rare to have been seen may carry too much
   among_flagged = 128,      ///< most of the gates around are flagged
 };
 struct FlagMeaning {
@@ -54,6 +53,8 @@ struct Result {
   std::vector<std::int32_t> convergence_flags;  ///< [telescope][channel][gate]; 0: converged
   std::vector<double> largest_score_share;      ///< [telescope][channel][gate] of the echo
   std::vector<double> variance_of_variance;     ///< [telescope][channel][gate]
+  std::vector<double> error_growth;  ///< [telescope][channel][gate]: of error * sqrt(photons), over
+                                     ///< the last factor of four in photons; NaN of short runs
   std::vector<double>
       order_cut_share;  ///< [telescope][channel][gate]: first order cut off, over the echo
 

@@ -18,28 +18,38 @@ constexpr double least_batches = 30;
 constexpr double largest_relative_error = 0.10;
 constexpr double largest_single_share = 0.02;
 constexpr double largest_variance_of_variance =
-    0.1;                           // as MCNP asks for: X-5 Monte Carlo Team, LA-UR-03-1987 (2003)
-constexpr double few_scores = 30;  // scores that make up the top of a distribution
-constexpr double largest_top_share = 0.50;  // of the second moment, in those few
+    0.1;                             // as MCNP asks for: X-5 Monte Carlo Team, LA-UR-03-1987 (2003)
+constexpr double tail_scores = 100;  // at least, that tell how the largest ones are distributed
+constexpr double least_tail_index = 1.05;  // tails have a mean
+constexpr double largest_unseen = 0.5;     // of scores beyond those expected, in standard errors
 /// Of environments scores are not counted by octave: their second moment stands in no fewer scores
-/// than these, as sums of fourth powers tell. Of 1260 gates 793 of 912 with a heavy tail by octaves
-/// have one by this too, and 14 more; those of the scene are taken over.
-constexpr double largest_fourth_share = 1 / few_scores;
-/// What the histories are to blame for, in whatever water.
-constexpr std::int32_t of_histories =
-    ConvergenceFlag::heavy_tail | ConvergenceFlag::error_not_falling;
-constexpr double largest_error_growth =
-    1.4;  // of error * sqrt(photons), over a factor of four in photons
+/// than 30, as sums of fourth powers tell.
+constexpr double largest_fourth_share = 1.0 / 30;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double chance_growth = 2.58;  // standard deviations that chance alone seldom exceeds
 
 double error_of_sum(const Sums& s, double photons, double batches) {
   const double spread = std::max(0.0, s.xx - s.x * s.x / photons);
   return batches > 1 ? std::sqrt(spread / (batches - 1) * photons) : 0.0;
 }
 
-/// Standard deviation of the logarithm of an error that is estimated from normal batches.
-double log_spread(double batches) { return 1 / std::sqrt(2 * (batches - 1)); }
+/// What is to be expected of scores larger than any expected so far, if the largest ones follow a
+/// Pareto distribution: its index by maximum likelihood from the octaves that hold the top of all
+/// scores (Hill's estimator, Ann. Stat. 3, 1163 (1975), of geometrically distributed octaves). It
+/// hardly depends on whether the very largest have come, as it must not: flags that do pick runs
+/// that lack them. Infinite of too few scores.
+double unseen_sum(const std::array<std::uint64_t, score_octaves>& octaves) {
+  double top = 0;    // scores in the octaves seen so far, from the largest down
+  double above = 0;  // octaves between each of them and the present one, all together
+  for (int k = score_octaves - 1; k >= 0; --k) {
+    above += top;
+    top += static_cast<double>(octaves[static_cast<std::size_t>(k)]);
+    if (top < tail_scores) continue;
+    const double index = std::max(least_tail_index, std::log2(1 + top / above));
+    const double exceeded_once = std::ldexp(std::pow(top, 1 / index), k - score_octaves);
+    return exceeded_once / (1 - 1 / index);
+  }
+  return std::numeric_limits<double>::infinity();
+}
 
 /// The one of two ways to the same sum that loses no digits: an environment like the scene has the
 /// scene's echo to the last bit, one without light has none.
@@ -166,24 +176,12 @@ double Totals::standard_error(const Sums& sums) const {
 }
 
 bool Totals::heavy_tail(std::size_t cell) const {
-  double top_count = 0;
-  double top = 0;
-  double all = 0;
-  for (int k = score_octaves - 1; k >= 0; --k) {
-    const auto count = static_cast<double>(state_.octaves[cell][static_cast<std::size_t>(k)]);
-    if (count == 0) continue;
-    const double square =
-        std::ldexp(1.0, 2 * (k - score_octaves));  // of a score of this octave, about
-    const double taken = std::min(count, few_scores - top_count);
-    top += taken * square;
-    top_count += taken;
-    all += count * square;
-  }
-  return top > largest_top_share * all;
+  const double error = standard_error(state_.echo[cell].low) * static_cast<double>(state_.photons);
+  return unseen_sum(state_.octaves[cell]) > largest_unseen * error;
 }
 
-bool Totals::error_not_falling(std::size_t cell) const {
-  if (state_.snapshot_photons.size() < 3) return false;
+double Totals::error_growth(std::size_t cell) const {
+  if (state_.snapshot_photons.size() < 3 || state_.echo[cell].low.x == 0) return nan;
   const std::size_t before = state_.snapshot_photons.size() - 3;
   const double photons_then = state_.snapshot_photons[before];
   const auto photons = static_cast<double>(state_.photons);
@@ -193,10 +191,7 @@ bool Totals::error_not_falling(std::size_t cell) const {
   const double then = error_of_sum(state_.snapshot_echo[before * state_.echo.size() + cell],
                                    photons_then, state_.snapshot_batches[before]) /
                       std::sqrt(photons_then);
-  const double by_chance =
-      chance_growth * std::hypot(log_spread(state_.snapshot_batches[before]),
-                                 log_spread(static_cast<double>(state_.batches)));
-  return now > std::max(largest_error_growth, std::exp(by_chance)) * then;
+  return now / then;
 }
 
 double Totals::variance_of_variance(const TailSums& s) const {
@@ -214,7 +209,6 @@ Totals::Health Totals::health_of(const TailSums& s, double largest) const {
   health.raise(static_cast<double>(state_.batches) < least_batches, few_batches);
   health.raise(standard_error(s.low) > largest_relative_error * mean(s.low), large_error);
   health.raise(health.largest_score_share > largest_single_share, large_score);
-  health.raise(health.variance_of_variance > largest_variance_of_variance, uncertain_variance);
   return health;
 }
 
@@ -222,7 +216,6 @@ Totals::Health Totals::health(std::size_t cell) const {
   Health health = health_of(state_.echo[cell], state_.largest[cell]);
   if ((health.flags & no_score) != 0) return health;
   health.raise(heavy_tail(cell), ConvergenceFlag::heavy_tail);
-  health.raise(error_not_falling(cell), ConvergenceFlag::error_not_falling);
   return health;
 }
 
@@ -237,6 +230,7 @@ std::int32_t Totals::environment_flags(std::size_t cell, std::size_t environment
   const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
   Health own = health_of(s.echo, s.largest);
   own.raise(heavy(s.of_scores), ConvergenceFlag::heavy_tail);
+  own.raise(own.variance_of_variance > largest_variance_of_variance, uncertain_variance);
   return own.flags | difference_flags(s);
 }
 
@@ -276,8 +270,9 @@ void Totals::fill_environment(std::size_t environment, Result& result) const {
     const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
     estimate(s.echo.low, result.environment_echo);
     estimate(s.difference.low, result.environment_difference);
-    result.environment_convergence_flags.push_back(environment_flags(cell, environment) |
-                                                   (result.convergence_flags[cell] & of_histories));
+    result.environment_convergence_flags.push_back(
+        environment_flags(cell, environment) |
+        (result.convergence_flags[cell] & ConvergenceFlag::heavy_tail));
   }
   flag_among_flagged(first, shape_->gates, result.environment_convergence_flags);
 }
@@ -311,6 +306,7 @@ void Totals::fill(Result& result) const {
     const Health h = health(cell);
     result.convergence_flags.push_back(h.flags);
     result.variance_of_variance.push_back(h.variance_of_variance);
+    result.error_growth.push_back(error_growth(cell));
     result.largest_score_share.push_back(h.largest_score_share);
     const double x = state_.echo[cell].low.x;
     result.order_cut_share.push_back(x > 0 ? state_.cut_order[cell] / x : 0.0);

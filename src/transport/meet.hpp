@@ -6,11 +6,40 @@
 #include <cmath>
 
 #include "instrument/lens.hpp"
+#include "optics/fresnel.hpp"
 #include "transport/depart.hpp"
 #include "transport/joint.hpp"
 #include "transport/vertex.hpp"
+#include "transport/way.hpp"
 
 namespace photic::transport {
+
+/// Rays as the surface has reflected them: those that go up come from their mirror images above it.
+template <class T>
+Ray<T> reflected(const medium::MediumView& sea, const Ray<T>& ray) {
+  Ray<T> image = ray;
+  image.position.z = -ray.position.z;
+  image.direction.z = -ray.direction.z;
+  image.weight = ray.weight *
+                 optics::refract(gather<T>(sea.index, ray.line), T(1), ray.direction.z).reflectance;
+  return image;
+}
+
+/// Optical depths along a ray, `length` of it, to a depth in a layer.
+template <class T>
+OpticalDepths<T> depths_along(const medium::MediumView& sea, const Ray<T>& ray,
+                              const Index<T>& layer, const T& depth, const T& length) {
+  const T from = -ray.position.z;
+  const OpticalDepths<T> straight{
+      sea.slant_optical_depth<T>(ray.line, ray.layer, from, layer, depth, length),
+      sea.walk_slant_optical_depth<T>(ray.line, ray.layer, from, layer, depth, length)};
+  const Mask<T> reflected = ray.is_reflected();
+  if (!any(reflected)) return straight;
+  const auto by_surface = depths_by_surface(sea, ray.line, ray.layer, T(-from), layer, depth,
+                                            T(length / (depth - from)));
+  return {select(reflected, by_surface.all, straight.all),
+          select(reflected, by_surface.walk, straight.walk)};
+}
 
 /// The depths that two rays have in common.
 template <class T>
@@ -22,7 +51,7 @@ struct Span {
 template <class T>
 Span<T> common_span(const Ray<T>& laser, const Ray<T>& back, const T& deepest) {
   const auto from = [](const Ray<T>& ray) {
-    return select(ray.direction.z < T(0), T(-ray.position.z), T(0));
+    return select((ray.direction.z < T(0)) & !ray.is_reflected(), T(-ray.position.z), T(0));
   };
   const auto to = [&](const Ray<T>& ray) {
     return select(ray.direction.z < T(0), deepest, T(-ray.position.z));
@@ -181,6 +210,13 @@ struct Side {
   Spread<T> spread;
   T behind{};  ///< densities behind the ray
   T last{};    ///< of meeting where the ray begins, but for what is beyond it
+
+  /// n h / g of connecting the edge along the ray, times P and the walked exp(-tau): what the
+  /// surface reflects can only be connected to an instrument, by its mirror image.
+  T connecting(const medium::MediumView& sea, const T& length, const Samples<T>& samples) const {
+    const T area = connecting_area(sea, ray, first, spread, length, samples);
+    return select(ray.is_reflected() & !first, T(0), area);
+  }
 };
 
 /// A laser's ray and a telescope's that meet at a depth in a layer.
@@ -193,17 +229,12 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
   const Index<T> line = back.line;
   const Index<T> here = sea.at(line, layer);
   const Mask<T> converts = line > Index<T>(0);
-  const T laser_depth = -laser.position.z;
-  const T back_depth = -back.position.z;
-  const T out = (laser_depth - depth) / laser.direction.z;
-  const T home = (back_depth - depth) / back.direction.z;
-  const T tau =
-      sea.slant_optical_depth<T>(Index<T>(0), laser.layer, laser_depth, layer, depth, out) +
-      sea.slant_optical_depth<T>(line, back.layer, back_depth, layer, depth, home);
-  const T walked_out = exp_minus(
-      sea.walk_slant_optical_depth<T>(Index<T>(0), laser.layer, laser_depth, layer, depth, out));
-  const T walked_home =
-      exp_minus(sea.walk_slant_optical_depth<T>(line, back.layer, back_depth, layer, depth, home));
+  const T out = (-laser.position.z - depth) / laser.direction.z;
+  const T home = (-back.position.z - depth) / back.direction.z;
+  const auto tau_out = depths_along(sea, laser, layer, depth, out);
+  const auto tau_home = depths_along(sea, back, layer, depth, home);
+  const T walked_out = exp_minus(tau_out.walk);
+  const T walked_home = exp_minus(tau_home.walk);
   const T walk_c = gather<T>(sea.walk_c, here);
   const T coefficient = select(converts, gather<T>(sea.conversion, here) * gather<T>(sea.c, layer),
                                gather<T>(sea.albedo, here) * gather<T>(sea.c, here)) /
@@ -220,10 +251,8 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
       (samples.meeting(depth) * freedom.shift_area * steep + samples.turned * T(2 * pi) * swept) *
       back.chance / walk_c;
   const T ratio = walk_c_ratio<T>(sea, line, layer);
-  const T connected =
-      back.chance * connecting_area(sea, laser, laser_side.first, laser_side.spread, out, samples) *
-          walked_home +
-      ratio * connecting_area(sea, back, side.first, side.spread, home, samples) * walked_out;
+  const T connected = back.chance * laser_side.connecting(sea, out, samples) * walked_home +
+                      ratio * side.connecting(sea, home, samples) * walked_out;
   const T goes_on = back.chance * select(converts,
                                          reversal.chance(sea, line, layer) *
                                              reversal.over_phase(sea, -laser.direction, p),
@@ -231,7 +260,8 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
   const T met_next = goes_on * laser_side.last * walked_home + side.last * walked_out;
   const T met_behind = walked_out * walked_home * (goes_on * laser_side.behind + side.behind);
   Meeting<T> meeting;
-  meeting.value = laser.weight * back.weight * coefficient * p * exp_minus(tau) /
+  meeting.value = laser.weight * back.weight * coefficient * p *
+                  exp_minus(tau_out.all + tau_home.all) /
                   (here_met + connected + p * (met_next + met_behind));
   meeting.path = laser.path + back.path + out * gather<T>(sea.group_index, Index<T>(0)) +
                  home * gather<T>(sea.group_index, line);

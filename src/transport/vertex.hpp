@@ -188,6 +188,14 @@ struct Ray : WalkPoint<T> {
   T meeting{};     ///< n h / g of meeting at the vertex, but for what is this ray's: P included
   Turn<T> turn{};  ///< the same of turning
 
+  /// That the surface has reflected it: it stands for the ray that set out from its mirror image.
+  Mask<T> is_reflected() const { return WalkPoint<T>::position.z > T(0); }
+  /// z of the direction in which it left the vertex.
+  T left_z() const {
+    const T z = WalkPoint<T>::direction.z;
+    return select(is_reflected(), T(0) - z, z);
+  }
+
   static constexpr std::size_t members = 24;
   template <class F>
   void each_member(F f) {
@@ -318,14 +326,14 @@ Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Mask
   // A mirrored first edge can be connected: to the instrument's mirror image.
   v.open = connecting_area(sea, ray, first, spread, leg.length, samples) *
            select(first, growth, straight);
-  const T drawn = ray.chance * straight / gather<T>(sea.walk_c, sea.at(photon.line, photon.layer));
+  const T drawn = ray.chance * growth / gather<T>(sea.walk_c, sea.at(photon.line, photon.layer));
   v.meeting = samples.meeting(-photon.position.z) * drawn * photon.direction.z;
   v.turn = samples.turned * T(2 * pi) * drawn;
   v.last_turn = ray.turn;
-  const T over_passed = straight / ray.passed;
+  const T over_passed = growth / ray.passed;
   v.last_turn.density = ray.turn.density * over_passed;
   v.last.edges = ray.last_edge;
-  v.last.meetings = turning(ray.meeting, over_passed * photon.direction.z);
+  v.last.meetings = turning(ray.meeting, over_passed * ray.left_z());
   v.last.turned = v.last_turn.about(axis);
   v.behind.edges = ray.behind.edges;
   v.behind.meetings = ray.behind.meetings + v.last.meetings;

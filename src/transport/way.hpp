@@ -86,6 +86,18 @@ OpticalDepths<T> depths_through_surface(const medium::MediumView& sea, const Way
   return {sea.optical_depth<T>(line, layer, depth) * secant,
           sea.walk_optical_depth<T>(line, layer, depth) * secant};
 }
+/// By way of the surface, from one depth to another.
+template <class T>
+OpticalDepths<T> depths_by_surface(const medium::MediumView& sea, const Index<T>& line,
+                                   const Index<T>& layer1, const T& depth1, const Index<T>& layer2,
+                                   const T& depth2, const T& secant) {
+  return {
+      (sea.optical_depth<T>(line, layer1, depth1) + sea.optical_depth<T>(line, layer2, depth2)) *
+          secant,
+      (sea.walk_optical_depth<T>(line, layer1, depth1) +
+       sea.walk_optical_depth<T>(line, layer2, depth2)) *
+          secant};
+}
 template <class T>
 OpticalDepths<T> depths_in_water(const medium::MediumView& sea, const Way<T>& way,
                                  const Index<T>& line, const Index<T>& layer, const T& depth,
@@ -93,13 +105,8 @@ OpticalDepths<T> depths_in_water(const medium::MediumView& sea, const Way<T>& wa
   using std::abs;
   if (mirrored) {
     const T steep = abs(way.direction.z);
-    const T end_depth = length * steep - depth;
-    return {(sea.optical_depth<T>(line, layer, depth) +
-             sea.optical_depth<T>(line, end_layer, end_depth)) /
-                steep,
-            (sea.walk_optical_depth<T>(line, layer, depth) +
-             sea.walk_optical_depth<T>(line, end_layer, end_depth)) /
-                steep};
+    return depths_by_surface(sea, line, layer, depth, end_layer, T(length * steep - depth),
+                             T(T(1) / steep));
   }
   const T end_depth = depth - length * way.direction.z;
   return {sea.slant_optical_depth<T>(line, layer, depth, end_layer, end_depth, length),

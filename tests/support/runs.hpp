@@ -1,6 +1,7 @@
 // Runs of scenes as users make them: in lanes.
 #pragma once
 
+#include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -17,6 +18,12 @@ inline Isa isa_of_tests() {
   if (!isa || !runs_here(*isa))
     throw std::invalid_argument(std::string("not here: PHOTIC_TEST_ISA=") + asked);
   return *isa;
+}
+
+/// How many seeds statistical tests that can use more than one take: 1, or PHOTIC_TEST_SEEDS.
+inline std::uint64_t seeds_of_tests() {
+  const char* asked = std::getenv("PHOTIC_TEST_SEEDS");
+  return asked == nullptr ? 1 : std::stoull(asked);
 }
 
 inline tally::Result run_in_lanes(const scene::Scene& scene) {

@@ -181,9 +181,9 @@ TEST(Strategies, InTheWaterAgree) {
   EXPECT_GT(met, 100);
 }
 
-// Meetings need both edges straight, others need not. Seen red: without the meetings behind a
-// mirrored way to an instrument; with a meeting at such a way's vertex; with a mirrored leg taken
-// for a straight one; with no connection of a mirrored first edge.
+// Connections need a straight edge or an instrument, meetings do not. Seen red: without the
+// meetings behind a mirrored way to an instrument; without those at such a way's vertex; with a
+// mirrored leg taken for a straight one; with no connection of a mirrored first edge.
 TEST(Strategies, ByWayOfTheSurfaceAgree) {
   Random random(103);
   int met = 0;
@@ -225,10 +225,12 @@ TEST(Strategies, OfACollimatedLaserAgree) {
   EXPECT_GT(met, 50);
 }
 
-// Seen red: with a mirrored leg taken for a straight one; with a meeting before one.
+// Seen red: with a mirrored leg taken for a straight one; without the reflectance of an image; with
+// its way taken for a straight one; with a meeting before a mirrored leg judged by the direction
+// behind it; with an edge by way of the surface connected beside a meeting.
 TEST(Strategies, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
   Random random(106);
-  int met = 0;
+  int met = 0, turns = 0;
   for (const Place& place : above_water()) {
     Sea sea(place.source, place.telescope);
     for (int n = 0; n < 100; ++n) {
@@ -238,10 +240,13 @@ TEST(Strategies, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
       if (path.line > 0) path.converted = 1 + n / 4 % 4;
       SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
       if (path.line > 0 && path.x(path.converted).z < -12) continue;
-      met += expect_same_of_all(sea, path).met;
+      const auto counts = expect_same_of_all(sea, path);
+      met += counts.met;
+      turns += counts.turned;
     }
   }
-  EXPECT_GT(met, 50);
+  EXPECT_GT(met, 100);
+  EXPECT_GT(turns, 20);
 }
 
 // Each vertex converts in turn. Seen red: without a departure's density; with the chance of a ray

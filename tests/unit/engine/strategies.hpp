@@ -75,7 +75,6 @@ struct Strategies {
   /// Where rays can meet at vertex i: 1 over what is not drawn of it.
   [[nodiscard]] double drawn_but(std::int32_t i) const {
     if (i > most || path.order() - i + 1 > most) return 0;
-    if (at(i - 1).mirrored || at(i).mirrored) return 0;
     return std::exp(at(i - 1).walk_tau + at(i).walk_tau) * chance_of_meeting(i) /
            (walk_c(i) * phase(i));
   }

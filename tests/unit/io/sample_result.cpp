@@ -86,6 +86,7 @@ class Maker {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     result_.largest_score_share.push_back(seen ? 0.01 * relative : nan);
     result_.variance_of_variance.push_back(seen ? 0.1 * relative : nan);
+    result_.error_growth.push_back(seen ? 1 + relative : nan);
     result_.order_cut_share.push_back(seen ? 1e-6 * depth_m : nan);
   }
 

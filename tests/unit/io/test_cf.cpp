@@ -90,18 +90,19 @@ class Cf : public testing::Test {
 TEST_F(Cf, TheVariablesOfTheFormat) {
   EXPECT_EQ(
       as_set(file_.variables()),
-      as_set(words("echo echo_standard_error echo_by_process echo_by_process_standard_error "
-                   "echo_by_order echo_by_order_standard_error echo_by_depth "
-                   "echo_by_depth_standard_error converged convergence_flags largest_score_share "
-                   "variance_of_variance order_cut_share gate_time gate_time_bounds gate_depth "
-                   "gate_depth_bounds depth depth_bounds order telescope_name channel_name "
-                   "channel_wavelength process_name environment_name environment_echo "
-                   "environment_echo_standard_error environment_difference "
-                   "environment_difference_standard_error environment_converged "
-                   "environment_convergence_flags parameter_name parameter_value sensitivity "
-                   "sensitivity_standard_error logarithmic_sensitivity "
-                   "logarithmic_sensitivity_standard_error sensitivity_converged "
-                   "sensitivity_convergence_flags")));
+      as_set(words(
+          "echo echo_standard_error echo_by_process echo_by_process_standard_error "
+          "echo_by_order echo_by_order_standard_error echo_by_depth "
+          "echo_by_depth_standard_error converged convergence_flags largest_score_share "
+          "variance_of_variance error_growth order_cut_share gate_time gate_time_bounds gate_depth "
+          "gate_depth_bounds depth depth_bounds order telescope_name channel_name "
+          "channel_wavelength process_name environment_name environment_echo "
+          "environment_echo_standard_error environment_difference "
+          "environment_difference_standard_error environment_converged "
+          "environment_convergence_flags parameter_name parameter_value sensitivity "
+          "sensitivity_standard_error logarithmic_sensitivity "
+          "logarithmic_sensitivity_standard_error sensitivity_converged "
+          "sensitivity_convergence_flags")));
 }
 
 TEST_F(Cf, Names_2_3) {
@@ -194,7 +195,7 @@ TEST_F(Cf, AncillaryVariables_3_4) {
   }
   EXPECT_EQ(as_set(words(text("echo", "ancillary_variables"))),
             (Set{"echo_standard_error", "converged", "convergence_flags", "largest_score_share",
-                 "variance_of_variance", "order_cut_share"}));
+                 "variance_of_variance", "error_growth", "order_cut_share"}));
   EXPECT_EQ(as_set(words(text("environment_echo", "ancillary_variables"))),
             (Set{"environment_echo_standard_error", "environment_converged",
                  "environment_convergence_flags"}));

@@ -111,6 +111,7 @@ TEST_F(WrittenResult, Convergence) {
   expect_same(file.numbers("converged"), converged);
   expect_same(file.numbers("largest_score_share"), result_.largest_score_share);
   expect_same(file.numbers("variance_of_variance"), result_.variance_of_variance);
+  expect_same(file.numbers("error_growth"), result_.error_growth);
   expect_same(file.numbers("order_cut_share"), result_.order_cut_share);
 }
 

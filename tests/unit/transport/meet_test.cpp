@@ -45,8 +45,12 @@ Pair random_pair(const instrument::Telescope<double>& telescope, Random& random)
   pair.back.direction = random.chance(0.1) ? pair.laser.direction : random.direction();
   if (random.chance(0.8))
     pair.back.direction.z = std::copysign(pair.back.direction.z, pair.laser.direction.z);
-  pair.laser.position = close - random.between(-1, 15) * pair.laser.direction;
-  pair.back.position = close + beside - random.between(-1, 15) * pair.back.direction;
+  // Those that go down may come from above the surface, as images do of what it reflects.
+  const auto reach = [&](const V& direction) {
+    return random.between(-1, direction.z < 0 && random.chance(0.3) ? 40 : 15);
+  };
+  pair.laser.position = close - reach(pair.laser.direction) * pair.laser.direction;
+  pair.back.position = close + beside - reach(pair.back.direction) * pair.back.direction;
   return pair;
 }
 
@@ -65,7 +69,8 @@ bool can_meet(const Pair& pair, const instrument::Telescope<double>& telescope,
          reach(pair.back) > 0 && std::hypot(shifted.x, shifted.y) < telescope.lens_radius;
 }
 
-// Seen red: with rays that go different ways; with rays beyond the upper one's beginning; with
+// Seen red: with images of the laser's rays that meet others above the surface; with rays that go
+// different ways; with rays beyond the upper one's beginning; with
 // depths above the lower; with the middle mirrored in the surface; with one division by the square
 // missing; with the lens' rim asked of parallel rays.
 TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
@@ -81,6 +86,9 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
     const auto c = chord(pair.laser, pair.back, telescope, lens, deepest);
     const bool may = turns_back(pair.laser, pair.back);
     exists += may && c.exists;
+    if (c.exists) {
+      ASSERT_GE(c.from, 0) << n;
+    }
     parallel += c.exists && pair.laser.direction == pair.back.direction;
     for (int i = 0; i < 20; ++i) {
       const double length = c.to - c.from;
@@ -128,7 +136,7 @@ TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
     int found = 0;
     const bool laser_down = pair.laser.direction.z < 0, back_down = pair.back.direction.z < 0;
     const double a = -pair.laser.position.z, b = -pair.back.position.z;
-    const double from = std::max(laser_down ? a : 0, back_down ? b : 0);
+    const double from = std::max({0.0, laser_down ? a : 0, back_down ? b : 0});
     const double to = std::min(laser_down ? deepest : a, back_down ? deepest : b);
     const auto difference = [&](double depth) {
       return off_axis(pair.laser, axis, depth) - off_axis(pair.back, axis, depth);
