@@ -67,7 +67,7 @@ telescope ship
 * not converged, because
   no_score                  1 gate:   no light was ever scored in the gate
   large_error               2 gates:  the standard error is above 10 % of the echo
-  heavy_tail                1 gate:   a few scores carry the variance: the echo may be too low
+  heavy_tail                1 gate:   scores too rare to have been seen may carry more than half the error
 converged raman 2 of 5 gates
 1 234 567 photons in 2 s on 1 thread: 0.617 million photons/s, 4.5 million collisions/s
 stopped by: interrupt; this is a partial result
