@@ -183,7 +183,7 @@ void add_convergence(NetcdfImage& file, const tally::Result& result) {
                     dimensionless("relative variance of the estimated variance of the echo"));
   file.add_variable("error_growth", dimensions, result.error_growth,
                     dimensionless("standard error of echo times the root of the photons, over the "
-                                  "same with a quarter to a half of the photons"));
+                                  "same with an eighth to a quarter of the photons"));
   file.add_variable("order_cut_share", dimensions, result.order_cut_share,
                     dimensionless("first order of scattering that was cut off, over the echo"));
 }

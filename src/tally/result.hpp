@@ -54,7 +54,7 @@ struct Result {
   std::vector<double> largest_score_share;      ///< [telescope][channel][gate] of the echo
   std::vector<double> variance_of_variance;     ///< [telescope][channel][gate]
   std::vector<double> error_growth;  ///< [telescope][channel][gate]: of error * sqrt(photons), over
-                                     ///< the last factor of four in photons; NaN of short runs
+                                     ///< the last factor of 4 to 8 in photons; NaN of short runs
   std::vector<double>
       order_cut_share;  ///< [telescope][channel][gate]: first order cut off, over the echo
 

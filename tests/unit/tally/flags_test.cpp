@@ -146,7 +146,7 @@ TEST(Flags, HeavyTail) {
     heavy += (flags(t) & heavy_tail) != 0;
     light += (flags(u) & heavy_tail) != 0;
   }
-  EXPECT_GE(heavy, 0.8 * runs);
+  EXPECT_GE(heavy, 0.9 * runs);
   EXPECT_LE(light, 0.05 * runs);
 }
 
