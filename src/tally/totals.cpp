@@ -191,7 +191,7 @@ double Totals::error_growth(std::size_t cell) const {
   const double then = error_of_sum(state_.snapshot_echo[before * state_.echo.size() + cell],
                                    photons_then, state_.snapshot_batches[before]) /
                       std::sqrt(photons_then);
-  return now / then;
+  return then > 0 ? now / then : nan;
 }
 
 double Totals::variance_of_variance(const TailSums& s) const {

@@ -178,7 +178,7 @@ TEST(Flags, HeavyTailOfFewScores) {
 }
 
 // Calm batches, then ones that scatter ten times as much. Seen red: with the error not scaled by
-// the photons; with the last snapshot.
+// the photons; with the last snapshot; with the division by no error.
 TEST(Flags, ErrorGrowth) {
   const auto late = [](int batch) {
     test::Random random(static_cast<std::uint64_t>(batch) + 7);
@@ -192,6 +192,9 @@ TEST(Flags, ErrorGrowth) {
   EXPECT_NEAR(t.result().error_growth[0], 1, 0.1);
   EXPECT_NEAR(u.result().error_growth[0], 10, 3);
   EXPECT_TRUE(std::isnan(few.result().error_growth[0]));
+  t.score(1, 1e-6);  // a gate that had nothing to compare with
+  add_batches(t, 1, 50, steady);
+  EXPECT_TRUE(std::isnan(t.result().error_growth[1]));
 }
 
 TEST(Flags, DecideWhetherATargetIsReached) {
