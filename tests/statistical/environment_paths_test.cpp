@@ -86,8 +86,8 @@ class EnvironmentPaths : public testing::TestWithParam<Setup> {};
 
 // In water with more absorption everywhere light fades by the length of its path, which a gate
 // tells. Seen red, each with its estimators: without the way from the last vertex, without the edge
-// between two walks, without either ray to a meeting, with reflected legs as if they were straight;
-// with the walks' own depths left out.
+// between two walks, without either ray to a meeting, with reflected legs as if they were straight,
+// with reflected rays to a meeting so; with the walks' own depths left out.
 TEST_P(EnvironmentPaths, FadeByTheirLength) {
   const double more_a = 0.3;
   const auto result = run_with(GetParam(), three_waters(0), three_waters(more_a));
