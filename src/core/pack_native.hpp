@@ -9,6 +9,7 @@
 #include <immintrin.h>
 #endif
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -241,6 +242,54 @@ Vector<E, N> gather_64(const E* data, const Vector<std::int32_t, N>& index) {
   return gather<N, E>(data, index);
 }
 
+/// data[first] … data[first + n - 1], lane by lane: one load for each lane where the processor is
+/// slow at gathering.
+template <int n, int N, class E>
+std::array<Vector<E, N>, n> gather_row(const E* data, const Vector<std::int32_t, N>& first) {
+  static_assert(sizeof(E) == 4 && (n == 2 || n == 4));
+  std::array<Vector<E, N>, n> out;
+#if defined(__AVX2__) && !defined(__AVX512F__)
+  if constexpr (N == 8) {
+    const auto row = [&](int lane) {
+      const auto* from = reinterpret_cast<const float*>(data + first[lane]);
+      if constexpr (n == 4) return _mm_loadu_ps(from);
+      return _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)));
+    };
+    // Below: rows of two lanes, four apart, in the halves of a register.
+    const auto rows = [&](int lane) { return _mm256_set_m128(row(lane + 4), row(lane)); };
+    const __m256 even = _mm256_unpacklo_ps(rows(0), rows(2)),
+                 odd = _mm256_unpacklo_ps(rows(1), rows(3));
+    out[0] = (Vector<E, N>)_mm256_unpacklo_ps(even, odd);
+    out[1] = (Vector<E, N>)_mm256_unpackhi_ps(even, odd);
+    if constexpr (n == 4) {
+      const __m256 upper_even = _mm256_unpackhi_ps(rows(0), rows(2)),
+                   upper_odd = _mm256_unpackhi_ps(rows(1), rows(3));
+      out[2] = (Vector<E, N>)_mm256_unpacklo_ps(upper_even, upper_odd);
+      out[3] = (Vector<E, N>)_mm256_unpackhi_ps(upper_even, upper_odd);
+    }
+    return out;
+  }
+#endif
+  for (std::int32_t k = 0; k < n; ++k)
+    out[static_cast<std::size_t>(k)] = gather<N, E>(data + k, first);
+  return out;
+}
+
+#if defined(__AVX2__)
+/// For each mask of 8 lanes the numbers of those that it holds, a byte each.
+struct PlacesOfLanes {
+  std::array<std::uint64_t, 256> of_mask{};
+  constexpr PlacesOfLanes() {
+    for (std::size_t mask = 0; mask < of_mask.size(); ++mask) {
+      int place = 0;
+      for (std::uint64_t lane = 0; lane < 8; ++lane)
+        if ((mask >> lane & 1U) != 0) of_mask[mask] |= lane << 8 * place++;
+    }
+  }
+};
+inline constexpr PlacesOfLanes places_of_lanes;
+#endif
+
 /// Lanes of a mask one behind the other, from `to` on; up to N numbers are written there.
 template <int N, class E>
 void compress(MaskBits<N> mask, const Vector<E, N>& lanes, E* to) {
@@ -248,6 +297,15 @@ void compress(MaskBits<N> mask, const Vector<E, N>& lanes, E* to) {
 #if defined(__AVX512F__)
   if constexpr (N == 16) {
     _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(mask, (__m512i)lanes));
+    return;
+  }
+#endif
+#if defined(__AVX2__)
+  if constexpr (N == 8) {
+    const auto bytes = static_cast<long long>(places_of_lanes.of_mask[bits<N>(mask)]);
+    const __m256i lane = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(bytes));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                        _mm256_permutevar8x32_epi32((__m256i)lanes, lane));
     return;
   }
 #endif

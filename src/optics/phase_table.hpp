@@ -51,8 +51,8 @@ struct PhaseView {
     Index<T> i = octave_cell(within, cell_bits).cell - Index<T>(first_octave_cell - 1);
     i = select(i > Index<T>(0), i, Index<T>(0));
     i = select(i < Index<T>(cells), i, Index<T>(cells - 1));
-    const Index<T> k = i + table * Index<T>(cells);
-    return look_up<T>(node, k) + look_up<T>(slope, k) * (within - edge<T>(i));
+    const auto line = gather_row<2, T>(cell + node, first_field<T>(i + table * Index<T>(cells)));
+    return line[0] + line[slope - node] * (within - edge<T>(i));
   }
 
   /// The x below which the fraction u of all scattering lies: monotone in u, 0 < u < 1.
@@ -63,8 +63,8 @@ struct PhaseView {
   static constexpr std::int32_t first_octave_cell = core_exponent * (1 << cell_bits);
 
   template <class T>
-  T look_up(Field field, const Index<T>& i) const {
-    return gather<T>(cell + field, i * Index<T>(static_cast<std::int32_t>(fields)));
+  static Index<T> first_field(const Index<T>& i) {
+    return i * Index<T>(static_cast<std::int32_t>(fields));
   }
 };
 
@@ -109,23 +109,22 @@ T PhaseView::sample(const T& u, const Index<T>& table) const {
   using std::sqrt;
   const Index<T> base = table * Index<T>(cells);
   const Index<T> g = floor_index(u * T(guides)) + table * Index<T>(guides + 1);
-  Index<T> i = gather_index<T>(guide, g);
-  Index<T> last = gather_index<T>(guide, g + Index<T>(1));
+  auto [i, last] = gather_index_row<2, T>(guide, g);
   // The cell is one of these. There are seldom more than two: the first step is taken without
   // asking.
   do {
     const Index<T> middle = (i + last + Index<T>(1)) >> 1;
-    const Mask<T> reached = look_up<T>(cdf, base + middle) <= u;
+    const Mask<T> reached = gather<T>(cell + cdf, first_field<T>(base + middle)) <= u;
     i = select(reached, middle, i);
     last = select(reached, last, middle - Index<T>(1));
   } while (any(i < last));
 
   // Inverse of the cumulative of a straight line: 2 pi (p0 s + slope s^2 / 2) = u - below, solved
   // for s = x - x0.
-  const Index<T> k = base + i;
-  const T rest = (u - look_up<T>(cdf, k)) * T(1 / pi);
-  const T p0 = look_up<T>(node, k);
-  const T square = p0 * p0 + rest * look_up<T>(slope, k);
+  const auto here = gather_row<fields, T>(cell, first_field<T>(base + i));
+  const T rest = (u - here[cdf]) * T(1 / pi);
+  const T p0 = here[node];
+  const T square = p0 * p0 + rest * here[slope];
   const T root = sqrt(select(square > T(0), square, T(0)));  // rounding, where p ends at 0
   const T x = select(i > Index<T>(0), edge<T>(i), T(0)) + rest / (p0 + root);
   return select(x < T(2), x, T(2));

@@ -185,6 +185,30 @@ void check_gathers(test::Random& random) {
   }
 }
 
+/// Numbers that stand one behind the other in each lane's place of a table.
+void check_rows(test::Random& random) {
+  std::vector<double> reals;
+  std::vector<std::int32_t> integers;
+  for (int k = 0; k < 50; ++k) {
+    reals.push_back(random.uniform());
+    integers.push_back(random.below(1000));
+  }
+  const TwinTable table(reals);
+  const auto x = make_lanes<std::int32_t>([&] { return random.below(50 - 3); });
+  const auto four = gather_row<4, Real>(table.table(), pack(x));
+  const auto two = gather_row<2, Real>(table.table(), pack(x));
+  const auto numbers = gather_index_row<2, Real>(integers.data(), pack(x));
+  for (std::size_t i = 0; i < width; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto at = static_cast<std::size_t>(x[i]) + k;
+      expect_bits(four[k], i, static_cast<float>(reals[at]), "row of four");
+      if (k >= 2) continue;
+      expect_bits(two[k], i, static_cast<float>(reals[at]), "row of two");
+      ASSERT_EQ(numbers[k][i], integers[at]);
+    }
+  }
+}
+
 void check_functions(test::Random& random) {
   const auto u = make_lanes<float>([&] { return random.uniform(); });
   const auto y = make_lanes<float>([&] { return random.scale(1e-6, 100); });
@@ -228,6 +252,7 @@ void check_packs() {
     check_words(random);
     check_integers(random);
     check_gathers(random);
+    check_rows(random);
     check_functions(random);
     check_random_numbers(random);
   }
