@@ -60,8 +60,8 @@ find_program(PHOTIC_SEALER NAMES ld.bfd ld REQUIRED)
 # that it includes have no variables with constructors (tests/unit/engine/check_sealed.py looks for both).
 function(photic_for_each_isa target source entry)
   set(flags_of_baseline "")
-  # Packs that are copied go through registers: g++ 12 has string instructions for them, which take longer to begin than
-  # the rest of an event's estimate.
+  # Packs that are copied go through registers: g++ 12 would have string instructions for them, which take some tens of
+  # cycles to begin (docs/decisions/0024).
   set(flags_of_avx2 -mavx2 -mfma "$<$<CXX_COMPILER_ID:GNU>:-mmove-max=256;-mstore-max=256>")
   set(flags_of_avx512 -mavx2 -mfma -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512
                        "$<$<CXX_COMPILER_ID:GNU>:-mmove-max=512;-mstore-max=512>")

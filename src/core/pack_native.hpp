@@ -1,5 +1,6 @@
-// What the vector extension of the compilers does not have, or does badly: masks, gathers, square
-// roots and wide products by the instructions of x86, each with a plain loop for other processors.
+// What the vector extension of the compilers does not have, or does badly: masks, square roots and
+// wide products by the instructions of x86, each with a plain loop for other processors; what moves
+// lanes is in pack_native_memory.hpp.
 //
 // Everything here depends on what the file that includes it is compiled for: see cmake/photic.cmake
 // for how such code is kept apart (photic_for_each_isa).
@@ -9,12 +10,9 @@
 #include <immintrin.h>
 #endif
 
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <type_traits>
 #include <utility>
 
@@ -181,195 +179,6 @@ Vector<E, N> square_root(const Vector<E, N>& x) {
   Vector<E, N> out;
   for (int i = 0; i < N; ++i) out[i] = std::sqrt(x[i]);
   return out;
-}
-
-/// data[index], lane by lane, of 32-bit numbers.
-template <int N, class E>
-Vector<E, N> gather(const E* data, const Vector<std::int32_t, N>& index) {
-  static_assert(sizeof(E) == 4);
-#if defined(__AVX512F__)
-  if constexpr (N == 16) return (Vector<E, N>)_mm512_i32gather_epi32((__m512i)index, data, 4);
-#endif
-#if defined(__AVX2__)
-  if constexpr (N == 8) {
-    return (Vector<E, N>)_mm256_i32gather_epi32(reinterpret_cast<const int*>(data), (__m256i)index,
-                                                4);
-  }
-#endif
-  Vector<E, N> out;
-  for (int i = 0; i < N; ++i) out[i] = data[index[i]];
-  return out;
-}
-
-/// The same of a table that is readable up to a multiple of 64 bytes: from registers where it is
-/// short.
-template <int N, class E>
-Vector<E, N> gather_short(const E* data, std::int32_t size, const Vector<std::int32_t, N>& index) {
-  static_assert(sizeof(E) == 4);
-#if defined(__AVX512F__)
-  if constexpr (N == 16) {
-    if (size <= 16) {
-      return (Vector<E, N>)_mm512_permutexvar_epi32((__m512i)index, _mm512_loadu_si512(data));
-    }
-  }
-#endif
-#if defined(__AVX2__)
-  if constexpr (N == 8) {
-    if (size <= 8) {
-      __m256i table;
-      std::memcpy(&table, data, sizeof table);
-      return (Vector<E, N>)_mm256_permutevar8x32_epi32(table, (__m256i)index);
-    }
-  }
-#endif
-  static_cast<void>(size);
-  return gather<N, E>(data, index);
-}
-
-/// The same of a table of exactly 64 numbers.
-template <int N, class E>
-Vector<E, N> gather_64(const E* data, const Vector<std::int32_t, N>& index) {
-#if defined(__AVX512F__)
-  if constexpr (N == 16) {
-    const auto i = (__m512i)index;
-    const auto half = [&](const E* from) {
-      return _mm512_permutex2var_epi32(_mm512_loadu_si512(from), i, _mm512_loadu_si512(from + 16));
-    };
-    const __mmask16 upper = _mm512_test_epi32_mask(i, _mm512_set1_epi32(32));
-    return (Vector<E, N>)_mm512_mask_blend_epi32(upper, half(data), half(data + 32));
-  }
-#endif
-  return gather<N, E>(data, index);
-}
-
-/// data[first] … data[first + n - 1], lane by lane: one load for each lane where the processor is
-/// slow at gathering.
-template <int n, int N, class E>
-std::array<Vector<E, N>, n> gather_row(const E* data, const Vector<std::int32_t, N>& first) {
-  static_assert(sizeof(E) == 4 && (n == 2 || n == 4));
-  std::array<Vector<E, N>, n> out;
-#if defined(__AVX2__) && !defined(__AVX512F__)
-  if constexpr (N == 8) {
-    const auto row = [&](int lane) {
-      const auto* from = reinterpret_cast<const float*>(data + first[lane]);
-      if constexpr (n == 4) return _mm_loadu_ps(from);
-      return _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)));
-    };
-    // Below: rows of two lanes, four apart, in the halves of a register.
-    const auto rows = [&](int lane) { return _mm256_set_m128(row(lane + 4), row(lane)); };
-    const __m256 even = _mm256_unpacklo_ps(rows(0), rows(2)),
-                 odd = _mm256_unpacklo_ps(rows(1), rows(3));
-    out[0] = (Vector<E, N>)_mm256_unpacklo_ps(even, odd);
-    out[1] = (Vector<E, N>)_mm256_unpackhi_ps(even, odd);
-    if constexpr (n == 4) {
-      const __m256 upper_even = _mm256_unpackhi_ps(rows(0), rows(2)),
-                   upper_odd = _mm256_unpackhi_ps(rows(1), rows(3));
-      out[2] = (Vector<E, N>)_mm256_unpacklo_ps(upper_even, upper_odd);
-      out[3] = (Vector<E, N>)_mm256_unpackhi_ps(upper_even, upper_odd);
-    }
-    return out;
-  }
-#endif
-  for (std::int32_t k = 0; k < n; ++k)
-    out[static_cast<std::size_t>(k)] = gather<N, E>(data + k, first);
-  return out;
-}
-
-#if defined(__AVX2__)
-/// For each mask of 8 lanes the numbers of those that it holds, a byte each.
-struct PlacesOfLanes {
-  std::array<std::uint64_t, 256> of_mask{};
-  constexpr PlacesOfLanes() {
-    for (std::size_t mask = 0; mask < of_mask.size(); ++mask) {
-      int place = 0;
-      for (std::uint64_t lane = 0; lane < 8; ++lane)
-        if ((mask >> lane & 1U) != 0) of_mask[mask] |= lane << 8 * place++;
-    }
-  }
-};
-inline constexpr PlacesOfLanes places_of_lanes;
-#endif
-
-/// Lanes of a mask one behind the other, from `to` on; up to N numbers are written there.
-template <int N, class E>
-void compress(MaskBits<N> mask, const Vector<E, N>& lanes, E* to) {
-  static_assert(sizeof(E) == 4);
-#if defined(__AVX512F__)
-  if constexpr (N == 16) {
-    _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(mask, (__m512i)lanes));
-    return;
-  }
-#endif
-#if defined(__AVX2__)
-  if constexpr (N == 8) {
-    const auto bytes = static_cast<long long>(places_of_lanes.of_mask[bits<N>(mask)]);
-    const __m256i lane = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(bytes));
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
-                        _mm256_permutevar8x32_epi32((__m256i)lanes, lane));
-    return;
-  }
-#endif
-  for (std::uint32_t left = bits<N>(mask); left != 0; left &= left - 1)
-    *to++ = lanes[std::countr_zero(left)];
-}
-
-/// Swaps the halves off the diagonal of each square of 2 x step rows and lanes.
-template <std::size_t step, std::size_t N, class V, std::size_t... l>
-void swap_off_diagonal(V& a, V& b, std::index_sequence<l...>) {
-  const V above = a;
-  a = __builtin_shufflevector(a, b, ((l & step) != 0 ? N + l - step : l)...);
-  b = __builtin_shufflevector(above, b, ((l & step) != 0 ? N + l : l + step)...);
-}
-/// Lane j of row i of N becomes lane i of row j.
-template <int N, std::size_t step = 1, class Rows>
-void transpose(Rows& row) {
-  photic::unrolled<N>([&](auto i) {
-    if constexpr ((i & step) == 0)
-      swap_off_diagonal<step, N>(row[i].v, row[i + step].v, std::make_index_sequence<N>());
-  });
-  if constexpr (2 * step < N) transpose<N, 2 * step>(row);
-}
-
-/// from[lane], lane by lane.
-template <int N, class E>
-Vector<E, N> permute(const Vector<E, N>& from, const Vector<std::int32_t, N>& lane) {
-#if defined(__AVX512F__)
-  if constexpr (N == 16 && sizeof(E) == 4)
-    return (Vector<E, N>)_mm512_permutexvar_epi32((__m512i)lane, (__m512i)from);
-#endif
-#if defined(__AVX2__)
-  if constexpr (N == 8 && sizeof(E) == 4)
-    return (Vector<E, N>)_mm256_permutevar8x32_epi32((__m256i)from, (__m256i)lane);
-#endif
-  Vector<E, N> out;
-  for (int i = 0; i < N; ++i) out[i] = from[lane[i]];
-  return out;
-}
-
-/// The lanes of a mask from numbers one behind the other, the others as they are.
-template <int N, class E>
-Vector<E, N> expand(MaskBits<N> mask, Vector<E, N> lanes, const E* from) {
-#if defined(__AVX512F__)
-  if constexpr (N == 16 && sizeof(E) == 4)
-    return (Vector<E, N>)_mm512_mask_expandloadu_epi32((__m512i)lanes, mask, from);
-#endif
-  for (std::uint32_t left = bits<N>(mask); left != 0; left &= left - 1)
-    lanes[std::countr_zero(left)] = *from++;
-  return lanes;
-}
-
-/// to[index] = the value, in the lanes of a mask.
-template <int N, class E>
-void scatter(MaskBits<N> mask, const Vector<std::int32_t, N>& index, const Vector<E, N>& value,
-             E* to) {
-#if defined(__AVX512F__)
-  if constexpr (N == 16 && sizeof(E) == 4)
-    return _mm512_mask_i32scatter_epi32(to, mask, (__m512i)index, (__m512i)value, 4);
-#endif
-  for (std::uint32_t left = bits<N>(mask); left != 0; left &= left - 1) {
-    const int lane = std::countr_zero(left);
-    to[index[lane]] = value[lane];
-  }
 }
 
 /// The lower or the upper half of the lanes.

@@ -46,7 +46,7 @@ PHOTIC_FLATTEN void Connections<T>::shifted(std::size_t laser, std::size_t back)
         const auto chord = transport::chord(out, home, telescope_, outset.lens, world_.deepest);
         const Mask<T> meet = may & chord.exists;
         if (any(meet))
-          chords_.admit(meet, RayEnds<T>(ends),
+          chords_.admit(meet, ends,
                         [this](const auto& e, const auto& all) { serve_chords(e, all); });
       });
 }
@@ -95,17 +95,17 @@ PHOTIC_FLATTEN void Connections<T>::turned(std::size_t laser, std::size_t back) 
   if (!any(samples_.turned > T(0)) || back_.converted(back) < 0) return;
   const auto axis = back_.axis(Index<T>(back));
   const std::int32_t first = back_.converted(back) + 1;
-  each_pair(
-      laser, back, first, [&](const auto& ends, const auto& mask, const Ray& out, const Ray& home) {
-        const auto crossings = transport::crossings(out, home, axis, world_.deepest);
-        for (std::size_t n = 0; n < crossings_.size(); ++n) {
-          const Mask<T> meet = mask & crossings.exists[n];
-          if (!any(meet)) continue;
-          crossings_[n].admit(meet, RayEnds<T>(ends), [this, n](const auto& e, const auto& all) {
-            serve_crossings(e, all, n);
-          });
-        }
-      });
+  each_pair(laser, back, first,
+            [&](const auto& ends, const auto& mask, const Ray& out, const Ray& home) {
+              const auto crossings = transport::crossings(out, home, axis, world_.deepest);
+              for (std::size_t n = 0; n < crossings_.size(); ++n) {
+                const Mask<T> meet = mask & crossings.exists[n];
+                if (!any(meet)) continue;
+                crossings_[n].admit(meet, ends, [this, n](const auto& e, const auto& all) {
+                  serve_crossings(e, all, n);
+                });
+              }
+            });
 }
 
 template <class T>

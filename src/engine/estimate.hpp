@@ -183,18 +183,14 @@ void score_light(const World<T>& world, const transport::Photon<T>& photon,
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const Mask<T> seen = transport::may_see(world.sea, world.telescopes[t], photon.position, line);
     if (!(aims || any(colliding & seen))) continue;
-    Sources<T> from;
-    from.photon = photon;
-    from.line = line;
-    from.share = share;
-    from.phase = phase;
+    Sources<T> from{photon, line, share, phase};
     if (world.single_rays) from.lens = lens[t];
     if (aims || compares<special>(world)) {
       score_in<special>(world, t, from, colliding, seen, tally, estimates, aims);
       continue;
     }
     estimates.waiting[t].admit(
-        colliding & seen, std::move(from), [&](const Sources<T>& full, const Mask<T>& mask) {
+        colliding & seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
           score_in<special>(world, t, full, mask, mask, tally, estimates, false);
         });
   }

@@ -15,7 +15,7 @@ class WaitingRoom {
  public:
   /// Adds the lanes of a mask; calls serve(item, mask) when a pack is full.
   template <class Serve>
-  void admit(const Mask<T>& mask, Item&& item, Serve serve) {
+  void admit(const Mask<T>& mask, Item item, Serve serve) {
     if constexpr (lanes == 1) {
       if (mask) serve(item, mask);
     } else {
