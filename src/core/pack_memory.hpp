@@ -50,9 +50,14 @@ T gather(const Table64& table, const Index<T>& i) {
 template <int n, class T>
   requires is_pack<T>
 std::array<T, n> gather_row(const Table& table, const Index<T>& first) {
-  const auto rows = native::gather_row<n, T::lanes>(table.rounded, first.v);
   std::array<T, n> out;
-  for (std::size_t k = 0; k < n; ++k) out[k] = T::of(rows[k]);
+  if constexpr (sizeof(Element<T>) == 4) {
+    const auto rows = native::gather_row<n, T::lanes>(table.rounded, first.v);
+    for (std::size_t k = 0; k < n; ++k) out[k] = T::of(rows[k]);
+  } else {
+    for (std::int32_t k = 0; k < n; ++k)
+      out[static_cast<std::size_t>(k)] = gather<T>(table + k, first);
+  }
   return out;
 }
 template <int n, class T>
