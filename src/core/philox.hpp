@@ -9,6 +9,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/lanes.hpp"
+
 namespace photic {
 
 /// Two words side by side in a register, each in the lower half of 64 bits.
@@ -82,12 +84,13 @@ template <class W>
 PhiloxBlock<W> philox(const RandomKey& key, const W& photon, const W& event, std::uint32_t block) {
   // Constants of the authors' Philox4x32: multipliers.
   constexpr std::uint32_t multiplier0 = 0xd2511f53, multiplier1 = 0xcd9e8d57;
-  PhiloxBlock<W> words{{photon, event}, {photon >> 32, W(block)}};
-  for (int i = 0; i < RandomKey::rounds; ++i) {
-    const WordPair<W> products = words.even.times(multiplier0, multiplier1).swapped();
-    words = {products.upper_halves() ^ words.odd ^ key.round(i), products};
-  }
-  return words;
+  WordPair<W> even{photon, event}, odd{photon >> 32, W(block)};
+  unrolled<RandomKey::rounds>([&](auto i) {
+    const WordPair<W> products = even.times(multiplier0, multiplier1).swapped();
+    even = products.upper_halves() ^ odd ^ key.round(i);
+    odd = products;
+  });
+  return {even, odd};
 }
 
 /// The four words of one photon.
