@@ -163,12 +163,6 @@ std::array<T, n> gather_row(const Table& table, std::int32_t first) {
     out[static_cast<std::size_t>(k)] = gather<T>(table, first + k);
   return out;
 }
-template <int n, std::floating_point T>
-std::array<std::int32_t, n> gather_index_row(const std::int32_t* data, std::int32_t first) {
-  std::array<std::int32_t, n> out{};
-  for (std::int32_t k = 0; k < n; ++k) out[static_cast<std::size_t>(k)] = data[first + k];
-  return out;
-}
 
 template <std::floating_point T>
 std::uint32_t gather_word(const std::uint32_t* data, std::int32_t i) {

@@ -60,14 +60,6 @@ std::array<T, n> gather_row(const Table& table, const Index<T>& first) {
   }
   return out;
 }
-template <int n, class T>
-  requires is_pack<T>
-std::array<Index<T>, n> gather_index_row(const std::int32_t* data, const Index<T>& first) {
-  const auto rows = native::gather_row<n, T::lanes>(data, first.v);
-  std::array<Index<T>, n> out;
-  for (std::size_t k = 0; k < n; ++k) out[k] = Index<T>::of(rows[k]);
-  return out;
-}
 template <class T>
   requires is_pack<T>
 Index<T> gather_index(const std::int32_t* data, const Index<T>& i) {

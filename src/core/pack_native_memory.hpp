@@ -73,36 +73,54 @@ Vector<E, N> gather_64(const E* data, const Vector<std::int32_t, N>& index) {
   return gather<N, E>(data, index);
 }
 
-/// data[first] … data[first + n - 1], lane by lane: one load for each lane where the processor is
-/// slow at gathering.
-template <int n, int N, class E>
-std::array<Vector<E, N>, n> gather_row(const E* data, const Vector<std::int32_t, N>& first) {
-  static_assert(sizeof(E) == 4 && (n == 2 || n == 4));
-  std::array<Vector<E, N>, n> out;
-#if defined(__AVX2__) && !defined(__AVX512F__)
-  if constexpr (N == 8) {
+#if defined(__AVX2__)
+/// Of four numbers of a and four of b, and again of each four that follow, the first two of each in
+/// turn; or the last two.
+inline __m256 first_in_turn(__m256 a, __m256 b) { return _mm256_unpacklo_ps(a, b); }
+inline __m256 last_in_turn(__m256 a, __m256 b) { return _mm256_unpackhi_ps(a, b); }
+#endif
+#if defined(__AVX512F__)
+inline __m512 first_in_turn(__m512 a, __m512 b) { return _mm512_unpacklo_ps(a, b); }
+inline __m512 last_in_turn(__m512 a, __m512 b) { return _mm512_unpackhi_ps(a, b); }
+#endif
+
+/// data[first] … data[first + n - 1], lane by lane: by one load for each lane, where lanes are
+/// many.
+template <int n, int N>
+std::array<Vector<float, N>, n> gather_row(const float* data,
+                                           const Vector<std::int32_t, N>& first) {
+  static_assert(n == 2 || n == 4);
+  std::array<Vector<float, N>, n> out;
+#if defined(__AVX2__)
+  if constexpr (N == float_lanes) {
     const auto row = [&](int lane) {
-      const auto* from = reinterpret_cast<const float*>(data + first[lane]);
+      const float* from = data + first[lane];
       if constexpr (n == 4) return _mm_loadu_ps(from);
       return _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)));
     };
-    // Below: rows of two lanes, four apart, in the halves of a register.
-    const auto rows = [&](int lane) { return _mm256_set_m128(row(lane + 4), row(lane)); };
-    const __m256 even = _mm256_unpacklo_ps(rows(0), rows(2)),
-                 odd = _mm256_unpacklo_ps(rows(1), rows(3));
-    out[0] = (Vector<E, N>)_mm256_unpacklo_ps(even, odd);
-    out[1] = (Vector<E, N>)_mm256_unpackhi_ps(even, odd);
+    // Rows of lanes that are four apart, one behind the other.
+    const auto rows = [&](int lane) {
+#if defined(__AVX512F__)
+      const __m512 lower = _mm512_insertf32x4(_mm512_castps128_ps512(row(lane)), row(lane + 4), 1);
+      return _mm512_insertf32x4(_mm512_insertf32x4(lower, row(lane + 8), 2), row(lane + 12), 3);
+#else
+      return _mm256_set_m128(row(lane + 4), row(lane));
+#endif
+    };
+    const auto row0 = rows(0), row1 = rows(1), row2 = rows(2), row3 = rows(3);
+    const auto even = first_in_turn(row0, row2), odd = first_in_turn(row1, row3);
+    out[0] = (Vector<float, N>)first_in_turn(even, odd);
+    out[1] = (Vector<float, N>)last_in_turn(even, odd);
     if constexpr (n == 4) {
-      const __m256 upper_even = _mm256_unpackhi_ps(rows(0), rows(2)),
-                   upper_odd = _mm256_unpackhi_ps(rows(1), rows(3));
-      out[2] = (Vector<E, N>)_mm256_unpacklo_ps(upper_even, upper_odd);
-      out[3] = (Vector<E, N>)_mm256_unpackhi_ps(upper_even, upper_odd);
+      const auto upper_even = last_in_turn(row0, row2), upper_odd = last_in_turn(row1, row3);
+      out[2] = (Vector<float, N>)first_in_turn(upper_even, upper_odd);
+      out[3] = (Vector<float, N>)last_in_turn(upper_even, upper_odd);
     }
     return out;
   }
 #endif
   for (std::int32_t k = 0; k < n; ++k)
-    out[static_cast<std::size_t>(k)] = gather<N, E>(data + k, first);
+    out[static_cast<std::size_t>(k)] = gather<N>(data + k, first);
   return out;
 }
 

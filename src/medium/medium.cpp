@@ -59,7 +59,7 @@ std::vector<std::int32_t> hues_of(std::span<const Line> band) {
   return count;
 }
 
-constexpr std::size_t table_size = std::size_t{PhaseView::cells} * PhaseView::fields;
+constexpr std::size_t phase_lines = std::size_t{PhaseView::stride} * PhaseView::line_fields;
 
 }  // namespace
 
@@ -70,15 +70,16 @@ const char* process_name(Process process) {
 
 std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
   const PhaseView v = table.view();
-  const std::span<const double> cells{v.cell.exact, table_size};
-  const auto there = phase_cells_.numbers();
-  const std::size_t count = there.size() / table_size;
+  const std::span lines{v.line.exact, phase_lines};
+  const auto there = phase_lines_.numbers();
+  const std::size_t count = there.size() / phase_lines;
   for (std::size_t i = 0; i < count; ++i) {
-    if (std::ranges::equal(cells, there.subspan(i * table_size, table_size)))
+    if (std::ranges::equal(lines, there.subspan(i * phase_lines, phase_lines)))
       return static_cast<std::int32_t>(i);
   }
-  phase_cells_.append(cells);
-  phase_guides_.insert(phase_guides_.end(), v.guide, v.guide + PhaseView::guides + 1);
+  phase_lines_.append(lines);
+  phase_cdfs_.append(std::span{v.cdf.exact, std::size_t{PhaseView::stride}});
+  phase_guides_.insert(phase_guides_.end(), v.guide, v.guide + PhaseView::guides);
   return static_cast<std::int32_t>(count);
 }
 
@@ -250,7 +251,8 @@ MediumView Medium::view() const {
   e.first_part = e.first_emitted + cells;
   e.number = environment_rows_.table();
   e.part_phase = part_phase_.view();
-  v.phases.cell = phase_cells_.table();
+  v.phases.cdf = phase_cdfs_.table();
+  v.phases.line = phase_lines_.table();
   v.phases.guide = phase_guides_.data();
   return v;
 }

@@ -33,6 +33,22 @@ std::vector<double> nodes_of(const PhaseShape& shape) {
   return node;
 }
 
+/// For each entry of the guide the last cell that begins at or below all its u.
+std::vector<std::int32_t> guide_to(const std::vector<double>& cdf) {
+  std::vector<std::int32_t> guide;
+  const auto add = [&](double least_u) {
+    const auto above = std::upper_bound(cdf.begin(), cdf.end(), least_u);
+    guide.push_back(static_cast<std::int32_t>(above - cdf.begin()) - 1);
+  };
+  constexpr int first = -(PhaseView::guide_octaves << PhaseView::guide_bits);
+  const auto guide_edge = [](int i) {
+    return octave_edge<double>(first + i, PhaseView::guide_bits);
+  };
+  for (int i = 0; i < PhaseView::half_guide; ++i) add(i == 0 ? 0 : guide_edge(i));
+  for (int i = 0; i < PhaseView::half_guide; ++i) add(1 - guide_edge(i + 1));
+  return guide;
+}
+
 }  // namespace
 
 PhaseShape tabulated(const PhaseShape& shape) {
@@ -70,41 +86,35 @@ PhaseTable::PhaseTable(const PhaseShape& shape) {
   const double whole = table_integral(shape);
   expect(std::abs(whole - 1) <= 1e-4, "a phase function integrates to 1");
 
-  std::vector<double> numbers;
-  const auto add = [&](double cdf, double mass, double p, double slope) {
-    numbers.insert(numbers.end(), {cdf, cdf + mass, p, slope});
-    return cdf + mass;
+  std::vector<double> cdf, line;
+  double sum = 0;
+  const auto add = [&](double mass, double p, double slope) {
+    cdf.push_back(sum);
+    line.insert(line.end(), {p, slope});
+    sum += mass;
   };
   const double core_mass = shape.core_mass / whole;
-  double sum = add(0.0, core_mass, core_mass / (2 * pi * PhaseView::x_core), 0.0);
+  add(core_mass, core_mass / (2 * pi * PhaseView::x_core), 0.0);
   for (int i = 0; i < outer_cells; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double slope = (node[k + 1] - node[k]) / (edge(i + 1) - edge(i));
-    sum = add(sum, mass(node, i) / whole, node[k] / whole, slope / whole);
+    add(mass(node, i) / whole, node[k] / whole, slope / whole);
   }
-
-  cell_ = TwinTable(numbers);
-
-  std::int32_t last = 0;
-  for (int k = 0; k <= PhaseView::guides; ++k) {
-    const double u = static_cast<double>(k) / PhaseView::guides;
-    while (last + 1 < PhaseView::cells && at(last + 1, PhaseView::cdf) <= u) ++last;
-    guide_.push_back(last);
-  }
+  guide_ = guide_to(cdf);
+  cdf.resize(PhaseView::stride, 2.0);
+  line.resize(std::size_t{PhaseView::stride} * PhaseView::line_fields);
+  cdf_ = TwinTable(cdf);
+  line_ = TwinTable(line);
 }
 
-double PhaseTable::at(std::int32_t cell, PhaseView::Field field) const {
-  return cell_.table()[cell * PhaseView::fields + field];
-}
-
-PhaseView PhaseTable::view() const { return {cell_.table(), guide_.data()}; }
+PhaseView PhaseTable::view() const { return {cdf_.table(), line_.table(), guide_.data()}; }
 
 double PhaseTable::mean_cosine() const {
-  double mean_x = at(0, PhaseView::cdf_end) * PhaseView::x_core / 2;
+  double mean_x = cdf_.table()[1] * PhaseView::x_core / 2;
   for (int i = 0; i < outer_cells; ++i) {
     const double x0 = edge(i), x1 = edge(i + 1);
-    const double p0 = at(i + 1, PhaseView::node);
-    const double p1 = p0 + at(i + 1, PhaseView::slope) * (x1 - x0);
+    const auto [p0, slope] = view().line_of<double>(i + 1);
+    const double p1 = p0 + slope * (x1 - x0);
     // Integral of x times a straight line.
     mean_x += 2 * pi * (x1 - x0) * (p0 * (2 * x0 + x1) + p1 * (x0 + 2 * x1)) / 6;
   }
@@ -113,7 +123,7 @@ double PhaseTable::mean_cosine() const {
 
 double PhaseTable::backscatter_fraction() const {
   constexpr int at_90_degrees = PhaseView::cells - (1 << PhaseView::cell_bits);
-  return 1 - at(at_90_degrees, PhaseView::cdf);
+  return 1 - cdf_.table()[at_90_degrees];
 }
 
 }  // namespace photic::optics

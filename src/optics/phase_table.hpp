@@ -5,6 +5,7 @@
 // of x. Inside x_core the function is flat with the same mass (docs/theory.md, "Phase functions").
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -21,24 +22,37 @@ struct PhaseView {
   static constexpr int core_exponent = -26;                 ///< x_core = 2^-26: 0.00989 degree
   static constexpr int octaves = 1 - core_exponent;         ///< from x_core to 2
   static constexpr int cells = 1 + (octaves << cell_bits);  ///< cell 0 is the core
-  static constexpr int guides = 4096;                       ///< a power of two
   static constexpr double x_core = 1.0 / (1 << -core_exponent);
 
-  /// What a cell holds, one behind the other so that a look-up stays in one place of the memory.
-  enum Field : std::int32_t {
-    cdf,      ///< probability of x below the lower edge
-    cdf_end,  ///< probability of x below the upper edge
-    node,     ///< p at the lower edge [1/sr]
-    slope,    ///< dp/dx [1/sr]
-    fields
+  /// The straight line of p in a cell.
+  enum Line : std::int32_t {
+    node,   ///< p at the lower edge [1/sr]
+    slope,  ///< dp/dx [1/sr]
+    line_fields
   };
-  Table cell;                           ///< [cells][fields]
-  const std::int32_t* guide = nullptr;  ///< last cell whose cdf is <= k / guides, 0 <= k <= guides
+  /// Cells whose cdf is looked at together, and the entries of a table: with some behind its end.
+  static constexpr int together = 4;
+  static constexpr int stride = cells + together - 1;
+  Table cdf;   ///< [stride] probability of x below a cell's lower edge; behind the end 2
+  Table line;  ///< [stride][line_fields]
+
+  /// The guide has equal cells within each octave of u below one half, and of 1 - u above, so that
+  /// a cell of it holds few cells of the table in the tails, too.
+  static constexpr int guide_bits = 8, guide_octaves = 24;
+  static constexpr int half_guide = ((guide_octaves - 1) << guide_bits) + 1;
+  static constexpr int guides = 2 * half_guide;
+  const std::int32_t* guide = nullptr;  ///< [guides] last cell whose cdf is <= all u of an entry
 
   /// Lower edge of a cell but the core.
   template <class T>
   static T edge(const Index<T>& i) {
     return octave_edge<T>(i + Index<T>(first_octave_cell - 1), cell_bits);
+  }
+
+  /// The line of an entry.
+  template <class T>
+  [[nodiscard]] std::array<T, line_fields> line_of(const Index<T>& i) const {
+    return gather_row<line_fields, T>(line, i * Index<T>(static_cast<std::int32_t>(line_fields)));
   }
 
   // A view may hold several tables one behind the other (medium/medium.hpp): `table` picks one,
@@ -51,8 +65,8 @@ struct PhaseView {
     Index<T> i = octave_cell(within, cell_bits).cell - Index<T>(first_octave_cell - 1);
     i = select(i > Index<T>(0), i, Index<T>(0));
     i = select(i < Index<T>(cells), i, Index<T>(cells - 1));
-    const auto line = gather_row<2, T>(cell + node, first_field<T>(i + table * Index<T>(cells)));
-    return line[0] + line[slope - node] * (within - edge<T>(i));
+    const auto here = line_of<T>(i + table * Index<T>(stride));
+    return here[node] + here[slope] * (within - edge<T>(i));
   }
 
   /// The x below which the fraction u of all scattering lies: monotone in u, 0 < u < 1.
@@ -63,8 +77,12 @@ struct PhaseView {
   static constexpr std::int32_t first_octave_cell = core_exponent * (1 << cell_bits);
 
   template <class T>
-  static Index<T> first_field(const Index<T>& i) {
-    return i * Index<T>(static_cast<std::int32_t>(fields));
+  static Index<T> guide_entry(const T& u) {
+    const Mask<T> lower = u < T(0.5);
+    const Index<T> i = octave_cell(select(lower, u, T(1) - u), guide_bits).cell +
+                       Index<T>(guide_octaves << guide_bits);
+    const Index<T> within = select(i > Index<T>(0), i, Index<T>(0));
+    return select(lower, within, within + Index<T>(half_guide));
   }
 };
 
@@ -98,31 +116,32 @@ class PhaseTable {
   [[nodiscard]] double backscatter_fraction() const;  ///< b_b / b, of the table
 
  private:
-  [[nodiscard]] double at(std::int32_t cell, PhaseView::Field field) const;
-
-  TwinTable cell_;  ///< [cells][fields]
+  TwinTable cdf_, line_;
   std::vector<std::int32_t> guide_;
 };
 
 template <class T>
 T PhaseView::sample(const T& u, const Index<T>& table) const {
   using std::sqrt;
-  const Index<T> base = table * Index<T>(cells);
-  const Index<T> g = floor_index(u * T(guides)) + table * Index<T>(guides + 1);
-  auto [i, last] = gather_index_row<2, T>(guide, g);
-  // The cell is one of these. There are seldom more than two: the first step is taken without
-  // asking.
+  const Index<T> base = table * Index<T>(stride);
+  Index<T> i = gather_index<T>(guide, guide_entry(u) + table * Index<T>(guides));
+  // The cell is this one or one of the next: seldom beyond the first three.
+  T below;
+  Mask<T> further;
   do {
-    const Index<T> middle = (i + last + Index<T>(1)) >> 1;
-    const Mask<T> reached = gather<T>(cell + cdf, first_field<T>(base + middle)) <= u;
-    i = select(reached, middle, i);
-    last = select(reached, last, middle - Index<T>(1));
-  } while (any(i < last));
+    const auto row = gather_row<together, T>(cdf, base + i);
+    below = row[0];
+    for (std::size_t k = 1; k < together; ++k) {
+      further = row[k] <= u;
+      below = select(further, row[k], below);
+      i = i + select(further, Index<T>(1), Index<T>(0));
+    }
+  } while (any(further));
 
   // Inverse of the cumulative of a straight line: 2 pi (p0 s + slope s^2 / 2) = u - below, solved
   // for s = x - x0.
-  const auto here = gather_row<fields, T>(cell, first_field<T>(base + i));
-  const T rest = (u - here[cdf]) * T(1 / pi);
+  const auto here = line_of<T>(base + i);
+  const T rest = (u - below) * T(1 / pi);
   const T p0 = here[node];
   const T square = p0 * p0 + rest * here[slope];
   const T root = sqrt(select(square > T(0), square, T(0)));  // rounding, where p ends at 0

@@ -188,23 +188,16 @@ void check_gathers(test::Random& random) {
 /// Numbers that stand one behind the other in each lane's place of a table.
 void check_rows(test::Random& random) {
   std::vector<double> reals;
-  std::vector<std::int32_t> integers;
-  for (int k = 0; k < 50; ++k) {
-    reals.push_back(random.uniform());
-    integers.push_back(random.below(1000));
-  }
+  for (int k = 0; k < 50; ++k) reals.push_back(random.uniform());
   const TwinTable table(reals);
   const auto x = make_lanes<std::int32_t>([&] { return random.below(50 - 3); });
   const auto four = gather_row<4, Real>(table.table(), pack(x));
   const auto two = gather_row<2, Real>(table.table(), pack(x));
-  const auto numbers = gather_index_row<2, Real>(integers.data(), pack(x));
   for (std::size_t i = 0; i < width; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
       const auto at = static_cast<std::size_t>(x[i]) + k;
       expect_bits(four[k], i, static_cast<float>(reals[at]), "row of four");
-      if (k >= 2) continue;
-      expect_bits(two[k], i, static_cast<float>(reals[at]), "row of two");
-      ASSERT_EQ(numbers[k][i], integers[at]);
+      if (k < 2) expect_bits(two[k], i, static_cast<float>(reals[at]), "row of two");
     }
   }
 }
