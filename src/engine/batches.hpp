@@ -45,15 +45,26 @@ class Conductor {
   /// Throws InputError unless an earlier run began with the batch at hand, the first of this one.
   void check_start(const tally::Shape& shape, const tally::BatchTally& first) const;
 
+  /// Batches below this one can begin: which rows rest in them is known.
+  [[nodiscard]] std::uint64_t known_until(std::uint64_t merged_batches) const;
+  /// Which rows rest in a batch that can begin.
+  [[nodiscard]] static std::vector<bool> resting(const tally::Totals& totals, std::uint64_t batch,
+                                                 std::uint64_t merged_batches);
+
   /// Called before an incomplete batch is merged.
   void keep_whole(const tally::Totals& totals) { ending.whole = totals.state(); }
-  /// Called after every merge; true ends the run, and Ending says why.
+  /// Called after every merge: lets converged rows rest at looks at the target.
+  static void look(tally::Totals& totals, std::uint64_t merged_batches);
+  /// Called after that; true ends the run, and Ending says why.
   bool ends(const tally::Totals& totals, std::uint64_t merged_batches);
 
   Ending ending;
   std::function<void(const tally::Totals&)> checkpoint;  ///< called when one is due
 
  private:
+  /// Whether rows rest that have met the target: where light that is not asked for is not walked.
+  [[nodiscard]] bool rests() const;
+  [[nodiscard]] tally::Totals goes_on_from(const tally::Shape& shape) const;
   void tell(const tally::Totals& totals);
   void checkpoint_if_due(const tally::Totals& totals);
   [[nodiscard]] double elapsed_s() const;
@@ -98,11 +109,12 @@ class BatchRunner {
     try {
       std::unique_lock lock(mutex_);
       while (true) {
-        changed_.wait(lock, [this] { return ended_ || !free_.empty(); });
+        changed_.wait(lock, [this] { return ended_ || (!free_.empty() && is_known()); });
         if (ended_ || next_batch_ == conductor_.batches()) return;
         const std::uint64_t batch = next_batch_++;
         Tally tally = std::move(free_.back());
         free_.pop_back();
+        tally->rests = Conductor::resting(totals_, batch, merged_);
         lock.unlock();
         simulate(batch, *tally);
         lock.lock();
@@ -126,6 +138,8 @@ class BatchRunner {
     ended_ = conductor_.ends(totals_, merged_);
   }
 
+  [[nodiscard]] bool is_known() const { return next_batch_ < conductor_.known_until(merged_); }
+
   void simulate(std::uint64_t batch, tally::BatchTally& tally) const {
     tally.photons = conductor_.photons_of(batch);
     simulator_.simulate(batch * batch_photons, tally.photons, tally);
@@ -140,6 +154,7 @@ class BatchRunner {
       tally->clear();
       free_.push_back(std::move(tally));
       ++merged_;
+      Conductor::look(totals_, merged_);
       ended_ = conductor_.ends(totals_, merged_);
     }
   }

@@ -100,9 +100,9 @@ class Bidirectional {
   /// Photons `first` … `first + count - 1`, the first of a batch and up.
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) {
     const auto laser = draws_of_laser(world_, first);
-    std::vector<Draws<T>> back;
+    std::vector<Home> back;
     for (const Receiver<T>& receiver : world_.receivers)
-      back.push_back(draws_of(world_, receiver, first));
+      if (is_wanted(receiver, tally)) back.push_back({receiver, draws_of(world_, receiver, first)});
     Ledger ledger;
     for (std::size_t done = 0; done < count;) {
       // The last set may have fewer walks, and then fewer samples are made.
@@ -116,16 +116,30 @@ class Bidirectional {
   }
 
  private:
+  /// A receiver whose light is asked for, and the random numbers of its walks.
+  struct Home {
+    const Receiver<T>& receiver;
+    Draws<T> draws;
+  };
+  [[nodiscard]] bool is_wanted(const Receiver<T>& receiver, const tally::BatchTally& tally) const {
+    if (receiver.band < 0) return tally.wants(receiver.telescope, each_lane(receiver.line)[0]);
+    for (std::int32_t hue = 0; hue < medium::hues; ++hue) {
+      const std::int32_t line = world_.sea.line_of_hue[receiver.band * medium::hues + hue];
+      if (tally.wants(receiver.telescope, line)) return true;
+    }
+    return false;
+  }
+
   void follow(std::int32_t first, std::size_t count, std::size_t walks, const Draws<T>& laser,
-              const std::vector<Draws<T>>& back, Ledger& ledger, tally::BatchTally& tally) {
+              const std::vector<Home>& back, Ledger& ledger, tally::BatchTally& tally) {
     // An echo is per photon emitted, and so are the samples.
     const transport::Samples<T> samples{T(1), world_.connected, T(walks),
                                         T(world_.turns ? walks : 0), world_.meeting_grid};
     FromLaser<T, Ledger> out{{laser, first}, world_, ledger};
     WalkTaker(world_, samples, out, laser_, tally).take(count);
-    for (const Receiver<T>& receiver : world_.receivers) {
+    for (const auto& [receiver, draws] : back) {
       Walks<T>& walks_back = back_[receiver.telescope];
-      FromTelescope<T, Ledger> home{{back[receiver.number], first}, world_, receiver};
+      FromTelescope<T, Ledger> home{{draws, first}, world_, receiver};
       WalkTaker(world_, samples, home, walks_back, tally).take(count);
       connect(receiver, samples, walks_back, count, walks, tally);
     }

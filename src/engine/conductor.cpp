@@ -9,7 +9,7 @@
 namespace photic::engine {
 namespace {
 
-constexpr std::uint64_t batches_between_targets = 100;  // how often the target is looked at
+constexpr std::uint64_t batches_between_looks = 100;  // at the target
 constexpr double seconds_between_tellings = 0.2;
 
 [[noreturn]] void refuse(const Start& start, const std::string& reason,
@@ -31,7 +31,31 @@ std::uint64_t Conductor::photons_of(std::uint64_t batch) const {
   return batch + 1 < batches_ ? batch_photons : *asked_.photons - batch * batch_photons;
 }
 
+std::uint64_t Conductor::known_until(std::uint64_t merged_batches) const {
+  if (!rests()) return std::numeric_limits<std::uint64_t>::max();
+  return (merged_batches / batches_between_looks + 2) * batches_between_looks;
+}
+
+std::vector<bool> Conductor::resting(const tally::Totals& totals, std::uint64_t batch,
+                                     std::uint64_t merged_batches) {
+  return totals.resting(batch / batches_between_looks > merged_batches / batches_between_looks);
+}
+
+void Conductor::look(tally::Totals& totals, std::uint64_t merged_batches) {
+  if (merged_batches % batches_between_looks == 0) totals.decide_rests();
+}
+
+bool Conductor::rests() const {
+  return asked_.target_relative_error && asked_.estimator == "bidirectional";
+}
+
 tally::Totals Conductor::begin(const tally::Shape& shape) const {
+  tally::Totals totals = goes_on_from(shape);
+  totals.let_rest_at(rests() ? *asked_.target_relative_error : 0.0);
+  return totals;
+}
+
+tally::Totals Conductor::goes_on_from(const tally::Shape& shape) const {
   if (!options_.start) return tally::Totals(shape);
   const tally::TotalsState& state = options_.start->state;
   if (state.photons % batch_photons != 0 || state.photons / batch_photons != state.batches) {
@@ -64,7 +88,7 @@ bool Conductor::ends(const tally::Totals& totals, std::uint64_t merged_batches) 
     return true;
   };
   if (merged_batches == batches_) return because("photons");
-  const bool look = merged_batches % batches_between_targets == 0;
+  const bool look = merged_batches % batches_between_looks == 0;
   if (look && asked_.target_relative_error && totals.all_converged(*asked_.target_relative_error)) {
     return because("target");
   }

@@ -17,6 +17,9 @@ using Names = std::vector<std::string>;
 
 // Where the numbers of an element are, in the order of the file's last dimension.
 constexpr auto itself = [](auto& x) { return std::array{&x}; };
+constexpr auto row = [](auto& r) {
+  return std::array{&r.photons, &r.batches, &r.rests, &r.will_rest};
+};
 constexpr auto sums = [](auto& s) { return std::array{&s.x, &s.xx}; };
 constexpr auto tail_sums = [](auto& s) {
   auto& [a, b, c, d] = s.power;
@@ -64,6 +67,7 @@ void describe(Visitor& v, State& s) {
   v.number("weight_cut_by_weight", s.ledger.cut_by_weight);
   v.number("weight_roulette", s.ledger.roulette);
   v.number("weight_lost", s.ledger.lost);
+  v.number("resting_target", s.resting_target);
 
   const Names cell{"telescope", "channel", "gate"};
   const auto in_cell = [&](const Names& more) {
@@ -71,6 +75,9 @@ void describe(Visitor& v, State& s) {
     all.insert(all.end(), more.begin(), more.end());
     return all;
   };
+  v.array("row_counts", {"telescope", "channel", "row_count"}, s.row, row,
+          "photons and batches that a channel was scored in, and whether it rests up to the next "
+          "look at the target, and after it");
   v.array("echo_sums", in_cell({"tail_sum"}), s.echo, tail_sums, "echo" + of_tail_sums);
   v.array("echo_by_order_sums", in_cell({"order", "sum"}), s.by_order, sums,
           "echo by order of scattering" + of_sums);
@@ -89,9 +96,10 @@ void describe(Visitor& v, State& s) {
                 "; the same of its difference to the scene's echo; largest single score; sums of "
                 "squares and fourth powers of single scores, and of their differences");
   if (s.batches == 0) return;
-  v.array("snapshot_photons", {"snapshot"}, s.snapshot_photons, itself,
-          "photons when there were 1, 2, 4, 8 … batches");
-  v.array("snapshot_batches", {"snapshot"}, s.snapshot_batches, itself, "batches at that time");
+  const Names in_snapshot{"snapshot", "telescope", "channel"};
+  v.array("snapshot_photons", in_snapshot, s.snapshot_photons, itself,
+          "photons that a channel was scored in when there were 1, 2, 4, 8 … batches");
+  v.array("snapshot_batches", in_snapshot, s.snapshot_batches, itself, "batches of those photons");
   v.array("snapshot_echo_sums", {"snapshot", "telescope", "channel", "gate", "sum"},
           s.snapshot_echo, sums, "echo at that time" + of_sums);
 }
@@ -164,13 +172,14 @@ void add_state(NetcdfImage& file, const tally::TotalsState& state) {
                   "what `photic run --continue` goes on from: the sums of all whole "
                   "batches, exact to the last bit");
   file.add_dimension("sum", 2);
+  file.add_dimension("row_count", 4);
   file.add_dimension("tail_sum", 8);
   file.add_dimension("octave", tally::score_octaves);
   if (!state.environment.empty()) {
     file.add_dimension("other_water", state.environment.size() / state.echo.size());
     file.add_dimension("environment_sum", environment_fields);
   }
-  if (state.batches > 0) file.add_dimension("snapshot", state.snapshot_photons.size());
+  if (state.batches > 0) file.add_dimension("snapshot", tally::snapshots_at(state.batches));
   StateWriter writer(file);
   describe(writer, state);
 }
@@ -188,6 +197,7 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
                                   {"gate", shape.gates},
                                   {"depth", shape.depths},
                                   {"sum", 2},
+                                  {"row_count", 4},
                                   {"tail_sum", 8},
                                   {"octave", tally::score_octaves},
                                   {"other_water", shape.environments},

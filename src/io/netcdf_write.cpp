@@ -131,6 +131,14 @@ void add_estimates(NetcdfImage& file, const std::string& name,
 }
 
 void add_echoes(NetcdfImage& file, const tally::Result& result) {
+  const std::vector<double> photons(result.channel_photons.begin(), result.channel_photons.end());
+  file.add_variable(
+      "channel_photons", {"telescope", "channel"}, photons,
+      {{"long_name",
+        "photons that the echoes of a channel are means over: fewer than all where it "
+        "had met the target before others did"},
+       {"units", "1"},
+       {"coordinates", "telescope_name channel_name"}});
   add_estimates(
       file, "echo", {"telescope", "channel", "gate"}, result.echo, echo_meaning, "gate: sum",
       " converged convergence_flags largest_score_share variance_of_variance error_growth "

@@ -6,7 +6,8 @@
 namespace photic::tally {
 
 BatchTally::BatchTally(const Shape& shape, const Gates& gates)
-    : by_order(shape.cells() * shape.orders),
+    : rests(shape.rows()),
+      by_order(shape.cells() * shape.orders),
       by_process(shape.cells() * shape.processes),
       by_depth(shape.cells() * shape.depths),
       cut_order(shape.cells()),
@@ -30,6 +31,13 @@ inline std::span<const GateShare> BatchTally::gates_of(const Score& s) {
   if (gate < 0) return {};
   whole_.gate = gate;
   return {&whole_, 1};
+}
+
+bool BatchTally::wants(std::size_t telescope, std::int32_t line) const {
+  const auto& counting = shape_->channels_of_line[static_cast<std::size_t>(line)];
+  return std::ranges::any_of(counting, [&](const Counting& c) {
+    return !rests[telescope * shape_->channels + static_cast<std::size_t>(c.channel)];
+  });
 }
 
 std::span<const GateShare> BatchTally::add(const Score& s) {

@@ -82,6 +82,10 @@ class BatchTally {
   }
   void clear();
 
+  std::vector<bool> rests;  ///< [row] whose scores are not asked for
+  /// Whether any channel of a telescope asks for the light of a line.
+  [[nodiscard]] bool wants(std::size_t telescope, std::int32_t line) const;
+
   // Sums over the batch. The echo of a cell is the sum of by_order over its orders.
   std::vector<double> by_order;    ///< [cell][order]
   std::vector<double> by_process;  ///< [cell][process]

@@ -74,9 +74,11 @@ struct Result {
   // The run.
   std::string title, scene_toml, version, engine, estimator;
   std::uint64_t seed = 0;
-  std::uint64_t photons = 0;  ///< emitted
-  std::string stopped_by;     ///< photons | target | time | interrupt | checkpoint
-  bool partial = false;       ///< seen before what was asked for was reached
+  std::uint64_t photons = 0;                   ///< emitted
+  std::vector<std::uint64_t> channel_photons;  ///< [telescope][channel]: that its echoes are means
+                                               ///< over; fewer where it rested, being converged
+  std::string stopped_by;                      ///< photons | target | time | interrupt | checkpoint
+  bool partial = false;                        ///< seen before what was asked for was reached
   std::uint64_t batches = 0;
   std::uint64_t collisions = 0;
   std::uint64_t lost_too_many_events = 0;  ///< photons

@@ -25,7 +25,10 @@ struct Shape {
   std::int32_t max_order = 0;  ///< 0: none; order max_order + 1 is what is cut off
   double depth_min = 0, per_depth_step = 1;
 
-  [[nodiscard]] std::size_t cells() const { return telescopes * channels * gates; }
+  /// Rows of gates: a channel of a telescope each.
+  [[nodiscard]] std::size_t rows() const { return telescopes * channels; }
+  [[nodiscard]] std::size_t cells() const { return rows() * gates; }
+  [[nodiscard]] std::size_t row_of(std::size_t cell) const { return cell / gates; }
   [[nodiscard]] std::size_t cell(std::size_t telescope, std::size_t channel,
                                  std::size_t gate) const {
     return (telescope * channels + channel) * gates + gate;

@@ -26,7 +26,8 @@ TailSums::Moments TailSums::central(double all_photons) const {
 }
 
 TotalsState::TotalsState(const Shape& shape)
-    : echo(shape.cells()),
+    : row(shape.rows()),
+      echo(shape.cells()),
       by_order(shape.cells() * shape.orders),
       by_process(shape.cells() * shape.processes),
       by_depth(shape.cells() * shape.depths),

@@ -78,6 +78,14 @@ struct EnvironmentSums {
   friend bool operator==(const EnvironmentSums&, const EnvironmentSums&) = default;
 };
 
+/// What a row of gates, a channel of a telescope, has been scored in: all that was emitted, but for
+/// what it rested in (Totals::decide_rests).
+struct Row {
+  std::uint64_t photons = 0, batches = 0;
+  std::uint64_t rests = 0, will_rest = 0;  ///< 1: in the batches up to the next look, or after it
+  friend bool operator==(const Row&, const Row&) = default;
+};
+
 /// Scores are also counted by octave of their size: what shows a heavy tail.
 inline constexpr int score_octaves = 128;  ///< 2^-128 … 1
 
@@ -90,6 +98,8 @@ struct TotalsState {
   std::uint64_t photons = 0, batches = 0, collisions = 0, scores = 0, too_many_events = 0,
                 not_finite = 0;
   Ledger ledger;                  ///< sums of weights
+  std::vector<Row> row;           ///< [row]
+  double resting_target = 0;      ///< relative error that rows rest at; 0: none does
   std::vector<TailSums> echo;     ///< [cell]
   std::vector<Sums> by_order;     ///< [cell][order]
   std::vector<Sums> by_process;   ///< [cell][process]
@@ -99,7 +109,7 @@ struct TotalsState {
   std::vector<std::array<std::uint64_t, score_octaves>> octaves;  ///< [cell]
   std::vector<EnvironmentSums> environment;                       ///< [cell][environment]
   // The echo when there were 2^k batches, one snapshot after the other.
-  std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot]
+  std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot][row]
   std::vector<Sums> snapshot_echo;                         ///< [snapshot][cell]
   friend bool operator==(const TotalsState&, const TotalsState&) = default;
 };

@@ -27,9 +27,14 @@ constexpr double largest_unseen = 0.5;     // of scores beyond those expected, i
 constexpr double largest_fourth_share = 1.0 / 30;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-double error_of_sum(const Sums& s, double photons, double batches) {
-  const double spread = std::max(0.0, s.xx - s.x * s.x / photons);
-  return batches > 1 ? std::sqrt(spread / (batches - 1) * photons) : 0.0;
+double error_of_sum(const Sums& s, const Totals::Counted& n) {
+  const double spread = std::max(0.0, s.xx - s.x * s.x / n.photons);
+  return n.batches > 1 ? std::sqrt(spread / (n.batches - 1) * n.photons) : 0.0;
+}
+
+double variance_of_variance(const TailSums& s, const Totals::Counted& n) {
+  const auto [second, fourth] = s.central(n.photons);
+  return second > 0 ? std::max(0.0, fourth / (second * second) - 1) / n.batches : 0.0;
 }
 
 /// What is to be expected of scores larger than any expected so far, if the largest ones follow a
@@ -93,15 +98,16 @@ void flag_among_flagged(std::size_t first, std::size_t gates, std::vector<std::i
 }
 
 bool fits(const TotalsState& state, const Shape& shape) {
-  const std::size_t cells = shape.cells();
-  return state.echo.size() == cells && state.by_order.size() == cells * shape.orders &&
+  const std::size_t cells = shape.cells(), snapshots = snapshots_at(state.batches);
+  return state.row.size() == shape.rows() && state.echo.size() == cells &&
+         state.by_order.size() == cells * shape.orders &&
          state.by_process.size() == cells * shape.processes &&
          state.by_depth.size() == cells * shape.depths && state.cut_order.size() == cells &&
          state.largest.size() == cells && state.octaves.size() == cells &&
          state.environment.size() == cells * shape.environments &&
-         state.snapshot_photons.size() == snapshots_at(state.batches) &&
-         state.snapshot_batches.size() == snapshots_at(state.batches) &&
-         state.snapshot_echo.size() == snapshots_at(state.batches) * cells;
+         state.snapshot_photons.size() == snapshots * shape.rows() &&
+         state.snapshot_batches.size() == snapshots * shape.rows() &&
+         state.snapshot_echo.size() == snapshots * cells;
 }
 
 }  // namespace
@@ -113,6 +119,7 @@ Totals::Totals(const Shape& shape, TotalsState state) : shape_(&shape), state_(s
 void Totals::merge(const BatchTally& batch) {
   const auto n = static_cast<double>(batch.photons);
   for (const std::uint32_t cell : batch.touched_cells) {
+    if (batch.rests[shape_->row_of(cell)]) continue;
     double echo = 0;
     for (std::size_t o = cell * shape_->orders; o < (cell + 1) * shape_->orders; ++o) {
       echo += batch.by_order[o];
@@ -128,7 +135,15 @@ void Totals::merge(const BatchTally& batch) {
       state_.octaves[cell][k] += batch.octaves[cell][k];
     merge_environments(batch, cell, echo);
   }
-  for (const std::uint32_t k : batch.touched_depths) state_.by_depth[k].add(batch.by_depth[k], n);
+  for (const std::uint32_t k : batch.touched_depths) {
+    if (!batch.rests[shape_->row_of(k / shape_->depths)])
+      state_.by_depth[k].add(batch.by_depth[k], n);
+  }
+  for (std::size_t r = 0; r < state_.row.size(); ++r) {
+    if (batch.rests[r]) continue;
+    state_.row[r].photons += batch.photons;
+    ++state_.row[r].batches;
+  }
 
   state_.photons += batch.photons;
   ++state_.batches;
@@ -146,8 +161,10 @@ void Totals::merge(const BatchTally& batch) {
   state_.ledger.lost += batch.ledger.lost;
 
   if (std::has_single_bit(state_.batches)) {
-    state_.snapshot_photons.push_back(static_cast<double>(state_.photons));
-    state_.snapshot_batches.push_back(static_cast<double>(state_.batches));
+    for (const Row& row : state_.row) {
+      state_.snapshot_photons.push_back(static_cast<double>(row.photons));
+      state_.snapshot_batches.push_back(static_cast<double>(row.batches));
+    }
     for (const TailSums& s : state_.echo) state_.snapshot_echo.push_back(s.low);
   }
 }
@@ -168,82 +185,114 @@ void Totals::merge_environments(const BatchTally& batch, std::size_t cell, doubl
   }
 }
 
-double Totals::mean(const Sums& sums) const { return sums.x / static_cast<double>(state_.photons); }
+void Totals::let_rest_at(double relative_error) {
+  if (state_.resting_target == relative_error) return;
+  state_.resting_target = relative_error;
+  for (Row& row : state_.row) row.rests = row.will_rest = 0;
+}
 
-double Totals::standard_error(const Sums& sums) const {
-  const auto photons = static_cast<double>(state_.photons);
-  return error_of_sum(sums, photons, static_cast<double>(state_.batches)) / photons;
+void Totals::decide_rests() {
+  if (state_.resting_target == 0) return;
+  for (std::size_t r = 0; r < state_.row.size(); ++r) {
+    Row& row = state_.row[r];
+    const auto first = state_.echo.begin() + static_cast<std::ptrdiff_t>(r * shape_->gates);
+    const bool scored = std::any_of(first, first + static_cast<std::ptrdiff_t>(shape_->gates),
+                                    [](const TailSums& s) { return s.low.x > 0; });
+    const bool rests = scored && row_converged(r, state_.resting_target);
+    row.rests = std::exchange(row.will_rest, rests ? 1 : 0);
+  }
+}
+
+std::vector<bool> Totals::resting(bool after_next_look) const {
+  std::vector<bool> out;
+  for (const Row& row : state_.row)
+    out.push_back((after_next_look ? row.will_rest : row.rests) != 0);
+  return out;
+}
+
+Totals::Counted Totals::counted(std::size_t cell) const {
+  const Row& row = state_.row[shape_->row_of(cell)];
+  return {static_cast<double>(row.photons), static_cast<double>(row.batches)};
+}
+
+double Totals::mean(const Sums& sums, const Counted& n) { return sums.x / n.photons; }
+
+double Totals::standard_error(const Sums& sums, const Counted& n) {
+  return error_of_sum(sums, n) / n.photons;
 }
 
 bool Totals::heavy_tail(std::size_t cell) const {
-  const double error = standard_error(state_.echo[cell].low) * static_cast<double>(state_.photons);
+  const double error = error_of_sum(state_.echo[cell].low, counted(cell));
   return unseen_sum(state_.octaves[cell]) > largest_unseen * error;
 }
 
 double Totals::error_growth(std::size_t cell) const {
-  if (state_.snapshot_photons.size() < 3 || state_.echo[cell].low.x == 0) return nan;
-  const std::size_t before = state_.snapshot_photons.size() - 3;
-  const double photons_then = state_.snapshot_photons[before];
-  const auto photons = static_cast<double>(state_.photons);
-  const double now =
-      error_of_sum(state_.echo[cell].low, photons, static_cast<double>(state_.batches)) /
-      std::sqrt(photons);
-  const double then = error_of_sum(state_.snapshot_echo[before * state_.echo.size() + cell],
-                                   photons_then, state_.snapshot_batches[before]) /
-                      std::sqrt(photons_then);
-  return then > 0 ? now / then : nan;
+  if (state_.echo[cell].low.x == 0) return nan;
+  const Counted n = counted(cell);
+  const std::size_t rows = shape_->rows(), row = shape_->row_of(cell);
+  for (std::size_t k = state_.snapshot_batches.size() / rows; k-- > 0;) {
+    const Counted then{state_.snapshot_photons[k * rows + row],
+                       state_.snapshot_batches[k * rows + row]};
+    if (4 * then.batches > n.batches) continue;
+    const double before = error_of_sum(state_.snapshot_echo[k * state_.echo.size() + cell], then) /
+                          std::sqrt(then.photons);
+    const double now = error_of_sum(state_.echo[cell].low, n) / std::sqrt(n.photons);
+    return before > 0 ? now / before : nan;
+  }
+  return nan;
 }
 
-double Totals::variance_of_variance(const TailSums& s) const {
-  const auto [second, fourth] = s.central(static_cast<double>(state_.photons));
-  return second > 0
-             ? std::max(0.0, fourth / (second * second) - 1) / static_cast<double>(state_.batches)
-             : 0.0;
-}
-
-Totals::Health Totals::health_of(const TailSums& s, double largest) const {
+Totals::Health Totals::health_of(const TailSums& s, double largest, const Counted& n) {
   if (s.low.x == 0) return {no_score, 0, 0};
   Health health;
-  health.variance_of_variance = variance_of_variance(s);
+  health.variance_of_variance = variance_of_variance(s, n);
   health.largest_score_share = largest / s.low.x;
-  health.raise(static_cast<double>(state_.batches) < least_batches, few_batches);
-  health.raise(standard_error(s.low) > largest_relative_error * mean(s.low), large_error);
+  health.raise(n.batches < least_batches, few_batches);
+  health.raise(standard_error(s.low, n) > largest_relative_error * mean(s.low, n), large_error);
   health.raise(health.largest_score_share > largest_single_share, large_score);
   return health;
 }
 
 Totals::Health Totals::health(std::size_t cell) const {
-  Health health = health_of(state_.echo[cell], state_.largest[cell]);
+  Health health = health_of(state_.echo[cell], state_.largest[cell], counted(cell));
   if ((health.flags & no_score) != 0) return health;
   health.raise(heavy_tail(cell), ConvergenceFlag::heavy_tail);
   return health;
 }
 
-std::int32_t Totals::difference_flags(const EnvironmentSums& s) const {
+std::int32_t Totals::difference_flags(const EnvironmentSums& s, const Counted& n) {
   Health own;
-  own.raise(variance_of_variance(s.difference) > largest_variance_of_variance, uncertain_variance);
+  own.raise(variance_of_variance(s.difference, n) > largest_variance_of_variance,
+            uncertain_variance);
   own.raise(heavy(s.of_differences), ConvergenceFlag::heavy_tail);
   return own.flags;
 }
 
 std::int32_t Totals::environment_flags(std::size_t cell, std::size_t environment) const {
   const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
-  Health own = health_of(s.echo, s.largest);
+  Health own = health_of(s.echo, s.largest, counted(cell));
   own.raise(heavy(s.of_scores), ConvergenceFlag::heavy_tail);
   own.raise(own.variance_of_variance > largest_variance_of_variance, uncertain_variance);
-  return own.flags | difference_flags(s);
+  return own.flags | difference_flags(s, counted(cell));
 }
 
 std::int32_t Totals::tangent_flags(std::size_t cell, std::size_t tangent) const {
-  return difference_flags(state_.environment[cell * shape_->environments + tangent]);
+  return difference_flags(state_.environment[cell * shape_->environments + tangent], counted(cell));
+}
+
+bool Totals::row_converged(std::size_t row, double relative_error) const {
+  for (std::size_t cell = row * shape_->gates; cell < (row + 1) * shape_->gates; ++cell) {
+    const Sums& s = state_.echo[cell].low;
+    if (s.x == 0) continue;
+    const Counted n = counted(cell);
+    if (standard_error(s, n) > relative_error * mean(s, n) || health(cell).flags != 0) return false;
+  }
+  return true;
 }
 
 bool Totals::all_converged(double relative_error) const {
-  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
-    const Sums& s = state_.echo[cell].low;
-    if (s.x == 0) continue;
-    if (standard_error(s) > relative_error * mean(s) || health(cell).flags != 0) return false;
-  }
+  for (std::size_t row = 0; row < shape_->rows(); ++row)
+    if (!row_converged(row, relative_error)) return false;
   return true;
 }
 
@@ -259,17 +308,18 @@ std::size_t Totals::scored_cells() const {
   return count;
 }
 
-void Totals::estimate(const Sums& sums, Estimates& out) const {
-  out.mean.push_back(mean(sums));
-  out.standard_error.push_back(standard_error(sums));
+void Totals::estimate(const Sums& sums, std::size_t cell, Estimates& out) const {
+  const Counted n = counted(cell);
+  out.mean.push_back(mean(sums, n));
+  out.standard_error.push_back(standard_error(sums, n));
 }
 
 void Totals::fill_environment(std::size_t environment, Result& result) const {
   const std::size_t first = result.environment_convergence_flags.size();
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
     const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
-    estimate(s.echo.low, result.environment_echo);
-    estimate(s.difference.low, result.environment_difference);
+    estimate(s.echo.low, cell, result.environment_echo);
+    estimate(s.difference.low, cell, result.environment_difference);
     result.environment_convergence_flags.push_back(
         environment_flags(cell, environment) |
         (result.convergence_flags[cell] & ConvergenceFlag::heavy_tail));
@@ -282,16 +332,17 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
     const EnvironmentSums& s = state_.environment[cell * shape_->environments + tangent];
     const Sums& scene = state_.echo[cell].low;
-    const double echo = mean(scene);
-    const double change = mean(s.difference.low);  // p d echo / d p
-    const double error = standard_error(s.difference.low);
+    const Counted n = counted(cell);
+    const double echo = mean(scene, n);
+    const double change = mean(s.difference.low, n);  // p d echo / d p
+    const double error = standard_error(s.difference.low, n);
     result.sensitivity.mean.push_back(change / value);
     result.sensitivity.standard_error.push_back(error / std::abs(value));
     Estimates& logarithmic = result.logarithmic_sensitivity;
     logarithmic.mean.push_back(echo > 0 ? change / echo : nan);
     logarithmic.standard_error.push_back(echo > 0 ? error_of_ratio(change / echo, echo, error,
-                                                                   standard_error(scene),
-                                                                   standard_error(s.echo.low))
+                                                                   standard_error(scene, n),
+                                                                   standard_error(s.echo.low, n))
                                                   : nan);
     result.sensitivity_convergence_flags.push_back(result.convergence_flags[cell] |
                                                    tangent_flags(cell, tangent));
@@ -302,7 +353,7 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
 void Totals::fill(Result& result) const {
   const auto gates = shape_->gates;
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
-    estimate(state_.echo[cell].low, result.echo);
+    estimate(state_.echo[cell].low, cell, result.echo);
     const Health h = health(cell);
     result.convergence_flags.push_back(h.flags);
     result.variance_of_variance.push_back(h.variance_of_variance);
@@ -312,20 +363,23 @@ void Totals::fill(Result& result) const {
     result.order_cut_share.push_back(x > 0 ? state_.cut_order[cell] / x : 0.0);
   }
   // The result has gates last but for the depths.
-  for (std::size_t tc = 0; tc < shape_->telescopes * shape_->channels; ++tc) {
+  for (std::size_t tc = 0; tc < shape_->rows(); ++tc) {
+    result.channel_photons.push_back(state_.row[tc].photons);
     for (std::size_t p = 0; p < shape_->processes; ++p) {
       for (std::size_t g = 0; g < gates; ++g) {
-        estimate(state_.by_process[(tc * gates + g) * shape_->processes + p],
-                 result.echo_by_process);
+        const std::size_t cell = tc * gates + g;
+        estimate(state_.by_process[cell * shape_->processes + p], cell, result.echo_by_process);
       }
     }
     for (std::size_t o = 0; o < shape_->orders; ++o) {
       for (std::size_t g = 0; g < gates; ++g) {
-        estimate(state_.by_order[(tc * gates + g) * shape_->orders + o], result.echo_by_order);
+        const std::size_t cell = tc * gates + g;
+        estimate(state_.by_order[cell * shape_->orders + o], cell, result.echo_by_order);
       }
     }
   }
-  for (const Sums& s : state_.by_depth) estimate(s, result.echo_by_depth);
+  for (std::size_t k = 0; k < state_.by_depth.size(); ++k)
+    estimate(state_.by_depth[k], k / shape_->depths, result.echo_by_depth);
   const std::size_t parameters = result.parameter_value.size();
   expect(parameters <= shape_->environments, "every parameter has a tangent");
   const std::size_t environments = shape_->environments - parameters;

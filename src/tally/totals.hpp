@@ -16,12 +16,29 @@ class Totals {
   /// Goes on from a state of the same shape.
   Totals(const Shape& shape, TotalsState state);
 
-  /// Adds a batch. Batches come in their order.
+  /// Adds a batch, but for rows that rested in it. Batches come in their order.
   void merge(const BatchTally& batch);
 
+  // Rows whose gates are all converged to a target need no more photons: they rest while others go
+  // on, so that every row ends as if it had been simulated alone. Called at looks, a fixed number
+  // of batches apart, and what is found counts from the look after: by then all know of it.
+
+  /// Rows rest at this relative error from now on, or none does (0); with another one than before
+  /// all are awake.
+  void let_rest_at(double relative_error);
+  void decide_rests();
+  /// [row] who rests in batches up to the next look, or after it.
+  [[nodiscard]] std::vector<bool> resting(bool after_next_look) const;
+
+  /// What a cell has been scored in.
+  struct Counted {
+    double photons = 0, batches = 0;
+  };
+  [[nodiscard]] Counted counted(std::size_t cell) const;
+
   /// Mean and standard error of the mean per photon.
-  [[nodiscard]] double mean(const Sums& sums) const;
-  [[nodiscard]] double standard_error(const Sums& sums) const;
+  [[nodiscard]] static double mean(const Sums& sums, const Counted& n);
+  [[nodiscard]] static double standard_error(const Sums& sums, const Counted& n);
 
   /// Bits of ConvergenceFlag of an echo cell, the variance of its variance, its largest score's
   /// share.
@@ -50,17 +67,18 @@ class Totals {
  private:
   /// What a batch scored in the environments of a cell whose echo in the scene is given.
   void merge_environments(const BatchTally& batch, std::size_t cell, double echo);
-  void estimate(const Sums& sums, Estimates& out) const;
-  [[nodiscard]] double variance_of_variance(const TailSums& s) const;
+  /// As all_converged, of a row's cells.
+  [[nodiscard]] bool row_converged(std::size_t row, double relative_error) const;
+  void estimate(const Sums& sums, std::size_t cell, Estimates& out) const;
   /// As far as sums over batches and the largest score tell.
-  [[nodiscard]] Health health_of(const TailSums& s, double largest) const;
+  [[nodiscard]] static Health health_of(const TailSums& s, double largest, const Counted& n);
   /// Bits of ConvergenceFlag of an environment's echo and difference by themselves: a difference
   /// can have a heavier tail than either echo.
   [[nodiscard]] std::int32_t environment_flags(std::size_t cell, std::size_t environment) const;
   /// Of a tangent's difference alone: its echo is a line through the scene's, and no echo.
   [[nodiscard]] std::int32_t tangent_flags(std::size_t cell, std::size_t tangent) const;
   /// What environments and differences have in common: the shape of the difference's distribution.
-  [[nodiscard]] std::int32_t difference_flags(const EnvironmentSums& s) const;
+  [[nodiscard]] static std::int32_t difference_flags(const EnvironmentSums& s, const Counted& n);
   void fill_environment(std::size_t environment, Result& result) const;
   /// Of a parameter's value in the scene; `tangent` counts from the first environment.
   void fill_sensitivity(std::size_t tangent, double value, Result& result) const;

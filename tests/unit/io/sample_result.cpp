@@ -158,6 +158,8 @@ class Maker {
     result_.photons = 20'000'000;
     result_.stopped_by = "photons";
     result_.batches = 200;
+    for (std::size_t row = 0; row < result_.telescopes() * result_.channels(); ++row)
+      result_.channel_photons.push_back(400'000 - row);
     result_.collisions = 187'654'321;
     result_.lost_too_many_events = 2;
     result_.lost_not_finite = 1;
@@ -187,6 +189,8 @@ class Maker {
     state.too_many_events = 2;
     state.not_finite = 1;
     state.ledger = {next(), next(), next(), next(), next(), next(), next()};
+    state.resting_target = next();
+    for (auto& row : state.row) row = {++numbers_, ++numbers_, ++numbers_, ++numbers_};
     for (auto& s : state.echo)
       s = {{next(), next()}, next(), next(), {next(), next(), next(), next()}};
     for (auto* sums : {&state.by_order, &state.by_process, &state.by_depth})
@@ -202,8 +206,10 @@ class Maker {
     for (auto& counts : state.octaves)
       for (auto& count : counts) count = (std::uint64_t{1} << 60) + ++numbers_;
     for (std::size_t k = 0; k < tally::snapshots_at(state.batches); ++k) {
-      state.snapshot_photons.push_back(next());
-      state.snapshot_batches.push_back(next());
+      for (std::size_t row = 0; row < state.row.size(); ++row) {
+        state.snapshot_photons.push_back(next());
+        state.snapshot_batches.push_back(next());
+      }
       for (std::size_t cell = 0; cell < state.echo.size(); ++cell)
         state.snapshot_echo.push_back({next(), next()});
     }

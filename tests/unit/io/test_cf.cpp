@@ -91,7 +91,7 @@ TEST_F(Cf, TheVariablesOfTheFormat) {
   EXPECT_EQ(
       as_set(file_.variables()),
       as_set(words(
-          "echo echo_standard_error echo_by_process echo_by_process_standard_error "
+          "channel_photons echo echo_standard_error echo_by_process echo_by_process_standard_error "
           "echo_by_order echo_by_order_standard_error echo_by_depth "
           "echo_by_depth_standard_error converged convergence_flags largest_score_share "
           "variance_of_variance error_growth order_cut_share gate_time gate_time_bounds gate_depth "

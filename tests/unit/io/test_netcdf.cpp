@@ -109,6 +109,8 @@ TEST_F(WrittenResult, Convergence) {
   std::vector<double> converged;
   for (const double flag : flags) converged.push_back(flag == 0 ? 1 : 0);
   expect_same(file.numbers("converged"), converged);
+  const std::vector<double> photons(result_.channel_photons.begin(), result_.channel_photons.end());
+  expect_same(file.numbers("channel_photons"), photons);
   expect_same(file.numbers("largest_score_share"), result_.largest_score_share);
   expect_same(file.numbers("variance_of_variance"), result_.variance_of_variance);
   expect_same(file.numbers("error_growth"), result_.error_growth);

@@ -116,8 +116,8 @@ TEST_F(WrittenState, IsNotInEveryResult) {
 TEST_F(WrittenState, OfAnotherShapeIsRefused) {
   write();
   using Shape = tally::Shape;
-  for (const auto& [extent, variable] : {std::pair{&Shape::telescopes, "echo_sums"},
-                                         {&Shape::channels, "echo_sums"},
+  for (const auto& [extent, variable] : {std::pair{&Shape::telescopes, "row_counts"},
+                                         {&Shape::channels, "row_counts"},
                                          {&Shape::gates, "echo_sums"},
                                          {&Shape::orders, "echo_by_order_sums"},
                                          {&Shape::processes, "echo_by_process_sums"},
@@ -178,6 +178,10 @@ void write_bare(const std::string& path, const std::function<void(NetcdfImage& f
   for (const char* name : {"absorbed", "escaped", "sea_bed", "cut_by_time", "cut_by_order",
                            "cut_by_weight", "roulette", "lost"})
     file.add_global(std::string("weight_") + name, 0.0);
+  file.add_global("resting_target", 0.0);
+  file.add_dimension("row_count", 4);
+  const std::vector<std::uint64_t> rows(std::size_t{2} * 3 * 4);
+  file.add_variable("row_counts", {"telescope", "channel", "row_count"}, rows, {});
   add(file);
   write_atomically(path, file.finish());
 }

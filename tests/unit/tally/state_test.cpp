@@ -64,12 +64,17 @@ TEST(TotalsState, GoesOnToTheLastBit) {
 TEST(TotalsState, HoldsASnapshotAtEachPowerOfTwo) {
   Tallies t;
   for (std::uint64_t b = 0; b < 20; ++b) {
-    EXPECT_EQ(t.totals.state().snapshot_photons.size(), snapshots_at(b)) << b;
+    EXPECT_EQ(t.totals.state().snapshot_photons.size(), snapshots_at(b) * t.shape.rows()) << b;
     t.score(0, 1e-3);
     t.end_batch(1000);
   }
-  EXPECT_EQ(t.totals.state().snapshot_batches, (std::vector<double>{1, 2, 4, 8, 16}));
-  EXPECT_EQ(t.totals.state().snapshot_photons, (std::vector<double>{1e3, 2e3, 4e3, 8e3, 16e3}));
+  std::vector<double> batches, photons;
+  for (const double b : {1, 2, 4, 8, 16}) {
+    batches.insert(batches.end(), t.shape.rows(), b);
+    photons.insert(photons.end(), t.shape.rows(), 1e3 * b);
+  }
+  EXPECT_EQ(t.totals.state().snapshot_batches, batches);
+  EXPECT_EQ(t.totals.state().snapshot_photons, photons);
 }
 
 // Seen red: without the comparison of the snapshots.
@@ -81,6 +86,7 @@ TEST(TotalsState, OfAnotherShapeIsABug) {
     spoil(state);
     EXPECT_THROW(Totals(t.shape, std::move(state)), ContractViolation);
   };
+  refused([](TotalsState& s) { s.row.pop_back(); });
   refused([](TotalsState& s) { s.echo.pop_back(); });
   refused([](TotalsState& s) { s.by_order.pop_back(); });
   refused([](TotalsState& s) { s.by_process.pop_back(); });
