@@ -32,6 +32,9 @@ std::string head(const tally::Result& result) {
   out += fmt::format("# Photic {}, estimator {}, engine {}, seed {}, photons {}{}\n",
                      result.version, result.estimator, result.engine, result.seed, result.photons,
                      result.partial ? " (partial: interrupted)" : "");
+  if (const std::string rested = rested_channels(result); !rested.empty())
+    out += fmt::format("# photons of channels that met the target before others: {}\n",
+                       one_line(rested));
   for (const auto& warning : result.warnings)
     out += fmt::format("# warning: {}\n", one_line(warning));
   out +=

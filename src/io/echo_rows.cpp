@@ -1,5 +1,7 @@
 #include "io/echo_rows.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "core/error.hpp"
@@ -82,6 +84,18 @@ std::vector<EchoRow> sensitivity_rows(const tally::Result& result, std::size_t p
     row.flags = result.sensitivity_convergence_flags[first + i];
   }
   return rows;
+}
+
+std::string rested_channels(const tally::Result& result) {
+  std::vector<std::string> rested;
+  for (std::size_t i = 0; i < result.channel_photons.size(); ++i) {
+    if (result.channel_photons[i] == result.photons) continue;
+    const std::string& channel = result.channel_name[i % result.channels()];
+    const std::string telescope =
+        result.telescopes() > 1 ? result.telescope_name[i / result.channels()] + " " : "";
+    rested.push_back(fmt::format("{}{} {}", telescope, channel, result.channel_photons[i]));
+  }
+  return fmt::format("{}", fmt::join(rested, ", "));
 }
 
 std::vector<std::string_view> flag_names(std::int32_t flags) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +39,10 @@ std::vector<EchoRow> environment_rows(const tally::Result& result, std::size_t e
 /// The scene's echo with its derivatives with respect to a parameter, by its index; the flags are
 /// those of the derivatives.
 std::vector<EchoRow> sensitivity_rows(const tally::Result& result, std::size_t parameter);
+
+/// "elastic 400000, raman 800000": channels whose echoes are means over fewer photons than were
+/// emitted, since they rested; empty if none did.
+std::string rested_channels(const tally::Result& result);
 
 /// The names of the flags set, lowest bit first.
 std::vector<std::string_view> flag_names(std::int32_t flags);

@@ -68,6 +68,7 @@ std::string echo_json(const tally::Result& result) {
                {"estimator", result.estimator},
                {"seed", result.seed},
                {"photons", result.photons},
+               {"channel_photons", result.channel_photons},
                {"batches", result.batches},
                {"collisions", result.collisions},
                {"stopped_by", result.stopped_by},

@@ -62,7 +62,7 @@ void NetcdfReader::expect_result() const {
 }
 
 bool NetcdfReader::has(const std::string& attribute) const {
-  return nc_inq_attid(file_, NC_GLOBAL, attribute.c_str(), nullptr) == NC_NOERR;
+  return nc_inq_attid(group_, NC_GLOBAL, attribute.c_str(), nullptr) == NC_NOERR;
 }
 
 std::string NetcdfReader::other_content() const {

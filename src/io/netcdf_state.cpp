@@ -190,6 +190,8 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
   const std::uint64_t photons = file.count("photons");
   if (!file.enter_group(group))
     file.refuse(std::string("a result that no run can go on from: it has no group ") + group);
+  if (!file.has("resting_target"))
+    file.refuse("made by an earlier build of Photic, which kept other sums: start anew");
   const StateReader reader(file, {{"telescope", shape.telescopes},
                                   {"channel", shape.channels},
                                   {"process", shape.processes},

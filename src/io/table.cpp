@@ -99,6 +99,8 @@ std::string run_summary(const tally::Result& result) {
     out += fmt::format(": {:.3g} million photons/s, {:.3g} million collisions/s",
                        static_cast<double>(result.photons) / result.wall_time_s / 1e6,
                        static_cast<double>(result.collisions) / result.wall_time_s / 1e6);
+  if (const std::string rested = rested_channels(result); !rested.empty())
+    out += "\nphotons of channels that met the target before others: " + rested;
   out += fmt::format("\nstopped by: {}{}\n", result.stopped_by,
                      result.partial ? "; this is a partial result" : "");
   for (const auto& warning : result.warnings) out += fmt::format("warning: {}\n", warning);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tally/batch_tally.hpp"
+#include "tally/error_bars.hpp"
 #include "tally/result.hpp"
 
 namespace photic::tally {
@@ -30,15 +31,7 @@ class Totals {
   /// [row] who rests in batches up to the next look, or after it.
   [[nodiscard]] std::vector<bool> resting(bool after_next_look) const;
 
-  /// What a cell has been scored in.
-  struct Counted {
-    double photons = 0, batches = 0;
-  };
   [[nodiscard]] Counted counted(std::size_t cell) const;
-
-  /// Mean and standard error of the mean per photon.
-  [[nodiscard]] static double mean(const Sums& sums, const Counted& n);
-  [[nodiscard]] static double standard_error(const Sums& sums, const Counted& n);
 
   /// Bits of ConvergenceFlag of an echo cell, the variance of its variance, its largest score's
   /// share.

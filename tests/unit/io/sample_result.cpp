@@ -159,7 +159,7 @@ class Maker {
     result_.stopped_by = "photons";
     result_.batches = 200;
     for (std::size_t row = 0; row < result_.telescopes() * result_.channels(); ++row)
-      result_.channel_photons.push_back(400'000 - row);
+      result_.channel_photons.push_back(row == 4 ? 400'000 : result_.photons);
     result_.collisions = 187'654'321;
     result_.lost_too_many_events = 2;
     result_.lost_not_finite = 1;

@@ -107,13 +107,16 @@ TEST(Csv, HeadSaysWhatItIs) {
   EXPECT_EQ(csv.head.at(1),
             "# Photic 0.1.0, estimator forward, engine scalar, seed 1, photons 20000000 (partial: "
             "interrupted)");
-  EXPECT_EQ(csv.head.at(2), "# warning: " + result.warnings[0]);
-  EXPECT_EQ(csv.head.at(3),
+  EXPECT_EQ(csv.head.at(2),
+            "# photons of channels that met the target before others: " + result.telescope_name[0] +
+                " " + result.channel_name[0] + " 400000");
+  EXPECT_EQ(csv.head.at(3), "# warning: " + result.warnings[0]);
+  EXPECT_EQ(csv.head.at(4),
             "# echo: expected photons detected in the gate per photon emitted; standard_error: of "
             "the echo");
-  EXPECT_NE(csv.head.at(4).find("depth_m: vertical"), std::string::npos);
+  EXPECT_NE(csv.head.at(5).find("depth_m: vertical"), std::string::npos);
   result.gate_depth_is_range = true;
-  EXPECT_NE(Csv(echo_csv(result)).head.at(4).find("depth_m: range along the axis"),
+  EXPECT_NE(Csv(echo_csv(result)).head.at(5).find("depth_m: range along the axis"),
             std::string::npos);
 }
 

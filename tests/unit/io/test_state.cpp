@@ -162,6 +162,13 @@ TEST_F(WrittenState, WithOtherAttributesIsRefused) {
   EXPECT_EQ(refusal(), "a damaged result: it has no attribute weight_lost that is a number");
 }
 
+// Seen red: without that look.
+TEST_F(WrittenState, OfAnEarlierBuildIsRefused) {
+  write();
+  edit([](int group) { nc_del_att(group, NC_GLOBAL, "resting_target"); });
+  EXPECT_EQ(refusal(), "made by an earlier build of Photic, which kept other sums: start anew");
+}
+
 /// A result that is nothing but attributes, and what `add` puts into the group.
 void write_bare(const std::string& path, const std::function<void(NetcdfImage& file)>& add) {
   NetcdfImage file;

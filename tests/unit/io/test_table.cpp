@@ -40,6 +40,7 @@ tally::Result small_result() {
   result.convergence_flags = {0, 0, tally::large_error | tally::heavy_tail, tally::large_error,
                               tally::no_score};
   result.photons = 1'234'567;
+  result.channel_photons = {400'000};
   result.wall_time_s = 2;
   result.collisions = 9'000'000;
   result.threads = 1;
@@ -70,6 +71,7 @@ telescope ship
   heavy_tail                1 gate:   scores too rare to have been seen may carry more than half the error
 converged raman 2 of 5 gates
 1 234 567 photons in 2 s on 1 thread: 0.617 million photons/s, 4.5 million collisions/s
+photons of channels that met the target before others: raman 400000
 stopped by: interrupt; this is a partial result
 warning: first warning
 warning: second warning

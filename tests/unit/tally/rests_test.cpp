@@ -14,6 +14,14 @@ void add_batches(Tallies& t, int count, test::Random& random) {
   }
 }
 
+/// A hundred batches, after which row 0 rests.
+void let_the_first_rest(Tallies& t, test::Random& random) {
+  t.totals.let_rest_at(0.01);
+  add_batches(t, 100, random);
+  t.totals.decide_rests();
+  t.totals.decide_rests();
+}
+
 std::vector<bool> only_the_first(const Tallies& t) {
   std::vector<bool> rests(t.shape.rows());
   rests[0] = true;
@@ -39,10 +47,7 @@ TEST(Rests, BeginAtTheLookAfter) {
 TEST(Rests, KeepARowAsItWas) {
   Tallies t;
   test::Random random(3);
-  t.totals.let_rest_at(0.01);
-  add_batches(t, 100, random);
-  t.totals.decide_rests();
-  t.totals.decide_rests();
+  let_the_first_rest(t, random);
   const Result before = t.result();
   add_batches(t, 200, random);
   const Result after = t.result();
@@ -68,10 +73,7 @@ TEST(Rests, KeepARowAsItWas) {
 TEST(Rests, LeaveTheGrowthOfErrorsAsItIs) {
   Tallies t;
   test::Random random(3);
-  t.totals.let_rest_at(0.01);
-  add_batches(t, 100, random);
-  t.totals.decide_rests();
-  t.totals.decide_rests();
+  let_the_first_rest(t, random);
   add_batches(t, 200, random);
   t.totals.let_rest_at(0);
   add_batches(t, 400, random);

@@ -1,0 +1,33 @@
+// Means of batches and their errors, from sums alone (docs/theory.md, "Error bars").
+#pragma once
+
+#include "tally/state.hpp"
+
+namespace photic::tally {
+
+/// What a cell has been scored in.
+struct Counted {
+  double photons = 0, batches = 0;
+};
+
+/// Mean per photon.
+inline double mean(const Sums& s, const Counted& n) { return s.x / n.photons; }
+
+/// Standard error of the sum, of which every batch is a sample; 0 of a single one.
+double error_of_sum(const Sums& s, const Counted& n);
+
+/// Standard error of the mean per photon.
+inline double standard_error(const Sums& s, const Counted& n) {
+  return error_of_sum(s, n) / n.photons;
+}
+
+/// Of the variance of the mean, over its square.
+double variance_of_variance(const TailSums& s, const Counted& n);
+
+/// Standard error of the ratio of two correlated means, to first order (Cochran, Sampling
+/// Techniques, 3rd ed. (1977), chapter 6; docs/theory.md, eq. 48). The covariance follows from the
+/// error of the sum.
+double error_of_ratio(double ratio, double denominator, double error_of_numerator,
+                      double error_of_denominator, double error_of_sum);
+
+}  // namespace photic::tally

@@ -1,0 +1,145 @@
+// The totals' estimates, into a result.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/error.hpp"
+#include "tally/totals.hpp"
+
+namespace photic::tally {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Flags gates most of whose neighbours are flagged, in the rows that the flags from one cell on
+/// are made of. Weights that degenerate do so in all of them alike: a gate that seems right there
+/// lacks the rare scores.
+void flag_among_flagged(std::size_t first, std::size_t gates, std::vector<std::int32_t>& flags) {
+  constexpr std::size_t reach = 2;
+  const std::vector<std::int32_t> own = flags;
+  for (std::size_t i = first; i < own.size(); ++i) {
+    const std::size_t row = i - (i - first) % gates;
+    int flagged = 0;
+    int scored = 0;
+    for (std::size_t k = std::max(row + reach, i) - reach; k < std::min(row + gates, i + reach + 1);
+         ++k) {
+      if ((own[k] & no_score) != 0) continue;
+      ++scored;
+      flagged += own[k] != 0;
+    }
+    if (own[i] == 0 && 2 * flagged > scored) flags[i] = among_flagged;
+  }
+}
+
+}  // namespace
+
+double Totals::error_growth(std::size_t cell) const {
+  if (state_.echo[cell].low.x == 0) return nan;
+  const Counted n = counted(cell);
+  const std::size_t rows = shape_->rows(), row = shape_->row_of(cell);
+  for (std::size_t k = state_.snapshot_batches.size() / rows; k-- > 0;) {
+    const Counted then{state_.snapshot_photons[k * rows + row],
+                       state_.snapshot_batches[k * rows + row]};
+    if (4 * then.batches > n.batches) continue;
+    const double before = error_of_sum(state_.snapshot_echo[k * state_.echo.size() + cell], then) /
+                          std::sqrt(then.photons);
+    const double now = error_of_sum(state_.echo[cell].low, n) / std::sqrt(n.photons);
+    return before > 0 ? now / before : nan;
+  }
+  return nan;
+}
+
+void Totals::estimate(const Sums& sums, std::size_t cell, Estimates& out) const {
+  const Counted n = counted(cell);
+  out.mean.push_back(mean(sums, n));
+  out.standard_error.push_back(standard_error(sums, n));
+}
+
+void Totals::fill_environment(std::size_t environment, Result& result) const {
+  const std::size_t first = result.environment_convergence_flags.size();
+  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
+    const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
+    estimate(s.echo.low, cell, result.environment_echo);
+    estimate(s.difference.low, cell, result.environment_difference);
+    result.environment_convergence_flags.push_back(
+        environment_flags(cell, environment) |
+        (result.convergence_flags[cell] & ConvergenceFlag::heavy_tail));
+  }
+  flag_among_flagged(first, shape_->gates, result.environment_convergence_flags);
+}
+
+void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result) const {
+  const std::size_t first = result.sensitivity_convergence_flags.size();
+  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
+    const EnvironmentSums& s = state_.environment[cell * shape_->environments + tangent];
+    const Sums& scene = state_.echo[cell].low;
+    const Counted n = counted(cell);
+    const double echo = mean(scene, n);
+    const double change = mean(s.difference.low, n);  // p d echo / d p
+    const double error = standard_error(s.difference.low, n);
+    result.sensitivity.mean.push_back(change / value);
+    result.sensitivity.standard_error.push_back(error / std::abs(value));
+    Estimates& logarithmic = result.logarithmic_sensitivity;
+    logarithmic.mean.push_back(echo > 0 ? change / echo : nan);
+    logarithmic.standard_error.push_back(echo > 0 ? error_of_ratio(change / echo, echo, error,
+                                                                   standard_error(scene, n),
+                                                                   standard_error(s.echo.low, n))
+                                                  : nan);
+    result.sensitivity_convergence_flags.push_back(result.convergence_flags[cell] |
+                                                   tangent_flags(cell, tangent));
+  }
+  flag_among_flagged(first, shape_->gates, result.sensitivity_convergence_flags);
+}
+
+void Totals::fill(Result& result) const {
+  const auto gates = shape_->gates;
+  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
+    estimate(state_.echo[cell].low, cell, result.echo);
+    const Health h = health(cell);
+    result.convergence_flags.push_back(h.flags);
+    result.variance_of_variance.push_back(h.variance_of_variance);
+    result.error_growth.push_back(error_growth(cell));
+    result.largest_score_share.push_back(h.largest_score_share);
+    const double x = state_.echo[cell].low.x;
+    result.order_cut_share.push_back(x > 0 ? state_.cut_order[cell] / x : 0.0);
+  }
+  // The result has gates last but for the depths.
+  for (std::size_t tc = 0; tc < shape_->rows(); ++tc) {
+    result.channel_photons.push_back(state_.row[tc].photons);
+    for (std::size_t p = 0; p < shape_->processes; ++p) {
+      for (std::size_t g = 0; g < gates; ++g) {
+        const std::size_t cell = tc * gates + g;
+        estimate(state_.by_process[cell * shape_->processes + p], cell, result.echo_by_process);
+      }
+    }
+    for (std::size_t o = 0; o < shape_->orders; ++o) {
+      for (std::size_t g = 0; g < gates; ++g) {
+        const std::size_t cell = tc * gates + g;
+        estimate(state_.by_order[cell * shape_->orders + o], cell, result.echo_by_order);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < state_.by_depth.size(); ++k)
+    estimate(state_.by_depth[k], k / shape_->depths, result.echo_by_depth);
+  const std::size_t parameters = result.parameter_value.size();
+  expect(parameters <= shape_->environments, "every parameter has a tangent");
+  const std::size_t environments = shape_->environments - parameters;
+  for (std::size_t e = 0; e < environments; ++e) fill_environment(e, result);
+  for (std::size_t p = 0; p < parameters; ++p)
+    fill_sensitivity(environments + p, result.parameter_value[p], result);
+
+  const double per_photon = state_.photons > 0 ? 1.0 / static_cast<double>(state_.photons) : 0.0;
+  result.ledger = {
+      state_.ledger.absorbed * per_photon,     state_.ledger.escaped * per_photon,
+      state_.ledger.sea_bed * per_photon,      state_.ledger.cut_by_time * per_photon,
+      state_.ledger.cut_by_order * per_photon, state_.ledger.cut_by_weight * per_photon,
+      state_.ledger.roulette * per_photon,     state_.ledger.lost * per_photon};
+  result.photons = state_.photons;
+  result.batches = state_.batches;
+  result.collisions = state_.collisions;
+  result.lost_too_many_events = state_.too_many_events;
+  result.lost_not_finite = state_.not_finite;
+}
+
+}  // namespace photic::tally
