@@ -108,8 +108,7 @@ TEST(Csv, HeadSaysWhatItIs) {
             "# Photic 0.1.0, estimator forward, engine scalar, seed 1, photons 20000000 (partial: "
             "interrupted)");
   EXPECT_EQ(csv.head.at(2),
-            "# photons of channels that met the target before others: " + result.telescope_name[0] +
-                " " + result.channel_name[0] + " 400000");
+            "# photons of channels that met the target before others: wide raman 400000");
   EXPECT_EQ(csv.head.at(3), "# warning: " + result.warnings[0]);
   EXPECT_EQ(csv.head.at(4),
             "# echo: expected photons detected in the gate per photon emitted; standard_error: of "
