@@ -35,17 +35,21 @@ std::vector<double> nodes_of(const PhaseShape& shape) {
 
 /// For each entry of the guide the last cell that begins at or below all its u.
 std::vector<std::int32_t> guide_to(const std::vector<double>& cdf) {
-  std::vector<std::int32_t> guide;
-  const auto add = [&](double least_u) {
-    const auto above = std::upper_bound(cdf.begin(), cdf.end(), least_u);
-    guide.push_back(static_cast<std::int32_t>(above - cdf.begin()) - 1);
-  };
+  constexpr int half = PhaseView::half_guide;
   constexpr int first = -(PhaseView::guide_octaves << PhaseView::guide_bits);
   const auto guide_edge = [](int i) {
     return octave_edge<double>(first + i, PhaseView::guide_bits);
   };
-  for (int i = 0; i < PhaseView::half_guide; ++i) add(i == 0 ? 0 : guide_edge(i));
-  for (int i = 0; i < PhaseView::half_guide; ++i) add(1 - guide_edge(i + 1));
+  std::vector<std::int32_t> guide(PhaseView::guides);
+  // Each half with u rising, for there are hundreds of tables in a scene of many layers.
+  std::size_t last = 0;
+  const auto set = [&](int entry, double least_u) {
+    while (last + 1 < cdf.size() && cdf[last + 1] <= least_u) ++last;
+    guide[static_cast<std::size_t>(entry)] = static_cast<std::int32_t>(last);
+  };
+  for (int i = 0; i < half; ++i) set(i, i == 0 ? 0 : guide_edge(i));
+  last = 0;
+  for (int i = half; i-- > 0;) set(half + i, 1 - guide_edge(i + 1));
   return guide;
 }
 
