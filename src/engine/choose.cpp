@@ -67,6 +67,13 @@ std::vector<Contender> contenders(const scene::Scene& scene) {
   return out;
 }
 
+/// What pilots run in, whichever engine runs after them: that choices are the same, and soon made.
+/// Scores of lanes are the same by any instructions, and so but for rounding are their sums.
+std::optional<Isa> engine_of_pilots(const scene::Scene& scene, const RunOptions& options) {
+  if (!lanes_resolve(scene)) return std::nullopt;
+  return options.lanes.value_or(isas_here().back());
+}
+
 void try_out(Contender& contender, const RunOptions& options) {
   scene::Scene pilot = contender.scene;
   pilot.simulation.seed ^= pilot_stream;
@@ -78,7 +85,7 @@ void try_out(Contender& contender, const RunOptions& options) {
   quiet.threads = options.threads;
   const Problem problem = make_problem(pilot);
   Conductor conductor(pilot.simulation, quiet);
-  const tally::Totals totals = run_batches(problem, conductor, {});
+  const tally::Totals totals = run_batches(problem, conductor, engine_of_pilots(pilot, options));
   tally::Result result = describe(problem);
   totals.fill(result);
 

@@ -9,7 +9,7 @@ namespace photic::engine {
 /// The scene with an estimator and its settings in place of "auto", and the reason in
 /// Simulation::estimator_reason; any other scene as it is. Candidates are compared by pilot runs
 /// with random numbers of their own, by variances and counted operations, never by a clock: the
-/// same scene always gets the same answer. Throws what run() throws.
+/// same scene always gets the same answer, whatever engine is to run it. Throws what run() throws.
 scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options);
 
 }  // namespace photic::engine

@@ -30,6 +30,16 @@ TEST(Choose, IsTheSameOnAnyNumberOfThreads) {
   EXPECT_TRUE(chosen.simulation.estimator_reason);
 }
 
+// Seen red: with the engine in the reason.
+TEST(Choose, IsTheSameByAnyEngine) {
+  const scene::Scene chosen = choose_estimator(scene_of("auto"), {});
+  for (const Isa isa : isas_here()) {
+    RunOptions options;
+    options.lanes = isa;
+    EXPECT_EQ(choose_estimator(scene_of("auto"), options), chosen) << isa_name(isa);
+  }
+}
+
 // Without pilots: the other estimator has no tools. Seen red: with tools overlooked.
 TEST(Choose, TakesTheForwardEstimatorForTools) {
   scene::Scene asked = scene_of("auto");
