@@ -2,6 +2,7 @@
 // cleared.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -64,21 +65,23 @@ class BatchTally {
  public:
   BatchTally(const Shape& shape, const Gates& gates);
 
-  void score(const Score& s) { add(s); }
+  void score(const Score& s) {
+    each_gate(s, [&](std::int32_t gate, double part) {
+      each_cell(s, gate, [&](std::size_t cell, double share) { add(s, cell, part * share); });
+    });
+  }
   /// The same with environments, in which the score is ratios[e] times as large; there are whole
   /// groups of EnvironmentScores::size of them, the last ones perhaps of no environment.
   template <class Number>
   void score(const Score& s, const Number* ratios) {
-    for (const auto& [gate, part] : add(s)) {
-      for (const auto& [channel, share] :
-           shape_->channels_of_line[static_cast<std::size_t>(s.line)]) {
-        const std::size_t cell = shape_->cell(s.telescope, static_cast<std::size_t>(channel),
-                                              static_cast<std::size_t>(gate));
+    each_gate(s, [&](std::int32_t gate, double part) {
+      each_cell(s, gate, [&](std::size_t cell, double share) {
+        if (!add(s, cell, part * share)) return;
         for (std::size_t g = 0; g < environment_groups; ++g)
-          environment[cell * environment_groups + g].add(s.value * part * share,
+          environment[cell * environment_groups + g].add(s.value * (part * share),
                                                          ratios + g * EnvironmentScores::size);
-      }
-    }
+      });
+    });
   }
   void clear();
 
@@ -101,15 +104,67 @@ class BatchTally {
   std::uint64_t photons = 0, collisions = 0, scores = 0, too_many_events = 0, not_finite = 0;
 
  private:
-  /// Tells the gates that it counts in, until the next score.
-  std::span<const GateShare> add(const Score& s);
-  /// The gates that it falls into, until the next score.
-  std::span<const GateShare> gates_of(const Score& s);
+  /// Light of one line, as scores need it.
+  struct Light {
+    std::size_t process = 0;
+    std::span<const Counting> counting;
+    const Decay* decay = nullptr;  ///< none: all of it is emitted at once
+  };
+
+  /// Calls act(gate, share) for the gates that a score falls into, if it is one.
+  template <class Act>
+  void each_gate(const Score& s, Act act) {
+    ++scores;
+    if (!(s.value > 0)) {
+      if (std::isnan(s.value)) ++not_finite;
+      return;
+    }
+    if (const Decay* decay = light_[static_cast<std::size_t>(s.line)].decay) {
+      decay->spread(s.path, *gates_, shares_);
+      for (const auto& [gate, share] : shares_) act(gate, share);
+    } else if (const std::int32_t gate = gates_->find(s.path); gate >= 0) {
+      act(gate, 1.0);
+    }
+  }
+  /// Calls act(cell, share) for the channels that count a score.
+  template <class Act>
+  void each_cell(const Score& s, std::int32_t gate, Act act) const {
+    for (const auto& [channel, share] : light_[static_cast<std::size_t>(s.line)].counting)
+      act(shape_->cell(s.telescope, static_cast<std::size_t>(channel),
+                       static_cast<std::size_t>(gate)),
+          share);
+  }
+  /// Adds a share of a score to a cell. Tells whether its echo has it.
+  bool add(const Score& s, std::size_t cell, double share);
 
   const Shape* shape_;
   const Gates* gates_;
-  GateShare whole_;                ///< of the last score, emitted at once
-  std::vector<GateShare> shares_;  ///< of the last score that was not
+  std::vector<Light> light_;       ///< [line]
+  std::int32_t last_order_;        ///< beyond it scores are cut off
+  std::vector<GateShare> shares_;  ///< of the last score that was not emitted at once
 };
+
+inline bool BatchTally::add(const Score& s, std::size_t cell, double share) {
+  const double value = s.value * share;
+  if (!(value > 0)) return false;  // a share of nothing: the cell would be touched twice
+  if (largest[cell] == 0 && cut_order[cell] == 0)
+    touched_cells.push_back(static_cast<std::uint32_t>(cell));
+  if (s.order > last_order_) {
+    cut_order[cell] += value;
+    return false;
+  }
+  const std::size_t order = std::min(static_cast<std::size_t>(s.order), shape_->orders) - 1;
+  by_order[cell * shape_->orders + order] += value;
+  by_process[cell * shape_->processes + light_[static_cast<std::size_t>(s.line)].process] += value;
+  largest[cell] = std::max(largest[cell], value);
+  ++octaves[cell][static_cast<std::size_t>(score_octave(value))];
+  const double depth = (s.depth - shape_->depth_min) * shape_->per_depth_step;
+  if (depth >= 0 && depth < static_cast<double>(shape_->depths)) {
+    const std::size_t k = cell * shape_->depths + static_cast<std::size_t>(depth);
+    if (by_depth[k] == 0) touched_depths.push_back(static_cast<std::uint32_t>(k));
+    by_depth[k] += value;
+  }
+  return true;
+}
 
 }  // namespace photic::tally
