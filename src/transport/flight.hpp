@@ -20,25 +20,25 @@ struct FlightEnd {
   T length{};       ///< of the flight [m]
 };                  ///< neither: it collides where it stands
 
-/// The layer in which the vertical optical depth `target` lies (the first or the last if in none),
-/// for a photon from a layer; that one where it is on its edge. By halving, for among many lanes
-/// one always has far to go. `row` is where the line's depths begin.
+/// The layer in which a coordinate lies that grows with depth (the first or the last if in none),
+/// as `top` has it of the layers' upper edges from entry `row` on, and of the sea bed; on an edge
+/// it is `from`, if that is one of the two, else the upper one. By halving, for among many lanes
+/// one always has far to go.
 template <class T>
-Index<T> layer_of_walk_tau(const medium::MediumView& sea, const Index<T>& row, const Index<T>& from,
-                           const T& target) {
+Index<T> layer_of(const medium::MediumView& sea, const ShortTable& top, const Index<T>& row,
+                  const Index<T>& from, const T& coordinate) {
   const Index<T> last(sea.layers - 1);
-  const Mask<T> not_above =
-      (from == Index<T>(0)) | (target >= gather<T>(sea.walk_depth_tau, row + from));
+  const Mask<T> not_above = (from == Index<T>(0)) | (coordinate >= gather<T>(top, row + from));
   const Mask<T> not_below =
-      (from == last) | (target <= gather<T>(sea.walk_depth_tau, row + from + Index<T>(1)));
+      (from == last) | (coordinate <= gather<T>(top, row + from + Index<T>(1)));
   const Mask<T> stays = not_above & not_below;
   if (all(stays)) return from;
   Index<T> layer(0);
   for (auto step = std::bit_floor(static_cast<std::uint32_t>(sea.layers)); step > 0; step >>= 1) {
     const Index<T> next = layer + Index<T>(step);
     const Mask<T> exists = next <= last;
-    const T top = gather<T>(sea.walk_depth_tau, row + select(exists, next, last));
-    layer = select(exists & (target > top), next, layer);
+    const T upper_edge = gather<T>(top, row + select(exists, next, last));
+    layer = select(exists & (coordinate > upper_edge), next, layer);
   }
   return select(stays, from, layer);
 }
@@ -55,7 +55,7 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
   const T target = sea.walk_optical_depth<T>(photon.line, photon.layer, depth) + free_path * down;
 
   const Index<T> row = photon.line * Index<T>(sea.layers + 1);
-  const Index<T> layer = layer_of_walk_tau(sea, row, photon.layer, target);
+  const Index<T> layer = layer_of(sea, sea.walk_depth_tau, row, photon.layer, target);
   FlightEnd<T> end;
   end.surface = (target <= T(0)) & (down < T(0));
   end.sea_bed = target > gather<T>(sea.walk_depth_tau, row + Index<T>(sea.layers));
@@ -89,16 +89,10 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
   return end;
 }
 
-/// The layer of a depth, from a layer nearby on.
+/// The layer of a depth; on an edge as layer_of() has it.
 template <class T>
-Index<T> layer_at(const medium::MediumView& sea, Index<T> layer, const T& depth) {
-  const Index<T> last(sea.layers - 1);
-  for (;;) {
-    const Mask<T> deeper = (layer < last) & (depth > gather<T>(sea.top, layer + Index<T>(1)));
-    const Mask<T> higher = (layer > Index<T>(0)) & (depth < gather<T>(sea.top, layer));
-    if (!any(deeper | higher)) return layer;
-    layer = layer + select(deeper, Index<T>(1), select(higher, Index<T>(-1), Index<T>(0)));
-  }
+Index<T> layer_at(const medium::MediumView& sea, const Index<T>& from, const T& depth) {
+  return layer_of(sea, sea.top, Index<T>(0), from, depth);
 }
 
 /// Moves a photon by a distance, whatever it passes. Tells whether it is still in the water.
