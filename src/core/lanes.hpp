@@ -73,7 +73,7 @@ struct Table {
 
 /// The same of a table that is often so short that a pack has it in its registers. The floats are
 /// readable beyond the end, up to a multiple of `table_padding`.
-inline constexpr std::size_t table_padding = 16;
+inline constexpr std::size_t table_padding = 64;
 struct ShortTable : Table {
   std::int32_t size = 0;
 };

@@ -32,32 +32,7 @@ Vector<E, N> gather(const E* data, const Vector<std::int32_t, N>& index) {
   return out;
 }
 
-/// The same of a table that is readable up to a multiple of 64 bytes: from registers where it is
-/// short.
-template <int N, class E>
-Vector<E, N> gather_short(const E* data, std::int32_t size, const Vector<std::int32_t, N>& index) {
-  static_assert(sizeof(E) == 4);
-#if defined(__AVX512F__)
-  if constexpr (N == 16) {
-    if (size <= 16) {
-      return (Vector<E, N>)_mm512_permutexvar_epi32((__m512i)index, _mm512_loadu_si512(data));
-    }
-  }
-#endif
-#if defined(__AVX2__)
-  if constexpr (N == 8) {
-    if (size <= 8) {
-      __m256i table;
-      std::memcpy(&table, data, sizeof table);
-      return (Vector<E, N>)_mm256_permutevar8x32_epi32(table, (__m256i)index);
-    }
-  }
-#endif
-  static_cast<void>(size);
-  return gather<N, E>(data, index);
-}
-
-/// The same of a table of exactly 64 numbers.
+/// The same of a table of 64 numbers.
 template <int N, class E>
 Vector<E, N> gather_64(const E* data, const Vector<std::int32_t, N>& index) {
 #if defined(__AVX512F__)
@@ -70,6 +45,32 @@ Vector<E, N> gather_64(const E* data, const Vector<std::int32_t, N>& index) {
     return (Vector<E, N>)_mm512_mask_blend_epi32(upper, half(data), half(data + 32));
   }
 #endif
+  return gather<N, E>(data, index);
+}
+
+/// The same of a table of so many numbers, readable up to a multiple of 64 of them: from registers
+/// where it is short.
+template <int N, class E>
+Vector<E, N> gather_short(const E* data, std::int32_t size, const Vector<std::int32_t, N>& index) {
+  static_assert(sizeof(E) == 4);
+#if defined(__AVX512F__)
+  if constexpr (N == 16) {
+    if (size <= 16) {
+      return (Vector<E, N>)_mm512_permutexvar_epi32((__m512i)index, _mm512_loadu_si512(data));
+    }
+    if (size <= 64) return gather_64<N, E>(data, index);
+  }
+#endif
+#if defined(__AVX2__)
+  if constexpr (N == 8) {
+    if (size <= 8) {
+      __m256i table;
+      std::memcpy(&table, data, sizeof table);
+      return (Vector<E, N>)_mm256_permutevar8x32_epi32(table, (__m256i)index);
+    }
+  }
+#endif
+  static_cast<void>(size);
   return gather<N, E>(data, index);
 }
 
