@@ -54,9 +54,14 @@ PHOTIC_FLATTEN void Connections<T>::shifted(std::size_t laser, std::size_t back)
 /// The rays again that each_pair had found.
 template <class T>
 Pair<T> Connections<T>::pair_of(const RayEnds<T>& ends) const {
+  const auto axis = back_.axis(ends.back);
   Pair<T> pair{laser_.ray(ends.laser, ends.i),
                back_.ray(ends.back, ends.m),
+               laser_.outset(ends.laser).spread,
                back_.outset(ends.back),
+               select(axis.exists, Index<T>(1), Index<T>(0)),
+               axis.x,
+               axis.y,
                ends,
                {}};
   const Mask<T> home = ends.reflected >= Index<T>(2);
@@ -81,7 +86,7 @@ PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const M
                            sight(telescope_, lens, -pair.outset.outward).on_detector;
     if (!any(passes)) return;
     const Vec3<T> shift = in_space(telescope_, lens) - in_space(telescope_, pair.outset.lens);
-    transport::Vertical<T> axis = back_.axis(pair.ends.back);
+    transport::Vertical<T> axis = pair.axis();
     axis.x = axis.x + shift.x;
     axis.y = axis.y + shift.y;
     meet_at(pair, passes, pair.back, axis, depth, T(1));
@@ -112,7 +117,7 @@ template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_crossings(const RayEnds<T>& ends, const Mask<T>& mask,
                                                     std::size_t which) {
   const Pair<T> pair = pair_of(ends);
-  const auto axis = back_.axis(ends.back);
+  const auto axis = pair.axis();
   const T depth = transport::crossings(pair.out, pair.back, axis, world_.deepest).depth[which];
   const auto turn = transport::turn_to_meet(pair.out, pair.back, axis, depth);
   Ray moved = pair.back;
@@ -131,20 +136,23 @@ PHOTIC_FLATTEN void Connections<T>::serve_crossings(const RayEnds<T>& ends, cons
 template <class T>
 void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Ray& moved,
                              const transport::Vertical<T>& axis, const T& depth, const T& gain) {
-  const auto& [out, back, outset, ends, lens] = pair;
+  const Ray& out = pair.out;
+  const auto& outset = pair.outset;
+  const auto& ends = pair.ends;
   const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
-  const Mask<T> emitting = mask & emits(back.line, layer);
+  const Mask<T> emitting = mask & emits(moved.line, layer);
   if (!any(emitting)) return;
   const T reach = (-depth - out.position.z) / out.direction.z;
   const transport::Freedom<T> freedom{
       outset.shift_area,
-      axis_or(back.line > Index<T>(0), axis, out.position + reach * out.direction)};
+      axis_or(moved.line > Index<T>(0), axis, out.position + reach * out.direction)};
   const auto in_path = usable(ends.i + ends.m + Index<T>(1));
-  auto home =
-      back_.side(back, ends.back, ends.m, in_path, {outset.shift_area, back_.axis(ends.back)});
+  auto home = back_.side(pair.back, outset.spread, ends.back, ends.m, in_path,
+                         {outset.shift_area, pair.axis()});
   home.ray = moved;
-  const auto meeting = meet(sea_, laser_.side(out, ends.laser, ends.i, in_path, freedom), home,
-                            depth, layer, freedom, world_.reversal, samples_);
+  const auto meeting =
+      meet(sea_, laser_.side(out, pair.spread, ends.laser, ends.i, in_path, freedom), home, depth,
+           layer, freedom, world_.reversal, samples_);
   if (world_.compares) [[unlikely]]
     complete_by_meeting(out, moved, depth, layer);
   score(pair.ends, Walked::both, emitting & (meeting.path < world_.last_path), gain * meeting.value,

@@ -53,15 +53,25 @@ struct RayEnds : Ends<T> {
 template <class T>
 struct Pair {
   transport::Ray<T> out, back;
-  Outset<T> outset;  ///< of the telescope's walk
+  transport::Spread<T> spread;  ///< of the laser's walk
+  Outset<T> outset;             ///< of the telescope's walk
+  Index<T> turns{};             ///< 1: it may be turned about the vertical at ...
+  T axis_x{}, axis_y{};
   RayEnds<T> ends;
   transport::LensLine<T> lens;  ///< where it comes through, if it is shifted
+
+  /// About which the telescope's walk may be turned.
+  [[nodiscard]] transport::Vertical<T> axis() const {
+    return {turns == Index<T>(1), axis_x, axis_y};
+  }
 
   template <class F>
   void each_member(F f) {
     out.each_member(f);
     back.each_member(f);
+    spread.each_member(f);
     outset.each_member(f);
+    f(turns), f(axis_x), f(axis_y);
     ends.each_member(f);
     f(lens.at_surface.x), f(lens.at_surface.y), f(lens.per_depth.x), f(lens.per_depth.y);
   }

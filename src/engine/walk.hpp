@@ -44,7 +44,7 @@ struct Outset {
   static constexpr std::size_t members = 10;
   template <class F>
   void each_member(F f) {
-    f(spread.before), f(spread.cos_air), f(spread.solid_angle);
+    spread.each_member(f);
     f(lens.x), f(lens.y), f(outward.x), f(outward.y), f(outward.z);
     f(shift_area), f(grid_offset);
   }
@@ -188,12 +188,13 @@ class Walks {
       sum = sum + select(before & usable.meeting(k), density, T(0));
     }
   }
-  /// Ray m as one side of a meeting. `freedom`: of the telescope's walk, as this walk sees it.
-  [[nodiscard]] transport::Side<T> side(const Ray& ray, const Index<T>& walk, const Index<T>& m,
+  /// Ray m as one side of a meeting. `spread`: of the walk's first ray; `freedom`: of the
+  /// telescope's walk, as this walk sees it.
+  [[nodiscard]] transport::Side<T> side(const Ray& ray, const transport::Spread<T>& spread,
+                                        const Index<T>& walk, const Index<T>& m,
                                         const Usable<T>& usable,
                                         const transport::Freedom<T>& freedom) const {
-    transport::Side<T> side{ray, m == Index<T>(0), {}};
-    if (any(side.first)) side.spread = outset(walk).spread;
+    transport::Side<T> side{ray, m == Index<T>(0), spread};
     side.behind = behind(ray, walk, m, usable).all(freedom.shift_area);
     if (!from_telescope_)
       side.behind = side.behind + turned_before(walk, m - Index<T>(1), usable, freedom.axis);

@@ -138,6 +138,11 @@ struct Spread {
   T before{};       ///< length from that point to where the ray in the water begins [m]
   T cos_air{1};     ///< of the ray in the air, to the vertical
   T solid_angle{};  ///< [sr]; 0: parallel rays, which no connection can meet
+
+  template <class F>
+  void each_member(F f) {
+    f(before), f(cos_air), f(solid_angle);
+  }
 };
 
 /// Solid angle at the instrument's point per area across the ray in the water [1/m^2].
