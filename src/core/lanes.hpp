@@ -168,6 +168,12 @@ template <std::floating_point T>
 std::uint32_t gather_word(const std::uint32_t* data, std::int32_t i) {
   return data[i];
 }
+template <int n, std::floating_point T>
+std::array<std::uint32_t, n> gather_word_row(const std::uint32_t* data, std::int32_t first) {
+  std::array<std::uint32_t, n> out;
+  for (std::size_t k = 0; k < n; ++k) out[k] = data[static_cast<std::size_t>(first) + k];
+  return out;
+}
 
 /// to[i] = value in the lanes of a mask, in their order.
 template <class V>

@@ -105,6 +105,22 @@ Counter<T> to_counter(const Index<T>& i) {
   };
   return {part(false), part(true)};
 }
+/// The lower and the upper words of counters, and back.
+template <class T>
+  requires is_pack<T>
+std::array<Index<T>, 2> words_of(const Counter<T>& counter) {
+  const auto lower = [](const Counter<T>& c) {
+    return Index<T>::of(native::low_words<T::lanes>(c.first.v, c.second.v));
+  };
+  return {lower(counter), lower(counter >> 32)};
+}
+template <class T>
+  requires is_pack<T>
+Counter<T> counter_of(const Index<T>& lower, const Index<T>& upper) {
+  using Half = typename Counter<T>::Half;
+  const auto words = native::in_turn<T::lanes>(lower.v, upper.v);
+  return {Half::of(words[0]), Half::of(words[1])};
+}
 template <class T>
   requires is_pack<T>
 T uniform_from_word(const Word<T>& word) {

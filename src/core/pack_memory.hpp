@@ -93,6 +93,11 @@ Pack<E, N> permute(const Pack<E, N>& from, const Pack<std::int32_t, N>& lane) {
   return Pack<E, N>::of(native::permute<N, E>(from.v, lane.v));
 }
 
+template <int N>
+Pack<std::uint32_t, N> reversed_bits(const Pack<std::uint32_t, N>& words) {
+  return Pack<std::uint32_t, N>::of(native::reversed_bits<N>(words.v));
+}
+
 /// Up to N numbers are written.
 template <class E, int N>
 void compress(const PackMask<N>& mask, const Pack<E, N>& lanes, E* to) {
@@ -108,6 +113,14 @@ template <class T>
   requires is_pack<T>
 Word<T> gather_word(const std::uint32_t* data, const Index<T>& i) {
   return Word<T>::of(native::gather<T::lanes>(data, i.v));
+}
+template <int n, class T>
+  requires is_pack<T>
+std::array<Word<T>, n> gather_word_row(const std::uint32_t* data, const Index<T>& first) {
+  std::array<Word<T>, n> out;
+  const auto rows = native::gather_row<n, T::lanes>(data, first.v);
+  for (std::size_t k = 0; k < n; ++k) out[k] = Word<T>::of(rows[k]);
+  return out;
 }
 template <class E, int N>
 void scatter(const PackMask<N>& mask, const Pack<std::int32_t, N>& i, const Pack<E, N>& value,

@@ -10,6 +10,7 @@
 #include <immintrin.h>
 #endif
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -223,6 +224,20 @@ Vector<std::int32_t, N> low_words(const Vector<std::uint64_t, N / 2>& first,
   using Words = Vector<std::int32_t, N>;
   const auto pick = [&]<std::size_t... i>(std::index_sequence<i...>) {
     return __builtin_shufflevector((Words)first, (Words)second, static_cast<int>(2 * i)...);
+  };
+  return pick(std::make_index_sequence<N>{});
+}
+
+/// Lanes of two vectors in turn, as words of 64-bit lanes: the lower words first.
+template <int N>
+std::array<Vector<std::uint64_t, N / 2>, 2> in_turn(const Vector<std::int32_t, N>& lower,
+                                                    const Vector<std::int32_t, N>& upper) {
+  const auto pick = [&]<std::size_t... i>(std::index_sequence<i...>) {
+    using Wide = Vector<std::uint64_t, N / 2>;
+    return std::array<Wide, 2>{
+        (Wide)__builtin_shufflevector(lower, upper, static_cast<int>(i / 2 + i % 2 * N)...),
+        (Wide)__builtin_shufflevector(lower, upper,
+                                      static_cast<int>(N / 2 + i / 2 + i % 2 * N)...)};
   };
   return pick(std::make_index_sequence<N>{});
 }

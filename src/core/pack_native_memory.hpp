@@ -11,6 +11,7 @@
 
 #include "core/lanes.hpp"
 #include "core/pack_native.hpp"
+#include "core/sobol.hpp"
 
 namespace photic::native {
 
@@ -87,16 +88,16 @@ inline __m512 last_in_turn(__m512 a, __m512 b) { return _mm512_unpackhi_ps(a, b)
 
 /// data[first] … data[first + n - 1], lane by lane: by one load for each lane, where lanes are
 /// many.
-template <int n, int N>
-std::array<Vector<float, N>, n> gather_row(const float* data,
-                                           const Vector<std::int32_t, N>& first) {
-  static_assert(n == 2 || n == 4);
-  std::array<Vector<float, N>, n> out;
+template <int n, int N, class E>
+std::array<Vector<E, N>, n> gather_row(const E* data, const Vector<std::int32_t, N>& first) {
+  static_assert((n == 2 || n == 4) && sizeof(E) == 4);
+  std::array<Vector<E, N>, n> out;
 #if defined(__AVX2__)
   if constexpr (N == float_lanes) {
     const auto row = [&](int lane) {
-      const float* from = data + first[lane];
-      if constexpr (n == 4) return _mm_loadu_ps(from);
+      const E* from = data + first[lane];
+      if constexpr (n == 4)
+        return _mm_castsi128_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)));
       return _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)));
     };
     // Rows of lanes that are four apart, one behind the other.
@@ -110,12 +111,12 @@ std::array<Vector<float, N>, n> gather_row(const float* data,
     };
     const auto row0 = rows(0), row1 = rows(1), row2 = rows(2), row3 = rows(3);
     const auto even = first_in_turn(row0, row2), odd = first_in_turn(row1, row3);
-    out[0] = (Vector<float, N>)first_in_turn(even, odd);
-    out[1] = (Vector<float, N>)last_in_turn(even, odd);
+    out[0] = (Vector<E, N>)first_in_turn(even, odd);
+    out[1] = (Vector<E, N>)last_in_turn(even, odd);
     if constexpr (n == 4) {
       const auto upper_even = last_in_turn(row0, row2), upper_odd = last_in_turn(row1, row3);
-      out[2] = (Vector<float, N>)first_in_turn(upper_even, upper_odd);
-      out[3] = (Vector<float, N>)last_in_turn(upper_even, upper_odd);
+      out[2] = (Vector<E, N>)first_in_turn(upper_even, upper_odd);
+      out[3] = (Vector<E, N>)last_in_turn(upper_even, upper_odd);
     }
     return out;
   }
@@ -206,6 +207,61 @@ Vector<E, N> expand(MaskBits<N> mask, Vector<E, N> lanes, const E* from) {
   for (std::uint32_t left = bits<N>(mask); left != 0; left &= left - 1)
     lanes[std::countr_zero(left)] = *from++;
   return lanes;
+}
+
+#if defined(__AVX2__)
+/// What bytes become that are read backwards: the halves of a byte by two tables, then the bytes.
+struct BackwardsTables {
+  alignas(16) std::array<std::uint8_t, 16> of_upper_half{}, of_lower_half{}, of_bytes{};
+  constexpr BackwardsTables() {
+    for (std::size_t i = 0; i < 16; ++i) {
+      std::uint8_t turned = 0;
+      for (std::size_t bit = 0; bit < 4; ++bit)
+        if ((i >> bit & 1U) != 0) turned |= static_cast<std::uint8_t>(8U >> bit);
+      of_upper_half[i] = turned;
+      of_lower_half[i] = static_cast<std::uint8_t>(turned << 4);
+      of_bytes[i] = static_cast<std::uint8_t>(i / 4 * 4 + 3 - i % 4);
+    }
+  }
+};
+inline constexpr BackwardsTables backwards;
+#endif
+
+/// The bits of words read backwards.
+template <int N>
+Vector<std::uint32_t, N> reversed_bits(const Vector<std::uint32_t, N>& words) {
+#if defined(__AVX2__)
+  const auto table = [](const auto& bytes) {
+    return _mm_load_si128(reinterpret_cast<const __m128i*>(bytes.data()));
+  };
+#if defined(__AVX512BW__)
+  if constexpr (N == 16) {
+    const auto of = [&](const auto& bytes, __m512i i) {
+      return _mm512_shuffle_epi8(_mm512_broadcast_i32x4(table(bytes)), i);
+    };
+    const auto v = (__m512i)words, half = _mm512_set1_epi8(15);
+    const __m512i lower = of(backwards.of_lower_half, _mm512_and_si512(v, half));
+    const __m512i upper =
+        of(backwards.of_upper_half, _mm512_and_si512(_mm512_srli_epi16(v, 4), half));
+    const __m512i bytes = _mm512_broadcast_i32x4(table(backwards.of_bytes));
+    return (Vector<std::uint32_t, N>)_mm512_shuffle_epi8(_mm512_or_si512(lower, upper), bytes);
+  }
+#endif
+  if constexpr (N == 8) {
+    const auto of = [&](const auto& bytes, __m256i i) {
+      return _mm256_shuffle_epi8(_mm256_broadcastsi128_si256(table(bytes)), i);
+    };
+    const auto v = (__m256i)words, half = _mm256_set1_epi8(15);
+    const __m256i lower = of(backwards.of_lower_half, _mm256_and_si256(v, half));
+    const __m256i upper =
+        of(backwards.of_upper_half, _mm256_and_si256(_mm256_srli_epi16(v, 4), half));
+    const __m256i bytes = _mm256_broadcastsi128_si256(table(backwards.of_bytes));
+    return (Vector<std::uint32_t, N>)_mm256_shuffle_epi8(_mm256_or_si256(lower, upper), bytes);
+  }
+#endif
+  Vector<std::uint32_t, N> out;
+  for (int i = 0; i < N; ++i) out[i] = photic::reversed_bits(std::uint32_t{words[i]});
+  return out;
 }
 
 /// to[index] = the value, in the lanes of a mask.

@@ -41,6 +41,13 @@ constexpr T uniform_from(std::uint64_t word) {
   return uniform_from_word<T>(static_cast<std::uint32_t>(word));
 }
 
+/// What the choice u < share leaves of an even u: even again, whatever was chosen.
+template <class T>
+T left_of_choice(const T& u, const T& share) {
+  const Mask<T> chosen = u < share;
+  return select(chosen, u, u - share) / select(chosen, share, T(1) - share);
+}
+
 /// The numbers of two words.
 template <class T>
 std::array<T, 2> uniforms_from(const WordPair<Counter<T>>& words) {

@@ -16,7 +16,7 @@ class SobolPoints {
   SobolPoints(std::size_t points, std::size_t dimensions);
 
   [[nodiscard]] std::size_t dimensions() const { return dimensions_; }
-  /// Coordinate d of point p is number p * dimensions() + d.
+  /// Coordinate d of point p is number p * dimensions() + d, its bits reversed: for scrambled().
   [[nodiscard]] const std::uint32_t* words() const { return words_.data(); }
 
  private:
@@ -34,13 +34,14 @@ constexpr W reversed_bits(W word) {
   return ((word >> 1) & W(0x55555555)) | ((word & W(0x55555555)) << 1);
 }
 
-/// One coordinate of a point after Owen's scrambling (Owen, in: Monte Carlo and Quasi-Monte Carlo
-/// Methods, 1995), each bit turned or not by what `key` makes of the bits above it: as Burley does
-/// (J. Comput. Graph. Tech. 9(4), 1, 2020), with the mixing of Vegdahl (Building a better LK hash,
-/// 2021), since that of Laine and Karras leaves neighbours alike.
+/// One coordinate of a point, given with its bits reversed, after Owen's scrambling (Owen, in:
+/// Monte Carlo and Quasi-Monte Carlo Methods, 1995), each bit turned or not by what `key` makes of
+/// the bits above it: as Burley does (J. Comput. Graph. Tech. 9(4), 1, 2020), with the mixing of
+/// Vegdahl (Building a better LK hash, 2021), since that of Laine and Karras leaves neighbours
+/// alike.
 template <class W>
-constexpr W scrambled(const W& word, const W& key) {
-  W x = reversed_bits(word);  // now each step lets bits change those above only
+constexpr W scrambled(const W& reversed, const W& key) {
+  W x = reversed;  // each step lets bits change those above only
   x = x ^ (x * W(0x3d20adea));
   x = x + key;
   x = x * ((key >> 16) | W(1));

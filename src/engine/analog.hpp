@@ -81,11 +81,12 @@ Mask<T> emerge(const World<T>& world, const transport::Photon<T>& photon, const 
   return leaves;
 }
 
-/// From one collision to the next, by way of the surface if need be. Tells who goes on.
+/// From one collision to the next, by way of the surface if need be.
 template <class T, class Ledger>
-Mask<T> analog_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
-                     tally::BatchTally& tally) {
+void analog_event(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
+                  tally::BatchTally& tally) {
   transport::Photon<T>& photon = travellers.photon;
+  Mask<T> on = travellers.on;
   travellers.place.event = travellers.place.event + Index<T>(1);
   const auto u = uniforms(travellers.place, 0), v = uniforms(travellers.place, 1);
   const T depth = -photon.position.z;
@@ -118,7 +119,7 @@ Mask<T> analog_event(const World<T>& world, Travellers<T>& travellers, Mask<T> o
   const Mask<T> worn = stays & (travellers.place.event >= Index<T>(most_events));
   tally.too_many_events += count(worn);
   book(ledger.lost, worn, photon.weight);
-  return stays & !worn;
+  travellers.on = stays & !worn;
 }
 
 }  // namespace photic::engine

@@ -1,5 +1,5 @@
-// The random numbers of the bidirectional estimator's walks: Philox, or for a walk's first events
-// points that a whole batch spreads evenly.
+// The random numbers of photons and of the bidirectional estimator's walks: Philox, or for the
+// first events points that a whole batch spreads evenly.
 #pragma once
 
 #include <array>
@@ -11,10 +11,13 @@
 
 namespace photic::engine {
 
+/// Blocks of a photon's event 0, from here on: of the points of the telescopes' lenses.
+inline constexpr std::uint32_t lens_block = 1;
+
 /// Blocks from here on hold the keys that scramble the points of a batch; walks draw below.
 inline constexpr std::uint32_t key_blocks = std::uint32_t{1} << 31;
 
-/// The uniforms of a batch's walks from the laser, or from one of the telescopes.
+/// The uniforms of a batch's photons, or walks from the laser or from one of the telescopes.
 template <class T>
 class Draws {
  public:
@@ -32,22 +35,45 @@ class Draws {
     }
   }
 
-  /// Of an event of the walk that goes with the batch's photon n.
+  /// The number of the batch's photon n.
+  [[nodiscard]] Counter<T> photon(const Index<T>& n) const {
+    return Counter<T>(batch_) + to_counter<T>(n);
+  }
+
+  /// Of an event of the batch's photon n, or of the walk that goes with it.
   [[nodiscard]] std::array<T, 4> operator()(const Index<T>& n, const Index<T>& event,
                                             std::uint32_t block) const {
-    const Mask<T> early = event < Index<T>(spread() ? quasi_random_events : 0);
+    const Mask<T> early = event < Index<T>(spread_events(block));
     if (all(early)) return from_points(n, event, block);
-    auto u =
-        uniforms<T>(world_.key, Counter<T>(batch_) + to_counter<T>(n), event, first_block_ + block);
+    auto u = independent(n, event, block);
     if (!any(early)) return u;
     const auto v = from_points(n, select(early, event, Index<T>(0)), block);
     for (std::size_t i = 0; i < u.size(); ++i) u[i] = select(early, v[i], u[i]);
     return u;
   }
+  /// Of the same event in all lanes.
+  [[nodiscard]] std::array<T, 4> together(const Index<T>& n, std::int32_t event,
+                                          std::uint32_t block) const {
+    if (event >= spread_events(block)) return independent(n, Index<T>(event), block);
+    const std::int32_t first = 4 * (event * quasi_random_blocks + first_slot_ + block);
+    const Index<T> point = n * Index<T>(quasi_random_dimensions) + Index<T>(first);
+    const auto word = gather_word_row<4, T>(world_.points.words(), point);
+    std::array<T, 4> u;
+    for (std::size_t i = 0; i < u.size(); ++i)
+      u[i] = uniform_from_word<T>(scrambled(word[i], Word<T>(keys_[first + i])));
+    return u;
+  }
 
  private:
   [[nodiscard]] bool spread() const { return world_.points.dimensions() > 0; }
-
+  /// So many events have their numbers of a block from points.
+  [[nodiscard]] std::int32_t spread_events(std::uint32_t block) const {
+    return spread() && first_slot_ + block < quasi_random_blocks ? quasi_random_events : 0;
+  }
+  [[nodiscard]] std::array<T, 4> independent(const Index<T>& n, const Index<T>& event,
+                                             std::uint32_t block) const {
+    return uniforms<T>(world_.key, photon(n), event, first_block_ + block);
+  }
   [[nodiscard]] std::array<T, 4> from_points(const Index<T>& n, const Index<T>& event,
                                              std::uint32_t block) const {
     const Index<T> first =
@@ -68,7 +94,7 @@ class Draws {
   std::array<std::uint32_t, quasi_random_dimensions> keys_{};  ///< of each coordinate
 };
 
-/// Of the laser's walks; a telescope's have the blocks above.
+/// Of photons and the laser's walks; a telescope's have the blocks above.
 template <class T>
 Draws<T> draws_of_laser(const World<T>& world, std::uint64_t batch) {
   return {world, batch, 0, 0};

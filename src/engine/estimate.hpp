@@ -22,10 +22,11 @@ inline constexpr int target_capacity = 16;
 template <class T>
 using Targets = transport::Targets<T, target_capacity>;
 
-/// Photons on their way, one in each lane.
+/// Photons on their way, one in each lane, and the event that they are in.
 template <class T>
 struct Travellers {
-  explicit Travellers(const World<T>& world) : place{world.key, {}, {}} {}
+  explicit Travellers(const World<T>& world)
+      : place{world.key, {}, {}}, lens(world.single_rays ? world.telescopes.size() : 0) {}
 
   transport::Photon<T> photon;
   RandomPlace<T> place;
@@ -33,25 +34,15 @@ struct Travellers {
   std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
                                                 ///< part in local estimates of single rays
   transport::Ratios<T> ratios;                  ///< of their weights in environments
-  T analog_before{}, importance_before{};       ///< the event, for tools that ask
+
+  Mask<T> on{};  ///< who is on the way
+  // Of the event:
+  std::array<T, 4> u{}, choices{}, forced{};  ///< numbers: of all events, and where they are asked
+                                              ///< for, of choices and of forced collisions
+  Mask<T> colliding{};                        ///< whose flight ends so
+  T analog_before{}, importance_before{};     ///< the flight, for tools that ask
   Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
 };
-
-/// Another block of an event's numbers, for what not every event needs. Apart: the loop's registers
-/// would hold what the blocks have in common.
-template <class T>
-PHOTIC_APART std::array<T, 4> more_uniforms(const RandomPlace<T>& place, std::uint32_t block) {
-  return uniforms(place, block);
-}
-
-/// Where a telescope's lens is looked through by a photon, all its life.
-template <class T>
-instrument::PlanePoint<T> chosen_lens_point(const World<T>& world, const Counter<T>& photon,
-                                            std::size_t telescope) {
-  const auto u =
-      uniforms<T>(world.key, photon, Index<T>(0), 4 + static_cast<std::uint32_t>(telescope));
-  return lens_point(world.telescopes[telescope], u[0], u[1]);
-}
 
 /// Light of one line that leaves collisions, one in each lane.
 template <class T>
@@ -173,6 +164,14 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
   }
 }
 
+/// Scores light that has waited for company.
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_t t,
+                                               const Sources<T>& from, const Mask<T>& mask,
+                                               tally::BatchTally& tally, Estimates<T>& estimates) {
+  score_in<false>(world, t, from, mask, mask, tally, estimates, false);
+}
+
 /// Scores light of the collisions of a mask in all telescopes. Where nothing aims at them, only
 /// what they may see is looked at; it waits for company, but for light that has ratios.
 template <bool special, class T>
@@ -189,10 +188,10 @@ void score_light(const World<T>& world, const transport::Photon<T>& photon,
       score_in<special>(world, t, from, colliding, seen, tally, estimates, aims);
       continue;
     }
-    estimates.waiting[t].admit(
-        colliding & seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
-          score_in<special>(world, t, full, mask, mask, tally, estimates, false);
-        });
+    estimates.waiting[t].admit(colliding & seen, from,
+                               [&](const Sources<T>& full, const Mask<T>& mask) {
+                                 score_waiting(world, t, full, mask, tally, estimates);
+                               });
   }
 }
 
@@ -201,7 +200,7 @@ template <class T>
 void close_rooms(const World<T>& world, Estimates<T>& estimates, tally::BatchTally& tally) {
   for (std::size_t t = 0; t < estimates.waiting.size(); ++t) {
     estimates.waiting[t].close([&](const Sources<T>& rest, const Mask<T>& mask) {
-      score_in<false>(world, t, rest, mask, mask, tally, estimates, false);
+      score_waiting(world, t, rest, mask, tally, estimates);
     });
   }
 }
@@ -262,7 +261,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const T
   const bool all_collisions = special && world.tools.scores_on_the_way;
   const Mask<T> wanted = all_collisions ? travelling : convertible;
   if (!any(wanted)) return;
-  const auto u = more_uniforms(from.place, 2);
+  const auto& u = from.forced;
   transport::Photon<T> at = from.photon;
   const Mask<T> reached =
       wanted & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});

@@ -10,6 +10,7 @@
 #include "core/random.hpp"
 #include "engine/analog.hpp"
 #include "engine/book.hpp"
+#include "engine/draws.hpp"
 #include "engine/ends.hpp"
 #include "engine/estimate.hpp"
 #include "engine/tools.hpp"
@@ -21,66 +22,64 @@
 
 namespace photic::engine {
 
-/// The photons of a mask on the laser's disc, and on into the water. Tells which get there.
+/// A batch's photons n of a mask on the laser's disc, and on into the water. Those who get there
+/// are on their way.
 template <class T, class Ledger>
-Mask<T> set_out(const World<T>& world, const Counter<T>& number, const Mask<T>& exist,
-                Travellers<T>& travellers, Ledger& ledger) {
+void set_out(const World<T>& world, const Draws<T>& draws, const Index<T>& n, const Mask<T>& exist,
+             Travellers<T>& travellers, Ledger& ledger) {
   using namespace transport;
-  travellers.place.photon = number;
+  travellers.place.photon = draws.photon(n);
   travellers.place.event = Index<T>(0);
-  travellers.lens.resize(world.single_rays ? world.telescopes.size() : 0);
-  for (std::size_t t = 0; t < travellers.lens.size(); ++t)
-    travellers.lens[t] = chosen_lens_point(world, number, t);
-
-  const auto u = uniforms(travellers.place, 0);
+  for (std::size_t t = 0; t < travellers.lens.size(); ++t) {
+    const auto u = draws.together(n, 0, lens_block + static_cast<std::uint32_t>(t));
+    travellers.lens[t] = lens_point(world.telescopes[t], u[0], u[1]);
+  }
+  const auto u = draws.together(n, 0, 0);
   travellers.hue = medium::hue_of(u[3]);
   Photon<T>& photon = travellers.photon;
   photon = emit(world.laser, world.laser_layer, u[0], u[1]);
-  if (world.laser.submerged) return exist;
+  travellers.on = exist;
+  if (world.laser.submerged) return;
   const T in_air = photon.weight;
   const Mask<T> entered = enter_water(world.sea, photon);
   book(ledger.escaped, exist, select(entered, in_air - photon.weight, in_air));
+  travellers.on = exist & entered;
   if (world.analog) [[unlikely]]
-    return enter_by_chance(photon, exist & entered, u[2], ledger);
-  return exist & entered;
+    travellers.on = enter_by_chance(photon, travellers.on, u[2], ledger);
 }
 
-/// What becomes of photons that collide where they stand: they are scored, and go on in another
-/// direction, at another wavelength, or not.
-template <bool special, class T, class Ledger>
-void collision(const World<T>& world, Travellers<T>& travellers, const std::array<T, 4>& u,
-               Mask<T>& colliding, Ledger& ledger, tally::BatchTally& tally,
-               Estimates<T>& estimates) {
-  using namespace transport;
-  Photon<T>& photon = travellers.photon;
-  const Mask<T> scored = colliding & Mask<T>(!(special && world.tools.scores_on_the_way));
-  score_scattering<special>(world, travellers, scored, estimates, tally);
-  if (world.last_order > 0) {
-    const Mask<T> last = colliding & (photon.order + Index<T>(1) == Index<T>(world.last_order));
-    book(ledger.cut_by_order, last, photon.weight);
-    colliding = colliding & !last;
-  }
-  const Index<T> here = world.sea.at(photon.line, photon.layer);
-  book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
-  if (compares<special>(world)) travellers.ratios.before = photon;
-  const auto v = world.makes_choices ? more_uniforms(travellers.place, 1) : std::array<T, 4>{};
-  const auto branch = collide(world.sea, photon, travellers.hue, world.conversion, v[0], v[1]);
-  scatter(world.sea, photon, branch.phase, branch.lobe, estimates.targets, world.directed,
-          {u[1], u[2], v[2], v[3]});
-  if (compares<special>(world)) travellers.ratios.collided(world.sea, photon, colliding);
-}
+// One event of photons that are on their way, stage by stage: a flight, and what stands at its end.
+// A pool takes all its packs through each stage before the next one. `special` as the world is:
+// known before the loops, so that others are as fast as if there were no such events.
 
-/// As next_event, of the forward estimator: with tools and environments, or with none.
-template <bool special, class T, class Ledger>
-Mask<T> forward_event(const World<T>& world, Travellers<T>& travellers, Mask<T> on, Ledger& ledger,
-                      tally::BatchTally& tally, Estimates<T>& estimates) {
-  using namespace transport;
-  Photon<T>& photon = travellers.photon;
+/// The event begins. `block`: its numbers, by the number of the block.
+template <class T, class Block>
+void begin_event(const World<T>& world, Travellers<T>& travellers, Block block) {
   travellers.place.event = travellers.place.event + Index<T>(1);
-  const auto u = uniforms(travellers.place, 0);
+  travellers.u = block(0);
+  if (world.makes_choices) travellers.choices = block(1);
+  if (!world.cones.empty()) travellers.forced = block(2);
+}
+template <class T>
+void begin_event(const World<T>& world, Travellers<T>& travellers) {
+  begin_event(world, travellers,
+              [&](std::uint32_t block) { return uniforms(travellers.place, block); });
+}
+
+/// A flight, and what may stand at its end: the sea bed, the end of the last gate, the surface, or
+/// else a collision.
+template <bool special, class T, class Ledger>
+void travel(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
+            tally::BatchTally& tally, Estimates<T>& estimates) {
+  using namespace transport;
+  Photon<T> photon = travellers.photon;
+  Mask<T> on = travellers.on;
   if (!world.cones.empty()) score_on_the_way<special>(world, travellers, on, estimates, tally);
-  T u_path = u[0];
-  if constexpr (special) u_path = begin_with_tools(world, travellers, on, u_path, ledger);
+  T u_path = travellers.u[0];
+  if constexpr (special) {
+    u_path = begin_with_tools(world, travellers, on, u_path, ledger);
+    photon = travellers.photon;
+  }
   if (compares<special>(world)) travellers.ratios.before = photon;
   const FlightEnd<T> end = fly(world.sea, photon, u_path);
   if (compares<special>(world)) travellers.ratios.flown(world.sea, photon, end.length, on);
@@ -91,53 +90,88 @@ Mask<T> forward_event(const World<T>& world, Travellers<T>& travellers, Mask<T> 
   on = on & !late;
 
   const Mask<T> reflected = on & end.surface;
-  Mask<T> colliding = on & !end.surface;
-  Photon<T> down;
   if (any(reflected)) {
-    down = photon;
+    Photon<T> down = photon;
     const Mask<T> kept = special ? are_forced(world, travellers.place) : Mask<T>(false);
     book(ledger.escaped, reflected, reflect_down(world.sea, down, kept));
+    photon = select(reflected, down, photon);
   }
-  if (any(colliding)) {
-    tally.collisions += count(colliding);
-    collision<special>(world, travellers, u, colliding, ledger, tally, estimates);
-  }
-  if (any(reflected)) photon = select(reflected, down, photon);
-  on = reflected | colliding;
+  travellers.photon = photon;
+  travellers.on = on;
+  travellers.colliding = on & !end.surface;
+  tally.collisions += count(travellers.colliding);
+}
 
+/// What becomes of photons that collide where they stand: they are scored, and go on in another
+/// direction, at another wavelength, or not.
+template <bool special, class T, class Ledger>
+void collision(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
+               tally::BatchTally& tally, Estimates<T>& estimates) {
+  using namespace transport;
+  Mask<T> colliding = travellers.colliding;
+  if (!any(colliding)) return;
+  const Mask<T> scored = colliding & Mask<T>(!(special && world.tools.scores_on_the_way));
+  score_scattering<special>(world, travellers, scored, estimates, tally);
+  Photon<T> photon = travellers.photon;
+  if (world.last_order > 0) {
+    const Mask<T> last = colliding & (photon.order + Index<T>(1) == Index<T>(world.last_order));
+    book(ledger.cut_by_order, last, photon.weight);
+    colliding = colliding & !last;
+    travellers.on = travellers.on & !last;
+  }
+  const Index<T> here = world.sea.at(photon.line, photon.layer);
+  book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
+  if (compares<special>(world)) travellers.ratios.before = photon;
+  auto& u = travellers.u;
+  const auto& v = travellers.choices;
+  const auto branch = collide(world.sea, photon, travellers.hue, world.conversion, v[0], v[1]);
+  scatter(world.sea, photon, branch.phase, branch.lobe, estimates.targets, world.directed,
+          {u[1], u[2], u[3], v[2]});
+  if (world.directs)
+    u[3] = select(colliding, left_of_choice(u[3], estimates.targets.share(world.directed)), u[3]);
+  if (compares<special>(world)) travellers.ratios.collided(world.sea, photon, colliding);
+  Photon<T>& after = travellers.photon;
+  after.direction = select<T>(colliding, photon.direction, after.direction);
+  after.weight = select(colliding, photon.weight, after.weight);
+  after.analog_weight = select(colliding, photon.analog_weight, after.analog_weight);
+  after.line = select(colliding, photon.line, after.line);
+  after.order = select(colliding, photon.order, after.order);
+}
+
+/// The event ends: roulette, and what is lost.
+template <bool special, class T, class Ledger>
+void finish(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
+            tally::BatchTally& tally) {
+  transport::Photon<T>& photon = travellers.photon;
+  Mask<T> on = travellers.on;
   if constexpr (special)
-    on = end_with_tools(world, travellers, on, u[3], ledger);
+    on = end_with_tools(world, travellers, on, travellers.u[3], ledger);
   else
-    on = play_roulette(photon, world.weight_threshold, u[3], on, ledger);
+    on = play_roulette(photon, world.weight_threshold, travellers.u[3], on, ledger);
   const Mask<T> finite = photon.weight <= T(std::numeric_limits<Element<T>>::max());
   const Mask<T> fresh = travellers.place.event < Index<T>(most_events);
-  if (!any(on & !(finite & fresh))) return on;
+  travellers.on = on & finite & fresh;
+  if (!any(on & !(finite & fresh))) return;
   tally.not_finite += count(on & !finite);
   const Mask<T> worn = on & finite & !fresh;
   tally.too_many_events += count(worn);
   book(ledger.lost, worn, photon.weight);
-  return on & finite & fresh;
 }
 
-/// One event of the photons that are `on` their way: a flight, and what stands at its end. Tells
-/// who goes on. `special` as the world is: known before the loops, so that others are as fast as if
-/// there were no such events.
+/// The next flight.
 template <bool special, class T, class Ledger>
-Mask<T> next_event(const World<T>& world, Travellers<T>& travellers, const Mask<T>& on,
-                   Ledger& ledger, tally::BatchTally& tally, Estimates<T>& estimates) {
-  if constexpr (special) {
-    if (world.analog) return analog_event(world, travellers, on, ledger, tally);
-  }
-  return forward_event<special>(world, travellers, on, ledger, tally, estimates);
+void go_on(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
+           tally::BatchTally& tally, Estimates<T>& estimates) {
+  begin_event(world, travellers);
+  travel<special>(world, travellers, ledger, tally, estimates);
 }
-
-/// Follows photon number `number` from the laser until it is absorbed, escapes or comes too late,
-/// and scores its echoes. Flattened: what is called stays in registers, a tenth of the time.
-template <class T>
-PHOTIC_FLATTEN void follow(const World<T>& world, std::uint64_t number, Travellers<T>& photon,
-                           Estimates<T>& estimates, tally::BatchTally& tally) {
-  bool on = set_out(world, number, true, photon, tally.ledger);
-  while (on) on = next_event<false>(world, photon, on, tally.ledger, tally, estimates);
+/// The first one, of the batch's photons n that have set out.
+template <bool special, class T, class Ledger>
+void launch(const World<T>& world, const Draws<T>& draws, const Index<T>& n,
+            Travellers<T>& travellers, Ledger& ledger, tally::BatchTally& tally,
+            Estimates<T>& estimates) {
+  begin_event(world, travellers, [&](std::uint32_t block) { return draws.together(n, 1, block); });
+  travel<special>(world, travellers, ledger, tally, estimates);
 }
 
 /// Keeps the copies of a photon that was split, each with random numbers of its own.
@@ -152,23 +186,46 @@ void keep_copies(const World<T>& world, const Travellers<T>& photon,
   }
 }
 
-/// The same by special events, and of all its copies, which wait for each other.
-template <class T>
-PHOTIC_FLATTEN void follow_specially(const World<T>& world, std::uint64_t number,
-                                     Travellers<T>& photon, std::vector<Travellers<T>>& waiting,
-                                     Estimates<T>& estimates, tally::BatchTally& tally) {
-  bool on = set_out(world, number, true, photon, tally.ledger);
-  if (world.compares) photon.ratios.kept->of(0).begin(world.sea.environments);
-  for (;;) {
-    while (on) {
-      on = next_event<true>(world, photon, on, tally.ledger, tally, estimates);
-      if (on) keep_copies(world, photon, waiting);
+/// Follows a photon that is on its way until it is absorbed, escapes or comes too late, and scores
+/// its echoes. `witness` is told of it at the end of each event.
+template <bool special, class T, class Witness>
+void follow(const World<T>& world, Travellers<T>& photon, std::vector<Travellers<T>>& waiting,
+            Estimates<T>& estimates, tally::BatchTally& tally, Witness& witness) {
+  while (photon.on) {
+    if constexpr (special) {
+      if (world.analog) {
+        analog_event(world, photon, tally.ledger, tally);
+        witness(photon);
+        continue;
+      }
     }
-    if (waiting.empty()) return;
-    if (world.compares) photon.ratios.kept->copy(world.sea.environments, waiting.size(), 0);
+    collision<special>(world, photon, tally.ledger, tally, estimates);
+    finish<special>(world, photon, tally.ledger, tally);
+    witness(photon);
+    if (!photon.on) return;
+    if constexpr (special) keep_copies(world, photon, waiting);
+    go_on<special>(world, photon, tally.ledger, tally, estimates);
+  }
+}
+
+/// The same of the batch's photon n, from the laser on, and of all its copies, which wait for each
+/// other. Flattened: what is called stays in registers, a tenth of the time.
+template <bool special, class T, class Witness>
+PHOTIC_FLATTEN void follow(const World<T>& world, const Draws<T>& draws, std::int32_t n,
+                           Travellers<T>& photon, std::vector<Travellers<T>>& waiting,
+                           Estimates<T>& estimates, tally::BatchTally& tally, Witness witness) {
+  set_out(world, draws, n, true, photon, tally.ledger);
+  if (compares<special>(world)) photon.ratios.kept->of(0).begin(world.sea.environments);
+  if (photon.on && !(special && world.analog))
+    launch<special>(world, draws, n, photon, tally.ledger, tally, estimates);
+  for (;;) {
+    follow<special>(world, photon, waiting, estimates, tally, witness);
+    if (!special || waiting.empty()) return;
+    if (compares<special>(world))
+      photon.ratios.kept->copy(world.sea.environments, waiting.size(), 0);
     photon = std::move(waiting.back());
     waiting.pop_back();
-    on = true;
+    go_on<special>(world, photon, tally.ledger, tally, estimates);
   }
 }
 

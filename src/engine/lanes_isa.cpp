@@ -15,17 +15,46 @@ namespace {
 
 using Lanes = Pack<float, native::float_lanes>;
 
+/// What each thread needs and is large: used again from batch to batch.
+template <class Tools>
+class Spares {
+ public:
+  /// Calls use(tools) with some that nobody else uses, made by make() if there are none.
+  template <class Make, class Use>
+  void lend(Make make, Use use) {
+    auto tools = take();
+    if (!tools) tools = make();
+    use(*tools);
+    const std::scoped_lock lock(mutex_);
+    spare_.push_back(std::move(tools));
+  }
+
+ private:
+  std::unique_ptr<Tools> take() {
+    const std::scoped_lock lock(mutex_);
+    if (spare_.empty()) return nullptr;
+    auto tools = std::move(spare_.back());
+    spare_.pop_back();
+    return tools;
+  }
+
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Tools>> spare_;
+};
+
 class ForwardLanes final : public Simulator {
  public:
   explicit ForwardLanes(const Problem& problem)
       : world_(make_world<Lanes>(problem.scene, problem.medium, problem.gates)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
-    Pool<Lanes>(world_).run(first, count, tally, [](const auto&...) {});
+    pools_.lend([&] { return std::make_unique<Pool<Lanes>>(world_); },
+                [&](auto& pool) { pool.run(first, count, tally, [](const auto&...) {}); });
   }
 
  private:
   World<Lanes> world_;
+  mutable Spares<Pool<Lanes>> pools_;
 };
 
 class BidirectionalLanes final : public Simulator {
@@ -34,10 +63,8 @@ class BidirectionalLanes final : public Simulator {
       : world_(make_world<Lanes>(problem.scene, problem.medium, problem.gates)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
-    auto walks = take();
-    walks->run(first, count, tally);
-    const std::scoped_lock lock(mutex_);
-    spare_.push_back(std::move(walks));
+    walks_.lend([&] { return std::make_unique<Walks>(world_, at_once()); },
+                [&](auto& walks) { walks.run(first, count, tally); });
   }
 
  private:
@@ -52,18 +79,8 @@ class BidirectionalLanes final : public Simulator {
     return std::max<std::size_t>(1, fit / world_.walks);
   }
 
-  /// What a thread needs, which is large: used again from batch to batch.
-  [[nodiscard]] std::unique_ptr<Walks> take() const {
-    const std::scoped_lock lock(mutex_);
-    if (spare_.empty()) return std::make_unique<Walks>(world_, at_once());
-    auto walks = std::move(spare_.back());
-    spare_.pop_back();
-    return walks;
-  }
-
   World<Lanes> world_;
-  mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<Walks>> spare_;
+  mutable Spares<Walks> walks_;
 };
 
 }  // namespace

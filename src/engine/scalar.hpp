@@ -26,11 +26,12 @@ class ScalarSimulator final : public Simulator {
       photon.ratios.kept = &kept;
       std::vector<Travellers<T>> copies;
       Estimates<T> estimates(world_);
-      for (std::uint64_t i = first; i < first + count; ++i) {
+      const Draws<T> draws = draws_of_laser(world_, first);
+      for (std::int32_t n = 0; n < static_cast<std::int32_t>(count); ++n) {
         if (world_.special)
-          follow_specially(world_, i, photon, copies, estimates, tally);
+          follow<true>(world_, draws, n, photon, copies, estimates, tally, [](const auto&) {});
         else
-          follow(world_, i, photon, estimates, tally);
+          follow<false>(world_, draws, n, photon, copies, estimates, tally, [](const auto&) {});
       }
       return;
     }

@@ -137,10 +137,9 @@ struct World {
   bool compares = false;                      ///< there are environments
   bool analog = false;                        ///< photons are followed and received by chance alone
   transport::Reversal<T> reversal;            ///< of conversions, by walks from telescopes
-  T conversion{};            ///< probability of a branch into the inelastic processes
-  bool single_rays = false;  ///< local estimates take one point of the lens instead of its mean
-  bool makes_choices =
-      false;  ///< whether collisions choose between phase functions, targets or lines at all
+  T conversion{};              ///< probability of a branch into the inelastic processes
+  bool single_rays = false;    ///< local estimates take one point of the lens instead of its mean
+  bool makes_choices = false;  ///< whether collisions choose between lines or targets at all
   std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
   T deepest{};  ///< where light may turn back within the last gate, at most [m]
   transport::MeetingGrid<T> meeting_grid;  ///< of the bidirectional estimator
@@ -171,7 +170,7 @@ bool compares(const World<T>& world) {
 inline constexpr std::int32_t most_vertices = 128;
 
 /// The coordinates of a batch's points: four for each block of random numbers, of which an event of
-/// the laser's walk has one and an event of a telescope's two.
+/// a photon has three, of the laser's walk one and of a telescope's two.
 inline constexpr std::uint32_t quasi_random_events = 3;
 inline constexpr std::uint32_t quasi_random_blocks = 3;
 inline constexpr std::uint32_t quasi_random_dimensions =
@@ -223,6 +222,19 @@ void add_receivers(const medium::Medium& medium, World<T>& world) {
                                    Index<T>(static_cast<std::int32_t>(l)), band});
     }
   }
+}
+
+/// Whether a batch's photons or walks begin at points that fill all possibilities evenly. Not
+/// where tails of the forward estimator's scores, which that leaves as they are, may hold more of
+/// the echo than the flags can tell: in environments, and where a telescope in the water may be as
+/// close to a collision as can be (docs/decisions/0026).
+inline bool spreads_evenly(const scene::Scene& scene) {
+  const scene::Simulation& asked = scene.simulation;
+  const bool in_air =
+      std::ranges::all_of(scene.telescope, [](const auto& t) { return t.position_m.z >= 0; });
+  return asked.sampling == "quasi-random" &&
+         (asked.estimator == "bidirectional" ||
+          (asked.estimator == "forward" && !scene.compares() && in_air));
 }
 
 template <class T>
@@ -277,7 +289,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
                     T(directed_reversal), vec3_cast<T>(beam), Index<T>(medium.beam_lobe),
                     T(converts ? directed_scattering : 0.0)};
   world.turns = beam.x == 0 && beam.y == 0;
-  world.makes_choices = world.directs || medium.line.size() > 1;
+  const bool one_way = world.telescopes.size() == 1 && !world.telescopes.front().submerged;
+  world.makes_choices = (world.directs && !one_way) || medium.line.size() > 1;
   if (scene.simulation.estimator == "bidirectional")
     world.walks = static_cast<std::size_t>(scene.simulation.walks);
   world.most_vertices = most_vertices;
@@ -285,8 +298,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
   world.key = scene.simulation.seed;
-  if (scene.simulation.sampling == "quasi-random")
-    world.points = {batch_photons, quasi_random_dimensions};
+  if (spreads_evenly(scene)) world.points = {batch_photons, quasi_random_dimensions};
   return world;
 }
 

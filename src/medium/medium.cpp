@@ -59,7 +59,9 @@ std::vector<std::int32_t> hues_of(std::span<const Line> band) {
   return count;
 }
 
-constexpr std::size_t phase_lines = std::size_t{PhaseView::stride} * PhaseView::line_fields;
+constexpr std::size_t phase_lines = std::size_t{PhaseView::cells} * PhaseView::line_fields,
+                      phase_quantiles =
+                          std::size_t{PhaseView::quantiles} * PhaseView::quantile_fields;
 
 }  // namespace
 
@@ -78,8 +80,8 @@ std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
       return static_cast<std::int32_t>(i);
   }
   phase_lines_.append(lines);
-  phase_cdfs_.append(std::span{v.cdf.exact, std::size_t{PhaseView::stride}});
-  phase_guides_.insert(phase_guides_.end(), v.guide, v.guide + PhaseView::guides);
+  phase_quantiles_.append(std::span{v.quantile.exact, phase_quantiles});
+  phase_cores_.append(std::span{v.core_per_u.exact, 1});
   return static_cast<std::int32_t>(count);
 }
 
@@ -251,9 +253,9 @@ MediumView Medium::view() const {
   e.first_part = e.first_emitted + cells;
   e.number = environment_rows_.table();
   e.part_phase = part_phase_.view();
-  v.phases.cdf = phase_cdfs_.table();
   v.phases.line = phase_lines_.table();
-  v.phases.guide = phase_guides_.data();
+  v.phases.quantile = phase_quantiles_.table();
+  v.phases.core_per_u = phase_cores_.view();
   return v;
 }
 

@@ -236,8 +236,8 @@ class Medium {
   IndexTableOwner convertible_, convertible_count_, line_of_hue_, elastic_phase_, conversion_phase_,
       part_phase_;
   std::int32_t bands_ = 0;
-  TwinTable phase_cdfs_, phase_lines_;  ///< of all phase functions, one behind the other
-  std::vector<std::int32_t> phase_guides_;
+  TwinTable phase_lines_, phase_quantiles_,
+      phase_cores_;  ///< of all phase functions, one behind the other
 };
 
 }  // namespace photic::medium

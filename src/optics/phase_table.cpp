@@ -1,6 +1,7 @@
 #include "optics/phase_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -20,37 +21,92 @@ double mass(const std::vector<double>& node, int i) {
   return pi * (node[k] + node[k + 1]) * (edge(i + 1) - edge(i));
 }
 
+/// Far below any real value, but not 0: the inverse divides by the sum of the nodes of a cell.
+constexpr double least_node = 1e-30;
+
 std::vector<double> nodes_of(const PhaseShape& shape) {
-  // Far below any real value, but not 0: sample() divides by the sum of the nodes of a cell.
-  constexpr double least = 1e-30;
   std::vector<double> node;
   for (int i = 0; i <= outer_cells; ++i) {
     const double p = shape.at_node(edge(i));
     expect(std::isfinite(p) && p >= 0,
            "a phase function is finite and not negative outside its core");
-    node.push_back(std::max(p, least));
+    node.push_back(std::max(p, least_node));
   }
   return node;
 }
 
-/// For each entry of the guide the last cell that begins at or below all its u.
-std::vector<std::int32_t> guide_to(const std::vector<double>& cdf) {
-  constexpr int half = PhaseView::half_guide;
-  constexpr int first = -(PhaseView::guide_octaves << PhaseView::guide_bits);
-  const auto guide_edge = [](int i) {
-    return octave_edge<double>(first + i, PhaseView::guide_bits);
+/// The inverse of a table's cumulative, asked for one u after the other: each close to the last.
+class Inverse {
+ public:
+  Inverse(const std::vector<double>& cdf, const std::vector<double>& line, double whole)
+      : cdf_(cdf), line_(line), whole_(whole) {}
+
+  struct Point {
+    double x, per_u;  ///< and dx/du
   };
-  std::vector<std::int32_t> guide(PhaseView::guides);
-  // Each half with u rising, for there are hundreds of tables in a scene of many layers.
-  std::size_t last = 0;
-  const auto set = [&](int entry, double least_u) {
-    while (last + 1 < cdf.size() && cdf[last + 1] <= least_u) ++last;
-    guide[static_cast<std::size_t>(entry)] = static_cast<std::int32_t>(last);
+  /// Where the fraction u lies below: the last such x if it is `from_below`, else the first.
+  Point at(double u, bool from_below) {
+    while (i_ + 1 < cdf_.size() && (from_below ? cdf_[i_ + 1] <= u : cdf_[i_ + 1] < u)) ++i_;
+    while (i_ > 0 && (from_below ? cdf_[i_] > u : cdf_[i_] >= u)) --i_;
+    // The cumulative of a straight line: 2 pi (p0 s + slope s^2 / 2) = u - cdf, solved for s.
+    const double rest = (u - cdf_[i_]) / pi;
+    const double p0 = line_[2 * i_], slope = line_[2 * i_ + 1];
+    const double p = std::sqrt(std::max(p0 * p0 + rest * slope, 0.0));  // 0 by rounding
+    const double from = i_ == 0 ? 0 : edge(static_cast<int>(i_) - 1);
+    return {std::min(from + rest / (p0 + p), 2.0), 1 / (2 * pi * std::max(p, least_node))};
+  }
+  [[nodiscard]] double core() const { return cdf_[1]; }
+  [[nodiscard]] double whole() const { return whole_; }
+
+ private:
+  const std::vector<double>&cdf_, &line_;
+  double whole_;
+  std::size_t i_ = 0;
+};
+
+/// The cubic of t that has given values and slopes at `from` and `to`, no slope so steep that it
+/// would not be monotone (Fritsch & Carlson, SIAM J. Numer. Anal. 17, 238, 1980).
+std::array<double, 4> cubic(double from, Inverse::Point a, double to, Inverse::Point b) {
+  const double rise = b.x - a.x, per = 1 / (to - from);
+  const auto slope = [&](double per_t) {
+    return std::copysign(std::min(std::abs(per_t) * (to - from), 3 * std::abs(rise)), rise);
   };
-  for (int i = 0; i < half; ++i) set(i, i == 0 ? 0 : guide_edge(i));
-  last = 0;
-  for (int i = half; i-- > 0;) set(half + i, 1 - guide_edge(i + 1));
-  return guide;
+  const double s0 = slope(a.per_u), s1 = slope(b.per_u);
+  // Of (t - from) / (to - from), then of t.
+  const double linear = s0 * per, square = (3 * rise - 2 * s0 - s1) * per * per,
+               cube = (s0 + s1 - 2 * rise) * per * per * per;
+  return {a.x - from * (linear - from * (square - from * cube)),
+          linear - from * (2 * square - 3 * from * cube), square - 3 * from * cube, cube};
+}
+
+/// The rows of PhaseView::quantile. A cell that reaches into the core has the cubic of what is
+/// outside.
+std::vector<double> quantiles_of(Inverse inverse) {
+  constexpr int first = -(PhaseView::quantile_octaves << PhaseView::quantile_bits);
+  const auto edge_of = [](int i) {
+    return i == 0 ? 0 : octave_edge<double>(first + i - 1, PhaseView::quantile_bits);
+  };
+  std::vector<double> rows;
+  for (const bool lower : {true, false}) {
+    // Of u, or of 1 - u.
+    const double core = lower ? inverse.core() : inverse.whole() - inverse.core();
+    const auto point = [&](double u, double width) {
+      auto p = u == core ? inverse.at(inverse.core(), true)
+                         : inverse.at(lower ? u : inverse.whole() - u, lower);
+      p.per_u *= lower ? width : -width;
+      return p;
+    };
+    for (int i = 0; i < PhaseView::half_quantiles; ++i) {
+      const double begin = edge_of(i), width = edge_of(i + 1) - begin;
+      const bool reaches = core > begin && core < begin + width;
+      const double from = lower && reaches ? core : begin;
+      const double to = !lower && reaches ? core : begin + width;
+      const auto row =
+          cubic((from - begin) / width, point(from, width), (to - begin) / width, point(to, width));
+      rows.insert(rows.end(), row.begin(), row.end());
+    }
+  }
+  return rows;
 }
 
 }  // namespace
@@ -90,10 +146,10 @@ PhaseTable::PhaseTable(const PhaseShape& shape) {
   const double whole = table_integral(shape);
   expect(std::abs(whole - 1) <= 1e-4, "a phase function integrates to 1");
 
-  std::vector<double> cdf, line;
+  std::vector<double> line;
   double sum = 0;
   const auto add = [&](double mass, double p, double slope) {
-    cdf.push_back(sum);
+    cdf_.push_back(sum);
     line.insert(line.end(), {p, slope});
     sum += mass;
   };
@@ -104,17 +160,18 @@ PhaseTable::PhaseTable(const PhaseShape& shape) {
     const double slope = (node[k + 1] - node[k]) / (edge(i + 1) - edge(i));
     add(mass(node, i) / whole, node[k] / whole, slope / whole);
   }
-  guide_ = guide_to(cdf);
-  cdf.resize(PhaseView::stride, 2.0);
-  line.resize(std::size_t{PhaseView::stride} * PhaseView::line_fields);
-  cdf_ = TwinTable(cdf);
   line_ = TwinTable(line);
+  constexpr double never = 1e30;
+  core_per_u_ = TwinTable({{core_mass > 0 ? PhaseView::x_core / core_mass : never}});
+  quantile_ = TwinTable(quantiles_of(Inverse(cdf_, line, sum)));
 }
 
-PhaseView PhaseTable::view() const { return {cdf_.table(), line_.table(), guide_.data()}; }
+PhaseView PhaseTable::view() const {
+  return {line_.table(), quantile_.table(), core_per_u_.view()};
+}
 
 double PhaseTable::mean_cosine() const {
-  double mean_x = cdf_.table()[1] * PhaseView::x_core / 2;
+  double mean_x = cdf_[1] * PhaseView::x_core / 2;
   for (int i = 0; i < outer_cells; ++i) {
     const double x0 = edge(i), x1 = edge(i + 1);
     const auto [p0, slope] = view().line_of<double>(i + 1);
@@ -127,7 +184,7 @@ double PhaseTable::mean_cosine() const {
 
 double PhaseTable::backscatter_fraction() const {
   constexpr int at_90_degrees = PhaseView::cells - (1 << PhaseView::cell_bits);
-  return 1 - cdf_.table()[at_90_degrees];
+  return 1 - cdf_[at_90_degrees];
 }
 
 }  // namespace photic::optics

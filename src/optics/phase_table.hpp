@@ -3,6 +3,8 @@
 // The variable is x = 1 - cos(angle), 0 <= x <= 2, and the grid has equal cells within each octave
 // of x, from x_core to 2, so that a forward peak keeps its digits and a cell is found from the bits
 // of x. Inside x_core the function is flat with the same mass (docs/theory.md, "Phase functions").
+// Samples come from a table of the inverse of its cumulative, which is as close to it as the cells
+// are to the formula.
 #pragma once
 
 #include <array>
@@ -30,18 +32,19 @@ struct PhaseView {
     slope,  ///< dp/dx [1/sr]
     line_fields
   };
-  /// Cells whose cdf is looked at together, and the entries of a table: with some behind its end.
-  static constexpr int together = 4;
-  static constexpr int stride = cells + together - 1;
-  Table cdf;   ///< [stride] probability of x below a cell's lower edge; behind the end 2
-  Table line;  ///< [stride][line_fields]
+  Table line;  ///< [cells][line_fields]
 
-  /// The guide has equal cells within each octave of u below one half, and of 1 - u above, so that
-  /// a cell of it holds few cells of the table in the tails, too.
-  static constexpr int guide_bits = 8, guide_octaves = 24;
-  static constexpr int half_guide = ((guide_octaves - 1) << guide_bits) + 1;
-  static constexpr int guides = 2 * half_guide;
-  const std::int32_t* guide = nullptr;  ///< [guides] last cell whose cdf is <= all u of an entry
+  /// Where the fraction u of all scattering lies below: x is a cubic of the place t of u in a cell,
+  /// 0 <= t <= 1. The cells are equal within each octave of u below one half, and of 1 - u above.
+  enum Quantile : std::int32_t { at, linear, square, cube, quantile_fields };
+  static constexpr int quantile_bits = 7;      ///< 128 cells in an octave
+  static constexpr int quantile_octaves = 24;  ///< below the last one cell 0 leads to u = 0
+  static constexpr double least_octave = 1.0 / (1 << quantile_octaves);
+  /// Of a half: cell 0, the octaves to one half, and a cell that begins there.
+  static constexpr int half_quantiles = 2 + ((quantile_octaves - 1) << quantile_bits);
+  static constexpr int quantiles = 2 * half_quantiles;
+  Table quantile;         ///< [quantiles][quantile_fields], outside the core
+  ShortTable core_per_u;  ///< x over u inside it
 
   /// Lower edge of a cell but the core.
   template <class T>
@@ -65,7 +68,7 @@ struct PhaseView {
     Index<T> i = octave_cell(within, cell_bits).cell - Index<T>(first_octave_cell - 1);
     i = select(i > Index<T>(0), i, Index<T>(0));
     i = select(i < Index<T>(cells), i, Index<T>(cells - 1));
-    const auto here = line_of<T>(i + table * Index<T>(stride));
+    const auto here = line_of<T>(i + table * Index<T>(cells));
     return here[node] + here[slope] * (within - edge<T>(i));
   }
 
@@ -75,15 +78,6 @@ struct PhaseView {
 
  private:
   static constexpr std::int32_t first_octave_cell = core_exponent * (1 << cell_bits);
-
-  template <class T>
-  static Index<T> guide_entry(const T& u) {
-    const Mask<T> lower = u < T(0.5);
-    const Index<T> i = octave_cell(select(lower, u, T(1) - u), guide_bits).cell +
-                       Index<T>(guide_octaves << guide_bits);
-    const Index<T> within = select(i > Index<T>(0), i, Index<T>(0));
-    return select(lower, within, within + Index<T>(half_guide));
-  }
 };
 
 /// A phase function as its formula gives it: what the models produce and mixtures add up.
@@ -116,37 +110,26 @@ class PhaseTable {
   [[nodiscard]] double backscatter_fraction() const;  ///< b_b / b, of the table
 
  private:
-  TwinTable cdf_, line_;
-  std::vector<std::int32_t> guide_;
+  std::vector<double> cdf_;  ///< [cells] probability of x below a cell's lower edge
+  TwinTable line_, quantile_, core_per_u_;
 };
 
 template <class T>
 T PhaseView::sample(const T& u, const Index<T>& table) const {
-  using std::sqrt;
-  const Index<T> base = table * Index<T>(stride);
-  Index<T> i = gather_index<T>(guide, guide_entry(u) + table * Index<T>(guides));
-  // The cell is this one or one of the next: seldom beyond the first three.
-  T below;
-  Mask<T> further;
-  do {
-    const auto row = gather_row<together, T>(cdf, base + i);
-    below = row[0];
-    for (std::size_t k = 1; k < together; ++k) {
-      further = row[k] <= u;
-      below = select(further, row[k], below);
-      i = i + select(further, Index<T>(1), Index<T>(0));
-    }
-  } while (any(further));
-
-  // Inverse of the cumulative of a straight line: 2 pi (p0 s + slope s^2 / 2) = u - below, solved
-  // for s = x - x0.
-  const auto here = line_of<T>(base + i);
-  const T rest = (u - below) * T(1 / pi);
-  const T p0 = here[node];
-  const T square = p0 * p0 + rest * here[slope];
-  const T root = sqrt(select(square > T(0), square, T(0)));  // rounding, where p ends at 0
-  const T x = select(i > Index<T>(0), edge<T>(i), T(0)) + rest / (p0 + root);
-  return select(x < T(2), x, T(2));
+  const Mask<T> lower = u < T(0.5);
+  const T rest = select(lower, u, T(1) - u);
+  const auto [cell, fraction] = octave_cell(rest, quantile_bits);
+  const Index<T> i = cell + Index<T>((quantile_octaves << quantile_bits) + 1);
+  const Mask<T> in_octave = i > Index<T>(0);
+  const T t = select(in_octave, fraction, rest * T(1 / least_octave));
+  const Index<T> row = select(in_octave, i, Index<T>(0)) +
+                       select(lower, Index<T>(0), Index<T>(half_quantiles)) +
+                       table * Index<T>(quantiles);
+  const auto x = gather_row<quantile_fields, T>(
+      quantile, row * Index<T>(static_cast<std::int32_t>(quantile_fields)));
+  const T in_core = u * gather<T>(core_per_u, table);
+  return select(in_core < T(x_core), in_core,
+                x[at] + t * (x[linear] + t * (x[square] + t * x[cube])));
 }
 
 }  // namespace photic::optics

@@ -117,8 +117,9 @@ void describe(V& v, Simulation& s) {
              "paths are drawn from");
   v.optional(
       "sampling", s.sampling, Choice{{"quasi-random", "random"}, {}},
-      "of the bidirectional estimator: the walks of a batch begin spread evenly, at scrambled "
-      "Sobol' points, or independently");
+      "the photons or walks of a batch begin spread evenly, at scrambled Sobol' points, or "
+      "independently, as the forward estimator always does with environments or telescopes in "
+      "the water");
   v.section("tools", s.tools, Need::optional, "variance reduction by the forward estimator");
 }
 

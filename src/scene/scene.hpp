@@ -191,7 +191,7 @@ struct Simulation {
   double connected_fraction =
       0.3;  ///< bidirectional: share of walks whose vertices are all connected
   double walk_attenuation = 0.6;  ///< bidirectional: share of c that free paths are drawn from
-  std::string sampling = "quasi-random";  ///< bidirectional: quasi-random | random
+  std::string sampling = "quasi-random";  ///< quasi-random | random
   Tools tools;                            ///< forward
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/constants.hpp"
+#include "core/random.hpp"
 #include "core/turn.hpp"
 #include "medium/medium.hpp"
 #include "transport/vertex.hpp"
@@ -62,15 +63,6 @@ struct DepartUniforms {
   T polar, azimuth, branch, mixture;
 };
 
-/// The number that a polar angle is drawn with, what the choice of the lobe leaves of it.
-template <class T>
-T polar_of(const Reversal<T>& reversal, const Mask<T>& scatters, const Mask<T>& to_beam,
-           const T& u) {
-  if (!any(scatters)) return u;
-  const T q = reversal.scattered;
-  return select(scatters, select(to_beam, u / q, (u - q) / (T(1) - q)), u);
-}
-
 /// Sends a walk on from the vertex it stands at. Its weight takes b / c, or for a conversion its
 /// coefficient over c; that it was drawn with a chance is left to the connections, which know the
 /// chances of all strategies. `from_telescope`: the walk, which else comes from the laser.
@@ -98,7 +90,9 @@ Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon, const Reve
   const Mask<T> scatters =
       from_telescope ? (reversal.scattered > T(0)) & !inelastic : Mask<T>(false);
   const Mask<T> scatters_to_beam = scatters & (u.polar < reversal.scattered);
-  const T polar = polar_of(reversal, scatters, scatters_to_beam, u.polar);
+  const T polar = any(scatters)
+                      ? select(scatters, left_of_choice(u.polar, reversal.scattered), u.polar)
+                      : u.polar;
   const Mask<T> to_beam = scatters_to_beam | (converts & (u.mixture < reversal.directed));
   const T drawn = sea.phases.template sample<T>(polar, select(to_beam, reversal.lobe, phase));
   const T x = select(converts & !to_beam, T(2) * polar, drawn);

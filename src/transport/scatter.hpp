@@ -20,6 +20,9 @@ struct Targets {
   int count = 0;
   T total_weight{};
 
+  /// Of directions that are drawn towards targets: `directed` where there are any.
+  T share(const T& directed) const { return select(total_weight > T(0), directed, T(0)); }
+
   void clear() {
     count = 0;
     total_weight = T(0);
@@ -51,12 +54,12 @@ void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& p
              const ScatterUniforms<T>& u) {
   const auto [cos_azimuth, sin_azimuth] = cos_sin_of_turns(u.azimuth);
   const Vec3<T> old = photon.direction;
-  const Mask<T> has_target = targets.total_weight > T(0);
-  if (!any(has_target)) {
+  const T share = targets.share(directed);
+  if (!any(share > T(0))) {
     photon.direction = turned(old, sea.phases.sample<T>(u.polar, phase), cos_azimuth, sin_azimuth);
     return;
   }
-  const T share = select(has_target, directed, T(0));
+  const Mask<T> has_target = targets.total_weight > T(0);
   const Mask<T> towards = u.mixture < share;
 
   Vec3<T> axis = old;

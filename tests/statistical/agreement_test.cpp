@@ -173,8 +173,8 @@ half_field_of_view_mrad = 150.0
                 "[gates]\nrange_min_m = 1.0\nrange_max_m = 15.0\nrange_step_m = 1.0\n" +
                 simulation(photons, seed, more));
   };
-  compare(engine::run(rov("directed_fraction = 0.5", 5, 2e6)),
-          engine::run(rov("directed_fraction = 0.0", 6, 6e6)), 6);
+  compare(engine::run(rov("directed_fraction = 0.5", 5, 4e6)),
+          engine::run(rov("directed_fraction = 0.0", 6, 1.2e7)), 6);
 }
 
 }  // namespace

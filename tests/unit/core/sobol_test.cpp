@@ -61,8 +61,8 @@ TEST(Scrambled, IsUniformOverKeys) {
     std::vector<double> one(cells), two(cells);
     for (std::uint64_t i = 0; i < keys_drawn; ++i) {
       const std::uint32_t key = philox_words(11, i, 0, 0)[0];
-      const std::uint32_t a = scrambled(word, key);
-      const std::uint32_t b = scrambled(word ^ 0x40000000, key);
+      const std::uint32_t a = scrambled(reversed_bits(word), key);
+      const std::uint32_t b = scrambled(reversed_bits(word ^ 0x40000000), key);
       one[a >> 26] += 1;
       two[((a ^ b) >> 24) & 63] += 1;  // the first bit is the same, the second differs
     }

@@ -22,15 +22,15 @@ EventLog log_lanes(const Problem& problem, std::uint64_t photons) {
   const auto world = make_world<Lanes>(problem.scene, problem.medium, problem.gates);
   tally::BatchTally tally(problem.shape, problem.gates);
   EventLog log;
-  const auto witness = [&log](const Travellers<Lanes>& t, const Mask<Lanes>& before,
-                              const Mask<Lanes>& on) {
+  const auto witness = [&log](const Travellers<Lanes>& t, const Mask<Lanes>& before) {
     for_each_lane(before, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
-      LoggedEvent event = on[i] ? event_of(t.photon, i) : LoggedEvent{};
+      LoggedEvent event = t.on[i] ? event_of(t.photon, i) : LoggedEvent{};
       log.emplace(std::pair(t.place.photon[i], t.place.event[i]), event);
     });
   };
-  Pool<Lanes>(world).run(0, photons, tally, witness);
+  for (std::uint64_t batch = 0; batch < photons; batch += batch_photons)
+    Pool<Lanes>(world).run(batch, batch_photons, tally, witness);
   return log;
 }
 }  // namespace PHOTIC_ISA
