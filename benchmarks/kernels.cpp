@@ -78,7 +78,7 @@ void connection(benchmark::State& state) {
     const bool near_view =
         transport::may_see(s.world.sea, s.world.telescopes[0], s.photon.position, 0);
     benchmark::DoNotOptimize(transport::connect_through_surface(s.world.sea, s.world.telescopes[0],
-                                                                s.photon, 0, near_view, true));
+                                                                s.photon, 0, near_view));
   }
 }
 BENCHMARK(connection)->Arg(0)->Arg(2)->Arg(50);

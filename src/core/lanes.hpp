@@ -242,6 +242,10 @@ template <std::floating_point T>
 constexpr T to_real(std::int32_t i) {
   return static_cast<T>(i);
 }
+/// In double, and the smaller and the larger of two: b, where a is not a number.
+inline double to_double(double x) { return x; }
+inline double smaller(double a, double b) { return a < b ? a : b; }
+inline double larger(double a, double b) { return a > b ? a : b; }
 inline std::int32_t floor_index(double x) { return static_cast<std::int32_t>(x); }
 inline std::int32_t floor_index(float x) { return static_cast<std::int32_t>(x); }
 

@@ -63,6 +63,25 @@ WidePack<double, N> to_double(const Pack<float, N>& x) {
   return {part(false), part(true)};
 }
 
+template <int N>
+WidePack<double, N> smaller(const WidePack<double, N>& a, const WidePack<double, N>& b) {
+  using Half = typename WidePack<double, N>::Half;
+  return {Half::of(a.first.v < b.first.v ? a.first.v : b.first.v),
+          Half::of(a.second.v < b.second.v ? a.second.v : b.second.v)};
+}
+template <int N>
+WidePack<double, N> larger(const WidePack<double, N>& a, const WidePack<double, N>& b) {
+  using Half = typename WidePack<double, N>::Half;
+  return {Half::of(a.first.v > b.first.v ? a.first.v : b.first.v),
+          Half::of(a.second.v > b.second.v ? a.second.v : b.second.v)};
+}
+template <int N>
+Pack<std::int32_t, N> floor_index(const WidePack<double, N>& x) {
+  using Ints = native::Vector<std::int32_t, N / 2>;
+  return Pack<std::int32_t, N>::of(native::joined<N>(__builtin_convertvector(x.first.v, Ints),
+                                                     __builtin_convertvector(x.second.v, Ints)));
+}
+
 template <std::floating_point E, int N>
 OctaveCell<Pack<E, N>> octave_cell(const Pack<E, N>& x, int bits) {
   using native::exponent_bias;

@@ -228,6 +228,16 @@ Vector<std::int32_t, N> low_words(const Vector<std::uint64_t, N / 2>& first,
   return pick(std::make_index_sequence<N>{});
 }
 
+/// The lanes of two vectors, one behind the other.
+template <int N>
+Vector<std::int32_t, N> joined(const Vector<std::int32_t, N / 2>& first,
+                               const Vector<std::int32_t, N / 2>& second) {
+  const auto pick = [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return __builtin_shufflevector(first, second, static_cast<int>(i)...);
+  };
+  return pick(std::make_index_sequence<N>{});
+}
+
 /// Lanes of two vectors in turn, as words of 64-bit lanes: the lower words first.
 template <int N>
 std::array<Vector<std::uint64_t, N / 2>, 2> in_turn(const Vector<std::int32_t, N>& lower,

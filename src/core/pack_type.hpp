@@ -171,6 +171,12 @@ struct WidePack {
   friend WidePack operator>>(const WidePack& a, int places) {
     return {a.first >> places, a.second >> places};
   }
+  friend WidePack operator-(const WidePack& a, const WidePack& b) {
+    return {a.first - b.first, a.second - b.second};
+  }
+  friend WidePack operator*(const WidePack& a, const WidePack& b) {
+    return {a.first * b.first, a.second * b.second};
+  }
   friend std::array<E, N> each_lane(const WidePack& a) {
     std::array<E, N> out;
     a.store(out.data());

@@ -77,8 +77,8 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(
     const T& last, const Index<T>& order) {
   const auto out = each_lane(Walks<T>::slot(ends.laser, ends.i));
   const auto home = each_lane(Walks<T>::slot(ends.back, ends.m));
-  each_score(back_.line(ends.back), mask, value, path, last, order,
-             [&](std::size_t lane, const tally::Score& score) {
+  each_score(tally_, mask, scores_of(ends, value, path, last, order),
+             [&](std::size_t lane, const tally::Score& score, const auto& at) {
                const auto of_walks = [&](std::int32_t e) {
                  const auto of_laser = [&] { return laser_.ratios().at(out[lane], e); };
                  const auto of_telescope = [&] { return back_.ratios().at(home[lane], e); };
@@ -88,7 +88,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(
                };
                tally_.not_finite += transport::complete<T>(sea_.environments, completion_, lane,
                                                            of_walks, ratios_.data());
-               tally_.score(score, ratios_.data());
+               tally_.score(score, at, ratios_.data());
              });
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/flatten.hpp"
+#include "engine/each_score.hpp"
 #include "engine/give_out.hpp"
 #include "engine/waiting_room.hpp"
 #include "engine/walk.hpp"
@@ -184,21 +185,13 @@ class Connections {
              const T& last, const Index<T>& order) {
     if (world_.compares) [[unlikely]]
       return score_in_environments(ends, walked, mask, value, path, last, order);
-    each_score(back_.line(ends.back), mask, value, path, last, order,
-               [&](std::size_t, const tally::Score& score) { tally_.score(score); });
+    each_score(
+        tally_, mask, scores_of(ends, value, path, last, order),
+        [&](std::size_t, const tally::Score& score, const auto& at) { tally_.score(score, at); });
   }
-  /// Calls act(lane, score) for the lanes of a mask, one after the other.
-  template <class Act>
-  void each_score(const Index<T>& line, const Mask<T>& mask, const T& value, const T& path,
-                  const T& last, const Index<T>& order, Act act) const {
-    const auto values = each_lane(value), paths = each_lane(path), depths = each_lane(last);
-    const auto orders = each_lane(order);
-    const auto lines = each_lane(line);
-    for_each_lane(mask, [&](int lane) {
-      const auto k = static_cast<std::size_t>(lane);
-      act(k,
-          tally::Score{receiver_.telescope, lines[k], orders[k], depths[k], paths[k], values[k]});
-    });
+  [[nodiscard]] LaneScores<T> scores_of(const Ends<T>& ends, const T& value, const T& path,
+                                        const T& last, const Index<T>& order) const {
+    return {receiver_.telescope, back_.line(ends.back), order, last, path, value};
   }
 
   const World<T>& world_;

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "engine/each_score.hpp"
 #include "engine/waiting_room.hpp"
 #include "engine/world.hpp"
 #include "tally/batch_tally.hpp"
+#include "transport/aim.hpp"
 #include "transport/connect_ray.hpp"
 #include "transport/environments.hpp"
 #include "transport/scatter.hpp"
@@ -81,17 +83,16 @@ struct Estimates {
   std::vector<Element<T>> ratios;  ///< of one lane, [environment]
 };
 
-/// Calls act(lane, score) for the lanes of a mask, one after the other.
-template <class T, class Act>
-void each_score(const Mask<T>& seen, std::size_t telescope, const Sources<T>& from,
-                const T& path_back, const T& value, Act act) {
-  const auto lines = each_lane(from.line), orders = each_lane(from.photon.order);
-  const auto depths = each_lane(from.photon.position.z),
-             paths = each_lane(from.photon.path + path_back), values = each_lane(value);
-  for_each_lane(seen, [&](int lane) {
-    const auto i = static_cast<std::size_t>(lane);
-    act(i, tally::Score{telescope, lines[i], orders[i] + 1, -depths[i], paths[i], values[i]});
-  });
+/// Scores in a telescope of light that leaves collisions.
+template <class T>
+LaneScores<T> scores_of(std::size_t telescope, const Sources<T>& from, const T& path_back,
+                        const T& value) {
+  return {telescope,
+          from.line,
+          from.photon.order + Index<T>(1),
+          -from.photon.position.z,
+          from.photon.path + path_back,
+          value};
 }
 
 /// Scores the lanes of a mask in environments, too: light that leaves a collision and goes straight
@@ -111,30 +112,26 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
           world.telescopes[t].submerged, world.telescope_layer[t], mirrored, completion.ways);
   completion.collide(sea, {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)),
                            from.line, one_minus_cos(photon.direction, way.direction)});
-  each_score(seen, t, from, way.path, value, [&](std::size_t lane, const tally::Score& score) {
-    const std::size_t path = estimates.first + lane;
-    tally.not_finite += complete<T>(
-        sea.environments, completion, lane,
-        [&](std::int32_t e) { return estimates.kept->at(path, e); }, estimates.ratios.data());
-    tally.score(score, estimates.ratios.data());
-  });
+  each_score(tally, seen, scores_of(t, from, way.path, value),
+             [&](std::size_t lane, const tally::Score& score, const auto& at) {
+               const std::size_t path = estimates.first + lane;
+               tally.not_finite += complete<T>(
+                   sea.environments, completion, lane,
+                   [&](std::int32_t e) { return estimates.kept->at(path, e); },
+                   estimates.ratios.data());
+               tally.score(score, at, estimates.ratios.data());
+             });
 }
 
 /// Scores light in one telescope: weight before the collision x share of the process x phase
 /// function x acceptance x exp(-optical depth back at the emitted wavelength) (docs/theory.md, "The
-/// local estimate"). If it `aims`, adds the ways to the telescope to the targets of directed
-/// sampling: those outside the field of view too, for light that first turns towards a telescope
-/// and then enters its view is what a plain walk finds too rarely.
+/// local estimate").
 template <bool special, class T>
 void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, const Mask<T>& mask,
-              const Mask<T>& near_view, tally::BatchTally& tally, Estimates<T>& estimates,
-              bool aims) {
+              tally::BatchTally& tally, Estimates<T>& estimates) {
   using namespace transport;
   const Photon<T>& photon = from.photon;
-  Targets<T>& targets = estimates.targets;
-  const auto offer = [&](const Connection<T>& way, bool mirrored) {
-    if (aims && any(way.in_front) && targets.count < target_capacity)
-      targets.add(way.direction, T(0), select(way.in_front, T(1), T(0)));
+  const auto score = [&](const Connection<T>& way, bool mirrored) {
     const Mask<T> seen = mask & (way.acceptance > T(0));
     if (!any(seen)) return;
     const T p = world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction),
@@ -144,22 +141,20 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
       score_in_environments(world, t, seen, from, way, mirrored, value, estimates, tally);
       return;
     }
-    each_score(seen, t, from, way.path, value,
-               [&](std::size_t, const tally::Score& score) { tally.score(score); });
+    each_score(tally, seen, scores_of(t, from, way.path, value),
+               [&](std::size_t, const tally::Score& one, const auto& at) { tally.score(one, at); });
   };
   const auto& telescope = world.telescopes[t];
   const auto& layer = world.telescope_layer[t];
   for (const bool mirrored : {false, true}) {
     if (mirrored && !telescope.submerged) continue;
     if (world.single_rays) {
-      offer(connect_ray(world.sea, telescope, layer, photon, from.line, from.lens, mirrored,
-                        near_view, aims),
+      score(connect_ray(world.sea, telescope, layer, photon, from.line, from.lens, mirrored, mask),
             mirrored);
     } else if (telescope.submerged) {
-      offer(connect_in_water(world.sea, telescope, layer, photon, from.line, mirrored), mirrored);
+      score(connect_in_water(world.sea, telescope, layer, photon, from.line, mirrored), mirrored);
     } else {
-      offer(connect_through_surface(world.sea, telescope, photon, from.line, near_view, aims),
-            mirrored);
+      score(connect_through_surface(world.sea, telescope, photon, from.line, mask), mirrored);
     }
   }
 }
@@ -169,29 +164,29 @@ template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_t t,
                                                const Sources<T>& from, const Mask<T>& mask,
                                                tally::BatchTally& tally, Estimates<T>& estimates) {
-  score_in<false>(world, t, from, mask, mask, tally, estimates, false);
+  score_in<false>(world, t, from, mask, tally, estimates);
 }
 
-/// Scores light of the collisions of a mask in all telescopes. Where nothing aims at them, only
-/// what they may see is looked at; it waits for company, but for light that has ratios.
+/// Scores light of the collisions of a mask in all telescopes that may see it; it waits for
+/// company, but for light that has ratios.
 template <bool special, class T>
 void score_light(const World<T>& world, const transport::Photon<T>& photon,
                  const std::vector<instrument::PlanePoint<T>>& lens, const Mask<T>& colliding,
                  const Index<T>& line, const T& share, const Index<T>& phase,
-                 Estimates<T>& estimates, tally::BatchTally& tally, bool aims) {
+                 Estimates<T>& estimates, tally::BatchTally& tally) {
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
-    const Mask<T> seen = transport::may_see(world.sea, world.telescopes[t], photon.position, line);
-    if (!(aims || any(colliding & seen))) continue;
+    const Mask<T> seen =
+        colliding & transport::may_see(world.sea, world.telescopes[t], photon.position, line);
+    if (!any(seen)) continue;
     Sources<T> from{photon, line, share, phase};
     if (world.single_rays) from.lens = lens[t];
-    if (aims || compares<special>(world)) {
-      score_in<special>(world, t, from, colliding, seen, tally, estimates, aims);
+    if (compares<special>(world)) {
+      score_in<special>(world, t, from, seen, tally, estimates);
       continue;
     }
-    estimates.waiting[t].admit(colliding & seen, from,
-                               [&](const Sources<T>& full, const Mask<T>& mask) {
-                                 score_waiting(world, t, full, mask, tally, estimates);
-                               });
+    estimates.waiting[t].admit(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
+      score_waiting(world, t, full, mask, tally, estimates);
+    });
   }
 }
 
@@ -202,6 +197,26 @@ void close_rooms(const World<T>& world, Estimates<T>& estimates, tally::BatchTal
     estimates.waiting[t].close([&](const Sources<T>& rest, const Mask<T>& mask) {
       score_waiting(world, t, rest, mask, tally, estimates);
     });
+  }
+}
+
+/// Adds the ways to the telescopes as targets.
+template <class T>
+void aim_at_telescopes(const World<T>& world, const Travellers<T>& at, Targets<T>& targets) {
+  using namespace transport;
+  const Vec3<T>& from = at.photon.position;
+  const Index<T>& line = at.photon.line;
+  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
+    const auto& telescope = world.telescopes[t];
+    const Vec3<T> to = world.single_rays ? in_space(telescope, at.lens[t]) : telescope.position;
+    for (const bool mirrored : {false, true}) {
+      if ((mirrored && !telescope.submerged) || targets.count == target_capacity) continue;
+      const Aim<T> aim = telescope.submerged
+                             ? aim_in_water(telescope, from, to, mirrored)
+                             : aim_through_surface(world.sea, telescope, from, line, to,
+                                                   may_see(world.sea, telescope, from, line));
+      targets.add(aim.direction, T(0), select(aim.in_front, T(1), T(0)));
+    }
   }
 }
 
@@ -245,8 +260,10 @@ void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask
   }
   score_light<special>(world, at.photon, at.lens, scored, at.photon.line,
                        gather<T>(sea.albedo, here), gather_index<T>(sea.elastic_phase, here),
-                       estimates, tally, world.directs);
-  if (world.directs) aim_at_views(world, at.photon, estimates.targets);
+                       estimates, tally);
+  if (!world.directs) return;
+  aim_at_telescopes(world, at, estimates.targets);
+  aim_at_views(world, at.photon, estimates.targets);
 }
 
 /// Scores what the telescopes expect of the conversions on photons' way to their next collision; of
@@ -278,7 +295,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const T
   if (all_collisions) {
     const Index<T> here = sea.at(at.line, at.layer);
     score_light<special>(world, at, from.lens, reached, at.line, gather<T>(sea.albedo, here),
-                         gather_index<T>(sea.elastic_phase, here), estimates, tally, false);
+                         gather_index<T>(sea.elastic_phase, here), estimates, tally);
   }
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
   const Mask<T> converting = reached & convertible;
@@ -287,7 +304,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const T
     const Index<T> line = sea.emitted_line<T>(at.layer, select(on, i, Index<T>(0)), from.hue);
     score_light<special>(world, at, from.lens, on, line,
                          gather<T>(sea.conversion, sea.at(line, at.layer)),
-                         gather_index<T>(sea.conversion_phase, line), estimates, tally, false);
+                         gather_index<T>(sea.conversion_phase, line), estimates, tally);
     i = i + Index<T>(1);
   }
 }

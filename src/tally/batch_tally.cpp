@@ -42,9 +42,12 @@ void BatchTally::clear() {
                 shape_->orders, 0.0);
     std::fill_n(by_process.begin() + static_cast<std::ptrdiff_t>(cell * shape_->processes),
                 shape_->processes, 0.0);
+    auto& [count, lowest] = octaves[cell];
+    std::fill(count.begin() + std::min(lowest, score_octave(largest[cell])),
+              count.begin() + score_octave(largest[cell]) + 1, 0);
+    lowest = score_octaves;
     cut_order[cell] = 0;
     largest[cell] = 0;
-    octaves[cell].fill(0);
     std::fill_n(environment.begin() + static_cast<std::ptrdiff_t>(cell * environment_groups),
                 environment_groups, EnvironmentScores{});
   }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "tally/shape.hpp"
@@ -18,9 +19,20 @@ namespace photic::tally {
 /// The octave of a score's size, 0 … score_octaves - 1.
 inline int score_octave(double value) {
   const auto exponent = static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52) - 1023;
-  return exponent < -score_octaves ? 0
-                                   : (exponent >= 0 ? score_octaves - 1 : exponent + score_octaves);
+  return std::clamp(exponent + score_octaves, 0, score_octaves - 1);
 }
+
+/// Of the scores in a cell, how many are of which octave.
+struct OctaveCounts {
+  std::array<std::uint32_t, score_octaves> count{};
+  int lowest = score_octaves;  ///< below it there are none
+
+  void add(double value) {
+    const int octave = score_octave(value);
+    ++count[static_cast<std::size_t>(octave)];
+    lowest = std::min(lowest, octave);
+  }
+};
 
 /// One contribution of a collision to a telescope, at one line.
 struct Score {
@@ -30,6 +42,13 @@ struct Score {
   double path = 0;   ///< group path from the laser's disc to the aperture [m], as if emitters
                      ///< gave light back at once
   double value = 0;  ///< expected photons
+};
+
+/// Where scores belong: the gate, if their light is emitted at once, and the cell of depth; -1:
+/// none. Integer: of one, or one in each lane.
+template <class Integer>
+struct Places {
+  Integer gate{}, depth{};
 };
 
 /// What a batch scored in one cell for some environments, one behind the other: added up for all of
@@ -65,18 +84,30 @@ class BatchTally {
  public:
   BatchTally(const Shape& shape, const Gates& gates);
 
-  void score(const Score& s) {
-    each_gate(s, [&](std::int32_t gate, double part) {
-      each_cell(s, gate, [&](std::size_t cell, double share) { add(s, cell, part * share); });
+  /// Double: one, or one in each lane.
+  template <class Double>
+  [[nodiscard]] auto places(const Double& path, const Double& depth) const {
+    const auto gate = gates_->find(path);
+    return Places<std::remove_const_t<decltype(gate)>>{
+        gate, cell_below((depth - Double(shape_->depth_min)) * Double(shape_->per_depth_step),
+                         static_cast<std::int32_t>(shape_->depths))};
+  }
+
+  void score(const Score& s) { score(s, places(s.path, s.depth)); }
+  /// The same of which it is known where it belongs.
+  void score(const Score& s, const Places<std::int32_t>& at) {
+    each_gate(s, at.gate, [&](std::int32_t gate, double part) {
+      each_cell(s, gate,
+                [&](std::size_t cell, double share) { add(s, at.depth, cell, part * share); });
     });
   }
   /// The same with environments, in which the score is ratios[e] times as large; there are whole
   /// groups of EnvironmentScores::size of them, the last ones perhaps of no environment.
   template <class Number>
-  void score(const Score& s, const Number* ratios) {
-    each_gate(s, [&](std::int32_t gate, double part) {
+  void score(const Score& s, const Places<std::int32_t>& at, const Number* ratios) {
+    each_gate(s, at.gate, [&](std::int32_t gate, double part) {
       each_cell(s, gate, [&](std::size_t cell, double share) {
-        if (!add(s, cell, part * share)) return;
+        if (!add(s, at.depth, cell, part * share)) return;
         for (std::size_t g = 0; g < environment_groups; ++g)
           environment[cell * environment_groups + g].add(s.value * (part * share),
                                                          ratios + g * EnvironmentScores::size);
@@ -90,12 +121,12 @@ class BatchTally {
   [[nodiscard]] bool wants(std::size_t telescope, std::int32_t line) const;
 
   // Sums over the batch. The echo of a cell is the sum of by_order over its orders.
-  std::vector<double> by_order;    ///< [cell][order]
-  std::vector<double> by_process;  ///< [cell][process]
-  std::vector<double> by_depth;    ///< [cell][depth]
-  std::vector<double> cut_order;   ///< [cell] first order beyond max_order
-  std::vector<double> largest;     ///< [cell] largest single score
-  std::vector<std::array<std::uint32_t, score_octaves>> octaves;  ///< [cell]
+  std::vector<double> by_order;       ///< [cell][order]
+  std::vector<double> by_process;     ///< [cell][process]
+  std::vector<double> by_depth;       ///< [cell][depth]
+  std::vector<double> cut_order;      ///< [cell] first order beyond max_order
+  std::vector<double> largest;        ///< [cell] largest single score
+  std::vector<OctaveCounts> octaves;  ///< [cell]
   std::size_t environment_groups;
   std::vector<EnvironmentScores> environment;  ///< [cell][group of environments]
   std::vector<std::uint32_t> touched_cells, touched_depths;
@@ -113,7 +144,7 @@ class BatchTally {
 
   /// Calls act(gate, share) for the gates that a score falls into, if it is one.
   template <class Act>
-  void each_gate(const Score& s, Act act) {
+  void each_gate(const Score& s, std::int32_t at_once, Act act) {
     ++scores;
     if (!(s.value > 0)) {
       if (std::isnan(s.value)) ++not_finite;
@@ -122,8 +153,8 @@ class BatchTally {
     if (const Decay* decay = light_[static_cast<std::size_t>(s.line)].decay) {
       decay->spread(s.path, *gates_, shares_);
       for (const auto& [gate, share] : shares_) act(gate, share);
-    } else if (const std::int32_t gate = gates_->find(s.path); gate >= 0) {
-      act(gate, 1.0);
+    } else if (at_once >= 0) {
+      act(at_once, 1.0);
     }
   }
   /// Calls act(cell, share) for the channels that count a score.
@@ -135,7 +166,7 @@ class BatchTally {
           share);
   }
   /// Adds a share of a score to a cell. Tells whether its echo has it.
-  bool add(const Score& s, std::size_t cell, double share);
+  bool add(const Score& s, std::int32_t depth, std::size_t cell, double share);
 
   const Shape* shape_;
   const Gates* gates_;
@@ -144,7 +175,7 @@ class BatchTally {
   std::vector<GateShare> shares_;  ///< of the last score that was not emitted at once
 };
 
-inline bool BatchTally::add(const Score& s, std::size_t cell, double share) {
+inline bool BatchTally::add(const Score& s, std::int32_t depth, std::size_t cell, double share) {
   const double value = s.value * share;
   if (!(value > 0)) return false;  // a share of nothing: the cell would be touched twice
   if (largest[cell] == 0 && cut_order[cell] == 0)
@@ -157,9 +188,8 @@ inline bool BatchTally::add(const Score& s, std::size_t cell, double share) {
   by_order[cell * shape_->orders + order] += value;
   by_process[cell * shape_->processes + light_[static_cast<std::size_t>(s.line)].process] += value;
   largest[cell] = std::max(largest[cell], value);
-  ++octaves[cell][static_cast<std::size_t>(score_octave(value))];
-  const double depth = (s.depth - shape_->depth_min) * shape_->per_depth_step;
-  if (depth >= 0 && depth < static_cast<double>(shape_->depths)) {
+  octaves[cell].add(value);
+  if (depth >= 0) {
     const std::size_t k = cell * shape_->depths + static_cast<std::size_t>(depth);
     if (by_depth[k] == 0) touched_depths.push_back(static_cast<std::uint32_t>(k));
     by_depth[k] += value;

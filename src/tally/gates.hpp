@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/lanes.hpp"
 #include "medium/medium.hpp"
 #include "scene/scene.hpp"
 
@@ -29,6 +30,15 @@ struct PathScale {
   }
 };
 
+/// The whole number below `place`, or -1 where that is none of 0 … count - 1.
+template <class Double>
+auto cell_below(const Double& place, std::int32_t count) {
+  const Double within = smaller(larger(place + Double(1), Double(0)), Double(count + 1));
+  auto cell = floor_index(within);
+  using Index = decltype(cell);
+  return select(cell == Index(count + 1), Index(0), cell) - Index(1);
+}
+
 class Gates {
  public:
   /// The gates of a scene whose light travels in the lines of a medium.
@@ -36,11 +46,13 @@ class Gates {
 
   [[nodiscard]] std::int32_t count() const { return count_; }
 
-  /// The gate that a group path [m] falls into, or -1.
-  [[nodiscard]] std::int32_t find(double path) const {
-    const double rest = path - scale_.knee_path;
-    const double gate = knee_gate_ + rest * (rest < 0 ? per_metre_before_ : per_metre_after_);
-    return gate >= 0 && gate < count_ ? static_cast<std::int32_t>(gate) : -1;
+  /// The gate that a group path [m] falls into, or -1. Double: one, or one in each lane.
+  template <class Double>
+  [[nodiscard]] auto find(const Double& path) const {
+    const Double rest = path - Double(scale_.knee_path);
+    const Double gate = Double(knee_gate_) + (smaller(rest, Double(0)) * Double(per_metre_before_) +
+                                              larger(rest, Double(0)) * Double(per_metre_after_));
+    return cell_below(gate, count_);
   }
 
   [[nodiscard]] double edge_path(std::int32_t edge) const;  ///< [m], edge 0 … count

@@ -50,8 +50,10 @@ void Totals::merge(const BatchTally& batch) {
     state_.echo[cell].add(echo, n);
     state_.cut_order[cell] += batch.cut_order[cell];
     state_.largest[cell] = std::max(state_.largest[cell], batch.largest[cell]);
-    for (std::size_t k = 0; k < score_octaves; ++k)
-      state_.octaves[cell][k] += batch.octaves[cell][k];
+    const auto& [count, lowest] = batch.octaves[cell];
+    for (auto k = static_cast<std::size_t>(lowest);
+         k <= static_cast<std::size_t>(score_octave(batch.largest[cell])); ++k)
+      state_.octaves[cell][k] += count[k];
     merge_environments(batch, cell, echo);
   }
   for (const std::uint32_t k : batch.touched_depths) {

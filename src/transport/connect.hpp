@@ -13,12 +13,11 @@
 
 namespace photic::transport {
 
-/// One way from a point to a telescope. Where no lane is seen by the detector only the first two
-/// are filled in.
+/// One way from a point to a telescope. Where no lane is seen by the detector only the first is
+/// filled in.
 template <class T>
 struct Connection {
-  Vec3<T> direction;   ///< in which light must leave the point
-  Mask<T> in_front{};  ///< of the lens: a direction worth sampling, in the field of view or not
+  Vec3<T> direction;  ///< in which light must leave the point
   T acceptance{};  ///< solid angle about it that ends on the detector, surface losses included [sr]
   T optical_depth{};  ///< of the way
   T length_water{};   ///< [m]
@@ -38,13 +37,12 @@ Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& t
 }
 
 /// From a photon's position through the surface to a telescope in the air, at the given line.
-/// `near_view`: whether may_see(). If nothing `aims` at the telescope, directions are left out
-/// where its detector cannot see the point.
+/// `near_view`: whether may_see(); nothing is seen elsewhere.
 template <class T>
 Connection<T> connect_through_surface(const medium::MediumView& sea,
                                       const instrument::Telescope<T>& telescope,
                                       const Photon<T>& at, const Index<T>& line,
-                                      const Mask<T>& near_view, bool aims) {
+                                      const Mask<T>& near_view) {
   using std::sqrt;
   Connection<T> way;
   const T n = gather<T>(sea.index, line);
@@ -55,22 +53,19 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T dy = telescope.position.y - at.position.y;
   const T aside_squared = dx * dx + dy * dy;
 
-  if (!(aims || any(near_view))) return way;
-  const auto start = crossing_start(inverse_n, depth, height, aside_squared);
-  T per_rise = start.per_rise;
-  if (any(near_view))
-    per_rise = select(near_view, crossing(n, depth, height, aside_squared, start), per_rise);
+  auto start = crossing_start(inverse_n, depth, height, aside_squared);
+  start.error = select(near_view, start.error, T(0));  // no steps for the others
+  const T per_rise = crossing(n, depth, height, aside_squared, start);
 
   const RefractedRay<T> ray = refracted_ray(n, inverse_n, dx, dy, aside_squared, per_rise);
   const auto& [direction, arriving, secant_air, cos_air, cos_water, slowness] = ray;
   way.direction = direction;
   const T towards = -dot(arriving, telescope.axis);
-  way.in_front = towards > T(0);
-  if (!any(near_view)) return way;
-  const T safe_towards = select(way.in_front, towards, T(1));
+  const Mask<T> in_front = towards > T(0);
+  const T safe_towards = select(in_front, towards, T(1));
   const T tan_off_axis = length(cross(arriving, telescope.axis)) / safe_towards;
   const T overlap = telescope.overlap(per_rise / safe_towards, tan_off_axis);
-  const Mask<T> seen = near_view & way.in_front & (overlap > T(0));
+  const Mask<T> seen = near_view & in_front & (overlap > T(0));
   if (!any(seen)) return way;
   const T secant_water = n * secant_air / slowness;
   const T in_water = depth * secant_water;
@@ -127,11 +122,11 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
   const Vec3<T> arriving{way.direction.x, way.direction.y,
                          mirrored ? -way.direction.z : way.direction.z};
   const T cos_off_axis = -dot(arriving, telescope.axis);
-  way.in_front = apart & (cos_off_axis > T(0));
-  const T safe_cos = select(way.in_front, cos_off_axis, T(1));
+  const Mask<T> in_front = apart & (cos_off_axis > T(0));
+  const T safe_cos = select(in_front, cos_off_axis, T(1));
   const T tan_off_axis = length(cross(arriving, telescope.axis)) / safe_cos;
   const T overlap = telescope.overlap(T(1) / (distance * safe_cos), tan_off_axis);
-  const Mask<T> seen = way.in_front & (overlap > T(0));
+  const Mask<T> seen = in_front & (overlap > T(0));
   if (!any(seen)) return way;
 
   const T steep = abs(way.direction.z);

@@ -10,26 +10,23 @@
 namespace photic::transport {
 
 /// As connect_through_surface (not `mirrored`) or connect_in_water give it, for a lens all of which
-/// is at one of its points. If nothing `aims` at the telescope, directions are left out where its
-/// detector cannot see the point.
+/// is at one of its points. `near_view`: whether may_see(); nothing is seen elsewhere.
 template <class T>
 Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                           const Index<T>& telescope_layer, const Photon<T>& at,
                           const Index<T>& line, const instrument::PlanePoint<T>& lens,
-                          bool mirrored, const Mask<T>& near_view, bool aims) {
+                          bool mirrored, const Mask<T>& near_view) {
   const T depth = -at.position.z;
   const Vec3<T> to = in_space(telescope, lens);
   Way<T> way;
   if (telescope.submerged) {
     way = way_in_water(sea, at.position, line, to, mirrored);
   } else {
-    if (!(aims || any(near_view))) return {};
     way = way_through_surface(sea, at.position, line, to, near_view);
   }
   const auto seen = sight(telescope, lens, way.arriving);
   Connection<T> connection;
   connection.direction = way.direction;
-  connection.in_front = -dot(way.arriving, telescope.axis) > T(0);
   const Mask<T> detected = way.exists & seen.on_detector;
   if (!any(detected)) return connection;
   const auto tau = telescope.submerged

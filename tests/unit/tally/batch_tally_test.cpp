@@ -117,12 +117,28 @@ TEST(BatchTally, IsAsNewWhenCleared) {
     EXPECT_EQ(sum(*table), 0);
   }
   for (const auto& cell : t.batch.octaves) {
-    EXPECT_EQ(std::accumulate(cell.begin(), cell.end(), 0U), 0U);
+    EXPECT_EQ(std::accumulate(cell.count.begin(), cell.count.end(), 0U), 0U);
   }
   EXPECT_TRUE(t.batch.touched_cells.empty() && t.batch.touched_depths.empty());
   EXPECT_EQ(t.batch.ledger.absorbed, 0);
   EXPECT_EQ(t.batch.photons + t.batch.collisions + t.batch.too_many_events + t.batch.not_finite,
             0U);
+}
+
+// From the smallest score to the largest, and none of them twice. Seen red: with the octave of the
+// largest left out; with counts that a batch keeps.
+TEST(BatchTally, CountsTheOctavesOfAllScores) {
+  Tallies t;
+  for (int batch = 1; batch <= 2; ++batch) {
+    for (const double value : {0x1p-3, 0x1p-90, 0x1.8p-41, 0x1p-41}) t.score(1, value);
+    t.end_batch(10);
+    const auto& octaves = t.totals.state().octaves[1];
+    const auto n = static_cast<std::uint64_t>(batch);
+    EXPECT_EQ(octaves[score_octaves - 3], n);
+    EXPECT_EQ(octaves[score_octaves - 41], 2 * n);
+    EXPECT_EQ(octaves[score_octaves - 90], n);
+    EXPECT_EQ(std::accumulate(octaves.begin(), octaves.end(), std::uint64_t{0}), 4 * n);
+  }
 }
 
 }  // namespace

@@ -150,7 +150,8 @@ TEST(BatchTally, SpreadsWhatDecaysInEnvironments) {
   std::array<double, EnvironmentScores::size> ratios{};
   ratios[0] = 2;
   ratios[1] = 0.5;
-  t.batch.score({0, 2, 1, 7, t.path_in(1), 0.5}, ratios.data());
+  const Score score{0, 2, 1, 7, t.path_in(1), 0.5};
+  t.batch.score(score, t.batch.places(score.path, score.depth), ratios.data());
   const auto shares = shares_of(60, t.gates, t.path_in(1));
   for (std::size_t g = 0; g < 4; ++g) {
     EXPECT_EQ(t.batch.environment[2 * 4 + g].echo[0], shares.at(g));

@@ -84,7 +84,7 @@ void finds_what_lies_between_edges(const Gates& gates) {
   }
   EXPECT_EQ(gates.find(gates.edge_path(0) - 1e-9), -1);
   EXPECT_EQ(gates.find(gates.last_path() + 1e-9), -1);
-  EXPECT_EQ(gates.find(-1), -1);
+  EXPECT_EQ(gates.find(-1.0), -1);
   EXPECT_EQ(gates.find(1e30), -1);
   EXPECT_EQ(gates.find(std::numeric_limits<double>::infinity()), -1);
 }

@@ -14,7 +14,8 @@ struct Tangent : Tallies {
   /// In gate 0; `change` is p d score / d p.
   void add(double score, double change) {
     const double ratios[EnvironmentScores::size] = {2.0, 1 + change / score};
-    batch.score({0, 0, 1, 2.5, path_in(0), score}, ratios);
+    const Score one{0, 0, 1, 2.5, path_in(0), score};
+    batch.score(one, batch.places(one.path, one.depth), ratios);
   }
 
   [[nodiscard]] Result result() const {

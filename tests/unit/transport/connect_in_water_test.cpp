@@ -137,7 +137,6 @@ TEST(ConnectInWater, MirroredIsTotalBeyondTheCriticalAngle) {
 TEST(ConnectInWater, FromTheLensItselfSeesNothing) {
   const auto sea = make_sea(40);
   const auto way = connect(sea, submerged({1, 2, -3}, {0, 0, -1}), {1, 2, -3}, 0, false);
-  EXPECT_FALSE(way.in_front);
   EXPECT_EQ(way.acceptance, 0);
 }
 

@@ -135,17 +135,15 @@ TEST(LanesOf, ConnectRay) {
       one.layer = sea.layer_at(-one.position.z);
     }
     const auto packed = pack(photon);
-    const auto ray4 =
-        connect_ray(sea.view(), telescope4, Index4(layer), packed, packed.line,
-                    lens_point(telescope4, pack(u), pack(v)), mirrored,
-                    may_see(sea.view(), telescope4, packed.position, packed.line), true);
+    const auto ray4 = connect_ray(sea.view(), telescope4, Index4(layer), packed, packed.line,
+                                  lens_point(telescope4, pack(u), pack(v)), mirrored,
+                                  may_see(sea.view(), telescope4, packed.position, packed.line));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto ray =
           connect_ray(sea.view(), telescope, layer, photon[i], photon[i].line,
                       lens_point(telescope, u[i], v[i]), mirrored,
-                      may_see(sea.view(), telescope, photon[i].position, photon[i].line), true);
+                      may_see(sea.view(), telescope, photon[i].position, photon[i].line));
       expect_same(ray4.direction, i, ray.direction, "direction");
-      expect_same(ray4.in_front[i], ray.in_front, "in front");
       expect_same(ray4.acceptance[i], ray.acceptance, "acceptance");
       (ray.acceptance > 0 ? seen : unseen) += 1;
       if (!(ray.acceptance > 0)) continue;
