@@ -33,8 +33,8 @@ std::vector<std::int32_t> flags_with_large_scores_in(const std::vector<std::int3
       for (int k = 0; k < 100; ++k) {
         const bool large = batch == 20 && k == 0 && std::ranges::find(gates, gate) != gates.end();
         const std::array<double, EnvironmentScores::size> ratio{large ? 1e4 : 1.1 + 1e-3 * k};
-        const Score score{0, 0, 1, 5.0 * gate + 2.5, t.path_in(gate),
-                          random.between(0.5e-3, 1.5e-3)};
+        const Score score{
+            0, 0, 1, 5.0 * gate + 2.5, t.path_in(gate), random.between(0.5e-3, 1.5e-3)};
         t.batch.score(score, t.batch.places(score.path, score.depth), ratio.data());
       }
     }
