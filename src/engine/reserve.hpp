@@ -17,8 +17,7 @@ namespace photic::engine {
 template <class T>
 class Reserve {
  public:
-  explicit Reserve(const World<T>& world)
-      : makes_choices_(world.makes_choices), special_(world.special) {}
+  explicit Reserve(const World<T>& world) : world_(world) {}
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -55,13 +54,16 @@ class Reserve {
     const auto vector = [&](Vec3<T>& v) { member(v.x), member(v.y), member(v.z); };
     vector(t.photon.position), vector(t.photon.direction);
     member(t.photon.weight), member(t.photon.analog_weight), member(t.photon.path);
-    member(t.photon.line), member(t.photon.layer), member(t.photon.order);
-    member(t.place.event), member(t.hue);
+    member(t.photon.order), member(t.place.event);
+    // What is the same for all of them stays where it is.
+    if (world_.sea.lines > 1) member(t.photon.line);
+    if (world_.sea.layers > 1) member(t.photon.layer);
+    if (world_.sea.bands > 0) member(t.hue);
     for (auto& point : t.lens) member(point.x), member(point.y);
     for (std::size_t i = 1; i < t.u.size(); ++i) member(t.u[i]);
-    if (makes_choices_)
+    if (world_.makes_choices)
       for (auto& number : t.choices) member(number);
-    if (special_) member(t.analog_before), member(t.importance_before);
+    if (world_.special) member(t.analog_before), member(t.importance_before);
     const Index<T> colliding = f(select(t.colliding, Index<T>(1), Index<T>(0)));
     t.colliding = colliding == Index<T>(1);
     const auto [lower, upper] = words_of<T>(t.place.photon);
@@ -89,7 +91,7 @@ class Reserve {
     word_ = std::move(word);
   }
 
-  bool makes_choices_, special_;
+  const World<T>& world_;
   std::vector<std::int32_t> word_;  ///< [word][photon]
   std::size_t column_ = 0, size_ = 0;
 };
