@@ -20,6 +20,13 @@ if(PHOTIC_WIDE_LANES AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   target_compile_definitions(photic_flags INTERFACE PHOTIC_WIDE_LANES)
 endif()
 
+set(flags_of_baseline "")
+# Packs that are copied go through registers: g++ 12 would have string instructions for them, which take some tens of
+# cycles to begin (docs/decisions/0024).
+set(flags_of_avx2 -mavx2 -mfma "$<$<CXX_COMPILER_ID:GNU>:-mmove-max=256;-mstore-max=256>")
+set(flags_of_avx512 -mavx2 -mfma -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512
+                     "$<$<CXX_COMPILER_ID:GNU>:-mmove-max=512;-mstore-max=512>")
+
 # To optimise takes most of the time that a debug build needs, so only what tests would wait for is.
 set(optimised_also_for_debugging $<$<CONFIG:Debug>:-O1>)
 
@@ -59,12 +66,6 @@ find_program(PHOTIC_SEALER NAMES ld.bfd ld REQUIRED)
 # every standard library. What is left: nothing in such an object may run before main, on every processor. So headers
 # that it includes have no variables with constructors (tests/unit/engine/check_sealed.py looks for both).
 function(photic_for_each_isa target source entry)
-  set(flags_of_baseline "")
-  # Packs that are copied go through registers: g++ 12 would have string instructions for them, which take some tens of
-  # cycles to begin (docs/decisions/0024).
-  set(flags_of_avx2 -mavx2 -mfma "$<$<CXX_COMPILER_ID:GNU>:-mmove-max=256;-mstore-max=256>")
-  set(flags_of_avx512 -mavx2 -mfma -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512
-                       "$<$<CXX_COMPILER_ID:GNU>:-mmove-max=512;-mstore-max=512>")
   cmake_path(GET source STEM stem)
   cmake_parse_arguments(ARG "" "" "WITHOUT" ${ARGN})
   foreach(isa IN LISTS photic_isas)
