@@ -84,8 +84,8 @@ std::vector<double> some_u(int count) {
   return out;
 }
 
-// Petzold's rows have corners. Seen red: with the slopes of a cell's ends swapped; with a kink at
-// the core's edge smoothed, as all cells are; with cells of the upper half counted from 0.
+// Petzold's rows have corners. Seen red: with the slopes of a cell's ends swapped; with cells of the
+// upper half taken for those of the lower.
 TEST(PhaseTable, SamplesTheInverseOfItsCumulative) {
   for (const auto& [name, shape] : all_shapes()) {
     const PhaseTable table(shape);
@@ -99,7 +99,8 @@ TEST(PhaseTable, SamplesTheInverseOfItsCumulative) {
 }
 
 // What samples are drawn from is value(), as closely as that is the formula. Differences of
-// samples that are close together, away from the edges of cells, tell it. Seen red: as above.
+// samples that are close together tell it. Seen red: with the slopes of a cell's ends swapped; with
+// the kink at the core's edge smoothed.
 TEST(PhaseTable, SamplesAreAsDenseAsItsValues) {
   for (const auto& [name, shape] : all_shapes()) {
     const PhaseTable table(shape);
