@@ -75,6 +75,24 @@ TYPED_TEST(UniformOf, IsUniform) {
   for (const auto& c : count) test::expect_uniform(c, photons, 0.01 / 8);
 }
 
+// Whatever was chosen, what is left of even numbers is even: 1 % for both. Seen red: without the
+// share taken off where it was not chosen.
+TEST(LeftOfChoice, IsUniform) {
+  constexpr int numbers = 100000;
+  constexpr double share = 0.3;
+  std::array<std::vector<double>, 2> count;
+  count.fill(std::vector<double>(50, 0.0));
+  std::array<double, 2> total{};
+  for (std::uint64_t i = 0; i < numbers; ++i) {
+    const double u = uniforms(RandomPlace<double>{9, i, 1}, 0)[0];
+    const std::size_t chosen = u < share ? 1 : 0;
+    count[chosen][static_cast<std::size_t>(left_of_choice(u, share) * 50)] += 1;
+    total[chosen] += 1;
+  }
+  for (std::size_t i = 0; i < 2; ++i) test::expect_uniform(count[i], total[i], 0.01 / 2);
+  EXPECT_EQ(left_of_choice(0.25, 0.0), 0.25);
+}
+
 TEST(Uniforms, DifferByPhotonEventBlockAndSeed) {
   const auto here = uniforms(RandomPlace<double>{1, 2, 3}, 0);
   EXPECT_EQ(here, uniforms(RandomPlace<double>{1, 2, 3}, 0));

@@ -45,6 +45,42 @@ TEST(Draws, OfAnyBatchFillTheirRange) {
   }
 }
 
+// Seen red: with the first slot left out; with points for blocks that have none.
+TEST(Draws, OfOneEventTogetherAreThoseOfEach) {
+  for (const char* sampling : {"quasi-random", "random"}) {
+    const auto world = world_with(sampling);
+    for (const std::uint32_t slot : {laser, telescope}) {
+      const Draws<double> draws{world, 2 * batch_photons, 4, slot};
+      for (std::int32_t event = 0; event < 5; ++event) {
+        for (std::uint32_t block = 0; block < 5; ++block) {
+          for (const std::int32_t n : {0, 1, 777, 1999})
+            EXPECT_EQ(draws.together(n, event, block), draws(n, event, block))
+                << sampling << " " << slot << " " << event << " " << block << " " << n;
+        }
+      }
+    }
+  }
+}
+
+// Where flags look at the tail of scores, and that has an end (decision 26). Seen red: with
+// environments or telescopes in the water overlooked.
+TEST(Draws, OfTheForwardEstimatorAreSpreadWhereFlagsCanTell) {
+  using namespace test;
+  const auto spreads = [](const std::string& instrument, const std::string& estimator,
+                          bool with_environment) {
+    auto scene =
+        read(instrument + channel("elastic") + water(0.06, 0.1, "{ model = \"isotropic\" }") +
+             depth_gates(10, 2) + simulation(1e4, 5, "", estimator));
+    if (with_environment) scene.environment.push_back({"same", {}, scene.optics, scene.sea});
+    return spreads_evenly(scene);
+  };
+  EXPECT_TRUE(spreads(ship_instrument, "forward", false));
+  EXPECT_FALSE(spreads(ship_instrument, "forward", true));
+  EXPECT_FALSE(spreads(ship_instrument + submerged_telescope, "forward", false));
+  EXPECT_FALSE(spreads(ship_instrument, "analog", false));
+  EXPECT_TRUE(spreads(ship_instrument + submerged_telescope, "bidirectional", true));
+}
+
 // Where the laser's light leaves: one photon in each of 32 x 32 cells. Seen red: with one
 // coordinate for all four numbers.
 TEST(Draws, FillTheLasersDisc) {
