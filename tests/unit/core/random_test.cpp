@@ -86,7 +86,9 @@ TEST(LeftOfChoice, IsUniform) {
   for (std::uint64_t i = 0; i < numbers; ++i) {
     const double u = uniforms(RandomPlace<double>{9, i, 1}, 0)[0];
     const std::size_t chosen = u < share ? 1 : 0;
-    count[chosen][static_cast<std::size_t>(left_of_choice(u, share) * 50)] += 1;
+    const double left = left_of_choice(u, share);
+    ASSERT_TRUE(left >= 0 && left < 1);
+    count[chosen][static_cast<std::size_t>(left * 50)] += 1;
     total[chosen] += 1;
   }
   for (std::size_t i = 0; i < 2; ++i) test::expect_uniform(count[i], total[i], 0.01 / 2);
