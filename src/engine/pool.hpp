@@ -1,9 +1,9 @@
 // Many photons on their way at once, in packs.
 //
-// All packs go through a stage of an event before any goes through the next one, so that the
-// processor works on several of them at once: each is a long chain of operations that wait for each
-// other. Then the lanes of those who have ended are given to others, so that packs stay full. Who
-// gets a lane, and the order in which packs are scored, follow from the photons alone.
+// All packs go through a stage of an event before any goes through the next one: each stage is a
+// small loop, whose registers are its own. Then the lanes of those who have ended are given to
+// others, so that packs stay full. Who gets a lane, and the order in which packs are scored, follow
+// from the photons alone.
 #pragma once
 
 #include <algorithm>
