@@ -7,7 +7,6 @@
 
 #include "core/pack.hpp"
 #include "engine/history.hpp"
-#include "engine/lane_ledger.hpp"
 #include "engine/problem.hpp"
 #include "scene/read.hpp"
 
@@ -17,7 +16,7 @@ namespace {
 using Lanes = Pack<float, native::float_lanes>;
 constexpr std::size_t packs = 8;
 
-/// Peaked water under the ship lidar, and photons that go down in it.
+/// The starter scene, and photons that go down in its water.
 struct Setting {
   Problem problem = [] {
     auto scene = scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene;

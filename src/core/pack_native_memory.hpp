@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 #include "core/lanes.hpp"
 #include "core/pack_native.hpp"
-#include "core/sobol.hpp"
 
 namespace photic::native {
 
@@ -210,6 +210,22 @@ Vector<E, N> expand(MaskBits<N> mask, Vector<E, N> lanes, const E* from) {
 }
 
 #if defined(__AVX2__)
+/// Of each sixteen bytes those whose numbers stand in each sixteen of another vector.
+inline __m256i pick_bytes(__m256i from, __m256i number) {
+  return _mm256_shuffle_epi8(from, number);
+}
+inline __m256i repeated(__m128i bytes, std::integral_constant<int, 8>) {
+  return _mm256_broadcastsi128_si256(bytes);
+}
+#if defined(__AVX512BW__)
+inline __m512i pick_bytes(__m512i from, __m512i number) {
+  return _mm512_shuffle_epi8(from, number);
+}
+inline __m512i repeated(__m128i bytes, std::integral_constant<int, 16>) {
+  return _mm512_broadcast_i32x4(bytes);
+}
+#endif
+
 /// What bytes become that are read backwards: the halves of a byte by two tables, then the bytes.
 struct BackwardsTables {
   alignas(16) std::array<std::uint8_t, 16> of_upper_half{}, of_lower_half{}, of_bytes{};
@@ -225,44 +241,22 @@ struct BackwardsTables {
   }
 };
 inline constexpr BackwardsTables backwards;
-#endif
 
 /// The bits of words read backwards.
 template <int N>
 Vector<std::uint32_t, N> reversed_bits(const Vector<std::uint32_t, N>& words) {
-#if defined(__AVX2__)
+  static_assert(N == float_lanes);
   const auto table = [](const auto& bytes) {
-    return _mm_load_si128(reinterpret_cast<const __m128i*>(bytes.data()));
+    return repeated(_mm_load_si128(reinterpret_cast<const __m128i*>(bytes.data())),
+                    std::integral_constant<int, N>());
   };
-#if defined(__AVX512BW__)
-  if constexpr (N == 16) {
-    const auto of = [&](const auto& bytes, __m512i i) {
-      return _mm512_shuffle_epi8(_mm512_broadcast_i32x4(table(bytes)), i);
-    };
-    const auto v = (__m512i)words, half = _mm512_set1_epi8(15);
-    const __m512i lower = of(backwards.of_lower_half, _mm512_and_si512(v, half));
-    const __m512i upper =
-        of(backwards.of_upper_half, _mm512_and_si512(_mm512_srli_epi16(v, 4), half));
-    const __m512i bytes = _mm512_broadcast_i32x4(table(backwards.of_bytes));
-    return (Vector<std::uint32_t, N>)_mm512_shuffle_epi8(_mm512_or_si512(lower, upper), bytes);
-  }
-#endif
-  if constexpr (N == 8) {
-    const auto of = [&](const auto& bytes, __m256i i) {
-      return _mm256_shuffle_epi8(_mm256_broadcastsi128_si256(table(bytes)), i);
-    };
-    const auto v = (__m256i)words, half = _mm256_set1_epi8(15);
-    const __m256i lower = of(backwards.of_lower_half, _mm256_and_si256(v, half));
-    const __m256i upper =
-        of(backwards.of_upper_half, _mm256_and_si256(_mm256_srli_epi16(v, 4), half));
-    const __m256i bytes = _mm256_broadcastsi128_si256(table(backwards.of_bytes));
-    return (Vector<std::uint32_t, N>)_mm256_shuffle_epi8(_mm256_or_si256(lower, upper), bytes);
-  }
-#endif
-  Vector<std::uint32_t, N> out;
-  for (int i = 0; i < N; ++i) out[i] = photic::reversed_bits(std::uint32_t{words[i]});
-  return out;
+  using Bytes = decltype(table(backwards.of_bytes));
+  constexpr std::uint32_t half = 0x0f0f0f0f;
+  const auto lower = pick_bytes(table(backwards.of_lower_half), (Bytes)(words & half));
+  const auto upper = pick_bytes(table(backwards.of_upper_half), (Bytes)((words >> 4) & half));
+  return (Vector<std::uint32_t, N>)pick_bytes(lower | upper, table(backwards.of_bytes));
 }
+#endif
 
 /// to[index] = the value, in the lanes of a mask.
 template <int N, class E>

@@ -211,11 +211,9 @@ void aim_at_telescopes(const World<T>& world, const Travellers<T>& at, Targets<T
     const Vec3<T> to = world.single_rays ? in_space(telescope, at.lens[t]) : telescope.position;
     for (const bool mirrored : {false, true}) {
       if ((mirrored && !telescope.submerged) || targets.count == target_capacity) continue;
-      const Aim<T> aim = telescope.submerged
-                             ? aim_in_water(telescope, from, to, mirrored)
-                             : aim_through_surface(world.sea, telescope, from, line, to,
-                                                   may_see(world.sea, telescope, from, line));
-      targets.add(aim.direction, T(0), select(aim.in_front, T(1), T(0)));
+      const auto [direction, in_front] = aim(world.sea, telescope, from, line, to, mirrored,
+                                             may_see(world.sea, telescope, from, line));
+      targets.add(direction, T(0), select(in_front, T(1), T(0)));
     }
   }
 }

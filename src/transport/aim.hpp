@@ -5,8 +5,7 @@
 
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
-#include "transport/connect.hpp"
-#include "transport/crossing.hpp"
+#include "transport/way.hpp"
 
 namespace photic::transport {
 
@@ -16,40 +15,16 @@ struct Aim {
   Mask<T> in_front{};  ///< whether that is in front of the lens: else nothing comes of it
 };
 
-/// Through the surface to a point of the lens of a telescope in the air; the refracted direction,
-/// to a few per cent of its angle where the telescope does not see the point (may_see()).
+/// To a point of the lens: through the surface, or in the water directly or by way of the surface
+/// seen from below (`mirrored`). The refracted direction is known to a few per cent of its angle
+/// where the telescope cannot see the point: `near_view`, see may_see().
 template <class T>
-Aim<T> aim_through_surface(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
-                           const Vec3<T>& from, const Index<T>& line, const Vec3<T>& to,
-                           const Mask<T>& near_view) {
-  const T n = gather<T>(sea.index, line);
-  const T inverse_n = gather<T>(sea.inverse_index, line);
-  const T dx = to.x - from.x;
-  const T dy = to.y - from.y;
-  const T aside_squared = dx * dx + dy * dy;
-  const T depth = -from.z;
-  auto start = crossing_start(inverse_n, depth, to.z, aside_squared);
-  start.error = select(near_view, start.error, T(0));
-  const T per_rise = crossing(n, depth, to.z, aside_squared, start);
-  const auto ray = refracted_ray(n, inverse_n, dx, dy, aside_squared, per_rise);
-  return {ray.direction, -dot(ray.arriving, telescope.axis) > T(0)};
-}
-
-/// To a point of the lens of a telescope in the water, directly or by way of the surface seen from
-/// below (`mirrored`).
-template <class T>
-Aim<T> aim_in_water(const instrument::Telescope<T>& telescope, const Vec3<T>& from,
-                    const Vec3<T>& to, bool mirrored) {
-  using std::sqrt;
-  const Vec3<T> there = Vec3<T>{to.x, to.y, mirrored ? -to.z : to.z} - from;
-  const T squared = dot(there, there);
-  const Mask<T> apart = squared > T(0);
-  Aim<T> aim;
-  aim.direction = (T(1) / sqrt(select(apart, squared, T(1)))) * there;
-  const Vec3<T> arriving{aim.direction.x, aim.direction.y,
-                         mirrored ? -aim.direction.z : aim.direction.z};
-  aim.in_front = apart & (-dot(arriving, telescope.axis) > T(0));
-  return aim;
+Aim<T> aim(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+           const Vec3<T>& from, const Index<T>& line, const Vec3<T>& to, bool mirrored,
+           const Mask<T>& near_view) {
+  const Way<T> way = telescope.submerged ? way_in_water(sea, from, line, to, mirrored)
+                                         : way_through_surface(sea, from, line, to, near_view);
+  return {way.direction, -dot(way.arriving, telescope.axis) > T(0)};
 }
 
 }  // namespace photic::transport

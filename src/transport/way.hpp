@@ -23,7 +23,8 @@ struct Way {
   T passed{1};         ///< share that passes the surface, or is reflected by it
 };
 
-/// Through the surface to a point above it. Where `wanted` is false nothing is promised.
+/// Through the surface to a point above it. Where `wanted` is false only the directions are
+/// promised, to a few per cent of their angle.
 template <class T>
 Way<T> way_through_surface(const medium::MediumView& sea, const Vec3<T>& from, const Index<T>& line,
                            const Vec3<T>& to, const Mask<T>& wanted) {

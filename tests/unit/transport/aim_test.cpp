@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "transport/connect.hpp"
 #include "unit/instrument/telescopes.hpp"
 #include "unit/transport/packs.hpp"
 #include "unit/transport/sea.hpp"
@@ -17,8 +18,8 @@ using V = Vec3<double>;
 
 Aim<double> aim_from(const medium::Medium& sea, const scene::Telescope& scene, const V& from) {
   const auto telescope = instrument::make_telescope<double>(scene);
-  return aim_through_surface(sea.view(), telescope, from, 0, telescope.position,
-                             may_see(sea.view(), telescope, from, 0));
+  return aim(sea.view(), telescope, from, 0, telescope.position, false,
+             may_see(sea.view(), telescope, from, 0));
 }
 
 // The refracted way, not the straight one. Seen red: with the direction in the air.
@@ -26,13 +27,13 @@ TEST(Aim, ThroughTheSurfaceIsTheRefractedWay) {
   const auto sea = make_sea(60);
   const double n = sea.line.front().refractive_index;
   for (const double aside : {0.0, 0.05, 1.0, 5.0, 15.0}) {
-    const auto aim = aim_from(sea, instrument::table_1(), {aside, 0, -20});
-    EXPECT_TRUE(aim.in_front);
+    const auto way = aim_from(sea, instrument::table_1(), {aside, 0, -20});
+    EXPECT_TRUE(way.in_front);
     const double squared = aside * aside;
     const double tangent =
         aside * crossing(n, 20.0, 12.0, squared, crossing_start(1 / n, 20.0, 12.0, squared));
-    EXPECT_NEAR(-aim.direction.x, std::sin(std::atan(tangent)) / n, aside > 1 ? 0.02 : 1e-12);
-    EXPECT_NEAR(length(aim.direction), 1, 1e-12);
+    EXPECT_NEAR(-way.direction.x, std::sin(std::atan(tangent)) / n, aside > 1 ? 0.02 : 1e-12);
+    EXPECT_NEAR(length(way.direction), 1, 1e-12);
   }
 }
 
@@ -45,17 +46,21 @@ TEST(Aim, BehindTheLensIsNotInFront) {
 
 // Seen red: with the mirrored way looked at as it leaves, not as it arrives.
 TEST(Aim, InTheWaterIsStraightOrMirrored) {
+  const auto sea = make_sea(60);
   auto scene = instrument::table_1();
   scene.position_m = {0, 0, -3};
   scene.direction = {0, 0, 1};
   const auto telescope = instrument::make_telescope<double>(scene);
-  const V from{4, 0, -3};
-  EXPECT_FALSE(aim_in_water(telescope, from, telescope.position, false).in_front);
-  const auto mirrored = aim_in_water(telescope, from, telescope.position, true);
+  const auto from = [&](const V& place, bool mirrored) {
+    return aim(sea.view(), telescope, place, 0, telescope.position, mirrored, true);
+  };
+  const V beside{4, 0, -3};
+  EXPECT_FALSE(from(beside, false).in_front);
+  const auto mirrored = from(beside, true);
   EXPECT_TRUE(mirrored.in_front);
   EXPECT_NEAR(mirrored.direction.x, -4 / std::hypot(4, 6), 1e-12);
   EXPECT_NEAR(mirrored.direction.z, 6 / std::hypot(4, 6), 1e-12);
-  EXPECT_FALSE(aim_in_water(telescope, telescope.position, telescope.position, false).in_front);
+  EXPECT_FALSE(from(telescope.position, false).in_front);
 }
 
 TEST(Aim, OfLanesIsThatOfEach) {
@@ -69,20 +74,14 @@ TEST(Aim, OfLanesIsThatOfEach) {
     const auto telescope4 = instrument::make_telescope<Lanes4>(scene);
     const auto photon = four([&] { return random_photon(sea, random); });
     const auto packed = pack(photon);
-    const auto aim4 =
-        submerged ? aim_in_water(telescope4, packed.position, telescope4.position, mirrored)
-                  : aim_through_surface(
-                        sea.view(), telescope4, packed.position, packed.line, telescope4.position,
-                        may_see(sea.view(), telescope4, packed.position, packed.line));
+    const auto aim4 = aim(sea.view(), telescope4, packed.position, packed.line, telescope4.position,
+                          mirrored, may_see(sea.view(), telescope4, packed.position, packed.line));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& one = photon[i];
-      const auto aim =
-          submerged ? aim_in_water(telescope, one.position, telescope.position, mirrored)
-                    : aim_through_surface(sea.view(), telescope, one.position, one.line,
-                                          telescope.position,
-                                          may_see(sea.view(), telescope, one.position, one.line));
-      expect_same(aim4.direction, i, aim.direction, "direction");
-      expect_same(aim4.in_front[i], aim.in_front, "in front");
+      const auto way = aim(sea.view(), telescope, one.position, one.line, telescope.position,
+                           mirrored, may_see(sea.view(), telescope, one.position, one.line));
+      expect_same(aim4.direction, i, way.direction, "direction");
+      expect_same(aim4.in_front[i], way.in_front, "in front");
     }
   }
 }
