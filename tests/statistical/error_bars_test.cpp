@@ -12,7 +12,7 @@ namespace photic::test {
 namespace {
 
 constexpr int seeds = 40;
-constexpr double photons = 4e5;
+constexpr double photons = 1e6;
 constexpr double reference_photons = 25 * photons;  // its own error is in the intervals
 constexpr double gate_step = 0.5;
 
@@ -60,9 +60,7 @@ void check(const std::string& phase, double depth) {
       "%g m\n",
       converged, gates, shallow.share(), shallow.flagged_converged, deep.share(),
       deep.flagged_converged, depth);
-  // Photons that begin spread evenly have errors 1.4 times smaller there, beside which what has not
-  // been seen, as large as ever, flags some per cent more than before (decision 26).
-  EXPECT_GE(shallow.flagged_converged, 0.75 * seeds * static_cast<double>(gates))
+  EXPECT_GE(shallow.flagged_converged, 0.8 * seeds * static_cast<double>(gates))
       << "flags are timid";
   EXPECT_GT(shallow.share(), 0.91);
   EXPECT_LT(shallow.share(), 0.99);
