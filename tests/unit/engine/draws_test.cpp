@@ -45,7 +45,7 @@ TEST(Draws, OfAnyBatchFillTheirRange) {
   }
 }
 
-// Seen red: with the first slot left out; with points for blocks that have none.
+// Seen red: with the first slot left out.
 TEST(Draws, OfOneEventTogetherAreThoseOfEach) {
   for (const char* sampling : {"quasi-random", "random"}) {
     const auto world = world_with(sampling);
@@ -62,8 +62,7 @@ TEST(Draws, OfOneEventTogetherAreThoseOfEach) {
   }
 }
 
-// Where flags look at the tail of scores, and that has an end (decision 26). Seen red: with
-// environments or telescopes in the water overlooked.
+// Where flags look at the tail of scores, and that has an end (decision 26).
 TEST(Draws, OfTheForwardEstimatorAreSpreadWhereFlagsCanTell) {
   using namespace test;
   const auto spreads = [](const std::string& instrument, const std::string& estimator,

@@ -84,8 +84,8 @@ std::vector<double> some_u(int count) {
   return out;
 }
 
-// Petzold's rows have corners. Seen red: with the slopes of a cell's ends swapped; with cells of the
-// upper half taken for those of the lower.
+// Petzold's rows have corners. Seen red: with the slopes of a cell's ends swapped; with cells of
+// the upper half taken for those of the lower.
 TEST(PhaseTable, SamplesTheInverseOfItsCumulative) {
   for (const auto& [name, shape] : all_shapes()) {
     const PhaseTable table(shape);
