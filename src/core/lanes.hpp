@@ -168,11 +168,13 @@ template <std::floating_point T>
 std::uint32_t gather_word(const std::uint32_t* data, std::int32_t i) {
   return data[i];
 }
-template <int n, std::floating_point T>
-std::array<std::uint32_t, n> gather_word_row(const std::uint32_t* data, std::int32_t first) {
-  std::array<std::uint32_t, n> out;
-  for (std::size_t k = 0; k < n; ++k) out[k] = data[static_cast<std::size_t>(first) + k];
-  return out;
+template <class T>
+Word<T> load_words(const std::uint32_t* from) {
+  if constexpr (lanes_of<T> == 1) {
+    return *from;
+  } else {
+    return Word<T>::load(from);
+  }
 }
 
 /// to[i] = value in the lanes of a mask, in their order.

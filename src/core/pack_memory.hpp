@@ -118,14 +118,6 @@ template <class T>
 Word<T> gather_word(const std::uint32_t* data, const Index<T>& i) {
   return Word<T>::of(native::gather<T::lanes>(data, i.v));
 }
-template <int n, class T>
-  requires is_pack<T>
-std::array<Word<T>, n> gather_word_row(const std::uint32_t* data, const Index<T>& first) {
-  std::array<Word<T>, n> out;
-  const auto rows = native::gather_row<n, T::lanes>(data, first.v);
-  for (std::size_t k = 0; k < n; ++k) out[k] = Word<T>::of(rows[k]);
-  return out;
-}
 template <class E, int N>
 void scatter(const PackMask<N>& mask, const Pack<std::int32_t, N>& i, const Pack<E, N>& value,
              E* to) {

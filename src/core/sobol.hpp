@@ -16,12 +16,17 @@ class SobolPoints {
   SobolPoints(std::size_t points, std::size_t dimensions);
 
   [[nodiscard]] std::size_t dimensions() const { return dimensions_; }
-  /// Coordinate d of point p is number p * dimensions() + d, its bits reversed: for scrambled().
-  [[nodiscard]] const std::uint32_t* words() const { return words_.data(); }
+  /// Coordinate d of all points, one behind the other, their bits reversed: for scrambled(). As
+  /// many lanes as there may be are readable beyond the last one.
+  [[nodiscard]] const std::uint32_t* coordinate(std::size_t d) const {
+    return words_.data() + d * points_;
+  }
+  /// From a coordinate to the next one.
+  [[nodiscard]] std::size_t points() const { return points_; }
 
  private:
-  std::size_t dimensions_ = 0;
-  std::vector<std::uint32_t> words_;  ///< [point][dimension]
+  std::size_t points_ = 0, dimensions_ = 0;
+  std::vector<std::uint32_t> words_;  ///< [dimension][point]
 };
 
 /// W: a word, or one in each lane.

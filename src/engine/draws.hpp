@@ -51,16 +51,17 @@ class Draws {
     for (std::size_t i = 0; i < u.size(); ++i) u[i] = select(early, v[i], u[i]);
     return u;
   }
-  /// Of the same event in all lanes.
-  [[nodiscard]] std::array<T, 4> together(const Index<T>& n, std::int32_t event,
+  /// Of the same event of the batch's photons n, n + 1, … in the lanes.
+  [[nodiscard]] std::array<T, 4> together(std::int32_t n, std::int32_t event,
                                           std::uint32_t block) const {
-    if (event >= spread_events(block)) return independent(n, Index<T>(event), block);
-    const std::int32_t first = 4 * (event * quasi_random_blocks + first_slot_ + block);
-    const Index<T> point = n * Index<T>(quasi_random_dimensions) + Index<T>(first);
-    const auto word = gather_word_row<4, T>(world_.points.words(), point);
+    if (event >= spread_events(block))
+      return independent(Index<T>(n) + lane_numbers<T>(), Index<T>(event), block);
+    const auto first = static_cast<std::size_t>(first_coordinate(event, block));
     std::array<T, 4> u;
-    for (std::size_t i = 0; i < u.size(); ++i)
-      u[i] = uniform_from_word<T>(scrambled(word[i], Word<T>(keys_[first + i])));
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const auto word = load_words<T>(world_.points.coordinate(first + i) + n);
+      u[i] = uniform_from_word<T>(scrambled(word, Word<T>(keys_[first + i])));
+    }
     return u;
   }
 
@@ -76,16 +77,20 @@ class Draws {
   }
   [[nodiscard]] std::array<T, 4> from_points(const Index<T>& n, const Index<T>& event,
                                              std::uint32_t block) const {
-    const Index<T> first =
-        Index<T>(4) * (event * Index<T>(quasi_random_blocks) + Index<T>(first_slot_ + block));
-    const Index<T> point = n * Index<T>(quasi_random_dimensions);
+    const Index<T> first = first_coordinate(event, block);
     std::array<T, 4> u;
     for (std::size_t i = 0; i < u.size(); ++i) {
       const Index<T> d = first + Index<T>(i);
-      u[i] = uniform_from_word<T>(scrambled(gather_word<T>(world_.points.words(), point + d),
+      const Index<T> place = d * Index<T>(world_.points.points()) + n;
+      u[i] = uniform_from_word<T>(scrambled(gather_word<T>(world_.points.coordinate(0), place),
                                             gather_word<T>(keys_.data(), d)));
     }
     return u;
+  }
+  /// Of an event's block.
+  template <class I>
+  [[nodiscard]] I first_coordinate(const I& event, std::uint32_t block) const {
+    return I(4) * (event * I(quasi_random_blocks) + I(first_slot_ + block));
   }
 
   const World<T>& world_;

@@ -46,30 +46,58 @@ struct Travellers {
   Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
 };
 
-/// Light of one line that leaves collisions, one in each lane.
+/// Light of one line that leaves collisions, one in each lane: scattered, or converted from another
+/// line.
 template <class T>
 struct Sources {
-  transport::Photon<T> photon;  ///< before the collision
+  transport::Photon<T> photon{};  ///< before the collision
   Index<T> line{};
-  T share{};         ///< of the process in a collision
-  Index<T> phase{};  ///< its phase function
   instrument::PlanePoint<T> lens{};
+  // What differs between lanes at all:
+  bool lines = true, layers = true, points = true;
 
   template <class F>
   void each_member(F f) {
     f(photon.position.x), f(photon.position.y), f(photon.position.z);
     f(photon.direction.x), f(photon.direction.y), f(photon.direction.z);
-    f(photon.weight), f(photon.path), f(share), f(lens.x), f(lens.y);
-    f(photon.layer), f(photon.order), f(line), f(phase);
+    f(photon.weight), f(photon.path), f(photon.order);
+    if (points) f(lens.x), f(lens.y);
+    if (layers) f(photon.layer);
+    if (lines) f(photon.line), f(line);
   }
-  static constexpr std::size_t reals = 11, integers = 4;
+  static constexpr std::size_t reals = 10, integers = 4;
 };
+template <class T>
+Sources<T> sources_in(const World<T>& world) {
+  Sources<T> sources;
+  sources.lines = world.sea.lines > 1;
+  sources.layers = world.sea.layers > 1;
+  sources.points = world.single_rays;
+  return sources;
+}
+
+/// What a process makes of a collision: its share, and its phase function.
+template <class T>
+struct Emission {
+  T share;
+  Index<T> phase;
+};
+template <class T>
+Emission<T> emission(const medium::MediumView& sea, const Sources<T>& from) {
+  const Index<T> here = sea.at(from.line, from.photon.layer);
+  const Emission<T> scattered{gather<T>(sea.albedo, here),
+                              gather_index<T>(sea.elastic_phase, here)};
+  if (!from.lines) return scattered;
+  const Mask<T> same = from.line == from.photon.line;
+  return {select(same, scattered.share, gather<T>(sea.conversion, here)),
+          select(same, scattered.phase, gather_index<T>(sea.conversion_phase, from.line))};
+}
 
 /// What local estimates need besides the photons: a pool's, or one photon's.
 template <class T>
 struct Estimates {
   explicit Estimates(const World<T>& world)
-      : waiting(world.telescopes.size()),
+      : waiting(world.telescopes.size(), WaitingRoom<T, Sources<T>>(sources_in(world))),
         ratios(static_cast<std::size_t>(world.sea.environments.stride)) {}
 
   Targets<T> targets;  ///< of the directions that photons may take next
@@ -131,12 +159,13 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
               tally::BatchTally& tally, Estimates<T>& estimates) {
   using namespace transport;
   const Photon<T>& photon = from.photon;
+  const auto [share, phase] = emission(world.sea, from);
   const auto score = [&](const Connection<T>& way, bool mirrored) {
     const Mask<T> seen = mask & (way.acceptance > T(0));
     if (!any(seen)) return;
-    const T p = world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction),
-                                                   from.phase);
-    const T value = photon.weight * from.share * p * way.acceptance * exp_minus(way.optical_depth);
+    const T p =
+        world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction), phase);
+    const T value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
     if (compares<special>(world)) {
       score_in_environments(world, t, seen, from, way, mirrored, value, estimates, tally);
       return;
@@ -167,18 +196,19 @@ PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_
   score_in<false>(world, t, from, mask, tally, estimates);
 }
 
-/// Scores light of the collisions of a mask in all telescopes that may see it; it waits for
-/// company, but for light that has ratios.
+/// Scores light of a line from the collisions of a mask in all telescopes that may see it; it waits
+/// for company, but for light that has ratios.
 template <bool special, class T>
 void score_light(const World<T>& world, const transport::Photon<T>& photon,
                  const std::vector<instrument::PlanePoint<T>>& lens, const Mask<T>& colliding,
-                 const Index<T>& line, const T& share, const Index<T>& phase,
-                 Estimates<T>& estimates, tally::BatchTally& tally) {
+                 const Index<T>& line, Estimates<T>& estimates, tally::BatchTally& tally) {
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const Mask<T> seen =
         colliding & transport::may_see(world.sea, world.telescopes[t], photon.position, line);
     if (!any(seen)) continue;
-    Sources<T> from{photon, line, share, phase};
+    Sources<T> from = sources_in(world);
+    from.photon = photon;
+    from.line = line;
     if (world.single_rays) from.lens = lens[t];
     if (compares<special>(world)) {
       score_in<special>(world, t, from, seen, tally, estimates);
@@ -243,25 +273,25 @@ void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Tar
   }
 }
 
+/// Fills in the targets of the direction that photons may take next, where they stand.
+template <class T>
+void aim_at_targets(const World<T>& world, const Travellers<T>& at, Targets<T>& targets) {
+  targets.clear();
+  if (!world.directs) return;
+  aim_at_telescopes(world, at, targets);
+  aim_at_views(world, at.photon, targets);
+}
+
 /// Scores what the telescopes expect of photons of a mask that are scattered where they stand.
-/// Fills in the targets of the direction that all may take next.
 template <bool special, class T>
 void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask<T>& scored,
                       Estimates<T>& estimates, tally::BatchTally& tally) {
-  const medium::MediumView& sea = world.sea;
-  const Index<T> here = sea.at(at.photon.line, at.photon.layer);
-  estimates.targets.clear();
   if (compares<special>(world)) {
     estimates.kept = at.ratios.kept;
     estimates.first = at.ratios.first;
     estimates.ahead.clear();
   }
-  score_light<special>(world, at.photon, at.lens, scored, at.photon.line,
-                       gather<T>(sea.albedo, here), gather_index<T>(sea.elastic_phase, here),
-                       estimates, tally);
-  if (!world.directs) return;
-  aim_at_telescopes(world, at, estimates.targets);
-  aim_at_views(world, at.photon, estimates.targets);
+  score_light<special>(world, at.photon, at.lens, scored, at.photon.line, estimates, tally);
 }
 
 /// Scores what the telescopes expect of the conversions on photons' way to their next collision; of
@@ -290,19 +320,14 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const T
          (at.path - from.photon.path) / gather<T>(sea.group_index, at.line)},
         estimates.ahead);
   }
-  if (all_collisions) {
-    const Index<T> here = sea.at(at.line, at.layer);
-    score_light<special>(world, at, from.lens, reached, at.line, gather<T>(sea.albedo, here),
-                         gather_index<T>(sea.elastic_phase, here), estimates, tally);
-  }
+  if (all_collisions)
+    score_light<special>(world, at, from.lens, reached, at.line, estimates, tally);
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
   const Mask<T> converting = reached & convertible;
   Index<T> i(0);
   for (Mask<T> on = converting & (i < count); any(on); on = converting & (i < count)) {
     const Index<T> line = sea.emitted_line<T>(at.layer, select(on, i, Index<T>(0)), from.hue);
-    score_light<special>(world, at, from.lens, on, line,
-                         gather<T>(sea.conversion, sea.at(line, at.layer)),
-                         gather_index<T>(sea.conversion_phase, line), estimates, tally);
+    score_light<special>(world, at, from.lens, on, line, estimates, tally);
     i = i + Index<T>(1);
   }
 }

@@ -22,20 +22,20 @@
 
 namespace photic::engine {
 
-/// A batch's photons n of a mask on the laser's disc, and on into the water. Those who get there
-/// are on their way.
+/// A batch's photons n, n + 1, … of a mask on the laser's disc, and on into the water. Those who
+/// get there are on their way.
 template <class T, class Ledger>
-void set_out(const World<T>& world, const Draws<T>& draws, const Index<T>& n, const Mask<T>& exist,
+void set_out(const World<T>& world, const Draws<T>& draws, std::int32_t n, const Mask<T>& exist,
              Travellers<T>& travellers, Ledger& ledger) {
   using namespace transport;
-  travellers.place.photon = draws.photon(n);
+  travellers.place.photon = draws.photon(Index<T>(n) + lane_numbers<T>());
   travellers.place.event = Index<T>(0);
   for (std::size_t t = 0; t < travellers.lens.size(); ++t) {
     const auto u = draws.together(n, 0, lens_block + static_cast<std::uint32_t>(t));
     travellers.lens[t] = lens_point(world.telescopes[t], u[0], u[1]);
   }
   const auto u = draws.together(n, 0, 0);
-  travellers.hue = medium::hue_of(u[3]);
+  if (world.sea.bands > 0) travellers.hue = medium::hue_of(u[3]);
   Photon<T>& photon = travellers.photon;
   photon = emit(world.laser, world.laser_layer, u[0], u[1]);
   travellers.on = exist;
@@ -102,16 +102,21 @@ void travel(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
   tally.collisions += count(travellers.colliding);
 }
 
-/// What becomes of photons that collide where they stand: they are scored, and go on in another
-/// direction, at another wavelength, or not.
+/// Photons that collide where they stand are scored, if that has not been done on their way.
+template <bool special, class T>
+void score_collision(const World<T>& world, const Travellers<T>& travellers,
+                     tally::BatchTally& tally, Estimates<T>& estimates) {
+  if (!any(travellers.colliding) || (special && world.tools.scores_on_the_way)) return;
+  score_scattering<special>(world, travellers, travellers.colliding, estimates, tally);
+}
+
+/// What becomes of them: they go on in another direction, at another wavelength, or not.
 template <bool special, class T, class Ledger>
 void collision(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
-               tally::BatchTally& tally, Estimates<T>& estimates) {
+               Estimates<T>& estimates) {
   using namespace transport;
   Mask<T> colliding = travellers.colliding;
   if (!any(colliding)) return;
-  const Mask<T> scored = colliding & Mask<T>(!(special && world.tools.scores_on_the_way));
-  score_scattering<special>(world, travellers, scored, estimates, tally);
   Photon<T> photon = travellers.photon;
   if (world.last_order > 0) {
     const Mask<T> last = colliding & (photon.order + Index<T>(1) == Index<T>(world.last_order));
@@ -122,6 +127,7 @@ void collision(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
   const Index<T> here = world.sea.at(photon.line, photon.layer);
   book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
   if (compares<special>(world)) travellers.ratios.before = photon;
+  aim_at_targets(world, travellers, estimates.targets);
   auto& u = travellers.u;
   const auto& v = travellers.choices;
   const auto branch = collide(world.sea, photon, travellers.hue, world.conversion, v[0], v[1]);
@@ -165,11 +171,10 @@ void go_on(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
   begin_event(world, travellers);
   travel<special>(world, travellers, ledger, tally, estimates);
 }
-/// The first one, of the batch's photons n that have set out.
+/// The first one, of the batch's photons n, n + 1, … that have set out.
 template <bool special, class T, class Ledger>
-void launch(const World<T>& world, const Draws<T>& draws, const Index<T>& n,
-            Travellers<T>& travellers, Ledger& ledger, tally::BatchTally& tally,
-            Estimates<T>& estimates) {
+void launch(const World<T>& world, const Draws<T>& draws, std::int32_t n, Travellers<T>& travellers,
+            Ledger& ledger, tally::BatchTally& tally, Estimates<T>& estimates) {
   begin_event(world, travellers, [&](std::uint32_t block) { return draws.together(n, 1, block); });
   travel<special>(world, travellers, ledger, tally, estimates);
 }
@@ -199,7 +204,8 @@ void follow(const World<T>& world, Travellers<T>& photon, std::vector<Travellers
         continue;
       }
     }
-    collision<special>(world, photon, tally.ledger, tally, estimates);
+    score_collision<special>(world, photon, tally, estimates);
+    collision<special>(world, photon, tally.ledger, estimates);
     finish<special>(world, photon, tally.ledger, tally);
     witness(photon);
     if (!photon.on) return;

@@ -71,7 +71,8 @@ class Pool {
           continue;
         }
       }
-      each_pack([&](auto& t) { collision<special>(world_, t, ledger_, tally, estimates_); });
+      each_pack([&](auto& t) { score_collision<special>(world_, t, tally, estimates_); });
+      each_pack([&](auto& t) { collision<special>(world_, t, ledger_, estimates_); });
       each_pack([&](auto& t) { finish<special>(world_, t, ledger_, tally); });
       tell(witness);
       if constexpr (special) keep_copies(tally);
@@ -119,7 +120,7 @@ class Pool {
   /// The next photons of the batch, to where their first flight ends.
   template <bool special>
   PHOTIC_APART PHOTIC_FLATTEN void bear(tally::BatchTally& tally) {
-    const Index<T> n = Index<T>(next_) + lane_numbers<T>();
+    const auto n = static_cast<std::int32_t>(next_);
     set_out(world_, *draws_, n, first_lanes<T>(count_ - next_), newborn_, ledger_);
     next_ += width;
     if (compares<special>(world_)) {

@@ -13,6 +13,9 @@ namespace photic::engine {
 template <class T, class Item>
 class WaitingRoom {
  public:
+  /// `like`: what is the same for all items, whose each_member() may leave that out.
+  explicit WaitingRoom(const Item& like = {}) : like_(like) {}
+
   /// Adds the lanes of a mask; calls serve(item, mask) when a pack is full.
   template <class Serve>
   void admit(const Mask<T>& mask, Item item, Serve serve) {
@@ -39,7 +42,7 @@ class WaitingRoom {
   static constexpr std::size_t lanes = lanes_of<T>;
 
   Item first() {
-    Item item;
+    Item item = like_;
     columns_.each(item, [](auto& member, const auto* column) {
       member = std::decay_t<decltype(member)>::load(column);
     });
@@ -50,12 +53,12 @@ class WaitingRoom {
     if (waiting_ < lanes) return;
     const Item item = first();
     waiting_ -= lanes;
-    Item rest;
-    columns_.each(rest,
+    columns_.each(like_,
                   [](const auto&, auto* column) { std::copy_n(column + lanes, lanes, column); });
     serve(item, Mask<T>(true));
   }
 
+  Item like_;
   LaneColumns<T, Item, 2 * lanes> columns_;
   std::size_t waiting_ = 0;
 };

@@ -81,12 +81,11 @@ Sight<T> sight(const Telescope<T>& telescope, const PlanePoint<T>& p, const Vec3
   const T towards = -dot(arriving, telescope.axis);
   const Mask<T> in_front = towards > T(0);
   seen.cos_off_axis = select(in_front, towards, T(1));
-  const T per_axis = T(1) / seen.cos_off_axis;
-  const T x = p.x + telescope.detector_distance *
-                        (dot(arriving, telescope.across) * per_axis - p.x * telescope.power);
-  const T y = p.y + telescope.detector_distance *
-                        (dot(arriving, telescope.up) * per_axis - p.y * telescope.power);
-  const T radius = telescope.detector_radius;
+  // Where it falls, times that cosine.
+  const T from_lens = (T(1) - telescope.detector_distance * telescope.power) * seen.cos_off_axis;
+  const T x = p.x * from_lens + telescope.detector_distance * dot(arriving, telescope.across);
+  const T y = p.y * from_lens + telescope.detector_distance * dot(arriving, telescope.up);
+  const T radius = telescope.detector_radius * seen.cos_off_axis;
   seen.on_detector = in_front & (x * x + y * y < radius * radius);
   return seen;
 }

@@ -161,10 +161,11 @@ void Medium::finish(std::optional<double> walk_share) {
   index_ = of_lines([](const Line& l) { return l.refractive_index; });
   inverse_index_ = of_lines([](const Line& l) { return 1 / l.refractive_index; });
   group_index_ = of_lines([](const Line& l) { return l.group_index; });
-  std::vector<double> walk_c, continuous_c, gain;
+  std::vector<double> walk_c, walk_mean_path, continuous_c, gain;
   for (std::size_t i = 0; i < cells; ++i) {
     const double share = walk_share_in(i, walk_share);
     walk_c.push_back(c[i] * share);
+    walk_mean_path.push_back(1 / walk_c.back());
     continuous_c.push_back(c[i] * (1 - share));
     gain.push_back(1 / share);
   }
@@ -173,6 +174,7 @@ void Medium::finish(std::optional<double> walk_share) {
   albedo_ = TwinTable(albedo);
   absorption_ = TwinTable(absorption);
   walk_c_ = TwinTable(walk_c);
+  walk_mean_path_ = TwinTable(walk_mean_path);
   continuous_c_ = TwinTable(continuous_c);
   collision_gain_ = TwinTable(gain);
   depth_tau_ = TwinTable(depth_integrals(c));
@@ -228,6 +230,7 @@ MediumView Medium::view() const {
   v.albedo = albedo_.view();
   v.depth_tau = depth_tau_.view();
   v.walk_c = walk_c_.view();
+  v.walk_mean_path = walk_mean_path_.view();
   v.walk_depth_tau = walk_depth_tau_.view();
   v.continuous_c = continuous_c_.view();
   v.continuous_depth_tau = continuous_depth_tau_.view();

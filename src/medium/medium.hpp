@@ -59,9 +59,10 @@ struct MediumView {
   ShortTable albedo;     ///< b / c, [line][layer]
   ShortTable depth_tau;  ///< optical depth from the surface to a layer's top, [line][layers + 1]
   ShortTable walk_c;     ///< coefficient that free paths are drawn from, [line][layer]
-  ShortTable
-      walk_depth_tau;       ///< its integral from the surface to a layer's top, [line][layers + 1]
-  ShortTable continuous_c;  ///< c less walk_c, absorbed along the way, [line][layer]
+  ShortTable walk_mean_path;        ///< 1 / walk_c [m], [line][layer]
+  ShortTable walk_depth_tau;        ///< integral of walk_c from the surface to a layer's top,
+                                    ///< [line][layers + 1]
+  ShortTable continuous_c;          ///< c less walk_c, absorbed along the way, [line][layer]
   ShortTable continuous_depth_tau;  ///< its integral, as above
   ShortTable collision_gain;        ///< c / walk_c, [line][layer]
   ShortTable conversion;   ///< share of a collision at line 0 that emits at this line, over the
@@ -230,9 +231,9 @@ class Medium {
   [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
 
   /// The tables of the view, in both precisions.
-  TwinTable top_, c_, albedo_, conversion_, absorption_, depth_tau_, walk_c_, walk_depth_tau_,
-      continuous_c_, continuous_depth_tau_, collision_gain_, index_, inverse_index_, group_index_,
-      environment_rows_;
+  TwinTable top_, c_, albedo_, conversion_, absorption_, depth_tau_, walk_c_, walk_mean_path_,
+      walk_depth_tau_, continuous_c_, continuous_depth_tau_, collision_gain_, index_,
+      inverse_index_, group_index_, environment_rows_;
   IndexTableOwner convertible_, convertible_count_, line_of_hue_, elastic_phase_, conversion_phase_,
       part_phase_;
   std::int32_t bands_ = 0;

@@ -58,7 +58,7 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T per_rise = crossing(n, depth, height, aside_squared, start);
 
   const RefractedRay<T> ray = refracted_ray(n, inverse_n, dx, dy, aside_squared, per_rise);
-  const auto& [direction, arriving, secant_air, cos_air, cos_water, slowness] = ray;
+  const auto& [direction, arriving, secant_air, cos_air, secant_water, cos_water] = ray;
   way.direction = direction;
   const T towards = -dot(arriving, telescope.axis);
   const Mask<T> in_front = towards > T(0);
@@ -67,7 +67,6 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T overlap = telescope.overlap(per_rise / safe_towards, tan_off_axis);
   const Mask<T> seen = near_view & in_front & (overlap > T(0));
   if (!any(seen)) return way;
-  const T secant_water = n * secant_air / slowness;
   const T in_water = depth * secant_water;
   const T in_air = height * secant_air;
   const T transmitted = T(1) - optics::fresnel_reflectance(n, T(1), cos_water, cos_air);

@@ -61,10 +61,10 @@ T crossing(const T& n, const T& depth, const T& height, const T& aside_squared,
 template <class T>
 T refracted_solid_angle_per_area(const T& inverse_n, const T& l1, const T& c1, const T& l2,
                                  const T& c2) {
-  const T across = l2 + l1 * inverse_n;
-  const T ratio = c2 / c1;
-  const T along = l2 + l1 * inverse_n * ratio * ratio;
-  return ratio * inverse_n * inverse_n / (across * along);
+  const T seen1 = l1 * inverse_n;
+  const T across = l2 + seen1;
+  const T along = l2 * (c1 * c1) + seen1 * (c2 * c2);
+  return c1 * c2 * (inverse_n * inverse_n) / (across * along);
 }
 
 /// The ray to the crossing whose apparent rise is 1 / per_rise, for a way that leads aside by (dx,
@@ -73,8 +73,7 @@ template <class T>
 struct RefractedRay {
   Vec3<T> direction;  ///< in the water, a unit vector upwards
   Vec3<T> arriving;   ///< in the air, times secant_air
-  T secant_air, cos_air, cos_water;
-  T slowness;  ///< n secant_air cos_water
+  T secant_air, cos_air, secant_water, cos_water;
 };
 template <class T>
 RefractedRay<T> refracted_ray(const T& n, const T& inverse_n, const T& dx, const T& dy,
@@ -82,10 +81,14 @@ RefractedRay<T> refracted_ray(const T& n, const T& inverse_n, const T& dx, const
   using std::sqrt;
   RefractedRay<T> ray;
   const T tangent_squared = per_rise * per_rise * aside_squared;
-  ray.secant_air = sqrt(T(1) + tangent_squared);
-  ray.slowness = sqrt(n * n + (n * n - T(1)) * tangent_squared);
-  ray.cos_air = T(1) / ray.secant_air;
-  ray.cos_water = ray.slowness * ray.cos_air * inverse_n;
+  const T secant_squared = T(1) + tangent_squared;
+  const T slowness_squared = n * n + (n * n - T(1)) * tangent_squared;
+  const T slowness = sqrt(slowness_squared);                     // n secant_air cos_water
+  const T inverse = T(1) / (secant_squared * slowness_squared);  // one quotient for two
+  ray.secant_air = sqrt(secant_squared);
+  ray.cos_air = ray.secant_air * (slowness_squared * inverse);
+  ray.secant_water = n * ray.secant_air * slowness * (secant_squared * inverse);
+  ray.cos_water = slowness * ray.cos_air * inverse_n;
   const T sideways = per_rise * ray.cos_air * inverse_n;
   ray.direction = {dx * sideways, dy * sideways, ray.cos_water};
   ray.arriving = {dx * per_rise, dy * per_rise, T(1)};

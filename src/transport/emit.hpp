@@ -44,7 +44,9 @@ Mask<T> enter_water(const medium::MediumView& sea, Photon<T>& photon) {
   const T n = gather<T>(sea.index, photon.line);
   const auto through = optics::refract(T(1), n, cos_air);
   const Vec3<T> at_surface = photon.position + distance * photon.direction;
-  const Vec3<T> refracted{photon.direction.x / n, photon.direction.y / n, -through.cos_transmitted};
+  const T inverse_n = gather<T>(sea.inverse_index, photon.line);
+  const Vec3<T> refracted{photon.direction.x * inverse_n, photon.direction.y * inverse_n,
+                          -through.cos_transmitted};
   photon.position = select(downward, Vec3<T>{at_surface.x, at_surface.y, T(0)}, photon.position);
   photon.direction = select(downward, refracted, photon.direction);
   photon.path = photon.path + select(downward, distance, T(0));

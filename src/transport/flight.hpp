@@ -27,6 +27,7 @@ struct FlightEnd {
 template <class T>
 Index<T> layer_of(const medium::MediumView& sea, const ShortTable& top, const Index<T>& row,
                   const Index<T>& from, const T& coordinate) {
+  if (sea.layers == 1) return from;
   const Index<T> last(sea.layers - 1);
   const Mask<T> not_above = (from == Index<T>(0)) | (coordinate >= gather<T>(top, row + from));
   const Mask<T> not_below =
@@ -61,14 +62,14 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& u) {
   end.sea_bed = target > gather<T>(sea.walk_depth_tau, row + Index<T>(sea.layers));
   const Mask<T> stopped = end.surface | end.sea_bed;
   const Mask<T> stays = (layer == photon.layer) & !stopped;
-  const T walk_c = gather<T>(sea.walk_c, sea.at(photon.line, layer));
+  const T mean_path = gather<T>(sea.walk_mean_path, sea.at(photon.line, layer));
 
   // Within one layer the path is exact also for a horizontal flight; across edges it follows from
   // the depths.
-  T distance = free_path / walk_c;
+  T distance = free_path * mean_path;
   Vec3<T> there = photon.position + distance * photon.direction;
   if (!all(stays)) {
-    const T inside = (target - gather<T>(sea.walk_depth_tau, row + layer)) / walk_c;
+    const T inside = (target - gather<T>(sea.walk_depth_tau, row + layer)) * mean_path;
     const T bed = gather<T>(sea.top, Index<T>(sea.layers));
     const T depth_at_end =
         select(end.surface, T(0), select(end.sea_bed, bed, gather<T>(sea.top, layer) + inside));

@@ -235,10 +235,10 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
   const auto tau_home = depths_along(sea, back, layer, depth, home);
   const T walked_out = exp_minus(tau_out.walk);
   const T walked_home = exp_minus(tau_home.walk);
-  const T walk_c = gather<T>(sea.walk_c, here);
+  const T walk_mean_path = gather<T>(sea.walk_mean_path, here);
   const T coefficient = select(converts, gather<T>(sea.conversion, here) * gather<T>(sea.c, layer),
-                               gather<T>(sea.albedo, here) * gather<T>(sea.c, here)) /
-                        walk_c;
+                               gather<T>(sea.albedo, here) * gather<T>(sea.c, here)) *
+                        walk_mean_path;
   const Index<T> phase = select(converts, gather_index<T>(sea.conversion_phase, line),
                                 gather_index<T>(sea.elastic_phase, here));
   const T p = sea.phases.template value<T>(one_minus_cos(laser.direction, -back.direction), phase);
@@ -249,7 +249,7 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
                       .about(freedom.axis);
   const T here_met =
       (samples.meeting(depth) * freedom.shift_area * steep + samples.turned * T(2 * pi) * swept) *
-      back.chance / walk_c;
+      back.chance * walk_mean_path;
   const T ratio = walk_c_ratio<T>(sea, line, layer);
   const T connected = back.chance * laser_side.connecting(sea, out, samples) * walked_home +
                       ratio * side.connecting(sea, home, samples) * walked_out;

@@ -331,7 +331,8 @@ Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Mask
   // A mirrored first edge can be connected: to the instrument's mirror image.
   v.open = connecting_area(sea, ray, first, spread, leg.length, samples) *
            select(first, growth, straight);
-  const T drawn = ray.chance * growth / gather<T>(sea.walk_c, sea.at(photon.line, photon.layer));
+  const T drawn =
+      ray.chance * growth * gather<T>(sea.walk_mean_path, sea.at(photon.line, photon.layer));
   v.meeting = samples.meeting(-photon.position.z) * drawn * photon.direction.z;
   v.turn = samples.turned * T(2 * pi) * drawn;
   v.last_turn = ray.turn;

@@ -18,6 +18,7 @@ struct Way {
   Vec3<T> arriving;   ///< in which it reaches the instrument, a unit vector
   T length_water{};   ///< [m]
   T length_air{};     ///< [m]
+  T secant_water{};   ///< 1 over the cosine to the vertical; only of ways through the surface
   T per_area{};  ///< solid angle in the water per area across the ray at the instrument [1/m^2]
   T index_squared{1};  ///< of the water against the instrument's medium
   T passed{1};         ///< share that passes the surface, or is reflected by it
@@ -43,7 +44,8 @@ Way<T> way_through_surface(const medium::MediumView& sea, const Vec3<T>& from, c
   way.exists = wanted;
   way.direction = ray.direction;
   way.arriving = ray.cos_air * ray.arriving;
-  way.length_water = depth / ray.cos_water;
+  way.secant_water = ray.secant_water;
+  way.length_water = depth * ray.secant_water;
   way.length_air = to.z * ray.secant_air;
   way.per_area = refracted_solid_angle_per_area(inverse_n, way.length_water, ray.cos_water,
                                                 way.length_air, ray.cos_air);
@@ -83,9 +85,8 @@ template <class T>
 OpticalDepths<T> depths_through_surface(const medium::MediumView& sea, const Way<T>& way,
                                         const Index<T>& line, const Index<T>& layer,
                                         const T& depth) {
-  const T secant = way.length_water / depth;
-  return {sea.optical_depth<T>(line, layer, depth) * secant,
-          sea.walk_optical_depth<T>(line, layer, depth) * secant};
+  return {sea.optical_depth<T>(line, layer, depth) * way.secant_water,
+          sea.walk_optical_depth<T>(line, layer, depth) * way.secant_water};
 }
 /// By way of the surface, from one depth to another.
 template <class T>

@@ -28,7 +28,7 @@ TEST(SobolPoints, FillEachAxisEvenlyScrambledOrNot) {
     for (const std::uint32_t key : keys) {
       std::set<std::uint32_t> cells;
       for (std::size_t n = 0; n < 1024; ++n)
-        cells.insert(scrambled(points.words()[n * points.dimensions() + d], key) >> 22);
+        cells.insert(scrambled(points.coordinate(d)[n], key) >> 22);
       ASSERT_EQ(cells.size(), 1024U) << "dimension " << d << ", key " << key;
     }
   }
@@ -42,10 +42,9 @@ TEST(SobolPoints, OfTwoDimensionsAreANet) {
     std::set<std::uint64_t> cells;
     for (std::size_t n = 0; n < 256; ++n) {
       const std::uint64_t x =
-          std::uint64_t{scrambled(points.words()[n * points.dimensions()], keys[1])} >> (32 - wide);
+          std::uint64_t{scrambled(points.coordinate(0)[n], keys[1])} >> (32 - wide);
       const std::uint64_t y =
-          std::uint64_t{scrambled(points.words()[n * points.dimensions() + 1], keys[2])} >>
-          (24 + wide);
+          std::uint64_t{scrambled(points.coordinate(1)[n], keys[2])} >> (24 + wide);
       cells.insert((x << (8 - wide)) | y);
     }
     EXPECT_EQ(cells.size(), 256U) << wide;
