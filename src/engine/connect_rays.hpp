@@ -142,7 +142,7 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Ray
   const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
   const Mask<T> emitting = mask & emits(moved.line, layer);
   if (!any(emitting)) return;
-  const T reach = (-depth - out.position.z) / out.direction.z;
+  const T reach = (-out.position.z - depth) / out.direction.z;
   const transport::Freedom<T> freedom{
       outset.shift_area,
       axis_or(moved.line > Index<T>(0), axis, out.position + reach * out.direction)};

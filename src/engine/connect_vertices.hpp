@@ -62,9 +62,9 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
           ? scattering_from_laser(sea_, v, behind, way.direction, world_.reversal, T(1), freedom)
           : conversion_from_laser(sea_, v, behind, way.direction, line, world_.reversal, T(1), T(1),
                                   freedom);
-  const T area =
-      samples_.to_instrument * from.share * solid_angle / (way.per_area * way.index_squared) +
-      from.meeting;
+  const T area = samples_.to_instrument * from.share * solid_angle * way.area_per_solid_angle /
+                     way.index_squared +
+                 from.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_telescope(ends, v, way, mirrored);
   score(ends, Walked::laser, seen,
@@ -125,9 +125,9 @@ void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, c
   const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, freedom);
   const T solid_angle =
       transport::connectable_solid_angle(laser, transport::fictitious_vertex(laser));
-  const T area =
-      samples_.to_instrument * to.share * solid_angle / (way.per_area * way.index_squared) +
-      to.meeting;
+  const T area = samples_.to_instrument * to.share * solid_angle * way.area_per_solid_angle /
+                     way.index_squared +
+                 to.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_laser(ends, w, way, water, mirrored);
   score(ends, Walked::telescope, lit,

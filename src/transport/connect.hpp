@@ -70,10 +70,12 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T in_water = depth * secant_water;
   const T in_air = height * secant_air;
   const T transmitted = T(1) - optics::fresnel_reflectance(n, T(1), cos_water, cos_air);
-  const T per_area =
-      refracted_solid_angle_per_area(inverse_n, in_water, cos_water, in_air, cos_air);
+  const T area_per_solid_angle =
+      refracted_area_per_solid_angle(inverse_n, in_water, cos_water, in_air, cos_air);
   way.acceptance = select(
-      seen, per_area * telescope.area() * (safe_towards * cos_air) * overlap * transmitted, T(0));
+      seen,
+      telescope.area() * (safe_towards * cos_air) * overlap * transmitted / area_per_solid_angle,
+      T(0));
   way.optical_depth = sea.optical_depth<T>(line, at.layer, depth) * secant_water;
   way.length_water = in_water;
   way.path = in_air + in_water * gather<T>(sea.group_index, line);

@@ -33,8 +33,8 @@ Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Teles
                        ? depths_in_water(sea, way, line, at.layer, depth, telescope_layer,
                                          way.length_water, mirrored)
                        : depths_through_surface(sea, way, line, at.layer, depth);
-  connection.acceptance =
-      select(detected, way.per_area * telescope.area() * seen.cos_off_axis * way.passed, T(0));
+  connection.acceptance = select(
+      detected, telescope.area() * seen.cos_off_axis * way.passed / way.area_per_solid_angle, T(0));
   connection.optical_depth = tau.all;
   connection.length_water = way.length_water;
   connection.path = way.length_air + way.length_water * gather<T>(sea.group_index, line);

@@ -55,16 +55,16 @@ T crossing(const T& n, const T& depth, const T& height, const T& aside_squared,
   return s;
 }
 
-/// Solid angle in medium 1 (index n, path l1, cosine c1 to the vertical) per area across the ray in
-/// air (path l2, cosine c2): both curvatures of the refracted wave front, not the paraxial one
-/// [1/m^2]. `inverse_n` is 1 / n.
+/// Area across the ray in air (path l2, cosine c2 to the vertical) per solid angle in medium 1
+/// (index n, path l1, cosine c1): both curvatures of the refracted wave front, not the paraxial one
+/// [m^2/sr]. `inverse_n` is 1 / n.
 template <class T>
-T refracted_solid_angle_per_area(const T& inverse_n, const T& l1, const T& c1, const T& l2,
+T refracted_area_per_solid_angle(const T& inverse_n, const T& l1, const T& c1, const T& l2,
                                  const T& c2) {
   const T seen1 = l1 * inverse_n;
   const T across = l2 + seen1;
   const T along = l2 * (c1 * c1) + seen1 * (c2 * c2);
-  return c1 * c2 * (inverse_n * inverse_n) / (across * along);
+  return across * along / (c1 * c2 * (inverse_n * inverse_n));
 }
 
 /// The ray to the crossing whose apparent rise is 1 / per_rise, for a way that leads aside by (dx,

@@ -42,12 +42,20 @@ struct Reversal {
     const T x = one_minus_cos(beam, direction);
     return T(1) + scattered * (sea.phases.template value<T>(x, lobe) / p - T(1));
   }
+  /// The chance over the phase function's value that a walk from a telescope which detects `line`
+  /// turns back a vertex where the path `converts`, or scatters the laser's light elsewhere.
+  T goes_on(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
+            const Mask<T>& converts, const Vec3<T>& direction, const T& p) const {
+    const T scatters = scattered_over_phase(sea, direction, p);
+    if (!any(converts)) return scatters;
+    return select(converts, chance(sea, line, layer) * over_phase(sea, direction, p), scatters);
+  }
 };
 
 /// c' of the laser's line over that of a line.
 template <class T>
 T walk_c_ratio(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer) {
-  return gather<T>(sea.walk_c, layer) / gather<T>(sea.walk_c, sea.at(line, layer));
+  return gather<T>(sea.walk_c, layer) * gather<T>(sea.walk_mean_path, sea.at(line, layer));
 }
 
 /// What a conversion's coefficient is to the attenuation of the line it emits [both 1/m].
@@ -102,9 +110,11 @@ Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon, const Reve
   photon.direction = turned(select(about_beam, reversal.beam, old), x, cosine, sine);
   departure.p = sea.phases.template value<T>(
       select(about_beam, one_minus_cos(old, photon.direction), x), phase);
-  departure.chance =
-      departure.chance *
-      select(converts, reversal.over_phase(sea, photon.direction, departure.p), T(1));
+  if (any(converts)) {
+    departure.chance =
+        departure.chance *
+        select(converts, reversal.over_phase(sea, photon.direction, departure.p), T(1));
+  }
   if (from_telescope) {
     departure.chance =
         departure.chance *

@@ -93,10 +93,8 @@ Joint<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
   joint.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),
                                    gather<T>(sea.albedo, here));
   joint.share = v.chance;
-  joint.goes_on = v.chance * select(converts,
-                                    reversal.chance(sea, v.line, v.layer) *
-                                        reversal.over_phase(sea, direction, joint.end.p),
-                                    reversal.scattered_over_phase(sea, direction, joint.end.p));
+  joint.goes_on =
+      v.chance * reversal.goes_on(sea, v.line, v.layer, converts, direction, joint.end.p);
   return joint;
 }
 

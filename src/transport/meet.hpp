@@ -253,10 +253,7 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
   const T ratio = walk_c_ratio<T>(sea, line, layer);
   const T connected = back.chance * laser_side.connecting(sea, out, samples) * walked_home +
                       ratio * side.connecting(sea, home, samples) * walked_out;
-  const T goes_on = back.chance * select(converts,
-                                         reversal.chance(sea, line, layer) *
-                                             reversal.over_phase(sea, -laser.direction, p),
-                                         reversal.scattered_over_phase(sea, -laser.direction, p));
+  const T goes_on = back.chance * reversal.goes_on(sea, line, layer, converts, -laser.direction, p);
   const T met_next = goes_on * laser_side.last * walked_home + side.last * walked_out;
   const T met_behind = walked_out * walked_home * (goes_on * laser_side.behind + side.behind);
   Meeting<T> meeting;

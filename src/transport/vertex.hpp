@@ -145,18 +145,18 @@ struct Spread {
   }
 };
 
-/// Solid angle at the instrument's point per area across the ray in the water [1/m^2].
+/// Area across the ray in the water per solid angle at the instrument's point [m^2/sr].
 template <class T>
-T solid_angle_per_area(const medium::MediumView& sea, const Spread<T>& spread, const Index<T>& line,
+T area_per_solid_angle(const medium::MediumView& sea, const Spread<T>& spread, const Index<T>& line,
                        const T& length, const T& cos_water) {
   if (!spread.through_surface) {
     const T whole = spread.before + length;
-    return T(1) / (whole * whole);
+    return whole * whole;
   }
-  const T n = gather<T>(sea.index, line);
-  return n * n *
-         refracted_solid_angle_per_area(gather<T>(sea.inverse_index, line), length, cos_water,
-                                        spread.before, spread.cos_air);
+  const T inverse_n = gather<T>(sea.inverse_index, line);
+  return inverse_n * inverse_n *
+         refracted_area_per_solid_angle(inverse_n, length, cos_water, spread.before,
+                                        spread.cos_air);
 }
 
 /// Where a walk stands.
@@ -312,8 +312,8 @@ T connecting_area(const medium::MediumView& sea, const Ray<T>& ray, const Mask<T
   const T area = samples.between * ray.left_chance * ray.per_p * (length * length);
   if (!any(first)) return area;
   const T from_instrument =
-      samples.to_instrument * spread.solid_angle /
-      solid_angle_per_area(sea, spread, ray.line, length, T(abs(ray.direction.z)));
+      samples.to_instrument * spread.solid_angle *
+      area_per_solid_angle(sea, spread, ray.line, length, T(abs(ray.direction.z)));
   return select(first, from_instrument, area);
 }
 

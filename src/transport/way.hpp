@@ -19,9 +19,9 @@ struct Way {
   T length_water{};   ///< [m]
   T length_air{};     ///< [m]
   T secant_water{};   ///< 1 over the cosine to the vertical; only of ways through the surface
-  T per_area{};  ///< solid angle in the water per area across the ray at the instrument [1/m^2]
-  T index_squared{1};  ///< of the water against the instrument's medium
-  T passed{1};         ///< share that passes the surface, or is reflected by it
+  T area_per_solid_angle{};  ///< across the ray at the instrument, in the water [m^2/sr]
+  T index_squared{1};        ///< of the water against the instrument's medium
+  T passed{1};               ///< share that passes the surface, or is reflected by it
 };
 
 /// Through the surface to a point above it. Where `wanted` is false only the directions are
@@ -47,8 +47,8 @@ Way<T> way_through_surface(const medium::MediumView& sea, const Vec3<T>& from, c
   way.secant_water = ray.secant_water;
   way.length_water = depth * ray.secant_water;
   way.length_air = to.z * ray.secant_air;
-  way.per_area = refracted_solid_angle_per_area(inverse_n, way.length_water, ray.cos_water,
-                                                way.length_air, ray.cos_air);
+  way.area_per_solid_angle = refracted_area_per_solid_angle(
+      inverse_n, way.length_water, ray.cos_water, way.length_air, ray.cos_air);
   way.index_squared = n * n;
   way.passed = T(1) - optics::fresnel_reflectance(n, T(1), ray.cos_water, ray.cos_air);
   return way;
@@ -68,7 +68,7 @@ Way<T> way_in_water(const medium::MediumView& sea, const Vec3<T>& from, const In
   way.length_water = sqrt(safe);
   way.direction = (T(1) / way.length_water) * there;
   way.arriving = {way.direction.x, way.direction.y, mirrored ? -way.direction.z : way.direction.z};
-  way.per_area = T(1) / safe;
+  way.area_per_solid_angle = safe;
   if (mirrored)
     way.passed =
         optics::refract(gather<T>(sea.index, line), T(1), abs(way.direction.z)).reflectance;

@@ -167,7 +167,7 @@ struct Strategies {
     Edge e;
     e.mirrored = mirrored;
     e.path = instrument.z < 0 ? 0 : length_air;
-    e.spread = samples.to_instrument * solid_angle / (way.per_area * way.index_squared);
+    e.spread = samples.to_instrument * solid_angle * way.area_per_solid_angle / way.index_squared;
     const V surface = x + (-x.z / way.direction.z) * way.direction;
     if (instrument.z >= 0) {
       add_water(e, line, {x, surface});

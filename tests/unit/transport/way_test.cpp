@@ -53,7 +53,8 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
     ASSERT_NEAR(way.length_water, in_water, 1e-12 * whole);
     ASSERT_NEAR(way.length_air, in_air, 1e-9 * whole);
     ASSERT_EQ(way.index_squared, n * n);
-    ASSERT_NEAR(way.per_area / solid_angle_per_area(n, -from.z, to.z, std::acos(air.z)), 1, 1e-5);
+    ASSERT_NEAR(way.area_per_solid_angle * solid_angle_per_area(n, -from.z, to.z, std::acos(air.z)),
+                1, 1e-5);
 
     Photon<double> down;
     down.line = line;
@@ -88,7 +89,7 @@ TEST(WayInWater, IsTheStraightLine) {
     ASSERT_EQ(way.length_air, 0);
     ASSERT_EQ(way.index_squared, 1);
     ASSERT_EQ(way.passed, 1);
-    ASSERT_NEAR(way.per_area * dot(to - from, to - from), 1, 1e-12);
+    ASSERT_NEAR(way.area_per_solid_angle / dot(to - from, to - from), 1, 1e-12);
     // Also of its first part alone: the last part to a laser's vertex lies behind its disc.
     for (const double share : {1.0, 0.7}) {
       const double length = share * way.length_water;
@@ -117,7 +118,7 @@ TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
     ASSERT_TRUE(way.exists);
     ASSERT_LT(length(from + way.length_water * way.direction - image), 1e-12);
     ASSERT_EQ(way.arriving, (V{way.direction.x, way.direction.y, -way.direction.z}));
-    ASSERT_NEAR(way.per_area * dot(image - from, image - from), 1, 1e-12);
+    ASSERT_NEAR(way.area_per_solid_angle / dot(image - from, image - from), 1, 1e-12);
     const double n = sea.line[static_cast<std::size_t>(line)].refractive_index;
     const double sine = n * std::hypot(way.direction.x, way.direction.y);
     if (sine >= 1) {
