@@ -81,13 +81,12 @@ RefractedRay<T> refracted_ray(const T& n, const T& inverse_n, const T& dx, const
   using std::sqrt;
   RefractedRay<T> ray;
   const T tangent_squared = per_rise * per_rise * aside_squared;
-  const T secant_squared = T(1) + tangent_squared;
-  const T slowness_squared = n * n + (n * n - T(1)) * tangent_squared;
-  const T slowness = sqrt(slowness_squared);                     // n secant_air cos_water
-  const T inverse = T(1) / (secant_squared * slowness_squared);  // one quotient for two
-  ray.secant_air = sqrt(secant_squared);
-  ray.cos_air = ray.secant_air * (slowness_squared * inverse);
-  ray.secant_water = n * ray.secant_air * slowness * (secant_squared * inverse);
+  const T slowness = sqrt(n * n + (n * n - T(1)) * tangent_squared);  // n secant_air cos_water
+  ray.secant_air = sqrt(T(1) + tangent_squared);
+  // Rounded once, not a product of the quotient of both roots: of narrow views the sine is taken
+  // from this cosine, and a second rounding moves echoes by 0.1 % in float.
+  ray.cos_air = T(1) / ray.secant_air;
+  ray.secant_water = n * ray.secant_air / slowness;
   ray.cos_water = slowness * ray.cos_air * inverse_n;
   const T sideways = per_rise * ray.cos_air * inverse_n;
   ray.direction = {dx * sideways, dy * sideways, ray.cos_water};
