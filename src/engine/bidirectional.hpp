@@ -60,7 +60,7 @@ struct FromTelescope : WalkDraws<T> {
     outset.lens = lens_point(telescope, u[0], u[1]);
     outset.outward = outward(telescope, outset.lens,
                              instrument::ring_point(T(0), telescope.detector_radius, u[2], u[3]));
-    outset.shift_area = shift_area(telescope, dot(outset.outward, telescope.axis));
+    outset.shift_area = shift_area(telescope, outset.outward);
     const auto v = this->draw(walk, Index<T>(0), 1);
     outset.grid_offset = v[0];
     outset.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));

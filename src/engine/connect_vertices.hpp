@@ -54,7 +54,7 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
                        : depths_through_surface(sea_, way, line, v.layer, depth);
   const T solid_angle = detector_solid_angle(telescope_, sight.cos_off_axis);
   const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
-  const transport::Freedom<T> freedom{instrument::shift_area(telescope_, sight.cos_off_axis),
+  const transport::Freedom<T> freedom{instrument::shift_area(telescope_, way.arriving),
                                       vertical_at(v.position)};
   const T behind = v.passed * (v.behind.all(freedom.shift_area) + turned);
   const Joint from =

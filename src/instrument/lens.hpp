@@ -64,13 +64,17 @@ T detector_solid_angle(const Telescope<T>& telescope, const T& cos_off_axis) {
 /// How far a ray from the lens may be shifted sideways, as an area: with directions chosen as
 /// outward() does for even points of lens and detector, and the lens' points evenly, rays of this
 /// direction are as dense on a horizontal plane as 1 over this [m^2]. 0 where the lens is tilted,
-/// since a shift would then change a ray's length too.
+/// since a shift would then change a ray's length too. `direction`: of the ray, either way; of
+/// narrow views its cosine to the axis has too few digits.
 template <class T>
-T shift_area(const Telescope<T>& telescope, const T& cos_off_axis) {
+T shift_area(const Telescope<T>& telescope, const Vec3<T>& direction) {
+  using std::abs;
   using std::sqrt;
   if (!telescope.upright) return T(0);
-  const T sine_squared = T(1) - cos_off_axis * cos_off_axis;
-  const T tangent = sqrt(select(sine_squared > T(0), sine_squared, T(0))) / cos_off_axis;
+  const T x = dot(direction, telescope.across);
+  const T y = dot(direction, telescope.up);
+  const T cosine = abs(dot(direction, telescope.axis));
+  const T tangent = sqrt(x * x + y * y) / select(cosine > T(0), cosine, T(1));
   return telescope.area() * telescope.overlap(T(0), tangent);
 }
 

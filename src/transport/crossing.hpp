@@ -83,8 +83,6 @@ RefractedRay<T> refracted_ray(const T& n, const T& inverse_n, const T& dx, const
   const T tangent_squared = per_rise * per_rise * aside_squared;
   const T slowness = sqrt(n * n + (n * n - T(1)) * tangent_squared);  // n secant_air cos_water
   ray.secant_air = sqrt(T(1) + tangent_squared);
-  // Rounded once, not a product of the quotient of both roots: of narrow views the sine is taken
-  // from this cosine, and a second rounding moves echoes by 0.1 % in float.
   ray.cos_air = T(1) / ray.secant_air;
   ray.secant_water = n * ray.secant_air / slowness;
   ray.cos_water = slowness * ray.cos_air * inverse_n;

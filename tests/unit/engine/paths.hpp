@@ -185,7 +185,7 @@ inline Walks<double> telescope_walk(const World<double>& world,
   Outset<double> outset;
   outset.lens = path.lens;
   outset.outward = outward;
-  outset.shift_area = shift_area(telescope, dot(outward, telescope.axis));
+  outset.shift_area = shift_area(telescope, outward);
   outset.grid_offset = grid_offset;
   outset.line = path.line;
   Writer writer(world, samples,

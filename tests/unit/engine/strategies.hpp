@@ -215,7 +215,7 @@ struct Strategies {
                                    path.is_mirrored(path.order()), solid_angle));
     edge.back().leaving = way.direction;
     common *= way.passed * telescope.area() * cosine * solid_angle / way.index_squared;
-    shift_area = instrument::shift_area(telescope, cosine);
+    shift_area = instrument::shift_area(telescope, way.arriving);
   }
 };
 
