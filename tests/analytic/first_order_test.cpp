@@ -179,7 +179,7 @@ depth_step_m = 2.5
 
 // Seen red: with the laser's wavelength for the emitted one in the optical depth, the refractive
 // index or the group index of the way home; with the refractive index for the group index on the
-// way out.
+// way out; with converted light taken for scattered.
 TEST(FirstOrder, RamanAndFluorescenceHaveTwoWavelengths) {
   const auto lambert = [](double) { return 1 / (4 * pi); };
   compare(ship_instrument + channel("elastic") + channel("raman") + channel("chlorophyll") + R"(
