@@ -117,7 +117,7 @@ double badness(const Contender& contender, const std::vector<bool>& counts) {
 
 scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options) {
   if (scene.simulation.estimator != "auto") return scene;
-  if (scene.simulation.tools != scene::Tools{}) {
+  if (scene.simulation.tools.any()) {
     scene::Scene forward = settled(scene, "forward");
     forward.simulation.estimator_reason =
         "the only one that has the tools asked for in this version";

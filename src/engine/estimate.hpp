@@ -8,6 +8,7 @@
 
 #include "core/random.hpp"
 #include "engine/each_score.hpp"
+#include "engine/ends.hpp"
 #include "engine/waiting_room.hpp"
 #include "engine/world.hpp"
 #include "tally/batch_tally.hpp"
@@ -42,7 +43,8 @@ struct Travellers {
   std::array<T, 4> u{}, choices{}, forced{};  ///< numbers: of all events, and where they are asked
                                               ///< for, of choices and of forced collisions
   Mask<T> colliding{};                        ///< whose flight ends so
-  T analog_before{}, importance_before{};     ///< the flight, for tools that ask
+  T stays{1};                              ///< chance that a forced flight has to end in the water
+  T analog_before{}, importance_before{};  ///< the flight, for tools that ask
   Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
 };
 
@@ -282,6 +284,13 @@ void aim_at_targets(const World<T>& world, const Travellers<T>& at, Targets<T>& 
   aim_at_views(world, at.photon, targets);
 }
 
+/// Photons that collide at one of the points of a flight that are scored.
+template <class T>
+transport::Photon<T> one_of_points(const World<T>& world, transport::Photon<T> photon) {
+  photon.weight = photon.weight * T(1.0 / world.scored_points);
+  return photon;
+}
+
 /// Scores what the telescopes expect of photons of a mask that are scattered where they stand.
 template <bool special, class T>
 void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask<T>& scored,
@@ -291,7 +300,55 @@ void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask
     estimates.first = at.ratios.first;
     estimates.ahead.clear();
   }
-  score_light<special>(world, at.photon, at.lens, scored, at.photon.line, estimates, tally);
+  score_light<special>(world, one_of_points(world, at.photon), at.lens, scored, at.photon.line,
+                       estimates, tally);
+}
+
+/// Light that is scored ahead of photons, where they may get to on their flight: its ratios.
+template <bool special, class T>
+void look_ahead(const World<T>& world, const Travellers<T>& from, const transport::Photon<T>& at,
+                Estimates<T>& estimates) {
+  if (!compares<special>(world)) return;
+  const transport::Photon<T>& before = from.photon;
+  estimates.kept = from.ratios.kept;
+  estimates.first = from.ratios.first;
+  estimates.ahead.clear();
+  add_passage(world.sea,
+              {at.line, before.layer, T(-before.position.z), at.layer, T(-at.position.z),
+               (at.path - before.path) / gather<T>(world.sea.group_index, at.line)},
+              estimates.ahead);
+}
+
+/// The number that a flight's free path is drawn by. A free path -ln(u) leaves the water where u is
+/// below the chance of that.
+template <bool special, class T>
+T path_number(const Travellers<T>& travellers, const T& u) {
+  if constexpr (special) {
+    return select(travellers.stays == T(1), u, T(1) - (T(1) - u) * travellers.stays);
+  } else {
+    return u;
+  }
+}
+
+/// Scores what the telescopes expect of photons' next collision, where it might be as well: at
+/// further points that are as far apart as can be among the free paths, the flight's own being the
+/// last of them (docs/theory.md, eq. 77).
+template <bool special, class T>
+void score_further_points(const World<T>& world, const Travellers<T>& travellers,
+                          Estimates<T>& estimates, tally::BatchTally& tally) {
+  if (!any(travellers.on)) return;
+  for (std::int32_t k = 1; k < world.scored_points; ++k) {
+    const T rest = T(static_cast<double>(k) / world.scored_points);
+    const T& u = travellers.u[0];
+    const T turned = select(u > rest, u - rest, u + (T(1) - rest));
+    transport::Photon<T> at = travellers.photon;
+    const auto end = transport::fly(world.sea, at, path_number<special>(travellers, turned));
+    const Mask<T> scored = travellers.on & !(end.surface | end.sea_bed) & in_time(world, at);
+    if (!any(scored)) continue;
+    look_ahead<special>(world, travellers, at, estimates);
+    score_light<special>(world, one_of_points(world, at), travellers.lens, scored, at.line,
+                         estimates, tally);
+  }
 }
 
 /// Scores what the telescopes expect of the conversions on photons' way to their next collision; of
@@ -310,16 +367,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const T
   transport::Photon<T> at = from.photon;
   const Mask<T> reached =
       wanted & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
-  if (compares<special>(world)) {
-    estimates.kept = from.ratios.kept;
-    estimates.first = from.ratios.first;
-    estimates.ahead.clear();
-    add_passage(
-        sea,
-        {at.line, from.photon.layer, T(-from.photon.position.z), at.layer, T(-at.position.z),
-         (at.path - from.photon.path) / gather<T>(sea.group_index, at.line)},
-        estimates.ahead);
-  }
+  look_ahead<special>(world, from, at, estimates);
   if (all_collisions)
     score_light<special>(world, at, from.lens, reached, at.line, estimates, tally);
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);

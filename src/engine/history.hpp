@@ -66,22 +66,27 @@ void begin_event(const World<T>& world, Travellers<T>& travellers) {
               [&](std::uint32_t block) { return uniforms(travellers.place, block); });
 }
 
+/// What is scored of a flight before it begins.
+template <bool special, class T, class Ledger>
+void look_out(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
+              tally::BatchTally& tally, Estimates<T>& estimates) {
+  if (!world.cones.empty())
+    score_on_the_way<special>(world, travellers, travellers.on, estimates, tally);
+  if constexpr (special) begin_with_tools(world, travellers, travellers.on, ledger);
+  score_further_points<special>(world, travellers, estimates, tally);
+}
+
 /// A flight, and what may stand at its end: the sea bed, the end of the last gate, the surface, or
 /// else a collision.
 template <bool special, class T, class Ledger>
 void travel(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
-            tally::BatchTally& tally, Estimates<T>& estimates) {
+            tally::BatchTally& tally) {
   using namespace transport;
   Photon<T> photon = travellers.photon;
   Mask<T> on = travellers.on;
-  if (!world.cones.empty()) score_on_the_way<special>(world, travellers, on, estimates, tally);
-  T u_path = travellers.u[0];
-  if constexpr (special) {
-    u_path = begin_with_tools(world, travellers, on, u_path, ledger);
-    photon = travellers.photon;
-  }
   if (compares<special>(world)) travellers.ratios.before = photon;
-  const FlightEnd<T> end = fly(world.sea, photon, u_path);
+  const FlightEnd<T> end =
+      fly(world.sea, photon, path_number<special>(travellers, travellers.u[0]));
   if (compares<special>(world)) travellers.ratios.flown(world.sea, photon, end.length, on);
   book(ledger.sea_bed, on & end.sea_bed, photon.weight);
   on = on & !end.sea_bed;
@@ -169,14 +174,16 @@ template <bool special, class T, class Ledger>
 void go_on(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
            tally::BatchTally& tally, Estimates<T>& estimates) {
   begin_event(world, travellers);
-  travel<special>(world, travellers, ledger, tally, estimates);
+  look_out<special>(world, travellers, ledger, tally, estimates);
+  travel<special>(world, travellers, ledger, tally);
 }
 /// The first one, of the batch's photons n, n + 1, … that have set out.
 template <bool special, class T, class Ledger>
 void launch(const World<T>& world, const Draws<T>& draws, std::int32_t n, Travellers<T>& travellers,
             Ledger& ledger, tally::BatchTally& tally, Estimates<T>& estimates) {
   begin_event(world, travellers, [&](std::uint32_t block) { return draws.together(n, 1, block); });
-  travel<special>(world, travellers, ledger, tally, estimates);
+  look_out<special>(world, travellers, ledger, tally, estimates);
+  travel<special>(world, travellers, ledger, tally);
 }
 
 /// Keeps the copies of a photon that was split, each with random numbers of its own.

@@ -77,7 +77,8 @@ class Pool {
       tell(witness);
       if constexpr (special) keep_copies(tally);
       each_pack([&](auto& t) { begin_event(world_, t); });
-      each_pack([&](auto& t) { travel<special>(world_, t, ledger_, tally, estimates_); });
+      each_pack([&](auto& t) { look_out<special>(world_, t, ledger_, tally, estimates_); });
+      each_pack([&](auto& t) { travel<special>(world_, t, ledger_, tally); });
     }
   }
   template <class Stage>

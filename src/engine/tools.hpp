@@ -40,23 +40,22 @@ Mask<T> are_forced(const World<T>& world, const RandomPlace<T>& place) {
   return place.event <= world.tools.forced_flights;
 }
 
-/// Before the flight of photons that are `on` their way, with the uniform of its free path: returns
-/// the one to take. A free path -ln(u) leaves the water where u is below the chance of that.
+/// Before the flight of photons that are `on` their way.
 template <class T, class Ledger>
-T begin_with_tools(const World<T>& world, Travellers<T>& travellers, const Mask<T>& on, const T& u,
-                   Ledger& ledger) {
+void begin_with_tools(const World<T>& world, Travellers<T>& travellers, const Mask<T>& on,
+                      Ledger& ledger) {
   transport::Photon<T>& photon = travellers.photon;
   travellers.analog_before = photon.analog_weight;
   travellers.importance_before = importance_at(world.tools, -photon.position.z);
+  travellers.stays = T(1);
   const Mask<T> forced = are_forced(world, travellers.place);
-  if (!any(forced)) return u;
+  if (!any(forced)) return;
   const auto away = transport::escape(world.sea, photon);
   book(ledger.escaped, on & forced & away.surface, away.weight);
   book(ledger.sea_bed, on & forced & !away.surface, away.weight);
-  const T stays = select(forced, T(1) - away.probability, T(1));
+  const T& stays = travellers.stays = select(forced, T(1) - away.probability, T(1));
   photon.weight = photon.weight * stays;
   photon.analog_weight = photon.analog_weight * stays;
-  return T(1) - (T(1) - u) * stays;
 }
 
 /// Splits photons on their way to where they are worth more, and kills some of those on their way

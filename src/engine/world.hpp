@@ -148,6 +148,7 @@ struct World {
   std::size_t walks = 0;  ///< of the laser in a set; 0: the forward estimator
   std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
   T weight_threshold{};
+  std::int32_t scored_points = 1;  ///< of each flight; 1: where photons collide only
   Tools<T> tools;
   bool special = false;         ///< it has tools, or is analog, or compares
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
@@ -168,6 +169,10 @@ bool compares(const World<T>& world) {
 /// A walk that is to be connected is cut after so many vertices; what it carries then is counted as
 /// lost.
 inline constexpr std::int32_t most_vertices = 128;
+
+/// Such walks play Russian roulette below this weight: where light is converted, what a walk adds
+/// by its connections has little to do with its weight (docs/decisions/0027).
+inline constexpr double least_weight = 1e-8;
 
 /// The coordinates of a batch's points: four for each block of random numbers, of which an event of
 /// a photon has three, of the laser's walk one and of a telescope's two.
@@ -251,11 +256,14 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   }
   const bool converts = medium.line.size() > 1;
   const scene::Tools& tools = scene.simulation.tools;
-  world.weight_threshold = T(tools.weight_threshold);
+  const bool connects = scene.simulation.estimator == "bidirectional";
+  world.weight_threshold = T(connects ? least_weight : tools.weight_threshold);
   world.tools = make_tools<T>(tools);
   world.analog = scene.simulation.estimator == "analog";
   world.compares = scene.compares();
-  world.special = world.analog || world.compares || tools != scene::Tools{};
+  world.special = world.analog || world.compares || tools.any();
+  if (!world.tools.scores_on_the_way)
+    world.scored_points = static_cast<std::int32_t>(scene.simulation.scored_points);
   for (std::size_t t = 0;
        (converts || world.tools.scores_on_the_way) && t < world.telescopes.size(); ++t) {
     const View<T> view =
@@ -291,8 +299,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.turns = beam.x == 0 && beam.y == 0;
   const bool one_way = world.telescopes.size() == 1 && !world.telescopes.front().submerged;
   world.makes_choices = (world.directs && !one_way) || medium.line.size() > 1;
-  if (scene.simulation.estimator == "bidirectional")
-    world.walks = static_cast<std::size_t>(scene.simulation.walks);
+  if (connects) world.walks = static_cast<std::size_t>(scene.simulation.walks);
   world.most_vertices = most_vertices;
   add_receivers(medium, world);
   world.last_order =

@@ -144,7 +144,7 @@ Memory memory_of(const Scene& scene) {
 void check_tools(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
   if (!findings.good({"simulation.tools", "simulation.estimator"})) return;
-  if ((s.estimator == "bidirectional" || s.estimator == "analog") && s.tools != Tools{}) {
+  if ((s.estimator == "bidirectional" || s.estimator == "analog") && s.tools.any()) {
     findings.add("simulation.estimator",
                  fmt::format("the {} estimator has none of simulation.tools", s.estimator),
                  "write estimator = \"forward\", or leave the tools out");

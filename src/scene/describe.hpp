@@ -64,7 +64,8 @@ void describe(V& v, Tools& t) {
              "scored where they happen");
   v.optional("weight_threshold", t.weight_threshold,
              Number{.low = 0.0, .high = 1.0, .low_open = true},
-             "the weight, without what sampling does to it, below which at_threshold decides");
+             "of the forward estimator: the weight, without what sampling does to it, below which "
+             "at_threshold decides");
   v.optional("at_threshold", t.at_threshold, Choice{{"roulette", "end", "analog-absorption"}},
              "what becomes of light photons: Russian roulette; their end, which makes echoes low; "
              "or a chance of being absorbed in place of further losses of weight");
@@ -98,6 +99,9 @@ void describe(V& v, Simulation& s) {
   v.optional("directed_fraction", s.directed_fraction,
              Number{.low = 0.0, .high = 1.0, .high_open = true},
              "the share of directions drawn towards a telescope; 0 turns that off");
+  v.optional("scored_points", s.scored_points, Count{1, 100},
+             "of the forward estimator: at so many points of each flight, spread evenly over its "
+             "free paths, collisions are scored; 1: only where photons collide");
   v.optional(
       "conversion_probability", s.conversion_probability, between(0.0, 1.0),
       "the share of collisions followed into an inelastic process; in walks from telescopes, "

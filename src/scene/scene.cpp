@@ -27,6 +27,12 @@ double Gates::Interval::steps() const {
 
 std::int64_t Gates::count() const { return static_cast<std::int64_t>(interval().steps()); }
 
+bool Tools::any() const {
+  Tools others = *this;
+  if (at_threshold == "roulette") others.weight_threshold = Tools{}.weight_threshold;
+  return others != Tools{};
+}
+
 Scene scene_alone(const Scene& scene) {
   // By members: a copy of the whole would copy a thousand environments for each of them.
   return {.title = scene.title,

@@ -167,10 +167,12 @@ struct Importance {
 struct Tools {
   std::int64_t forced_collisions = 0;  ///< so many first flights of a photon do not leave the water
   std::string local_forced_collisions = "conversions";  ///< conversions | all
-  double weight_threshold = 1e-8;                       ///< of the analog weight, for:
+  double weight_threshold = 0.1;                        ///< of the analog weight, for:
   std::string at_threshold = "roulette";                ///< roulette | end | analog-absorption
   std::vector<Importance> importance;                   ///< ascending in depth
   friend bool operator==(const Tools&, const Tools&) = default;
+  /// Whether more is asked for than another threshold of roulette, which every walk has.
+  [[nodiscard]] bool any() const;
 };
 
 struct Simulation {
@@ -185,6 +187,7 @@ struct Simulation {
   std::string reception = "ray";  ///< forward: ray | overlap
   double directed_fraction =
       0.5;  ///< share of directions drawn towards a telescope; 0 turns it off
+  std::int64_t scored_points = 4;       ///< forward: of each flight; 1: where photons collide only
   double conversion_probability = 0.3;  ///< of a branch into an inelastic process, per collision
   std::int64_t walks = 1;  ///< bidirectional: of the laser, and of each telescope, in a set
   double meetings = 50;    ///< bidirectional: of two rays, if all depths of the gates let them meet

@@ -28,7 +28,7 @@ struct Precision {
 };
 /// One scattering each. The equation has the overlap's mean over the lens.
 const Precision forward{
-    simulation(5e7, 7, "max_order = 1\norders_kept = 1\nreception = \"overlap\""), 0.005, 0.005,
+    simulation(1.25e7, 7, "max_order = 1\norders_kept = 1\nreception = \"overlap\""), 0.005, 0.005,
     true};
 /// Meetings of one pair of walks are seen in many gates.
 const Precision bidirectional{

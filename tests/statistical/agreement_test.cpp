@@ -150,10 +150,12 @@ TEST(Agreement, BitsDoNotDependOnThreads) {
   }
 }
 
-// A lidar that looks up from below sees what is mirrored in the surface. Seen red: with 1 - e
+// A lidar that looks up from below sees what is mirrored in the surface. Close to the telescope
+// scores have no bound: later gates, and those of plain walks, hold more of that than their errors
+// tell. Seen red: with 1 - e
 // left out of the mixture of a direction; with the density of the first target alone; with one
 // target too many in the count.
-TEST(Agreement, LookingUpDirectedAndPlain) {
+TEST(Agreement, LookingUpDirectedMoreAndLess) {
   const auto rov = [](const std::string& more, std::uint64_t seed, double photons) {
     return read(R"(
 [source]
@@ -169,12 +171,12 @@ diameter_m = 0.10
 focal_length_m = 0.3
 half_field_of_view_mrad = 150.0
 )" + channel("elastic") +
-                water(0.1, 0.2, broad_phase) +
-                "[gates]\nrange_min_m = 1.0\nrange_max_m = 15.0\nrange_step_m = 1.0\n" +
+                water(0.1, 0.05, broad_phase) +
+                "[gates]\nrange_min_m = 1.0\nrange_max_m = 7.0\nrange_step_m = 1.0\n" +
                 simulation(photons, seed, more));
   };
   compare(engine::run(rov("directed_fraction = 0.5", 5, 4e6)),
-          engine::run(rov("directed_fraction = 0.0", 6, 1.2e7)), 6);
+          engine::run(rov("directed_fraction = 0.1", 6, 6e6)), 6);
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"VehicleLookingDown",
              vehicle("-1.0", -5) + three_channels + inelastic_water(0.06, wide_phase, 0) +
                  range_gates,
-             1.2e7, 8e5, 4, 8},
+             4e6, 8e5, 4, 8},
         Case{"VehicleLookingUp",
              vehicle("1.0", -8) + channel("elastic") + water(0.06, 0.1, wide_phase) +
                  "[gates]\nrange_min_m = 3.0\nrange_max_m = 8.0\nrange_step_m = 1.0\n",

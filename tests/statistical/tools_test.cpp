@@ -36,6 +36,8 @@ scene::Scene bright_scene(double photons, std::uint64_t seed, const std::string&
               simulation(photons, seed, more));
 }
 
+/// Nothing beyond the plain walk, scored where photons collide.
+const std::string plainly = "scored_points = 1\n[simulation.tools]\nweight_threshold = 1e-8\n";
 std::string with(const std::string& tools) { return "[simulation.tools]\n" + tools + "\n"; }
 
 /// Undirected elastic light. Shares of a photon are then between 0 and 1, but where it is split, so
@@ -61,6 +63,7 @@ struct Case {
   std::string name, tools;
 };
 const std::vector<Case> tools_one_by_one{
+    {"points of flights", ""},
     {"forced collisions", "forced_collisions = 1000"},
     {"first forced collisions", "forced_collisions = 2"},
     {"local forced collisions", "local_forced_collisions = \"all\""},
@@ -78,7 +81,7 @@ const std::vector<Case> tools_one_by_one{
 // not divided at splitting; with the copies dropped; with collisions scored on the way and where
 // they happen; with the weight of those who pass an analog test of absorption left lower.
 TEST(Tools, LeaveEchoesAsTheyAre) {
-  const auto plain = run_in_lanes(bright_scene(2e6, 6, ""));
+  const auto plain = run_in_lanes(bright_scene(2e6, 6, plainly));
   ZFamily family(0.01);
   for (const Case& c : tools_one_by_one) {
     const auto result = run_in_lanes(bright_scene(1e6, 5, with(c.tools)));
@@ -91,7 +94,7 @@ TEST(Tools, LeaveEchoesAsTheyAre) {
 // Seen red: with the surface's losses taken again from photons that are kept from leaving; with
 // what leaves not booked.
 TEST(Tools, LeaveTheLedgerAsItIs) {
-  const auto plain = run_in_lanes(quiet_scene(4e6, 6, ""));
+  const auto plain = run_in_lanes(quiet_scene(4e6, 6, plainly));
   ZFamily family(0.01);
   for (const Case& c : tools_one_by_one) {
     SCOPED_TRACE(c.name);
@@ -112,7 +115,7 @@ TEST(Tools, LeaveEnvironmentsAsTheyAre) {
     scene.sea.layer[1].iop[0].b_per_m = 0.24;
     return scene;
   };
-  const auto own = run_in_lanes(other(""));
+  const auto own = run_in_lanes(other(plainly));
   ZFamily family(0.01);
   for (const Case& c : tools_one_by_one) {
     auto scene = quiet_scene(1e6, 5, with(c.tools));

@@ -255,7 +255,7 @@ std::vector<double> first_order_echo(const scene::Source& source, const scene::T
 
   // The cone: uniform in solid angle, so uniform in 1 - cos and in azimuth.
   const double widest = 1 - std::cos(source.half_divergence_mrad * 1e-3);
-  constexpr int rings = 24;
+  constexpr int rings = 64;
   constexpr int azimuths = 12;
   for (int i = 0; i < rings; ++i) {
     const double angle = std::acos(1 - widest * (i + 0.5) / rings);

@@ -54,6 +54,12 @@ at_threshold = "analog-absorption"
 importance = [ { depth_m = 2.0, value = 2.5 }, { depth_m = 5.0, value = 6 }, { depth_m = 9.0, value = 0.5 } ]
 )";
 
+/// Those that go with several points of a flight.
+const std::string tools_of_points = R"([simulation.tools]
+forced_collisions = 3
+importance = [ { depth_m = 2.0, value = 2.5 }, { depth_m = 5.0, value = 0.5 } ]
+)";
+
 EventLog log_scalar(const Problem& problem, std::uint64_t photons) {
   const auto world = make_world<float>(problem.scene, problem.medium, problem.gates);
   tally::BatchTally tally(problem.shape, problem.gates);
@@ -167,8 +173,8 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
 // Seen red: as above, with what waits at the end of a batch forgotten, and with photons that have
 // moved to another pack colliding where they were, too.
 TEST(Lanes, EchoesAreThoseOfTheScalarEngineInFloat) {
-  for (const auto& scene :
-       {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(), rich_scene(tools)})
+  for (const auto& scene : {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(),
+                            rich_scene(tools), rich_scene(tools_of_points)})
     expect_echoes_of_the_scalar_engine(scene);
 }
 TEST(Lanes, BidirectionalEchoesAreThoseOfTheScalarEngineInFloat) {

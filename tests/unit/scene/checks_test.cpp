@@ -185,7 +185,7 @@ step_ns = 1)"}},
        {"scene.toml:31:13: the bidirectional estimator has none of simulation.tools (write "
         "estimator = \"forward\", or leave the tools out)"}},
       {"ToolsOfAnalogPhotons",
-       {{30, 30, "photons = 1e6\nestimator = \"analog\"\ntools = { weight_threshold = 0.1 }"}},
+       {{30, 30, "photons = 1e6\nestimator = \"analog\"\ntools = { forced_collisions = 1 }"}},
        {"scene.toml:31:13: the analog estimator has none of simulation.tools (write estimator = "
         "\"forward\", or leave the tools out)"}},
       {"ImportancesInNoOrder",

@@ -188,6 +188,7 @@ orders_kept = 6
 seed = 1
 reception = "ray"
 directed_fraction = 0.5
+scored_points = 4
 conversion_probability = 0.3
 walks = 1
 meetings = 50.0
@@ -198,7 +199,7 @@ sampling = "quasi-random"
 [simulation.tools]
 forced_collisions = 0
 local_forced_collisions = "conversions"
-weight_threshold = 1e-08
+weight_threshold = 0.1
 at_threshold = "roulette"
 )");
 }
