@@ -8,6 +8,7 @@
 
 #include "core/flatten.hpp"
 #include "core/random.hpp"
+#include "engine/ahead.hpp"
 #include "engine/analog.hpp"
 #include "engine/book.hpp"
 #include "engine/draws.hpp"

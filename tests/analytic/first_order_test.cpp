@@ -129,7 +129,8 @@ void compare(const std::string& toml,
 
 // Seen red: with n^2 left out of the refraction factor; with half for full divergence; with the
 // refractive index for the group index on the way out, or on the way home; with nothing reflected
-// where light leaves the water; with 1 % too much in c / c', or in the absorption along the way.
+// where light leaves the water; with 1 % too much in c / c', or in the absorption along the way;
+// with further points of a flight drawn too often where its free path is long.
 TEST(FirstOrder, FlatSea) {
   compare(ship_instrument + channel("elastic") +
               water(0.03, 0.03, "{ model = \"henyey-greenstein\", g = 0.6 }") + depth_gates(50, 2),

@@ -79,7 +79,8 @@ const std::vector<Case> tools_one_by_one{
 
 // Seen red, each in its case: with the chance of leaving not taken from the weight; with the weight
 // not divided at splitting; with the copies dropped; with collisions scored on the way and where
-// they happen; with the weight of those who pass an analog test of absorption left lower.
+// they happen; with further points on the way besides; with such points of flights that are kept in
+// the water by the number of one that is not; with the weight of those who pass an analog test of absorption left lower.
 TEST(Tools, LeaveEchoesAsTheyAre) {
   const auto plain = run_in_lanes(bright_scene(2e6, 6, plainly));
   ZFamily family(0.01);
@@ -89,6 +90,21 @@ TEST(Tools, LeaveEchoesAsTheyAre) {
     EXPECT_GE(add_settled(family, result, plain, c.name), 25U) << c.name;
   }
   family.judge();
+}
+
+// Four points of a flight are worth more than one: half the error near the surface, where few
+// photons collide in a gate. Seen red: with the flight's own point taken four times.
+TEST(Points, HalveErrors) {
+  const auto scene = [](const std::string& more) {
+    return read(ship_instrument + channel("elastic") + water(0.06, 0.1, henyey_greenstein_phase) +
+                depth_gates(8, 1) + simulation(4e5, 6, more));
+  };
+  const auto one = run_in_lanes(scene("scored_points = 1")), four = run_in_lanes(scene(""));
+  ZFamily family(0.01);
+  EXPECT_EQ(add_settled(family, one, four), 8U);
+  family.judge();
+  for (std::size_t gate = 0; gate < 8; ++gate)
+    EXPECT_LT(four.echo.standard_error[gate], 0.7 * one.echo.standard_error[gate]) << gate;
 }
 
 // Seen red: with the surface's losses taken again from photons that are kept from leaving; with
@@ -107,7 +123,7 @@ TEST(Tools, LeaveTheLedgerAsItIs) {
 }
 
 // Ratios of environments are those of the paths, whatever drew them. Seen red: with the way to a
-// chosen point, or flights, left out of them.
+// chosen point, or to a further point of a flight, or flights, left out of them.
 TEST(Tools, LeaveEnvironmentsAsTheyAre) {
   const auto other = [](const std::string& more) {
     auto scene = quiet_scene(2e6, 6, more);

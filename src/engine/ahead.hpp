@@ -1,0 +1,88 @@
+// What telescopes expect of a photon's next collision before it flies: of further points of its
+// free paths, and of conversions in the telescopes' views. Its history is not changed by it.
+#pragma once
+
+#include "engine/ends.hpp"
+#include "engine/estimate.hpp"
+#include "transport/flight.hpp"
+#include "transport/forced.hpp"
+
+namespace photic::engine {
+
+/// Light that is scored ahead of photons, where they may get to on their flight: its ratios.
+template <bool special, class T>
+void look_ahead(const World<T>& world, const Travellers<T>& from, const transport::Photon<T>& at,
+                Estimates<T>& estimates) {
+  if (!compares<special>(world)) return;
+  const transport::Photon<T>& before = from.photon;
+  estimates.kept = from.ratios.kept;
+  estimates.first = from.ratios.first;
+  estimates.ahead.clear();
+  add_passage(world.sea,
+              {at.line, before.layer, T(-before.position.z), at.layer, T(-at.position.z),
+               (at.path - before.path) / gather<T>(world.sea.group_index, at.line)},
+              estimates.ahead);
+}
+
+/// The number that a flight's free path is drawn by. A free path -ln(u) leaves the water where u is
+/// below the chance of that.
+template <bool special, class T>
+T path_number(const Travellers<T>& travellers, const T& u) {
+  if constexpr (special) {
+    return select(travellers.stays == T(1), u, T(1) - (T(1) - u) * travellers.stays);
+  } else {
+    return u;
+  }
+}
+
+/// Scores what the telescopes expect of photons' next collision, where it might be as well: at
+/// further points that are as far apart as can be among the free paths, the flight's own being the
+/// last of them (docs/theory.md, eq. 77).
+template <bool special, class T>
+void score_further_points(const World<T>& world, const Travellers<T>& travellers,
+                          Estimates<T>& estimates, tally::BatchTally& tally) {
+  if (!any(travellers.on)) return;
+  for (std::int32_t k = 1; k < world.scored_points; ++k) {
+    const T rest = T(static_cast<double>(k) / world.scored_points);
+    const T& u = travellers.u[0];
+    const T turned = select(u > rest, u - rest, u + (T(1) - rest));
+    transport::Photon<T> at = travellers.photon;
+    const auto end = transport::fly(world.sea, at, path_number<special>(travellers, turned));
+    const Mask<T> scored = travellers.on & !(end.surface | end.sea_bed) & in_time(world, at);
+    if (!any(scored)) continue;
+    look_ahead<special>(world, travellers, at, estimates);
+    score_light<special>(world, one_of_points(world, at), travellers.lens, scored, at.line,
+                         estimates, tally);
+  }
+}
+
+/// Scores what the telescopes expect of the conversions on photons' way to their next collision; of
+/// all their collisions, if these are not scored where they happen.
+template <bool special, class T>
+PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const Travellers<T>& from,
+                                                  const Mask<T>& travelling,
+                                                  Estimates<T>& estimates,
+                                                  tally::BatchTally& tally) {
+  const medium::MediumView& sea = world.sea;
+  const Mask<T> convertible = travelling & (from.photon.line == Index<T>(0));
+  const bool all_collisions = special && world.tools.scores_on_the_way;
+  const Mask<T> wanted = all_collisions ? travelling : convertible;
+  if (!any(wanted)) return;
+  const auto& u = from.forced;
+  transport::Photon<T> at = from.photon;
+  const Mask<T> reached =
+      wanted & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
+  look_ahead<special>(world, from, at, estimates);
+  if (all_collisions)
+    score_light<special>(world, at, from.lens, reached, at.line, estimates, tally);
+  const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
+  const Mask<T> converting = reached & convertible;
+  Index<T> i(0);
+  for (Mask<T> on = converting & (i < count); any(on); on = converting & (i < count)) {
+    const Index<T> line = sea.emitted_line<T>(at.layer, select(on, i, Index<T>(0)), from.hue);
+    score_light<special>(world, at, from.lens, on, line, estimates, tally);
+    i = i + Index<T>(1);
+  }
+}
+
+}  // namespace photic::engine
