@@ -28,11 +28,11 @@ END = ["weight_threshold=0.1", "at_threshold=end"]
 def variants(importance):
     """Name: (whether directed sampling is on, tools)."""
     tools = {
-        "plain": [],
-        "forced collisions, all": ["forced_collisions=1000000"],
-        "forced collisions, first 2": ["forced_collisions=2"],
-        "local forced collisions": ["local_forced_collisions=all"],
-        "importance by depth": [f"importance={importance}"],
+        "plain": ["weight_threshold=1e-8"],
+        "forced collisions, all": ["weight_threshold=1e-8", "forced_collisions=1000000"],
+        "forced collisions, first 2": ["weight_threshold=1e-8", "forced_collisions=2"],
+        "local forced collisions": ["weight_threshold=1e-8", "local_forced_collisions=all"],
+        "importance by depth": ["weight_threshold=1e-8", f"importance={importance}"],
         "roulette below 0.1": ["weight_threshold=0.1"],
         "analog absorption": ["weight_threshold=1.0", "at_threshold=analog-absorption"],
         "end below 0.1": END,
@@ -105,7 +105,7 @@ def main():
     for name in asked.scene or SCENES:
         scene, importance, edges = SCENES[name]
         trial = 200_000
-        forward = ["estimator=forward"]
+        forward = ["estimator=forward", "scored_points=1"]
         speed = trial / run(asked.photic, scene, trial, 1, forward)[2]
         photons = round(asked.cpu * speed, -4)
         both_ways = ["estimator=bidirectional"]

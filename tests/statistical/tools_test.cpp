@@ -80,7 +80,8 @@ const std::vector<Case> tools_one_by_one{
 // Seen red, each in its case: with the chance of leaving not taken from the weight; with the weight
 // not divided at splitting; with the copies dropped; with collisions scored on the way and where
 // they happen; with further points on the way besides; with such points of flights that are kept in
-// the water by the number of one that is not; with the weight of those who pass an analog test of absorption left lower.
+// the water by the number of one that is not; with the weight of those who pass an analog test of
+// absorption left lower.
 TEST(Tools, LeaveEchoesAsTheyAre) {
   const auto plain = run_in_lanes(bright_scene(2e6, 6, plainly));
   ZFamily family(0.01);
