@@ -62,7 +62,9 @@ void register_parts() {
   add("philox", [](Setting& s, std::size_t k) {
     return uniforms<Lanes>(s.world.key, s.draws.photon(s.n[k]), Index<Lanes>(1), 0);
   });
-  add("spread_points", [](Setting& s, std::size_t k) { return s.draws.together(s.n[k], 1, 0); });
+  add("spread_points", [](Setting& s, std::size_t k) {
+    return s.draws.together(static_cast<std::int32_t>(lanes_of<Lanes> * k), 1, 0);
+  });
   add("minus_log", [](Setting& s, std::size_t k) { return minus_log(s.u[k][0]); });
   add("exp_minus", [](Setting& s, std::size_t k) { return exp_minus(s.u[k][0]); });
   add("cos_sin", [](Setting& s, std::size_t k) { return cos_sin_of_turns(s.u[k][2]); });

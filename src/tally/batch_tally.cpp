@@ -43,7 +43,7 @@ void BatchTally::clear() {
     std::fill_n(by_process.begin() + static_cast<std::ptrdiff_t>(cell * shape_->processes),
                 shape_->processes, 0.0);
     auto& [count, lowest] = octaves[cell];
-    std::fill(count.begin() + std::min(lowest, score_octave(largest[cell])),
+    std::fill(count.begin() + std::min<int>(lowest, score_octave(largest[cell])),
               count.begin() + score_octave(largest[cell]) + 1, 0);
     lowest = score_octaves;
     cut_order[cell] = 0;

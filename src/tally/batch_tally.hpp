@@ -25,11 +25,11 @@ inline int score_octave(double value) {
 /// Of the scores in a cell, how many are of which octave.
 struct OctaveCounts {
   std::array<std::uint32_t, score_octaves> count{};
-  int lowest = score_octaves;  ///< below it there are none
+  std::uint8_t lowest = score_octaves;  ///< below it there are none
 
   void add(double value) {
-    const int octave = score_octave(value);
-    ++count[static_cast<std::size_t>(octave)];
+    const auto octave = static_cast<std::uint8_t>(score_octave(value));
+    ++count[octave];
     lowest = std::min(lowest, octave);
   }
 };
