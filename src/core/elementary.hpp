@@ -12,8 +12,7 @@ struct OctaveTables {
   static constexpr int bits = 6;
   static constexpr int cells = Table64::size;
   Table64 power;    ///< 2^(-i / cells)
-  Table64 log;      ///< ln(1 + i / cells)
-  Table64 inverse;  ///< 1 / (cells + i)
+  Table64Pair log;  ///< 1 / (cells + i), ln(1 + i / cells)
 };
 extern const OctaveTables octave_tables;
 inline constexpr double ln2 = 0.69314718055994530942;
@@ -45,12 +44,13 @@ T minus_log(const T& u) {
   using Tables = OctaveTables;
   const auto [cell, fraction] = octave_cell(u, Tables::bits);
   const Index<T> i = cell & Index<T>(Tables::cells - 1);
-  const T r = fraction * gather<T>(octave_tables.inverse, i);
+  const auto [inverse, log_of_cell] = gather_pair<T>(octave_tables.log, i);
+  const T r = fraction * inverse;
   const T r2 = r * r;
   const T series =
       r - r2 * (T(0.5) - r * T(1.0 / 3) +
                 r2 * (T(0.25) - r * T(0.2) + r2 * (T(1.0 / 6) - r * T(1.0 / 7) + r2 * T(0.125))));
-  return (T(-ln2) * to_real<T>(cell >> Tables::bits) - gather<T>(octave_tables.log, i)) - series;
+  return (T(-ln2) * to_real<T>(cell >> Tables::bits) - log_of_cell) - series;
 }
 
 }  // namespace photic

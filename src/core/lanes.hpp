@@ -95,6 +95,29 @@ class Table64 {
   alignas(64) std::array<float, size> rounded_{};
 };
 
+/// Two such tables, which are looked up at the same places.
+class Table64Pair {
+ public:
+  /// f(i) and g(i) for each i.
+  template <class F, class G>
+  Table64Pair(F f, G g) {
+    for (std::size_t i = 0; i < Table64::size; ++i) {
+      const auto x = static_cast<double>(i);
+      exact_[2 * i] = f(x);
+      exact_[2 * i + 1] = g(x);
+      columns_[i] = rows_[2 * i] = static_cast<float>(exact_[2 * i]);
+      columns_[Table64::size + i] = rows_[2 * i + 1] = static_cast<float>(exact_[2 * i + 1]);
+    }
+  }
+  [[nodiscard]] Table rows() const { return {exact_.data(), rows_.data()}; }  ///< [i][2]
+  [[nodiscard]] const float* columns() const { return columns_.data(); }      ///< [2][i]
+
+ private:
+  std::array<double, std::size_t{2} * Table64::size> exact_{};
+  std::array<float, std::size_t{2} * Table64::size> rows_{};
+  alignas(64) std::array<float, std::size_t{2} * Table64::size> columns_{};
+};
+
 /// A short table of integers.
 struct IndexTable {
   const std::int32_t* data = nullptr;
@@ -162,6 +185,11 @@ std::array<T, n> gather_row(const Table& table, std::int32_t first) {
   for (std::int32_t k = 0; k < n; ++k)
     out[static_cast<std::size_t>(k)] = gather<T>(table, first + k);
   return out;
+}
+
+template <std::floating_point T>
+std::array<T, 2> gather_pair(const Table64Pair& table, std::int32_t i) {
+  return gather_row<2, T>(table.rows(), 2 * i);
 }
 
 template <std::floating_point T>

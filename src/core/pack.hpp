@@ -57,8 +57,7 @@ Pack<std::int32_t, N> floor_index(const Pack<E, N>& x) {
 template <int N>
 WidePack<double, N> to_double(const Pack<float, N>& x) {
   const auto part = [&x](bool upper) {
-    return Pack<double, N / 2>::of(
-        __builtin_convertvector(native::half<N, float>(x.v, upper), native::Vector<double, N / 2>));
+    return Pack<double, N / 2>::of(native::wide_half<N>(x.v, upper));
   };
   return {part(false), part(true)};
 }

@@ -62,6 +62,16 @@ std::array<T, n> gather_row(const Table& table, const Index<T>& first) {
 }
 template <class T>
   requires is_pack<T>
+std::array<T, 2> gather_pair(const Table64Pair& table, const Index<T>& i) {
+  if constexpr (native::holds_64<T::lanes>) {
+    return {T::of(native::gather_64<T::lanes>(table.columns(), i.v)),
+            T::of(native::gather_64<T::lanes>(table.columns() + Table64::size, i.v))};
+  } else {
+    return gather_row<2, T>(table.rows(), i + i);
+  }
+}
+template <class T>
+  requires is_pack<T>
 Index<T> gather_index(const std::int32_t* data, const Index<T>& i) {
   return Index<T>::of(native::gather<T::lanes>(data, i.v));
 }

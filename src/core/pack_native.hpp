@@ -193,6 +193,19 @@ Vector<E, N / 2> half(const Vector<E, N>& x, bool upper) {
   return half<N, E>(x, upper, std::make_index_sequence<N / 2>{});
 }
 
+/// Half of the floats as doubles.
+template <int N>
+Vector<double, N / 2> wide_half(const Vector<float, N>& x, bool upper) {
+#if defined(__AVX512F__)
+  if constexpr (N == 16) {
+    const auto v = (__m512)x;
+    return (Vector<double, N / 2>)_mm512_cvtps_pd(upper ? _mm512_extractf32x8_ps(v, 1)
+                                                        : _mm512_castps512_ps256(v));
+  }
+#endif
+  return __builtin_convertvector((half<N, float>(x, upper)), Vector<double, N / 2>);
+}
+
 /// The products of the lower halves of 64-bit lanes with a 32-bit number.
 template <int N>
 Vector<std::uint64_t, N> multiply_low(const Vector<std::uint64_t, N>& a, std::uint32_t b) {

@@ -33,6 +33,15 @@ Vector<E, N> gather(const E* data, const Vector<std::int32_t, N>& index) {
   return out;
 }
 
+/// Whether registers hold a table of 64 numbers, where they are looked up.
+#if defined(__AVX512F__)
+template <int N>
+inline constexpr bool holds_64 = N == 16;
+#else
+template <int N>
+inline constexpr bool holds_64 = false;
+#endif
+
 /// The same of a table of 64 numbers.
 template <int N, class E>
 Vector<E, N> gather_64(const E* data, const Vector<std::int32_t, N>& index) {
@@ -127,18 +136,26 @@ std::array<Vector<E, N>, n> gather_row(const E* data, const Vector<std::int32_t,
 }
 
 #if defined(__AVX2__)
-/// For each mask of 8 lanes the numbers of those that it holds, a byte each.
+/// For each mask of 8 lanes the numbers of those that it holds, and the place of each lane among
+/// those, a byte each.
 struct PlacesOfLanes {
-  std::array<std::uint64_t, 256> of_mask{};
+  std::array<std::uint64_t, 256> held{}, place{};
   constexpr PlacesOfLanes() {
-    for (std::size_t mask = 0; mask < of_mask.size(); ++mask) {
-      int place = 0;
-      for (std::uint64_t lane = 0; lane < 8; ++lane)
-        if ((mask >> lane & 1U) != 0) of_mask[mask] |= lane << 8 * place++;
+    for (std::size_t mask = 0; mask < held.size(); ++mask) {
+      std::uint64_t before = 0;
+      for (std::uint64_t lane = 0; lane < 8; ++lane) {
+        place[mask] |= before << 8 * lane;
+        if ((mask >> lane & 1U) != 0) held[mask] |= lane << 8 * before++;
+      }
     }
   }
 };
 inline constexpr PlacesOfLanes places_of_lanes;
+
+/// Eight bytes as numbers of lanes.
+inline __m256i lane_numbers(std::uint64_t bytes) {
+  return _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(bytes)));
+}
 #endif
 
 /// Lanes of a mask one behind the other, from `to` on; up to N numbers are written there.
@@ -153,8 +170,7 @@ void compress(MaskBits<N> mask, const Vector<E, N>& lanes, E* to) {
 #endif
 #if defined(__AVX2__)
   if constexpr (N == 8) {
-    const auto bytes = static_cast<long long>(places_of_lanes.of_mask[bits<N>(mask)]);
-    const __m256i lane = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(bytes));
+    const __m256i lane = lane_numbers(places_of_lanes.held[bits<N>(mask)]);
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
                         _mm256_permutevar8x32_epi32((__m256i)lanes, lane));
     return;
@@ -197,12 +213,20 @@ Vector<E, N> permute(const Vector<E, N>& from, const Vector<std::int32_t, N>& la
   return out;
 }
 
-/// The lanes of a mask from numbers one behind the other, the others as they are.
+/// The lanes of a mask from numbers one behind the other, the others as they are; up to N are read.
 template <int N, class E>
 Vector<E, N> expand(MaskBits<N> mask, Vector<E, N> lanes, const E* from) {
 #if defined(__AVX512F__)
   if constexpr (N == 16 && sizeof(E) == 4)
     return (Vector<E, N>)_mm512_mask_expandloadu_epi32((__m512i)lanes, mask, from);
+#endif
+#if defined(__AVX2__)
+  if constexpr (N == 8 && sizeof(E) == 4) {
+    const __m256i read = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+    const auto placed = (Vector<E, N>)_mm256_permutevar8x32_epi32(
+        read, lane_numbers(places_of_lanes.place[bits<N>(mask)]));
+    return blend<N, E>(mask, placed, lanes);
+  }
 #endif
   for (std::uint32_t left = bits<N>(mask); left != 0; left &= left - 1)
     lanes[std::countr_zero(left)] = *from++;

@@ -79,4 +79,29 @@ std::array<T, 4> uniforms(const RandomPlace<T>& place, std::uint32_t block) {
   return uniforms<T>(place.key, place.photon, place.event, block);
 }
 
+/// Words of two places, whose rounds of Philox take turns: each has to wait for the one before.
+template <class W>
+struct Twins {
+  W a, b;
+  Twins(const W& one, const W& other) : a(one), b(other) {}
+  explicit Twins(std::uint32_t both) : a(both), b(both) {}
+
+  friend Twins operator^(const Twins& x, const Twins& y) { return {x.a ^ y.a, x.b ^ y.b}; }
+  friend Twins operator>>(const Twins& x, int places) { return {x.a >> places, x.b >> places}; }
+  friend Twins multiply_low(const Twins& x, std::uint32_t by) {
+    return {multiply_low(x.a, by), multiply_low(x.b, by)};
+  }
+};
+/// The same of two places, with the key of the first, at once.
+template <class T>
+std::array<std::array<T, 4>, 2> uniforms(const RandomPlace<T>& a, const RandomPlace<T>& b,
+                                         std::uint32_t block) {
+  const auto [even, odd] = philox<Twins<Counter<T>>>(
+      a.key, {a.photon, b.photon}, {to_counter<T>(a.event), to_counter<T>(b.event)}, block);
+  return {{{uniform_from<T>(even.first.a), uniform_from<T>(odd.first.a),
+            uniform_from<T>(even.second.a), uniform_from<T>(odd.second.a)},
+           {uniform_from<T>(even.first.b), uniform_from<T>(odd.first.b),
+            uniform_from<T>(even.second.b), uniform_from<T>(odd.second.b)}}};
+}
+
 }  // namespace photic

@@ -16,7 +16,7 @@ struct CosSin {
 /// Cosines and sines of the directions of a rose.
 struct Rose {
   static constexpr int points = Table64::size;
-  Table64 cosine, sine;
+  Table64Pair directions;  ///< cosine, sine
 };
 extern const Rose rose;
 
@@ -33,8 +33,7 @@ CosSin<T> cos_sin_of_turns(const T& u) {
   const T s = y * (T(1) - y2 * T(1.0 / 6) + y4 * (T(1.0 / 120) - y2 * T(1.0 / 5040)));
   const T versine = y2 * (T(0.5) - y2 * T(1.0 / 24) + y4 * (T(1.0 / 720) - y2 * T(1.0 / 40320)));
   const Index<T> i = nearest & Index<T>(Rose::points - 1);
-  const T c0 = gather<T>(rose.cosine, i);
-  const T s0 = gather<T>(rose.sine, i);
+  const auto [c0, s0] = gather_pair<T>(rose.directions, i);
   return {c0 - (c0 * versine + s0 * s), s0 + (c0 * s - s0 * versine)};
 }
 
