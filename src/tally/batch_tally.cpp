@@ -11,9 +11,7 @@ BatchTally::BatchTally(const Shape& shape, const Gates& gates)
       by_order(shape.cells() * shape.orders),
       by_process(shape.cells() * shape.processes),
       by_depth(shape.cells() * shape.depths),
-      cut_order(shape.cells()),
-      largest(shape.cells()),
-      octaves(shape.cells()),
+      cells(shape.cells()),
       environment_groups((shape.environments + EnvironmentScores::size - 1) /
                          EnvironmentScores::size),
       environment(shape.cells() * environment_groups),
@@ -42,12 +40,11 @@ void BatchTally::clear() {
                 shape_->orders, 0.0);
     std::fill_n(by_process.begin() + static_cast<std::ptrdiff_t>(cell * shape_->processes),
                 shape_->processes, 0.0);
-    auto& [count, lowest] = octaves[cell];
-    std::fill(count.begin() + std::min<int>(lowest, score_octave(largest[cell])),
-              count.begin() + score_octave(largest[cell]) + 1, 0);
+    auto& [largest, cut_order, count, lowest] = cells[cell];
+    std::fill(count.begin() + std::min<int>(lowest, score_octave(largest)),
+              count.begin() + score_octave(largest) + 1, 0);
     lowest = score_octaves;
-    cut_order[cell] = 0;
-    largest[cell] = 0;
+    largest = cut_order = 0;
     std::fill_n(environment.begin() + static_cast<std::ptrdiff_t>(cell * environment_groups),
                 environment_groups, EnvironmentScores{});
   }

@@ -22,12 +22,16 @@ inline int score_octave(double value) {
   return std::clamp(exponent + score_octaves, 0, score_octaves - 1);
 }
 
-/// Of the scores in a cell, how many are of which octave.
-struct OctaveCounts {
-  std::array<std::uint32_t, score_octaves> count{};
-  std::uint8_t lowest = score_octaves;  ///< below it there are none
+/// Of the scores in a cell.
+struct CellScores {
+  double largest = 0;                                ///< single score
+  double cut_order = 0;                              ///< first order beyond max_order
+  std::array<std::uint32_t, score_octaves> count{};  ///< of an octave
+  std::uint8_t lowest = score_octaves;               ///< octave; below it there are none
 
+  [[nodiscard]] bool touched() const { return largest > 0 || cut_order > 0; }
   void add(double value) {
+    largest = std::max(largest, value);
     const auto octave = static_cast<std::uint8_t>(score_octave(value));
     ++count[octave];
     lowest = std::min(lowest, octave);
@@ -121,12 +125,10 @@ class BatchTally {
   [[nodiscard]] bool wants(std::size_t telescope, std::int32_t line) const;
 
   // Sums over the batch. The echo of a cell is the sum of by_order over its orders.
-  std::vector<double> by_order;       ///< [cell][order]
-  std::vector<double> by_process;     ///< [cell][process]
-  std::vector<double> by_depth;       ///< [cell][depth]
-  std::vector<double> cut_order;      ///< [cell] first order beyond max_order
-  std::vector<double> largest;        ///< [cell] largest single score
-  std::vector<OctaveCounts> octaves;  ///< [cell]
+  std::vector<double> by_order;    ///< [cell][order]
+  std::vector<double> by_process;  ///< [cell][process]
+  std::vector<double> by_depth;    ///< [cell][depth]
+  std::vector<CellScores> cells;   ///< [cell]
   std::size_t environment_groups;
   std::vector<EnvironmentScores> environment;  ///< [cell][group of environments]
   std::vector<std::uint32_t> touched_cells, touched_depths;
@@ -178,17 +180,16 @@ class BatchTally {
 inline bool BatchTally::add(const Score& s, std::int32_t depth, std::size_t cell, double share) {
   const double value = s.value * share;
   if (!(value > 0)) return false;  // a share of nothing: the cell would be touched twice
-  if (largest[cell] == 0 && cut_order[cell] == 0)
-    touched_cells.push_back(static_cast<std::uint32_t>(cell));
+  CellScores& here = cells[cell];
+  if (!here.touched()) touched_cells.push_back(static_cast<std::uint32_t>(cell));
   if (s.order > last_order_) {
-    cut_order[cell] += value;
+    here.cut_order += value;
     return false;
   }
+  here.add(value);
   const std::size_t order = std::min(static_cast<std::size_t>(s.order), shape_->orders) - 1;
   by_order[cell * shape_->orders + order] += value;
   by_process[cell * shape_->processes + light_[static_cast<std::size_t>(s.line)].process] += value;
-  largest[cell] = std::max(largest[cell], value);
-  octaves[cell].add(value);
   if (depth >= 0) {
     const std::size_t k = cell * shape_->depths + static_cast<std::size_t>(depth);
     if (by_depth[k] == 0) touched_depths.push_back(static_cast<std::uint32_t>(k));

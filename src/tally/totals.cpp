@@ -48,11 +48,11 @@ void Totals::merge(const BatchTally& batch) {
       if (batch.by_process[p] > 0) state_.by_process[p].add(batch.by_process[p], n);
     }
     state_.echo[cell].add(echo, n);
-    state_.cut_order[cell] += batch.cut_order[cell];
-    state_.largest[cell] = std::max(state_.largest[cell], batch.largest[cell]);
-    const auto& [count, lowest] = batch.octaves[cell];
+    const auto& [largest, cut_order, count, lowest] = batch.cells[cell];
+    state_.cut_order[cell] += cut_order;
+    state_.largest[cell] = std::max(state_.largest[cell], largest);
     for (auto k = static_cast<std::size_t>(lowest);
-         k <= static_cast<std::size_t>(score_octave(batch.largest[cell])); ++k)
+         k <= static_cast<std::size_t>(score_octave(largest)); ++k)
       state_.octaves[cell][k] += count[k];
     merge_environments(batch, cell, echo);
   }

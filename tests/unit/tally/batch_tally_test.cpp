@@ -22,10 +22,10 @@ TEST(BatchTally, PutsAScoreIntoItsCells) {
   EXPECT_EQ(t.batch.by_order[cell * 3 + 1], 0.25);
   EXPECT_EQ(t.batch.by_process[cell * 3 + 0], 0.25);
   EXPECT_EQ(t.batch.by_depth[cell * 4 + 1], 0.25);
-  EXPECT_EQ(t.batch.largest[cell], 0.25);
+  EXPECT_EQ(t.batch.cells[cell].largest, 0.25);
   for (const auto* table : {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth})
     EXPECT_EQ(sum(*table), 0.25);
-  EXPECT_EQ(sum(t.batch.cut_order), 0);
+  for (const CellScores& one : t.batch.cells) EXPECT_EQ(one.cut_order, 0);
 }
 
 TEST(BatchTally, CountsALineInEveryChannelThatSeesIt) {
@@ -38,7 +38,7 @@ TEST(BatchTally, CountsALineInEveryChannelThatSeesIt) {
   EXPECT_EQ(t.batch.by_order[at(2) * 3], 0.75);
   EXPECT_EQ(t.batch.by_process[at(2) * 3 + 1], 0.5);
   EXPECT_EQ(t.batch.by_process[at(2) * 3 + 2], 0.25);
-  EXPECT_EQ(t.batch.largest[at(2)], 0.5);
+  EXPECT_EQ(t.batch.cells[at(2)].largest, 0.5);
 }
 
 TEST(BatchTally, KeepsHighOrdersTogether) {
@@ -84,8 +84,8 @@ TEST(BatchTally, BooksWhatMaxOrderCutsOffApart) {
   EXPECT_EQ(sum(t.batch.by_order), 0.5);
   EXPECT_EQ(sum(t.batch.by_process), 0.5);
   EXPECT_EQ(sum(t.batch.by_depth), 0.5);
-  EXPECT_EQ(t.batch.cut_order[1], 0.125);
-  EXPECT_EQ(t.batch.largest[1], 0.5);
+  EXPECT_EQ(t.batch.cells[1].cut_order, 0.125);
+  EXPECT_EQ(t.batch.cells[1].largest, 0.5);
   t.end_batch(10);
   const Result r = t.result();
   EXPECT_EQ(r.echo.mean[1], 0.05);
@@ -112,11 +112,10 @@ TEST(BatchTally, IsAsNewWhenCleared) {
   t.batch.ledger.absorbed = 1;
   t.batch.photons = t.batch.collisions = t.batch.too_many_events = t.batch.not_finite = 5;
   t.batch.clear();
-  for (const auto* table : {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth,
-                            &t.batch.cut_order, &t.batch.largest}) {
+  for (const auto* table : {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth})
     EXPECT_EQ(sum(*table), 0);
-  }
-  for (const auto& cell : t.batch.octaves) {
+  for (const CellScores& cell : t.batch.cells) {
+    EXPECT_FALSE(cell.touched());
     EXPECT_EQ(std::accumulate(cell.count.begin(), cell.count.end(), 0U), 0U);
   }
   EXPECT_TRUE(t.batch.touched_cells.empty() && t.batch.touched_depths.empty());

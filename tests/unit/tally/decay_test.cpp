@@ -114,7 +114,7 @@ TEST(BatchTally, SpreadsWhatDecays) {
     EXPECT_EQ(t.batch.by_order[cell * 3 + 1], expected);
     EXPECT_EQ(t.batch.by_process[cell * 3 + 2], expected);
     EXPECT_EQ(t.batch.by_depth[cell * 4 + 1], expected);
-    EXPECT_EQ(t.batch.largest[cell], std::max(expected, g == 0 ? 0.25 : 0.0));
+    EXPECT_EQ(t.batch.cells[cell].largest, std::max(expected, g == 0 ? 0.25 : 0.0));
     EXPECT_EQ(t.batch.by_process[(1 * 4 + g) * 3 + 1], g == 0 ? 0.25 : 0);
   }
   EXPECT_EQ(t.batch.scores, 2U);
@@ -163,7 +163,8 @@ TEST(BatchTally, BooksWhatMaxOrderCutsOffInAllItsGates) {
   DecayingTallies t(2);
   t.score(1, 0.5, 3, 2);
   const auto shares = shares_of(60, t.gates, t.path_in(1));
-  for (std::size_t g = 0; g < 4; ++g) EXPECT_EQ(t.batch.cut_order[2 * 4 + g], 0.5 * shares.at(g));
+  for (std::size_t g = 0; g < 4; ++g)
+    EXPECT_EQ(t.batch.cells[2 * 4 + g].cut_order, 0.5 * shares.at(g));
   EXPECT_EQ(total_of(t.batch.by_order), 0);
 }
 
