@@ -47,11 +47,12 @@ void score_further_points(const World<T>& world, const Travellers<T>& travellers
     const T& u = travellers.u[0];
     const T turned = select(u > rest, u - rest, u + (T(1) - rest));
     transport::Photon<T> at = travellers.photon;
-    const auto end = transport::fly(world.sea, at, path_number<special>(travellers, turned));
+    const auto end =
+        transport::fly(world.sea, at, minus_log(path_number<special>(travellers, turned)));
     const Mask<T> scored = travellers.on & !(end.surface | end.sea_bed) & in_time(world, at);
     if (!any(scored)) continue;
     look_ahead<special>(world, travellers, at, estimates);
-    score_light<special>(world, one_of_points(world, at), travellers.lens, scored, at.line,
+    score_light<special>(world, at, weight_at_point(world, at), travellers.lens, scored, at.line,
                          estimates, tally);
   }
 }
@@ -74,13 +75,13 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const T
       wanted & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
   look_ahead<special>(world, from, at, estimates);
   if (all_collisions)
-    score_light<special>(world, at, from.lens, reached, at.line, estimates, tally);
+    score_light<special>(world, at, at.weight, from.lens, reached, at.line, estimates, tally);
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
   const Mask<T> converting = reached & convertible;
   Index<T> i(0);
   for (Mask<T> on = converting & (i < count); any(on); on = converting & (i < count)) {
     const Index<T> line = sea.emitted_line<T>(at.layer, select(on, i, Index<T>(0)), from.hue);
-    score_light<special>(world, at, from.lens, on, line, estimates, tally);
+    score_light<special>(world, at, at.weight, from.lens, on, line, estimates, tally);
     i = i + Index<T>(1);
   }
 }

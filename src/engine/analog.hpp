@@ -62,7 +62,7 @@ transport::FlightEnd<T> fly_and_receive(const World<T>& world, transport::Photon
                                         const Mask<T>& flying, const T& u, const T& depth,
                                         tally::BatchTally& tally) {
   const transport::Photon<T> before = photon;
-  const auto end = transport::fly(world.sea, photon, u);
+  const auto end = transport::fly(world.sea, photon, minus_log(u));
   receive(world, before, flying, end.length, gather<T>(world.sea.group_index, photon.line), true,
           depth, tally);
   return end;

@@ -95,6 +95,7 @@ class Connections {
         laser_(from_laser),
         back_(from_telescope),
         tally_(tally),
+        scores_(receiver.telescope),
         ratios_(static_cast<std::size_t>(world.sea.environments.stride)) {}
 
   /// The laser's walk with the point of the lens of the telescope's that goes with it: the local
@@ -185,9 +186,7 @@ class Connections {
              const T& last, const Index<T>& order) {
     if (world_.compares) [[unlikely]]
       return score_in_environments(ends, walked, mask, value, path, last, order);
-    each_score(
-        tally_, mask, scores_of(ends, value, path, last, order),
-        [&](std::size_t, const tally::Score& score, const auto& at) { tally_.score(score, at); });
+    scores_.admit(mask, scores_of(ends, value, path, last, order), tally_);
   }
   [[nodiscard]] LaneScores<T> scores_of(const Ends<T>& ends, const T& value, const T& path,
                                         const T& last, const Index<T>& order) const {
@@ -205,6 +204,7 @@ class Connections {
   Room to_telescope_, to_laser_, between_;
   RayRoom chords_;
   std::array<RayRoom, 2> crossings_;
+  ScoreRoom<T> scores_;
   transport::Completion<T> completion_;
   std::vector<Element<T>> ratios_;  ///< of one lane, [environment]
 };
@@ -217,6 +217,7 @@ void Connections<T>::close() {
   chords_.close([this](const auto& e, const auto& mask) { serve_chords(e, mask); });
   for (std::size_t n = 0; n < crossings_.size(); ++n)
     crossings_[n].close([&](const auto& e, const auto& mask) { serve_crossings(e, mask, n); });
+  scores_.close(tally_);
 }
 
 }  // namespace photic::engine

@@ -1,7 +1,9 @@
-// The scores of the lanes of a pack, one after the other.
+// The scores of the lanes of packs, one after the other.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "core/lanes.hpp"
 #include "tally/batch_tally.hpp"
@@ -32,5 +34,52 @@ void each_score(const tally::BatchTally& tally, const Mask<T>& mask, const LaneS
         tally::Places<std::int32_t>{gates[i], cells[i]});
   });
 }
+
+/// Where scores in one telescope wait for each other: a tally takes many at once, one by one, and
+/// packs do not wait for it.
+template <class T>
+class ScoreRoom {
+ public:
+  explicit ScoreRoom(std::size_t telescope) : telescope_(telescope) {}
+
+  /// Adds the lanes of a mask; hands all to the tally when the room is full.
+  void admit(const Mask<T>& mask, const LaneScores<T>& scores, tally::BatchTally& tally) {
+    const auto places = tally.places(to_double(scores.path), to_double(scores.depth));
+    if constexpr (lanes == 1) {
+      if (mask)
+        tally.score(
+            {telescope_, scores.line, scores.order, scores.depth, scores.path, scores.value},
+            places);
+    } else {
+      const std::size_t at = waiting_;
+      compress(mask, scores.line, &line_[at]);
+      compress(mask, scores.order, &order_[at]);
+      compress(mask, scores.depth, &depth_[at]);
+      compress(mask, scores.path, &path_[at]);
+      compress(mask, scores.value, &value_[at]);
+      compress(mask, places.gate, &gate_[at]);
+      compress(mask, places.depth, &cell_[at]);
+      waiting_ = at + count(mask);
+      if (waiting_ > seats) close(tally);
+    }
+  }
+  /// Hands over those who wait.
+  void close(tally::BatchTally& tally) {
+    for (std::size_t i = 0; i < waiting_; ++i)
+      tally.score({telescope_, line_[i], order_[i], depth_[i], path_[i], value_[i]},
+                  {gate_[i], cell_[i]});
+    waiting_ = 0;
+  }
+
+ private:
+  static constexpr std::size_t lanes = lanes_of<T>, seats = 8 * lanes;
+  template <class Number>
+  using Column = std::array<Number, seats + lanes>;
+
+  std::size_t telescope_;
+  Column<std::int32_t> line_{}, order_{}, gate_{}, cell_{};
+  Column<Element<T>> depth_{}, path_{}, value_{};
+  std::size_t waiting_ = 0;
+};
 
 }  // namespace photic::engine

@@ -12,6 +12,7 @@
 #include "engine/world.hpp"
 #include "tally/batch_tally.hpp"
 #include "transport/aim.hpp"
+#include "transport/collide.hpp"
 #include "transport/connect_ray.hpp"
 #include "transport/environments.hpp"
 #include "transport/scatter.hpp"
@@ -42,10 +43,40 @@ struct Travellers {
   std::array<T, 4> u{}, choices{}, forced{};  ///< numbers: of all events, and where they are asked
                                               ///< for, of choices and of forced collisions
   Mask<T> colliding{};                        ///< whose flight ends so
+  T free_path{};                              ///< of the flight, in mean free paths of its layer
+  transport::Branch<T> branch;                ///< what the collision made of them
+  Targets<T> targets;                         ///< of the directions that they may take next
+  transport::Deflection<T> deflection;        ///< by the collision
+  Vec3<T> old_direction;                      ///< before it
   T stays{1};                              ///< chance that a forced flight has to end in the water
   T analog_before{}, importance_before{};  ///< the flight, for tools that ask
   Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
+
+  /// Of a block.
+  std::array<T, 4>& numbers(std::uint32_t block) {
+    return block == 0 ? u : (block == 1 ? choices : forced);
+  }
 };
+
+/// What differs between the sources of a scene's scores at all.
+struct SourcesDiffer {
+  bool lines = true, layers = true, points = true;
+
+  /// Calls f(member) for what does of a source's photon, its weight, line, and point of the lens.
+  template <class Photon, class T, class Line, class Point, class F>
+  void each(Photon& photon, T& weight, Line& line, Point& lens, F f) const {
+    f(photon.position.x), f(photon.position.y), f(photon.position.z);
+    f(photon.direction.x), f(photon.direction.y), f(photon.direction.z);
+    f(weight), f(photon.path), f(photon.order);
+    if (points) f(lens.x), f(lens.y);
+    if (layers) f(photon.layer);
+    if (lines) f(photon.line), f(line);
+  }
+};
+template <class T>
+SourcesDiffer sources_differ(const World<T>& world) {
+  return {world.sea.lines > 1, world.sea.layers > 1, world.single_rays};
+}
 
 /// Light of one line that leaves collisions, one in each lane: scattered, or converted from another
 /// line.
@@ -54,28 +85,33 @@ struct Sources {
   transport::Photon<T> photon{};  ///< before the collision
   Index<T> line{};
   instrument::PlanePoint<T> lens{};
-  // What differs between lanes at all:
-  bool lines = true, layers = true, points = true;
+  SourcesDiffer differ;
 
   template <class F>
   void each_member(F f) {
-    f(photon.position.x), f(photon.position.y), f(photon.position.z);
-    f(photon.direction.x), f(photon.direction.y), f(photon.direction.z);
-    f(photon.weight), f(photon.path), f(photon.order);
-    if (points) f(lens.x), f(lens.y);
-    if (layers) f(photon.layer);
-    if (lines) f(photon.line), f(line);
+    differ.each(photon, photon.weight, line, lens, f);
   }
   static constexpr std::size_t reals = 10, integers = 4;
 };
+/// The same, where it stands.
 template <class T>
-Sources<T> sources_in(const World<T>& world) {
-  Sources<T> sources;
-  sources.lines = world.sea.lines > 1;
-  sources.layers = world.sea.layers > 1;
-  sources.points = world.single_rays;
-  return sources;
-}
+struct SourcesOf {
+  const transport::Photon<T>& photon;
+  const T weight;
+  const Index<T>& line;
+  const instrument::PlanePoint<T>& lens;
+  SourcesDiffer differ;
+
+  template <class F>
+  void each_member(F f) const {
+    differ.each(photon, weight, line, lens, f);
+  }
+  explicit operator Sources<T>() const {
+    Sources<T> out{photon, line, lens, differ};
+    out.photon.weight = weight;
+    return out;
+  }
+};
 
 /// What a process makes of a collision: its share, and its phase function.
 template <class T>
@@ -88,7 +124,7 @@ Emission<T> emission(const medium::MediumView& sea, const Sources<T>& from) {
   const Index<T> here = sea.at(from.line, from.photon.layer);
   const Emission<T> scattered{gather<T>(sea.albedo, here),
                               gather_index<T>(sea.elastic_phase, here)};
-  if (!from.lines) return scattered;
+  if (!from.differ.lines) return scattered;
   const Mask<T> same = from.line == from.photon.line;
   return {select(same, scattered.share, gather<T>(sea.conversion, here)),
           select(same, scattered.phase, gather_index<T>(sea.conversion_phase, from.line))};
@@ -98,11 +134,15 @@ Emission<T> emission(const medium::MediumView& sea, const Sources<T>& from) {
 template <class T>
 struct Estimates {
   explicit Estimates(const World<T>& world)
-      : waiting(world.telescopes.size(), WaitingRoom<T, Sources<T>>(sources_in(world))),
-        ratios(static_cast<std::size_t>(world.sea.environments.stride)) {}
+      : waiting(world.telescopes.size(),
+                WaitingRoom<T, Sources<T>>({.differ = sources_differ(world)})),
+        ratios(static_cast<std::size_t>(world.sea.environments.stride)) {
+    for (std::size_t t = 0; t < world.telescopes.size(); ++t) scores.emplace_back(t);
+  }
 
-  Targets<T> targets;  ///< of the directions that photons may take next
   std::vector<WaitingRoom<T, Sources<T>>> waiting;  ///< of each telescope
+
+  std::vector<ScoreRoom<T>> scores;  ///< in each telescope
 
   // Of the light that is scored, in environments.
   transport::PathRatios<T>* kept = nullptr;
@@ -171,8 +211,7 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
       score_in_environments(world, t, seen, from, way, mirrored, value, estimates, tally);
       return;
     }
-    each_score(tally, seen, scores_of(t, from, way.path, value),
-               [&](std::size_t, const tally::Score& one, const auto& at) { tally.score(one, at); });
+    estimates.scores[t].admit(seen, scores_of(t, from, way.path, value), tally);
   };
   const auto& telescope = world.telescopes[t];
   const auto& layer = world.telescope_layer[t];
@@ -197,22 +236,21 @@ PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_
   score_in<false>(world, t, from, mask, tally, estimates);
 }
 
-/// Scores light of a line from the collisions of a mask in all telescopes that may see it; it waits
-/// for company, but for light that has ratios.
+/// Scores light of a line, and so much of photons' weight, from the collisions of a mask in all
+/// telescopes that may see it; it waits for company, but for light that has ratios.
 template <bool special, class T>
-void score_light(const World<T>& world, const transport::Photon<T>& photon,
+void score_light(const World<T>& world, const transport::Photon<T>& photon, const T& weight,
                  const std::vector<instrument::PlanePoint<T>>& lens, const Mask<T>& colliding,
                  const Index<T>& line, Estimates<T>& estimates, tally::BatchTally& tally) {
+  const instrument::PlanePoint<T> centre{};
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const Mask<T> seen =
         colliding & transport::may_see(world.sea, world.telescopes[t], photon.position, line);
     if (!any(seen)) continue;
-    Sources<T> from = sources_in(world);
-    from.photon = photon;
-    from.line = line;
-    if (world.single_rays) from.lens = lens[t];
+    const SourcesOf<T> from{photon, weight, line, world.single_rays ? lens[t] : centre,
+                            sources_differ(world)};
     if (compares<special>(world)) {
-      score_in<special>(world, t, from, seen, tally, estimates);
+      score_in<special>(world, t, Sources<T>(from), seen, tally, estimates);
       continue;
     }
     estimates.waiting[t].admit(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
@@ -228,13 +266,15 @@ void close_rooms(const World<T>& world, Estimates<T>& estimates, tally::BatchTal
     estimates.waiting[t].close([&](const Sources<T>& rest, const Mask<T>& mask) {
       score_waiting(world, t, rest, mask, tally, estimates);
     });
+    estimates.scores[t].close(tally);
   }
 }
 
 /// Adds the ways to the telescopes as targets.
 template <class T>
-void aim_at_telescopes(const World<T>& world, const Travellers<T>& at, Targets<T>& targets) {
+void aim_at_telescopes(const World<T>& world, Travellers<T>& at) {
   using namespace transport;
+  Targets<T>& targets = at.targets;
   const Vec3<T>& from = at.photon.position;
   const Index<T>& line = at.photon.line;
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
@@ -276,18 +316,16 @@ void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Tar
 
 /// Fills in the targets of the direction that photons may take next, where they stand.
 template <class T>
-void aim_at_targets(const World<T>& world, const Travellers<T>& at, Targets<T>& targets) {
-  targets.clear();
-  if (!world.directs) return;
-  aim_at_telescopes(world, at, targets);
-  aim_at_views(world, at.photon, targets);
+void aim_at_targets(const World<T>& world, Travellers<T>& at) {
+  at.targets.clear();
+  aim_at_telescopes(world, at);
+  aim_at_views(world, at.photon, at.targets);
 }
 
-/// Photons that collide at one of the points of a flight that are scored.
+/// Of a photon's weight, what collides at one of the points of a flight that are scored.
 template <class T>
-transport::Photon<T> one_of_points(const World<T>& world, transport::Photon<T> photon) {
-  photon.weight = photon.weight * T(1.0 / world.scored_points);
-  return photon;
+T weight_at_point(const World<T>& world, const transport::Photon<T>& photon) {
+  return photon.weight * T(1.0 / world.scored_points);
 }
 
 /// Scores what the telescopes expect of photons of a mask that are scattered where they stand.
@@ -299,8 +337,8 @@ void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask
     estimates.first = at.ratios.first;
     estimates.ahead.clear();
   }
-  score_light<special>(world, one_of_points(world, at.photon), at.lens, scored, at.photon.line,
-                       estimates, tally);
+  score_light<special>(world, at.photon, weight_at_point(world, at.photon), at.lens, scored,
+                       at.photon.line, estimates, tally);
 }
 
 }  // namespace photic::engine

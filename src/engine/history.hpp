@@ -53,20 +53,6 @@ void set_out(const World<T>& world, const Draws<T>& draws, std::int32_t n, const
 // A pool takes all its packs through each stage before the next one. `special` as the world is:
 // known before the loops, so that others are as fast as if there were no such events.
 
-/// The event begins. `block`: its numbers, by the number of the block.
-template <class T, class Block>
-void begin_event(const World<T>& world, Travellers<T>& travellers, Block block) {
-  travellers.place.event = travellers.place.event + Index<T>(1);
-  travellers.u = block(0);
-  if (world.makes_choices) travellers.choices = block(1);
-  if (!world.cones.empty()) travellers.forced = block(2);
-}
-template <class T>
-void begin_event(const World<T>& world, Travellers<T>& travellers) {
-  begin_event(world, travellers,
-              [&](std::uint32_t block) { return uniforms(travellers.place, block); });
-}
-
 /// What is scored of a flight before it begins.
 template <bool special, class T, class Ledger>
 void look_out(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
@@ -77,17 +63,22 @@ void look_out(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
   score_further_points<special>(world, travellers, estimates, tally);
 }
 
+/// How far they fly.
+template <bool special, class T>
+void draw_free_path(Travellers<T>& travellers) {
+  travellers.free_path = minus_log(path_number<special>(travellers, travellers.u[0]));
+}
+
 /// A flight, and what may stand at its end: the sea bed, the end of the last gate, the surface, or
 /// else a collision.
 template <bool special, class T, class Ledger>
 void travel(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
             tally::BatchTally& tally) {
   using namespace transport;
-  Photon<T> photon = travellers.photon;
+  Photon<T>& photon = travellers.photon;
   Mask<T> on = travellers.on;
   if (compares<special>(world)) travellers.ratios.before = photon;
-  const FlightEnd<T> end =
-      fly(world.sea, photon, path_number<special>(travellers, travellers.u[0]));
+  const FlightEnd<T> end = fly(world.sea, photon, travellers.free_path);
   if (compares<special>(world)) travellers.ratios.flown(world.sea, photon, end.length, on);
   book(ledger.sea_bed, on & end.sea_bed, photon.weight);
   on = on & !end.sea_bed;
@@ -95,17 +86,23 @@ void travel(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
   book(ledger.cut_by_time, late, photon.weight);
   on = on & !late;
 
-  const Mask<T> reflected = on & end.surface;
-  if (any(reflected)) {
-    Photon<T> down = photon;
-    const Mask<T> kept = special ? are_forced(world, travellers.place) : Mask<T>(false);
-    book(ledger.escaped, reflected, reflect_down(world.sea, down, kept));
-    photon = select(reflected, down, photon);
-  }
-  travellers.photon = photon;
   travellers.on = on;
   travellers.colliding = on & !end.surface;
   tally.collisions += count(travellers.colliding);
+}
+
+/// Those who stand at the surface are reflected, but for the weight that leaves.
+template <bool special, class T, class Ledger>
+void reflect(const World<T>& world, Travellers<T>& travellers, Ledger& ledger) {
+  const Mask<T> reflected = travellers.on & !travellers.colliding;
+  if (!any(reflected)) return;
+  transport::Photon<T> down = travellers.photon;
+  const Mask<T> kept = special ? are_forced(world, travellers.place) : Mask<T>(false);
+  book(ledger.escaped, reflected, transport::reflect_down(world.sea, down, kept));
+  transport::Photon<T>& photon = travellers.photon;
+  photon.direction.z = select(reflected, down.direction.z, photon.direction.z);
+  photon.weight = select(reflected, down.weight, photon.weight);
+  photon.analog_weight = select(reflected, down.analog_weight, photon.analog_weight);
 }
 
 /// Photons that collide where they stand are scored, if that has not been done on their way.
@@ -116,38 +113,65 @@ void score_collision(const World<T>& world, const Travellers<T>& travellers,
   score_scattering<special>(world, travellers, travellers.colliding, estimates, tally);
 }
 
-/// What becomes of them: they go on in another direction, at another wavelength, or not.
+/// What becomes of them: some go on as light of another wavelength, what is absorbed is lost.
 template <bool special, class T, class Ledger>
-void collision(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
-               Estimates<T>& estimates) {
+void collide(const World<T>& world, Travellers<T>& travellers, Ledger& ledger) {
   using namespace transport;
-  Mask<T> colliding = travellers.colliding;
-  if (!any(colliding)) return;
   Photon<T> photon = travellers.photon;
   if (world.last_order > 0) {
-    const Mask<T> last = colliding & (photon.order + Index<T>(1) == Index<T>(world.last_order));
+    const Mask<T> last =
+        travellers.colliding & (photon.order + Index<T>(1) == Index<T>(world.last_order));
     book(ledger.cut_by_order, last, photon.weight);
-    colliding = colliding & !last;
+    travellers.colliding = travellers.colliding & !last;
     travellers.on = travellers.on & !last;
   }
+  const Mask<T>& colliding = travellers.colliding;
+  if (!any(colliding)) return;
   const Index<T> here = world.sea.at(photon.line, photon.layer);
   book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
   if (compares<special>(world)) travellers.ratios.before = photon;
-  aim_at_targets(world, travellers, estimates.targets);
-  auto& u = travellers.u;
   const auto& v = travellers.choices;
-  const auto branch = collide(world.sea, photon, travellers.hue, world.conversion, v[0], v[1]);
-  scatter(world.sea, photon, branch.phase, branch.lobe, estimates.targets, world.directed,
-          {u[1], u[2], u[3], v[2]});
-  if (world.directs)
-    u[3] = select(colliding, left_of_choice(u[3], estimates.targets.share(world.directed)), u[3]);
-  if (compares<special>(world)) travellers.ratios.collided(world.sea, photon, colliding);
+  travellers.branch =
+      transport::collide(world.sea, photon, travellers.hue, world.conversion, v[0], v[1]);
   Photon<T>& after = travellers.photon;
-  after.direction = select<T>(colliding, photon.direction, after.direction);
   after.weight = select(colliding, photon.weight, after.weight);
   after.analog_weight = select(colliding, photon.analog_weight, after.analog_weight);
   after.line = select(colliding, photon.line, after.line);
   after.order = select(colliding, photon.order, after.order);
+}
+
+/// In which direction they go on: about their own, or towards a target.
+template <class T>
+void deflect(const World<T>& world, Travellers<T>& travellers) {
+  const auto& u = travellers.u;
+  travellers.deflection = transport::deflect(
+      world.sea, travellers.photon.direction, travellers.branch.phase, travellers.branch.lobe,
+      travellers.targets, world.directed, {u[1], u[2], u[3], travellers.choices[2]});
+}
+
+/// They turn there.
+template <bool special, class T>
+void turn(const World<T>& world, Travellers<T>& travellers) {
+  const Mask<T>& colliding = travellers.colliding;
+  transport::Photon<T>& photon = travellers.photon;
+  if (world.directs) travellers.old_direction = photon.direction;
+  photon.direction =
+      select<T>(colliding, transport::turned(travellers.deflection), photon.direction);
+  if (compares<special>(world)) travellers.ratios.collided(world.sea, photon, colliding);
+}
+
+/// They take the weight of a direction that was drawn with targets, and what is left of the choice.
+template <class T>
+void weigh_direction(const World<T>& world, Travellers<T>& travellers) {
+  const Mask<T>& colliding = travellers.colliding;
+  const auto& targets = travellers.targets;
+  transport::Photon<T>& photon = travellers.photon;
+  const T ratio = transport::true_over_drawn(world.sea, travellers.old_direction, photon.direction,
+                                             travellers.branch.phase, travellers.branch.lobe,
+                                             targets, world.directed);
+  photon.weight = photon.weight * select(colliding, ratio, T(1));
+  T& u = travellers.u[3];
+  u = select(colliding, left_of_choice(u, targets.share(world.directed)), u);
 }
 
 /// The event ends: roulette, and what is lost.
@@ -170,21 +194,30 @@ void finish(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
   book(ledger.lost, worn, photon.weight);
 }
 
-/// The next flight.
-template <bool special, class T, class Ledger>
-void go_on(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
-           tally::BatchTally& tally, Estimates<T>& estimates) {
-  begin_event(world, travellers);
-  look_out<special>(world, travellers, ledger, tally, estimates);
-  travel<special>(world, travellers, ledger, tally);
+/// What happens where flights have ended, to all photons that each(stage) has a stage done to.
+template <bool special, class T, class Each, class Ledger>
+void end_flights(const World<T>& world, Each each, Ledger& ledger, tally::BatchTally& tally,
+                 Estimates<T>& estimates) {
+  each([&](auto& t) { score_collision<special>(world, t, tally, estimates); });
+  each([&](auto& t) { collide<special>(world, t, ledger); });
+  if (world.directs) each([&](auto& t) { aim_at_targets(world, t); });
+  each([&](auto& t) { deflect(world, t); });
+  each([&](auto& t) { turn<special>(world, t); });
+  if (world.directs) each([&](auto& t) { weigh_direction(world, t); });
+  each([&](auto& t) { finish<special>(world, t, ledger, tally); });
 }
-/// The first one, of the batch's photons n, n + 1, … that have set out.
-template <bool special, class T, class Ledger>
-void launch(const World<T>& world, const Draws<T>& draws, std::int32_t n, Travellers<T>& travellers,
-            Ledger& ledger, tally::BatchTally& tally, Estimates<T>& estimates) {
-  begin_event(world, travellers, [&](std::uint32_t block) { return draws.together(n, 1, block); });
-  look_out<special>(world, travellers, ledger, tally, estimates);
-  travel<special>(world, travellers, ledger, tally);
+/// Their next flights. draw(block) draws a block of the random numbers of their events.
+template <bool special, class T, class Each, class Draw, class Ledger>
+void go_on(const World<T>& world, Each each, Draw draw, Ledger& ledger, tally::BatchTally& tally,
+           Estimates<T>& estimates) {
+  each([](auto& t) { t.place.event = t.place.event + Index<T>(1); });
+  draw(0);
+  if (world.makes_choices) draw(1);
+  if (!world.cones.empty()) draw(2);
+  each([&](auto& t) { look_out<special>(world, t, ledger, tally, estimates); });
+  each([&](auto& t) { draw_free_path<special>(t); });
+  each([&](auto& t) { travel<special>(world, t, ledger, tally); });
+  each([&](auto& t) { reflect<special>(world, t, ledger); });
 }
 
 /// Keeps the copies of a photon that was split, each with random numbers of its own.
@@ -199,11 +232,22 @@ void keep_copies(const World<T>& world, const Travellers<T>& photon,
   }
 }
 
+/// The next flight of one photon.
+template <bool special, class T>
+void go_on(const World<T>& world, Travellers<T>& photon, Estimates<T>& estimates,
+           tally::BatchTally& tally) {
+  go_on<special>(
+      world, [&](auto stage) { stage(photon); },
+      [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); },
+      tally.ledger, tally, estimates);
+}
+
 /// Follows a photon that is on its way until it is absorbed, escapes or comes too late, and scores
 /// its echoes. `witness` is told of it at the end of each event.
 template <bool special, class T, class Witness>
 void follow(const World<T>& world, Travellers<T>& photon, std::vector<Travellers<T>>& waiting,
             Estimates<T>& estimates, tally::BatchTally& tally, Witness& witness) {
+  const auto each = [&](auto stage) { stage(photon); };
   while (photon.on) {
     if constexpr (special) {
       if (world.analog) {
@@ -212,13 +256,11 @@ void follow(const World<T>& world, Travellers<T>& photon, std::vector<Travellers
         continue;
       }
     }
-    score_collision<special>(world, photon, tally, estimates);
-    collision<special>(world, photon, tally.ledger, estimates);
-    finish<special>(world, photon, tally.ledger, tally);
+    end_flights<special>(world, each, tally.ledger, tally, estimates);
     witness(photon);
     if (!photon.on) return;
     if constexpr (special) keep_copies(world, photon, waiting);
-    go_on<special>(world, photon, tally.ledger, tally, estimates);
+    go_on<special>(world, photon, estimates, tally);
   }
 }
 
@@ -230,8 +272,12 @@ PHOTIC_FLATTEN void follow(const World<T>& world, const Draws<T>& draws, std::in
                            Estimates<T>& estimates, tally::BatchTally& tally, Witness witness) {
   set_out(world, draws, n, true, photon, tally.ledger);
   if (compares<special>(world)) photon.ratios.kept->of(0).begin(world.sea.environments);
-  if (photon.on && !(special && world.analog))
-    launch<special>(world, draws, n, photon, tally.ledger, tally, estimates);
+  if (photon.on && !(special && world.analog)) {
+    go_on<special>(
+        world, [&](auto stage) { stage(photon); },
+        [&](std::uint32_t block) { photon.numbers(block) = draws.together(n, 1, block); },
+        tally.ledger, tally, estimates);
+  }
   for (;;) {
     follow<special>(world, photon, waiting, estimates, tally, witness);
     if (!special || waiting.empty()) return;
@@ -239,7 +285,7 @@ PHOTIC_FLATTEN void follow(const World<T>& world, const Draws<T>& draws, std::in
       photon.ratios.kept->copy(world.sea.environments, waiting.size(), 0);
     photon = std::move(waiting.back());
     waiting.pop_back();
-    go_on<special>(world, photon, tally.ledger, tally, estimates);
+    go_on<special>(world, photon, estimates, tally);
   }
 }
 

@@ -14,12 +14,12 @@ namespace photic::engine {
 template <class T, class Item, std::size_t length>
 class LaneColumns {
  public:
-  /// Calls f(member, its column) for each.
-  template <class F>
-  void each(Item& item, F f) {
+  /// Calls f(member, its column) for each member of an item, or of what has the same members.
+  template <class Like, class F>
+  void each(Like& item, F f) {
     std::size_t real = 0, integer = 0;
     item.each_member([&]<class M>(M& member) {
-      if constexpr (std::is_same_v<M, T>) {
+      if constexpr (std::is_same_v<std::remove_const_t<M>, T>) {
         f(member, real_[real++].data());
       } else {
         f(member, integer_[integer++].data());

@@ -31,17 +31,16 @@ class Pool {
 
   explicit Pool(const World<T>& world)
       : world_(world),
-        ratios_(world.sea.environments, slots + width),
+        ratios_(world.sea.environments, 2 * slots),
         pack_(packs, Travellers<T>(world)),
         reserve_(world),
-        newborn_(world),
+        newborn_(packs, Travellers<T>(world)),
         estimates_(world) {
     for (std::size_t k = 0; k < packs; ++k) {
-      pack_[k].ratios.kept = &ratios_;
+      pack_[k].ratios.kept = newborn_[k].ratios.kept = &ratios_;
       pack_[k].ratios.first = k * width;
+      newborn_[k].ratios.first = slots + k * width;
     }
-    newborn_.ratios.kept = &ratios_;
-    newborn_.ratios.first = slots;
   }
 
   /// Follows photons `first` … `first + count - 1`, the first of a batch and up, to their ends.
@@ -63,27 +62,37 @@ class Pool {
  private:
   template <bool special, class Witness>
   void run(tally::BatchTally& tally, Witness& witness) {
+    const auto all = [this](auto stage) { each_of(pack_.data(), used_, stage); };
     for (fill<special>(tally); used_ > 0; fill<special>(tally)) {
       if constexpr (special) {
         if (world_.analog) {
-          each_pack([&](auto& t) { analog_event(world_, t, ledger_, tally); });
+          all([&](auto& t) { analog_event(world_, t, ledger_, tally); });
           tell(witness);
           continue;
         }
       }
-      each_pack([&](auto& t) { score_collision<special>(world_, t, tally, estimates_); });
-      each_pack([&](auto& t) { collision<special>(world_, t, ledger_, estimates_); });
-      each_pack([&](auto& t) { finish<special>(world_, t, ledger_, tally); });
+      end_flights<special>(world_, all, ledger_, tally, estimates_);
       tell(witness);
       if constexpr (special) keep_copies(tally);
-      each_pack([&](auto& t) { begin_event(world_, t); });
-      each_pack([&](auto& t) { look_out<special>(world_, t, ledger_, tally, estimates_); });
-      each_pack([&](auto& t) { travel<special>(world_, t, ledger_, tally); });
+      go_on<special>(
+          world_, all, [this](std::uint32_t block) { draw(pack_.data(), used_, block); }, ledger_,
+          tally, estimates_);
     }
   }
   template <class Stage>
-  PHOTIC_APART PHOTIC_FLATTEN void each_pack(Stage stage) {
-    for (std::size_t k = 0; k < used_; ++k) stage(pack_[k]);
+  PHOTIC_APART PHOTIC_FLATTEN static void each_of(Travellers<T>* pack, std::size_t count,
+                                                  Stage stage) {
+    for (std::size_t k = 0; k < count; ++k) stage(pack[k]);
+  }
+  /// Draws a block of random numbers for packs, two at once.
+  PHOTIC_APART PHOTIC_FLATTEN static void draw(Travellers<T>* pack, std::size_t count,
+                                               std::uint32_t block) {
+    for (; count >= 2; count -= 2, pack += 2) {
+      const auto [first, second] = uniforms(pack[0].place, pack[1].place, block);
+      pack[0].numbers(block) = first;
+      pack[1].numbers(block) = second;
+    }
+    if (count > 0) pack->numbers(block) = uniforms(pack->place, block);
   }
   template <class Witness>
   void tell(Witness& witness) {
@@ -120,17 +129,32 @@ class Pool {
   }
   /// The next photons of the batch, to where their first flight ends.
   template <bool special>
-  PHOTIC_APART PHOTIC_FLATTEN void bear(tally::BatchTally& tally) {
-    const auto n = static_cast<std::int32_t>(next_);
-    set_out(world_, *draws_, n, first_lanes<T>(count_ - next_), newborn_, ledger_);
-    next_ += width;
+  PHOTIC_APART void bear(tally::BatchTally& tally) {
+    const auto first = static_cast<std::int32_t>(next_);
+    const std::size_t born = std::min(packs, (count_ - next_ + width - 1) / width);
+    const auto all = [&](auto stage) { each_of(newborn_.data(), born, stage); };
+    const auto number_of = [&](const Travellers<T>& t) {
+      return first +
+             static_cast<std::int32_t>(width) * static_cast<std::int32_t>(&t - newborn_.data());
+    };
+    all([&](auto& t) {
+      const std::int32_t n = number_of(t);
+      set_out(world_, *draws_, n, first_lanes<T>(count_ - static_cast<std::uint64_t>(n)), t,
+              ledger_);
+    });
+    next_ += born * width;
     if (compares<special>(world_)) {
-      for (std::size_t i = 0; i < width; ++i)
-        ratios_.of(newborn_.ratios.first + i).begin(world_.sea.environments);
+      for (std::size_t i = 0; i < born * width; ++i)
+        ratios_.of(newborn_.front().ratios.first + i).begin(world_.sea.environments);
     }
     if (!(special && world_.analog))
-      launch<special>(world_, *draws_, n, newborn_, ledger_, tally, estimates_);
-    wait(newborn_);
+      go_on<special>(
+          world_, all,
+          [&](std::uint32_t block) {
+            all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });
+          },
+          ledger_, tally, estimates_);
+    all([&](auto& t) { wait(t); });
   }
   /// Who is on the way in a pack waits.
   void wait(Travellers<T>& pack) {
@@ -157,25 +181,28 @@ class Pool {
   }
   PHOTIC_APART void keep_copies(const Travellers<T>& pack, const Mask<T>& mask, std::int32_t number,
                                 tally::BatchTally& tally) {
-    const auto ratios = newborn_.ratios;
-    newborn_ = pack;
-    newborn_.ratios = ratios;
-    newborn_.on = mask;
+    Travellers<T>& copies = newborn_.front();
+    const auto ratios = copies.ratios;
+    copies = pack;
+    copies.ratios = ratios;
+    copies.on = mask;
     for_each_lane(mask, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
       if (world_.compares)
         ratios_.copy(world_.sea.environments, pack.ratios.first + i, ratios.first + i);
       const auto own = pack.place.photon[i];
-      newborn_.place.photon.set(i, copy_number(world_.key, own, pack.place.event[i], number));
+      copies.place.photon.set(i, copy_number(world_.key, own, pack.place.event[i], number));
     });
-    go_on<true>(world_, newborn_, ledger_, tally, estimates_);
-    wait(newborn_);
+    go_on<true>(
+        world_, [&](auto stage) { each_of(&copies, 1, stage); },
+        [&](std::uint32_t block) { draw(&copies, 1, block); }, ledger_, tally, estimates_);
+    wait(copies);
   }
 
   /// Of the lanes of a mask, of a pack whose paths begin with `first`, to those who come to wait
   /// next, or back.
   PHOTIC_APART void copy_ratios(std::size_t first, const Mask<T>& mask, bool to_lanes) {
-    std::size_t waiting = slots + width + reserve_.size();
+    std::size_t waiting = 2 * slots + reserve_.size();
     for_each_lane(mask, [&](int lane) {
       const std::size_t here = first + static_cast<std::size_t>(lane);
       ratios_.copy(world_.sea.environments, to_lanes ? waiting : here, to_lanes ? here : waiting);
@@ -190,7 +217,7 @@ class Pool {
   std::array<Mask<T>, packs> before_{};  ///< who was on the way when an event began
 
   Reserve<T> reserve_;
-  Travellers<T> newborn_;
+  std::vector<Travellers<T>> newborn_;  ///< on their first flight
   std::optional<Draws<T>> draws_;       ///< of the batch
   std::uint64_t next_ = 0, count_ = 0;  ///< its photons that have yet to set out
   LaneLedger<T> ledger_;

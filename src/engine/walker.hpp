@@ -121,7 +121,7 @@ class WalkTaker {
     walker_.event = walker_.event + Index<T>(1);
     const auto u = source_.draw(walker_.walk, walker_.event, 0);
     const Photon<T> before = photon;
-    const auto end = fly(sea_, photon, u[0]);
+    const auto end = fly(sea_, photon, minus_log(u[0]));
     add_flight(sea_, before, photon, walker_.leg);
     book(source_.ledger.sea_bed, on & end.sea_bed, photon.weight);
     on = on & !end.sea_bed;
@@ -229,7 +229,8 @@ class WalkTaker {
   Walker<T> walker_;
   transport::Terms<T> way_, collision_;  ///< of what happens to it, in environments
 
-  LaneColumns<T, Walker<T>, lanes> waiting_columns_;  ///< of those who have begun without a lane
+  /// Of those who have begun without a lane; readable for as many more.
+  LaneColumns<T, Walker<T>, 2 * lanes> waiting_columns_;
   std::size_t waiting_ = 0, settled_ = 0;
 };
 

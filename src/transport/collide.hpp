@@ -11,8 +11,8 @@ namespace photic::transport {
 template <class T>
 struct Branch {
   Mask<T> converted{};  ///< the photon's line has changed
-  Index<T> phase;       ///< table of the direction it leaves in
-  Index<T> lobe;        ///< elastic table at the line it leaves with: the lobe of directed sampling
+  Index<T> phase{};     ///< table of the direction it leaves in
+  Index<T> lobe{};      ///< elastic table at the line it leaves with: the lobe of directed sampling
 };
 
 /// Implicit absorption with a branch into the inelastic processes: with probability `conversion`

@@ -133,7 +133,7 @@ Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
     rest = rest - select(stretch[k].exists, T(1), T(0));
   }
   Photon<T> flown = photon;
-  const FlightEnd<T> end = fly(sea, flown, u.distance);
+  const FlightEnd<T> end = fly(sea, flown, minus_log(u.distance));
   Photon<T> placed = photon;
   const Mask<T> in_water = advance(sea, placed, distance);
   const Mask<T> reached = select(forced, in_water, !(end.surface | end.sea_bed));

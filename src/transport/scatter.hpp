@@ -43,25 +43,25 @@ struct ScatterUniforms {
   T polar, azimuth, mixture, target;
 };
 
-/// Turns a photon into a new direction drawn from the mixture
-///   q = (1 - e) p(old, new) + e weighted mean over targets of lobe or cone(target, new),
-/// p and lobe being tables of the medium, e = `directed` where there are targets and 0 elsewhere;
-/// the weight is multiplied by p / q <= 1 / (1 - e), both terms always in q (Veach & Guibas,
-/// SIGGRAPH 95, balance heuristic).
-template <class T, int capacity>
-void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& phase,
-             const Index<T>& lobe, const Targets<T, capacity>& targets, const T& directed,
-             const ScatterUniforms<T>& u) {
-  const auto [cos_azimuth, sin_azimuth] = cos_sin_of_turns(u.azimuth);
-  const Vec3<T> old = photon.direction;
-  const T share = targets.share(directed);
-  if (!any(share > T(0))) {
-    photon.direction = turned(old, sea.phases.sample<T>(u.polar, phase), cos_azimuth, sin_azimuth);
-    return;
-  }
-  const Mask<T> has_target = targets.total_weight > T(0);
-  const Mask<T> towards = u.mixture < share;
+/// A new direction, about an axis.
+template <class T>
+struct Deflection {
+  Vec3<T> axis;
+  T one_minus_cos{}, cos_azimuth{}, sin_azimuth{};
+};
 
+/// Draws one from the mixture
+///   q = (1 - e) p(old, new) + e weighted mean over targets of lobe or cone(target, new),
+/// p and lobe being tables of the medium, e = `directed` where there are targets and 0 elsewhere.
+template <class T, int capacity>
+Deflection<T> deflect(const medium::MediumView& sea, const Vec3<T>& old, const Index<T>& phase,
+                      const Index<T>& lobe, const Targets<T, capacity>& targets, const T& directed,
+                      const ScatterUniforms<T>& u) {
+  const auto [cos_azimuth, sin_azimuth] = cos_sin_of_turns(u.azimuth);
+  const T share = targets.share(directed);
+  if (!any(share > T(0)))
+    return {old, sea.phases.sample<T>(u.polar, phase), cos_azimuth, sin_azimuth};
+  const Mask<T> towards = u.mixture < share;
   Vec3<T> axis = old;
   T cone(0);
   T rest = u.target * targets.total_weight;
@@ -73,22 +73,36 @@ void scatter(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& p
     rest = rest - targets.weight[k];
   }
   const T from_table = sea.phases.sample<T>(u.polar, select(towards, lobe, phase));
-  const T x = select(cone > T(0), u.polar * cone, from_table);
-  photon.direction = turned(axis, x, cos_azimuth, sin_azimuth);
+  return {axis, select(cone > T(0), u.polar * cone, from_table), cos_azimuth, sin_azimuth};
+}
 
-  const T p = sea.phases.value<T>(one_minus_cos(old, photon.direction), phase);
+/// Where it leads.
+template <class T>
+Vec3<T> turned(const Deflection<T>& by) {
+  return turned(by.axis, by.one_minus_cos, by.cos_azimuth, by.sin_azimuth);
+}
+
+/// p / q <= 1 / (1 - e) of a new direction, both terms always in q (Veach & Guibas, SIGGRAPH 95,
+/// balance heuristic); 1 where there are no targets.
+template <class T, int capacity>
+T true_over_drawn(const medium::MediumView& sea, const Vec3<T>& old, const Vec3<T>& fresh,
+                  const Index<T>& phase, const Index<T>& lobe, const Targets<T, capacity>& targets,
+                  const T& directed) {
+  const T share = targets.share(directed);
+  if (!any(share > T(0))) return T(1);
+  const T p = sea.phases.value<T>(one_minus_cos(old, fresh), phase);
   T towards_density(0);
   for (int i = 0; i < targets.count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const T off = one_minus_cos(targets.direction[k], photon.direction);
+    const T off = one_minus_cos(targets.direction[k], fresh);
     const Mask<T> is_cone = targets.cone[k] > T(0);
     const T even =
         select(off < targets.cone[k], T(0.5 / pi) / select(is_cone, targets.cone[k], T(1)), T(0));
     const T density = select(is_cone, even, sea.phases.value<T>(off, lobe));
     towards_density = towards_density + targets.weight[k] * density;
   }
-  const T per_weight = share / select(has_target, targets.total_weight, T(1));
-  photon.weight = photon.weight * (p / ((T(1) - share) * p + per_weight * towards_density));
+  const T per_weight = share / select(targets.total_weight > T(0), targets.total_weight, T(1));
+  return p / ((T(1) - share) * p + per_weight * towards_density);
 }
 
 }  // namespace photic::transport

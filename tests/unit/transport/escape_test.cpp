@@ -29,7 +29,7 @@ TEST(Escape, IsWhatFlightsDo) {
     double weight = 0;
     for (int k = 0; k < flights; ++k) {
       auto flown = photon;
-      const auto end = fly(sea.view(), flown, (k + 0.5) / flights);
+      const auto end = fly(sea.view(), flown, minus_log((k + 0.5) / flights));
       if (!end.surface && !end.sea_bed) continue;
       ASSERT_EQ(end.surface, away.surface);
       if (end.surface) flown.weight = reflect_down(sea.view(), flown);

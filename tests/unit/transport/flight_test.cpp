@@ -44,7 +44,7 @@ TEST(Fly, GoesAsFarAsItsOpticalDepth) {
       const auto before = photon_from(sea, random.between(0, 25), direction, random.below(3));
       auto photon = before;
       const double u = random.uniform();
-      const auto end = fly(sea.view(), photon, u);
+      const auto end = fly(sea.view(), photon, minus_log(u));
       const V way = photon.position - before.position;
       const double walk_tau =
           integral_between(sea, walk, photon.line, before.position, photon.position);
@@ -127,7 +127,7 @@ TEST(Fly, HasTheFreePathsOfThreeLayers) {
     for (int i = 0; i < samples; ++i) {
       auto photon = photon_from(sea, flight.depth, flight.direction);
       const V start = photon.position;
-      const auto end = fly(sea.view(), photon, random.uniform());
+      const auto end = fly(sea.view(), photon, minus_log(random.uniform()));
       const bool arrives = end.surface || end.sea_bed;
       const auto metre =
           arrives ? cells : static_cast<std::size_t>(length(photon.position - start));

@@ -1,9 +1,9 @@
 // A walk with four lanes: each lane equals the scalar, bit for bit, whichever ways the lanes go.
+#include "support/scatter.hpp"
 #include "transport/collide.hpp"
 #include "transport/emit.hpp"
 #include "transport/flight.hpp"
 #include "transport/forced.hpp"
-#include "transport/scatter.hpp"
 #include "unit/transport/packs.hpp"
 #include "unit/transport/sea.hpp"
 
@@ -65,10 +65,10 @@ TEST(LanesOf, FlyAndReflectDown) {
     auto scalar = random_photons(sea, random);
     auto packed = pack(scalar);
     const auto u = uniforms4(random);
-    const auto end = fly(sea.view(), packed, pack(u));
+    const auto end = fly(sea.view(), packed, minus_log(pack(u)));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto layer = scalar[i].layer;
-      const auto one = fly(sea.view(), scalar[i], u[i]);
+      const auto one = fly(sea.view(), scalar[i], minus_log(u[i]));
       expect_same(end.surface[i], one.surface, "surface");
       expect_same(end.sea_bed[i], one.sea_bed, "sea bed");
       expect_same(packed, i, scalar[i]);
@@ -127,13 +127,13 @@ TEST(LanesOf, ScatterWithAndWithoutTargets) {
     const double share = random.uniform();
     const auto a = uniforms4(random), b = uniforms4(random), c = uniforms4(random),
                d = uniforms4(random);
-    scatter(sea.view(), packed, pack(phase), pack(lobe), targets4, Lanes4(share),
-            {pack(a), pack(b), pack(c), pack(d)});
+    test::scatter(sea.view(), packed, pack(phase), pack(lobe), targets4, Lanes4(share),
+                  {pack(a), pack(b), pack(c), pack(d)});
     for (std::size_t i = 0; i < lanes; ++i) {
       without += targets[i].total_weight == 0;
       directed += targets[i].total_weight > 0 && c[i] < share;
-      scatter(sea.view(), scalar[i], phase[i], lobe[i], targets[i], share,
-              {a[i], b[i], c[i], d[i]});
+      test::scatter(sea.view(), scalar[i], phase[i], lobe[i], targets[i], share,
+                    {a[i], b[i], c[i], d[i]});
       expect_same(packed, i, scalar[i]);
     }
   }

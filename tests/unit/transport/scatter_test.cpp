@@ -7,6 +7,7 @@
 #include "support/chi_squared.hpp"
 #include "support/mean.hpp"
 #include "support/random.hpp"
+#include "support/scatter.hpp"
 #include "support/z_test.hpp"
 #include "unit/transport/sea.hpp"
 
@@ -100,8 +101,8 @@ TEST(Scatter, TimesItsWeightFollowsThePhaseFunction) {
     for (int i = 0; i < samples; ++i) {
       Photon<double> photon;
       photon.direction = old_direction;
-      scatter(sea.view(), photon, c.phase, c.lobe, targets, directed,
-              {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
+      test::scatter(sea.view(), photon, c.phase, c.lobe, targets, directed,
+                    {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
       const double w = photon.weight;
       ASSERT_LE(w, 1 / (1 - directed) * (1 + 1e-12));
       ASSERT_NEAR(length(photon.direction), 1, 1e-15);
@@ -139,8 +140,8 @@ TEST(Scatter, HasTheMeanCosineOfHenyeyAndGreenstein) {
     Aims targets;
     targets.clear();
     targets.add({0, 0, 1}, 0.0, 1.0);
-    scatter(sea.view(), photon, 1, 1, targets, directed,
-            {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
+    test::scatter(sea.view(), photon, 1, 1, targets, directed,
+                  {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
     cosine.add(photon.weight * dot(old_direction, photon.direction));
   }
   EXPECT_LT(std::abs(cosine.value() - 0.8), 3.3 * cosine.error());  // 0.1 %
@@ -160,8 +161,8 @@ TEST(Scatter, AimsAtTargetsByTheirWeight) {
   for (int i = 0; i < samples; ++i) {
     Photon<double> photon;
     photon.direction = old_direction;
-    scatter(sea.view(), photon, 0, 0, targets, directed,
-            {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
+    test::scatter(sea.view(), photon, 0, 0, targets, directed,
+                  {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
     for (std::size_t k = 0; k < 3; ++k)
       hits[k] += one_minus_cos(c.targets[k].direction, photon.direction) < near;
   }
@@ -183,8 +184,8 @@ TEST(Scatter, FillsAConeEvenly) {
   for (int i = 0; i < samples; ++i) {
     Photon<double> photon;
     photon.direction = {0, 0, 1};
-    scatter(sea.view(), photon, 0, 0, targets, 1 - 1e-12,
-            {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
+    test::scatter(sea.view(), photon, 0, 0, targets, 1 - 1e-12,
+                  {random.uniform(), random.uniform(), random.uniform(), random.uniform()});
     ring.at(static_cast<std::size_t>(one_minus_cos(axis, photon.direction) / 0.05 * 10)) += 1;
   }
   test::expect_uniform(ring, samples, 0.001);
