@@ -54,7 +54,7 @@ void free_flight(benchmark::State& state) {
   Setting s;
   for (auto _ : state) {
     auto photon = s.photon;
-    benchmark::DoNotOptimize(transport::fly(s.world.sea, photon, s.draw()[0]));
+    benchmark::DoNotOptimize(transport::fly(s.world.sea, photon, minus_log(s.draw()[0])));
     benchmark::DoNotOptimize(photon);
   }
 }

@@ -77,7 +77,7 @@ void register_parts() {
   });
   add("flight", [](Setting& s, std::size_t k) {
     auto photon = s.photon[k];
-    transport::fly(s.sea, photon, s.u[k][0]);
+    transport::fly(s.sea, photon, minus_log(s.u[k][0]));
     return photon;
   });
   add("local_estimate", [](Setting& s, std::size_t k) {
