@@ -314,9 +314,10 @@ void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Tar
   }
 }
 
-/// Fills in the targets of the direction that photons may take next, where they stand.
+/// Fills in the targets of the direction that photons may take next, where they collide.
 template <class T>
 void aim_at_targets(const World<T>& world, Travellers<T>& at) {
+  if (!any(at.colliding)) return;
   at.targets.clear();
   aim_at_telescopes(world, at);
   aim_at_views(world, at.photon, at.targets);

@@ -143,6 +143,7 @@ void collide(const World<T>& world, Travellers<T>& travellers, Ledger& ledger) {
 /// In which direction they go on: about their own, or towards a target.
 template <class T>
 void deflect(const World<T>& world, Travellers<T>& travellers) {
+  if (!any(travellers.colliding)) return;
   const auto& u = travellers.u;
   travellers.deflection = transport::deflect(
       world.sea, travellers.photon.direction, travellers.branch.phase, travellers.branch.lobe,
@@ -153,6 +154,7 @@ void deflect(const World<T>& world, Travellers<T>& travellers) {
 template <bool special, class T>
 void turn(const World<T>& world, Travellers<T>& travellers) {
   const Mask<T>& colliding = travellers.colliding;
+  if (!any(colliding)) return;
   transport::Photon<T>& photon = travellers.photon;
   if (world.directs) travellers.old_direction = photon.direction;
   photon.direction =
@@ -164,6 +166,7 @@ void turn(const World<T>& world, Travellers<T>& travellers) {
 template <class T>
 void weigh_direction(const World<T>& world, Travellers<T>& travellers) {
   const Mask<T>& colliding = travellers.colliding;
+  if (!any(colliding)) return;
   const auto& targets = travellers.targets;
   transport::Photon<T>& photon = travellers.photon;
   const T ratio = transport::true_over_drawn(world.sea, travellers.old_direction, photon.direction,
