@@ -154,6 +154,10 @@ MaskBits<N> compare(const Vector<E, N>& a, const Vector<E, N>& b) {
 
 template <int N, class E>
 Vector<E, N> blend(const MaskBits<N>& mask, const Vector<E, N>& yes, const Vector<E, N>& no) {
+#if defined(__AVX2__)
+  if constexpr (N == 8 && sizeof(E) == 4)
+    return (Vector<E, N>)_mm256_blendv_ps((__m256)no, (__m256)yes, (__m256)mask);
+#endif
   using Wide = Vector<Bits<E>, N>;
   Wide wide;
   if constexpr (sizeof(E) == 4) {
