@@ -43,7 +43,7 @@ struct Travellers {
   std::array<T, 4> u{}, choices{}, forced{};  ///< numbers: of all events, and where they are asked
                                               ///< for, of choices and of forced collisions
   Mask<T> colliding{};                        ///< whose flight ends so
-  T free_path{};                              ///< of the flight, in mean free paths of its layer
+  T free_path{};                              ///< of the flight, an optical depth
   transport::Branch<T> branch;                ///< what the collision made of them
   Targets<T> targets;                         ///< of the directions that they may take next
   transport::Deflection<T> deflection;        ///< by the collision
@@ -52,7 +52,7 @@ struct Travellers {
   T analog_before{}, importance_before{};  ///< the flight, for tools that ask
   Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
 
-  /// Of a block.
+  /// The numbers of a block of the event.
   std::array<T, 4>& numbers(std::uint32_t block) {
     return block == 0 ? u : (block == 1 ? choices : forced);
   }
@@ -141,8 +141,7 @@ struct Estimates {
   }
 
   std::vector<WaitingRoom<T, Sources<T>>> waiting;  ///< of each telescope
-
-  std::vector<ScoreRoom<T>> scores;  ///< in each telescope
+  std::vector<ScoreRoom<T>> scores;                 ///< in each telescope
 
   // Of the light that is scored, in environments.
   transport::PathRatios<T>* kept = nullptr;

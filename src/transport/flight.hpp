@@ -44,10 +44,10 @@ Index<T> layer_of(const medium::MediumView& sea, const ShortTable& top, const In
   return select(stays, from, layer);
 }
 
-/// Moves a photon in the water by a free path in optical depth, across layers, or to the surface or
-/// the sea bed. Free paths -ln(u) are drawn from the medium's walk coefficient c', which is less
-/// than c; the weight takes the ratio of the true density of free paths to the drawn one: exp(-(tau
-/// - tau')), and c / c' at a collision.
+/// Moves a photon in the water by a free path, given as an optical depth, across layers, or to the
+/// surface or the sea bed. Free paths -ln(u) are drawn from the medium's walk coefficient c', which
+/// is less than c; the weight takes the ratio of the true density of free paths to the drawn one,
+/// exp(-(tau - tau')), and c / c' at a collision.
 template <class T>
 FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free_path) {
   const T down = -photon.direction.z;

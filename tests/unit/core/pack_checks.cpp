@@ -226,13 +226,21 @@ void check_functions(test::Random& random) {
 void check_random_numbers(test::Random& random) {
   RandomPlace<Real> place{static_cast<std::uint64_t>(random.uniform() * 1e18), {}, {}};
   const auto photon = make_lanes<std::uint64_t>([&] { return random.scale(1, 1e18); });
-  const auto event = make_lanes<std::int32_t>([&] { return random.below(1000000); });
+  const auto event = make_lanes<std::int32_t>([&] { return 1 + random.below(1000000); });
   place.photon = Counter<Real>::load(photon.data());
   place.event = pack(event);
   const auto packed = uniforms(place, 3);
+  RandomPlace<Real> before = place;
+  before.event = place.event - Integer(1);
+  const auto twins = uniforms(place, before, 3);
   for (std::size_t i = 0; i < width; ++i) {
     const auto one = uniforms(RandomPlace<float>{place.key, photon[i], event[i]}, 3);
-    for (std::size_t k = 0; k < 4; ++k) expect_bits(packed[k], i, one[k], "uniform");
+    const auto other = uniforms(RandomPlace<float>{place.key, photon[i], event[i] - 1}, 3);
+    for (std::size_t k = 0; k < 4; ++k) {
+      expect_bits(packed[k], i, one[k], "uniform");
+      expect_bits(twins[0][k], i, one[k], "uniform of the first of two");
+      expect_bits(twins[1][k], i, other[k], "uniform of the second of two");
+    }
   }
 }
 
