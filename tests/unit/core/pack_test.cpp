@@ -32,7 +32,8 @@ void check_packs(Isa isa) {
 // One test for each instruction set of this processor: the others cannot run here, and no test is
 // there to say that they did. Seen red: the half of a table of 64 chosen by the wrong bit; a table
 // of 17 taken for one of 16; the lower half of the lanes made double twice; rows of a square not
-// swapped; lanes of a mask expanded in their own places.
+// swapped; lanes of a mask expanded in their own places; the second columns of a pair of tables in
+// another order; the second of two places with the event of the first.
 class Packs : public testing::TestWithParam<Isa> {};
 TEST_P(Packs, AreScalars) { check_packs(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Here, Packs, testing::ValuesIn(isas_here()),
