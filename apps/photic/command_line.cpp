@@ -110,8 +110,7 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags
   sub.add_option(
          "--engine", run.engine,
          "What walks the photons: lanes (many at a time in float) or scalar (in double, the "
-         "reference) [default: lanes, or what --continue goes on from; scalar where an instrument "
-         "is farther than 3 km]")
+         "reference) [default: lanes, or what --continue goes on from]")
       ->type_name("ENGINE")
       ->check(CLI::IsMember({"scalar", "lanes"}));
   sub.add_option("--isa", run.isa,

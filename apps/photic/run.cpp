@@ -77,21 +77,16 @@ engine::RunOptions options_of(const RunCommand& command, std::optional<Isa> lane
   return options;
 }
 
-std::optional<Isa> lanes_asked(const RunCommand& command, const scene::Scene& scene) {
-  const bool by_default = command.engine.empty() && engine::lanes_resolve(scene);
-  if (by_default || command.engine == "lanes")
-    return isa_of(command.isa).value_or(isas_here().back());
+std::optional<Isa> lanes_asked(const RunCommand& command) {
+  if (command.engine != "scalar") return isa_of(command.isa).value_or(isas_here().back());
   if (command.isa.empty()) return std::nullopt;
-  throw InputError(
-      {{.file = "--isa " + command.isa,
-        .reason = "only lanes are made of instructions to choose",
-        .suggestion = command.engine.empty() ? "leave it out: an instrument is too far for lanes"
-                                             : "--engine lanes, or leave it out"}});
+  throw InputError({{.file = "--isa " + command.isa,
+                     .reason = "only lanes are made of instructions to choose",
+                     .suggestion = "--engine lanes, or leave it out"}});
 }
 
 /// The engine of a run that goes on from one that ran in `before`: bits depend on it.
-std::optional<Isa> lanes_going_on(const RunCommand& command, const scene::Scene& scene,
-                                  const std::optional<Isa>& before) {
+std::optional<Isa> lanes_going_on(const RunCommand& command, const std::optional<Isa>& before) {
   if (before && !runs_here(*before)) {
     throw InputError({{.file = command.earlier,
                        .reason = fmt::format("ran in the engine {}, which does not run here",
@@ -99,7 +94,7 @@ std::optional<Isa> lanes_going_on(const RunCommand& command, const scene::Scene&
                        .suggestion = "go on where the processor has it, or run anew"}});
   }
   if (command.engine.empty() && command.isa.empty()) return before;
-  const auto now = lanes_asked(command, scene);
+  const auto now = lanes_asked(command);
   if (now == before) return now;
   throw InputError({{.file = command.earlier,
                      .reason = fmt::format("ran in the engine {}, and is to go on in {}",
@@ -116,11 +111,11 @@ Plan plan(const RunCommand& command) {
   spare(reading.files, plan.path);
   plan.history = io::history_line(command.command_line);
   io::check_writable(plan.path);  // now, not after hours of work
-  plan.lanes = lanes_asked(command, plan.scene);
+  plan.lanes = lanes_asked(command);
   if (command.earlier.empty()) return plan;
   Earlier earlier = take_up(command.earlier, plan.scene);
   plan.history = earlier.history + '\n' + plan.history;
-  plan.lanes = lanes_going_on(command, plan.scene, earlier.lanes);
+  plan.lanes = lanes_going_on(command, earlier.lanes);
   plan.start = std::move(earlier.start);
   plan.photons = earlier.photons;
   if (plan.photons == plan.scene.simulation.photons)

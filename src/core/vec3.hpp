@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "core/lanes.hpp"
 
@@ -36,6 +37,14 @@ template <class T>
 T length(const Vec3<T>& a) {
   using std::sqrt;
   return sqrt(dot(a, a));
+}
+
+/// By how much a + d is longer than a, to the last digits of d, however much longer a is.
+template <class T>
+T longer_by(const Vec3<T>& a, const Vec3<T>& d) {
+  const Vec3<T> sum = a + d;
+  const T lengths = length(a) + length(sum);
+  return dot(d, a + sum) / (lengths + T(std::numeric_limits<Element<T>>::min()));
 }
 
 /// a / |a|; a must not be zero.

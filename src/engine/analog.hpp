@@ -28,12 +28,11 @@ Mask<T> enter_by_chance(transport::Photon<T>& photon, const Mask<T>& entered, co
 }
 
 /// Counts the photons of a mask that fall on a detector on their straight way from where they
-/// stand, so long and with a group index, in the air or in the water; `depth` is that of the
-/// collision they come from. Telescopes do not stand in each other's way, nor in the light's.
+/// stand, so long, in the water, or from the surface in the air; `depth` is that of the collision
+/// they come from. Telescopes do not stand in each other's way, nor in the light's.
 template <class T>
 void receive(const World<T>& world, const transport::Photon<T>& photon, Mask<T> flying,
-             const T& length, const T& group_index, bool submerged, const T& depth,
-             tally::BatchTally& tally) {
+             const T& length, bool submerged, const T& depth, tally::BatchTally& tally) {
   flying = flying & (photon.order > Index<T>(0));
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const instrument::Telescope<T>& telescope = world.telescopes[t];
@@ -47,11 +46,12 @@ void receive(const World<T>& world, const transport::Photon<T>& photon, Mask<T> 
                          instrument::open_at(telescope, point) &
                          instrument::sight(telescope, point, photon.direction).on_detector;
     if (!any(seen)) continue;
-    const auto lines = each_lane(photon.line), orders = each_lane(photon.order);
-    const auto depths = each_lane(depth), paths = each_lane(photon.path + distance * group_index);
-    for_each_lane(seen, [&](int lane) {
-      const auto i = static_cast<std::size_t>(lane);
-      tally.score({t, lines[i], orders[i], depths[i], paths[i], 1.0});
+    const T way = submerged ? T(distance * gather<T>(world.sea.group_index, photon.line))
+                            : longer_by(telescope.position, met - photon.position);
+    const LaneScores<T> scores{t,     world.path_to_origin[t], photon.line, photon.order,
+                               depth, photon.path + way,       T(1)};
+    each_score(tally, seen, scores, [&](std::size_t, const tally::Score& score, const auto& at) {
+      tally.score(score, at);
     });
   }
 }
@@ -63,8 +63,7 @@ transport::FlightEnd<T> fly_and_receive(const World<T>& world, transport::Photon
                                         tally::BatchTally& tally) {
   const transport::Photon<T> before = photon;
   const auto end = transport::fly(world.sea, photon, minus_log(u));
-  receive(world, before, flying, end.length, gather<T>(world.sea.group_index, photon.line), true,
-          depth, tally);
+  receive(world, before, flying, end.length, true, depth, tally);
   return end;
 }
 
@@ -77,7 +76,7 @@ Mask<T> emerge(const World<T>& world, const transport::Photon<T>& photon, const 
   const Mask<T> leaves = at_surface & (u >= through.reflectance);
   transport::Photon<T> out = photon;
   out.direction = {n * photon.direction.x, n * photon.direction.y, through.cos_transmitted};
-  receive(world, out, leaves, T(std::numeric_limits<Element<T>>::max()), T(1), false, depth, tally);
+  receive(world, out, leaves, T(std::numeric_limits<Element<T>>::max()), false, depth, tally);
   return leaves;
 }
 

@@ -32,7 +32,7 @@ Candidate candidate(const scene::Scene& scene, const std::string& estimator,
                     const std::string& name) {
   const scene::Simulation defaults;
   Candidate c{.name = name, .simulation = scene.simulation};
-  if (lanes_resolve(scene)) c.lanes = isas_here().back();
+  c.lanes = isas_here().back();
   scene::Simulation& s = c.simulation;
   s.estimator = estimator;
   s.estimator_reason.reset();
@@ -64,7 +64,6 @@ std::vector<Candidate> candidates(const scene::Scene& scene) {
   out.back().simulation.connected_fraction = 1;
   out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, random"));
   out.back().simulation.sampling = "random";
-  if (!out.back().lanes) return out;
   out.push_back(candidate(scene, "forward", "forward, ray, scalar"));
   out.back().lanes.reset();
   out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, scalar"));

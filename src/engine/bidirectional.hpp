@@ -58,15 +58,17 @@ struct FromTelescope : WalkDraws<T> {
     const auto& telescope = world.telescopes[receiver.telescope];
     const auto u = this->draw(walk, Index<T>(0), 0);
     outset.lens = lens_point(telescope, u[0], u[1]);
-    outset.outward = outward(telescope, outset.lens,
-                             instrument::ring_point(T(0), telescope.detector_radius, u[2], u[3]));
+    const auto slope =
+        outward_slope(telescope, outset.lens,
+                      instrument::ring_point(T(0), telescope.detector_radius, u[2], u[3]));
+    outset.outward = outward(telescope, slope);
     outset.shift_area = shift_area(telescope, outset.outward);
     const auto v = this->draw(walk, Index<T>(0), 1);
     outset.grid_offset = v[0];
     outset.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
     outset.line = line_of(medium::hue_of(v[2]));
     return transport::begin_at_telescope(world.sea, telescope, receiver.layer, outset.line,
-                                         outset.lens, outset.outward);
+                                         outset.lens, slope);
   }
   /// The line that a walk of a hue detects.
   [[nodiscard]] Index<T> line_of(const Index<T>& hue) const {
@@ -75,12 +77,7 @@ struct FromTelescope : WalkDraws<T> {
   }
   /// Whether light can still come from the laser within the last gate.
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
-    using std::abs;
-    const T z = photon.position.z;
-    const T shortest = world.laser.submerged
-                           ? world.least_group_index * abs(world.laser.centre.z - z)
-                           : world.laser.centre.z - world.least_group_index * z;
-    return photon.path + shortest < world.last_path;
+    return receiver.deadline.is_met(photon, world.least_group_index);
   }
 };
 

@@ -69,8 +69,7 @@ std::vector<Contender> contenders(const scene::Scene& scene) {
 
 /// What pilots run in, whichever engine runs after them: that choices are the same, and soon made.
 /// Scores of lanes are the same by any instructions, and so but for rounding are their sums.
-std::optional<Isa> engine_of_pilots(const scene::Scene& scene, const RunOptions& options) {
-  if (!lanes_resolve(scene)) return std::nullopt;
+Isa engine_of_pilots(const RunOptions& options) {
   return options.lanes.value_or(isas_here().back());
 }
 
@@ -85,7 +84,7 @@ void try_out(Contender& contender, const RunOptions& options) {
   quiet.threads = options.threads;
   const Problem problem = make_problem(pilot);
   Conductor conductor(pilot.simulation, quiet);
-  const tally::Totals totals = run_batches(problem, conductor, engine_of_pilots(pilot, options));
+  const tally::Totals totals = run_batches(problem, conductor, engine_of_pilots(options));
   tally::Result result = describe(problem);
   totals.fill(result);
 

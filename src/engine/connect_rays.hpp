@@ -20,7 +20,7 @@ void Connections<T>::each_pair(std::size_t laser, std::size_t back, std::int32_t
     for (std::int32_t m = first; m < back_.rays(back); ++m) {
       const Ray home = back_.ray_in_all_lanes(back, m);
       const Mask<T> in_time =
-          mask & in_order(i + Index<T>(m + 1)) & (out.path + home.path < world_.last_path);
+          mask & in_order(i + Index<T>(m + 1)) & (out.path + home.path < receiver_.last_path);
       if (!any(in_time)) break;
       const auto ends = ends_of<T>(laser, i, back, Index<T>(m));
       const bool home_rises = all(home.direction.z > T(0));
@@ -85,7 +85,7 @@ PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const M
     const Mask<T> passes = points & open_at(telescope_, lens) &
                            sight(telescope_, lens, -pair.outset.outward).on_detector;
     if (!any(passes)) return;
-    const Vec3<T> shift = in_space(telescope_, lens) - in_space(telescope_, pair.outset.lens);
+    const Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, pair.outset.lens);
     transport::Vertical<T> axis = pair.axis();
     axis.x = axis.x + shift.x;
     axis.y = axis.y + shift.y;
@@ -155,8 +155,9 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Ray
            layer, freedom, world_.reversal, samples_);
   if (world_.compares) [[unlikely]]
     complete_by_meeting(out, moved, depth, layer);
-  score(pair.ends, Walked::both, emitting & (meeting.path < world_.last_path), gain * meeting.value,
-        meeting.path, select(ends.m > Index<T>(0), last_depth(ends.back), depth), in_path.order);
+  score(pair.ends, Walked::both, emitting & (meeting.path < receiver_.last_path),
+        gain * meeting.value, meeting.path,
+        select(ends.m > Index<T>(0), last_depth(ends.back), depth), in_path.order);
 }
 
 }  // namespace photic::engine

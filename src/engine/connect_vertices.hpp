@@ -44,8 +44,9 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
                             bool mirrored) {
   const Index<T> line = back_.line(ends.back);
   const auto sight = instrument::sight(telescope_, outset.lens, way.arriving);
-  const T path = v.path + way.length_air + way.length_water * gather<T>(sea_.group_index, line);
-  const Mask<T> seen = mask & way.exists & sight.on_detector & (path < world_.last_path);
+  const T air = telescope_.submerged ? T(0) : way.longer_air + farther(telescope_, outset.lens);
+  const T path = v.path + air + way.length_water * gather<T>(sea_.group_index, line);
+  const Mask<T> seen = mask & way.exists & sight.on_detector & (path < receiver_.last_path);
   if (!any(seen)) return;
   const T depth = -v.position.z;
   const auto tau = telescope_.submerged
@@ -84,8 +85,8 @@ void Connections<T>::to_laser(std::size_t walk) {
 template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Ends<T>& ends, const Mask<T>& mask) {
   const auto& laser = world_.laser;
-  const Vec3<T> vertex = transport::fictitious_vertex(laser);
-  if (!any(transport::connectable_solid_angle(laser, vertex) > T(0))) return;
+  if (!any(transport::connectable_solid_angle(laser) > T(0))) return;
+  const Vec3<T> vertex = fictitious_vertex(laser);
   const Vertex w = back_.in_path(ends.back, ends.m, usable(ends.m + Index<T>(1)));
   const Mask<T> wanted = mask & emits(w.line, w.layer);
   const Index<T> line(0);
@@ -104,16 +105,17 @@ void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, c
                                      const transport::Way<T>& way, bool mirrored) {
   const auto& laser = world_.laser;
   const Vec3<T> leaving = -way.arriving;
-  const Mask<T> in_cone = one_minus_cos(leaving, laser.axis) < laser.one_minus_cos_divergence;
+  const T x = one_minus_cos(leaving, laser.axis);
+  const Mask<T> in_cone = x < laser.one_minus_cos_divergence;
   Mask<T> lit = mask & way.exists & in_cone;
   if (!any(lit)) return;
   // The way from the disc on; the fictitious vertex lies behind it.
-  const T hidden = laser.vertex_distance / dot(leaving, laser.axis);
-  const T air = laser.submerged ? T(0) : way.length_air - hidden;
+  const T hidden = laser.vertex_distance / (T(1) - x);
+  const T air = laser.submerged ? T(0) : way.longer_air + laser.vertex_detour - x * hidden;
   const T water = laser.submerged ? way.length_water - hidden : way.length_water;
   const Index<T> line(0);
   const T path = w.path + air + water * gather<T>(sea_.group_index, line);
-  lit = lit & (water > T(0)) & (path < world_.last_path);
+  lit = lit & (water > T(0)) & (path < receiver_.last_path);
   if (!any(lit)) return;
   const T depth = -w.position.z;
   const auto tau = laser.submerged ? depths_in_water(sea_, way, line, w.layer, depth,
@@ -123,8 +125,7 @@ void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, c
       back_.outset(ends.back).shift_area,
       axis_or(w.line > Index<T>(0), back_.axis(ends.back), w.position)};
   const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, freedom);
-  const T solid_angle =
-      transport::connectable_solid_angle(laser, transport::fictitious_vertex(laser));
+  const T solid_angle = transport::connectable_solid_angle(laser);
   const T area = samples_.to_instrument * to.share * solid_angle * way.area_per_solid_angle /
                      way.index_squared +
                  to.meeting;
@@ -142,7 +143,7 @@ void Connections<T>::between(std::size_t walk) {
     const T path = laser_.vertex(Index<T>(walk), i).path;
     for (std::int32_t m = 0; m < back_.vertices(walk); ++m) {
       const Mask<T> may = mask & in_order(i + Index<T>(m + 2)) &
-                          (path + back_.vertex_in_all_lanes(walk, m).path < world_.last_path);
+                          (path + back_.vertex_in_all_lanes(walk, m).path < receiver_.last_path);
       if (!any(may)) break;
       between_.admit(may, ends_of<T>(walk, i, walk, Index<T>(m)),
                      [this](const auto& e, const auto& all) { serve_between(e, all); });
@@ -189,7 +190,7 @@ void Connections<T>::along(const Ends<T>& ends, const Mask<T>& mask, const Index
                            const Joint& from, const Joint& to, const Vertex& v, const Vertex& w,
                            const T& length, const Usable<T>& usable) {
   const T path = v.path + w.path + length * gather<T>(sea_.group_index, line);
-  const Mask<T> in_time = mask & (path < world_.last_path);
+  const Mask<T> in_time = mask & (path < receiver_.last_path);
   if (!any(in_time)) return;
   const T depth = -v.position.z;
   const T end = -w.position.z;

@@ -95,7 +95,7 @@ class Connections {
         laser_(from_laser),
         back_(from_telescope),
         tally_(tally),
-        scores_(receiver.telescope),
+        scores_(receiver.telescope, world.path_to_origin[receiver.telescope]),
         ratios_(static_cast<std::size_t>(world.sea.environments.stride)) {}
 
   /// The laser's walk with the point of the lens of the telescope's that goes with it: the local
@@ -190,7 +190,13 @@ class Connections {
   }
   [[nodiscard]] LaneScores<T> scores_of(const Ends<T>& ends, const T& value, const T& path,
                                         const T& last, const Index<T>& order) const {
-    return {receiver_.telescope, back_.line(ends.back), order, last, path, value};
+    return {receiver_.telescope,
+            world_.path_to_origin[receiver_.telescope],
+            back_.line(ends.back),
+            order,
+            last,
+            path,
+            value};
   }
 
   const World<T>& world_;

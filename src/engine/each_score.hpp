@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "core/lanes.hpp"
 #include "tally/batch_tally.hpp"
@@ -14,15 +15,23 @@ namespace photic::engine {
 template <class T>
 struct LaneScores {
   std::size_t telescope = 0;
+  double path_to_origin = 0;  ///< what the paths are short of (engine/world.hpp) [m]
   Index<T> line{}, order{};
   T depth{}, path{}, value{};
 };
+
+/// Their whole paths, in double.
+template <class T>
+auto whole_path(const LaneScores<T>& scores) {
+  const auto wide = to_double(scores.path);
+  return wide + std::decay_t<decltype(wide)>(scores.path_to_origin);
+}
 
 /// Calls act(lane, score, where it belongs) for the lanes of a mask.
 template <class T, class Act>
 void each_score(const tally::BatchTally& tally, const Mask<T>& mask, const LaneScores<T>& scores,
                 Act act) {
-  const auto wide_path = to_double(scores.path), wide_depth = to_double(scores.depth);
+  const auto wide_path = whole_path(scores), wide_depth = to_double(scores.depth);
   const auto places = tally.places(wide_path, wide_depth);
   const auto gates = each_lane(places.gate), cells = each_lane(places.depth);
   const auto lines = each_lane(scores.line), orders = each_lane(scores.order);
@@ -40,16 +49,17 @@ void each_score(const tally::BatchTally& tally, const Mask<T>& mask, const LaneS
 template <class T>
 class ScoreRoom {
  public:
-  explicit ScoreRoom(std::size_t telescope) : telescope_(telescope) {}
+  ScoreRoom(std::size_t telescope, double path_to_origin)
+      : telescope_(telescope), path_to_origin_(path_to_origin) {}
 
   /// Adds the lanes of a mask; hands all to the tally when the room is full.
   void admit(const Mask<T>& mask, const LaneScores<T>& scores, tally::BatchTally& tally) {
-    const auto places = tally.places(to_double(scores.path), to_double(scores.depth));
+    const auto path = whole_path(scores);
+    const auto places = tally.places(path, to_double(scores.depth));
     if constexpr (lanes == 1) {
       if (mask)
-        tally.score(
-            {telescope_, scores.line, scores.order, scores.depth, scores.path, scores.value},
-            places);
+        tally.score({telescope_, scores.line, scores.order, scores.depth, path, scores.value},
+                    places);
     } else {
       const std::size_t at = waiting_;
       compress(mask, scores.line, &line_[at]);
@@ -66,8 +76,9 @@ class ScoreRoom {
   /// Hands over those who wait.
   void close(tally::BatchTally& tally) {
     for (std::size_t i = 0; i < waiting_; ++i)
-      tally.score({telescope_, line_[i], order_[i], depth_[i], path_[i], value_[i]},
-                  {gate_[i], cell_[i]});
+      tally.score(
+          {telescope_, line_[i], order_[i], depth_[i], path_to_origin_ + path_[i], value_[i]},
+          {gate_[i], cell_[i]});
     waiting_ = 0;
   }
 
@@ -77,6 +88,7 @@ class ScoreRoom {
   using Column = std::array<Number, seats + lanes>;
 
   std::size_t telescope_;
+  double path_to_origin_;
   Column<std::int32_t> line_{}, order_{}, gate_{}, cell_{};
   Column<Element<T>> depth_{}, path_{}, value_{};
   std::size_t waiting_ = 0;

@@ -14,17 +14,13 @@ namespace photic::engine {
 /// A photon that has not ended after so many events is lost, and counted.
 inline constexpr std::int32_t most_events = 1'000'000;
 
-/// Whether light from here can still be back within the last gate: the shortest way at the least
-/// group index.
+/// Whether light from here can still be in a telescope within the last gate.
 template <class T>
 Mask<T> in_time(const World<T>& world, const transport::Photon<T>& photon) {
-  using std::abs;
-  T shortest = world.lowest_in_air - world.least_group_index * photon.position.z;
-  for (const T& z : world.submerged_z) {
-    const T direct = world.least_group_index * abs(z - photon.position.z);
-    shortest = select(direct < shortest, direct, shortest);
-  }
-  return photon.path + shortest < world.last_path;
+  Mask<T> in_time(false);
+  for (const Deadline<T>& deadline : world.deadlines)
+    in_time = in_time | deadline.is_met(photon, world.least_group_index);
+  return in_time;
 }
 
 /// Russian roulette of photons that are `on` their way. Tells who goes on.

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/error.hpp"
 
 namespace photic::engine {
@@ -30,13 +28,6 @@ std::optional<Isa> isa_of_engine(std::string_view engine) {
     if (engine == engine_name(isa)) return isa;
   }
   return std::nullopt;
-}
-
-bool lanes_resolve(const scene::Scene& scene) {
-  const auto near = [](const auto& instrument) {
-    return length(instrument.position_m) <= float_reach_m;
-  };
-  return near(scene.source) && std::all_of(scene.telescope.begin(), scene.telescope.end(), near);
 }
 
 std::unique_ptr<Simulator> make_simulator(const Problem& problem, const std::optional<Isa>& lanes) {

@@ -21,12 +21,6 @@ std::string engine_name(const std::optional<Isa>& lanes);
 /// The instruction set in such a name; none for the scalar engine.
 std::optional<Isa> isa_of_engine(std::string_view engine);
 
-/// How far from the origin an instrument may be for lanes, which are floats, to tell the times of
-/// its light to 0.01 ns [m].
-inline constexpr double float_reach_m = 3000;
-/// Whether all instruments of a scene are that near.
-bool lanes_resolve(const scene::Scene& scene);
-
 /// A problem in lanes of an instruction set, which the processor must have, or by the scalar
 /// engine, whose bits are the same by any. The problem must outlive what is returned.
 std::unique_ptr<Simulator> make_simulator(const Problem& problem, const std::optional<Isa>& lanes);

@@ -137,7 +137,8 @@ struct Estimates {
       : waiting(world.telescopes.size(),
                 WaitingRoom<T, Sources<T>>({.differ = sources_differ(world)})),
         ratios(static_cast<std::size_t>(world.sea.environments.stride)) {
-    for (std::size_t t = 0; t < world.telescopes.size(); ++t) scores.emplace_back(t);
+    for (std::size_t t = 0; t < world.telescopes.size(); ++t)
+      scores.emplace_back(t, world.path_to_origin[t]);
   }
 
   std::vector<WaitingRoom<T, Sources<T>>> waiting;  ///< of each telescope
@@ -153,9 +154,10 @@ struct Estimates {
 
 /// Scores in a telescope of light that leaves collisions.
 template <class T>
-LaneScores<T> scores_of(std::size_t telescope, const Sources<T>& from, const T& path_back,
-                        const T& value) {
+LaneScores<T> scores_of(const World<T>& world, std::size_t telescope, const Sources<T>& from,
+                        const T& path_back, const T& value) {
   return {telescope,
+          world.path_to_origin[telescope],
           from.line,
           from.photon.order + Index<T>(1),
           -from.photon.position.z,
@@ -180,7 +182,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
           world.telescopes[t].submerged, world.telescope_layer[t], mirrored, completion.ways);
   completion.collide(sea, {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)),
                            from.line, one_minus_cos(photon.direction, way.direction)});
-  each_score(tally, seen, scores_of(t, from, way.path, value),
+  each_score(tally, seen, scores_of(world, t, from, way.path, value),
              [&](std::size_t lane, const tally::Score& score, const auto& at) {
                const std::size_t path = estimates.first + lane;
                tally.not_finite += complete<T>(
@@ -210,7 +212,7 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
       score_in_environments(world, t, seen, from, way, mirrored, value, estimates, tally);
       return;
     }
-    estimates.scores[t].admit(seen, scores_of(t, from, way.path, value), tally);
+    estimates.scores[t].admit(seen, scores_of(world, t, from, way.path, value), tally);
   };
   const auto& telescope = world.telescopes[t];
   const auto& layer = world.telescope_layer[t];

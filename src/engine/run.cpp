@@ -69,20 +69,13 @@ tally::Result result_of(const Problem& problem, const tally::Totals& totals, con
   return result;
 }
 
-/// Throws InputError for lanes that do not run here, or that are too coarse.
-void check_lanes(const scene::Scene& scene, Isa isa) {
+/// Throws InputError for lanes that do not run here.
+void check_lanes(Isa isa) {
   if (!runs_here(isa)) {
     throw InputError(
         {{.file = fmt::format("--isa {}", isa_name(isa)),
           .reason = "this processor, or this build of Photic, does not have it",
           .suggestion = fmt::format("leave it out, or choose {}", isa_name(isas_here().back()))}});
-  }
-  if (!lanes_resolve(scene)) {
-    throw InputError({{.file = "--engine lanes",
-                       .reason = fmt::format("cannot time light from instruments farther than {} m "
-                                             "from the origin: lanes are floats",
-                                             float_reach_m),
-                       .suggestion = "--engine scalar, or leave it out"}});
   }
 }
 
@@ -94,7 +87,7 @@ tally::Totals run_batches(const Problem& problem, Conductor& conductor,
 }
 
 tally::Result run(const scene::Scene& asked, const RunOptions& options) {
-  if (options.lanes) check_lanes(asked, *options.lanes);
+  if (options.lanes) check_lanes(*options.lanes);
   const scene::Scene scene = choose_estimator(asked, options);
   const Problem problem = make_problem(scene);
   Conductor conductor(scene.simulation, options);

@@ -8,6 +8,7 @@
 
 #include "core/random.hpp"
 #include "core/sobol.hpp"
+#include "engine/origin.hpp"
 #include "engine/problem.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/telescope.hpp"
@@ -65,7 +66,7 @@ View<T> make_view(const instrument::Telescope<double>& telescope, const medium::
   // Lateral reach of the view: detector and blur, seen from the lens.
   const auto reach = [&](double in_water) {
     const double apparent = in_air + in_water / (telescope.submerged ? 1.0 : n);
-    const double blur = apparent - telescope.detector_distance * (apparent * telescope.power - 1);
+    const double blur = telescope.detector_distance * (1 - apparent * telescope.per_sharp_range);
     return (apparent * telescope.detector_radius + telescope.lens_radius * std::abs(blur)) /
            telescope.detector_distance;
   };
@@ -91,6 +92,8 @@ struct Receiver {
   Index<T> layer{};
   Index<T> line{};         ///< 0, or the first of the band
   std::int32_t band = -1;  ///< of the medium's, if it is one
+  T last_path{};           ///< of both walks together, at the end of the last gate [m]
+  Deadline<T> deadline{};  ///< of its walks' light, to be at the laser
 };
 
 /// What becomes of photons below the weight threshold.
@@ -128,9 +131,8 @@ struct World {
   std::vector<Index<T>> telescope_layer;
   std::vector<View<T>> views;                 ///< of each telescope; none if nothing is converted
   std::vector<transport::ViewCone<T>> cones;  ///< to choose points in that are scored
-  T last_path{};                              ///< end of the last gate [m]
-  T lowest_in_air{};                          ///< height of the lowest telescope in the air [m]
-  std::vector<T> submerged_z;                 ///< of the telescopes in the water
+  std::vector<double> path_to_origin;         ///< of each telescope, see path_to_origin()
+  std::vector<Deadline<T>> deadlines;         ///< one of which the laser's light has to meet
   T least_group_index{};                      ///< of all lines
   T directed{};                               ///< share of directions drawn towards a telescope
   bool directs = false;                       ///< whether any are
@@ -247,11 +249,13 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
                     const tally::Gates& gates) {
   World<T> world;
   world.sea = medium.view();
-  world.laser = instrument::make_laser<T>(scene.source);
+  const Vec3<double> origin = origin_of(scene.source);
+  world.laser = instrument::make_laser<T>(from_origin(scene.source, origin));
   const auto depth = [](const auto& instrument) { return std::max(0.0, -instrument.position_m.z); };
   world.laser_layer = Index<T>(medium.layer_at(depth(scene.source)));
   for (const auto& t : scene.telescope) {
-    world.telescopes.push_back(instrument::make_telescope<T>(t));
+    world.telescopes.push_back(instrument::make_telescope<T>(from_origin(t, origin)));
+    world.path_to_origin.push_back(path_to_origin(scene.source, from_origin(t, origin)));
     world.telescope_layer.push_back(Index<T>(medium.layer_at(depth(t))));
   }
   const bool converts = medium.line.size() > 1;
@@ -267,19 +271,11 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   for (std::size_t t = 0;
        (converts || world.tools.scores_on_the_way) && t < world.telescopes.size(); ++t) {
     const View<T> view =
-        make_view<T>(instrument::make_telescope<double>(scene.telescope[t]), medium,
-                     static_cast<std::size_t>(medium.layer_at(depth(scene.telescope[t]))));
+        make_view<T>(instrument::make_telescope<double>(from_origin(scene.telescope[t], origin)),
+                     medium, static_cast<std::size_t>(medium.layer_at(depth(scene.telescope[t]))));
     world.cones.push_back(view.cone);
     if (converts) world.views.push_back(view);
   }
-  world.last_path = T(gates.last_path());
-  double lowest_in_air = std::numeric_limits<Element<T>>::max();
-  for (const auto& t : scene.telescope) {
-    const double z = t.position_m.z;
-    if (z < 0) world.submerged_z.push_back(T(z));
-    if (z >= 0) lowest_in_air = std::min(lowest_in_air, z);
-  }
-  world.lowest_in_air = T(lowest_in_air);
   double least = medium.line.front().group_index;
   for (const auto& line : medium.line) least = std::min(least, line.group_index);
   world.least_group_index = T(least);
@@ -302,6 +298,12 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   if (connects) world.walks = static_cast<std::size_t>(scene.simulation.walks);
   world.most_vertices = most_vertices;
   add_receivers(medium, world);
+  for (Receiver<T>& receiver : world.receivers) {
+    const double both = gates.last_path() - world.path_to_origin[receiver.telescope];
+    receiver.last_path = T(both);
+    receiver.deadline = deadline_at_laser<T>(scene, both);
+  }
+  world.deadlines = deadlines_at_telescopes<T>(scene, gates.last_path());
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
   world.key = scene.simulation.seed;

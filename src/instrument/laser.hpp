@@ -5,30 +5,45 @@
 #include <cmath>
 
 #include "core/vec3.hpp"
+#include "instrument/way_ahead.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::instrument {
 
 template <class T>
 struct Laser {
-  Vec3<T> centre;                ///< of the disc [m]
+  Vec3<T> start;                 ///< on the axis, way_ahead() of the disc [m]
+  T ahead{};                     ///< so far [m]
   Vec3<T> axis;                  ///< unit vector, where the light goes
   T radius{};                    ///< of the disc [m]
   T vertex_distance{};           ///< from the fictitious vertex to the disc [m]; 0 if collimated
+  T vertex_detour{};             ///< by how much that is farther from the origin than from the
+                                 ///< start [m]
   T one_minus_cos_divergence{};  ///< 1 - cos(half divergence)
   bool collimated = false;       ///< no divergence: parallel rays from the whole disc
   bool submerged = false;
 };
 
+/// The fictitious vertex that a laser's rays come from.
+template <class T>
+Vec3<T> fictitious_vertex(const Laser<T>& laser) {
+  return laser.start - (laser.vertex_distance + laser.ahead) * laser.axis;
+}
+
 template <class T>
 Laser<T> make_laser(const scene::Source& s) {
   const double half_divergence = s.half_divergence_mrad * 1e-3;
   Laser<T> laser;
-  laser.centre = vec3_cast<T>(s.position_m);
-  laser.axis = vec3_cast<T>(normalised(s.direction));
+  const Vec3<double> axis = normalised(s.direction);
+  const double ahead = way_ahead(s.position_m, axis);
+  laser.start = vec3_cast<T>(s.position_m + ahead * axis);
+  laser.ahead = T(ahead);
+  laser.axis = vec3_cast<T>(axis);
   laser.radius = T(s.diameter_m / 2);
   laser.collimated = half_divergence == 0;
-  laser.vertex_distance = T(laser.collimated ? 0.0 : s.diameter_m / 2 / std::tan(half_divergence));
+  const double to_disc = laser.collimated ? 0.0 : s.diameter_m / 2 / std::tan(half_divergence);
+  laser.vertex_distance = T(to_disc);
+  laser.vertex_detour = T(length(s.position_m - to_disc * axis) - (to_disc + ahead));
   const double half_sine = std::sin(half_divergence / 2);
   laser.one_minus_cos_divergence = T(2 * half_sine * half_sine);
   laser.submerged = s.position_m.z < 0;

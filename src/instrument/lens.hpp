@@ -15,6 +15,11 @@ namespace photic::instrument {
 template <class T>
 struct PlanePoint {
   T x, y;
+
+  friend PlanePoint operator+(const PlanePoint& a, const PlanePoint& b) {
+    return {a.x + b.x, a.y + b.y};
+  }
+  friend PlanePoint operator*(const T& s, const PlanePoint& a) { return {s * a.x, s * a.y}; }
 };
 
 /// An even choice of a point of the ring between two radii, from two uniforms.
@@ -40,10 +45,21 @@ Mask<T> open_at(const Telescope<T>& telescope, const PlanePoint<T>& p) {
          (squared >= telescope.obstruction_radius * telescope.obstruction_radius);
 }
 
+/// The vector that leads so far along a telescope's directions.
+template <class T>
+Vec3<T> in_plane(const Telescope<T>& telescope, const PlanePoint<T>& p) {
+  return p.x * telescope.across + p.y * telescope.up;
+}
 /// Where a point of the lens is.
 template <class T>
 Vec3<T> in_space(const Telescope<T>& telescope, const PlanePoint<T>& p) {
-  return telescope.position + (p.x * telescope.across + p.y * telescope.up);
+  return telescope.position + in_plane(telescope, p);
+}
+
+/// What a point of the lens is farther from the origin than its centre [m].
+template <class T>
+T farther(const Telescope<T>& telescope, const PlanePoint<T>& p) {
+  return longer_by(telescope.position, in_plane(telescope, p));
 }
 
 /// What a detector sees through one point of the lens.
@@ -86,7 +102,8 @@ Sight<T> sight(const Telescope<T>& telescope, const PlanePoint<T>& p, const Vec3
   const Mask<T> in_front = towards > T(0);
   seen.cos_off_axis = select(in_front, towards, T(1));
   // Where it falls, times that cosine.
-  const T from_lens = (T(1) - telescope.detector_distance * telescope.power) * seen.cos_off_axis;
+  const T from_lens =
+      T(0) - telescope.detector_distance * telescope.per_sharp_range * seen.cos_off_axis;
   const T x = p.x * from_lens + telescope.detector_distance * dot(arriving, telescope.across);
   const T y = p.y * from_lens + telescope.detector_distance * dot(arriving, telescope.up);
   const T radius = telescope.detector_radius * seen.cos_off_axis;
@@ -94,15 +111,19 @@ Sight<T> sight(const Telescope<T>& telescope, const PlanePoint<T>& p, const Vec3
   return seen;
 }
 
-/// The direction out into the world of the ray from a point of the detector through one of the
-/// lens: the way back of the light that falls there.
+/// How far the ray from a point of the detector through one of the lens leads aside out in the
+/// world, per length along the axis: the way back of the light that falls there.
 template <class T>
-Vec3<T> outward(const Telescope<T>& telescope, const PlanePoint<T>& p,
-                const PlanePoint<T>& on_detector) {
+PlanePoint<T> outward_slope(const Telescope<T>& telescope, const PlanePoint<T>& p,
+                            const PlanePoint<T>& on_detector) {
   const T per_distance = T(1) / telescope.detector_distance;
-  const T aside = (on_detector.x - p.x) * per_distance + p.x * telescope.power;
-  const T upward = (on_detector.y - p.y) * per_distance + p.y * telescope.power;
-  return normalised(telescope.axis - (aside * telescope.across + upward * telescope.up));
+  return {-(on_detector.x * per_distance + p.x * telescope.per_sharp_range),
+          -(on_detector.y * per_distance + p.y * telescope.per_sharp_range)};
+}
+/// Its direction.
+template <class T>
+Vec3<T> outward(const Telescope<T>& telescope, const PlanePoint<T>& slope) {
+  return normalised(telescope.axis + in_plane(telescope, slope));
 }
 
 }  // namespace photic::instrument

@@ -7,6 +7,7 @@
 #include "core/constants.hpp"
 #include "core/vec3.hpp"
 #include "instrument/overlap.hpp"
+#include "instrument/way_ahead.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::instrument {
@@ -14,12 +15,14 @@ namespace photic::instrument {
 template <class T>
 struct Telescope {
   Vec3<T> position;  ///< centre of the lens [m]
+  Vec3<T> start;     ///< on the axis, way_ahead() of it [m]
+  T ahead{};         ///< so far [m]
   Vec3<T> axis;      ///< where it looks, a unit vector
   Vec3<T> across;    ///< with `up` the directions of the lens' plane: unit vectors, at right angles
   Vec3<T> up;
   T lens_radius{};  ///< [m]
   T obstruction_radius{};
-  T power{};  ///< 1 / focal length [1/m]
+  T per_sharp_range{};  ///< 1 over the range that is seen sharp: 1 / f - 1 / x_d [1/m]
   T detector_radius{};
   T detector_distance{};   ///< from the lens: focal length + shift
   T least_defocus{};       ///< a sharp image counts as a disc of 1e-5 of the detector's radius
@@ -54,7 +57,7 @@ struct Telescope {
   /// telescope"; Harms, Appl. Opt. 18, 1559 (1979)).
   T overlap(const T& per_range, const T& tan_off_axis) const {
     using std::abs;
-    const T defocus = abs(T(1) - detector_distance * (power - per_range));
+    const T defocus = abs(detector_distance * (per_range - per_sharp_range));
     const T spread = select(defocus > least_defocus, defocus, least_defocus);
     const T blur = lens_radius * spread;
     const T q = detector_distance * tan_off_axis;
@@ -94,12 +97,15 @@ Telescope<T> make_telescope(const scene::Telescope& s) {
   Telescope<T> t;
   t.position = vec3_cast<T>(s.position_m);
   const Vec3<double> axis = normalised(s.direction);
+  const double ahead = way_ahead(s.position_m, axis);
+  t.start = vec3_cast<T>(s.position_m + ahead * axis);
+  t.ahead = T(ahead);
   t.axis = vec3_cast<T>(axis);
   t.across = vec3_cast<T>(turned(axis, 1.0, 1.0, 0.0));
   t.up = vec3_cast<T>(turned(axis, 1.0, 0.0, 1.0));
   t.lens_radius = T(s.diameter_m / 2);
   t.obstruction_radius = T(s.obstruction_diameter_m / 2);
-  t.power = T(1 / s.focal_length_m);
+  t.per_sharp_range = T(1 / s.focal_length_m - 1 / (s.focal_length_m + s.detector_shift_m));
   t.detector_radius = T(s.effective_detector_diameter_m() / 2);
   t.detector_distance = T(s.focal_length_m + s.detector_shift_m);
   t.least_defocus = T(1e-5) * t.detector_radius / t.lens_radius;

@@ -21,7 +21,8 @@ struct Connection {
   T acceptance{};  ///< solid angle about it that ends on the detector, surface losses included [sr]
   T optical_depth{};  ///< of the way
   T length_water{};   ///< [m]
-  T path{};           ///< length times group index [m]
+  T path{};           ///< length times group index; in the air, what its way there is longer than
+                      ///< from the lens' centre to the origin [m]
 };
 
 /// Whether a telescope's detector may see a point; cheap, for most lie far outside its field of
@@ -78,7 +79,8 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
       T(0));
   way.optical_depth = sea.optical_depth<T>(line, at.layer, depth) * secant_water;
   way.length_water = in_water;
-  way.path = in_air + in_water * gather<T>(sea.group_index, line);
+  way.path = longer_by(telescope.position, -crossed_at(at.position, ray, in_water)) +
+             in_water * gather<T>(sea.group_index, line);
   return way;
 }
 

@@ -37,7 +37,9 @@ Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Teles
       detected, telescope.area() * seen.cos_off_axis * way.passed / way.area_per_solid_angle, T(0));
   connection.optical_depth = tau.all;
   connection.length_water = way.length_water;
-  connection.path = way.length_air + way.length_water * gather<T>(sea.group_index, line);
+  connection.path = way.length_water * gather<T>(sea.group_index, line);
+  if (!telescope.submerged)
+    connection.path = connection.path + (way.longer_air + farther(telescope, lens));
   return connection;
 }
 

@@ -91,5 +91,10 @@ RefractedRay<T> refracted_ray(const T& n, const T& inverse_n, const T& dx, const
   ray.arriving = {dx * per_rise, dy * per_rise, T(1)};
   return ray;
 }
+/// Where it crosses the surface, after so much of its way in the water.
+template <class T>
+Vec3<T> crossed_at(const Vec3<T>& from, const RefractedRay<T>& ray, const T& length_water) {
+  return {from.x + length_water * ray.direction.x, from.y + length_water * ray.direction.y, T(0)};
+}
 
 }  // namespace photic::transport

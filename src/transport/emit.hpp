@@ -11,7 +11,8 @@
 
 namespace photic::transport {
 
-/// A photon on the laser's disc, from two uniforms. Its path starts there.
+/// A photon from two uniforms, in the plane across the laser's axis where its light starts. Its
+/// path is what it is longer than the axis' own.
 template <class T>
 Photon<T> emit(const instrument::Laser<T>& laser, const Index<T>& layer, const T& u_polar,
                const T& u_azimuth) {
@@ -19,16 +20,19 @@ Photon<T> emit(const instrument::Laser<T>& laser, const Index<T>& layer, const T
   const auto [cosine, sine] = cos_sin_of_turns(u_azimuth);
   Photon<T> photon;
   photon.layer = layer;
+  const Vec3<T> outward = turned(laser.axis, T(1), cosine, sine);
   if (laser.collimated) {
-    const Vec3<T> outward = turned(laser.axis, T(1), cosine, sine);
     photon.direction = laser.axis;
-    photon.position = laser.centre + (laser.radius * sqrt(u_polar)) * outward;
+    photon.position = laser.start + (laser.radius * sqrt(u_polar)) * outward;
     return photon;
   }
   const T x = u_polar * laser.one_minus_cos_divergence;
-  photon.direction = turned(laser.axis, x, cosine, sine);
-  const Vec3<T> off_axis = photon.direction - (T(1) - x) * laser.axis;
-  photon.position = laser.centre + (laser.vertex_distance / (T(1) - x)) * off_axis;
+  const T off_axis = sqrt(x * (T(2) - x));
+  const T secant = T(1) / (T(1) - x);
+  const T to_start = laser.vertex_distance + laser.ahead;
+  photon.direction = (T(1) - x) * laser.axis + off_axis * outward;
+  photon.position = laser.start + (to_start * (off_axis * secant)) * outward;
+  photon.path = laser.ahead * (x * secant);
   return photon;
 }
 

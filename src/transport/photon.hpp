@@ -11,7 +11,8 @@ struct Photon {
   Vec3<T> direction;   ///< unit vector of propagation
   T weight{1};         ///< photons it stands for, per photon emitted
   T analog_weight{1};  ///< the weight of a plain walk (albedo^k): what Russian roulette looks at
-  T path{};            ///< sum of length times group index since the laser's disc [m]
+  T path{};            ///< sum of length times group index since its start: for a laser's light,
+                       ///< that of the axis less (instrument/laser.hpp) [m]
   Index<T> line{};     ///< wavelength, a line of the medium
   Index<T> layer{};    ///< where it is in the water
   Index<T> order{};    ///< scatterings and conversions so far

@@ -34,15 +34,10 @@ Beginning<T> enter_if_above(const medium::MediumView& sea, const Photon<T>& phot
 
 /// The solid angle of a laser's cone; 0 of one that no connection can meet [sr].
 template <class T>
-T connectable_solid_angle(const instrument::Laser<T>& laser, const Vec3<T>& vertex) {
-  const bool meets = !laser.collimated && (laser.submerged || any(vertex.z > T(0)));
+T connectable_solid_angle(const instrument::Laser<T>& laser) {
+  const bool meets =
+      !laser.collimated && (laser.submerged || any(fictitious_vertex(laser).z > T(0)));
   return meets ? T(2 * pi) * laser.one_minus_cos_divergence : T(0);
-}
-
-/// The fictitious point that a laser's rays come from.
-template <class T>
-Vec3<T> fictitious_vertex(const instrument::Laser<T>& laser) {
-  return laser.centre - laser.vertex_distance * laser.axis;
 }
 
 /// The laser's walk.
@@ -50,29 +45,34 @@ template <class T>
 Beginning<T> begin_at_laser(const medium::MediumView& sea, const instrument::Laser<T>& laser,
                             const Index<T>& layer, const T& u_polar, const T& u_azimuth) {
   const Photon<T> photon = emit(laser, layer, u_polar, u_azimuth);
-  return enter_if_above(sea, photon, connectable_solid_angle(laser, fictitious_vertex(laser)),
-                        laser.vertex_distance / dot(photon.direction, laser.axis), laser.submerged);
+  return enter_if_above(sea, photon, connectable_solid_angle(laser),
+                        (laser.vertex_distance + laser.ahead) / dot(photon.direction, laser.axis),
+                        laser.submerged);
 }
 
-/// A telescope's walk from a point of its lens in a direction that its detector sees. It carries
-/// étendue: the weight begins with that of all such rays, and takes T (n_i / n_t)^2 at the surface.
+/// A telescope's walk from a point of its lens by a slope outwards that its detector sees. It
+/// carries étendue: the weight begins with that of all such rays, and takes T (n_i / n_t)^2 at the
+/// surface. In the air its path is what it is longer than from the lens' centre to the origin.
 template <class T>
 Beginning<T> begin_at_telescope(const medium::MediumView& sea,
                                 const instrument::Telescope<T>& telescope, const Index<T>& layer,
                                 const Index<T>& line, const instrument::PlanePoint<T>& lens,
-                                const Vec3<T>& outward) {
+                                const instrument::PlanePoint<T>& slope) {
   Photon<T> photon;
-  photon.position = in_space(telescope, lens);
-  photon.direction = outward;
+  photon.position = telescope.start + in_plane(telescope, lens + telescope.ahead * slope);
+  photon.direction = outward(telescope, slope);
   photon.line = line;
   photon.layer = layer;
   const T cos_off_axis = dot(photon.direction, telescope.axis);
   const T solid_angle = detector_solid_angle(telescope, cos_off_axis);
   photon.weight = telescope.area() * cos_off_axis * solid_angle;
-  auto begin = enter_if_above(sea, photon, solid_angle, T(0), telescope.submerged);
+  auto begin =
+      enter_if_above(sea, photon, solid_angle, telescope.ahead / cos_off_axis, telescope.submerged);
   if (telescope.submerged) return begin;
   const T inverse_n = gather<T>(sea.inverse_index, line);
   begin.photon.weight = begin.photon.weight * (inverse_n * inverse_n);
+  begin.photon.path =
+      longer_by(telescope.position, in_plane(telescope, lens) - begin.photon.position);
   return begin;
 }
 

@@ -52,21 +52,6 @@ def test_estimators_are_chosen_as_ever(run, scene, tmp_path):
         assert "pilot runs" in lanes.scene and lanes.scene == scalar.scene
 
 
-def test_far_instruments_have_the_scalar_engine(run, scene, tmp_path):
-    # Seen red: with lanes wherever no engine is asked for.
-    far = ("--set", "source.position_m=[0, 0, 4000]", "--photons", "2000")
-    run(*far, "-o", "far.nc")
-    assert engine_of(tmp_path / "far.nc") == "scalar"
-    done = run(*far, "--engine", "lanes", code=2)
-    assert done.stderr.startswith(
-        "--engine lanes: cannot time light from instruments farther than 3000 m from the origin: lanes are floats "
-        "(--engine scalar, or leave it out)\n"
-    )
-    # Seen red: with the advice to ask for lanes, which are refused then.
-    done = run(*far, "--isa", "baseline", code=2)
-    assert "leave it out: an instrument is too far for lanes" in done.stderr
-
-
 def test_instruction_sets_are_for_lanes(run, scene):
     # Seen red: with --isa taken and not used.
     done = run("--isa", "baseline", "--engine", "scalar", code=2)

@@ -28,7 +28,7 @@ struct Sea {
         0.3, 0.5,
         axis_in_water(world.laser.axis, world.laser.submerged, medium.line[0].refractive_index), 1,
         0.2};
-    world.last_path = 1e4;
+    world.path_to_origin = {path_to_origin(source, telescope)};
     world.deepest = 40;
     world.most_vertices = most_vertices;
   }

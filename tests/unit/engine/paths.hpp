@@ -59,8 +59,7 @@ inline transport::Way<double> way_to(const World<double>& world, const V& from, 
                   : transport::way_through_surface(world.sea, from, line, to, true);
 }
 inline transport::Way<double> way_to_laser(const World<double>& world, const Path& path) {
-  return way_to(world, path.x(1), 0, transport::fictitious_vertex(world.laser),
-                path.is_mirrored(0));
+  return way_to(world, path.x(1), 0, fictitious_vertex(world.laser), path.is_mirrored(0));
 }
 inline transport::Way<double> way_to_lens(const World<double>& world, const Path& path) {
   return way_to(world, path.x(path.order()), path.line, in_space(world.telescopes[0], path.lens),
@@ -157,17 +156,19 @@ inline Walks<double> laser_walk(const World<double>& world,
                                 const transport::Samples<double>& samples, const Path& path,
                                 std::int32_t vertices, bool leaves) {
   const auto& laser = world.laser;
-  const V vertex = transport::fictitious_vertex(laser);
+  const V vertex = fictitious_vertex(laser);
   transport::Photon<double> photon;
   photon.direction = -way_to_laser(world, path).arriving;
   photon.layer = world.laser_layer;
-  const double before = laser.vertex_distance / dot(photon.direction, laser.axis);
+  const double secant = 1 / dot(photon.direction, laser.axis);
+  const double before = (laser.vertex_distance + laser.ahead) * secant;
   photon.position = vertex + before * photon.direction;
-  Writer writer(world, samples,
-                transport::enter_if_above(world.sea, photon,
-                                          transport::connectable_solid_angle(laser, vertex), before,
-                                          laser.submerged),
-                {}, false);
+  photon.path = laser.ahead * (secant - 1);
+  Writer writer(
+      world, samples,
+      transport::enter_if_above(world.sea, photon, transport::connectable_solid_angle(laser),
+                                before, laser.submerged),
+      {}, false);
   for (std::int32_t i = 1; i <= vertices; ++i) {
     writer.collide_at(path.x(i), path.is_mirrored(i - 1));
     if (i < vertices || leaves) writer.leave_for(path.x(i + 1), path.is_mirrored(i), false);
@@ -182,6 +183,9 @@ inline Walks<double> telescope_walk(const World<double>& world,
                                     std::int32_t vertices, bool leaves, double grid_offset = 0) {
   const auto& telescope = world.telescopes[0];
   const V outward = -way_to_lens(world, path).arriving;
+  const double per_axis = 1 / dot(outward, telescope.axis);
+  const instrument::PlanePoint<double> slope{per_axis * dot(outward, telescope.across),
+                                             per_axis * dot(outward, telescope.up)};
   Outset<double> outset;
   outset.lens = path.lens;
   outset.outward = outward;
@@ -190,7 +194,7 @@ inline Walks<double> telescope_walk(const World<double>& world,
   outset.line = path.line;
   Writer writer(world, samples,
                 transport::begin_at_telescope(world.sea, telescope, world.telescope_layer[0],
-                                              path.line, path.lens, outward),
+                                              path.line, path.lens, slope),
                 outset, true);
   const std::int32_t k = path.order();
   for (std::int32_t i = k; i > k - vertices; --i) {

@@ -163,12 +163,12 @@ struct Strategies {
   /// The edge of an instrument at a point, seen from vertex x.
   [[nodiscard]] Edge instrument_edge(const V& x, std::int32_t line,
                                      const transport::Way<double>& way, const V& instrument,
-                                     double length_air, bool mirrored, double solid_angle) const {
+                                     bool mirrored, double solid_angle) const {
     Edge e;
     e.mirrored = mirrored;
-    e.path = instrument.z < 0 ? 0 : length_air;
     e.spread = samples.to_instrument * solid_angle * way.area_per_solid_angle / way.index_squared;
     const V surface = x + (-x.z / way.direction.z) * way.direction;
+    e.path = instrument.z < 0 ? 0 : length(instrument - surface);
     if (instrument.z >= 0) {
       add_water(e, line, {x, surface});
     } else if (mirrored) {
@@ -197,11 +197,10 @@ struct Strategies {
   void add_first() {
     const auto& laser = world.laser;
     const auto way = way_to_laser(world, path);
-    const V vertex = transport::fictitious_vertex(laser);
+    const V vertex = fictitious_vertex(laser);
     const double hidden = laser.vertex_distance / -dot(way.arriving, laser.axis);
     edge.push_back(instrument_edge(path.x(1), 0, way, vertex - hidden * way.arriving,
-                                   way.length_air - hidden, path.is_mirrored(0),
-                                   2 * pi * laser.one_minus_cos_divergence));
+                                   path.is_mirrored(0), 2 * pi * laser.one_minus_cos_divergence));
     edge.back().arriving = -way.direction;
     common *= way.passed;
   }
@@ -211,8 +210,8 @@ struct Strategies {
     const double cosine = -dot(way.arriving, telescope.axis);
     const double solid_angle = detector_solid_angle(telescope, cosine);
     edge.push_back(instrument_edge(path.x(path.order()), path.line, way,
-                                   in_space(telescope, path.lens), way.length_air,
-                                   path.is_mirrored(path.order()), solid_angle));
+                                   in_space(telescope, path.lens), path.is_mirrored(path.order()),
+                                   solid_angle));
     edge.back().leaving = way.direction;
     common *= way.passed * telescope.area() * cosine * solid_angle / way.index_squared;
     shift_area = instrument::shift_area(telescope, way.arriving);

@@ -23,6 +23,9 @@ Point random_lens_point(const Telescope<double>& t, Random& random) {
   return lens_point(t, random.uniform(), random.uniform());
 }
 
+/// 1 over the focal length.
+double power(const Telescope<double>& t) { return t.per_sharp_range + 1 / t.detector_distance; }
+
 /// Light that moves aside by `t` per metre of its way to the detector.
 V moving_aside(const Telescope<double>& telescope, const Point& t) {
   return normalised(t.x * telescope.across + t.y * telescope.up - telescope.axis);
@@ -80,7 +83,7 @@ TEST(Sight, EndsAtTheDetectorsRim) {
     for (const double side : {1 - 1e-7, 1 + 1e-7}) {
       const double radius = side * t.detector_radius;
       const auto aside = [&](double image, double lens) {
-        return (image - lens) / t.detector_distance + lens * t.power;
+        return (image - lens) / t.detector_distance + lens * power(t);
       };
       const V arriving = moving_aside(
           t, {aside(radius * std::cos(azimuth), p.x), aside(radius * std::sin(azimuth), p.y)});
@@ -101,15 +104,15 @@ TEST(Outward, IsTheWayBackOfWhatFallsOnADetectorPoint) {
     const Point p = random_lens_point(t, random);
     const auto on_detector =
         ring_point(0.0, 1.4 * t.detector_radius, random.uniform(), random.uniform());
-    const V out = outward(t, p, on_detector);
+    const V out = outward(t, outward_slope(t, p, on_detector));
     ASSERT_NEAR(length(out), 1, 1e-14);
     const auto seen = sight(t, p, -out);
     ASSERT_NEAR(seen.cos_off_axis, dot(out, t.axis), 1e-14);
     ASSERT_EQ(seen.on_detector, std::hypot(on_detector.x, on_detector.y) < t.detector_radius);
     // And to the very point.
     const double per_axis = 1 / dot(out, t.axis);
-    const double x = p.x + t.detector_distance * (-per_axis * dot(out, t.across) - p.x * t.power);
-    const double y = p.y + t.detector_distance * (-per_axis * dot(out, t.up) - p.y * t.power);
+    const double x = p.x + t.detector_distance * (-per_axis * dot(out, t.across) - p.x * power(t));
+    const double y = p.y + t.detector_distance * (-per_axis * dot(out, t.up) - p.y * power(t));
     ASSERT_NEAR(x, on_detector.x, 1e-12 * (t.detector_radius + t.lens_radius));
     ASSERT_NEAR(y, on_detector.y, 1e-12 * (t.detector_radius + t.lens_radius));
   }
@@ -137,7 +140,7 @@ void compare(test::ZFamily& family, const test::Mean& mean, double share, const 
 
 /// Off the axis by an angle at which the image of a point is cut by the detector's rim, or nearly.
 double random_tangent(const Telescope<double>& t, double per_range, Random& random) {
-  const double blur = t.lens_radius * std::abs(1 - t.detector_distance * (t.power - per_range));
+  const double blur = t.lens_radius * std::abs(1 - t.detector_distance * (power(t) - per_range));
   return random.between(0.9 * std::abs(t.detector_radius - blur),
                         1.1 * (t.detector_radius + blur)) /
          t.detector_distance;
@@ -226,10 +229,10 @@ TEST(DetectorSolidAngle, HasTheWholeAsItsMean) {
     for (int i = 0; i < cells; ++i) {
       for (int j = 0; j < cells; ++j) {
         const auto image = ring_point(0.0, t.detector_radius, (i + 0.5) / cells, (j + 0.5) / cells);
-        sum += detector_solid_angle(t, dot(outward(t, p, image), t.axis));
+        sum += detector_solid_angle(t, dot(outward(t, outward_slope(t, p, image)), t.axis));
       }
     }
-    const double aside = std::hypot(p.x, p.y) * std::abs(t.power - 1 / t.detector_distance);
+    const double aside = std::hypot(p.x, p.y) * std::abs(t.per_sharp_range);
     const double whole = disc_solid_angle(t.detector_radius / t.detector_distance, 1.0, aside);
     EXPECT_NEAR(sum / (cells * cells) / whole, 1, 2e-4) << n;
   }

@@ -29,7 +29,8 @@ TEST(LanesOf, LensPoints) {
     });
     const auto open4 = open_at(telescope4, pack_fields<PlanePoint>(wide));
     const auto place4 = in_space(telescope4, lens4);
-    const auto out4 = outward(telescope4, lens4, pack_fields<PlanePoint>(image));
+    const auto out4 =
+        outward(telescope4, outward_slope(telescope4, lens4, pack_fields<PlanePoint>(image)));
     auto arriving = four([&] { return random.direction(); });
     for (std::size_t i = 0; i < lanes; ++i)
       if (random.chance(0.9)) arriving[i] = {-out4.x[i], -out4.y[i], -out4.z[i]};
@@ -41,7 +42,7 @@ TEST(LanesOf, LensPoints) {
       expect_same_fields(lens4, i, lens);
       expect_same(open4[i], open_at(telescope, wide[i]), "open");
       expect_same(place4, i, in_space(telescope, lens), "place");
-      expect_same(out4, i, outward(telescope, lens, image[i]), "outward");
+      expect_same(out4, i, outward(telescope, outward_slope(telescope, lens, image[i])), "outward");
       const auto one = sight(telescope, lens, arriving[i]);
       expect_same_fields(seen4, i, one);
       expect_same(angle4[i], detector_solid_angle(telescope, one.cos_off_axis), "solid angle");
