@@ -51,8 +51,7 @@ struct WordPair {
   [[nodiscard]] WordPair upper_halves() const { return {first >> 32, second >> 32}; }
   WordPair operator^(const WordPair& b) const { return {first ^ b.first, second ^ b.second}; }
   WordPair operator^(const TwoWords& b) const {
-    return {first ^ W(static_cast<std::uint32_t>(b[0])),
-            second ^ W(static_cast<std::uint32_t>(b[1]))};
+    return {first ^ W(b[0]), second ^ W(b[1])};
   }
 };
 

@@ -84,7 +84,7 @@ template <class W>
 struct Twins {
   W a, b;
   Twins(const W& one, const W& other) : a(one), b(other) {}
-  explicit Twins(std::uint32_t both) : a(both), b(both) {}
+  explicit Twins(std::uint64_t both) : a(both), b(both) {}
 
   friend Twins operator^(const Twins& x, const Twins& y) { return {x.a ^ y.a, x.b ^ y.b}; }
   friend Twins operator>>(const Twins& x, int places) { return {x.a >> places, x.b >> places}; }
