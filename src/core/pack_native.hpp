@@ -207,6 +207,13 @@ Vector<double, N / 2> wide_half(const Vector<float, N>& x, bool upper) {
                                                         : _mm512_castps512_ps256(v));
   }
 #endif
+#if defined(__AVX2__)
+  if constexpr (N == 8) {
+    const auto v = (__m256)x;
+    return (Vector<double, N / 2>)_mm256_cvtps_pd(upper ? _mm256_extractf128_ps(v, 1)
+                                                        : _mm256_castps256_ps128(v));
+  }
+#endif
   return __builtin_convertvector((half<N, float>(x, upper)), Vector<double, N / 2>);
 }
 

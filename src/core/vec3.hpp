@@ -40,11 +40,10 @@ T length(const Vec3<T>& a) {
 }
 
 /// By how much a + d is longer than a, to the last digits of d, however much longer a is.
+/// `lengths`: of both.
 template <class T>
-T longer_by(const Vec3<T>& a, const Vec3<T>& d) {
-  const Vec3<T> sum = a + d;
-  const T lengths = length(a) + length(sum);
-  return dot(d, a + sum) / (lengths + T(std::numeric_limits<Element<T>>::min()));
+T longer_by(const Vec3<T>& a, const Vec3<T>& d, const T& lengths) {
+  return dot(d, a + (a + d)) / (lengths + T(std::numeric_limits<Element<T>>::min()));
 }
 
 /// a / |a|; a must not be zero.

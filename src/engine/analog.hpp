@@ -47,7 +47,7 @@ void receive(const World<T>& world, const transport::Photon<T>& photon, Mask<T> 
                          instrument::sight(telescope, point, photon.direction).on_detector;
     if (!any(seen)) continue;
     const T way = submerged ? T(distance * gather<T>(world.sea.group_index, photon.line))
-                            : longer_by(telescope.position, met - photon.position);
+                            : longer_way(telescope, photon.position, point, distance);
     const LaneScores<T> scores{t,     world.path_to_origin[t], photon.line, photon.order,
                                depth, photon.path + way,       T(1)};
     each_score(tally, seen, scores, [&](std::size_t, const tally::Score& score, const auto& at) {

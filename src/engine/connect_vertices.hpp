@@ -44,7 +44,9 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
                             bool mirrored) {
   const Index<T> line = back_.line(ends.back);
   const auto sight = instrument::sight(telescope_, outset.lens, way.arriving);
-  const T air = telescope_.submerged ? T(0) : way.longer_air + farther(telescope_, outset.lens);
+  const T air = telescope_.submerged
+                    ? T(0)
+                    : longer_way(telescope_, way.crossing, outset.lens, way.length_air);
   const T path = v.path + air + way.length_water * gather<T>(sea_.group_index, line);
   const Mask<T> seen = mask & way.exists & sight.on_detector & (path < receiver_.last_path);
   if (!any(seen)) return;
@@ -111,7 +113,9 @@ void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, c
   if (!any(lit)) return;
   // The way from the disc on; the fictitious vertex lies behind it.
   const T hidden = laser.vertex_distance / (T(1) - x);
-  const T air = laser.submerged ? T(0) : way.longer_air + laser.vertex_detour - x * hidden;
+  const Vec3<T> vertex = fictitious_vertex(laser);
+  const T longer = longer_by(vertex, -way.crossing, length(vertex) + way.length_air);
+  const T air = laser.submerged ? T(0) : longer + laser.vertex_detour - x * hidden;
   const T water = laser.submerged ? way.length_water - hidden : way.length_water;
   const Index<T> line(0);
   const T path = w.path + air + water * gather<T>(sea_.group_index, line);

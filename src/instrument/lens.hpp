@@ -56,10 +56,12 @@ Vec3<T> in_space(const Telescope<T>& telescope, const PlanePoint<T>& p) {
   return telescope.position + in_plane(telescope, p);
 }
 
-/// What a point of the lens is farther from the origin than its centre [m].
+/// What a way in the air from a place to a point of the lens, of the given length, is longer than
+/// from the origin to its centre [m].
 template <class T>
-T farther(const Telescope<T>& telescope, const PlanePoint<T>& p) {
-  return longer_by(telescope.position, in_plane(telescope, p));
+T longer_way(const Telescope<T>& telescope, const Vec3<T>& from, const PlanePoint<T>& p,
+             const T& length) {
+  return longer_by(telescope.position, in_plane(telescope, p) - from, telescope.distance + length);
 }
 
 /// What a detector sees through one point of the lens.

@@ -15,6 +15,7 @@ namespace photic::instrument {
 template <class T>
 struct Telescope {
   Vec3<T> position;  ///< centre of the lens [m]
+  T distance{};      ///< of that from the origin [m]
   Vec3<T> start;     ///< on the axis, way_ahead() of it [m]
   T ahead{};         ///< so far [m]
   Vec3<T> axis;      ///< where it looks, a unit vector
@@ -96,6 +97,7 @@ template <class T>
 Telescope<T> make_telescope(const scene::Telescope& s) {
   Telescope<T> t;
   t.position = vec3_cast<T>(s.position_m);
+  t.distance = T(length(s.position_m));
   const Vec3<double> axis = normalised(s.direction);
   const double ahead = way_ahead(s.position_m, axis);
   t.start = vec3_cast<T>(s.position_m + ahead * axis);

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "instrument/disc.hpp"
-#include "instrument/telescope.hpp"
+#include "instrument/lens.hpp"
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
 #include "transport/crossing.hpp"
@@ -72,14 +72,14 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T in_air = height * secant_air;
   const T transmitted = T(1) - optics::fresnel_reflectance(n, T(1), cos_water, cos_air);
   const T area_per_solid_angle =
-      refracted_area_per_solid_angle(inverse_n, in_water, cos_water, in_air, cos_air);
+      (n * n) * refracted_area_per_solid_angle(inverse_n, in_water, in_air, widening(ray));
   way.acceptance = select(
       seen,
       telescope.area() * (safe_towards * cos_air) * overlap * transmitted / area_per_solid_angle,
       T(0));
   way.optical_depth = sea.optical_depth<T>(line, at.layer, depth) * secant_water;
   way.length_water = in_water;
-  way.path = longer_by(telescope.position, -crossed_at(at.position, ray, in_water)) +
+  way.path = longer_way(telescope, crossed_at(at.position, ray, in_water), {}, in_air) +
              in_water * gather<T>(sea.group_index, line);
   return way;
 }

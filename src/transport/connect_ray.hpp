@@ -39,7 +39,7 @@ Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Teles
   connection.length_water = way.length_water;
   connection.path = way.length_water * gather<T>(sea.group_index, line);
   if (!telescope.submerged)
-    connection.path = connection.path + (way.longer_air + farther(telescope, lens));
+    connection.path = connection.path + longer_way(telescope, way.crossing, lens, way.length_air);
   return connection;
 }
 

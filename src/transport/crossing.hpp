@@ -55,18 +55,6 @@ T crossing(const T& n, const T& depth, const T& height, const T& aside_squared,
   return s;
 }
 
-/// Area across the ray in air (path l2, cosine c2 to the vertical) per solid angle in medium 1
-/// (index n, path l1, cosine c1): both curvatures of the refracted wave front, not the paraxial one
-/// [m^2/sr]. `inverse_n` is 1 / n.
-template <class T>
-T refracted_area_per_solid_angle(const T& inverse_n, const T& l1, const T& c1, const T& l2,
-                                 const T& c2) {
-  const T seen1 = l1 * inverse_n;
-  const T across = l2 + seen1;
-  const T along = l2 * (c1 * c1) + seen1 * (c2 * c2);
-  return across * along / (c1 * c2 * (inverse_n * inverse_n));
-}
-
 /// The ray to the crossing whose apparent rise is 1 / per_rise, for a way that leads aside by (dx,
 /// dy).
 template <class T>
@@ -83,14 +71,36 @@ RefractedRay<T> refracted_ray(const T& n, const T& inverse_n, const T& dx, const
   const T tangent_squared = per_rise * per_rise * aside_squared;
   const T slowness = sqrt(n * n + (n * n - T(1)) * tangent_squared);  // n secant_air cos_water
   ray.secant_air = sqrt(T(1) + tangent_squared);
-  ray.cos_air = T(1) / ray.secant_air;
-  ray.secant_water = n * ray.secant_air / slowness;
+  const T inverse = T(1) / (ray.secant_air * slowness);
+  ray.cos_air = slowness * inverse;
+  ray.secant_water = n * (T(1) + tangent_squared) * inverse;
   ray.cos_water = slowness * ray.cos_air * inverse_n;
   const T sideways = per_rise * ray.cos_air * inverse_n;
   ray.direction = {dx * sideways, dy * sideways, ray.cos_water};
   ray.arriving = {dx * per_rise, dy * per_rise, T(1)};
   return ray;
 }
+/// How refraction widens a pencil of light in its plane: the ratio of the cosines to the vertical,
+/// water's over air's; and its inverse.
+template <class T>
+struct Widening {
+  T ratio, inverse;
+};
+template <class T>
+Widening<T> widening(const RefractedRay<T>& ray) {
+  return {ray.cos_water * ray.secant_air, ray.secant_water * ray.cos_air};
+}
+
+/// Area across the ray at its end in medium 1 (index n, path l1) per solid angle at its end in the
+/// air (path l2): both curvatures of the refracted wave front, not the paraxial one [m^2/sr]. n^2
+/// times that is the area in the air per solid angle in medium 1. `inverse_n` is 1 / n.
+template <class T>
+T refracted_area_per_solid_angle(const T& inverse_n, const T& l1, const T& l2,
+                                 const Widening<T>& widening) {
+  const T seen1 = l1 * inverse_n;
+  return (l2 + seen1) * (l2 * widening.ratio + seen1 * widening.inverse);
+}
+
 /// Where it crosses the surface, after so much of its way in the water.
 template <class T>
 Vec3<T> crossed_at(const Vec3<T>& from, const RefractedRay<T>& ray, const T& length_water) {

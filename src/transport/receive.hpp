@@ -71,8 +71,7 @@ Beginning<T> begin_at_telescope(const medium::MediumView& sea,
   if (telescope.submerged) return begin;
   const T inverse_n = gather<T>(sea.inverse_index, line);
   begin.photon.weight = begin.photon.weight * (inverse_n * inverse_n);
-  begin.photon.path =
-      longer_by(telescope.position, in_plane(telescope, lens) - begin.photon.position);
+  begin.photon.path = longer_way(telescope, begin.photon.position, lens, begin.spread.before);
   return begin;
 }
 

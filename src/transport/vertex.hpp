@@ -154,9 +154,8 @@ T area_per_solid_angle(const medium::MediumView& sea, const Spread<T>& spread, c
     return whole * whole;
   }
   const T inverse_n = gather<T>(sea.inverse_index, line);
-  return inverse_n * inverse_n *
-         refracted_area_per_solid_angle(inverse_n, length, cos_water, spread.before,
-                                        spread.cos_air);
+  const Widening<T> widening{cos_water / spread.cos_air, spread.cos_air / cos_water};
+  return refracted_area_per_solid_angle(inverse_n, length, spread.before, widening);
 }
 
 /// Where a walk stands.

@@ -14,11 +14,12 @@ namespace photic::transport {
 template <class T>
 struct Way {
   Mask<T> exists{};
-  Vec3<T> direction;  ///< in which light leaves the point in the water, a unit vector
-  Vec3<T> arriving;   ///< in which it reaches the instrument, a unit vector
-  T length_water{};   ///< [m]
-  T longer_air{};     ///< what the way in the air is longer than from the point to the origin [m]
-  T secant_water{};   ///< 1 over the cosine to the vertical; only of ways through the surface
+  Vec3<T> direction;   ///< in which light leaves the point in the water, a unit vector
+  Vec3<T> arriving;    ///< in which it reaches the instrument, a unit vector
+  T length_water{};    ///< [m]
+  T length_air{};      ///< [m]
+  Vec3<T> crossing{};  ///< where it passes the surface
+  T secant_water{};    ///< 1 over the cosine to the vertical; only of ways through the surface
   T area_per_solid_angle{};  ///< across the ray at the instrument, in the water [m^2/sr]
   T index_squared{1};        ///< of the water against the instrument's medium
   T passed{1};               ///< share that passes the surface, or is reflected by it
@@ -46,9 +47,11 @@ Way<T> way_through_surface(const medium::MediumView& sea, const Vec3<T>& from, c
   way.arriving = ray.cos_air * ray.arriving;
   way.secant_water = ray.secant_water;
   way.length_water = depth * ray.secant_water;
-  way.longer_air = longer_by(to, -crossed_at(from, ray, way.length_water));
-  way.area_per_solid_angle = refracted_area_per_solid_angle(
-      inverse_n, way.length_water, ray.cos_water, T(to.z * ray.secant_air), ray.cos_air);
+  way.length_air = to.z * ray.secant_air;
+  way.crossing = crossed_at(from, ray, way.length_water);
+  way.area_per_solid_angle =
+      (n * n) *
+      refracted_area_per_solid_angle(inverse_n, way.length_water, way.length_air, widening(ray));
   way.index_squared = n * n;
   way.passed = T(1) - optics::fresnel_reflectance(n, T(1), ray.cos_water, ray.cos_air);
   return way;

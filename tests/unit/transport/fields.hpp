@@ -51,7 +51,8 @@ void fields(P& a, S& b, F f) {
   fields(a.direction, b.direction, f);
   fields(a.arriving, b.arriving, f);
   f(a.length_water, b.length_water, "length in water");
-  f(a.longer_air, b.longer_air, "longer in air");
+  f(a.length_air, b.length_air, "length in air");
+  fields(a.crossing, b.crossing, f);
   f(a.secant_water, b.secant_water, "secant in water");
   f(a.area_per_solid_angle, b.area_per_solid_angle, "area per solid angle");
   f(a.index_squared, b.index_squared, "index squared");

@@ -46,9 +46,9 @@ TEST(LanesOf, RefractedSolidAnglePerArea) {
     const auto n = uniforms4(random), l1 = uniforms4(random), c1 = uniforms4(random),
                l2 = uniforms4(random), c2 = uniforms4(random);
     const auto packed =
-        refracted_area_per_solid_angle(pack(n), pack(l1), pack(c1), pack(l2), pack(c2));
+        refracted_area_per_solid_angle(pack(n), pack(l1), pack(l2), {pack(c1), pack(c2)});
     for (std::size_t i = 0; i < lanes; ++i) {
-      expect_same(packed[i], refracted_area_per_solid_angle(n[i], l1[i], c1[i], l2[i], c2[i]),
+      expect_same(packed[i], refracted_area_per_solid_angle(n[i], l1[i], l2[i], {c1[i], c2[i]}),
                   "factor");
     }
   }

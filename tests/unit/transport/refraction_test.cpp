@@ -18,18 +18,19 @@ TEST(RefractedSolidAngle, IsThatOfTracedRays) {
       const double air = degrees * radian_per_degree;
       const double cos_air = std::cos(air);
       const double cos_water = std::sqrt(1 - std::pow(std::sin(air) / index, 2));
-      const double factor = refracted_area_per_solid_angle(1 / index, depth / cos_water, cos_water,
-                                                           height / cos_air, cos_air);
-      EXPECT_NEAR(factor * solid_angle_per_area(index, depth, height, air), 1, 1e-6)
+      const double factor =
+          refracted_area_per_solid_angle(1 / index, depth / cos_water, height / cos_air,
+                                         {cos_water / cos_air, cos_air / cos_water});
+      EXPECT_NEAR(index * index * factor * solid_angle_per_area(index, depth, height, air), 1, 1e-6)
           << degrees << " " << depth;
     }
   }
 }
 
 TEST(RefractedSolidAngle, HasItsClosedForms) {
-  EXPECT_NEAR(refracted_area_per_solid_angle(1 / index, 10.0, 1.0, 12.0, 1.0),
+  EXPECT_NEAR(index * index * refracted_area_per_solid_angle(1 / index, 10.0, 12.0, {1.0, 1.0}),
               std::pow(index * 12 + 10, 2), 1e-12);
-  EXPECT_NEAR(refracted_area_per_solid_angle(1.0, 3.0, 0.4, 4.0, 0.4), 49, 1e-13);
+  EXPECT_NEAR(refracted_area_per_solid_angle(1.0, 3.0, 4.0, {1.0, 1.0}), 49, 1e-13);
 }
 
 /// The tangent in air.

@@ -51,7 +51,8 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
     ASSERT_LT(length(surface + in_air * air - to), 1e-9 * whole);
     ASSERT_LT(length(way.arriving - air), 1e-11);
     ASSERT_NEAR(way.length_water, in_water, 1e-12 * whole);
-    ASSERT_NEAR(way.longer_air, in_air - length(to), 1e-9 * whole);
+    ASSERT_NEAR(way.length_air, in_air, 1e-9 * whole);
+    ASSERT_LT(length(way.crossing - surface), 1e-9 * whole);
     ASSERT_EQ(way.index_squared, n * n);
     ASSERT_NEAR(way.area_per_solid_angle * solid_angle_per_area(n, -from.z, to.z, std::acos(air.z)),
                 1, 1e-5);
@@ -86,7 +87,7 @@ TEST(WayInWater, IsTheStraightLine) {
     ASSERT_TRUE(way.exists);
     ASSERT_LT(length(from + way.length_water * way.direction - to), 1e-12);
     ASSERT_EQ(way.arriving, way.direction);
-    ASSERT_EQ(way.longer_air, 0);
+    ASSERT_EQ(way.length_air, 0);
     ASSERT_EQ(way.index_squared, 1);
     ASSERT_EQ(way.passed, 1);
     ASSERT_NEAR(way.area_per_solid_angle / dot(to - from, to - from), 1, 1e-12);
