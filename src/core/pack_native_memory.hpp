@@ -89,10 +89,15 @@ Vector<E, N> gather_short(const E* data, std::int32_t size, const Vector<std::in
 /// turn; or the last two.
 inline __m256 first_in_turn(__m256 a, __m256 b) { return _mm256_unpacklo_ps(a, b); }
 inline __m256 last_in_turn(__m256 a, __m256 b) { return _mm256_unpackhi_ps(a, b); }
+/// Of the same numbers, the first and the third ones, a's before b's; or the others.
+inline __m256 even_of(__m256 a, __m256 b) { return _mm256_shuffle_ps(a, b, 0x88); }
+inline __m256 odd_of(__m256 a, __m256 b) { return _mm256_shuffle_ps(a, b, 0xdd); }
 #endif
 #if defined(__AVX512F__)
 inline __m512 first_in_turn(__m512 a, __m512 b) { return _mm512_unpacklo_ps(a, b); }
 inline __m512 last_in_turn(__m512 a, __m512 b) { return _mm512_unpackhi_ps(a, b); }
+inline __m512 even_of(__m512 a, __m512 b) { return _mm512_shuffle_ps(a, b, 0x88); }
+inline __m512 odd_of(__m512 a, __m512 b) { return _mm512_shuffle_ps(a, b, 0xdd); }
 #endif
 
 /// data[first] … data[first + n - 1], lane by lane: by one load for each lane, where lanes are
@@ -103,11 +108,35 @@ std::array<Vector<E, N>, n> gather_row(const E* data, const Vector<std::int32_t,
   std::array<Vector<E, N>, n> out;
 #if defined(__AVX2__)
   if constexpr (N == float_lanes) {
+    // Two numbers of rows are read at once.
+    const auto two = (Vector<std::uint64_t, N / 2>)first;
+    const auto from = [&](int lane) {
+      const std::uint64_t both = two[lane / 2];
+      return data + (lane % 2 == 0 ? static_cast<std::uint32_t>(both) : both >> 32);
+    };
+    if constexpr (n == 2) {
+      const auto pair = [&](int lane) {
+        const auto row = [&](int i) { return reinterpret_cast<const double*>(from(i)); };
+        return _mm_loadh_pd(_mm_load_sd(row(lane)), row(lane + 1));
+      };
+      // Pairs of lanes that are four apart, one behind the other.
+      const auto pairs = [&](int lane) {
+#if defined(__AVX512F__)
+        const __m512d lower =
+            _mm512_insertf64x2(_mm512_castpd128_pd512(pair(lane)), pair(lane + 4), 1);
+        return _mm512_castpd_ps(
+            _mm512_insertf64x2(_mm512_insertf64x2(lower, pair(lane + 8), 2), pair(lane + 12), 3));
+#else
+        return _mm256_castpd_ps(_mm256_set_m128d(pair(lane + 4), pair(lane)));
+#endif
+      };
+      const auto pairs0 = pairs(0), pairs2 = pairs(2);
+      out[0] = (Vector<E, N>)even_of(pairs0, pairs2);
+      out[1] = (Vector<E, N>)odd_of(pairs0, pairs2);
+      return out;
+    }
     const auto row = [&](int lane) {
-      const E* from = data + first[lane];
-      if constexpr (n == 4)
-        return _mm_castsi128_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)));
-      return _mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)));
+      return _mm_castsi128_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from(lane))));
     };
     // Rows of lanes that are four apart, one behind the other.
     const auto rows = [&](int lane) {
@@ -122,11 +151,9 @@ std::array<Vector<E, N>, n> gather_row(const E* data, const Vector<std::int32_t,
     const auto even = first_in_turn(row0, row2), odd = first_in_turn(row1, row3);
     out[0] = (Vector<E, N>)first_in_turn(even, odd);
     out[1] = (Vector<E, N>)last_in_turn(even, odd);
-    if constexpr (n == 4) {
-      const auto upper_even = last_in_turn(row0, row2), upper_odd = last_in_turn(row1, row3);
-      out[2] = (Vector<E, N>)first_in_turn(upper_even, upper_odd);
-      out[3] = (Vector<E, N>)last_in_turn(upper_even, upper_odd);
-    }
+    const auto upper_even = last_in_turn(row0, row2), upper_odd = last_in_turn(row1, row3);
+    out[2] = (Vector<E, N>)first_in_turn(upper_even, upper_odd);
+    out[3] = (Vector<E, N>)last_in_turn(upper_even, upper_odd);
     return out;
   }
 #endif
