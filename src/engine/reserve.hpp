@@ -25,9 +25,9 @@ class Reserve {
   void push(const Mask<T>& mask, Travellers<T>& from) {
     make_room(from);
     std::int32_t* end = word_.data() + size_;
-    each_word(from, [&](const Index<T>& word) {
+    each_word(from, [&, column = column_](const Index<T>& word) {
       compress(mask, word, end);
-      end += column_;
+      end += column;
       return word;
     });
     size_ += count(mask);
@@ -38,9 +38,9 @@ class Reserve {
     const Mask<T> given = size_ >= count(free) ? free : first_of(free, size_);
     size_ -= count(given);
     const std::int32_t* first = word_.data() + size_;
-    each_word(to, [&](Index<T> word) {
+    each_word(to, [&, column = column_](Index<T> word) {
       expand(given, first, word);
-      first += column_;
+      first += column;
       return word;
     });
     return given;
