@@ -3,14 +3,10 @@
 #include <cmath>
 
 namespace photic {
-namespace {
 
-constexpr double cells = OctaveTables::cells;
-
-}  // namespace
-
-const OctaveTables octave_tables{Table64([](double i) { return std::exp2(-i / cells); }),
-                                 Table64Pair([](double i) { return 1 / (cells * (1 + i / cells)); },
-                                             [](double i) { return std::log1p(i / cells); })};
+const OctaveTables octave_tables{
+    .power = CellTable([](double x, double) { return std::exp2(-x); }),
+    .inverse = CellTable([](double x, double width) { return width / (1 + x); }),
+    .log = CellTable([](double x, double) { return std::log1p(x); })};
 
 }  // namespace photic

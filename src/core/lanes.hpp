@@ -78,44 +78,35 @@ struct ShortTable : Table {
   std::int32_t size = 0;
 };
 
-/// The table of 64 numbers that a function is made of.
-class Table64 {
+/// A function's unit is cut into so many cells, from which its series start: in double 64, in float
+/// no more than every register holds. The same terms do for both.
+template <class T>
+inline constexpr int cell_bits = sizeof(Element<T>) == sizeof(double) ? 6 : 3;
+template <class T>
+inline constexpr std::int32_t cells = std::int32_t{1} << cell_bits<T>;
+
+/// f(lower edge of a cell, its width) for each cell.
+class CellTable {
  public:
-  static constexpr std::int32_t size = 64;
-  /// f(i) for each i.
   template <class F>
-  explicit Table64(F f) {
+  explicit CellTable(F f) {
+    fill<double>(f, exact_);
+    fill<float>(f, rounded_);
+  }
+  [[nodiscard]] const double* exact() const { return exact_.data(); }
+  /// Readable as far as registers go, periodically.
+  [[nodiscard]] const float* rounded() const { return rounded_.data(); }
+
+ private:
+  template <class T, class F, std::size_t size>
+  static void fill(F f, std::array<T, size>& table) {
+    constexpr double width = 1.0 / cells<T>;
     for (std::size_t i = 0; i < size; ++i)
-      rounded_[i] = static_cast<float>(exact_[i] = f(static_cast<double>(i)));
+      table[i] = static_cast<T>(f(width * static_cast<double>(i % cells<T>), width));
   }
-  [[nodiscard]] Table view() const { return {exact_.data(), rounded_.data()}; }
 
- private:
-  std::array<double, size> exact_{};
-  alignas(64) std::array<float, size> rounded_{};
-};
-
-/// Two such tables, which are looked up at the same places.
-class Table64Pair {
- public:
-  /// f(i) and g(i) for each i.
-  template <class F, class G>
-  Table64Pair(F f, G g) {
-    for (std::size_t i = 0; i < Table64::size; ++i) {
-      const auto x = static_cast<double>(i);
-      exact_[2 * i] = f(x);
-      exact_[2 * i + 1] = g(x);
-      columns_[i] = rows_[2 * i] = static_cast<float>(exact_[2 * i]);
-      columns_[Table64::size + i] = rows_[2 * i + 1] = static_cast<float>(exact_[2 * i + 1]);
-    }
-  }
-  [[nodiscard]] Table rows() const { return {exact_.data(), rows_.data()}; }  ///< [i][2]
-  [[nodiscard]] const float* columns() const { return columns_.data(); }      ///< [2][i]
-
- private:
-  std::array<double, std::size_t{2} * Table64::size> exact_{};
-  std::array<float, std::size_t{2} * Table64::size> rows_{};
-  alignas(64) std::array<float, std::size_t{2} * Table64::size> columns_{};
+  std::array<double, cells<double>> exact_{};
+  alignas(64) std::array<float, 16> rounded_{};
 };
 
 /// A short table of integers.
@@ -140,8 +131,12 @@ T gather(const Table& table, std::int32_t i) {
   }
 }
 template <std::floating_point T>
-T gather(const Table64& table, std::int32_t i) {
-  return gather<T>(table.view(), i);
+T gather(const CellTable& table, std::int32_t i) {
+  if constexpr (std::same_as<T, float>) {
+    return table.rounded()[i];
+  } else {
+    return table.exact()[i];
+  }
 }
 /// Lanes that stand one behind the other in memory.
 template <class T>
@@ -185,11 +180,6 @@ std::array<T, n> gather_row(const Table& table, std::int32_t first) {
   for (std::int32_t k = 0; k < n; ++k)
     out[static_cast<std::size_t>(k)] = gather<T>(table, first + k);
   return out;
-}
-
-template <std::floating_point T>
-std::array<T, 2> gather_pair(const Table64Pair& table, std::int32_t i) {
-  return gather_row<2, T>(table.rows(), 2 * i);
 }
 
 template <std::floating_point T>

@@ -40,11 +40,11 @@ T gather(const ShortTable& table, const Index<T>& i) {
 }
 template <class T>
   requires is_pack<T>
-T gather(const Table64& table, const Index<T>& i) {
+T gather(const CellTable& table, const Index<T>& i) {
   if constexpr (sizeof(Element<T>) == 4) {
-    return T::of(native::gather_64<T::lanes>(table.view().rounded, i.v));
+    return T::of(native::gather_cells<T::lanes>(table.rounded(), i.v));
   } else {
-    return gather<T>(table.view().exact, i);
+    return gather<T>(table.exact(), i);
   }
 }
 template <int n, class T>
@@ -59,16 +59,6 @@ std::array<T, n> gather_row(const Table& table, const Index<T>& first) {
       out[static_cast<std::size_t>(k)] = gather<T>(table + k, first);
   }
   return out;
-}
-template <class T>
-  requires is_pack<T>
-std::array<T, 2> gather_pair(const Table64Pair& table, const Index<T>& i) {
-  if constexpr (native::holds_64<T::lanes>) {
-    return {T::of(native::gather_64<T::lanes>(table.columns(), i.v)),
-            T::of(native::gather_64<T::lanes>(table.columns() + Table64::size, i.v))};
-  } else {
-    return gather_row<2, T>(table.rows(), i + i);
-  }
 }
 template <class T>
   requires is_pack<T>

@@ -33,15 +33,6 @@ Vector<E, N> gather(const E* data, const Vector<std::int32_t, N>& index) {
   return out;
 }
 
-/// Whether registers hold a table of 64 numbers, where they are looked up.
-#if defined(__AVX512F__)
-template <int N>
-inline constexpr bool holds_64 = N == 16;
-#else
-template <int N>
-inline constexpr bool holds_64 = false;
-#endif
-
 /// The same of a table of 64 numbers.
 template <int N, class E>
 Vector<E, N> gather_64(const E* data, const Vector<std::int32_t, N>& index) {
@@ -53,6 +44,23 @@ Vector<E, N> gather_64(const E* data, const Vector<std::int32_t, N>& index) {
     };
     const __mmask16 upper = _mm512_test_epi32_mask(i, _mm512_set1_epi32(32));
     return (Vector<E, N>)_mm512_mask_blend_epi32(upper, half(data), half(data + 32));
+  }
+#endif
+  return gather<N, E>(data, index);
+}
+
+/// The same of a table of eight numbers, twice one behind the other.
+template <int N, class E>
+Vector<E, N> gather_cells(const E* data, const Vector<std::int32_t, N>& index) {
+#if defined(__AVX512F__)
+  if constexpr (N == 16)
+    return (Vector<E, N>)_mm512_permutexvar_epi32((__m512i)index, _mm512_loadu_si512(data));
+#endif
+#if defined(__AVX2__)
+  if constexpr (N == 8) {
+    __m256i table;
+    std::memcpy(&table, data, sizeof table);
+    return (Vector<E, N>)_mm256_permutevar8x32_epi32(table, (__m256i)index);
   }
 #endif
   return gather<N, E>(data, index);

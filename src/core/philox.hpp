@@ -50,9 +50,7 @@ struct WordPair {
   [[nodiscard]] WordPair swapped() const { return {second, first}; }
   [[nodiscard]] WordPair upper_halves() const { return {first >> 32, second >> 32}; }
   WordPair operator^(const WordPair& b) const { return {first ^ b.first, second ^ b.second}; }
-  WordPair operator^(const TwoWords& b) const {
-    return {first ^ W(b[0]), second ^ W(b[1])};
-  }
+  WordPair operator^(const TwoWords& b) const { return {first ^ W(b[0]), second ^ W(b[1])}; }
 };
 
 /// Those of one photon, side by side in a register: a round is five instructions.

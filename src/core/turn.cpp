@@ -4,7 +4,7 @@
 
 namespace photic {
 
-const Rose rose{Table64Pair([](double i) { return std::cos(2 * pi * i / Rose::points); },
-                            [](double i) { return std::sin(2 * pi * i / Rose::points); })};
+const Rose rose{.cosine = CellTable([](double x, double) { return std::cos(2 * pi * x); }),
+                .sine = CellTable([](double x, double) { return std::sin(2 * pi * x); })};
 
 }  // namespace photic
