@@ -94,15 +94,15 @@ class CellTable {
     fill<float>(f, rounded_);
   }
   [[nodiscard]] const double* exact() const { return exact_.data(); }
-  /// Readable as far as registers go, periodically.
+  /// Readable as far as registers go.
   [[nodiscard]] const float* rounded() const { return rounded_.data(); }
 
  private:
-  template <class T, class F, std::size_t size>
-  static void fill(F f, std::array<T, size>& table) {
+  template <class T, class F, class Numbers>
+  static void fill(F f, Numbers& table) {
     constexpr double width = 1.0 / cells<T>;
-    for (std::size_t i = 0; i < size; ++i)
-      table[i] = static_cast<T>(f(width * static_cast<double>(i % cells<T>), width));
+    for (std::size_t i = 0; i < cells<T>; ++i)
+      table[i] = static_cast<T>(f(width * static_cast<double>(i), width));
   }
 
   std::array<double, cells<double>> exact_{};

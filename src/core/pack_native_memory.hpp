@@ -49,7 +49,7 @@ Vector<E, N> gather_64(const E* data, const Vector<std::int32_t, N>& index) {
   return gather<N, E>(data, index);
 }
 
-/// The same of a table of eight numbers, twice one behind the other.
+/// The same of a table of eight numbers, readable as far as registers go.
 template <int N, class E>
 Vector<E, N> gather_cells(const E* data, const Vector<std::int32_t, N>& index) {
 #if defined(__AVX512F__)
