@@ -9,9 +9,11 @@ if(CMAKE_UNITY_BUILD)
 endif()
 # The masks of one photon are bools, and `&` is theirs, too.
 set(bool_masks $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
-# No contraction: the same bits from every schedule of the same formulas (docs/decisions).
+# No contraction: the same bits from every schedule of the same formulas; but in the engine's lanes, which round as is fastest
+# (docs/decisions/0006, 0031).
+set(contraction "-ffp-contract=$<IF:$<BOOL:$<TARGET_PROPERTY:PHOTIC_CONTRACTED>>,fast,off>")
 target_compile_options(photic_flags INTERFACE -Wall -Wextra -Wpedantic ${shadow} ${bool_masks} -Wconversion
-                       -Wno-sign-conversion -Wno-psabi -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math)
+                       -Wno-sign-conversion -Wno-psabi -Werror ${contraction} -fno-math-errno -fno-trapping-math)
 
 # The instruction sets that lanes are compiled for, from the least to the best (core/isa.hpp).
 set(photic_isas baseline)
@@ -55,8 +57,9 @@ endfunction()
 # GNU's linker, whatever the compiler's own is: others do not seal.
 find_program(PHOTIC_SEALER NAMES ld.bfd ld REQUIRED)
 
-# photic_for_each_isa(target source.cpp "entry*" library… [WITHOUT isa…])  → the source compiled for each of photic_isas
-# but some, in one program; PHOTIC_ISA is the set's name.
+# photic_for_each_isa(target source.cpp "entry*" library… [CONTRACTED] [WITHOUT isa…])  → the source compiled for each of
+# photic_isas but some, in one program; PHOTIC_ISA is the set's name. CONTRACTED: products and sums are rounded once where
+# the set has an instruction for both.
 #
 # The danger: an inline function or template, std::max<float> say, is compiled into each of these objects and into
 # ordinary ones, and the linker keeps one copy for the whole program. If that is one made of AVX-512, a program on a
@@ -67,7 +70,7 @@ find_program(PHOTIC_SEALER NAMES ld.bfd ld REQUIRED)
 # that it includes have no variables with constructors (tests/unit/engine/check_sealed.py looks for both).
 function(photic_for_each_isa target source entry)
   cmake_path(GET source STEM stem)
-  cmake_parse_arguments(ARG "" "" "WITHOUT" ${ARGN})
+  cmake_parse_arguments(ARG "CONTRACTED" "" "WITHOUT" ${ARGN})
   foreach(isa IN LISTS photic_isas)
     if(isa IN_LIST ARG_WITHOUT)
       continue()
@@ -75,6 +78,7 @@ function(photic_for_each_isa target source entry)
     set(object ${target}_${stem}_${isa})
     add_library(${object} OBJECT ${source})
     target_compile_definitions(${object} PRIVATE PHOTIC_ISA=${isa})
+    set_property(TARGET ${object} PROPERTY PHOTIC_CONTRACTED ${ARG_CONTRACTED})
     # g++ 12 takes the operand that its own headers leave undefined on purpose for a mistake. Symbols that are to be one in
     # the whole process cannot be made local.
     target_compile_options(${object} PRIVATE ${flags_of_${isa}}

@@ -1,5 +1,5 @@
 // Runs histories in batches on threads. A batch is the unit of statistics, of parallelism and of
-// reproducibility: batch k holds photons k * batch_photons and up, whoever computes them, and
+// reproducibility: batch k holds the k-th lot of photons, whoever computes them, and
 // batches are merged in their order; what ends a run is looked at there too.
 #pragma once
 
@@ -38,7 +38,14 @@ class Conductor {
 
   /// Batches that the photons asked for make; no limit if none were asked for.
   [[nodiscard]] std::uint64_t batches() const { return batches_; }
+  [[nodiscard]] std::uint64_t first_photon_of(std::uint64_t batch) const {
+    return batch * batch_photons_;
+  }
   [[nodiscard]] std::uint64_t photons_of(std::uint64_t batch) const;
+  /// Whether a batch has as many photons as all but a last one.
+  [[nodiscard]] bool is_whole(const tally::BatchTally& batch) const {
+    return batch.photons == batch_photons_;
+  }
 
   /// What the run goes on from: nothing yet, or where an earlier one stood.
   [[nodiscard]] tally::Totals begin(const tally::Shape& shape) const;
@@ -48,13 +55,13 @@ class Conductor {
   /// Batches below this one can begin: which rows rest in them is known.
   [[nodiscard]] std::uint64_t known_until(std::uint64_t merged_batches) const;
   /// Which rows rest in a batch that can begin.
-  [[nodiscard]] static std::vector<bool> resting(const tally::Totals& totals, std::uint64_t batch,
-                                                 std::uint64_t merged_batches);
+  [[nodiscard]] std::vector<bool> resting(const tally::Totals& totals, std::uint64_t batch,
+                                          std::uint64_t merged_batches) const;
 
   /// Called before an incomplete batch is merged.
   void keep_whole(const tally::Totals& totals) { ending.whole = totals.state(); }
   /// Called after every merge: lets converged rows rest at looks at the target.
-  static void look(tally::Totals& totals, std::uint64_t merged_batches);
+  void look(tally::Totals& totals, std::uint64_t merged_batches) const;
   /// Called after that; true ends the run, and Ending says why.
   bool ends(const tally::Totals& totals, std::uint64_t merged_batches);
 
@@ -64,6 +71,9 @@ class Conductor {
  private:
   /// Whether rows rest that have met the target: where light that is not asked for is not walked.
   [[nodiscard]] bool rests() const;
+  /// Whether the target is looked at after so many batches.
+  [[nodiscard]] bool is_look(std::uint64_t merged_batches) const;
+  [[nodiscard]] std::uint64_t batches_between_looks() const;
   [[nodiscard]] tally::Totals goes_on_from(const tally::Shape& shape) const;
   void tell(const tally::Totals& totals);
   void checkpoint_if_due(const tally::Totals& totals);
@@ -71,7 +81,7 @@ class Conductor {
 
   scene::Simulation asked_;
   const RunOptions& options_;
-  std::uint64_t batches_;
+  std::uint64_t batch_photons_, batches_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double told_s_ = -1, next_checkpoint_s_;
 };
@@ -114,7 +124,7 @@ class BatchRunner {
         const std::uint64_t batch = next_batch_++;
         Tally tally = std::move(free_.back());
         free_.pop_back();
-        tally->rests = Conductor::resting(totals_, batch, merged_);
+        tally->rests = conductor_.resting(totals_, batch, merged_);
         lock.unlock();
         simulate(batch, *tally);
         lock.lock();
@@ -142,19 +152,19 @@ class BatchRunner {
 
   void simulate(std::uint64_t batch, tally::BatchTally& tally) const {
     tally.photons = conductor_.photons_of(batch);
-    simulator_.simulate(batch * batch_photons, tally.photons, tally);
+    simulator_.simulate(conductor_.first_photon_of(batch), tally.photons, tally);
   }
 
   void merge_what_is_due() {
     for (auto due = done_.find(merged_); due != done_.end() && !ended_; due = done_.find(merged_)) {
       Tally tally = std::move(due->second);
       done_.erase(due);
-      if (tally->photons < batch_photons) conductor_.keep_whole(totals_);
+      if (!conductor_.is_whole(*tally)) conductor_.keep_whole(totals_);
       totals_.merge(*tally);
       tally->clear();
       free_.push_back(std::move(tally));
       ++merged_;
-      Conductor::look(totals_, merged_);
+      conductor_.look(totals_, merged_);
       ended_ = conductor_.ends(totals_, merged_);
     }
   }

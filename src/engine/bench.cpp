@@ -91,6 +91,9 @@ class Bench {
     problem_ = std::make_unique<Problem>(make_problem(scene));
   }
 
+  /// The photons of one.
+  [[nodiscard]] std::uint64_t batch() const { return batch_photons(problem_->scene.simulation); }
+
   /// Until the photons or the time of the simulation are used up.
   Timed run(std::uint64_t number, std::optional<std::uint64_t> photons,
             std::optional<double> max_time_s = {}) {
@@ -134,7 +137,8 @@ std::uint64_t photons_in(double cpu_s, double trial_cpu_s, Bench& bench, std::ui
   }
   const double asked = static_cast<double>(photons) * cpu_s / took;
   const auto out = static_cast<std::uint64_t>(std::max(asked, 1.0));
-  return out < batch_photons ? out : out / batch_photons * batch_photons;
+  const std::uint64_t whole_batch = bench.batch();
+  return out < whole_batch ? out : out / whole_batch * whole_batch;
 }
 
 void measure(Candidate& candidate, std::size_t place, const scene::Scene& scene,

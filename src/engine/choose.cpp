@@ -13,9 +13,9 @@
 namespace photic::engine {
 namespace {
 
-constexpr std::uint64_t pilot_batches = 5;  // of the bidirectional estimator
+constexpr std::uint64_t pilot_photons = 10000;  // of the bidirectional estimator
 /// Photons of the forward estimator cost so much less that its pilot has more of them.
-constexpr std::uint64_t forward_pilot_batches = 8 * pilot_batches;
+constexpr std::uint64_t forward_pilot_photons = 8 * pilot_photons;
 /// Folded into the seed: pilots share no random number with the run.
 constexpr std::uint64_t pilot_stream = 0x1e3779b97f4a7c15;
 
@@ -77,7 +77,7 @@ void try_out(Contender& contender, const RunOptions& options) {
   scene::Scene pilot = contender.scene;
   pilot.simulation.seed ^= pilot_stream;
   const bool forward = pilot.simulation.estimator == "forward";
-  pilot.simulation.photons = (forward ? forward_pilot_batches : pilot_batches) * batch_photons;
+  pilot.simulation.photons = forward ? forward_pilot_photons : pilot_photons;
   pilot.simulation.target_relative_error.reset();
   pilot.simulation.max_time_s.reset();
   RunOptions quiet;  // and not interrupted: half a pilot would choose otherwise
@@ -135,8 +135,7 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
   std::string reason = fmt::format(
       "pilot runs of {} photons (forward {}); squared error at equal cost, geometric mean over {} "
       "gates:",
-      pilot_batches * batch_photons, forward_pilot_batches * batch_photons,
-      std::count(counts.begin(), counts.end(), true));
+      pilot_photons, forward_pilot_photons, std::count(counts.begin(), counts.end(), true));
   for (const Contender& contender : all) {
     reason += fmt::format("{} {} {:.3g}", &contender == &all.front() ? "" : ",", contender.name,
                           std::exp(badness(contender, counts) - badness(*best, counts)));

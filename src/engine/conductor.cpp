@@ -9,7 +9,7 @@
 namespace photic::engine {
 namespace {
 
-constexpr std::uint64_t batches_between_looks = 100;  // at the target
+constexpr std::uint64_t photons_between_looks = 200000;  // at the target
 constexpr double seconds_between_tellings = 0.2;
 
 [[noreturn]] void refuse(const Start& start, const std::string& reason,
@@ -20,29 +20,40 @@ constexpr double seconds_between_tellings = 0.2;
 }  // namespace
 
 Conductor::Conductor(const scene::Simulation& asked, const RunOptions& options)
-    : asked_(asked), options_(options), next_checkpoint_s_(options.checkpoints.first_s) {
+    : asked_(asked),
+      options_(options),
+      batch_photons_(batch_photons(asked)),
+      next_checkpoint_s_(options.checkpoints.first_s) {
   constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
-  batches_ = asked.photons ? (*asked.photons + batch_photons - 1) / batch_photons : unlimited;
+  batches_ = asked.photons ? (*asked.photons + batch_photons_ - 1) / batch_photons_ : unlimited;
   const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   ending.threads = options.threads > 0 ? options.threads : cores;
 }
 
 std::uint64_t Conductor::photons_of(std::uint64_t batch) const {
-  return batch + 1 < batches_ ? batch_photons : *asked_.photons - batch * batch_photons;
+  return batch + 1 < batches_ ? batch_photons_ : *asked_.photons - batch * batch_photons_;
 }
 
 std::uint64_t Conductor::known_until(std::uint64_t merged_batches) const {
   if (!rests()) return std::numeric_limits<std::uint64_t>::max();
-  return (merged_batches / batches_between_looks + 2) * batches_between_looks;
+  return (merged_batches / batches_between_looks() + 2) * batches_between_looks();
 }
 
 std::vector<bool> Conductor::resting(const tally::Totals& totals, std::uint64_t batch,
-                                     std::uint64_t merged_batches) {
-  return totals.resting(batch / batches_between_looks > merged_batches / batches_between_looks);
+                                     std::uint64_t merged_batches) const {
+  return totals.resting(batch / batches_between_looks() > merged_batches / batches_between_looks());
 }
 
-void Conductor::look(tally::Totals& totals, std::uint64_t merged_batches) {
-  if (merged_batches % batches_between_looks == 0) totals.decide_rests();
+std::uint64_t Conductor::batches_between_looks() const {
+  return photons_between_looks / batch_photons_;
+}
+
+bool Conductor::is_look(std::uint64_t merged_batches) const {
+  return merged_batches % batches_between_looks() == 0;
+}
+
+void Conductor::look(tally::Totals& totals, std::uint64_t merged_batches) const {
+  if (is_look(merged_batches)) totals.decide_rests();
 }
 
 bool Conductor::rests() const {
@@ -58,7 +69,7 @@ tally::Totals Conductor::begin(const tally::Shape& shape) const {
 tally::Totals Conductor::goes_on_from(const tally::Shape& shape) const {
   if (!options_.start) return tally::Totals(shape);
   const tally::TotalsState& state = options_.start->state;
-  if (state.photons % batch_photons != 0 || state.photons / batch_photons != state.batches) {
+  if (state.photons % batch_photons_ != 0 || state.photons / batch_photons_ != state.batches) {
     refuse(*options_.start,
            fmt::format("a damaged result: {} photons in {} batches", state.photons, state.batches),
            "");
@@ -88,8 +99,8 @@ bool Conductor::ends(const tally::Totals& totals, std::uint64_t merged_batches) 
     return true;
   };
   if (merged_batches == batches_) return because("photons");
-  const bool look = merged_batches % batches_between_looks == 0;
-  if (look && asked_.target_relative_error && totals.all_converged(*asked_.target_relative_error)) {
+  if (is_look(merged_batches) && asked_.target_relative_error &&
+      totals.all_converged(*asked_.target_relative_error)) {
     return because("target");
   }
   if (asked_.max_time_s && ending.wall_time_s >= *asked_.max_time_s) return because("time");

@@ -29,7 +29,7 @@ class Draws {
     for (std::uint32_t i = 0; spread() && i < quasi_random_dimensions; i += 4) {
       const std::uint32_t event = i / 4 / quasi_random_blocks, slot = i / 4 % quasi_random_blocks;
       if (slot < first_slot) continue;
-      const auto words = philox_words(world.key, batch / batch_photons, event,
+      const auto words = philox_words(world.key, batch / world.batch_photons, event,
                                       key_blocks + first_block + (slot - first_slot));
       std::ranges::copy(words, &keys_[i]);
     }

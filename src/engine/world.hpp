@@ -155,6 +155,7 @@ struct World {
   bool special = false;         ///< it has tools, or is analog, or compares
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   RandomKey key{0};
+  std::uint64_t batch_photons = 0;
   SobolPoints points;  ///< of a batch; none: all numbers are drawn independently
 };
 
@@ -307,7 +308,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
   world.key = scene.simulation.seed;
-  if (spreads_evenly(scene)) world.points = {batch_photons, quasi_random_dimensions};
+  world.batch_photons = batch_photons(scene.simulation);
+  if (spreads_evenly(scene)) world.points = {world.batch_photons, quasi_random_dimensions};
   return world;
 }
 

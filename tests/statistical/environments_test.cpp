@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
              10},
         Case{"bidirectional", three, chlorophyll(0.5, 0.02), changed_algae, 10, 1.5e5, 70,
              "bidirectional"},
-        Case{"bidirectional_three_layers", three, three_layers_here, three_layers_changed, 8, 2e5,
+        Case{"bidirectional_three_layers", three, three_layers_here, three_layers_changed, 8, 2.5e5,
              25, "bidirectional"}),
     [](const auto& test) { return test.param.name; });
 
@@ -260,7 +260,7 @@ TEST(EnvironmentOf, StrongChangesAreRightOrFlaggedBidirectional) {
   expect_strong_changes_covered("bidirectional", 6.2e4, 0.924, 40, 0.5);
 }
 TEST(EnvironmentOf, StrongChangesAreRightOrFlaggedForward) {
-  expect_strong_changes_covered("forward", 2e5, 0.6, 100, 0.25);
+  expect_strong_changes_covered("forward", 2.5e5, 0.6, 100, 0.25);
 }
 
 // Of elastic, Raman and fluorescence light, all orders. Seen red: with half the step.

@@ -8,7 +8,7 @@
 namespace photic::engine {
 namespace {
 
-constexpr std::uint64_t whole_batch = 2000;
+constexpr std::uint64_t whole_batch = 8000;  // of the forward estimator
 
 scene::Scene scene_of(std::uint64_t photons, const std::string& more = "",
                       const std::string& estimator = "forward") {
@@ -65,10 +65,11 @@ void expect_same(const tally::Result& a, const tally::Result& b) {
 // taken after that batch; with the first batch to do off by one; with the photons of the first
 // batch left in the tally they were checked in.
 TEST(Continued, EqualsOneLongRun) {
-  const scene::Scene long_scene = scene_of(90'700);
+  const scene::Scene long_scene = scene_of(362'700);
   const tally::Result once = run_on(1, long_scene);
-  ASSERT_EQ(once.state->photons, 90'000U);
-  for (const std::uint64_t earlier : {1'500U, 2'000U, 2'500U, 40'000U, 41'500U, 90'000U, 90'700U}) {
+  ASSERT_EQ(once.state->photons, 360'000U);
+  for (const std::uint64_t earlier :
+       {7'500U, 8'000U, 8'500U, 160'000U, 161'500U, 360'000U, 362'700U}) {
     for (const int threads : {1, 3}) {
       SCOPED_TRACE(fmt::format("{} photons, then {} threads", earlier, threads));
       const tally::Result first = run_on(threads, scene_of(earlier));
@@ -89,18 +90,18 @@ TEST(Continued, InManySittingsEqualsOneLongRun) {
       return scene_of(photons, way.more, way.estimator);
     };
     tally::Result result = run(scene(700));
-    for (std::uint64_t photons = 3'700; photons <= 9'700; photons += 3'000)
+    for (std::uint64_t photons = 12'700; photons <= 36'700; photons += 12'000)
       result = go_on(result, scene(photons), 2);
-    expect_same(result, run(scene(9'700)));
+    expect_same(result, run(scene(36'700)));
   }
 }
 
 // Seen red: without the time of the earlier sittings.
 TEST(Continued, AddsUpTheTime) {
-  tally::Result earlier = run(scene_of(4'000));
+  tally::Result earlier = run(scene_of(16'000));
   earlier.wall_time_s = 1000;
-  const tally::Result result = go_on(earlier, scene_of(8'000, "max_time_s = 900.0"));
-  EXPECT_EQ(result.photons, 8'000U);
+  const tally::Result result = go_on(earlier, scene_of(32'000, "max_time_s = 900.0"));
+  EXPECT_EQ(result.photons, 32'000U);
   EXPECT_EQ(result.stopped_by, "photons");
   EXPECT_GT(result.wall_time_s, 1000);
   EXPECT_LT(result.wall_time_s, 1900);
@@ -110,12 +111,12 @@ TEST(Continued, AddsUpTheTime) {
 TEST(Continued, TellsThePhotonsOfEarlierSittings) {
   std::vector<Progress> told;
   RunOptions options;
-  options.start = start_of(run(scene_of(4'000)));
+  options.start = start_of(run(scene_of(16'000)));
   options.progress = [&](const Progress& progress) { told.push_back(progress); };
-  run(scene_of(20'000), options);
+  run(scene_of(80'000), options);
   ASSERT_FALSE(told.empty());
-  EXPECT_EQ(told.front().photons, 4'000U);
-  EXPECT_EQ(told.front().photons_before, 4'000U);
+  EXPECT_EQ(told.front().photons, 16'000U);
+  EXPECT_EQ(told.front().photons_before, 16'000U);
 }
 
 // The target is looked at before anything is added. Seen red: without that look.
@@ -130,10 +131,10 @@ TEST(Continued, EndsWhereATargetIsMetAlready) {
 template <class Change>
 std::string refusal(const Change& change) {
   RunOptions options;
-  options.start = start_of(run(scene_of(8'000)));
+  options.start = start_of(run(scene_of(32'000)));
   change(options.start->state);
   try {
-    run(scene_of(16'000), options);
+    run(scene_of(64'000), options);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -142,7 +143,7 @@ std::string refusal(const Change& change) {
 
 // Seen red: without the comparison of the first batch.
 TEST(Continued, FromOtherHistoriesIsRefused) {
-  const scene::Scene other = scene_of(8'000, "directed_fraction = 0.4");
+  const scene::Scene other = scene_of(32'000, "directed_fraction = 0.4");
   EXPECT_EQ(refusal([&](tally::TotalsState& state) { state = *run(other).state; }),
             "old.nc: made by another build of Photic, or with other data tables or another file of "
             "a phase function: its first photons scored differently (go on with those, or start "
@@ -153,19 +154,19 @@ TEST(Continued, FromOtherHistoriesIsRefused) {
 // Seen red: without either half of the check.
 TEST(Continued, FromWhatIsNoNumberOfBatchesIsRefused) {
   EXPECT_EQ(refusal([](tally::TotalsState& state) { ++state.photons; }),
-            "old.nc: a damaged result: 8001 photons in 4 batches");
-  EXPECT_EQ(refusal([](tally::TotalsState& state) { state.photons = 10'000; }),
-            "old.nc: a damaged result: 10000 photons in 4 batches");
+            "old.nc: a damaged result: 32001 photons in 4 batches");
+  EXPECT_EQ(refusal([](tally::TotalsState& state) { state.photons = 40'000; }),
+            "old.nc: a damaged result: 40000 photons in 4 batches");
 }
 
 TEST(Continued, ToLessIsABug) {
-  const tally::Result earlier = run(scene_of(8'000));
-  EXPECT_THROW(go_on(earlier, scene_of(4'000)), ContractViolation);
+  const tally::Result earlier = run(scene_of(32'000));
+  EXPECT_THROW(go_on(earlier, scene_of(16'000)), ContractViolation);
 }
 
 // Seen red: with checkpoints that are not partial; with one where the run ends.
 TEST(Checkpoints, AreResultsThatCanBeGoneOnFrom) {
-  const scene::Scene scene = scene_of(20'500);
+  const scene::Scene scene = scene_of(80'500);
   std::vector<tally::Result> checkpoints;
   RunOptions options;
   options.threads = 3;
@@ -191,7 +192,7 @@ TEST(Checkpoints, ComeWhenTheirTimeHasCome) {
     RunOptions options;
     options.checkpoints = {
         .write = [&](const auto&) { ++checkpoints; }, .first_s = first_s, .every_s = every_s};
-    run(scene_of(20'000), options);
+    run(scene_of(80'000), options);
     return checkpoints;
   };
   EXPECT_EQ(count(0, 1000), 1);

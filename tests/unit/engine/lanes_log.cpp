@@ -29,8 +29,8 @@ EventLog log_lanes(const Problem& problem, std::uint64_t photons) {
       log.emplace(std::pair(t.place.photon[i], t.place.event[i]), event);
     });
   };
-  for (std::uint64_t batch = 0; batch < photons; batch += batch_photons)
-    Pool<Lanes>(world).run(batch, batch_photons, tally, witness);
+  for (std::uint64_t batch = 0; batch < photons; batch += world.batch_photons)
+    Pool<Lanes>(world).run(batch, world.batch_photons, tally, witness);
   return log;
 }
 }  // namespace PHOTIC_ISA

@@ -3,6 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "core/error.hpp"
 #include "engine/batches.hpp"
 #include "engine/run.hpp"
@@ -78,9 +88,9 @@ EventLog log_scalar(const Problem& problem, std::uint64_t photons) {
     }
     log.emplace(std::pair(t.place.photon, t.place.event), event);
   };
-  for (std::uint64_t batch = 0; batch < photons; batch += batch_photons) {
+  for (std::uint64_t batch = 0; batch < photons; batch += world.batch_photons) {
     const auto draws = draws_of_laser(world, batch);
-    for (std::int32_t n = 0; n < static_cast<std::int32_t>(batch_photons); ++n) {
+    for (std::int32_t n = 0; n < static_cast<std::int32_t>(world.batch_photons); ++n) {
       if (world.special)
         follow<true>(world, draws, n, photon, copies, estimates, tally, witness);
       else
@@ -98,11 +108,38 @@ EventLog log_lanes(const Problem& problem, std::uint64_t photons, Isa isa) {
   return isa == Isa::baseline ? baseline::log_lanes(problem, photons) : EventLog{};
 }
 
-// Lanes round as scalars do, so that histories are not merely close. Seen red: with the last photon
-// of a pool not moved into a slot that is free; with lanes that were reflected going on as if they
-// had collided with the others; with copies that keep the number of their photon.
+/// Whether lanes round a product and a sum once: where instructions do both.
+bool contracts(Isa isa) { return isa != Isa::baseline; }
+
+/// Whether two states of a photon are the same but for rounding, which a history of some ten
+/// flights adds up to less than 1e-4 m and 1e-4 of what a weight is: a lane that goes wrong differs
+/// by as much as photons do.
+bool close(const LoggedEvent& a, const LoggedEvent& b) {
+  const auto differs = [](float x, float y) {
+    return std::abs(x - y) > 1e-4F * std::max(1.0F, std::abs(y));
+  };
+  return a.on == b.on && a.kind == b.kind &&
+         std::equal(a.state.begin(), a.state.end(), b.state.begin(), std::not_fn(differs));
+}
+
+/// Photons whose histories are other ones: that took another branch, or differ by more.
+std::size_t other_histories(const EventLog& lanes, const EventLog& scalar) {
+  std::set<std::uint64_t> others;
+  for (const auto& [from, to] : {std::pair(&lanes, &scalar), std::pair(&scalar, &lanes)}) {
+    for (const auto& [place, event] : *from) {
+      const auto same = to->find(place);
+      if (same == to->end() || !close(event, same->second)) others.insert(place.first);
+    }
+  }
+  return others.size();
+}
+
+// Without contraction lanes round as scalars do: histories are not merely close, they are the same.
+// With it fewer than one in a thousand may take another branch. Seen red: with the last photon of a
+// pool not moved into a slot that is free; with lanes that were reflected going on as if they had
+// collided with the others; with copies that keep the number of their photon.
 TEST(Lanes, HistoriesAreThoseOfTheScalarEngineInFloat) {
-  constexpr std::uint64_t photons = 10000;
+  constexpr std::uint64_t photons = 16000;
   for (const auto& scene :
        {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(),
         rich_scene("reception = \"overlap\"\nmax_order = 4"), rich_scene(tools),
@@ -117,11 +154,14 @@ TEST(Lanes, HistoriesAreThoseOfTheScalarEngineInFloat) {
     EXPECT_GT(scalar.size() + last_flights, (plain ? 4 : 2) * photons);
     for (const Isa isa : isas_here()) {
       const EventLog lanes = log_lanes(problem, photons, isa);
-      ASSERT_EQ(lanes.size(), scalar.size()) << isa_name(isa);
-      std::size_t different = 0;
-      for (auto a = lanes.begin(), b = scalar.begin(); a != lanes.end(); ++a, ++b)
-        different += *a != *b ? 1 : 0;
-      EXPECT_EQ(different, 0U) << isa_name(isa) << ", of " << lanes.size();
+      if (!contracts(isa)) {
+        EXPECT_TRUE(lanes == scalar) << isa_name(isa);
+        continue;
+      }
+      const std::size_t others = other_histories(lanes, scalar);
+      std::printf("%s: %zu of %zu histories are other ones\n", std::string(isa_name(isa)).c_str(),
+                  others, static_cast<std::size_t>(photons));
+      EXPECT_LT(others, photons / 1000) << isa_name(isa);
     }
   }
 }
@@ -133,7 +173,20 @@ tally::Result run_on(int threads, const scene::Scene& scene, Isa isa) {
   return run(scene, options);
 }
 
-/// In float but for the sums, which are taken in another order.
+/// The sum of differences, as a share of the sum.
+double difference(const std::vector<double>& lanes, const std::vector<double>& scalar) {
+  const auto off = [](double a, double b) { return std::abs(a - b); };
+  return std::transform_reduce(lanes.begin(), lanes.end(), scalar.begin(), 0.0, std::plus(), off) /
+         std::reduce(scalar.begin(), scalar.end());
+}
+void expect_near(const std::vector<double>& lanes, const std::vector<double>& scalar, double part) {
+  for (std::size_t i = 0; i < scalar.size(); ++i)
+    ASSERT_NEAR(lanes[i], scalar[i], part * scalar[i]);
+}
+
+/// In float but for the sums, which are taken in another order. Where lanes contract, single scores
+/// near the peak of a phase function, which falls by its size within some 1e-4, differ by more than
+/// rounding, and some fall on the other side of a depth's edge.
 void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
   const Problem problem = make_problem(scene);
   const RunOptions options;
@@ -141,32 +194,29 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
   tally::Result scalar = describe(problem);
   const ScalarSimulator<float> simulator(problem);
   BatchRunner(problem, simulator, conductor).run().fill(scalar);
+  EXPECT_GT(std::reduce(scalar.echo.mean.begin(), scalar.echo.mean.end()), 0);
   for (const Isa isa : isas_here()) {
     SCOPED_TRACE(isa_name(isa));
     const tally::Result lanes = run_on(1, scene, isa);
     EXPECT_EQ(lanes.collisions, scalar.collisions);
     EXPECT_EQ(lanes.lost_not_finite, 0U);
-    double echo = 0;
-    for (std::size_t i = 0; i < scalar.echo.mean.size(); ++i) {
-      ASSERT_NEAR(lanes.echo.mean[i], scalar.echo.mean[i], 1e-13 * scalar.echo.mean[i]);
-      echo += scalar.echo.mean[i];
+    expect_near(lanes.echo.mean, scalar.echo.mean, contracts(isa) ? 1e-3 : 1e-13);
+    if (contracts(isa)) {
+      EXPECT_LT(difference(lanes.echo.mean, scalar.echo.mean), 1e-5);
+      EXPECT_LT(difference(lanes.echo_by_depth.mean, scalar.echo_by_depth.mean), 1e-5);
+      EXPECT_LT(difference(lanes.echo_by_order.mean, scalar.echo_by_order.mean), 1e-5);
+    } else {
+      expect_near(lanes.echo_by_depth.mean, scalar.echo_by_depth.mean, 1e-13);
+      expect_near(lanes.echo_by_order.mean, scalar.echo_by_order.mean, 1e-13);
     }
-    EXPECT_GT(echo, 0);
-    for (std::size_t i = 0; i < scalar.echo_by_depth.mean.size(); ++i) {
-      ASSERT_NEAR(lanes.echo_by_depth.mean[i], scalar.echo_by_depth.mean[i],
-                  1e-13 * scalar.echo_by_depth.mean[i]);
-    }
-    for (std::size_t i = 0; i < scalar.echo_by_order.mean.size(); ++i) {
-      ASSERT_NEAR(lanes.echo_by_order.mean[i], scalar.echo_by_order.mean[i],
-                  1e-13 * scalar.echo_by_order.mean[i]);
-    }
-    EXPECT_NEAR(lanes.ledger.absorbed, scalar.ledger.absorbed, 1e-12);
-    EXPECT_NEAR(lanes.ledger.escaped, scalar.ledger.escaped, 1e-12);
-    EXPECT_NEAR(lanes.ledger.sea_bed, scalar.ledger.sea_bed, 1e-12);
-    EXPECT_NEAR(lanes.ledger.cut_by_time, scalar.ledger.cut_by_time, 1e-12);
-    EXPECT_NEAR(lanes.ledger.cut_by_order, scalar.ledger.cut_by_order, 1e-12);
-    EXPECT_NEAR(lanes.ledger.cut_by_weight, scalar.ledger.cut_by_weight, 1e-12);
-    EXPECT_NEAR(lanes.ledger.roulette, scalar.ledger.roulette, 1e-12);
+    const double of_weight = contracts(isa) ? 1e-6 : 1e-12;
+    EXPECT_NEAR(lanes.ledger.absorbed, scalar.ledger.absorbed, of_weight);
+    EXPECT_NEAR(lanes.ledger.escaped, scalar.ledger.escaped, of_weight);
+    EXPECT_NEAR(lanes.ledger.sea_bed, scalar.ledger.sea_bed, of_weight);
+    EXPECT_NEAR(lanes.ledger.cut_by_time, scalar.ledger.cut_by_time, of_weight);
+    EXPECT_NEAR(lanes.ledger.cut_by_order, scalar.ledger.cut_by_order, of_weight);
+    EXPECT_NEAR(lanes.ledger.cut_by_weight, scalar.ledger.cut_by_weight, of_weight);
+    EXPECT_NEAR(lanes.ledger.roulette, scalar.ledger.roulette, of_weight);
   }
 }
 
