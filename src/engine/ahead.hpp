@@ -47,8 +47,13 @@ void score_further_points(const World<T>& world, const Travellers<T>& travellers
     const T& u = travellers.u[0];
     const T turned = select(u > rest, u - rest, u + (T(1) - rest));
     transport::Photon<T> at = travellers.photon;
-    const auto end =
-        transport::fly(world.sea, at, minus_log(path_number<special>(travellers, turned)));
+    const T free_path = minus_log(path_number<special>(travellers, turned));
+    auto end = transport::fly(world.sea, at, free_path);
+    if (!special && world.flies_on) {
+      transport::fly_on(world.sea, at, end, [&](const Mask<T>&, transport::Photon<T>& down) {
+        transport::reflect_down(world.sea, down);
+      });
+    }
     const Mask<T> scored = travellers.on & !(end.surface | end.sea_bed) & in_time(world, at);
     if (!any(scored)) continue;
     look_ahead<special>(world, travellers, at, estimates);

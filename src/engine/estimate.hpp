@@ -229,6 +229,16 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
   }
 }
 
+/// Where a telescope may see a point, by the points of the lenses that take part in local estimates
+/// of single rays.
+template <class T>
+Mask<T> near_view(const World<T>& world, std::size_t t, const Vec3<T>& position,
+                  const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {
+  const auto& telescope = world.telescopes[t];
+  return world.single_rays ? transport::may_see(world.sea, telescope, position, line, lens[t])
+                           : transport::may_see(world.sea, telescope, position, line);
+}
+
 /// Scores light that has waited for company.
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_t t,
@@ -245,8 +255,7 @@ void score_light(const World<T>& world, const transport::Photon<T>& photon, cons
                  const Index<T>& line, Estimates<T>& estimates, tally::BatchTally& tally) {
   const instrument::PlanePoint<T> centre{};
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
-    const Mask<T> seen =
-        colliding & transport::may_see(world.sea, world.telescopes[t], photon.position, line);
+    const Mask<T> seen = colliding & near_view(world, t, photon.position, line, lens);
     if (!any(seen)) continue;
     const SourcesOf<T> from{photon, weight, line, world.single_rays ? lens[t] : centre,
                             sources_differ(world)};
@@ -284,7 +293,7 @@ void aim_at_telescopes(const World<T>& world, Travellers<T>& at) {
     for (const bool mirrored : {false, true}) {
       if ((mirrored && !telescope.submerged) || targets.count == target_capacity) continue;
       const auto [direction, in_front] = aim(world.sea, telescope, from, line, to, mirrored,
-                                             may_see(world.sea, telescope, from, line));
+                                             near_view(world, t, from, line, at.lens));
       targets.add(direction, T(0), select(in_front, T(1), T(0)));
     }
   }

@@ -69,8 +69,26 @@ void draw_free_path(Travellers<T>& travellers) {
   travellers.free_path = minus_log(path_number<special>(travellers, travellers.u[0]));
 }
 
-/// A flight, and what may stand at its end: the sea bed, the end of the last gate, the surface, or
-/// else a collision.
+/// Reflects photons of a mask at the surface, but for the weight that leaves. Those who are left
+/// with far less than the threshold play roulette at once, before more is done for little light; of
+/// the number that they play by others use what is left. Tells who goes on.
+template <class T, class Ledger>
+Mask<T> reflect_in_flight(const World<T>& world, Travellers<T>& travellers,
+                          const Mask<T>& reflected, transport::Photon<T>& photon, Ledger& ledger) {
+  book(ledger.escaped, reflected, transport::reflect_down(world.sea, photon));
+  constexpr double far_less = 1.0 / 8;
+  const Mask<T> light = photon.analog_weight < T(far_less) * world.weight_threshold;
+  const T level = select(reflected & light, world.weight_threshold, T(0));
+  if (!any(reflected & light)) return reflected;
+  T& u = travellers.u[3];
+  const T chance = transport::survival(photon, level);
+  const Mask<T> survives = play_roulette(photon, level, u, reflected, ledger);
+  u = left_of_choice(u, chance);
+  return survives;
+}
+
+/// A flight, and what may stand at its end: the sea bed, the end of the last gate, the surface
+/// where it does not go on past that, or else a collision.
 template <bool special, class T, class Ledger>
 void travel(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
             tally::BatchTally& tally) {
@@ -78,7 +96,12 @@ void travel(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
   Photon<T>& photon = travellers.photon;
   Mask<T> on = travellers.on;
   if (compares<special>(world)) travellers.ratios.before = photon;
-  const FlightEnd<T> end = fly(world.sea, photon, travellers.free_path);
+  FlightEnd<T> end = fly(world.sea, photon, travellers.free_path);
+  if (!special && world.flies_on) {
+    fly_on(world.sea, photon, end, [&](const Mask<T>& turned, Photon<T>& down) {
+      on = (on & !turned) | reflect_in_flight(world, travellers, on & turned, down, ledger);
+    });
+  }
   if (compares<special>(world)) travellers.ratios.flown(world.sea, photon, end.length, on);
   book(ledger.sea_bed, on & end.sea_bed, photon.weight);
   on = on & !end.sea_bed;
@@ -162,19 +185,25 @@ void turn(const World<T>& world, Travellers<T>& travellers) {
   if (compares<special>(world)) travellers.ratios.collided(world.sea, photon, colliding);
 }
 
-/// They take the weight of a direction that was drawn with targets, and what is left of the choice.
+/// They take the weight of a direction that was drawn with targets.
 template <class T>
 void weigh_direction(const World<T>& world, Travellers<T>& travellers) {
   const Mask<T>& colliding = travellers.colliding;
   if (!any(colliding)) return;
-  const auto& targets = travellers.targets;
   transport::Photon<T>& photon = travellers.photon;
   const T ratio = transport::true_over_drawn(world.sea, travellers.old_direction, photon.direction,
                                              travellers.branch.phase, travellers.branch.lobe,
-                                             targets, world.directed);
+                                             travellers.targets, world.directed);
   photon.weight = photon.weight * select(colliding, ratio, T(1));
-  T& u = travellers.u[3];
-  u = select(colliding, left_of_choice(u, targets.share(world.directed)), u);
+}
+
+/// What is left of the number that decided whether directions were drawn towards targets.
+template <class T>
+T left_of_direction(const World<T>& world, const Travellers<T>& travellers) {
+  const T& u = travellers.u[3];
+  if (!world.directs) return u;
+  const T share = travellers.targets.share(world.directed);
+  return select(travellers.colliding, left_of_choice(u, share), u);
 }
 
 /// The event ends: roulette, and what is lost.
@@ -184,9 +213,10 @@ void finish(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
   transport::Photon<T>& photon = travellers.photon;
   Mask<T> on = travellers.on;
   if constexpr (special)
-    on = end_with_tools(world, travellers, on, travellers.u[3], ledger);
-  else
-    on = play_roulette(photon, world.weight_threshold, travellers.u[3], on, ledger);
+    on = end_with_tools(world, travellers, on, left_of_direction(world, travellers), ledger);
+  else if (any(photon.analog_weight < world.weight_threshold))
+    on = play_roulette(photon, world.weight_threshold, left_of_direction(world, travellers), on,
+                       ledger);
   const Mask<T> finite = photon.weight <= T(std::numeric_limits<Element<T>>::max());
   const Mask<T> fresh = travellers.place.event < Index<T>(most_events);
   travellers.on = on & finite & fresh;
@@ -220,7 +250,7 @@ void go_on(const World<T>& world, Each each, Draw draw, Ledger& ledger, tally::B
   each([&](auto& t) { look_out<special>(world, t, ledger, tally, estimates); });
   each([&](auto& t) { draw_free_path<special>(t); });
   each([&](auto& t) { travel<special>(world, t, ledger, tally); });
-  each([&](auto& t) { reflect<special>(world, t, ledger); });
+  if (special || !world.flies_on) each([&](auto& t) { reflect<special>(world, t, ledger); });
 }
 
 /// Keeps the copies of a photon that was split, each with random numbers of its own.

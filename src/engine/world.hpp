@@ -153,6 +153,7 @@ struct World {
   std::int32_t scored_points = 1;  ///< of each flight; 1: where photons collide only
   Tools<T> tools;
   bool special = false;         ///< it has tools, or is analog, or compares
+  bool flies_on = false;        ///< past the surface in one flight: each part of it is scored alike
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   RandomKey key{0};
   std::uint64_t batch_photons = 0;
@@ -277,6 +278,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
     world.cones.push_back(view.cone);
     if (converts) world.views.push_back(view);
   }
+  world.flies_on = !world.special && world.cones.empty();
   double least = medium.line.front().group_index;
   for (const auto& line : medium.line) least = std::min(least, line.group_index);
   world.least_group_index = T(least);

@@ -64,6 +64,20 @@ T longer_way(const Telescope<T>& telescope, const Vec3<T>& from, const PlanePoin
   return longer_by(telescope.position, in_plane(telescope, p) - from, telescope.distance + length);
 }
 
+/// Telescope::may_see_beyond() for the way to one point of the lens. (x, y) leads to its centre.
+template <class T>
+Mask<T> may_see_by_ray(const Telescope<T>& telescope, const PlanePoint<T>& p, const T& x,
+                       const T& y, const T& rise) {
+  if (!telescope.upright) return telescope.may_see_beyond(x, y, rise);
+  // See sight(): the way leads aside by no more than the detector's half view, but for what light
+  // from a point that is not seen sharp is aside of the lens' centre.
+  const T blurred = T(1) - rise * telescope.per_sharp_range;
+  const T aside_x = x + blurred * (p.x * telescope.across.x + p.y * telescope.up.x);
+  const T aside_y = y + blurred * (p.x * telescope.across.y + p.y * telescope.up.y);
+  const T farthest = rise * telescope.reach.tangent_of_ray;
+  return aside_x * aside_x + aside_y * aside_y <= farthest * farthest;
+}
+
 /// What a detector sees through one point of the lens.
 template <class T>
 struct Sight {

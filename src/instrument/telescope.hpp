@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/constants.hpp"
 #include "core/vec3.hpp"
@@ -11,6 +12,18 @@
 #include "scene/scene.hpp"
 
 namespace photic::instrument {
+
+/// How far off its axis a telescope in the air may see what stands at an apparent rise below it, as
+/// if through a flat surface without refraction (transport/crossing.hpp): no farther than
+///   rise tangent + radius (|middle - rise per_sharp_range| + spread) [m],
+/// the detector's half view and the blur of a point there (see Telescope::overlap). `rise` is the
+/// paraxial one; what is seen has one that is smaller by a known factor at most, which `middle` and
+/// `spread` allow for, as for ranges along a tilted axis. Infinite if nothing can be said.
+template <class T>
+struct ViewReach {
+  T tangent{}, radius{}, middle{}, spread{};
+  T tangent_of_ray{};  ///< of the way to one point of an upright lens: see may_see_by_ray()
+};
 
 template <class T>
 struct Telescope {
@@ -25,9 +38,9 @@ struct Telescope {
   T obstruction_radius{};
   T per_sharp_range{};  ///< 1 over the range that is seen sharp: 1 / f - 1 / x_d [1/m]
   T detector_radius{};
-  T detector_distance{};   ///< from the lens: focal length + shift
-  T least_defocus{};       ///< a sharp image counts as a disc of 1e-5 of the detector's radius
-  T cos_squared_widest{};  ///< see cos_squared_of_widest_view()
+  T detector_distance{};  ///< from the lens: focal length + shift
+  T least_defocus{};      ///< a sharp image counts as a disc of 1e-5 of the detector's radius
+  ViewReach<T> reach;
   bool submerged = false;
   bool upright = false;  ///< its axis is vertical
 
@@ -35,15 +48,19 @@ struct Telescope {
   /// moves aside in the direction of (x, y) at an angle to the vertical whose tangent is at least
   /// the length of that vector over `rise` > 0.
   Mask<T> may_see_beyond(const T& x, const T& y, const T& rise) const {
+    using std::abs;
+    const T farthest = rise * reach.tangent +
+                       reach.radius * (abs(reach.middle - rise * per_sharp_range) + reach.spread);
+    const T squared = x * x + y * y;
+    if (upright) return squared <= farthest * farthest;
     // With t = (x, y) / rise: -cos(off axis) sqrt(1 + t^2) = axis.t + axis.z; beyond the angle the
     // cosine has its best value at the angle or at its extremum.
-    const T aside = x * axis.x + y * axis.y;
-    const T squared = x * x + y * y;
-    const Mask<T> before_extremum = aside * rise < squared * axis.z;
-    const T forward = -(aside + rise * axis.z);
-    const Mask<T> inside =
-        (forward > T(0)) & (forward * forward >= cos_squared_widest * (rise * rise + squared));
-    return before_extremum | inside;
+    const Vec3<T> arriving{x, y, rise};
+    const Mask<T> before_extremum = (x * axis.x + y * axis.y) * rise < squared * axis.z;
+    const T forward = T(0) - dot(arriving, axis);
+    const Vec3<T> off_axis = rise * cross(arriving, axis);
+    const T widest = farthest * forward;
+    return before_extremum | ((forward > T(0)) & (dot(off_axis, off_axis) <= widest * widest));
   }
 
   /// Collecting area of the lens [m^2].
@@ -71,10 +88,14 @@ struct Telescope {
   }
 };
 
-/// Squared cosine of an off-axis angle beyond which a telescope in the air sees nothing that is in
-/// the water; 0 for one in the water, or with so wide a view that nothing can be said.
-inline double cos_squared_of_widest_view(const scene::Telescope& s) {
-  if (s.position_m.z < 0) return 0.0;
+/// 1 over the range that a telescope sees sharp [1/m].
+inline double per_sharp_range(const scene::Telescope& s) {
+  return 1 / s.focal_length_m - 1 / (s.focal_length_m + s.detector_shift_m);
+}
+
+/// An off-axis angle beyond which a telescope in the air sees nothing that is in the water; half a
+/// turn of one with so wide a view that nothing can be said [rad].
+inline double widest_view(const scene::Telescope& s) {
   const double f = s.focal_length_m;
   const double x = f + s.detector_shift_m;
   // The blur is widest at one end of the ranges along the axis: infinity, or the height times the
@@ -89,7 +110,35 @@ inline double cos_squared_of_widest_view(const scene::Telescope& s) {
     if (widest < cosine) break;
     cosine = widest;
   }
-  return cosine > 0.5 ? cosine * cosine : 0.0;
+  return cosine > 0.5 ? std::acos(cosine) : pi;
+}
+
+/// See ViewReach. At an angle v to the vertical the rise is at least cos v times the paraxial one,
+/// since 1 / sqrt(n^2 + (n^2 - 1) tan^2 v) >= cos v / n; the range along the axis is the rise times
+/// cos w / cos v, w being the angle to the axis.
+inline ViewReach<double> reach_of_view(const scene::Telescope& s) {
+  // A sharp image counts as a disc of 1e-5 of the detector's radius; the rest is for rounding, of
+  // floats and of a tilted axis far from the sea.
+  constexpr double ample = 1 + 2e-5, rounding = 1e-6;
+  const double widest = widest_view(s);
+  const double tilt = std::acos(std::min(1.0, std::abs(normalised(s.direction).z)));
+  const double steepest = std::max(0.0, tilt - widest), flattest = tilt + widest;
+  const bool upright = tilt == 0, is_known = s.position_m.z > 0 && flattest < pi / 2;
+  const double lens_radius = s.diameter_m / 2;
+  const double half_view =
+      s.effective_detector_diameter_m() / 2 / (s.focal_length_m + s.detector_shift_m);
+  // 1 over the most and the least of the range along the axis, in paraxial rises.
+  const double least = upright ? 1 : std::cos(flattest);
+  const double most =
+      upright ? 1 / std::cos(widest) : std::cos(steepest) / (std::cos(widest) * std::cos(flattest));
+  ViewReach<double> reach;
+  reach.tangent = ample * half_view + (upright ? 0 : rounding);
+  reach.radius = ample * lens_radius;
+  reach.middle = is_known ? (most + least) / 2 : 1;
+  reach.spread = is_known ? (most - least) / 2 + rounding : std::numeric_limits<double>::infinity();
+  reach.tangent_of_ray = ample * half_view + lens_radius * std::abs(per_sharp_range(s)) *
+                                                 (is_known ? 1 - std::cos(widest) : 1);
+  return reach;
 }
 
 /// The telescope of a scene. Half field of view v: detector radius f tan v.
@@ -107,13 +156,15 @@ Telescope<T> make_telescope(const scene::Telescope& s) {
   t.up = vec3_cast<T>(turned(axis, 1.0, 0.0, 1.0));
   t.lens_radius = T(s.diameter_m / 2);
   t.obstruction_radius = T(s.obstruction_diameter_m / 2);
-  t.per_sharp_range = T(1 / s.focal_length_m - 1 / (s.focal_length_m + s.detector_shift_m));
+  t.per_sharp_range = T(per_sharp_range(s));
   t.detector_radius = T(s.effective_detector_diameter_m() / 2);
   t.detector_distance = T(s.focal_length_m + s.detector_shift_m);
   t.least_defocus = T(1e-5) * t.detector_radius / t.lens_radius;
   t.submerged = s.position_m.z < 0;
   t.upright = std::abs(axis.z) == 1;
-  t.cos_squared_widest = T(cos_squared_of_widest_view(s));
+  const ViewReach<double> reach = reach_of_view(s);
+  t.reach = {T(reach.tangent), T(reach.radius), T(reach.middle), T(reach.spread),
+             T(reach.tangent_of_ray)};
   return t;
 }
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "core/constants.hpp"
@@ -64,10 +65,10 @@ struct PhaseView {
   /// p(x) [1/sr], which is also the density per solid angle that sample() draws from.
   template <class T>
   T value(const T& x, const Index<T>& table = Index<T>(0)) const {
-    const T within = select(x < T(2), x, T(2));
+    constexpr Element<T> last = 2 - std::numeric_limits<Element<T>>::epsilon();  // in the last cell
+    const T within = select(x < T(last), x, T(last));
     Index<T> i = octave_cell(within, cell_bits).cell - Index<T>(first_octave_cell - 1);
     i = select(i > Index<T>(0), i, Index<T>(0));
-    i = select(i < Index<T>(cells), i, Index<T>(cells - 1));
     const auto here = line_of<T>(i + table * Index<T>(cells));
     return here[node] + here[slope] * (within - edge<T>(i));
   }

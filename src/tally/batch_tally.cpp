@@ -17,13 +17,19 @@ BatchTally::BatchTally(const Shape& shape, const Gates& gates)
       environment(shape.cells() * environment_groups),
       shape_(&shape),
       gates_(&gates),
+      orders_(shape.orders),
+      processes_(shape.processes),
+      depths_(shape.depths),
+      cells_of_telescope_(shape.channels * shape.gates),
       last_order_(shape.max_order > 0 ? shape.max_order
                                       : std::numeric_limits<std::int32_t>::max()) {
   for (std::size_t line = 0; line < shape.channels_of_line.size(); ++line) {
     const Decay* decay = shape.decay_of_line.empty() ? nullptr : &shape.decay_of_line[line];
-    light_.push_back({static_cast<std::size_t>(shape.process_of_line[line]),
-                      shape.channels_of_line[line],
-                      decay != nullptr && !decay->at_once() ? decay : nullptr});
+    Light& light = light_.emplace_back();
+    light.process = static_cast<std::size_t>(shape.process_of_line[line]);
+    for (const auto& [channel, share] : shape.channels_of_line[line])
+      light.counting.push_back({shape.cell(0, static_cast<std::size_t>(channel), 0), share});
+    if (decay != nullptr && !decay->at_once()) light.decay = decay;
   }
 }
 

@@ -27,12 +27,12 @@ struct CellScores {
   double largest = 0;                                ///< single score
   double cut_order = 0;                              ///< first order beyond max_order
   std::array<std::uint32_t, score_octaves> count{};  ///< of an octave
-  std::uint8_t lowest = score_octaves;               ///< octave; below it there are none
+  std::uint16_t lowest = score_octaves;              ///< octave; below it there are none
 
   [[nodiscard]] bool touched() const { return largest > 0 || cut_order > 0; }
   void add(double value) {
     largest = std::max(largest, value);
-    const auto octave = static_cast<std::uint8_t>(score_octave(value));
+    const auto octave = static_cast<std::uint16_t>(score_octave(value));
     ++count[octave];
     lowest = std::min(lowest, octave);
   }
@@ -137,10 +137,15 @@ class BatchTally {
   std::uint64_t photons = 0, collisions = 0, scores = 0, too_many_events = 0, not_finite = 0;
 
  private:
+  /// A row of the first telescope that counts light, and the share that it does.
+  struct CountingRow {
+    std::size_t first_cell = 0;
+    double share = 1;
+  };
   /// Light of one line, as scores need it.
   struct Light {
     std::size_t process = 0;
-    std::span<const Counting> counting;
+    std::vector<CountingRow> counting;
     const Decay* decay = nullptr;  ///< none: all of it is emitted at once
   };
 
@@ -162,16 +167,16 @@ class BatchTally {
   /// Calls act(cell, share) for the channels that count a score.
   template <class Act>
   void each_cell(const Score& s, std::int32_t gate, Act act) const {
-    for (const auto& [channel, share] : light_[static_cast<std::size_t>(s.line)].counting)
-      act(shape_->cell(s.telescope, static_cast<std::size_t>(channel),
-                       static_cast<std::size_t>(gate)),
-          share);
+    const std::size_t at = s.telescope * cells_of_telescope_ + static_cast<std::size_t>(gate);
+    for (const auto& [first_cell, share] : light_[static_cast<std::size_t>(s.line)].counting)
+      act(at + first_cell, share);
   }
   /// Adds a share of a score to a cell. Tells whether its echo has it.
   bool add(const Score& s, std::int32_t depth, std::size_t cell, double share);
 
   const Shape* shape_;
   const Gates* gates_;
+  std::size_t orders_, processes_, depths_, cells_of_telescope_;
   std::vector<Light> light_;       ///< [line]
   std::int32_t last_order_;        ///< beyond it scores are cut off
   std::vector<GateShare> shares_;  ///< of the last score that was not emitted at once
@@ -187,11 +192,10 @@ inline bool BatchTally::add(const Score& s, std::int32_t depth, std::size_t cell
     return false;
   }
   here.add(value);
-  const std::size_t order = std::min(static_cast<std::size_t>(s.order), shape_->orders) - 1;
-  by_order[cell * shape_->orders + order] += value;
-  by_process[cell * shape_->processes + light_[static_cast<std::size_t>(s.line)].process] += value;
+  by_order[cell * orders_ + std::min(static_cast<std::size_t>(s.order), orders_) - 1] += value;
+  by_process[cell * processes_ + light_[static_cast<std::size_t>(s.line)].process] += value;
   if (depth >= 0) {
-    const std::size_t k = cell * shape_->depths + static_cast<std::size_t>(depth);
+    const std::size_t k = cell * depths_ + static_cast<std::size_t>(depth);
     if (by_depth[k] == 0) touched_depths.push_back(static_cast<std::uint32_t>(k));
     by_depth[k] += value;
   }

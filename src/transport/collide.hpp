@@ -55,15 +55,21 @@ Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const Index<
   return branch;
 }
 
+/// The chance of photons in Russian roulette.
+template <class T>
+T survival(const Photon<T>& photon, const T& level) {
+  return select(photon.analog_weight < level, photon.analog_weight / level, T(1));
+}
+
 /// Russian roulette below a level of the analog weight: survivors are brought back to it. Returns
 /// the survivors; the weight of the others is left for the caller to book.
 template <class T>
 Mask<T> roulette(Photon<T>& photon, const T& level, const T& u) {
   const Mask<T> low = photon.analog_weight < level;
   if (!any(low)) return !low;
-  const T survival = select(low, photon.analog_weight / level, T(1));
-  const Mask<T> survives = u < survival;
-  const T gain = T(1) / select(survival > T(0), survival, T(1));
+  const T chance = survival(photon, level);
+  const Mask<T> survives = u < chance;
+  const T gain = T(1) / select(chance > T(0), chance, T(1));
   photon.weight = photon.weight * select(survives & low, gain, T(1));
   photon.analog_weight = select(low, level, photon.analog_weight);
   return survives;

@@ -37,6 +37,17 @@ Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& t
                                   telescope.position.y - position.y, rise);
 }
 
+/// The same of the way to one point of the lens.
+template <class T>
+Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+                const Vec3<T>& position, const Index<T>& line,
+                const instrument::PlanePoint<T>& lens) {
+  if (telescope.submerged) return Mask<T>(true);
+  const T rise = telescope.position.z - position.z * gather<T>(sea.inverse_index, line);
+  return may_see_by_ray(telescope, lens, telescope.position.x - position.x,
+                        telescope.position.y - position.y, rise);
+}
+
 /// From a photon's position through the surface to a telescope in the air, at the given line.
 /// `near_view`: whether may_see(); nothing is seen elsewhere.
 template <class T>

@@ -18,6 +18,7 @@ struct FlightEnd {
   Mask<T> surface;  ///< the photon stands at the surface, from below
   Mask<T> sea_bed;  ///< the photon stands on the sea bed
   T length{};       ///< of the flight [m]
+  T rest{};         ///< of the free path, of photons at the surface
 };                  ///< neither: it collides where it stands
 
 /// The layer in which a coordinate lies that grows with depth (the first or the last if in none),
@@ -75,6 +76,7 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free
     distance = select(stays, distance, (depth_at_end - depth) / select(stays, T(1), down));
     there = photon.position + distance * photon.direction;
     there.z = select(stays, there.z, -depth_at_end);
+    end.rest = select(end.surface, target / select(end.surface, down, T(1)), T(0));
   }
   const T absorbed_tau = sea.continuous_slant_optical_depth<T>(photon.line, photon.layer, depth,
                                                                layer, -there.z, distance);
@@ -118,6 +120,26 @@ T reflect_down(const medium::MediumView& sea, Photon<T>& photon,
   photon.analog_weight = photon.analog_weight * r;
   photon.direction.z = -photon.direction.z;
   return leaving;
+}
+
+/// Has photons whose flight ended at the surface go on by what is left of their free path, which
+/// has no memory: reflect(mask, photon) sends them back.
+template <class T, class Reflect>
+void fly_on(const medium::MediumView& sea, Photon<T>& photon, FlightEnd<T>& end, Reflect reflect) {
+  const Mask<T> turned = end.surface;
+  if (!any(turned)) return;
+  Photon<T> down = photon;
+  reflect(turned, down);
+  const FlightEnd<T> onward = fly(sea, down, end.rest);
+  photon.position = select<T>(turned, down.position, photon.position);
+  photon.direction.z = select(turned, down.direction.z, photon.direction.z);
+  photon.layer = select(turned, down.layer, photon.layer);
+  photon.path = select(turned, down.path, photon.path);
+  photon.weight = select(turned, down.weight, photon.weight);
+  photon.analog_weight = select(turned, down.analog_weight, photon.analog_weight);
+  end.surface = Mask<T>(false);
+  end.sea_bed = (end.sea_bed & !turned) | (onward.sea_bed & turned);
+  end.length = end.length + select(turned, onward.length, T(0));
 }
 
 }  // namespace photic::transport

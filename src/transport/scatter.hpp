@@ -96,13 +96,15 @@ T true_over_drawn(const medium::MediumView& sea, const Vec3<T>& old, const Vec3<
     const auto k = static_cast<std::size_t>(i);
     const T off = one_minus_cos(targets.direction[k], fresh);
     const Mask<T> is_cone = targets.cone[k] > T(0);
-    const T even =
-        select(off < targets.cone[k], T(0.5 / pi) / select(is_cone, targets.cone[k], T(1)), T(0));
-    const T density = select(is_cone, even, sea.phases.value<T>(off, lobe));
+    T density = sea.phases.value<T>(off, lobe);
+    if (any(is_cone)) {
+      const T even = T(0.5 / pi) / select(is_cone, targets.cone[k], T(1));
+      density = select(is_cone, select(off < targets.cone[k], even, T(0)), density);
+    }
     towards_density = towards_density + targets.weight[k] * density;
   }
-  const T per_weight = share / select(targets.total_weight > T(0), targets.total_weight, T(1));
-  return p / ((T(1) - share) * p + per_weight * towards_density);
+  const T weighted = p * select(targets.total_weight > T(0), targets.total_weight, T(1));
+  return weighted / ((T(1) - share) * weighted + share * towards_density);
 }
 
 }  // namespace photic::transport

@@ -151,7 +151,7 @@ TEST(Lanes, HistoriesAreThoseOfTheScalarEngineInFloat) {
     const bool plain = run.estimator == "forward" && run.tools == scene::Tools{};
     // The last flight of each photon, but of analog ones, ends no event.
     const std::size_t last_flights = run.estimator == "analog" ? 0 : photons;
-    EXPECT_GT(scalar.size() + last_flights, (plain ? 4 : 2) * photons);
+    EXPECT_GT(scalar.size() + last_flights, (plain ? 3 : 2) * photons);
     for (const Isa isa : isas_here()) {
       const EventLog lanes = log_lanes(problem, photons, isa);
       if (!contracts(isa)) {

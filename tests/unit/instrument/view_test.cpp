@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "instrument/lens.hpp"
 #include "unit/instrument/telescopes.hpp"
 
 namespace photic::instrument {
@@ -77,6 +78,80 @@ TEST(MaySeeBeyond, LeavesOutMostOfWhatIsNotSeen) {
     ASSERT_EQ(sight.overlap, 0);
     ASSERT_FALSE(t.may_see_beyond(sight.x, sight.y, sight.rise)) << sight.off_axis;
   }
+}
+
+/// The point in the water from which light through a point of the lens falls on one of the
+/// detector's plane, at a depth. False if the way back from there never gets to the water.
+bool look_through(const Telescope<double>& t, const PlanePoint<double>& lens,
+                  const PlanePoint<double>& on_detector, double depth, Vec3<double>& point) {
+  const auto ray = outward(t, outward_slope(t, lens, on_detector));
+  const auto from = in_space(t, lens);
+  if (ray.z > -1e-6 || from.z <= 0) return false;
+  const auto at_surface = from + (from.z / -ray.z) * ray;
+  const double cos_water = std::sqrt(1 - (1 - ray.z * ray.z) / (n * n));
+  point = at_surface + (depth / cos_water) * Vec3<double>{ray.x / n, ray.y / n, -cos_water};
+  return true;
+}
+
+// By rays, in float too; beyond the detector's edge an upright telescope keeps nearly none. Seen
+// red: with the blur's sign turned; without the point of the lens; with the half view of a tenth
+// more.
+TEST(MaySeeByRay, KeepsWhatIsSeenAndLittleElse) {
+  test::Random random(10);
+  int seen = 0, beyond = 0, kept_beyond = 0;
+  while (seen < 200000) {
+    scene::Telescope scene;
+    const auto t = random_telescope(random, scene);
+    const auto narrow = make_telescope<float>(scene);
+    const double widest = t.detector_radius / t.detector_distance;
+    for (int i = 0; i < 50; ++i) {
+      const auto lens = lens_point(t, random.uniform(), random.uniform());
+      const double edges = random.scale(0.01, 1.5);
+      const double azimuth = random.between(0, 2 * pi);
+      const double depth = t.position.z * random.scale(1e-3, 100);
+      Vec3<double> point{};
+      if (!look_through(t, lens,
+                        {edges * t.detector_radius * std::cos(azimuth),
+                         edges * t.detector_radius * std::sin(azimuth)},
+                        depth, point))
+        continue;
+      const double x = t.position.x - point.x, y = t.position.y - point.y;
+      const double rise = t.position.z + depth / n;
+      const bool kept = may_see_by_ray(t, lens, x, y, rise);
+      if (edges < 1) {
+        ++seen;
+        ASSERT_TRUE(kept) << edges << " of the half view, depth " << depth;
+        const PlanePoint<float> lens_narrow{static_cast<float>(lens.x), static_cast<float>(lens.y)};
+        ASSERT_TRUE(edges > 1 - 1e-4 ||
+                    may_see_by_ray(narrow, lens_narrow, static_cast<float>(x),
+                                   static_cast<float>(y), static_cast<float>(rise)));
+      } else if (edges > 1.05 && t.upright && widest < 0.1 &&
+                 std::abs(scene.detector_shift_m) == 0) {
+        ++beyond;
+        kept_beyond += kept ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(beyond, 100);
+  EXPECT_EQ(kept_beyond, 0) << "of " << beyond;
+}
+
+// Where light is expected for any point of the lens: nearly all that is kept of an upright
+// telescope is seen. Seen red: with the widest blur of all ranges for each.
+TEST(MaySeeBeyond, OfAnUprightTelescopeKeepsLittleElse) {
+  test::Random random(11);
+  const auto t = make_telescope<double>(table_1());
+  int kept = 0, seen = 0;
+  for (int i = 0; i < 100000; ++i) {
+    Sight sight{};
+    ASSERT_TRUE(look(t, 0.06 * std::sqrt(random.uniform()), random.between(0, 2 * pi),
+                     random.between(0, 50), sight));
+    if (!t.may_see_beyond(sight.x, sight.y, sight.rise)) continue;
+    ++kept;
+    seen += sight.overlap > 0 ? 1 : 0;
+  }
+  EXPECT_GT(kept, 1000);
+  EXPECT_GT(seen, 0.99 * kept);
 }
 
 }  // namespace

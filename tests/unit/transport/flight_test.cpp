@@ -201,5 +201,67 @@ TEST(ReflectDown, KeepsTheReflectedShare) {
   EXPECT_NEAR(1 - reflect_down(sea.view(), straight), std::pow((n - 1) / (n + 1), 2), 1e-15);
 }
 
+// Both parts of the way have the walk's optical depth of the whole free path, or less where the bed
+// stood in the way; the second leads on along the mirrored line, with what is reflected. Seen red:
+// with a new free path for what is left of it; with the photon's direction left as it is; with all
+// photons reflected.
+TEST(FlyOn, GoesOnAlongTheMirroredLine) {
+  Random random(63);
+  int turned = 0, bed = 0, others = 0;
+  for (const double bottom : {25.0, std::numeric_limits<double>::infinity()}) {
+    const auto sea = make_sea(bottom);
+    const auto walk = walk_coefficients(sea);
+    for (int i = 0; i < 50000; ++i) {
+      const V direction = random.direction();
+      const auto before = photon_from(sea, random.between(0, 4), direction, random.below(3));
+      auto photon = before;
+      const double u = random.uniform() * random.uniform();
+      auto end = fly(sea.view(), photon, minus_log(u));
+      const bool at_surface = end.surface;
+      const auto there = photon;
+      fly_on(sea.view(), photon, end,
+             [&](bool, Photon<double>& down) { reflect_down(sea.view(), down); });
+      ASSERT_FALSE(end.surface);
+      if (!at_surface) {
+        ASSERT_EQ(photon.position, there.position);
+        ASSERT_EQ(photon.weight, there.weight);
+        ++others;
+        continue;
+      }
+      ++turned;
+      bed += end.sea_bed ? 1 : 0;
+      const V crossing = before.position - (before.position.z / direction.z) * direction;
+      const V way = photon.position - crossing;
+      const V mirrored{direction.x, direction.y, -direction.z};
+      ASSERT_LT(length(way - length(way) * mirrored), 1e-9 * (1 + length(way)));
+      ASSERT_EQ(photon.direction, mirrored);
+      const double both = length(crossing - before.position) + length(way);
+      const auto line = static_cast<std::size_t>(photon.line);
+      ASSERT_NEAR(photon.path, 7 + both * sea.line[line].group_index, 1e-9 * photon.path);
+      ASSERT_NEAR(end.length, both, 1e-9 * (1 + both));
+      const double walk_tau =
+          integral_between(sea, walk, photon.line, before.position, {crossing.x, crossing.y, 0}) +
+          integral_between(sea, walk, photon.line, {crossing.x, crossing.y, 0}, photon.position);
+      const double tau =
+          optical_depth_between(sea, photon.line, before.position, {crossing.x, crossing.y, 0}) +
+          optical_depth_between(sea, photon.line, {crossing.x, crossing.y, 0}, photon.position);
+      const auto cell = line * 3 + static_cast<std::size_t>(photon.layer);
+      const double gain = end.sea_bed ? 1 : sea.c[cell] / walk[cell];
+      const double reflectance =
+          optics::refract(sea.line[line].refractive_index, 1.0, direction.z).reflectance;
+      ASSERT_NEAR(photon.weight / (reflectance * std::exp(walk_tau - tau) * gain), 1,
+                  1e-8 * (1 + tau));
+      if (end.sea_bed) {
+        ASSERT_LE(walk_tau, -std::log(u) * (1 + 1e-12));
+      } else {
+        ASSERT_NEAR(walk_tau, -std::log(u), 1e-8 * (1 + walk_tau));
+      }
+    }
+  }
+  EXPECT_GT(turned, 20000);
+  EXPECT_GT(others, 20000);
+  EXPECT_GT(bed, 50);
+}
+
 }  // namespace
 }  // namespace photic::transport
