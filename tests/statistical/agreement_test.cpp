@@ -1,5 +1,6 @@
 // Ways of computing the same echo agree: directed sampling and the analog walk, float and double,
 // any number of threads, water in one layer and cut into several.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "engine/run.hpp"
 #include "engine/scalar.hpp"
 #include "support/agree.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 
@@ -81,6 +83,53 @@ TEST(Agreement, OneLayerOrThree) {
   add(one.ledger.escaped, in_three.ledger.escaped, "escaped");
   add(one.ledger.cut_by_time, in_three.ledger.cut_by_time, "too late");
   ledger.judge();
+}
+
+// From a laser in clear water that looks up, all there is comes by way of the surface: totally
+// reflected, or a fortieth of it, which plays roulette there. Both estimators, one or four points
+// of flights. Seen red: with the points of flights ended at the surface; with all of the number
+// that roulette was played by used again; with roulette's gain left out.
+TEST(Agreement, LightThatTheSurfaceTurns) {
+  const std::string clear_over_turbid =
+      "[[sea.layer]]\nbottom_depth_m = 3.5\niop = [ { wavelength_nm = 532.0, a_per_m = 0.05, "
+      "b_per_m = 0.005 } ]\nphase_function = " +
+      broad_phase +
+      "\n[[sea.layer]]\niop = [ { wavelength_nm = 532.0, a_per_m = 0.1, b_per_m = 0.2 } ]\n"
+      "phase_function = " +
+      broad_phase + "\n";
+  for (const double tangent : {0.3, 1.5}) {
+    SCOPED_TRACE(tangent);
+    const auto scene = [&](const std::string& estimator, double photons, std::uint64_t seed,
+                           const std::string& more) {
+      return read(fmt::format(R"(
+[source]
+wavelength_nm = 532.0
+position_m = [0.0, 0.0, -3.0]
+direction = [{0:.2f}, 0.0, 1.0]
+diameter_m = 0.04
+half_divergence_mrad = 5.0
+[[telescope]]
+position_m = [{1:.2f}, 0.0, 10.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.4
+focal_length_m = 2.0
+detector_diameter_m = 1.2
+[gates]
+start_ns = {2:.1f}
+stop_ns = {3:.1f}
+step_ns = 6.0
+)",
+                              tangent, 9 * tangent, 64 + 20 * tangent, 64 + 20 * tangent + 48) +
+                  channel("elastic") + clear_over_turbid +
+                  simulation(photons, seed, more, estimator));
+    };
+    const auto walks = run_in_lanes(scene("bidirectional", 2e5, 7, ""));
+    const auto of_one = run_in_lanes(scene("forward", 4e6, 5, "scored_points = 1"));
+    const auto of_four = run_in_lanes(
+        scene("forward", 2e6, 6, "scored_points = 4\n[simulation.tools]\nweight_threshold = 0.5"));
+    compare(of_one, walks, 5);
+    compare(of_four, walks, 5);
+  }
 }
 
 template <class T>

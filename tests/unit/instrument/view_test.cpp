@@ -95,7 +95,7 @@ bool look_through(const Telescope<double>& t, const PlanePoint<double>& lens,
 
 // By rays, in float too; beyond the detector's edge an upright telescope keeps nearly none. Seen
 // red: with the blur's sign turned; without the point of the lens; with the half view of a tenth
-// more.
+// more, or of a thousandth less.
 TEST(MaySeeByRay, KeepsWhatIsSeenAndLittleElse) {
   test::Random random(10);
   int seen = 0, beyond = 0, kept_beyond = 0;
@@ -137,7 +137,7 @@ TEST(MaySeeByRay, KeepsWhatIsSeenAndLittleElse) {
 }
 
 // Where light is expected for any point of the lens: nearly all that is kept of an upright
-// telescope is seen. Seen red: with the widest blur of all ranges for each.
+// telescope is seen. Seen red: with twice the blur.
 TEST(MaySeeBeyond, OfAnUprightTelescopeKeepsLittleElse) {
   test::Random random(11);
   const auto t = make_telescope<double>(table_1());

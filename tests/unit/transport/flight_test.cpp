@@ -203,8 +203,8 @@ TEST(ReflectDown, KeepsTheReflectedShare) {
 
 // Both parts of the way have the walk's optical depth of the whole free path, or less where the bed
 // stood in the way; the second leads on along the mirrored line, with what is reflected. Seen red:
-// with a new free path for what is left of it; with the photon's direction left as it is; with all
-// photons reflected.
+// with more than what is left of the free path; with the direction left as it is; without the bed
+// that the second part ends at.
 TEST(FlyOn, GoesOnAlongTheMirroredLine) {
   Random random(63);
   int turned = 0, bed = 0, others = 0;
