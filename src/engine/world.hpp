@@ -152,8 +152,10 @@ struct World {
   T weight_threshold{};
   std::int32_t scored_points = 1;  ///< of each flight; 1: where photons collide only
   Tools<T> tools;
-  bool special = false;         ///< it has tools, or is analog, or compares
-  bool flies_on = false;        ///< past the surface in one flight: each part of it is scored alike
+  bool special = false;  ///< it has tools, or is analog, or compares
+  /// Past the surface in one flight: where each part of it is scored alike, and where photons that
+  /// are sent there come there so often that it is worth the while.
+  bool flies_on = false;
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   RandomKey key{0};
   std::uint64_t batch_photons = 0;
@@ -278,7 +280,6 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
     world.cones.push_back(view.cone);
     if (converts) world.views.push_back(view);
   }
-  world.flies_on = !world.special && world.cones.empty();
   double least = medium.line.front().group_index;
   for (const auto& line : medium.line) least = std::min(least, line.group_index);
   world.least_group_index = T(least);
@@ -288,6 +289,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.meeting_grid = {T(depth(scene.source)), T(reach.range), T(scene.simulation.meetings)};
   world.directed = T(scene.simulation.directed_fraction);
   world.directs = scene.simulation.directed_fraction > 0;
+  world.flies_on = world.directs && !world.special && world.cones.empty();
   world.single_rays = scene.simulation.reception == "ray" && !world.analog;
   world.conversion = T(scene.simulation.conversion_probability);
   const Vec3<double> beam = axis_in_water(normalised(scene.source.direction), world.laser.submerged,

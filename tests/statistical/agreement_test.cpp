@@ -88,7 +88,7 @@ TEST(Agreement, OneLayerOrThree) {
 // From a laser in clear water that looks up, all there is comes by way of the surface: totally
 // reflected, or a fortieth of it, which plays roulette there. Both estimators, one or four points
 // of flights. Seen red: with the points of flights ended at the surface; with all of the number
-// that roulette was played by used again; with roulette's gain left out.
+// that roulette was played by used again; with nobody killed by it.
 TEST(Agreement, LightThatTheSurfaceTurns) {
   const std::string clear_over_turbid =
       "[[sea.layer]]\nbottom_depth_m = 3.5\niop = [ { wavelength_nm = 532.0, a_per_m = 0.05, "
