@@ -29,10 +29,8 @@ PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Ends<T>& ends, cons
              transport::way_in_water(sea_, v.position, line, at, mirrored), mirrored);
     return;
   }
-  const Vec3<T> there = telescope_.position - v.position;
-  const T rise = telescope_.position.z - v.position.z * gather<T>(sea_.inverse_index, line);
   const Mask<T> near_view =
-      wanted & may_see_by_ray(telescope_, outset.lens, there.x, there.y, rise);
+      wanted & transport::may_see(sea_, telescope_, v.position, line, outset.lens);
   if (!any(near_view)) return;
   const T turned = laser_.turned_before(ends.laser, ends.i, in_path, vertical_at(v.position));
   by_way(ends, near_view, v, turned, outset,

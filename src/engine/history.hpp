@@ -78,8 +78,8 @@ Mask<T> reflect_in_flight(const World<T>& world, Travellers<T>& travellers,
   book(ledger.escaped, reflected, transport::reflect_down(world.sea, photon));
   constexpr double far_less = 1.0 / 8;
   const Mask<T> light = photon.analog_weight < T(far_less) * world.weight_threshold;
-  const T level = select(reflected & light, world.weight_threshold, T(0));
   if (!any(reflected & light)) return reflected;
+  const T level = select(reflected & light, world.weight_threshold, T(0));
   T& u = travellers.u[3];
   const T chance = transport::survival(photon, level);
   const Mask<T> survives = play_roulette(photon, level, u, reflected, ledger);

@@ -25,6 +25,13 @@ struct Connection {
                       ///< from the lens' centre to the origin [m]
 };
 
+/// The rise to a telescope that a point seems to have from straight above it.
+template <class T>
+T paraxial_rise(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+                const Vec3<T>& position, const Index<T>& line) {
+  return telescope.position.z - position.z * gather<T>(sea.inverse_index, line);
+}
+
 /// Whether a telescope's detector may see a point; cheap, for most lie far outside its field of
 /// view.
 template <class T>
@@ -32,9 +39,9 @@ Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& t
                 const Vec3<T>& position, const Index<T>& line) {
   if (telescope.submerged) return Mask<T>(true);
   // The true angle is never below the paraxial one.
-  const T rise = telescope.position.z - position.z * gather<T>(sea.inverse_index, line);
   return telescope.may_see_beyond(telescope.position.x - position.x,
-                                  telescope.position.y - position.y, rise);
+                                  telescope.position.y - position.y,
+                                  paraxial_rise(sea, telescope, position, line));
 }
 
 /// The same of the way to one point of the lens.
@@ -43,9 +50,9 @@ Mask<T> may_see(const medium::MediumView& sea, const instrument::Telescope<T>& t
                 const Vec3<T>& position, const Index<T>& line,
                 const instrument::PlanePoint<T>& lens) {
   if (telescope.submerged) return Mask<T>(true);
-  const T rise = telescope.position.z - position.z * gather<T>(sea.inverse_index, line);
   return may_see_by_ray(telescope, lens, telescope.position.x - position.x,
-                        telescope.position.y - position.y, rise);
+                        telescope.position.y - position.y,
+                        paraxial_rise(sea, telescope, position, line));
 }
 
 /// From a photon's position through the surface to a telescope in the air, at the given line.
