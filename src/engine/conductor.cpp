@@ -71,7 +71,8 @@ tally::Totals Conductor::goes_on_from(const tally::Shape& shape) const {
   const tally::TotalsState& state = options_.start->state;
   if (state.photons % batch_photons_ != 0 || state.photons / batch_photons_ != state.batches) {
     refuse(*options_.start,
-           fmt::format("a damaged result, or one of another build: {} photons in {} batches", state.photons, state.batches),
+           fmt::format("a damaged result, or one of another build: {} photons in {} batches",
+                       state.photons, state.batches),
            "");
   }
   expect(state.batches <= batches_, "a run that goes on is not shorter than what it goes on from");
