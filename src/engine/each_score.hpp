@@ -83,7 +83,7 @@ class ScoreRoom {
   }
 
  private:
-  static constexpr std::size_t lanes = lanes_of<T>, seats = 8 * lanes;
+  static constexpr std::size_t lanes = lanes_of<T>, seats = 128 * lanes;
   template <class Number>
   using Column = std::array<Number, seats + lanes>;
 

@@ -38,7 +38,7 @@ struct PhaseView {
   /// Where the fraction u of all scattering lies below: x is a cubic of the place t of u in a cell,
   /// 0 <= t <= 1. The cells are equal within each octave of u below one half, and of 1 - u above.
   enum Quantile : std::int32_t { at, linear, square, cube, quantile_fields };
-  static constexpr int quantile_bits = 7;      ///< 128 cells in an octave
+  static constexpr int quantile_bits = 6;      ///< 64 cells in an octave
   static constexpr int quantile_octaves = 24;  ///< below the last one cell 0 leads to u = 0
   static constexpr double least_octave = 1.0 / (1 << quantile_octaves);
   /// Of a half: cell 0, the octaves to one half, and a cell that begins there.

@@ -46,11 +46,7 @@ void BatchTally::clear() {
                 shape_->orders, 0.0);
     std::fill_n(by_process.begin() + static_cast<std::ptrdiff_t>(cell * shape_->processes),
                 shape_->processes, 0.0);
-    auto& [largest, cut_order, count, lowest] = cells[cell];
-    std::fill(count.begin() + std::min<int>(lowest, score_octave(largest)),
-              count.begin() + score_octave(largest) + 1, 0);
-    lowest = score_octaves;
-    largest = cut_order = 0;
+    cells[cell] = {};
     std::fill_n(environment.begin() + static_cast<std::ptrdiff_t>(cell * environment_groups),
                 environment_groups, EnvironmentScores{});
   }

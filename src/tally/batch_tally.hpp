@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -16,25 +17,26 @@
 
 namespace photic::tally {
 
-/// The octave of a score's size, 0 … score_octaves - 1.
+/// The octave of a score's size, not below 0: 0 … score_octaves - 1.
 inline int score_octave(double value) {
-  const auto exponent = static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52) - 1023;
-  return std::clamp(exponent + score_octaves, 0, score_octaves - 1);
+  constexpr std::uint64_t first = 1023 - score_octaves;
+  const std::uint64_t exponent = std::bit_cast<std::uint64_t>(value) >> 52;
+  if (exponent - first < score_octaves) [[likely]]
+    return static_cast<int>(exponent - first);
+  return exponent < first ? 0 : score_octaves - 1;
 }
 
 /// Of the scores in a cell.
 struct CellScores {
-  double largest = 0;                                ///< single score
+  double largest = 0, smallest = std::numeric_limits<double>::infinity();  ///< single score
   double cut_order = 0;                              ///< first order beyond max_order
   std::array<std::uint32_t, score_octaves> count{};  ///< of an octave
-  std::uint16_t lowest = score_octaves;              ///< octave; below it there are none
 
   [[nodiscard]] bool touched() const { return largest > 0 || cut_order > 0; }
   void add(double value) {
     largest = std::max(largest, value);
-    const auto octave = static_cast<std::uint16_t>(score_octave(value));
-    ++count[octave];
-    lowest = std::min(lowest, octave);
+    smallest = std::min(smallest, value);
+    ++count[static_cast<std::size_t>(score_octave(value))];
   }
 };
 

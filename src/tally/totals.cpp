@@ -48,12 +48,12 @@ void Totals::merge(const BatchTally& batch) {
       if (batch.by_process[p] > 0) state_.by_process[p].add(batch.by_process[p], n);
     }
     state_.echo[cell].add(echo, n);
-    const auto& [largest, cut_order, count, lowest] = batch.cells[cell];
-    state_.cut_order[cell] += cut_order;
-    state_.largest[cell] = std::max(state_.largest[cell], largest);
-    for (auto k = static_cast<std::size_t>(lowest);
-         k <= static_cast<std::size_t>(score_octave(largest)); ++k)
-      state_.octaves[cell][k] += count[k];
+    const CellScores& scores = batch.cells[cell];
+    state_.cut_order[cell] += scores.cut_order;
+    state_.largest[cell] = std::max(state_.largest[cell], scores.largest);
+    for (auto k = static_cast<std::size_t>(score_octave(scores.smallest));
+         k <= static_cast<std::size_t>(score_octave(scores.largest)); ++k)
+      state_.octaves[cell][k] += scores.count[k];
     merge_environments(batch, cell, echo);
   }
   for (const std::uint32_t k : batch.touched_depths) {

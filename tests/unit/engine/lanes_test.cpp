@@ -199,7 +199,8 @@ void expect_near(const std::vector<double>& lanes, const std::vector<double>& sc
 
 /// In float but for the sums, which are taken in another order. Where lanes contract, single scores
 /// near the peak of a phase function, which falls by its size within some 1e-4, differ by more than
-/// rounding, and some fall on the other side of a depth's edge.
+/// rounding, some fall on the other side of a depth's edge, and the few histories that take another
+/// branch (see above) have some collisions more or less.
 void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
   const Problem problem = make_problem(scene);
   const RunOptions options;
@@ -211,7 +212,9 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
   for (const Isa isa : isas_here()) {
     SCOPED_TRACE(isa_name(isa));
     const tally::Result lanes = run_on(1, scene, isa);
-    EXPECT_EQ(lanes.collisions, scalar.collisions);
+    const auto collisions = static_cast<double>(scalar.collisions);
+    EXPECT_NEAR(static_cast<double>(lanes.collisions), collisions,
+                contracts(isa) ? 1e-4 * collisions : 0);
     EXPECT_EQ(lanes.lost_not_finite, 0U);
     expect_near(lanes.echo.mean, scalar.echo.mean, contracts(isa) ? 1e-3 : 1e-13);
     if (contracts(isa)) {
