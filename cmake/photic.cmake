@@ -25,7 +25,7 @@ endif()
 set(flags_of_baseline "")
 # Packs that are copied go through registers: g++ 12 would have string instructions for them, which take some tens of
 # cycles to begin (docs/decisions/0024). What is the same in different blocks is computed again: to keep it takes too many of
-# AVX-512's registers (0031).
+# AVX-512's registers (0032).
 set(flags_of_avx2 -mavx2 -mfma "$<$<CXX_COMPILER_ID:GNU>:-mmove-max=256;-mstore-max=256>")
 set(flags_of_avx512 -mavx2 -mfma -mavx512f -mavx512bw -mavx512dq -mavx512vl -mprefer-vector-width=512
                      "$<$<CXX_COMPILER_ID:GNU>:-mmove-max=512;-mstore-max=512;-fno-gcse>")

@@ -2,7 +2,6 @@
 // bed.
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -15,16 +14,17 @@ namespace photic::transport {
 
 template <class T>
 struct FlightEnd {
-  Mask<T> surface;  ///< the photon stands at the surface, from below
-  Mask<T> sea_bed;  ///< the photon stands on the sea bed
-  T length{};       ///< of the flight [m]
-  T rest{};         ///< of the free path, of photons at the surface
-};                  ///< neither: it collides where it stands
+  Mask<T> surface;   ///< the photon stands at the surface, from below
+  Mask<T> sea_bed;   ///< the photon stands on the sea bed
+  T length{};        ///< of the flight [m]
+  T rest{};          ///< of the free path, of photons at the surface
+  Index<T> layer{};  ///< the photon's; of one at the surface, where its free path ends if reflected
+};                   ///< neither surface nor sea bed: it collides where it stands
 
 /// The layer in which a coordinate lies that grows with depth (the first or the last if in none),
 /// as `top` has it of the layers' upper edges from entry `row` on, and of the sea bed; on an edge
-/// it is `from`, if that is one of the two, else the upper one. By halving, for among many lanes
-/// one always has far to go.
+/// it is `from`, if that is one of the two, else the upper one. By quarters, for among many lanes
+/// one always has far to go; the three edges of a step do not wait for each other.
 template <class T>
 Index<T> layer_of(const medium::MediumView& sea, const ShortTable& top, const Index<T>& row,
                   const Index<T>& from, const T& coordinate) {
@@ -36,11 +36,16 @@ Index<T> layer_of(const medium::MediumView& sea, const ShortTable& top, const In
   const Mask<T> stays = not_above & not_below;
   if (all(stays)) return from;
   Index<T> layer(0);
-  for (auto step = std::bit_floor(static_cast<std::uint32_t>(sea.layers)); step > 0; step >>= 1) {
-    const Index<T> next = layer + Index<T>(step);
-    const Mask<T> exists = next <= last;
-    const T upper_edge = gather<T>(top, row + select(exists, next, last));
-    layer = select(exists & (coordinate > upper_edge), next, layer);
+  std::int32_t step = 1;
+  while (4 * step < sea.layers) step *= 4;
+  for (; step > 0; step /= 4) {
+    const Index<T> first = layer;
+    for (std::int32_t k = 1; k < 4; ++k) {
+      const Index<T> next = first + Index<T>(k * step);
+      const Mask<T> exists = next <= last;
+      const T upper_edge = gather<T>(top, row + select(exists, next, last));
+      layer = select(exists & (coordinate > upper_edge), next, layer);
+    }
   }
   return select(stays, from, layer);
 }
@@ -48,17 +53,24 @@ Index<T> layer_of(const medium::MediumView& sea, const ShortTable& top, const In
 /// Moves a photon in the water by a free path, given as an optical depth, across layers, or to the
 /// surface or the sea bed. Free paths -ln(u) are drawn from the medium's walk coefficient c', which
 /// is less than c; the weight takes the ratio of the true density of free paths to the drawn one,
-/// exp(-(tau - tau')), and c / c' at a collision.
+/// exp(-(tau - tau')), and c / c' at a collision. `guess`: a layer in which that may well be.
 template <class T>
-FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free_path) {
+FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free_path,
+                 const Index<T>& guess) {
+  using std::abs;
   const T down = -photon.direction.z;
   const T depth = -photon.position.z;
   const T target = sea.walk_optical_depth<T>(photon.line, photon.layer, depth) + free_path * down;
 
   const Index<T> row = photon.line * Index<T>(sea.layers + 1);
-  const Index<T> layer = layer_of(sea, sea.walk_depth_tau, row, photon.layer, target);
   FlightEnd<T> end;
   end.surface = (target <= T(0)) & (down < T(0));
+  Index<T> layer = photon.layer;
+  if (sea.layers > 1) {
+    // Whoever comes back from the surface has as much of the optical depth again below it.
+    end.layer = layer_of(sea, sea.walk_depth_tau, row, guess, abs(target));
+    layer = select(end.surface, Index<T>(0), end.layer);
+  }
   end.sea_bed = target > gather<T>(sea.walk_depth_tau, row + Index<T>(sea.layers));
   const Mask<T> stopped = end.surface | end.sea_bed;
   const Mask<T> stays = (layer == photon.layer) & !stopped;
@@ -89,6 +101,11 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free
   photon.weight = photon.weight * ratio;
   photon.analog_weight = photon.analog_weight * ratio;
   return end;
+}
+
+template <class T>
+FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free_path) {
+  return fly(sea, photon, free_path, photon.layer);
 }
 
 /// The layer of a depth; on an edge as layer_of() has it.
@@ -130,7 +147,7 @@ void fly_on(const medium::MediumView& sea, Photon<T>& photon, FlightEnd<T>& end,
   if (!any(turned)) return;
   Photon<T> down = photon;
   reflect(turned, down);
-  const FlightEnd<T> onward = fly(sea, down, end.rest);
+  const FlightEnd<T> onward = fly(sea, down, end.rest, end.layer);
   photon.position = select<T>(turned, down.position, photon.position);
   photon.direction.z = select(turned, down.direction.z, photon.direction.z);
   photon.layer = select(turned, down.layer, photon.layer);
