@@ -18,7 +18,7 @@ from pathlib import Path
 import netCDF4
 import numpy as np
 
-BANDS = [(0, 8), (4, 6), (8, 16), (16, 25), (25, 33), (33, 41), (41, 50)]  # [m]
+BANDS = [(0, 8), (4, 6), (8, 16), (16, 25), (25, 33), (33, 41), (38, 42), (41, 50)]  # [m]
 
 
 def run(program, scene, photons, seed, settings, out):
