@@ -83,6 +83,7 @@ class ScoreRoom {
   }
 
  private:
+  /// Rounds are long, for each of them throws the photons out of the first cache.
   static constexpr std::size_t lanes = lanes_of<T>, seats = 128 * lanes;
   template <class Number>
   using Column = std::array<Number, seats + lanes>;

@@ -103,6 +103,7 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free
   return end;
 }
 
+/// The same, guessing that the flight ends in the layer where it begins.
 template <class T>
 FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free_path) {
   return fly(sea, photon, free_path, photon.layer);
