@@ -152,10 +152,7 @@ class Bidirectional {
       connections.to_laser(g);
       if (back.connected(g)) connections.between(g);
       const std::size_t set = g / walks * walks;
-      for (std::size_t i = set; i < set + walks; ++i) {
-        connections.shifted(i, g);
-        connections.turned(i, g);
-      }
+      for (std::size_t i = set; i < set + walks; ++i) connections.meetings(i, g);
     }
     connections.close();
   }

@@ -6,25 +6,31 @@
 
 namespace photic::engine {
 
-/// Calls act(ends, mask, ray i, ray m) for all rays i of the laser's walk and m of the telescope's,
-/// from `first` on, that may meet in time: as they are, and those that go up as the surface
-/// reflects them.
+/// Calls act(ends, mask, line of ray i, line of ray m) for all rays i of the laser's walk and m of
+/// the telescope's that may meet in time: as they are, and those that go up as the surface reflects
+/// them.
 template <class T>
 template <class Act>
-void Connections<T>::each_pair(std::size_t laser, std::size_t back, std::int32_t first,
-                               Act act) const {
+void Connections<T>::each_pair(std::size_t laser, std::size_t back, Act act) {
+  const auto line_of = [this](const Ray& ray) { return depth_line(sea_, ray, world_.deepest); };
+  each_index<T>(back_.rays(back), [&](const Index<T>& m, const Mask<T>&) {
+    const auto first = static_cast<std::size_t>(each_lane(m)[0]);
+    Line line = line_of(back_.ray(Index<T>(back), m));
+    lines_.each(line, [first](const T& member, auto* column) { store(member, column + first); });
+  });
   each_index<T>(laser_.rays(laser), [&](const Index<T>& i, const Mask<T>& mask) {
-    const Ray out = laser_.ray(Index<T>(laser), i);
-    const Mask<T> rises = mask & (out.direction.z > T(0));
-    const Ray image = any(rises) ? reflected(sea_, out) : out;
-    for (std::int32_t m = first; m < back_.rays(back); ++m) {
-      const Ray home = back_.ray_in_all_lanes(back, m);
+    const auto out = line_of(laser_.ray(Index<T>(laser), i));
+    const auto image = transport::reflected(out, world_.deepest);
+    const Mask<T> rises = mask & (out.rise > T(0));
+    for (std::int32_t m = 0; m < back_.rays(back); ++m) {
+      Line home;
+      lines_.each(home, [m](T& member, const auto* column) { member = T(column[m]); });
       const Mask<T> in_time =
-          mask & in_order(i + Index<T>(m + 1)) & (out.path + home.path < receiver_.last_path);
+          mask & in_order(i + Index<T>(m + 1)) & (out.start + home.start < receiver_.last_path);
       if (!any(in_time)) break;
       const auto ends = ends_of<T>(laser, i, back, Index<T>(m));
-      const bool home_rises = all(home.direction.z > T(0));
-      const Ray home_image = home_rises ? reflected(sea_, home) : home;
+      const bool home_rises = all(home.rise > T(0));
+      const auto home_image = transport::reflected(home, world_.deepest);
       for (std::int32_t which = 0; which < (home_rises ? 4 : 2); ++which) {
         const Mask<T> some = which % 2 == 0 ? in_time : in_time & rises;
         if (any(some))
@@ -36,19 +42,45 @@ void Connections<T>::each_pair(std::size_t laser, std::size_t back, std::int32_t
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::shifted(std::size_t laser, std::size_t back) {
+PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t laser, std::size_t back, Moves moves) {
   const auto outset = back_.outset_in_all_lanes(back);
-  if (!any(outset.shift_area > T(0))) return;
-  each_pair(
-      laser, back, 0, [&](const auto& ends, const auto& mask, const Ray& out, const Ray& home) {
-        const Mask<T> may = mask & transport::turns_back(out, home);
-        if (!any(may)) return;
-        const auto chord = transport::chord(out, home, telescope_, outset.lens, world_.deepest);
-        const Mask<T> meet = may & chord.exists;
-        if (any(meet))
-          chords_.admit(meet, ends,
-                        [this](const auto& e, const auto& all) { serve_chords(e, all); });
-      });
+  const bool shifts = moves != Moves::turns && any(outset.shift_area > T(0));
+  const bool turns =
+      moves != Moves::shifts && any(samples_.turned > T(0)) && back_.pivot_vertex(back) >= 0;
+  if (!shifts && !turns) return;
+  const auto axis = back_.axis(Index<T>(back));
+  const Index<T> pivot(back_.pivot_vertex(back));
+  each_pair(laser, back,
+            [&](const auto& ends, const auto& mask, const Line& out, const Line& home) {
+              if (shifts)
+                shift(ends, mask & transport::turns_back(out, home), out, home, outset.lens);
+              if (turns) turn(ends, mask & (ends.m > pivot), out, home, axis);
+            });
+}
+
+/// Rays that meet where the telescope's walk comes through the lens, at depths that lie on a grid.
+template <class T>
+void Connections<T>::shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
+                           const Line& home, const instrument::PlanePoint<T>& lens) {
+  if (!any(mask)) return;
+  const auto chord = transport::chord(out, home, telescope_, lens, receiver_.last_path);
+  const Mask<T> meet = mask & chord.exists;
+  if (any(meet))
+    chords_.admit(meet, ends, [this](const auto& e, const auto& all) { serve_chords(e, all); });
+}
+
+/// Rays that meet where both are as far from an axis.
+template <class T>
+void Connections<T>::turn(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
+                          const Line& home, const transport::Vertical<T>& axis) {
+  if (!any(mask)) return;
+  const auto crossings = transport::crossings(out, home, axis, receiver_.last_path);
+  for (std::size_t n = 0; n < crossings.depth.size(); ++n) {
+    const Mask<T> meet = mask & crossings.exists[n];
+    if (any(meet))
+      crossings_.admit(meet, Crossing<T>{ends, crossings.depth[n]},
+                       [this](const auto& e, const auto& all) { serve_crossings(e, all); });
+  }
 }
 
 /// The rays again that each_pair had found.
@@ -75,8 +107,9 @@ template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const Mask<T>& mask) {
   const auto& grid = samples_.grid;
   Pair<T> pairs = pair_of(ends);
-  const auto chord =
-      transport::chord(pairs.out, pairs.back, telescope_, pairs.outset.lens, world_.deepest);
+  const auto line_of = [this](const Ray& ray) { return depth_line(sea_, ray, world_.deepest); };
+  const auto chord = transport::chord(line_of(pairs.out), line_of(pairs.back), telescope_,
+                                      pairs.outset.lens, receiver_.last_path);
   pairs.lens = chord.lens;
   const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
     const auto& pair = of_lanes<T>(pairs, lane);
@@ -86,77 +119,79 @@ PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const M
                            sight(telescope_, lens, -pair.outset.outward).on_detector;
     if (!any(passes)) return;
     const Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, pair.outset.lens);
-    transport::Vertical<T> axis = pair.axis();
-    axis.x = axis.x + shift.x;
-    axis.y = axis.y + shift.y;
-    meet_at(pair, passes, pair.back, axis, depth, T(1));
+    Moved<T> moved{pair.back, pair.axis()};
+    moved.axis.x = moved.axis.x + shift.x;
+    moved.axis.y = moved.axis.y + shift.y;
+    meet_at(pair, passes, moved, depth);
   };
   each_number(mask, grid.number(chord.from) - pairs.outset.grid_offset,
               grid.number(chord.to) - pairs.outset.grid_offset, meet_on_grid);
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::turned(std::size_t laser, std::size_t back) {
-  if (!any(samples_.turned > T(0)) || back_.converted(back) < 0) return;
-  const auto axis = back_.axis(Index<T>(back));
-  const std::int32_t first = back_.converted(back) + 1;
-  each_pair(laser, back, first,
-            [&](const auto& ends, const auto& mask, const Ray& out, const Ray& home) {
-              const auto crossings = transport::crossings(out, home, axis, world_.deepest);
-              for (std::size_t n = 0; n < crossings_.size(); ++n) {
-                const Mask<T> meet = mask & crossings.exists[n];
-                if (!any(meet)) continue;
-                crossings_[n].admit(meet, ends, [this, n](const auto& e, const auto& all) {
-                  serve_crossings(e, all, n);
-                });
-              }
-            });
+PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Crossing<T>& crossing,
+                                                    const Mask<T>& mask) {
+  Pair<T> pair = pair_of(crossing);
+  const auto turn = transport::turn_to_meet(pair.out, pair.back, pair.axis(), crossing.depth);
+  const auto [gain, near_pivot] = turn_pivot(pair, turn);
+  Moved<T> moved{pair.back, pair.axis(), gain, near_pivot};
+  moved.ray.position = turn.of_place(pair.back.position);
+  moved.ray.direction = turn.of_direction(pair.back.direction);
+  meet_at(pair, mask, moved, crossing.depth);
+}
+
+/// A turn changes the angle at the pivot, and with it the phase function's value there; tells what
+/// that gains, and what the densities behind the telescope's ray do. A conversion's change all
+/// alike.
+template <class T>
+std::array<T, 2> Connections<T>::turn_pivot(Pair<T>& pair,
+                                            const transport::Rotation<T>& turn) const {
+  const auto& ends = pair.ends;
+  const Pivot<T> pivot = back_.pivot(ends.back);
+  const Vec3<T> turned = turn.of_direction(pivot.leaving);
+  const T p = sea_.phases.template value<T>(one_minus_cos(pivot.arriving, turned), pivot.phase);
+  const T gain = pivot.per_p * p;
+  if (any(receiver_.line > Index<T>(0))) return {gain, T(0)};
+  // The density of the walk's direction as it was drawn over that as it is now: strategies that do
+  // not draw it gain so much beside the others.
+  const auto& reversal = world_.reversal;
+  const T gained = reversal.scattered_over_phase(sea_, pivot.leaving, T(1) / pivot.per_p) /
+                   (gain * reversal.scattered_over_phase(sea_, turned, p));
+  const T of_ray = select(ends.m == Index<T>(1), gained, T(1));
+  pair.back.per_p = of_ray * pair.back.per_p;
+  pair.back.meeting = of_ray * pair.back.meeting;
+  const auto in_path = usable(ends.i + ends.m + Index<T>(1));
+  return {gain,
+          (gained - T(1)) * back_.near_first(ends.back, ends.m, in_path, pair.outset.shift_area)};
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_crossings(const RayEnds<T>& ends, const Mask<T>& mask,
-                                                    std::size_t which) {
-  const Pair<T> pair = pair_of(ends);
-  const auto axis = pair.axis();
-  const T depth = transport::crossings(pair.out, pair.back, axis, world_.deepest).depth[which];
-  const auto turn = transport::turn_to_meet(pair.out, pair.back, axis, depth);
-  Ray moved = pair.back;
-  moved.position = turn.of_place(pair.back.position);
-  moved.direction = turn.of_direction(pair.back.direction);
-  // The angle of the conversion has changed, and with it all densities of the walk alike.
-  const Index<T> conversion = back_.conversion(ends.back);
-  const Ray left = back_.ray(ends.back, conversion + Index<T>(1));
-  const T gain = left.per_p * phase_value(sea_, back_.vertex(ends.back, conversion),
-                                          turn.of_direction(left.direction),
-                                          gather_index<T>(sea_.conversion_phase, receiver_.line));
-  meet_at(pair, mask, moved, axis, depth, gain);
-}
-
-/// `moved`: the telescope's ray, `axis`: its walk's, as they have been moved.
-template <class T>
-void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Ray& moved,
-                             const transport::Vertical<T>& axis, const T& depth, const T& gain) {
+void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved,
+                             const T& depth) {
   const Ray& out = pair.out;
   const auto& outset = pair.outset;
   const auto& ends = pair.ends;
   const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
-  const Mask<T> emitting = mask & emits(moved.line, layer);
+  const Mask<T> emitting = mask & emits(moved.ray.line, layer);
   if (!any(emitting)) return;
   const T reach = (-out.position.z - depth) / out.direction.z;
   const transport::Freedom<T> freedom{
       outset.shift_area,
-      axis_or(moved.line > Index<T>(0), axis, out.position + reach * out.direction)};
+      select(is_pivot(moved.ray.line, ends.m),
+             axis_at(out.position + reach * out.direction, moved.ray.direction, out.direction),
+             moved.axis)};
   const auto in_path = usable(ends.i + ends.m + Index<T>(1));
   auto home = back_.side(pair.back, outset.spread, ends.back, ends.m, in_path,
                          {outset.shift_area, pair.axis()});
-  home.ray = moved;
+  home.ray = moved.ray;
+  home.behind = home.behind + moved.near_pivot;
   const auto meeting =
       meet(sea_, laser_.side(out, pair.spread, ends.laser, ends.i, in_path, freedom), home, depth,
            layer, freedom, world_.reversal, samples_);
   if (world_.compares) [[unlikely]]
-    complete_by_meeting(out, moved, depth, layer);
+    complete_by_meeting(out, moved.ray, depth, layer);
   score(pair.ends, Walked::both, emitting & (meeting.path < receiver_.last_path),
-        gain * meeting.value, meeting.path,
+        moved.gain * meeting.value, meeting.path,
         select(ends.m > Index<T>(0), last_depth(ends.back), depth), in_path.order);
 }
 

@@ -23,24 +23,21 @@ PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Ends<T>& ends, cons
   const Vertex v = laser_.in_path(ends.laser, ends.i, in_path);
   const Mask<T> wanted = mask & emits(line, v.layer);
   if (telescope_.submerged) {
-    const T turned = laser_.turned_before(ends.laser, ends.i, in_path, vertical_at(v.position));
     for (const bool mirrored : {false, true})
-      by_way(ends, wanted, v, turned, outset,
-             transport::way_in_water(sea_, v.position, line, at, mirrored), mirrored);
+      by_way(ends, wanted, v, outset, transport::way_in_water(sea_, v.position, line, at, mirrored),
+             mirrored);
     return;
   }
   const Mask<T> near_view =
       wanted & transport::may_see(sea_, telescope_, v.position, line, outset.lens);
   if (!any(near_view)) return;
-  const T turned = laser_.turned_before(ends.laser, ends.i, in_path, vertical_at(v.position));
-  by_way(ends, near_view, v, turned, outset,
+  by_way(ends, near_view, v, outset,
          transport::way_through_surface(sea_, v.position, line, at, near_view), false);
 }
 
 template <class T>
 void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
-                            const T& turned, const Outset<T>& outset, const transport::Way<T>& way,
-                            bool mirrored) {
+                            const Outset<T>& outset, const transport::Way<T>& way, bool mirrored) {
   const Index<T> line = back_.line(ends.back);
   const auto sight = instrument::sight(telescope_, outset.lens, way.arriving);
   const T air = telescope_.submerged
@@ -57,8 +54,8 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
   const T solid_angle = detector_solid_angle(telescope_, sight.cos_off_axis);
   const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
   const transport::Freedom<T> freedom{instrument::shift_area(telescope_, way.arriving),
-                                      vertical_at(v.position)};
-  const T behind = v.passed * (v.behind.all(freedom.shift_area) + turned);
+                                      axis_at(v.position, way.direction, v.direction)};
+  const T behind = behind_laser_vertex(ends, v, usable(ends.i + Index<T>(1)), freedom);
   const Joint from =
       all(line == Index<T>(0))
           ? scattering_from_laser(sea_, v, behind, way.direction, world_.reversal, T(1), freedom)
@@ -126,7 +123,8 @@ void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, c
                                    : depths_through_surface(sea_, way, line, w.layer, depth);
   const transport::Freedom<T> freedom{
       back_.outset(ends.back).shift_area,
-      axis_or(w.line > Index<T>(0), back_.axis(ends.back), w.position)};
+      select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, way.direction),
+             back_.axis(ends.back))};
   const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, freedom);
   const T solid_angle = transport::connectable_solid_angle(laser);
   const T area = samples_.to_instrument * to.share * solid_angle * way.area_per_solid_angle /
@@ -166,10 +164,10 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
   const Mask<T> inelastic = w.line > Index<T>(0);
   const Mask<T> arrives = mask & emits(w.line, w.layer);
   if (any(arrives)) {
-    const transport::Freedom<T> freedom{shift_area,
-                                        axis_or(inelastic, back_.axis(ends.back), w.position)};
-    const T behind = v.passed * (v.behind.all(shift_area) +
-                                 laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis));
+    const transport::Freedom<T> freedom{
+        shift_area, select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, direction),
+                           back_.axis(ends.back))};
+    const T behind = behind_laser_vertex(ends, v, in_path, freedom);
     const Joint to = arrival_from_laser(sea_, w, -direction, world_.reversal, freedom);
     along(ends, arrives, Index<T>(0),
           scattering_from_laser(sea_, v, behind, direction, world_.reversal, to.goes_on, freedom),
@@ -177,9 +175,8 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
   }
   const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
   if (any(converts)) {
-    const transport::Freedom<T> freedom{shift_area, vertical_at(v.position)};
-    const T behind = v.passed * (v.behind.all(shift_area) +
-                                 laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis));
+    const transport::Freedom<T> freedom{shift_area, axis_at(v.position, w.direction, v.direction)};
+    const T behind = behind_laser_vertex(ends, v, in_path, freedom);
     const T goes_on = T(1) - world_.reversal.chance(sea_, w.line, w.layer);
     along(ends, converts, w.line,
           conversion_from_laser(sea_, v, behind, direction, w.line, world_.reversal, w.chance,

@@ -11,6 +11,7 @@
 #include "core/flatten.hpp"
 #include "engine/each_score.hpp"
 #include "engine/give_out.hpp"
+#include "engine/lane_columns.hpp"
 #include "engine/waiting_room.hpp"
 #include "engine/walk.hpp"
 #include "tally/batch_tally.hpp"
@@ -50,6 +51,23 @@ struct RayEnds : Ends<T> {
   static constexpr std::size_t reals = 0, integers = 5;
 };
 
+/// Rays that meet at a depth if the telescope's walk is turned.
+template <class T>
+struct Crossing : RayEnds<T> {
+  T depth{};  ///< [m]
+
+  template <class F>
+  void each_member(F f) {
+    RayEnds<T>::each_member(f);
+    f(depth);
+  }
+  static constexpr std::size_t reals = 1, integers = 5;
+};
+
+/// How telescopes' walks are moved to meet others: sideways so that they still come through the
+/// lens, or turned beyond their pivots.
+enum class Moves : std::int8_t { shifts, turns, all };
+
 /// Two rays that may be made to meet.
 template <class T>
 struct Pair {
@@ -76,6 +94,15 @@ struct Pair {
     ends.each_member(f);
     f(lens.at_surface.x), f(lens.at_surface.y), f(lens.per_depth.x), f(lens.per_depth.y);
   }
+};
+
+/// A telescope's ray, and the vertical of its walk, as it has been moved to meet another.
+template <class T>
+struct Moved {
+  transport::Ray<T> ray;
+  transport::Vertical<T> axis;
+  T gain{1};        ///< of the phase function at the pivot
+  T near_pivot{0};  ///< what n h / g of all strategies gain by the pivot's angle having changed
 };
 
 /// The walks that a path is made of.
@@ -105,42 +132,44 @@ class Connections {
   void to_laser(std::size_t walk);
   /// Every vertex of the laser's walk with every vertex of the telescope's.
   void between(std::size_t walk);
-  /// Every ray of the laser's walk with every ray of the telescope's, shifted so that they meet at
-  /// depths that lie on a grid.
-  void shifted(std::size_t laser, std::size_t back);
-  /// Every ray of the laser's walk with every ray of the telescope's beyond where it converts,
-  /// turned so that they meet.
-  void turned(std::size_t laser, std::size_t back);
+  /// Every ray of the laser's walk with every ray of the telescope's, which is moved so that they
+  /// meet.
+  void meetings(std::size_t laser, std::size_t back, Moves moves = Moves::all);
   /// What still waits for others to fill a pack.
   void close();
 
  private:
   using Vertex = transport::Vertex<T>;
   using Ray = transport::Ray<T>;
+  using Line = transport::DepthLine<T>;
   using Joint = transport::Joint<T>;
   using Room = WaitingRoom<T, Ends<T>>;
   using RayRoom = WaitingRoom<T, RayEnds<T>>;
 
   template <class Act>
-  void each_pair(std::size_t laser, std::size_t back, std::int32_t first, Act act) const;
+  void each_pair(std::size_t laser, std::size_t back, Act act);
+  void shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
+             const instrument::PlanePoint<T>& lens);
+  void turn(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
+            const transport::Vertical<T>& axis);
 
   // What is done with the ends of a mask once they fill a pack.
   void serve_to_telescope(const Ends<T>& ends, const Mask<T>& mask);
   void serve_to_laser(const Ends<T>& ends, const Mask<T>& mask);
   void serve_between(const Ends<T>& ends, const Mask<T>& mask);
   void serve_chords(const RayEnds<T>& ends, const Mask<T>& mask);
-  void serve_crossings(const RayEnds<T>& ends, const Mask<T>& mask, std::size_t which);
+  void serve_crossings(const Crossing<T>& crossing, const Mask<T>& mask);
 
-  void by_way(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v, const T& turned,
-              const Outset<T>& outset, const transport::Way<T>& way, bool mirrored);
+  void by_way(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v, const Outset<T>& outset,
+              const transport::Way<T>& way, bool mirrored);
   void by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, const Vertex& w,
                        const transport::Way<T>& way, bool mirrored);
   void along(const Ends<T>& ends, const Mask<T>& mask, const Index<T>& line, const Joint& from,
              const Joint& to, const Vertex& v, const Vertex& w, const T& length,
              const Usable<T>& usable);
   Pair<T> pair_of(const RayEnds<T>& ends) const;
-  void meet_at(const Pair<T>& pair, const Mask<T>& mask, const Ray& moved,
-               const transport::Vertical<T>& axis, const T& depth, const T& gain);
+  std::array<T, 2> turn_pivot(Pair<T>& pair, const transport::Rotation<T>& turn) const;
+  void meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);
 
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
     return {order, world_.most_vertices};
@@ -148,6 +177,14 @@ class Connections {
   /// Whether light of the laser's line can leave a layer as light of a line.
   [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {
     return (line == Index<T>(0)) | (gather<T>(sea_.conversion, sea_.at(line, layer)) > T(0));
+  }
+  /// The densities behind a vertex of the laser's walk, in a path in which the telescope's walk may
+  /// be moved so.
+  [[nodiscard]] T behind_laser_vertex(const Ends<T>& ends, const Vertex& v,
+                                      const Usable<T>& in_path,
+                                      const transport::Freedom<T>& freedom) const {
+    return v.passed * (v.behind.all(freedom.shift_area) +
+                       laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis));
   }
   /// Whether paths of an order can still be scored.
   [[nodiscard]] Mask<T> in_order(const Index<T>& order) const {
@@ -158,17 +195,18 @@ class Connections {
   [[nodiscard]] T last_depth(const Index<T>& back) const {
     return -back_.vertex(back, Index<T>(0)).position.z;
   }
-  /// How a telescope's walk may be turned in paths that convert at a place.
-  [[nodiscard]] transport::Vertical<T> vertical_at(const Vec3<T>& place) const {
-    return {receiver_.line > Index<T>(0), place.x, place.y};
+  /// How a telescope's walk may be turned in paths that convert at a place, or of which that is the
+  /// last vertex. `home`, `on`: directions of the edges there, to the telescope and to the laser.
+  [[nodiscard]] transport::Vertical<T> axis_at(const Vec3<T>& place, const Vec3<T>& home,
+                                               const Vec3<T>& on) const {
+    const Mask<T> scatters =
+        world_.turns_scattered ? transport::leads_aside(home, on) : Mask<T>(false);
+    return {Mask<T>((receiver_.line > Index<T>(0)) | scatters), place.x, place.y};
   }
-  /// `axis`, or where the path converts at `place` the vertical there.
-  [[nodiscard]] transport::Vertical<T> axis_or(const Mask<T>& converts,
-                                               const transport::Vertical<T>& axis,
-                                               const Vec3<T>& place) const {
-    const auto other = vertical_at(place);
-    return {select(converts, other.exists, axis.exists), select(converts, other.x, axis.x),
-            select(converts, other.y, axis.y)};
+  /// Whether the pivot of a path is where its telescope's walk of m vertices, light of a line,
+  /// comes upon what is not its own: light is converted there, or scattered for the last time.
+  [[nodiscard]] static Mask<T> is_pivot(const Index<T>& line, const Index<T>& m) {
+    return (line > Index<T>(0)) | (m == Index<T>(0));
   }
   // What the ends of paths, made one, do in environments.
   void complete_to_telescope(const Ends<T>& ends, const Vertex& v, const transport::Way<T>& way,
@@ -209,7 +247,8 @@ class Connections {
   tally::BatchTally& tally_;
   Room to_telescope_, to_laser_, between_;
   RayRoom chords_;
-  std::array<RayRoom, 2> crossings_;
+  WaitingRoom<T, Crossing<T>> crossings_;
+  LaneColumns<T, Line, most_vertices + 1 + lanes_of<T>> lines_;  ///< of a telescope's walk
   ScoreRoom<T> scores_;
   transport::Completion<T> completion_;
   std::vector<Element<T>> ratios_;  ///< of one lane, [environment]
@@ -221,8 +260,7 @@ void Connections<T>::close() {
   to_laser_.close([this](const auto& e, const auto& mask) { serve_to_laser(e, mask); });
   between_.close([this](const auto& e, const auto& mask) { serve_between(e, mask); });
   chords_.close([this](const auto& e, const auto& mask) { serve_chords(e, mask); });
-  for (std::size_t n = 0; n < crossings_.size(); ++n)
-    crossings_[n].close([&](const auto& e, const auto& mask) { serve_crossings(e, mask, n); });
+  crossings_.close([this](const auto& e, const auto& mask) { serve_crossings(e, mask); });
   scores_.close(tally_);
 }
 

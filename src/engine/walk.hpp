@@ -50,6 +50,48 @@ struct Outset {
   }
 };
 
+/// The vertex about which a telescope's walk may be turned, and how the walk came and left.
+template <class T>
+struct Pivot {
+  T x{}, y{};  ///< [m]
+  Vec3<T> arriving{}, leaving{};
+  T per_p{};         ///< 1 over the phase function's value [sr]
+  Index<T> phase{};  ///< its table
+
+  static constexpr std::size_t members = 10;
+  template <class F>
+  void each_member(F f) {
+    f(x), f(y), f(arriving.x), f(arriving.y), f(arriving.z);
+    f(leaving.x), f(leaving.y), f(leaving.z), f(per_p), f(phase);
+  }
+};
+
+/// `ray`: leaves the vertex, where light is converted if it comes in another line than the laser's.
+template <class T>
+Pivot<T> pivot_at(const medium::MediumView& sea, const transport::Vertex<T>& vertex,
+                  const transport::Ray<T>& ray) {
+  return {vertex.position.x,
+          vertex.position.y,
+          vertex.direction,
+          ray.direction,
+          ray.per_p,
+          select(vertex.line > Index<T>(0), gather_index<T>(sea.conversion_phase, vertex.line),
+                 gather_index<T>(sea.elastic_phase, sea.at(vertex.line, vertex.layer)))};
+}
+
+/// Of the densities behind the rays of a telescope's walk those of strategies that do not draw how
+/// it leaves its first vertex: connecting the edges there, and meeting there.
+template <class T>
+struct NearFirst {
+  T home_edge{}, meeting{}, next_edge{};
+
+  static constexpr std::size_t members = 3;
+  template <class F>
+  void each_member(F f) {
+    f(home_edge), f(meeting), f(next_edge);
+  }
+};
+
 /// The rays and vertices of walks from one instrument: ray m leads to vertex m, and ray 0 from the
 /// instrument.
 template <class T>
@@ -66,9 +108,11 @@ class Walks {
         outset_(walks),
         ray_(walks * stride),
         vertex_(walks * stride),
+        pivot_(walks),
+        near_first_(walks),
         rays_(walks),
         vertices_(walks),
-        converted_(walks),
+        pivot_vertex_(walks),
         connected_(walks),
         line_(walks),
         ratios_(environments, walks * stride) {}
@@ -79,7 +123,7 @@ class Walks {
     scatter(mask, walk, outset.connected, connected_.data());
     scatter(mask, walk, outset.line, line_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
-    scatter(mask, walk, Index<T>(-1), converted_.data());
+    scatter(mask, walk, Index<T>(-1), pivot_vertex_.data());
     add(mask, walk, Index<T>(0), first);
   }
   /// No walk sets out.
@@ -95,9 +139,18 @@ class Walks {
     vertex_.put(mask, slot(walk, i), vertex);
     scatter(mask, walk, i + Index<T>(1), vertices_.data());
   }
-  /// A telescope's walk turns a conversion back at vertex i.
-  void converts(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i) {
-    scatter(mask, walk, i, converted_.data());
+  /// A telescope's walk may be turned about vertex i.
+  void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i, const Pivot<T>& pivot) {
+    scatter(mask, walk, i, pivot_vertex_.data());
+    pivot_.put(mask, walk, pivot);
+  }
+  /// Vertex i of a telescope's walk, of the first two, is left by a ray: what NearFirst tells.
+  void add_near_first(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i,
+                      const Vertex& vertex, const Ray& ray) {
+    const Mask<T> first = i == Index<T>(0);
+    near_first_.put(mask, walk,
+                    {select(first, ray.last_edge, vertex.last.edges), vertex.last.meetings,
+                     select(first, T(0), ray.last_edge)});
   }
 
   /// Of the weights with which walks leave by their rays, in environments.
@@ -117,8 +170,8 @@ class Walks {
   // Of one walk.
   [[nodiscard]] std::int32_t rays(std::size_t walk) const { return rays_[walk]; }
   [[nodiscard]] std::int32_t vertices(std::size_t walk) const { return vertices_[walk]; }
-  /// The vertex where a telescope's walk has turned a conversion back, or -1.
-  [[nodiscard]] std::int32_t converted(std::size_t walk) const { return converted_[walk]; }
+  /// The vertex about which a telescope's walk may be turned, or -1.
+  [[nodiscard]] std::int32_t pivot_vertex(std::size_t walk) const { return pivot_vertex_[walk]; }
   [[nodiscard]] bool connected(std::size_t walk) const { return connected_[walk] != 0; }
 
   // Of one walk, in all lanes.
@@ -148,17 +201,24 @@ class Walks {
   [[nodiscard]] Index<T> line(const Index<T>& walk) const {
     return gather_index<T>(line_.data(), walk);
   }
-  /// The vertex where a telescope's walk has turned a conversion back; 0 for none.
-  [[nodiscard]] Index<T> conversion(const Index<T>& walk) const {
-    const Index<T> at = gather_index<T>(converted_.data(), walk);
-    return select(at >= Index<T>(0), at, Index<T>(0));
-  }
-  /// The vertical about which telescopes' walks may be turned.
+  /// About which a telescope's walk may be turned.
+  [[nodiscard]] Pivot<T> pivot(const Index<T>& walk) const { return pivot_.at(walk); }
+  /// The vertical through that.
   [[nodiscard]] transport::Vertical<T> axis(const Index<T>& walk) const {
-    const Mask<T> exists = gather_index<T>(converted_.data(), walk) >= Index<T>(0);
+    const Mask<T> exists = gather_index<T>(pivot_vertex_.data(), walk) >= Index<T>(0);
     if (!any(exists)) return {};
-    const Vec3<T> place = vertex(walk, conversion(walk)).position;
-    return {exists, place.x, place.y};
+    const Pivot<T> at = pivot(walk);
+    return {exists, at.x, at.y};
+  }
+  /// Those of what NearFirst tells that lie behind ray m, beyond the first vertex.
+  [[nodiscard]] T near_first(const Index<T>& walk, const Index<T>& m, const Usable<T>& usable,
+                             const T& shift_area) const {
+    const NearFirst<T> near = near_first_.at(walk);
+    const Index<T> order = usable.order;
+    const Mask<T> beyond = m > Index<T>(1);
+    return select(usable.connecting(order), near.home_edge, T(0)) +
+           select(beyond & usable.meeting(order), shift_area * near.meeting, T(0)) +
+           select(beyond & usable.connecting(order - Index<T>(1)), near.next_edge, T(0));
   }
 
   /// Vertex i as it is in a path of which perhaps not all strategies can be used.
@@ -240,8 +300,10 @@ class Walks {
   Records<T, Outset<T>> outset_;
   Records<T, Ray> ray_;
   Records<T, Vertex> vertex_;
-  std::vector<std::int32_t> rays_, vertices_, converted_, connected_, line_;  ///< of each walk
-  transport::PathRatios<T> ratios_;                                           ///< of each ray
+  Records<T, Pivot<T>> pivot_;
+  Records<T, NearFirst<T>> near_first_;
+  std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, line_;  ///< of each walk
+  transport::PathRatios<T> ratios_;                                              ///< of each ray
 };
 
 }  // namespace photic::engine

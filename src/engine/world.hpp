@@ -145,7 +145,8 @@ struct World {
   std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
   T deepest{};  ///< where light may turn back within the last gate, at most [m]
   transport::MeetingGrid<T> meeting_grid;  ///< of the bidirectional estimator
-  bool turns = false;     ///< a telescope's walk may be turned about where it converts
+  bool turns = false;            ///< a telescope's walk may be turned about where it converts
+  bool turns_scattered = false;  ///< one of the laser's line also about its first vertex
   T connected{1};         ///< share of the telescope's walks that are connected with a laser's walk
   std::size_t walks = 0;  ///< of the laser in a set; 0: the forward estimator
   std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
@@ -298,6 +299,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
                     T(directed_reversal), vec3_cast<T>(beam), Index<T>(medium.beam_lobe),
                     T(converts ? directed_scattering : 0.0)};
   world.turns = beam.x == 0 && beam.y == 0;
+  // What environments make of the angle that a turn changes is not known apart.
+  world.turns_scattered = world.turns && !world.compares;
   const bool one_way = world.telescopes.size() == 1 && !world.telescopes.front().submerged;
   world.makes_choices = (world.directs && !one_way) || medium.line.size() > 1;
   if (connects) world.walks = static_cast<std::size_t>(scene.simulation.walks);

@@ -41,24 +41,67 @@ OpticalDepths<T> depths_along(const medium::MediumView& sea, const Ray<T>& ray,
           select(reflected, by_surface.walk, straight.walk)};
 }
 
-/// The depths that two rays have in common.
+/// A ray as a line over depth, its own or its image's in the surface.
+template <class T>
+struct DepthLine {
+  T x{}, y{};  ///< at the surface's level [m]
+  T x_per_depth{}, y_per_depth{};
+  T path{}, path_per_depth{};  ///< of its walk [m], at the surface's level, and how that grows
+  T from{}, to{};              ///< the depths that it comes through [m]
+  T rise{};                    ///< z of its direction
+  T start{};                   ///< its walk's path where it begins [m]
+
+  static constexpr std::size_t reals = 10, integers = 0;
+  template <class F>
+  void each_member(F f) {
+    f(x), f(y), f(x_per_depth), f(y_per_depth), f(path), f(path_per_depth);
+    f(from), f(to), f(rise), f(start);
+  }
+};
+
+/// `deepest`: of the water [m].
+template <class T>
+DepthLine<T> depth_line(const medium::MediumView& sea, const Ray<T>& ray, const T& deepest) {
+  const T length_per_depth = T(-1) / ray.direction.z;
+  const T above = ray.position.z * length_per_depth;  // length to the surface's level
+  const T index = gather<T>(sea.group_index, ray.line);
+  const Mask<T> down = ray.direction.z < T(0);
+  const T depth = select(ray.position.z < T(0), T(-ray.position.z), T(0));
+  return {ray.position.x + above * ray.direction.x,
+          ray.position.y + above * ray.direction.y,
+          length_per_depth * ray.direction.x,
+          length_per_depth * ray.direction.y,
+          ray.path + above * index,
+          length_per_depth * index,
+          select(down, depth, T(0)),
+          select(down, deepest, depth),
+          ray.direction.z,
+          ray.path};
+}
+
+/// The line of the ray that a ray becomes which goes up and is reflected by the surface.
+template <class T>
+DepthLine<T> reflected(const DepthLine<T>& line, const T& deepest) {
+  return {line.x, line.y,  -line.x_per_depth, -line.y_per_depth, line.path, -line.path_per_depth,
+          T(0),   deepest, -line.rise,        line.start};
+}
+
+/// The depths that two rays have in common, and where their walks together are no longer than
+/// `last_path` [m].
 template <class T>
 struct Span {
   Mask<T> exists;
   T from, to;  ///< depth [m]
 };
-/// `deepest`: of the water [m].
 template <class T>
-Span<T> common_span(const Ray<T>& laser, const Ray<T>& back, const T& deepest) {
-  const auto from = [](const Ray<T>& ray) {
-    return select((ray.direction.z < T(0)) & !ray.is_reflected(), T(-ray.position.z), T(0));
-  };
-  const auto to = [&](const Ray<T>& ray) {
-    return select(ray.direction.z < T(0), deepest, T(-ray.position.z));
-  };
-  const T upper = select(from(laser) > from(back), from(laser), from(back));
-  const T lower = select(to(laser) < to(back), to(laser), to(back));
-  return {Mask<T>(lower > upper), upper, lower};
+Span<T> common_span(const DepthLine<T>& laser, const DepthLine<T>& back, const T& last_path) {
+  const T upper = select(laser.from > back.from, laser.from, back.from);
+  const T lower = select(laser.to < back.to, laser.to, back.to);
+  const T per_depth = laser.path_per_depth + back.path_per_depth;
+  const T last = (last_path - (laser.path + back.path)) / per_depth;
+  const T from = select((per_depth < T(0)) & (last > upper), last, upper);
+  const T to = select((per_depth > T(0)) & (last < lower), last, lower);
+  return {Mask<T>(to > from), from, to};
 }
 
 /// Where a telescope's walk comes through the lens if it is shifted to meet a ray at a depth.
@@ -77,6 +120,10 @@ template <class T>
 Mask<T> turns_back(const Ray<T>& laser, const Ray<T>& back) {
   return laser.direction.z * back.direction.z > T(0);
 }
+template <class T>
+Mask<T> turns_back(const DepthLine<T>& laser, const DepthLine<T>& back) {
+  return laser.rise * back.rise > T(0);
+}
 
 /// The depths between which two rays can meet so that the telescope's walk comes through the lens.
 template <class T>
@@ -86,16 +133,16 @@ struct Chord {
   LensLine<T> lens;
 };
 
-/// `lens`: where the walk came through the lens; `deepest`: of the water [m].
+/// `lens`: where the walk came through the lens; `last_path`: of both walks together [m].
 template <class T>
-Chord<T> chord(const Ray<T>& laser, const Ray<T>& back, const instrument::Telescope<T>& telescope,
-               const instrument::PlanePoint<T>& lens, const T& deepest) {
+Chord<T> chord(const DepthLine<T>& laser, const DepthLine<T>& back,
+               const instrument::Telescope<T>& telescope, const instrument::PlanePoint<T>& lens,
+               const T& last_path) {
   using std::sqrt;
-  const T a = T(1) / laser.direction.z;
-  const T b = T(1) / back.direction.z;
-  const Vec3<T> slope = b * back.direction - a * laser.direction;  // per metre of depth
-  const Vec3<T> at_surface = (laser.position - (laser.position.z * a) * laser.direction) -
-                             (back.position - (back.position.z * b) * back.direction);
+  const Vec3<T> slope{laser.x_per_depth - back.x_per_depth, laser.y_per_depth - back.y_per_depth,
+                      T(0)};
+  const Vec3<T> at_surface{laser.x - back.x, laser.y - back.y, T(0)};
+  const Span<T> span = common_span(laser, back, last_path);
   Chord<T> c;
   const instrument::PlanePoint<T> at{lens.x + dot(at_surface, telescope.across),
                                      lens.y + dot(at_surface, telescope.up)};
@@ -109,11 +156,10 @@ Chord<T> chord(const Ray<T>& laser, const Ray<T>& back, const instrument::Telesc
   const T radius = telescope.lens_radius;
   const T half = (radius * radius * squared - x * x) * per_square * per_square;
   const Mask<T> inside = at.x * at.x + at.y * at.y < radius * radius;
-  const T reach = select(moves, sqrt(select(half > T(0), half, T(0))), deepest);
+  const T reach = select(moves, sqrt(select(half > T(0), half, T(0))), span.to);
   c.from = select(moves, middle, T(0)) - reach;
   c.to = select(moves, middle, T(0)) + reach;
 
-  const Span<T> span = common_span(laser, back, deepest);
   c.from = select(c.from > span.from, c.from, span.from);
   c.to = select(c.to < span.to, c.to, span.to);
   c.exists = span.exists & select(moves, half > T(0), inside) & (c.to > c.from);
@@ -129,22 +175,19 @@ struct Crossings {
 };
 
 template <class T>
-Crossings<T> crossings(const Ray<T>& laser, const Ray<T>& back, const Vertical<T>& axis,
-                       const T& deepest) {
+Crossings<T> crossings(const DepthLine<T>& laser, const DepthLine<T>& back, const Vertical<T>& axis,
+                       const T& last_path) {
   using std::copysign;
   using std::sqrt;
-  const Span<T> span = common_span(laser, back, deepest);
-  const T a = T(-1) / laser.direction.z;
-  const T b = T(-1) / back.direction.z;
-  const T out = (span.from + laser.position.z) * a;
-  const T home = (span.from + back.position.z) * b;
+  const Span<T> span = common_span(laser, back, last_path);
   // From the axis, at the depth where the span begins; and per metre of depth.
-  const instrument::PlanePoint<T> at{laser.position.x + out * laser.direction.x - axis.x,
-                                     laser.position.y + out * laser.direction.y - axis.y};
-  const instrument::PlanePoint<T> bt{back.position.x + home * back.direction.x - axis.x,
-                                     back.position.y + home * back.direction.y - axis.y};
-  const instrument::PlanePoint<T> am{a * laser.direction.x, a * laser.direction.y};
-  const instrument::PlanePoint<T> bm{b * back.direction.x, b * back.direction.y};
+  const auto from_axis = [&](const DepthLine<T>& line) -> instrument::PlanePoint<T> {
+    return {line.x + span.from * line.x_per_depth - axis.x,
+            line.y + span.from * line.y_per_depth - axis.y};
+  };
+  const auto at = from_axis(laser), bt = from_axis(back);
+  const instrument::PlanePoint<T> am{laser.x_per_depth, laser.y_per_depth};
+  const instrument::PlanePoint<T> bm{back.x_per_depth, back.y_per_depth};
   const T square = am.x * am.x + am.y * am.y - (bm.x * bm.x + bm.y * bm.y);
   const T half = at.x * am.x + at.y * am.y - (bt.x * bm.x + bt.y * bm.y);
   const T constant = (at.x - bt.x) * (at.x + bt.x) + (at.y - bt.y) * (at.y + bt.y);

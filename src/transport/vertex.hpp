@@ -72,12 +72,28 @@ struct Samples {
   T meeting(const T& depth) const { return pairs * grid.density(depth); }
 };
 
-/// A vertical about which a walk may be turned: that through where it converts.
+/// A vertical about which a walk may be turned: that through its pivot, where it converts, or of
+/// light of the laser's line the vertex next to the telescope.
 template <class T>
 struct Vertical {
   Mask<T> exists{};
   T x{}, y{};  ///< [m]
+
+  friend Vertical select(const Mask<T>& mask, const Vertical& yes, const Vertical& no) {
+    return {select(mask, yes.exists, no.exists), select(mask, yes.x, no.x),
+            select(mask, yes.y, no.y)};
+  }
 };
+
+/// Whether a telescope's walk that comes to a vertex along `home`, scatters there and goes on along
+/// `on` may be turned about the vertical through it: where it comes along the vertical and leaves
+/// aside, the turn hardly changes the angle between. Both directions' own angles to the vertical
+/// tell, which no turn changes.
+template <class T>
+Mask<T> leads_aside(const Vec3<T>& home, const Vec3<T>& on) {
+  constexpr double as_far = 3;  // decision 33
+  return on.x * on.x + on.y * on.y > T(as_far * as_far) * (home.x * home.x + home.y * home.y);
+}
 
 /// |e_z x (x - axis) . (w x w')|, S: the volume that two rays of directions w and w' sweep about
 /// where they meet, per solid angle of both and turn about the axis. A walk turned about the axis
@@ -229,8 +245,8 @@ struct Vertex : WalkPoint<T> {
   void each_member(F f) {
     WalkPoint<T>::each_member(f);
     f(chance), f(passed), f(open), f(meeting), f(turn);
-    last_turn.each_member(f);
     last.each_member(f);
+    last_turn.each_member(f);  // read alone, too: words 18 to 22 lie in one pack of any width
     behind.each_member(f);
   }
 };

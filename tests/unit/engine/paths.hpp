@@ -29,17 +29,20 @@ struct Path {
   [[nodiscard]] std::int32_t line_of(std::int32_t edge) const {
     return edge < converted ? 0 : line;
   }
+  /// The vertex about which telescopes' walks may be turned: where light is converted, else the
+  /// last.
+  [[nodiscard]] std::int32_t pivot() const { return line > 0 ? converted : order(); }
   [[nodiscard]] bool is_mirrored(std::int32_t edge) const {
     return mirrored[static_cast<std::size_t>(edge)];
   }
 };
 
-/// The path with all that is drawn from the telescope beyond the conversion turned about the
-/// vertical through it.
-inline Path turned_before_conversion(const Path& path, double angle) {
+/// The path with all that is drawn from the telescope beyond the pivot turned about the vertical
+/// through it.
+inline Path turned_before_pivot(const Path& path, double angle) {
   Path turned = path;
-  const V& axis = path.x(path.converted);
-  for (std::int32_t i = 1; i < path.converted; ++i) {
+  const V& axis = path.x(path.pivot());
+  for (std::int32_t i = 1; i < path.pivot(); ++i) {
     const V from = path.x(i) - axis;
     V& to = turned.vertex[static_cast<std::size_t>(i - 1)];
     to.x = axis.x + (std::cos(angle) * from.x - std::sin(angle) * from.y);
@@ -114,7 +117,6 @@ class Writer {
       photon_.weight *=
           transport::conversion_per_emitted_c<double>(world_.sea, photon_.line, photon_.layer);
       photon_.line = 0;
-      walks.converts(true, 0, walks.vertices(0) - 1);
     } else {
       photon_.weight *= world_.sea.albedo[here()];
       const auto drawn = [&](const V& direction) {
@@ -125,6 +127,13 @@ class Writer {
     }
     ray_ = transport::next_ray(photon_, vertex_, departure);
     walks.add(true, 0, walks.vertices(0), ray_);
+    if (!walks.from_telescope()) return;
+    const std::int32_t i = walks.vertices(0) - 1;
+    const bool elastic = vertex_.line == 0;
+    walks.add_near_first(elastic && i < 2, 0, i, vertex_, ray_);
+    const bool scatters = elastic && i == 0 && world_.turns_scattered &&
+                          transport::leads_aside(old, photon_.direction);
+    walks.add(converts || scatters, 0, i, pivot_at(world_.sea, vertex_, ray_));
   }
 
   Walks<double> walks;

@@ -74,16 +74,17 @@ class Scores {
     const double number = grid.number(-path_.x(i).z);
     const auto back = telescope_walk(world_, samples_, path_, path_.order() - i, true,
                                      number - std::floor(number));
-    Connections<double>(world_, receiver_, samples_, laser, back, tally_).shifted(0, 0);
+    Connections<double>(world_, receiver_, samples_, laser, back, tally_)
+        .meetings(0, 0, Moves::shifts);
     return taken();
   }
 
-  /// The telescope's walk comes otherwise turned than the path.
-  double turning(std::int32_t i, double angle) {
+  /// The telescope's walk is that of another path, which is otherwise turned.
+  double turning(std::int32_t i, const Path& other) {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
-    const auto other = turned_before_conversion(path_, angle);
     const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true);
-    Connections<double>(world_, receiver_, samples_, laser, back, tally_).turned(0, 0);
+    Connections<double>(world_, receiver_, samples_, laser, back, tally_)
+        .meetings(0, 0, Moves::turns);
     return taken();
   }
 

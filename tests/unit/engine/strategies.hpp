@@ -55,13 +55,27 @@ struct Strategies {
     if (steep <= 0) return 0;
     return samples.meeting(-path.x(i).z) * shift_area * steep * drawn_but(i);
   }
-  /// The same of turning about the conversion so that rays meet at vertex i.
+  /// Whether telescopes' walks may be turned about the pivot.
+  [[nodiscard]] bool turns() const {
+    if (path.line > 0) return true;
+    const V& home = at(path.order()).leaving;
+    const V& on = at(path.order() - 1).arriving;
+    return world.turns_scattered && std::hypot(on.x, on.y) > 3 * std::hypot(home.x, home.y);
+  }
+  /// The same of turning about the pivot so that rays meet at vertex i.
   [[nodiscard]] double turning(std::int32_t i) const {
-    if (i >= path.converted) return 0;
-    const V radius = path.x(i) - path.x(path.converted);
+    if (i >= path.pivot() || !turns()) return 0;
+    const V radius = path.x(i) - path.x(path.pivot());
     const V around{-radius.y, radius.x, 0};
     return samples.turned * 2 * pi *
            std::abs(dot(around, cross(at(i - 1).arriving, at(i).leaving))) * drawn_but(i);
+  }
+  /// The density with which the direction is drawn in which a telescope's walk leaves the pivot,
+  /// but for what no turn changes [1/sr].
+  [[nodiscard]] double drawn_at_pivot() const {
+    const double share = world.reversal.scattered;
+    const std::int32_t k = path.order();
+    return path.line > 0 ? 1 : (1 - share) * phase(k) + share * lobe(k);
   }
   /// What each strategy gives.
   [[nodiscard]] double value() const {

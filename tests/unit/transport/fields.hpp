@@ -194,6 +194,20 @@ void fields(P& a, S& b, F f) {
   fields(a.grid, b.grid, f);
 }
 template <class P, class S, class F>
+  requires is_packed<P, DepthLine>
+void fields(P& a, S& b, F f) {
+  f(a.x, b.x, "x");
+  f(a.y, b.y, "y");
+  f(a.x_per_depth, b.x_per_depth, "x per depth");
+  f(a.y_per_depth, b.y_per_depth, "y per depth");
+  f(a.path, b.path, "path");
+  f(a.path_per_depth, b.path_per_depth, "path per depth");
+  f(a.from, b.from, "from");
+  f(a.to, b.to, "to");
+  f(a.rise, b.rise, "rise");
+  f(a.start, b.start, "start");
+}
+template <class P, class S, class F>
   requires is_packed<P, Chord>
 void fields(P& a, S& b, F f) {
   f(a.exists, b.exists, "exists");

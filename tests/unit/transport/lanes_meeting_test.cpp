@@ -215,8 +215,9 @@ TEST(LanesOf, ChordAndMeet) {
         four([&] { return lens_point(telescope, random.uniform(), random.uniform()); });
     const auto laser4 = pack_fields<Ray>(laser);
     const auto back4 = pack_fields<Ray>(back);
-    const auto chord4 = chord(laser4, back4, instrument::make_telescope<Lanes4>(scene),
-                              pack_fields<PlanePoint>(lens), Lanes4(40));
+    const auto chord4 =
+        chord(depth_line(sea.view(), laser4, Lanes4(40)), depth_line(sea.view(), back4, Lanes4(40)),
+              instrument::make_telescope<Lanes4>(scene), pack_fields<PlanePoint>(lens), Lanes4(250));
     const auto first = four([&] { return random.chance(0.5); });
     const auto last = four([&] { return random.chance(0.5); });
     const auto spread = four([&] {
@@ -232,7 +233,8 @@ TEST(LanesOf, ChordAndMeet) {
         {back4, pack_mask(last), spread4, pack(b), pack(b_last)}, pack(depth), pack(layer),
         pack_fields<Freedom>(freedom), in_all_lanes(reversal), in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
-      const auto c = chord(laser[i], back[i], telescope, lens[i], 40.0);
+      const auto c = chord(depth_line(sea.view(), laser[i], 40.0),
+                           depth_line(sea.view(), back[i], 40.0), telescope, lens[i], 250.0);
       expect_same_fields(chord4, i, c);
       exists += c.exists;
       // A meeting is promised ahead of both rays alone, none of them level.
@@ -265,11 +267,15 @@ TEST(LanesOf, CrossingsAndTurns) {
     const auto depth = four([&] { return random.between(0, 39); });
     const auto laser4 = pack_fields<Ray>(laser), back4 = pack_fields<Ray>(back);
     const auto axis4 = pack_fields<Vertical>(axis);
-    const auto crossings4 = crossings(laser4, back4, axis4, Lanes4(40));
+    const auto line4 = depth_line(sea.view(), laser4, Lanes4(40));
+    const auto crossings4 =
+        crossings(line4, depth_line(sea.view(), back4, Lanes4(40)), axis4, Lanes4(250));
     const auto turn4 = turn_to_meet(laser4, back4, axis4, pack(depth));
     const auto place4 = turn4.of_place(back4.position);
     for (std::size_t i = 0; i < lanes; ++i) {
-      const auto c = crossings(laser[i], back[i], axis[i], 40.0);
+      const auto line = depth_line(sea.view(), laser[i], 40.0);
+      expect_same_fields(line4, i, line);
+      const auto c = crossings(line, depth_line(sea.view(), back[i], 40.0), axis[i], 250.0);
       for (std::size_t n = 0; n < 2; ++n) {
         expect_same(crossings4.exists[n][i], c.exists[n], "crosses");
         if (!c.exists[n]) continue;
