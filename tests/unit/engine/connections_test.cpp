@@ -150,7 +150,10 @@ std::vector<Place> looking_at_the_surface() {
 // In one layer and through all three. Seen red: with n for n^2 in the spread of a ray through the
 // surface; with the way in the air left out of it; with the sign in turning() lost. And of what
 // telescopes' walks draw about the beam: without it where a connection arrives, where it leaves, at
-// a meeting; without what has been passed, behind a ray, behind a vertex, in an edge.
+// a meeting; without what has been passed, behind a ray, behind a vertex, in an edge. And of walks
+// that are turned: without either edge or the meeting near the pivot, or what a turn does to them;
+// without the phase function's gain; with the pivot forgotten where a walk has one vertex alone;
+// with leaving for arriving in what leads aside.
 TEST(Strategies, OfElasticLightAgree) {
   Random random(101);
   int met = 0, turns = 0;
@@ -284,7 +287,7 @@ TEST(Strategies, OfConvertedLightAgree) {
 
 // Seen red: with a walk that sets out from its last vertex; with edges that no two walks reach;
 // with the last vertex' densities left out; with unusable meetings beside a connection, beside a
-// meeting.
+// meeting; with unusable edges or meetings near the pivot of a walk that is turned.
 TEST(Strategies, OfWalksThatEndEarlyAgree) {
   Random random(105);
   int met = 0;

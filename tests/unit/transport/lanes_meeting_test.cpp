@@ -215,9 +215,9 @@ TEST(LanesOf, ChordAndMeet) {
         four([&] { return lens_point(telescope, random.uniform(), random.uniform()); });
     const auto laser4 = pack_fields<Ray>(laser);
     const auto back4 = pack_fields<Ray>(back);
-    const auto chord4 =
-        chord(depth_line(sea.view(), laser4, Lanes4(40)), depth_line(sea.view(), back4, Lanes4(40)),
-              instrument::make_telescope<Lanes4>(scene), pack_fields<PlanePoint>(lens), Lanes4(250));
+    const auto chord4 = chord(
+        depth_line(sea.view(), laser4, Lanes4(40)), depth_line(sea.view(), back4, Lanes4(40)),
+        instrument::make_telescope<Lanes4>(scene), pack_fields<PlanePoint>(lens), Lanes4(250));
     const auto first = four([&] { return random.chance(0.5); });
     const auto last = four([&] { return random.chance(0.5); });
     const auto spread = four([&] {
