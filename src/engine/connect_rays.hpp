@@ -12,7 +12,6 @@ namespace photic::engine {
 template <class T>
 template <class Act>
 void Connections<T>::each_pair(std::size_t laser, std::size_t back, Act act) {
-  const auto line_of = [this](const Ray& ray) { return depth_line(sea_, ray, world_.deepest); };
   each_index<T>(back_.rays(back), [&](const Index<T>& m, const Mask<T>&) {
     const auto first = static_cast<std::size_t>(each_lane(m)[0]);
     Line line = line_of(back_.ray(Index<T>(back), m));
@@ -107,7 +106,6 @@ template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const Mask<T>& mask) {
   const auto& grid = samples_.grid;
   Pair<T> pairs = pair_of(ends);
-  const auto line_of = [this](const Ray& ray) { return depth_line(sea_, ray, world_.deepest); };
   const auto chord = transport::chord(line_of(pairs.out), line_of(pairs.back), telescope_,
                                       pairs.outset.lens, receiver_.last_path);
   pairs.lens = chord.lens;

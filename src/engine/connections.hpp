@@ -186,6 +186,7 @@ class Connections {
     return v.passed * (v.behind.all(freedom.shift_area) +
                        laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis));
   }
+  [[nodiscard]] Line line_of(const Ray& ray) const { return depth_line(sea_, ray, world_.deepest); }
   /// Whether paths of an order can still be scored.
   [[nodiscard]] Mask<T> in_order(const Index<T>& order) const {
     return order <= Index<T>(world_.last_order > 0 ? world_.last_order
@@ -203,8 +204,9 @@ class Connections {
         world_.turns_scattered ? transport::leads_aside(home, on) : Mask<T>(false);
     return {Mask<T>((receiver_.line > Index<T>(0)) | scatters), place.x, place.y};
   }
-  /// Whether the pivot of a path is where its telescope's walk of m vertices, light of a line,
-  /// comes upon what is not its own: light is converted there, or scattered for the last time.
+  /// Whether a path's pivot is where light comes upon its telescope's walk of so many vertices, as
+  /// of a line there: an emitted line's is converted there, the laser's scattered for the last time
+  /// if the walk has no vertex before.
   [[nodiscard]] static Mask<T> is_pivot(const Index<T>& line, const Index<T>& m) {
     return (line > Index<T>(0)) | (m == Index<T>(0));
   }

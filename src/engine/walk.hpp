@@ -139,18 +139,26 @@ class Walks {
     vertex_.put(mask, slot(walk, i), vertex);
     scatter(mask, walk, i + Index<T>(1), vertices_.data());
   }
-  /// A telescope's walk may be turned about vertex i.
-  void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i, const Pivot<T>& pivot) {
-    scatter(mask, walk, i, pivot_vertex_.data());
-    pivot_.put(mask, walk, pivot);
-  }
-  /// Vertex i of a telescope's walk, of the first two, is left by a ray: what NearFirst tells.
-  void add_near_first(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i,
-                      const Vertex& vertex, const Ray& ray) {
+  /// Telescopes' walks leave vertex i by a ray: what they keep for being turned about it, if they
+  /// may be. `of_elastic_light`: also where they scatter the laser's light first. Tells who may.
+  Mask<T> pivot(const medium::MediumView& sea, const Mask<T>& mask, const Index<T>& walk,
+                const Index<T>& i, const Vertex& vertex, const Ray& ray, bool of_elastic_light) {
     const Mask<T> first = i == Index<T>(0);
-    near_first_.put(mask, walk,
-                    {select(first, ray.last_edge, vertex.last.edges), vertex.last.meetings,
-                     select(first, T(0), ray.last_edge)});
+    const Mask<T> near_first = mask & (i < Index<T>(2)) & (vertex.line == Index<T>(0));
+    if (any(near_first)) {
+      near_first_.put(near_first, walk,
+                      {select(first, ray.last_edge, vertex.last.edges), vertex.last.meetings,
+                       select(first, T(0), ray.last_edge)});
+    }
+    const Mask<T> converts = mask & (vertex.line > ray.line);
+    const Mask<T> scatters = near_first & first & Mask<T>(of_elastic_light) &
+                             transport::leads_aside(vertex.direction, ray.direction);
+    const Mask<T> pivots = converts | scatters;
+    if (any(pivots)) {
+      scatter(pivots, walk, i, pivot_vertex_.data());
+      pivot_.put(pivots, walk, pivot_at(sea, vertex, ray));
+    }
+    return pivots;
   }
 
   /// Of the weights with which walks leave by their rays, in environments.

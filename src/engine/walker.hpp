@@ -180,27 +180,17 @@ class WalkTaker {
     book(source_.ledger.absorbed, colliding, weight - photon.weight);
     const Ray<T> ray = next_ray(photon, vertex, departure);
     walks_.add(colliding, walker_.walk, walker_.vertices, ray);
-    if (walks_.from_telescope()) pivot(vertex, ray, colliding);
+    if (walks_.from_telescope()) {
+      const Mask<T> pivots =
+          walks_.pivot(sea_, colliding, walker_.walk, walker_.vertices - Index<T>(1), vertex, ray,
+                       world_.turns_scattered);
+      walker_.axis =
+          select(pivots, {Mask<T>(true), vertex.position.x, vertex.position.y}, walker_.axis);
+    }
     if (world_.compares) [[unlikely]]
       keep_ratios(vertex, ray, colliding);
     assign<T>(colliding, ray, walker_.ray);
     walker_.leg = select(colliding, Leg<T>{}, walker_.leg);
-  }
-
-  /// What telescopes' walks that leave a vertex by a ray keep for being turned.
-  void pivot(const transport::Vertex<T>& vertex, const transport::Ray<T>& ray,
-             const Mask<T>& colliding) {
-    const Index<T> i = walker_.vertices - Index<T>(1);
-    const Mask<T> near_first = colliding & (i < Index<T>(2)) & (vertex.line == Index<T>(0));
-    if (any(near_first)) walks_.add_near_first(near_first, walker_.walk, i, vertex, ray);
-    const Mask<T> converts = vertex.line > ray.line;
-    const Mask<T> scatters = near_first & (i == Index<T>(0)) & Mask<T>(world_.turns_scattered) &
-                             transport::leads_aside(vertex.direction, ray.direction);
-    const Mask<T> pivots = colliding & (converts | scatters);
-    if (!any(pivots)) return;
-    walks_.add(pivots, walker_.walk, i, pivot_at(sea_, vertex, ray));
-    walker_.axis =
-        select(pivots, {Mask<T>(true), vertex.position.x, vertex.position.y}, walker_.axis);
   }
 
   PHOTIC_APART void begin_ratios(Index<T> walk, const Mask<T>& mask) {

@@ -127,13 +127,9 @@ class Writer {
     }
     ray_ = transport::next_ray(photon_, vertex_, departure);
     walks.add(true, 0, walks.vertices(0), ray_);
-    if (!walks.from_telescope()) return;
-    const std::int32_t i = walks.vertices(0) - 1;
-    const bool elastic = vertex_.line == 0;
-    walks.add_near_first(elastic && i < 2, 0, i, vertex_, ray_);
-    const bool scatters = elastic && i == 0 && world_.turns_scattered &&
-                          transport::leads_aside(old, photon_.direction);
-    walks.add(converts || scatters, 0, i, pivot_at(world_.sea, vertex_, ray_));
+    if (walks.from_telescope())
+      walks.pivot(world_.sea, true, 0, walks.vertices(0) - 1, vertex_, ray_,
+                  world_.turns_scattered);
   }
 
   Walks<double> walks;
