@@ -192,10 +192,8 @@ void Connections<T>::along(const Ends<T>& ends, const Mask<T>& mask, const Index
   const T path = v.path + w.path + length * gather<T>(sea_.group_index, line);
   const Mask<T> in_time = mask & (path < receiver_.last_path);
   if (!any(in_time)) return;
-  const T depth = -v.position.z;
-  const T end = -w.position.z;
-  const T tau = sea_.slant_optical_depth<T>(line, v.layer, depth, w.layer, end, length);
-  const T walk_tau = sea_.walk_slant_optical_depth<T>(line, v.layer, depth, w.layer, end, length);
+  const auto tau =
+      transport::depths_between(sea_, line, level_of(sea_, v), level_of(sea_, w), length);
   const Index<T> edge = ends.i + Index<T>(1);
   const T meeting = select(usable.meeting(edge), from.meeting * to.end.p, T(0)) +
                     select(usable.meeting(edge + Index<T>(1)), to.meeting * from.end.p, T(0));
@@ -203,7 +201,7 @@ void Connections<T>::along(const Ends<T>& ends, const Mask<T>& mask, const Index
   if (world_.compares) [[unlikely]]
     complete_between(ends, line, v, w, length);
   score(ends, Walked::both, in_time,
-        from.weight * to.weight * balance(area, tau, walk_tau, from.end, to.end), path,
+        from.weight * to.weight * balance(area, tau.all, tau.walk, from.end, to.end), path,
         last_depth(ends.back), usable.order);
 }
 

@@ -178,7 +178,10 @@ void Medium::finish(std::optional<double> walk_share) {
   continuous_c_ = TwinTable(continuous_c);
   collision_gain_ = TwinTable(gain);
   depth_tau_ = TwinTable(depth_integrals(c));
-  walk_depth_tau_ = TwinTable(depth_integrals(walk_c));
+  const auto walk_depth_tau = depth_integrals(walk_c);
+  walk_depth_tau_ = TwinTable(walk_depth_tau);
+  by_walk_tau_ = Layering(walk_depth_tau, layers());
+  by_depth_ = Layering(top, layers());
   continuous_depth_tau_ = TwinTable(depth_integrals(continuous_c));
   environment_rows_ = TwinTable(environment_rows());
   part_phase_ = IndexTableOwner(environments.part_phase);
@@ -235,6 +238,8 @@ MediumView Medium::view() const {
   v.continuous_c = continuous_c_.view();
   v.continuous_depth_tau = continuous_depth_tau_.view();
   v.collision_gain = collision_gain_.view();
+  v.by_depth = by_depth_.view(v.top);
+  v.by_walk_tau = by_walk_tau_.view(v.walk_depth_tau);
   v.conversion = conversion_.view();
   v.absorption = absorption_.view();
   v.convertible = convertible_.view();

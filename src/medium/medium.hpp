@@ -13,6 +13,7 @@
 
 #include "core/lanes.hpp"
 #include "core/twin_table.hpp"
+#include "medium/layering.hpp"
 #include "optics/phase_table.hpp"
 
 namespace photic::medium {
@@ -51,6 +52,14 @@ Index<T> hue_of(const T& u) {
   return floor_index(u * T(hues));
 }
 
+/// A depth [m] in a layer.
+template <class T>
+struct Level {
+  Index<T> layer{};
+  T depth{};
+  T below_top{};  ///< how far below the layer's upper edge
+};
+
 /// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
   std::int32_t layers = 0, lines = 0, bands = 0;
@@ -65,6 +74,8 @@ struct MediumView {
   ShortTable continuous_c;          ///< c less walk_c, absorbed along the way, [line][layer]
   ShortTable continuous_depth_tau;  ///< its integral, as above
   ShortTable collision_gain;        ///< c / walk_c, [line][layer]
+  LayeringView by_depth;            ///< in one row, whose edges are `top`
+  LayeringView by_walk_tau;         ///< in a row for each line, whose edges are `walk_depth_tau`
   ShortTable conversion;   ///< share of a collision at line 0 that emits at this line, over the
                            ///< share of hues that may, [line][layer]
   ShortTable absorption;   ///< share of a collision that ends the photon, [line][layer]
@@ -91,33 +102,37 @@ struct MediumView {
     return gather_index<T>(line_of_hue, band * Index<T>(hues) + hue);
   }
 
-  /// Optical depth from the surface straight down to a depth inside a layer.
   template <class T>
-  T optical_depth(const Index<T>& line, const Index<T>& layer, const T& depth) const {
-    return down_to<T>(c, depth_tau, line, layer, depth);
+  Level<T> level(const Index<T>& layer, const T& depth) const {
+    return {layer, depth, depth - gather<T>(top, layer)};
+  }
+
+  /// Optical depth from the surface straight down to a level.
+  template <class T>
+  T optical_depth(const Index<T>& line, const Level<T>& at) const {
+    return down_to(depth_tau, line, at, gather<T>(c, this->at(line, at.layer)));
   }
   /// The same of the coefficient that free paths are drawn from.
   template <class T>
-  T walk_optical_depth(const Index<T>& line, const Index<T>& layer, const T& depth) const {
-    return down_to<T>(walk_c, walk_depth_tau, line, layer, depth);
+  T walk_optical_depth(const Index<T>& line, const Level<T>& at) const {
+    return down_to(walk_depth_tau, line, at, gather<T>(walk_c, this->at(line, at.layer)));
   }
 
-  /// Optical depth of a straight way of the given length between two depths in given layers.
+  /// Optical depth of a straight way of the given length between two levels.
   template <class T>
-  T slant_optical_depth(const Index<T>& line, const Index<T>& layer1, const T& depth1,
-                        const Index<T>& layer2, const T& depth2, const T& length) const {
-    return slant<T>(c, depth_tau, line, layer1, depth1, layer2, depth2, length);
+  T slant_optical_depth(const Index<T>& line, const Level<T>& from, const Level<T>& to,
+                        const T& length) const {
+    return slant(c, depth_tau, line, from, to, length);
   }
   template <class T>
-  T walk_slant_optical_depth(const Index<T>& line, const Index<T>& layer1, const T& depth1,
-                             const Index<T>& layer2, const T& depth2, const T& length) const {
-    return slant<T>(walk_c, walk_depth_tau, line, layer1, depth1, layer2, depth2, length);
+  T walk_slant_optical_depth(const Index<T>& line, const Level<T>& from, const Level<T>& to,
+                             const T& length) const {
+    return slant(walk_c, walk_depth_tau, line, from, to, length);
   }
   template <class T>
-  T continuous_slant_optical_depth(const Index<T>& line, const Index<T>& layer1, const T& depth1,
-                                   const Index<T>& layer2, const T& depth2, const T& length) const {
-    return slant<T>(continuous_c, continuous_depth_tau, line, layer1, depth1, layer2, depth2,
-                    length);
+  T continuous_slant_optical_depth(const Index<T>& line, const Level<T>& from, const Level<T>& to,
+                                   const T& length) const {
+    return slant(continuous_c, continuous_depth_tau, line, from, to, length);
   }
   // Rows of the environments' numbers: attenuation less the medium's [1/m], its integral from the
   // surface to a layer's top, emitted light over the medium's less 1, and a part's scattering less
@@ -141,23 +156,22 @@ struct MediumView {
 
  private:
   template <class T>
-  T down_to(const ShortTable& coefficient, const ShortTable& to_top, const Index<T>& line,
-            const Index<T>& layer, const T& depth) const {
-    const T above = gather<T>(to_top, line * Index<T>(layers + 1) + layer);
-    return above + gather<T>(coefficient, at(line, layer)) * (depth - gather<T>(top, layer));
+  T down_to(const ShortTable& to_top, const Index<T>& line, const Level<T>& at,
+            const T& coefficient) const {
+    return gather<T>(to_top, line * Index<T>(layers + 1) + at.layer) + coefficient * at.below_top;
   }
   template <class T>
   T slant(const ShortTable& coefficient, const ShortTable& to_top, const Index<T>& line,
-          const Index<T>& layer1, const T& depth1, const Index<T>& layer2, const T& depth2,
-          const T& length) const {
+          const Level<T>& from, const Level<T>& to, const T& length) const {
     using std::abs;
-    const Mask<T> same = layer1 == layer2;
-    const T within = gather<T>(coefficient, at(line, layer1)) * length;
+    const Mask<T> same = from.layer == to.layer;
+    const T first = gather<T>(coefficient, at(line, from.layer));
+    const T within = first * length;
     if (all(same)) return within;
-    const T rise = select(same, T(1), abs(depth1 - depth2));
-    const T difference = down_to<T>(coefficient, to_top, line, layer1, depth1) -
-                         down_to<T>(coefficient, to_top, line, layer2, depth2);
-    const T downwards = select(depth1 > depth2, difference, -difference);
+    const T last = gather<T>(coefficient, at(line, to.layer));
+    const T rise = select(same, T(1), abs(from.depth - to.depth));
+    const T difference = down_to(to_top, line, from, first) - down_to(to_top, line, to, last);
+    const T downwards = select(from.depth > to.depth, difference, -difference);
     return select(same, within, downwards * length / rise);
   }
 };
@@ -236,6 +250,7 @@ class Medium {
       inverse_index_, group_index_, environment_rows_;
   IndexTableOwner convertible_, convertible_count_, line_of_hue_, elastic_phase_, conversion_phase_,
       part_phase_;
+  Layering by_depth_, by_walk_tau_;
   std::int32_t bands_ = 0;
   TwinTable phase_lines_, phase_quantiles_,
       phase_cores_;  ///< of all phase functions, one behind the other

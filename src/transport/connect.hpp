@@ -9,6 +9,7 @@
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
 #include "transport/crossing.hpp"
+#include "transport/depths.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -95,7 +96,7 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
       seen,
       telescope.area() * (safe_towards * cos_air) * overlap * transmitted / area_per_solid_angle,
       T(0));
-  way.optical_depth = sea.optical_depth<T>(line, at.layer, depth) * secant_water;
+  way.optical_depth = sea.optical_depth(line, level_of(sea, at)) * secant_water;
   way.length_water = in_water;
   way.path = longer_way(telescope, crossed_at(at.position, ray, in_water), {}, in_air) +
              in_water * gather<T>(sea.group_index, line);
@@ -129,7 +130,6 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
                                const Index<T>& line, bool mirrored) {
   using std::abs;
   using std::sqrt;
-  const T depth = -at.position.z;
   const T telescope_depth = -telescope.position.z;
   const Vec3<T> target{telescope.position.x, telescope.position.y,
                        mirrored ? telescope_depth : telescope.position.z};
@@ -151,14 +151,11 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
   if (!any(seen)) return way;
 
   const T steep = abs(way.direction.z);
-  if (mirrored) {
-    way.optical_depth = (sea.optical_depth<T>(line, at.layer, depth) +
-                         sea.optical_depth<T>(line, telescope_layer, telescope_depth)) /
-                        steep;
-  } else {
-    way.optical_depth = sea.slant_optical_depth<T>(line, at.layer, depth, telescope_layer,
-                                                   telescope_depth, distance);
-  }
+  const auto from = level_of(sea, at);
+  const auto to = sea.level(telescope_layer, telescope_depth);
+  way.optical_depth = mirrored
+                          ? (sea.optical_depth(line, from) + sea.optical_depth(line, to)) / steep
+                          : sea.slant_optical_depth(line, from, to, distance);
   way.length_water = distance;
   way.path = distance * gather<T>(sea.group_index, line);
   const T reflected =

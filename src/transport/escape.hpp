@@ -6,6 +6,7 @@
 #include "core/elementary.hpp"
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
+#include "transport/depths.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -22,7 +23,7 @@ template <class T>
 Escape<T> escape(const medium::MediumView& sea, const Photon<T>& photon) {
   using std::abs;
   const T down = -photon.direction.z;
-  const T depth = -photon.position.z;
+  const auto at = level_of(sea, photon);
   const Mask<T> level = down == T(0);
   const T slant = T(1) / select(level, T(1), abs(down));
   Escape<T> out;
@@ -35,11 +36,10 @@ Escape<T> escape(const medium::MediumView& sea, const Photon<T>& photon) {
                                         select(out.surface, photon.direction.z, T(1)))
                             .reflectance;
   const T passed = select(level, T(0), select(out.surface, T(1) - reflectance, T(1)));
-  out.probability = passed * chance(sea.walk_optical_depth<T>(photon.line, photon.layer, depth),
-                                    gather<T>(sea.walk_depth_tau, bed));
-  out.weight =
-      photon.weight * passed *
-      chance(sea.optical_depth<T>(photon.line, photon.layer, depth), gather<T>(sea.depth_tau, bed));
+  out.probability =
+      passed * chance(sea.walk_optical_depth(photon.line, at), gather<T>(sea.walk_depth_tau, bed));
+  out.weight = photon.weight * passed *
+               chance(sea.optical_depth(photon.line, at), gather<T>(sea.depth_tau, bed));
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "core/elementary.hpp"
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
+#include "transport/depths.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -21,56 +22,28 @@ struct FlightEnd {
   Index<T> layer{};  ///< the photon's; of one at the surface, where its free path ends if reflected
 };                   ///< neither surface nor sea bed: it collides where it stands
 
-/// The layer in which a coordinate lies that grows with depth (the first or the last if in none),
-/// as `top` has it of the layers' upper edges from entry `row` on, and of the sea bed; on an edge
-/// it is `from`, if that is one of the two, else the upper one. By quarters, for among many lanes
-/// one always has far to go; the three edges of a step do not wait for each other.
+/// A flight's free path begins at a level; it ends at so much of the walk's optical depth from the
+/// surface straight down, negative if above it, and in that layer, as if reflected by the surface.
 template <class T>
-Index<T> layer_of(const medium::MediumView& sea, const ShortTable& top, const Index<T>& row,
-                  const Index<T>& from, const T& coordinate) {
-  if (sea.layers == 1) return from;
-  const Index<T> last(sea.layers - 1);
-  const Mask<T> not_above = (from == Index<T>(0)) | (coordinate >= gather<T>(top, row + from));
-  const Mask<T> not_below =
-      (from == last) | (coordinate <= gather<T>(top, row + from + Index<T>(1)));
-  const Mask<T> stays = not_above & not_below;
-  if (all(stays)) return from;
-  Index<T> layer(0);
-  std::int32_t step = 1;
-  while (4 * step < sea.layers) step *= 4;
-  for (; step > 0; step /= 4) {
-    const Index<T> first = layer;
-    for (std::int32_t k = 1; k < 4; ++k) {
-      const Index<T> next = first + Index<T>(k * step);
-      const Mask<T> exists = next <= last;
-      const T upper_edge = gather<T>(top, row + select(exists, next, last));
-      layer = select(exists & (coordinate > upper_edge), next, layer);
-    }
-  }
-  return select(stays, from, layer);
-}
+struct FreePath {
+  T length{};  ///< an optical depth
+  medium::Level<T> from{};
+  T target{};
+  Index<T> layer{};
+};
 
-/// Moves a photon in the water by a free path, given as an optical depth, across layers, or to the
-/// surface or the sea bed. Free paths -ln(u) are drawn from the medium's walk coefficient c', which
-/// is less than c; the weight takes the ratio of the true density of free paths to the drawn one,
-/// exp(-(tau - tau')), and c / c' at a collision. `guess`: a layer in which that may well be.
+/// Moves a photon in the water by a free path, across layers, or to the surface or the sea bed. The
+/// weight takes the ratio of the true density of free paths to the drawn one, exp(-(tau - tau')),
+/// and c / c' at a collision.
 template <class T>
-FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free_path,
-                 const Index<T>& guess) {
-  using std::abs;
+FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FreePath<T>& path) {
   const T down = -photon.direction.z;
-  const T depth = -photon.position.z;
-  const T target = sea.walk_optical_depth<T>(photon.line, photon.layer, depth) + free_path * down;
-
+  const T& target = path.target;
   const Index<T> row = photon.line * Index<T>(sea.layers + 1);
   FlightEnd<T> end;
   end.surface = (target <= T(0)) & (down < T(0));
-  Index<T> layer = photon.layer;
-  if (sea.layers > 1) {
-    // Whoever comes back from the surface has as much of the optical depth again below it.
-    end.layer = layer_of(sea, sea.walk_depth_tau, row, guess, abs(target));
-    layer = select(end.surface, Index<T>(0), end.layer);
-  }
+  end.layer = path.layer;
+  const Index<T> layer = select(end.surface, Index<T>(0), path.layer);
   end.sea_bed = target > gather<T>(sea.walk_depth_tau, row + Index<T>(sea.layers));
   const Mask<T> stopped = end.surface | end.sea_bed;
   const Mask<T> stays = (layer == photon.layer) & !stopped;
@@ -78,20 +51,21 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free
 
   // Within one layer the path is exact also for a horizontal flight; across edges it follows from
   // the depths.
-  T distance = free_path * mean_path;
+  medium::Level<T> to{layer, {}, {}};
+  T distance = path.length * mean_path;
   Vec3<T> there = photon.position + distance * photon.direction;
   if (!all(stays)) {
     const T inside = (target - gather<T>(sea.walk_depth_tau, row + layer)) * mean_path;
+    const T top = gather<T>(sea.top, layer);
     const T bed = gather<T>(sea.top, Index<T>(sea.layers));
-    const T depth_at_end =
-        select(end.surface, T(0), select(end.sea_bed, bed, gather<T>(sea.top, layer) + inside));
-    distance = select(stays, distance, (depth_at_end - depth) / select(stays, T(1), down));
+    to.depth = select(end.surface, T(0), select(end.sea_bed, bed, top + inside));
+    to.below_top = to.depth - top;
+    distance = select(stays, distance, (to.depth - path.from.depth) / select(stays, T(1), down));
     there = photon.position + distance * photon.direction;
-    there.z = select(stays, there.z, -depth_at_end);
+    there.z = select(stays, there.z, -to.depth);
     end.rest = select(end.surface, target / select(end.surface, down, T(1)), T(0));
   }
-  const T absorbed_tau = sea.continuous_slant_optical_depth<T>(photon.line, photon.layer, depth,
-                                                               layer, -there.z, distance);
+  const T absorbed_tau = sea.continuous_slant_optical_depth(photon.line, path.from, to, distance);
   end.length = distance;
   photon.position = there;
   photon.layer = layer;
@@ -103,16 +77,21 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free
   return end;
 }
 
-/// The same, guessing that the flight ends in the layer where it begins.
+/// The same, by a free path given as an optical depth: -ln(u) of the medium's walk coefficient c',
+/// which is less than c.
 template <class T>
 FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free_path) {
-  return fly(sea, photon, free_path, photon.layer);
+  using std::abs;
+  const auto from = level_of(sea, photon);
+  const T target = sea.walk_optical_depth(photon.line, from) - free_path * photon.direction.z;
+  const auto layer = sea.by_walk_tau.layer_of(photon.line, photon.layer, T(abs(target)));
+  return fly(sea, photon, FreePath<T>{free_path, from, target, layer});
 }
 
-/// The layer of a depth; on an edge as layer_of() has it.
+/// The layer of a depth; on an edge `from`, if that is one of the two, else the upper one.
 template <class T>
 Index<T> layer_at(const medium::MediumView& sea, const Index<T>& from, const T& depth) {
-  return layer_of(sea, sea.top, Index<T>(0), from, depth);
+  return sea.by_depth.layer_of(Index<T>(0), from, depth);
 }
 
 /// Moves a photon by a distance, whatever it passes. Tells whether it is still in the water.
@@ -148,7 +127,8 @@ void fly_on(const medium::MediumView& sea, Photon<T>& photon, FlightEnd<T>& end,
   if (!any(turned)) return;
   Photon<T> down = photon;
   reflect(turned, down);
-  const FlightEnd<T> onward = fly(sea, down, end.rest, end.layer);
+  const FreePath<T> rest{end.rest, {}, T(0) - end.rest * down.direction.z, end.layer};
+  const FlightEnd<T> onward = fly(sea, down, rest);
   photon.position = select<T>(turned, down.position, photon.position);
   photon.direction.z = select(turned, down.direction.z, photon.direction.z);
   photon.layer = select(turned, down.layer, photon.layer);

@@ -10,6 +10,7 @@
 
 #include "core/elementary.hpp"
 #include "medium/medium.hpp"
+#include "transport/depths.hpp"
 #include "transport/flight.hpp"
 #include "transport/photon.hpp"
 
@@ -143,20 +144,16 @@ Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
   photon.layer = select(forced, placed.layer, flown.layer);
   photon.path = select(forced, placed.path, flown.path);
 
-  const T depth1 = -before.position.z;
-  const T depth2 = -photon.position.z;
   const Index<T> here = sea.at(photon.line, photon.layer);
-  const T tau =
-      sea.slant_optical_depth<T>(photon.line, before.layer, depth1, photon.layer, depth2, moved);
-  const T walk_tau = sea.walk_slant_optical_depth<T>(photon.line, before.layer, depth1,
-                                                     photon.layer, depth2, moved);
-  T density = (T(1) - share) * gather<T>(sea.walk_c, here) * exp_minus(walk_tau);
+  const auto tau =
+      depths_between(sea, photon.line, level_of(sea, before), level_of(sea, photon), moved);
+  T density = (T(1) - share) * gather<T>(sea.walk_c, here) * exp_minus(tau.walk);
   const T per_view = share / select(count > T(0), count, T(1));
   for (std::size_t k = 0; k < taking_part; ++k)
     density = density + per_view * stretch[k].density(moved);
   photon.weight =
       photon.weight *
-      select(reached, gather<T>(sea.c, here) * exp_minus(tau) / select(reached, density, T(1)),
+      select(reached, gather<T>(sea.c, here) * exp_minus(tau.all) / select(reached, density, T(1)),
              T(0));
   return reached;
 }

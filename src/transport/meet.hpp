@@ -30,9 +30,8 @@ template <class T>
 OpticalDepths<T> depths_along(const medium::MediumView& sea, const Ray<T>& ray,
                               const Index<T>& layer, const T& depth, const T& length) {
   const T from = -ray.position.z;
-  const OpticalDepths<T> straight{
-      sea.slant_optical_depth<T>(ray.line, ray.layer, from, layer, depth, length),
-      sea.walk_slant_optical_depth<T>(ray.line, ray.layer, from, layer, depth, length)};
+  const OpticalDepths<T> straight =
+      depths_between(sea, ray.line, level_of(sea, ray), sea.level(layer, depth), length);
   const Mask<T> reflected = ray.is_reflected();
   if (!any(reflected)) return straight;
   const auto by_surface = depths_by_surface(sea, ray.line, ray.layer, T(-from), layer, depth,

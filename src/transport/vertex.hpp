@@ -28,6 +28,7 @@
 #include "core/elementary.hpp"
 #include "medium/medium.hpp"
 #include "transport/crossing.hpp"
+#include "transport/depths.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -270,9 +271,8 @@ void add_flight(const medium::MediumView& sea, const Photon<T>& before, const Ph
                 Leg<T>& leg) {
   const T moved = (photon.path - before.path) / gather<T>(sea.group_index, photon.line);
   leg.length = leg.length + moved;
-  leg.walk_tau =
-      leg.walk_tau + sea.walk_slant_optical_depth<T>(photon.line, before.layer, -before.position.z,
-                                                     photon.layer, -photon.position.z, moved);
+  leg.walk_tau = leg.walk_tau + sea.walk_slant_optical_depth(photon.line, level_of(sea, before),
+                                                             level_of(sea, photon), moved);
 }
 
 /// The part of n h / g of a meeting that follows from both directions' z: only where light turns

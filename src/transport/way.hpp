@@ -8,6 +8,7 @@
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
 #include "transport/crossing.hpp"
+#include "transport/depths.hpp"
 
 namespace photic::transport {
 
@@ -78,30 +79,24 @@ Way<T> way_in_water(const medium::MediumView& sea, const Vec3<T>& from, const In
   return way;
 }
 
-/// Optical depths of a way's first `length` in the water, which ends in a layer: of the light, and
-/// of the coefficient that free paths are drawn from.
-template <class T>
-struct OpticalDepths {
-  T all, walk;
-};
+/// Optical depths of a way's first `length` in the water, which ends in a layer.
 template <class T>
 OpticalDepths<T> depths_through_surface(const medium::MediumView& sea, const Way<T>& way,
                                         const Index<T>& line, const Index<T>& layer,
                                         const T& depth) {
-  return {sea.optical_depth<T>(line, layer, depth) * way.secant_water,
-          sea.walk_optical_depth<T>(line, layer, depth) * way.secant_water};
+  const auto at = sea.level(layer, depth);
+  return {sea.optical_depth(line, at) * way.secant_water,
+          sea.walk_optical_depth(line, at) * way.secant_water};
 }
 /// By way of the surface, from one depth to another.
 template <class T>
 OpticalDepths<T> depths_by_surface(const medium::MediumView& sea, const Index<T>& line,
                                    const Index<T>& layer1, const T& depth1, const Index<T>& layer2,
                                    const T& depth2, const T& secant) {
-  return {
-      (sea.optical_depth<T>(line, layer1, depth1) + sea.optical_depth<T>(line, layer2, depth2)) *
-          secant,
-      (sea.walk_optical_depth<T>(line, layer1, depth1) +
-       sea.walk_optical_depth<T>(line, layer2, depth2)) *
-          secant};
+  const auto from = sea.level(layer1, depth1);
+  const auto to = sea.level(layer2, depth2);
+  return {(sea.optical_depth(line, from) + sea.optical_depth(line, to)) * secant,
+          (sea.walk_optical_depth(line, from) + sea.walk_optical_depth(line, to)) * secant};
 }
 template <class T>
 OpticalDepths<T> depths_in_water(const medium::MediumView& sea, const Way<T>& way,
@@ -113,9 +108,8 @@ OpticalDepths<T> depths_in_water(const medium::MediumView& sea, const Way<T>& wa
     return depths_by_surface(sea, line, layer, depth, end_layer, T(length * steep - depth),
                              T(T(1) / steep));
   }
-  const T end_depth = depth - length * way.direction.z;
-  return {sea.slant_optical_depth<T>(line, layer, depth, end_layer, end_depth, length),
-          sea.walk_slant_optical_depth<T>(line, layer, depth, end_layer, end_depth, length)};
+  return depths_between(sea, line, sea.level(layer, depth),
+                        sea.level(end_layer, T(depth - length * way.direction.z)), length);
 }
 
 }  // namespace photic::transport

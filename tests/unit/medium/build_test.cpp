@@ -118,7 +118,7 @@ TEST(BuildMedium, PutsEveryLayerWhereItIs) {
   EXPECT_EQ(view.convertible[1 * 2 + 0], 0);  // Raman light's band
   EXPECT_EQ(m.conversion[2 * 3 + 1], 0);
   EXPECT_GT(m.conversion[2 * 3 + 2], 0);
-  EXPECT_NEAR(view.optical_depth<double>(0, 2, 25.0), 7.5 * m.c[0] + 12.5 * m.c[1] + 5 * m.c[2],
+  EXPECT_NEAR(view.optical_depth(0, view.level(2, 25.0)), 7.5 * m.c[0] + 12.5 * m.c[1] + 5 * m.c[2],
               1e-12);
 }
 

@@ -49,10 +49,10 @@ TEST(Medium, AddsUpOpticalDepths) {
   auto m = two_layers();
   m.finish();
   const auto v = m.view();
-  EXPECT_NEAR(v.optical_depth<double>(0, 0, 4.0), 0.8, 1e-15);
-  EXPECT_NEAR(v.optical_depth<double>(0, 1, 10.0), 2.0, 1e-15);
-  EXPECT_NEAR(v.optical_depth<double>(0, 1, 12.0), 3.0, 1e-15);
-  EXPECT_NEAR(v.optical_depth<double>(1, 1, 12.0), 8.8, 1e-14);
+  EXPECT_NEAR(v.optical_depth(0, v.level(0, 4.0)), 0.8, 1e-15);
+  EXPECT_NEAR(v.optical_depth(0, v.level(1, 10.0)), 2.0, 1e-15);
+  EXPECT_NEAR(v.optical_depth(0, v.level(1, 12.0)), 3.0, 1e-15);
+  EXPECT_NEAR(v.optical_depth(1, v.level(1, 12.0)), 8.8, 1e-14);
   EXPECT_EQ(v.layers, 2);
   EXPECT_EQ(v.lines, 2);
   EXPECT_EQ(v.index[1], 1.33);
@@ -65,14 +65,15 @@ TEST(Medium, AddsUpOpticalDepthsOfSlantedWays) {
   auto m = two_layers();
   m.finish();
   const auto v = m.view();
-  EXPECT_NEAR(v.slant_optical_depth<double>(0, 0, 4.0, 0, 7.0, 5.0), 1.0, 1e-15);
-  EXPECT_NEAR(v.slant_optical_depth<double>(0, 0, 4.0, 0, 4.0, 5.0), 1.0, 1e-15);  // level
-  EXPECT_NEAR(v.slant_optical_depth<double>(0, 0, 4.0, 1, 12.0, 16.0), 2 * (6 * 0.2 + 2 * 0.5),
-              1e-14);
-  EXPECT_NEAR(v.slant_optical_depth<double>(0, 1, 12.0, 0, 4.0, 16.0), 2 * (6 * 0.2 + 2 * 0.5),
-              1e-14);
-  EXPECT_NEAR(v.walk_slant_optical_depth<double>(0, 0, 4.0, 1, 12.0, 16.0), 2 * (6 * 0.1 + 2 * 0.3),
-              1e-14);
+  EXPECT_NEAR(v.slant_optical_depth(0, v.level(0, 4.0), v.level(0, 7.0), 5.0), 1.0, 1e-15);
+  EXPECT_NEAR(v.slant_optical_depth(0, v.level(0, 4.0), v.level(0, 4.0), 5.0), 1.0,
+              1e-15);  // level
+  EXPECT_NEAR(v.slant_optical_depth(0, v.level(0, 4.0), v.level(1, 12.0), 16.0),
+              2 * (6 * 0.2 + 2 * 0.5), 1e-14);
+  EXPECT_NEAR(v.slant_optical_depth(0, v.level(1, 12.0), v.level(0, 4.0), 16.0),
+              2 * (6 * 0.2 + 2 * 0.5), 1e-14);
+  EXPECT_NEAR(v.walk_slant_optical_depth(0, v.level(0, 4.0), v.level(1, 12.0), 16.0),
+              2 * (6 * 0.1 + 2 * 0.3), 1e-14);
 }
 
 // Free paths are drawn from scattering alone, but from no less than a fifth of c. Seen red: without
@@ -86,7 +87,7 @@ TEST(Medium, WalksByScatteringAlone) {
   EXPECT_NEAR(v.walk_c[1], 0.3, 1e-16);
   EXPECT_NEAR(v.walk_c[2], 0.21, 1e-16);
   EXPECT_NEAR(v.walk_c[3], 0.18, 1e-16);
-  EXPECT_NEAR(v.walk_optical_depth<double>(0, 1, 12.0), 10 * 0.1 + 2 * 0.3, 1e-15);
+  EXPECT_NEAR(v.walk_optical_depth(0, v.level(1, 12.0)), 10 * 0.1 + 2 * 0.3, 1e-15);
 }
 
 // Where walks are connected, those in emitted light go farther, unless it is scattered much. Seen

@@ -46,8 +46,8 @@ medium::Medium make_other() {
 }
 
 double depth_of_way(const medium::Medium& sea, const Photon<double>& a, const Photon<double>& b) {
-  return sea.view().slant_optical_depth<double>(a.line, a.layer, -a.position.z, b.layer,
-                                                -b.position.z, length(b.position - a.position));
+  return sea.view().slant_optical_depth(a.line, level_of(sea.view(), a), level_of(sea.view(), b),
+                                        length(b.position - a.position));
 }
 
 /// A path on its own.

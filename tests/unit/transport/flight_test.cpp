@@ -26,38 +26,6 @@ Photon<double> photon_from(const medium::Medium& sea, double depth, const V& dir
   return photon;
 }
 
-// However many layers there are, in whichever row of a table their edges stand, and wherever the
-// search begins. Seen red: with two edges in a step, not three; with the first step too short; with
-// the lower layer on an edge.
-TEST(LayerOf, FindsEachOfManyLayers) {
-  Random random(67);
-  for (std::int32_t layers = 2; layers <= 70; ++layers) {
-    std::vector<double> edges;  // of two rows
-    for (int row = 0; row < 2; ++row) {
-      edges.push_back(0);
-      for (std::int32_t i = 0; i < layers; ++i)
-        edges.push_back(edges.back() + random.between(1, 2));
-    }
-    const TwinTable table(edges);
-    medium::MediumView sea;
-    sea.layers = layers;
-    for (const std::int32_t row : {0, layers + 1}) {
-      const double* edge = &edges[static_cast<std::size_t>(row)];
-      for (std::int32_t i = 0; i < layers; ++i) {
-        const std::int32_t from = random.below(layers);
-        const auto found = [&](double x) { return layer_of(sea, table.view(), row, from, x); };
-        const double inside = edge[i] + random.between(0.01, 0.99) * (edge[i + 1] - edge[i]);
-        ASSERT_EQ(found(inside), i) << layers << " layers from " << from;
-        if (i > 0) {
-          ASSERT_EQ(found(edge[i]), from == i ? i : i - 1) << layers << " layers from " << from;
-        }
-      }
-      ASSERT_EQ(layer_of(sea, table.view(), row, layers / 2, -1.0), 0);
-      ASSERT_EQ(layer_of(sea, table.view(), row, layers / 2, 1e9), layers - 1);
-    }
-  }
-}
-
 // Wherever a flight ends, the walk's optical depth of its way is -ln(u), or less where surface or
 // bed stood in the way. The path grows by the way times the line's group index; the weight takes
 // what c absorbs beyond the walk's coefficient, and their ratio at a collision. Seen red: with the

@@ -1,0 +1,29 @@
+// Optical depths between two places in the water.
+#pragma once
+
+#include "medium/medium.hpp"
+
+namespace photic::transport {
+
+/// Of the light, and of the coefficient that free paths are drawn from.
+template <class T>
+struct OpticalDepths {
+  T all, walk;
+};
+
+/// Of what stands in the water: a photon, a vertex, a ray where it begins.
+template <class Placed>
+auto level_of(const medium::MediumView& sea, const Placed& at) {
+  return sea.level(at.layer, -at.position.z);
+}
+
+/// Of a straight way of the given length between two levels.
+template <class T>
+OpticalDepths<T> depths_between(const medium::MediumView& sea, const Index<T>& line,
+                                const medium::Level<T>& from, const medium::Level<T>& to,
+                                const T& length) {
+  return {sea.slant_optical_depth(line, from, to, length),
+          sea.walk_slant_optical_depth(line, from, to, length)};
+}
+
+}  // namespace photic::transport
