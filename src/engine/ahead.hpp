@@ -42,13 +42,14 @@ template <bool special, class T>
 void score_further_points(const World<T>& world, const Travellers<T>& travellers,
                           Estimates<T>& estimates, tally::BatchTally& tally) {
   if (!any(travellers.on)) return;
+  const auto from = transport::flight_start(world.sea, travellers.photon);
   for (std::int32_t k = 1; k < world.scored_points; ++k) {
     const T rest = T(static_cast<double>(k) / world.scored_points);
     const T& u = travellers.u[0];
     const T turned = select(u > rest, u - rest, u + (T(1) - rest));
     transport::Photon<T> at = travellers.photon;
     const T free_path = minus_log(path_number<special>(travellers, turned));
-    auto end = transport::fly(world.sea, at, free_path);
+    auto end = transport::fly(world.sea, at, from, free_path);
     if (!special && world.flies_on) {
       transport::fly_on(world.sea, at, end, [&](const Mask<T>&, transport::Photon<T>& down) {
         transport::reflect_down(world.sea, down);

@@ -17,12 +17,12 @@ constexpr double rounding = 1e-6;
 Layering::Layering(std::span<const double> edges, std::int32_t layers)
     : layers_(layers), cells_((layers / cells_at_once + 1) * cells_at_once) {
   const auto row_length = static_cast<std::size_t>(layers) + 1;
-  std::vector<double> per_unit;
+  std::vector<double> ends, per_unit;
   std::vector<std::int32_t> first_layer;
   for (std::size_t row = 0; row < edges.size() / row_length; ++row) {
     const auto inner = edges.subspan(row * row_length + 1, row_length - 2);
-    const double end = inner.empty() ? 1 : inner.back();
-    const double width = end / (cells_ - 1);
+    const double width = (inner.empty() ? 1 : inner.back()) / (cells_ - 1);
+    ends.push_back(edges[row * row_length + row_length - 1]);
     per_unit.push_back(1 / width);
     for (std::int32_t i = 0; i < cells_; ++i) {
       const auto above = std::ranges::lower_bound(inner, i * width * (1 - rounding));
@@ -31,12 +31,14 @@ Layering::Layering(std::span<const double> edges, std::int32_t layers)
       most_edges_ = std::max(most_edges_, static_cast<std::int32_t>(below - above));
     }
   }
+  end_ = TwinTable(ends);
   cells_per_unit_ = TwinTable(per_unit);
   first_layer_ = IndexTableOwner(first_layer);
 }
 
 LayeringView Layering::view(const ShortTable& edge) const {
-  return {layers_, edge, cells_per_unit_.view(), first_layer_.view(), cells_, most_edges_};
+  return {layers_, edge,       end_.view(), cells_per_unit_.view(), first_layer_.view(),
+          cells_,  most_edges_};
 }
 
 }  // namespace photic::medium

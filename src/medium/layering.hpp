@@ -17,6 +17,7 @@ namespace photic::medium {
 struct LayeringView {
   std::int32_t layers = 0;
   ShortTable edge;            ///< upper ones, and the last one's lower, [row][layers + 1]
+  ShortTable end;             ///< the last one's lower edge again, [row]
   ShortTable cells_per_unit;  ///< of the coordinate, [row]
   IndexTable first_layer;     ///< [row][cells]
   std::int32_t cells = 0;
@@ -70,7 +71,7 @@ class Layering {
 
  private:
   std::int32_t layers_ = 0, cells_ = 0, most_edges_ = 0;
-  TwinTable cells_per_unit_;
+  TwinTable end_, cells_per_unit_;
   IndexTableOwner first_layer_;
 };
 

@@ -60,6 +60,12 @@ struct Level {
   T below_top{};  ///< how far below the layer's upper edge
 };
 
+/// A coefficient at a level [1/m], and its integral from the surface straight down to there.
+template <class T>
+struct Column {
+  T coefficient{}, integral{};
+};
+
 /// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
   std::int32_t layers = 0, lines = 0, bands = 0;
@@ -110,12 +116,12 @@ struct MediumView {
   /// Optical depth from the surface straight down to a level.
   template <class T>
   T optical_depth(const Index<T>& line, const Level<T>& at) const {
-    return down_to(depth_tau, line, at, gather<T>(c, this->at(line, at.layer)));
+    return column(c, depth_tau, line, at).integral;
   }
   /// The same of the coefficient that free paths are drawn from.
   template <class T>
   T walk_optical_depth(const Index<T>& line, const Level<T>& at) const {
-    return down_to(walk_depth_tau, line, at, gather<T>(walk_c, this->at(line, at.layer)));
+    return column(walk_c, walk_depth_tau, line, at).integral;
   }
 
   /// Optical depth of a straight way of the given length between two levels.
@@ -129,10 +135,17 @@ struct MediumView {
                              const T& length) const {
     return slant(walk_c, walk_depth_tau, line, from, to, length);
   }
+  /// Of what is absorbed along the way; `first` at the first level.
   template <class T>
-  T continuous_slant_optical_depth(const Index<T>& line, const Level<T>& from, const Level<T>& to,
+  T continuous_slant_optical_depth(const Index<T>& line, const Level<T>& from,
+                                   const Column<T>& first, const Level<T>& to,
                                    const T& length) const {
-    return slant(continuous_c, continuous_depth_tau, line, from, to, length);
+    if (all(from.layer == to.layer)) return first.coefficient * length;
+    return across(from, first, to, continuous_column(line, to), length);
+  }
+  template <class T>
+  Column<T> continuous_column(const Index<T>& line, const Level<T>& at) const {
+    return column(continuous_c, continuous_depth_tau, line, at);
   }
   // Rows of the environments' numbers: attenuation less the medium's [1/m], its integral from the
   // surface to a layer's top, emitted light over the medium's less 1, and a part's scattering less
@@ -156,23 +169,30 @@ struct MediumView {
 
  private:
   template <class T>
-  T down_to(const ShortTable& to_top, const Index<T>& line, const Level<T>& at,
-            const T& coefficient) const {
-    return gather<T>(to_top, line * Index<T>(layers + 1) + at.layer) + coefficient * at.below_top;
+  Column<T> column(const ShortTable& coefficient, const ShortTable& to_top, const Index<T>& line,
+                   const Level<T>& at) const {
+    const T here = gather<T>(coefficient, this->at(line, at.layer));
+    if (layers == 1) return {here, here * at.below_top};
+    const T above = gather<T>(to_top, line * Index<T>(layers + 1) + at.layer);
+    return {here, above + here * at.below_top};
   }
   template <class T>
   T slant(const ShortTable& coefficient, const ShortTable& to_top, const Index<T>& line,
           const Level<T>& from, const Level<T>& to, const T& length) const {
+    if (all(from.layer == to.layer)) return gather<T>(coefficient, at(line, from.layer)) * length;
+    return across(from, column(coefficient, to_top, line, from), to,
+                  column(coefficient, to_top, line, to), length);
+  }
+  /// Straight between two levels, also of one layer.
+  template <class T>
+  static T across(const Level<T>& from, const Column<T>& first, const Level<T>& to,
+                  const Column<T>& last, const T& length) {
     using std::abs;
     const Mask<T> same = from.layer == to.layer;
-    const T first = gather<T>(coefficient, at(line, from.layer));
-    const T within = first * length;
-    if (all(same)) return within;
-    const T last = gather<T>(coefficient, at(line, to.layer));
     const T rise = select(same, T(1), abs(from.depth - to.depth));
-    const T difference = down_to(to_top, line, from, first) - down_to(to_top, line, to, last);
+    const T difference = first.integral - last.integral;
     const T downwards = select(from.depth > to.depth, difference, -difference);
-    return select(same, within, downwards * length / rise);
+    return select(same, first.coefficient * length, downwards * length / rise);
   }
 };
 

@@ -22,13 +22,30 @@ struct FlightEnd {
   Index<T> layer{};  ///< the photon's; of one at the surface, where its free path ends if reflected
 };                   ///< neither surface nor sea bed: it collides where it stands
 
-/// A flight's free path begins at a level; it ends at so much of the walk's optical depth from the
-/// surface straight down, negative if above it, and in that layer, as if reflected by the surface.
+/// Where flights begin.
+template <class T>
+struct FlightStart {
+  medium::Level<T> level;
+  T walk_tau{};                  ///< the walk's optical depth from the surface straight down
+  medium::Column<T> continuous;  ///< of what is absorbed along the way
+};
+template <class T>
+FlightStart<T> flight_start(const medium::MediumView& sea, const Photon<T>& photon) {
+  const auto level = level_of(sea, photon);
+  return {level, sea.walk_optical_depth(photon.line, level),
+          sea.continuous_column(photon.line, level)};
+}
+/// Of photons at the surface.
+template <class T>
+FlightStart<T> flight_start_at_surface(const medium::MediumView& sea, const Index<T>& line) {
+  return {{}, {}, {gather<T>(sea.continuous_c, sea.at(line, Index<T>(0))), {}}};
+}
+
+/// A free path: an optical depth. It ends at so much of the walk's optical depth from the surface
+/// straight down, negative if above it, and in that layer, as if reflected by the surface.
 template <class T>
 struct FreePath {
-  T length{};  ///< an optical depth
-  medium::Level<T> from{};
-  T target{};
+  T length{}, target{};
   Index<T> layer{};
 };
 
@@ -36,7 +53,8 @@ struct FreePath {
 /// weight takes the ratio of the true density of free paths to the drawn one, exp(-(tau - tau')),
 /// and c / c' at a collision.
 template <class T>
-FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FreePath<T>& path) {
+FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FlightStart<T>& from,
+                 const FreePath<T>& path) {
   const T down = -photon.direction.z;
   const T& target = path.target;
   const Index<T> row = photon.line * Index<T>(sea.layers + 1);
@@ -44,7 +62,7 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FreePat
   end.surface = (target <= T(0)) & (down < T(0));
   end.layer = path.layer;
   const Index<T> layer = select(end.surface, Index<T>(0), path.layer);
-  end.sea_bed = target > gather<T>(sea.walk_depth_tau, row + Index<T>(sea.layers));
+  end.sea_bed = target > gather<T>(sea.by_walk_tau.end, photon.line);
   const Mask<T> stopped = end.surface | end.sea_bed;
   const Mask<T> stays = (layer == photon.layer) & !stopped;
   const T mean_path = gather<T>(sea.walk_mean_path, sea.at(photon.line, layer));
@@ -57,15 +75,15 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FreePat
   if (!all(stays)) {
     const T inside = (target - gather<T>(sea.walk_depth_tau, row + layer)) * mean_path;
     const T top = gather<T>(sea.top, layer);
-    const T bed = gather<T>(sea.top, Index<T>(sea.layers));
-    to.depth = select(end.surface, T(0), select(end.sea_bed, bed, top + inside));
+    to.depth = select(end.surface, T(0), select(end.sea_bed, T(sea.top[sea.layers]), top + inside));
     to.below_top = to.depth - top;
-    distance = select(stays, distance, (to.depth - path.from.depth) / select(stays, T(1), down));
+    distance = select(stays, distance, (to.depth - from.level.depth) / select(stays, T(1), down));
     there = photon.position + distance * photon.direction;
     there.z = select(stays, there.z, -to.depth);
     end.rest = select(end.surface, target / select(end.surface, down, T(1)), T(0));
   }
-  const T absorbed_tau = sea.continuous_slant_optical_depth(photon.line, path.from, to, distance);
+  const T absorbed_tau =
+      sea.continuous_slant_optical_depth(photon.line, from.level, from.continuous, to, distance);
   end.length = distance;
   photon.position = there;
   photon.layer = layer;
@@ -80,12 +98,16 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FreePat
 /// The same, by a free path given as an optical depth: -ln(u) of the medium's walk coefficient c',
 /// which is less than c.
 template <class T>
-FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free_path) {
+FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FlightStart<T>& from,
+                 const T& free_path) {
   using std::abs;
-  const auto from = level_of(sea, photon);
-  const T target = sea.walk_optical_depth(photon.line, from) - free_path * photon.direction.z;
+  const T target = from.walk_tau - free_path * photon.direction.z;
   const auto layer = sea.by_walk_tau.layer_of(photon.line, photon.layer, T(abs(target)));
-  return fly(sea, photon, FreePath<T>{free_path, from, target, layer});
+  return fly(sea, photon, from, FreePath<T>{free_path, target, layer});
+}
+template <class T>
+FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free_path) {
+  return fly(sea, photon, flight_start(sea, photon), free_path);
 }
 
 /// The layer of a depth; on an edge `from`, if that is one of the two, else the upper one.
@@ -101,7 +123,7 @@ Mask<T> advance(const medium::MediumView& sea, Photon<T>& photon, const T& dista
   photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
   const T depth = -photon.position.z;
   photon.layer = layer_at(sea, photon.layer, depth);
-  return (depth > T(0)) & (depth < gather<T>(sea.top, Index<T>(sea.layers)));
+  return (depth > T(0)) & (depth < T(sea.top[sea.layers]));
 }
 
 /// Reflects a photon that stands at the surface back into the water, its weight times the Fresnel
@@ -127,8 +149,8 @@ void fly_on(const medium::MediumView& sea, Photon<T>& photon, FlightEnd<T>& end,
   if (!any(turned)) return;
   Photon<T> down = photon;
   reflect(turned, down);
-  const FreePath<T> rest{end.rest, {}, T(0) - end.rest * down.direction.z, end.layer};
-  const FlightEnd<T> onward = fly(sea, down, rest);
+  const FreePath<T> rest{end.rest, T(0) - end.rest * down.direction.z, end.layer};
+  const FlightEnd<T> onward = fly(sea, down, flight_start_at_surface<T>(sea, down.line), rest);
   photon.position = select<T>(turned, down.position, photon.position);
   photon.direction.z = select(turned, down.direction.z, photon.direction.z);
   photon.layer = select(turned, down.layer, photon.layer);

@@ -143,8 +143,10 @@ class Writer {
     photon_.position = place;
     photon_.layer = transport::layer_at(world_.sea, before.layer, -place.z);
     photon_.path += distance * world_.sea.group_index[photon_.line];
+    const auto from = level_of(world_.sea, before);
     photon_.weight *= std::exp(-world_.sea.continuous_slant_optical_depth(
-        photon_.line, level_of(world_.sea, before), level_of(world_.sea, photon_), distance));
+        photon_.line, from, world_.sea.continuous_column(photon_.line, from),
+        level_of(world_.sea, photon_), distance));
     transport::add_flight(world_.sea, before, photon_, leg);
   }
 
