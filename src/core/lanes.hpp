@@ -78,6 +78,12 @@ struct ShortTable : Table {
   std::int32_t size = 0;
 };
 
+/// Two such tables, whose numbers are mostly wanted together: as columns and as rows.
+struct ShortPairs {
+  ShortTable first, second;
+  Table rows;
+};
+
 /// A function's unit is cut into so many cells, from which its series start: in double 64, in float
 /// no more than every register holds. The same terms do for both.
 template <class T>
@@ -180,6 +186,12 @@ std::array<T, n> gather_row(const Table& table, std::int32_t first) {
   for (std::int32_t k = 0; k < n; ++k)
     out[static_cast<std::size_t>(k)] = gather<T>(table, first + k);
   return out;
+}
+
+/// Both numbers of a pair.
+template <std::floating_point T>
+std::array<T, 2> gather_pair(const ShortPairs& pairs, std::int32_t i) {
+  return gather_row<2, T>(pairs.rows, 2 * i);
 }
 
 template <std::floating_point T>

@@ -62,6 +62,13 @@ std::array<T, n> gather_row(const Table& table, const Index<T>& first) {
 }
 template <class T>
   requires is_pack<T>
+std::array<T, 2> gather_pair(const ShortPairs& pairs, const Index<T>& i) {
+  if (sizeof(Element<T>) == 4 && pairs.first.size > native::held_in_registers<T::lanes>)
+    return gather_row<2, T>(pairs.rows, i + i);
+  return {gather<T>(pairs.first, i), gather<T>(pairs.second, i)};
+}
+template <class T>
+  requires is_pack<T>
 Index<T> gather_index(const std::int32_t* data, const Index<T>& i) {
   return Index<T>::of(native::gather<T::lanes>(data, i.v));
 }

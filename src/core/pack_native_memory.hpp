@@ -66,6 +66,12 @@ Vector<E, N> gather_cells(const E* data, const Vector<std::int32_t, N>& index) {
   return gather<N, E>(data, index);
 }
 
+/// Tables of more numbers than these are read from memory.
+template <int N>
+inline constexpr std::int32_t held_in_registers = N == 16 && float_lanes == 16 ? 64
+                                                  : N == 8 && float_lanes >= 8 ? 8
+                                                                               : 0;
+
 /// The same of a table of so many numbers, readable up to a multiple of 64 of them: from registers
 /// where it is short.
 template <int N, class E>

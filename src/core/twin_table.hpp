@@ -32,6 +32,23 @@ class TwinTable {
   std::vector<float> rounded_;
 };
 
+/// Owns two tables of the same length.
+class TwinPairs {
+ public:
+  TwinPairs() = default;
+  TwinPairs(std::span<const double> first, std::span<const double> second)
+      : first_(first), second_(second) {
+    std::vector<double> rows;
+    for (std::size_t i = 0; i < first.size(); ++i) rows.insert(rows.end(), {first[i], second[i]});
+    rows_ = TwinTable(rows);
+  }
+
+  [[nodiscard]] ShortPairs view() const { return {first_.view(), second_.view(), rows_.table()}; }
+
+ private:
+  TwinTable first_, second_, rows_;
+};
+
 /// Owns a short table of integers.
 class IndexTableOwner {
  public:

@@ -100,6 +100,15 @@ std::vector<double> Medium::depth_integrals(const std::vector<double>& coefficie
   return out;
 }
 
+TwinPairs Medium::with_integrals(const std::vector<double>& coefficient) const {
+  const auto n_layers = static_cast<std::size_t>(layers());
+  std::vector<double> to_tops;
+  const auto to_edges = depth_integrals(coefficient);
+  for (std::size_t i = 0; i < coefficient.size(); ++i)
+    to_tops.push_back(to_edges[i + i / n_layers]);
+  return {coefficient, to_tops};
+}
+
 std::vector<double> Medium::environment_rows() const {
   const auto count = static_cast<std::size_t>(environments.count);
   const auto stride = static_cast<std::size_t>(padded(environments.count));
@@ -170,19 +179,21 @@ void Medium::finish(std::optional<double> walk_share) {
     gain.push_back(1 / share);
   }
   top_ = TwinTable(top);
-  c_ = TwinTable(c);
+  c_ = with_integrals(c);
   albedo_ = TwinTable(albedo);
   absorption_ = TwinTable(absorption);
-  walk_c_ = TwinTable(walk_c);
+  walk_c_ = with_integrals(walk_c);
   walk_mean_path_ = TwinTable(walk_mean_path);
-  continuous_c_ = TwinTable(continuous_c);
+  continuous_c_ = with_integrals(continuous_c);
   collision_gain_ = TwinTable(gain);
-  depth_tau_ = TwinTable(depth_integrals(c));
-  const auto walk_depth_tau = depth_integrals(walk_c);
-  walk_depth_tau_ = TwinTable(walk_depth_tau);
-  by_walk_tau_ = Layering(walk_depth_tau, layers());
+  const auto to_edges = depth_integrals(c);
+  std::vector<double> to_bed;
+  for (std::size_t l = 1; l <= n_lines; ++l) to_bed.push_back(to_edges[l * (n_layers + 1) - 1]);
+  bed_tau_ = TwinTable(to_bed);
+  const auto walk_edges = depth_integrals(walk_c);
+  walk_edges_ = TwinTable(walk_edges);
+  by_walk_tau_ = Layering(walk_edges, layers());
   by_depth_ = Layering(top, layers());
-  continuous_depth_tau_ = TwinTable(depth_integrals(continuous_c));
   environment_rows_ = TwinTable(environment_rows());
   part_phase_ = IndexTableOwner(environments.part_phase);
   elastic_phase_ = IndexTableOwner(elastic_phase);
@@ -231,15 +242,13 @@ MediumView Medium::view() const {
   v.top = top_.view();
   v.c = c_.view();
   v.albedo = albedo_.view();
-  v.depth_tau = depth_tau_.view();
+  v.bed_tau = bed_tau_.view();
   v.walk_c = walk_c_.view();
   v.walk_mean_path = walk_mean_path_.view();
-  v.walk_depth_tau = walk_depth_tau_.view();
   v.continuous_c = continuous_c_.view();
-  v.continuous_depth_tau = continuous_depth_tau_.view();
   v.collision_gain = collision_gain_.view();
   v.by_depth = by_depth_.view(v.top);
-  v.by_walk_tau = by_walk_tau_.view(v.walk_depth_tau);
+  v.by_walk_tau = by_walk_tau_.view(walk_edges_.view());
   v.conversion = conversion_.view();
   v.absorption = absorption_.view();
   v.convertible = convertible_.view();

@@ -69,23 +69,21 @@ struct Column {
 /// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
   std::int32_t layers = 0, lines = 0, bands = 0;
-  ShortTable top;        ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
-  ShortTable c;          ///< attenuation, [line][layer]
-  ShortTable albedo;     ///< b / c, [line][layer]
-  ShortTable depth_tau;  ///< optical depth from the surface to a layer's top, [line][layers + 1]
-  ShortTable walk_c;     ///< coefficient that free paths are drawn from, [line][layer]
-  ShortTable walk_mean_path;        ///< 1 / walk_c [m], [line][layer]
-  ShortTable walk_depth_tau;        ///< integral of walk_c from the surface to a layer's top,
-                                    ///< [line][layers + 1]
-  ShortTable continuous_c;          ///< c less walk_c, absorbed along the way, [line][layer]
-  ShortTable continuous_depth_tau;  ///< its integral, as above
-  ShortTable collision_gain;        ///< c / walk_c, [line][layer]
-  LayeringView by_depth;            ///< in one row, whose edges are `top`
-  LayeringView by_walk_tau;         ///< in a row for each line, whose edges are `walk_depth_tau`
-  ShortTable conversion;   ///< share of a collision at line 0 that emits at this line, over the
-                           ///< share of hues that may, [line][layer]
-  ShortTable absorption;   ///< share of a collision that ends the photon, [line][layer]
-  IndexTable convertible;  ///< the bands that a layer emits in, [layer][bands]
+  ShortTable top;     ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
+  ShortTable albedo;  ///< b / c, [line][layer]
+  // Coefficients and their integrals from the surface to a layer's top, [line][layer]:
+  ShortPairs c;               ///< attenuation
+  ShortPairs walk_c;          ///< what free paths are drawn from
+  ShortPairs continuous_c;    ///< c less walk_c, absorbed along the way
+  ShortTable bed_tau;         ///< the integral of c to the sea bed, [line]
+  ShortTable walk_mean_path;  ///< 1 / walk_c [m], [line][layer]
+  ShortTable collision_gain;  ///< c / walk_c, [line][layer]
+  LayeringView by_depth;      ///< in one row, whose edges are `top`
+  LayeringView by_walk_tau;   ///< in a row for each line, by the walk's optical depth
+  ShortTable conversion;      ///< share of a collision at line 0 that emits at this line, over the
+                              ///< share of hues that may, [line][layer]
+  ShortTable absorption;      ///< share of a collision that ends the photon, [line][layer]
+  IndexTable convertible;     ///< the bands that a layer emits in, [layer][bands]
   IndexTable convertible_count;  ///< how many they are, [layer]
   IndexTable line_of_hue;        ///< the line of a band that a photon emits in, [band][hue]
   ShortTable index;              ///< refractive index against air, [line]
@@ -116,24 +114,24 @@ struct MediumView {
   /// Optical depth from the surface straight down to a level.
   template <class T>
   T optical_depth(const Index<T>& line, const Level<T>& at) const {
-    return column(c, depth_tau, line, at).integral;
+    return column(c, line, at).integral;
   }
   /// The same of the coefficient that free paths are drawn from.
   template <class T>
   T walk_optical_depth(const Index<T>& line, const Level<T>& at) const {
-    return column(walk_c, walk_depth_tau, line, at).integral;
+    return column(walk_c, line, at).integral;
   }
 
   /// Optical depth of a straight way of the given length between two levels.
   template <class T>
   T slant_optical_depth(const Index<T>& line, const Level<T>& from, const Level<T>& to,
                         const T& length) const {
-    return slant(c, depth_tau, line, from, to, length);
+    return slant(c, line, from, to, length);
   }
   template <class T>
   T walk_slant_optical_depth(const Index<T>& line, const Level<T>& from, const Level<T>& to,
                              const T& length) const {
-    return slant(walk_c, walk_depth_tau, line, from, to, length);
+    return slant(walk_c, line, from, to, length);
   }
   /// Of what is absorbed along the way; `first` at the first level.
   template <class T>
@@ -145,7 +143,7 @@ struct MediumView {
   }
   template <class T>
   Column<T> continuous_column(const Index<T>& line, const Level<T>& at) const {
-    return column(continuous_c, continuous_depth_tau, line, at);
+    return column(continuous_c, line, at);
   }
   // Rows of the environments' numbers: attenuation less the medium's [1/m], its integral from the
   // surface to a layer's top, emitted light over the medium's less 1, and a part's scattering less
@@ -169,19 +167,17 @@ struct MediumView {
 
  private:
   template <class T>
-  Column<T> column(const ShortTable& coefficient, const ShortTable& to_top, const Index<T>& line,
-                   const Level<T>& at) const {
-    const T here = gather<T>(coefficient, this->at(line, at.layer));
-    if (layers == 1) return {here, here * at.below_top};
-    const T above = gather<T>(to_top, line * Index<T>(layers + 1) + at.layer);
-    return {here, above + here * at.below_top};
+  Column<T> column(const ShortPairs& coefficient, const Index<T>& line,
+                   const Level<T>& level) const {
+    const auto [here, above] = gather_pair<T>(coefficient, at(line, level.layer));
+    return {here, above + here * level.below_top};
   }
   template <class T>
-  T slant(const ShortTable& coefficient, const ShortTable& to_top, const Index<T>& line,
-          const Level<T>& from, const Level<T>& to, const T& length) const {
-    if (all(from.layer == to.layer)) return gather<T>(coefficient, at(line, from.layer)) * length;
-    return across(from, column(coefficient, to_top, line, from), to,
-                  column(coefficient, to_top, line, to), length);
+  T slant(const ShortPairs& coefficient, const Index<T>& line, const Level<T>& from,
+          const Level<T>& to, const T& length) const {
+    if (all(from.layer == to.layer))
+      return gather<T>(coefficient.first, at(line, from.layer)) * length;
+    return across(from, column(coefficient, line, from), to, column(coefficient, line, to), length);
   }
   /// Straight between two levels, also of one layer.
   template <class T>
@@ -263,11 +259,13 @@ class Medium {
   /// Integrals over depth from the surface to the layers' edges, [line][layers + 1], for as many
   /// lines as there are coefficients of.
   [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
+  /// A coefficient and its integrals to the layers' tops.
+  [[nodiscard]] TwinPairs with_integrals(const std::vector<double>& coefficient) const;
 
   /// The tables of the view, in both precisions.
-  TwinTable top_, c_, albedo_, conversion_, absorption_, depth_tau_, walk_c_, walk_mean_path_,
-      walk_depth_tau_, continuous_c_, continuous_depth_tau_, collision_gain_, index_,
-      inverse_index_, group_index_, environment_rows_;
+  TwinTable top_, albedo_, conversion_, absorption_, bed_tau_, walk_mean_path_, walk_edges_,
+      collision_gain_, index_, inverse_index_, group_index_, environment_rows_;
+  TwinPairs c_, walk_c_, continuous_c_;
   IndexTableOwner convertible_, convertible_count_, line_of_hue_, elastic_phase_, conversion_phase_,
       part_phase_;
   Layering by_depth_, by_walk_tau_;

@@ -55,7 +55,7 @@ struct Reversal {
 /// c' of the laser's line over that of a line.
 template <class T>
 T walk_c_ratio(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer) {
-  return gather<T>(sea.walk_c, layer) * gather<T>(sea.walk_mean_path, sea.at(line, layer));
+  return gather<T>(sea.walk_c.first, layer) * gather<T>(sea.walk_mean_path, sea.at(line, layer));
 }
 
 /// What a conversion's coefficient is to the attenuation of the line it emits [both 1/m].
@@ -63,7 +63,8 @@ template <class T>
 T conversion_per_emitted_c(const medium::MediumView& sea, const Index<T>& line,
                            const Index<T>& layer) {
   const Index<T> here = sea.at(line, layer);
-  return gather<T>(sea.conversion, here) * gather<T>(sea.c, layer) / gather<T>(sea.c, here);
+  return gather<T>(sea.conversion, here) * gather<T>(sea.c.first, layer) /
+         gather<T>(sea.c.first, here);
 }
 
 template <class T>

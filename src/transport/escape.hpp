@@ -28,7 +28,6 @@ Escape<T> escape(const medium::MediumView& sea, const Photon<T>& photon) {
   const T slant = T(1) / select(level, T(1), abs(down));
   Escape<T> out;
   out.surface = down < T(0);
-  const Index<T> bed = photon.line * Index<T>(sea.layers + 1) + Index<T>(sea.layers);
   const auto chance = [&](const T& to_surface, const T& to_bed) {
     return exp_minus(slant * select(out.surface, to_surface, to_bed - to_surface));
   };
@@ -36,10 +35,10 @@ Escape<T> escape(const medium::MediumView& sea, const Photon<T>& photon) {
                                         select(out.surface, photon.direction.z, T(1)))
                             .reflectance;
   const T passed = select(level, T(0), select(out.surface, T(1) - reflectance, T(1)));
-  out.probability =
-      passed * chance(sea.walk_optical_depth(photon.line, at), gather<T>(sea.walk_depth_tau, bed));
+  out.probability = passed * chance(sea.walk_optical_depth(photon.line, at),
+                                    gather<T>(sea.by_walk_tau.end, photon.line));
   out.weight = photon.weight * passed *
-               chance(sea.optical_depth(photon.line, at), gather<T>(sea.depth_tau, bed));
+               chance(sea.optical_depth(photon.line, at), gather<T>(sea.bed_tau, photon.line));
   return out;
 }
 

@@ -38,7 +38,7 @@ FlightStart<T> flight_start(const medium::MediumView& sea, const Photon<T>& phot
 /// Of photons at the surface.
 template <class T>
 FlightStart<T> flight_start_at_surface(const medium::MediumView& sea, const Index<T>& line) {
-  return {{}, {}, {gather<T>(sea.continuous_c, sea.at(line, Index<T>(0))), {}}};
+  return {{}, {}, {gather<T>(sea.continuous_c.first, sea.at(line, Index<T>(0))), {}}};
 }
 
 /// A free path: an optical depth. It ends at so much of the walk's optical depth from the surface
@@ -57,7 +57,6 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FlightS
                  const FreePath<T>& path) {
   const T down = -photon.direction.z;
   const T& target = path.target;
-  const Index<T> row = photon.line * Index<T>(sea.layers + 1);
   FlightEnd<T> end;
   end.surface = (target <= T(0)) & (down < T(0));
   end.layer = path.layer;
@@ -65,7 +64,8 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FlightS
   end.sea_bed = target > gather<T>(sea.by_walk_tau.end, photon.line);
   const Mask<T> stopped = end.surface | end.sea_bed;
   const Mask<T> stays = (layer == photon.layer) & !stopped;
-  const T mean_path = gather<T>(sea.walk_mean_path, sea.at(photon.line, layer));
+  const Index<T> here = sea.at(photon.line, layer);
+  const T mean_path = gather<T>(sea.walk_mean_path, here);
 
   // Within one layer the path is exact also for a horizontal flight; across edges it follows from
   // the depths.
@@ -73,7 +73,7 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FlightS
   T distance = path.length * mean_path;
   Vec3<T> there = photon.position + distance * photon.direction;
   if (!all(stays)) {
-    const T inside = (target - gather<T>(sea.walk_depth_tau, row + layer)) * mean_path;
+    const T inside = (target - gather<T>(sea.walk_c.second, here)) * mean_path;
     const T top = gather<T>(sea.top, layer);
     to.depth = select(end.surface, T(0), select(end.sea_bed, T(sea.top[sea.layers]), top + inside));
     to.below_top = to.depth - top;
@@ -88,7 +88,7 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FlightS
   photon.position = there;
   photon.layer = layer;
   photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
-  const T gain = gather<T>(sea.collision_gain, sea.at(photon.line, layer));
+  const T gain = gather<T>(sea.collision_gain, here);
   const T ratio = exp_minus(absorbed_tau) * select(stopped, T(1), gain);
   photon.weight = photon.weight * ratio;
   photon.analog_weight = photon.analog_weight * ratio;

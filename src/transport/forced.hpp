@@ -147,14 +147,14 @@ Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
   const Index<T> here = sea.at(photon.line, photon.layer);
   const auto tau =
       depths_between(sea, photon.line, level_of(sea, before), level_of(sea, photon), moved);
-  T density = (T(1) - share) * gather<T>(sea.walk_c, here) * exp_minus(tau.walk);
+  T density = (T(1) - share) * gather<T>(sea.walk_c.first, here) * exp_minus(tau.walk);
   const T per_view = share / select(count > T(0), count, T(1));
   for (std::size_t k = 0; k < taking_part; ++k)
     density = density + per_view * stretch[k].density(moved);
-  photon.weight =
-      photon.weight *
-      select(reached, gather<T>(sea.c, here) * exp_minus(tau.all) / select(reached, density, T(1)),
-             T(0));
+  photon.weight = photon.weight * select(reached,
+                                         gather<T>(sea.c.first, here) * exp_minus(tau.all) /
+                                             select(reached, density, T(1)),
+                                         T(0));
   return reached;
 }
 

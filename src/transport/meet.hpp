@@ -278,9 +278,10 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
   const T walked_out = exp_minus(tau_out.walk);
   const T walked_home = exp_minus(tau_home.walk);
   const T walk_mean_path = gather<T>(sea.walk_mean_path, here);
-  const T coefficient = select(converts, gather<T>(sea.conversion, here) * gather<T>(sea.c, layer),
-                               gather<T>(sea.albedo, here) * gather<T>(sea.c, here)) *
-                        walk_mean_path;
+  const T coefficient =
+      select(converts, gather<T>(sea.conversion, here) * gather<T>(sea.c.first, layer),
+             gather<T>(sea.albedo, here) * gather<T>(sea.c.first, here)) *
+      walk_mean_path;
   const Index<T> phase = select(converts, gather_index<T>(sea.conversion_phase, line),
                                 gather_index<T>(sea.elastic_phase, here));
   const T p = sea.phases.template value<T>(one_minus_cos(laser.direction, -back.direction), phase);

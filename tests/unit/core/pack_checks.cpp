@@ -203,6 +203,26 @@ void check_rows(test::Random& random) {
   }
 }
 
+/// Pairs from registers and from memory.
+void check_pairs(test::Random& random, std::int32_t length) {
+  std::vector<double> first, second;
+  for (std::int32_t k = 0; k < length; ++k) {
+    first.push_back(random.uniform());
+    second.push_back(random.uniform());
+  }
+  const TwinPairs pairs(first, second);
+  const auto x = make_lanes<std::int32_t>([&] { return random.below(length); });
+  const auto [a, b] = gather_pair<Real>(pairs.view(), pack(x));
+  for (std::size_t k = 0; k < width; ++k) {
+    const auto at = static_cast<std::size_t>(x[k]);
+    expect_bits(a, k, static_cast<float>(first[at]), "first of a pair");
+    expect_bits(b, k, static_cast<float>(second[at]), "second of a pair");
+    const auto [one, other] = gather_pair<double>(pairs.view(), x[k]);
+    ASSERT_EQ(one, first[at]);
+    ASSERT_EQ(other, second[at]);
+  }
+}
+
 void check_functions(test::Random& random) {
   const auto u = make_lanes<float>([&] { return random.uniform(); });
   const auto y = make_lanes<float>([&] { return random.scale(1e-6, 100); });
@@ -255,6 +275,7 @@ void check_packs() {
     check_integers(random);
     check_gathers(random);
     check_rows(random);
+    check_pairs(random, 1 + random.below(100));
     check_functions(random);
     check_random_numbers(random);
   }

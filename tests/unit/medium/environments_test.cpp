@@ -113,7 +113,7 @@ TEST(MediumOfEnvironments, DrawsFreePathsBetweenThoseOfAllWaters) {
       sea.layer[0] = other;
       scene = with(scene, sea);
     }
-    return gather<double>(medium_of(scene).view().walk_c, 0);
+    return gather<double>(medium_of(scene).view().walk_c.first, 0);
   };
   EXPECT_NEAR(walk_c({}), 0.10, 1e-15);
   EXPECT_EQ(walk_c({water(0.06, 0.10)}), walk_c({}));
@@ -146,7 +146,8 @@ TEST(MediumOfEnvironments, HasTangentsBehindThem) {
   EXPECT_LT(excess[0], 0);
   EXPECT_NEAR(excess[1], -excess[0], 1e-10 * excess[1]);  // attenuation goes with it
   scene.sensitivity.clear();
-  EXPECT_EQ(gather<double>(m.view().walk_c, 0), gather<double>(medium_of(scene).view().walk_c, 0));
+  EXPECT_EQ(gather<double>(m.view().walk_c.first, 0),
+            gather<double>(medium_of(scene).view().walk_c.first, 0));
   EXPECT_EQ(m.view().environments.stride % environment_padding, 0);
 }
 

@@ -83,10 +83,10 @@ TEST(Medium, WalksByScatteringAlone) {
   m.albedo = {0.5, 0.6, 0.3, 0.01};
   m.finish();
   const auto v = m.view();
-  EXPECT_NEAR(v.walk_c[0], 0.1, 1e-16);
-  EXPECT_NEAR(v.walk_c[1], 0.3, 1e-16);
-  EXPECT_NEAR(v.walk_c[2], 0.21, 1e-16);
-  EXPECT_NEAR(v.walk_c[3], 0.18, 1e-16);
+  EXPECT_NEAR(v.walk_c.first[0], 0.1, 1e-16);
+  EXPECT_NEAR(v.walk_c.first[1], 0.3, 1e-16);
+  EXPECT_NEAR(v.walk_c.first[2], 0.21, 1e-16);
+  EXPECT_NEAR(v.walk_c.first[3], 0.18, 1e-16);
   EXPECT_NEAR(v.walk_optical_depth(0, v.level(1, 12.0)), 10 * 0.1 + 2 * 0.3, 1e-15);
 }
 
@@ -97,13 +97,13 @@ TEST(Medium, WalksFartherInEmittedLight) {
   m.albedo = {0.9, 0.6, 0.3, 0.5};
   m.finish(0.6);
   const auto v = m.view();
-  EXPECT_NEAR(v.walk_c[0], 0.6 * 0.2, 1e-16);
-  EXPECT_NEAR(v.walk_c[1], 0.6 * 0.5, 1e-16);
-  EXPECT_NEAR(v.walk_c[2], 0.6 * 0.6 * 0.7, 1e-16);
-  EXPECT_NEAR(v.walk_c[3], 0.5 * 0.9, 1e-16);
+  EXPECT_NEAR(v.walk_c.first[0], 0.6 * 0.2, 1e-16);
+  EXPECT_NEAR(v.walk_c.first[1], 0.6 * 0.5, 1e-16);
+  EXPECT_NEAR(v.walk_c.first[2], 0.6 * 0.6 * 0.7, 1e-16);
+  EXPECT_NEAR(v.walk_c.first[3], 0.5 * 0.9, 1e-16);
   m.albedo[3] = 0.9;
   m.finish(0.6);
-  EXPECT_NEAR(m.view().walk_c[3], 0.6 * 0.9, 1e-16);
+  EXPECT_NEAR(m.view().walk_c.first[3], 0.6 * 0.9, 1e-16);
 }
 
 TEST(Medium, ListsWhatCanBeEmittedByLayer) {

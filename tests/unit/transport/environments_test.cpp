@@ -161,9 +161,9 @@ TEST(Environments, WhatFreePathsLeaveOfTheAttenuationActsAlongThem) {
   const auto sea = make_environments();
   for (std::size_t i = 0; i < sea.c.size(); ++i) {
     const auto cell = static_cast<std::int32_t>(i);
-    const double walk = gather<double>(sea.view().walk_c, cell);
+    const double walk = gather<double>(sea.view().walk_c.first, cell);
     EXPECT_LE(walk, sea.c[i] * (1 + 1e-15));
-    EXPECT_NEAR(walk + gather<double>(sea.view().continuous_c, cell), sea.c[i], 1e-15);
+    EXPECT_NEAR(walk + gather<double>(sea.view().continuous_c.first, cell), sea.c[i], 1e-15);
   }
 }
 
