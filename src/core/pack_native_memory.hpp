@@ -82,12 +82,12 @@ Vector<E, N> gather_short(const E* data, std::int32_t size, const Vector<std::in
     if (size <= 16) {
       return (Vector<E, N>)_mm512_permutexvar_epi32((__m512i)index, _mm512_loadu_si512(data));
     }
-    if (size <= 64) return gather_64<N, E>(data, index);
+    if (size <= held_in_registers<N>) return gather_64<N, E>(data, index);
   }
 #endif
 #if defined(__AVX2__)
   if constexpr (N == 8) {
-    if (size <= 8) {
+    if (size <= held_in_registers<N>) {
       __m256i table;
       std::memcpy(&table, data, sizeof table);
       return (Vector<E, N>)_mm256_permutevar8x32_epi32(table, (__m256i)index);

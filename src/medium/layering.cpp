@@ -1,7 +1,6 @@
 #include "medium/layering.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace photic::medium {

@@ -2,7 +2,6 @@
 // they are in without looking through all of them.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <span>
 
