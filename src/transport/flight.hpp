@@ -73,7 +73,8 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FlightS
   T distance = path.length * mean_path;
   Vec3<T> there = photon.position + distance * photon.direction;
   if (!all(stays)) {
-    const T inside = (target - gather<T>(sea.walk_c.second, here)) * mean_path;
+    const T to_top = gather<T>(sea.walk_c.second, here);  // the walk's optical depth
+    const T inside = (target - to_top) * mean_path;
     const T top = gather<T>(sea.top, layer);
     to.depth = select(end.surface, T(0), select(end.sea_bed, T(sea.top[sea.layers]), top + inside));
     to.below_top = to.depth - top;

@@ -77,6 +77,12 @@ std::string vehicle(const std::string& up_or_down, double at_m) {
       at_m, up_or_down);
 }
 
+/// The laser of the ship's instrument, in another direction.
+std::string ship_laser(const std::string& direction) {
+  return "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, 12.0]\ndirection = " +
+         direction + "\ndiameter_m = 0.04\nhalf_divergence_mrad = 5.0\n";
+}
+
 const std::string broad_phase = R"({ model = "henyey-greenstein", g = 0.3 })";
 const std::string wide_phase = R"({ model = "henyey-greenstein", g = 0.8 })";
 const std::string range_gates =
@@ -138,30 +144,31 @@ INSTANTIATE_TEST_SUITE_P(
              vehicle("1.0", -8) + channel("elastic") + water(0.06, 0.1, wide_phase) +
                  "[gates]\nrange_min_m = 3.0\nrange_max_m = 8.0\nrange_step_m = 1.0\n",
              1.2e7, 4e5, 1, 3},
-        Case{
-            "AsideDefocusedObstructed",
-            "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, 12.0]\ndirection = [0.01, "
-            "0.0, -1.0]\ndiameter_m = 0.04\nhalf_divergence_mrad = 5.0\n[[telescope]]\nposition_m "
-            "= [0.5, 0.2, 12.0]\ndirection = [0.0, 0.0, -1.0]\ndiameter_m = 0.40\nfocal_length_m = "
-            "2.0\ndetector_diameter_m = 0.12\ndetector_shift_m = 0.15\nobstruction_diameter_m = "
-            "0.15\n" +
-                channel("elastic") + water(0.06, 0.1, henyey_greenstein_phase) + depth_gates(16, 2),
-            4e6, 2e5, 5, 15},
+        Case{"AsideDefocusedObstructed",
+             ship_laser("[0.01, 0.0, -1.0]") +
+                 "[[telescope]]\nposition_m "
+                 "= [0.5, 0.2, 12.0]\ndirection = [0.0, 0.0, -1.0]\ndiameter_m = "
+                 "0.40\nfocal_length_m = "
+                 "2.0\ndetector_diameter_m = 0.12\ndetector_shift_m = 0.15\nobstruction_diameter_m "
+                 "= "
+                 "0.15\n" +
+                 channel("elastic") + water(0.06, 0.1, henyey_greenstein_phase) +
+                 depth_gates(16, 2),
+             4e6, 2e5, 5, 15},
         // Here the phase function changes with the angle by which elastic walks are turned. Seen
         // red: without that change.
         Case{"TelescopeTiltedBesideTheBeam",
-             "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, 12.0]\ndirection = [0.0, "
-             "0.0, -1.0]\ndiameter_m = 0.04\nhalf_divergence_mrad = 5.0\n[[telescope]]\nposition_m "
-             "= [-7.8, 0.0, 12.0]\ndirection = [0.5, 0.0, -1.0]\ndiameter_m = 0.40\n"
-             "focal_length_m = 2.0\ndetector_diameter_m = 0.3\n" +
+             ship_laser("[0.0, 0.0, -1.0]") +
+                 "[[telescope]]\nposition_m "
+                 "= [-7.8, 0.0, 12.0]\ndirection = [0.5, 0.0, -1.0]\ndiameter_m = 0.40\n"
+                 "focal_length_m = 2.0\ndetector_diameter_m = 0.3\n" +
                  channel("elastic") + water(0.06, 0.1, broad_phase) + depth_gates(16, 2),
              4e6, 8e5, 8, 24},
         Case{"TiltedBy30Degrees",
-             "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, 12.0]\ndirection = [0.5, "
-             "0.0, -0.866]\ndiameter_m = 0.04\nhalf_divergence_mrad = "
-             "5.0\n[[telescope]]\nposition_m "
-             "= [0.0, 0.0, 12.0]\ndirection = [0.5, 0.0, -0.866]\ndiameter_m = 0.40\n"
-             "focal_length_m = 2.0\ndetector_diameter_m = 0.04\n" +
+             ship_laser("[0.5, 0.0, -0.866]") +
+                 "[[telescope]]\nposition_m "
+                 "= [0.0, 0.0, 12.0]\ndirection = [0.5, 0.0, -0.866]\ndiameter_m = 0.40\n"
+                 "focal_length_m = 2.0\ndetector_diameter_m = 0.04\n" +
                  three_channels + inelastic_water(0.06, wide_phase, 0) +
                  "[gates]\nrange_min_m = 14.0\nrange_max_m = 24.0\nrange_step_m = 2.0\n",
              4e6, 4e5, 10, 20}),
