@@ -111,7 +111,7 @@ PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const M
   pairs.lens = chord.lens;
   const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
     const auto& pair = of_lanes<T>(pairs, lane);
-    const T depth = grid.depth(number + pair.outset.grid_offset);
+    const T depth = grid.depth(number + pair.outset.grid_offset, pair.ends.order());
     const auto lens = pair.lens.at(depth);
     const Mask<T> passes = points & open_at(telescope_, lens) &
                            sight(telescope_, lens, -pair.outset.outward).on_detector;
@@ -122,8 +122,8 @@ PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const M
     moved.axis.y = moved.axis.y + shift.y;
     meet_at(pair, passes, moved, depth);
   };
-  each_number(mask, grid.number(chord.from) - pairs.outset.grid_offset,
-              grid.number(chord.to) - pairs.outset.grid_offset, meet_on_grid);
+  each_number(mask, grid.number(chord.from, ends.order()) - pairs.outset.grid_offset,
+              grid.number(chord.to, ends.order()) - pairs.outset.grid_offset, meet_on_grid);
 }
 
 template <class T>
@@ -158,9 +158,9 @@ std::array<T, 2> Connections<T>::turn_pivot(Pair<T>& pair,
   const T of_ray = select(ends.m == Index<T>(1), gained, T(1));
   pair.back.per_p = of_ray * pair.back.per_p;
   pair.back.meeting = of_ray * pair.back.meeting;
-  const auto in_path = usable(ends.i + ends.m + Index<T>(1));
-  return {gain,
-          (gained - T(1)) * back_.near_first(ends.back, ends.m, in_path, pair.outset.shift_area)};
+  const auto in_path = usable(ends.order());
+  return {gain, (gained - T(1)) * back_.near_first(ends.back, ends.m, in_path,
+                                                   shifts(in_path.order, pair.outset.shift_area))};
 }
 
 template <class T>
@@ -173,14 +173,14 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Mov
   const Mask<T> emitting = mask & emits(moved.ray.line, layer);
   if (!any(emitting)) return;
   const T reach = (-out.position.z - depth) / out.direction.z;
+  const auto in_path = usable(ends.order());
   const transport::Freedom<T> freedom{
-      outset.shift_area,
+      shifts(in_path.order, outset.shift_area),
       select(is_pivot(moved.ray.line, ends.m),
              axis_at(out.position + reach * out.direction, moved.ray.direction, out.direction),
              moved.axis)};
-  const auto in_path = usable(ends.i + ends.m + Index<T>(1));
   auto home = back_.side(pair.back, outset.spread, ends.back, ends.m, in_path,
-                         {outset.shift_area, pair.axis()});
+                         {freedom.shifts, pair.axis()});
   home.ray = moved.ray;
   home.behind = home.behind + moved.near_pivot;
   const auto meeting =

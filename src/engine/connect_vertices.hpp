@@ -53,9 +53,11 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
                        : depths_through_surface(sea_, way, line, v.layer, depth);
   const T solid_angle = detector_solid_angle(telescope_, sight.cos_off_axis);
   const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
-  const transport::Freedom<T> freedom{instrument::shift_area(telescope_, way.arriving),
-                                      axis_at(v.position, way.direction, v.direction)};
-  const T behind = behind_laser_vertex(ends, v, usable(ends.i + Index<T>(1)), freedom);
+  const auto in_path = usable(ends.i + Index<T>(1));
+  const transport::Freedom<T> freedom{
+      shifts(in_path.order, instrument::shift_area(telescope_, way.arriving)),
+      axis_at(v.position, way.direction, v.direction)};
+  const T behind = behind_laser_vertex(ends, v, in_path, freedom);
   const Joint from =
       all(line == Index<T>(0))
           ? scattering_from_laser(sea_, v, behind, way.direction, world_.reversal, T(1), freedom)
@@ -69,7 +71,7 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
   score(ends, Walked::laser, seen,
         from.weight * way.passed * etendue *
             transport::balance(area, tau.all, tau.walk, from.end, transport::End<T>{}),
-        path, depth, ends.i + Index<T>(1));
+        path, depth, in_path.order);
 }
 
 template <class T>
@@ -122,7 +124,7 @@ void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, c
                                                      world_.laser_layer, water, mirrored)
                                    : depths_through_surface(sea_, way, line, w.layer, depth);
   const transport::Freedom<T> freedom{
-      back_.outset(ends.back).shift_area,
+      shifts(ends.m + Index<T>(1), back_.outset(ends.back).shift_area),
       select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, way.direction),
              back_.axis(ends.back))};
   const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, freedom);
@@ -160,13 +162,13 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
   const Vec3<T> there = w.position - v.position;
   const T length = photic::length(there);
   const Vec3<T> direction = (T(1) / length) * there;
-  const T shift_area = back_.outset(ends.back).shift_area;
+  const T shifted = shifts(in_path.order, back_.outset(ends.back).shift_area);
   const Mask<T> inelastic = w.line > Index<T>(0);
   const Mask<T> arrives = mask & emits(w.line, w.layer);
   if (any(arrives)) {
     const transport::Freedom<T> freedom{
-        shift_area, select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, direction),
-                           back_.axis(ends.back))};
+        shifted, select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, direction),
+                        back_.axis(ends.back))};
     const T behind = behind_laser_vertex(ends, v, in_path, freedom);
     const Joint to = arrival_from_laser(sea_, w, -direction, world_.reversal, freedom);
     along(ends, arrives, Index<T>(0),
@@ -175,7 +177,7 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
   }
   const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
   if (any(converts)) {
-    const transport::Freedom<T> freedom{shift_area, axis_at(v.position, w.direction, v.direction)};
+    const transport::Freedom<T> freedom{shifted, axis_at(v.position, w.direction, v.direction)};
     const T behind = behind_laser_vertex(ends, v, in_path, freedom);
     const T goes_on = T(1) - world_.reversal.chance(sea_, w.line, w.layer);
     along(ends, converts, w.line,

@@ -43,6 +43,8 @@ template <class T>
 struct RayEnds : Ends<T> {
   Index<T> reflected{};  ///< 1: the laser's, 2: the telescope's, 3: both
 
+  /// Vertices of the path that they make.
+  [[nodiscard]] Index<T> order() const { return Ends<T>::i + Ends<T>::m + Index<T>(1); }
   template <class F>
   void each_member(F f) {
     Ends<T>::each_member(f);
@@ -174,6 +176,10 @@ class Connections {
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
     return {order, world_.most_vertices};
   }
+  /// n A of meetings by a walk that may be shifted over A, in paths of an order [m].
+  [[nodiscard]] T shifts(const Index<T>& order, const T& shift_area) const {
+    return samples_.meetings(order) * shift_area;
+  }
   /// Whether light of the laser's line can leave a layer as light of a line.
   [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {
     return (line == Index<T>(0)) | (gather<T>(sea_.conversion, sea_.at(line, layer)) > T(0));
@@ -183,7 +189,7 @@ class Connections {
   [[nodiscard]] T behind_laser_vertex(const Ends<T>& ends, const Vertex& v,
                                       const Usable<T>& in_path,
                                       const transport::Freedom<T>& freedom) const {
-    return v.passed * (v.behind.all(freedom.shift_area) +
+    return v.passed * (v.behind.all(freedom.shifts) +
                        laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis));
   }
   [[nodiscard]] Line line_of(const Ray& ray) const { return depth_line(sea_, ray, world_.deepest); }

@@ -220,12 +220,12 @@ class Walks {
   }
   /// Those of what NearFirst tells that lie behind ray m, beyond the first vertex.
   [[nodiscard]] T near_first(const Index<T>& walk, const Index<T>& m, const Usable<T>& usable,
-                             const T& shift_area) const {
+                             const T& shifts) const {
     const NearFirst<T> near = near_first_.at(walk);
     const Index<T> order = usable.order;
     const Mask<T> beyond = m > Index<T>(1);
     return select(usable.connecting(order), near.home_edge, T(0)) +
-           select(beyond & usable.meeting(order), shift_area * near.meeting, T(0)) +
+           select(beyond & usable.meeting(order), shifts * near.meeting, T(0)) +
            select(beyond & usable.connecting(order - Index<T>(1)), near.next_edge, T(0));
   }
 
@@ -263,12 +263,12 @@ class Walks {
                                         const Usable<T>& usable,
                                         const transport::Freedom<T>& freedom) const {
     transport::Side<T> side{ray, m == Index<T>(0), spread};
-    side.behind = behind(ray, walk, m, usable).all(freedom.shift_area);
+    side.behind = behind(ray, walk, m, usable).all(freedom.shifts);
     if (!from_telescope_)
       side.behind = side.behind + turned_before(walk, m - Index<T>(1), usable, freedom.axis);
     side.behind = ray.passed * side.behind;
     side.last = select(usable.meeting(passed(m, usable)),
-                       freedom.shift_area * transport::turning(ray.meeting, ray.left_z()) +
+                       freedom.shifts * transport::turning(ray.meeting, ray.left_z()) +
                            ray.turn.about(freedom.axis),
                        T(0));
     return side;

@@ -287,7 +287,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   const Reach reach = reach_of(scene, medium, gates, least);
   world.deepest = T(reach.deepest);
   world.connected = T(scene.simulation.connected_fraction);
-  world.meeting_grid = {T(depth(scene.source)), T(reach.range), T(scene.simulation.meetings)};
+  world.meeting_grid = {T(scene.simulation.meetings / reach.range)};
   world.directed = T(scene.simulation.directed_fraction);
   world.directs = scene.simulation.directed_fraction > 0;
   world.flies_on = world.directs && !world.special && world.cones.empty();

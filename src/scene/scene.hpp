@@ -189,8 +189,8 @@ struct Simulation {
       0.5;  ///< share of directions drawn towards a telescope; 0 turns it off
   std::int64_t scored_points = 4;       ///< forward: of each flight; 1: where photons collide only
   double conversion_probability = 0.3;  ///< of a branch into an inelastic process, per collision
-  std::int64_t walks = 1;  ///< bidirectional: of the laser, and of each telescope, in a set
-  double meetings = 50;    ///< bidirectional: of two rays, if all depths of the gates let them meet
+  std::int64_t walks = 2;  ///< bidirectional: of the laser, and of each telescope, in a set
+  double meetings = 100;   ///< bidirectional: of two rays, if all depths of the gates let them meet
   double connected_fraction =
       0.3;  ///< bidirectional: share of walks whose vertices are all connected
   double walk_attenuation = 0.6;  ///< bidirectional: share of c that free paths are drawn from

@@ -22,12 +22,12 @@ struct Joint {
 /// How the telescope's walk of a path may be moved as a whole.
 template <class T>
 struct Freedom {
-  T shift_area{};    ///< sideways [m^2]
+  T shifts{};        ///< n A of shifting it sideways, n per metre of depth [m]
   Vertical<T> axis;  ///< or turned, beyond where it converts
 
   /// n h / g of meeting at a vertex that is left in a direction, but for P and the edge beyond.
   T meeting(const Vertex<T>& v, const Vec3<T>& direction) const {
-    return shift_area * turning(v.meeting, direction.z) + turn_at(v, direction).about(axis);
+    return shifts * turning(v.meeting, direction.z) + turn_at(v, direction).about(axis);
   }
 };
 
@@ -88,7 +88,7 @@ Joint<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
                             select(converts, gather_index<T>(sea.conversion_phase, v.line),
                                    gather_index<T>(sea.elastic_phase, here)));
   joint.end.open = ratio * v.open;
-  joint.end.behind = v.behind.all(freedom.shift_area);  // 0 before a conversion
+  joint.end.behind = v.behind.all(freedom.shifts);  // 0 before a conversion
   joint.meeting = freedom.meeting(v, direction);
   joint.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),
                                    gather<T>(sea.albedo, here));

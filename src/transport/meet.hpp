@@ -291,8 +291,7 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
   const T swept = sweep(laser.position + out * laser.direction, laser.direction, back.direction)
                       .about(freedom.axis);
   const T here_met =
-      (samples.meeting(depth) * freedom.shift_area * steep + samples.turned * T(2 * pi) * swept) *
-      back.chance * walk_mean_path;
+      (freedom.shifts * steep + samples.turned * T(2 * pi) * swept) * back.chance * walk_mean_path;
   const T ratio = walk_c_ratio<T>(sea, line, layer);
   const T connected = back.chance * laser_side.connecting(sea, out, samples) * walked_home +
                       ratio * side.connecting(sea, home, samples) * walked_out;

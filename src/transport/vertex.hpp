@@ -33,31 +33,20 @@
 
 namespace photic::transport {
 
-/// The depths at which rays are made to meet: a grid that is the denser the deeper, since few rays
-/// come so close to each other far down.
+/// The depths at which rays are made to meet: a grid of equal steps.
 template <class T>
 struct MeetingGrid {
-  T level{};    ///< depth at which it begins, upwards and downwards [m]
-  T range{1};   ///< [m]
-  T points{1};  ///< on that range
+  T most{};  ///< points per metre
 
-  /// Points per metre.
-  T density(const T& depth) const {
-    using std::abs;
-    return T(2) * points / (range * range) * abs(depth - level);
+  /// Points per metre for paths of so many vertices. Those of few vertices, near the axis of the
+  /// instrument, meet over many metres of depth, others over centimetres (decision 35).
+  T density(const Index<T>& order) const {
+    return most *
+           select(order < Index<T>(2), T(1.0 / 8), select(order < Index<T>(3), T(1.0 / 4), T(1)));
   }
-  /// The number of points between the level and a depth, negative above it; and the inverse.
-  T number(const T& depth) const {
-    using std::abs;
-    const T x = (depth - level) / range;
-    return points * x * abs(x);
-  }
-  T depth(const T& number) const {
-    using std::abs;
-    using std::copysign;
-    using std::sqrt;
-    return level + copysign(range * sqrt(abs(number) / points), number);
-  }
+  /// The number of points between the surface's level and a depth; and the inverse.
+  T number(const T& depth, const Index<T>& order) const { return density(order) * depth; }
+  T depth(const T& number, const Index<T>& order) const { return number / density(order); }
 };
 
 /// How many samples a set of walks makes of a strategy, per photon that the laser emits.
@@ -65,12 +54,12 @@ template <class T>
 struct Samples {
   T to_instrument{1};  ///< connecting a walk to the instrument at the other end
   T between{1};        ///< connecting two walks
-  T pairs{1};          ///< of walks whose rays meet
+  T pairs{1};          ///< of walks whose rays meet at each depth of the grid
   T turned{};          ///< of walks turned so that their rays meet
   MeetingGrid<T> grid;
 
-  /// Of meetings, per metre of depth.
-  T meeting(const T& depth) const { return pairs * grid.density(depth); }
+  /// Of meetings, per metre of depth, in paths of so many vertices.
+  T meetings(const Index<T>& order) const { return pairs * grid.density(order); }
 };
 
 /// A vertical about which a walk may be turned: that through its pivot, where it converts, or of
@@ -132,10 +121,11 @@ struct Turn {
 template <class T>
 struct Densities {
   T edges{};     ///< of connecting edges
-  T meetings{};  ///< of meetings, over the telescope's shift_area [1/m^2]
+  T meetings{};  ///< of meetings, over `shifts` [1/m]
   T turned{};    ///< of turning, about the walk's own vertical
 
-  T all(const T& shift_area) const { return edges + shift_area * meetings + turned; }
+  /// `shifts`: of a path, as transport::Freedom has it [m].
+  T all(const T& shifts) const { return edges + shifts * meetings + turned; }
 
   template <class F>
   void each_member(F& f) {
@@ -206,7 +196,8 @@ struct Ray : WalkPoint<T> {
   T per_p{1};             ///< 1 over the phase function's value at the vertex [sr]
   T last_edge{};          ///< of connecting the edge before, over `passed`
   Densities<T> behind{};  ///< of all that is complete, over `passed`
-  T meeting{};     ///< n h / g of meeting at the vertex, but for what is this ray's: P included
+  T meeting{};  ///< n h / g of meeting at the vertex over `shifts`, but for what is this ray's: P
+                ///< included
   Turn<T> turn{};  ///< the same of turning
 
   /// That the surface has reflected it: it stands for the ray that set out from its mirror image.
@@ -233,8 +224,8 @@ struct Vertex : WalkPoint<T> {
   T chance{1};  ///< h of a walk that ends here
   T passed{1};  ///< h of telescopes' walks that pass a laser's walk as far as here
   T open{};     ///< n h / g of connecting the last edge, times P here; 0: it cannot be
-  T meeting{};  ///< n h / g of meeting here, but for P and for the edge beyond; its sign is
-                ///< that of the arriving direction's z
+  T meeting{};  ///< n h / g of meeting here over `shifts`, but for P and for the edge beyond; its
+                ///< sign is that of the arriving direction's z
   T turn{};     ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
   // Over `passed`:
   Turn<T> last_turn{};    ///< of turning to meet at the vertex before, complete by the last edge
@@ -348,7 +339,7 @@ Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Mask
            select(first, growth, straight);
   const T drawn =
       ray.chance * growth * gather<T>(sea.walk_mean_path, sea.at(photon.line, photon.layer));
-  v.meeting = samples.meeting(-photon.position.z) * drawn * photon.direction.z;
+  v.meeting = drawn * photon.direction.z;
   v.turn = samples.turned * T(2 * pi) * drawn;
   v.last_turn = ray.turn;
   const T over_passed = growth / ray.passed;

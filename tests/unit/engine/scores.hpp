@@ -32,7 +32,7 @@ struct Window {
   tally::Gates gates;
 };
 
-inline constexpr transport::MeetingGrid<double> grid{0, 30, 20};
+inline constexpr transport::MeetingGrid<double> grid{2};
 
 /// What the engine scores for a path by each strategy that draws it, by name.
 class Scores {
@@ -71,7 +71,7 @@ class Scores {
 
   double meeting(std::int32_t i) {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
-    const double number = grid.number(-path_.x(i).z);
+    const double number = grid.number(-path_.x(i).z, path_.order());
     const auto back = telescope_walk(world_, samples_, path_, path_.order() - i, true,
                                      number - std::floor(number));
     Connections<double>(world_, receiver_, samples_, laser, back, tally_)

@@ -53,7 +53,7 @@ struct Strategies {
   [[nodiscard]] double meeting(std::int32_t i) const {
     const double steep = -at(i - 1).arriving.z * at(i).leaving.z;
     if (steep <= 0) return 0;
-    return samples.meeting(-path.x(i).z) * shift_area * steep * drawn_but(i);
+    return samples.meetings(path.order()) * shift_area * steep * drawn_but(i);
   }
   /// Whether telescopes' walks may be turned about the pivot.
   [[nodiscard]] bool turns() const {

@@ -81,7 +81,7 @@ void fields(P& a, S& b, F f) {
 template <class P, class S, class F>
   requires is_packed<P, Freedom>
 void fields(P& a, S& b, F f) {
-  f(a.shift_area, b.shift_area, "shift area");
+  f(a.shifts, b.shifts, "shifts");
   fields(a.axis, b.axis, f);
 }
 template <class P, class S, class F>
@@ -180,9 +180,7 @@ void fields(P& a, S& b, F f) {
 template <class P, class S, class F>
   requires is_packed<P, MeetingGrid>
 void fields(P& a, S& b, F f) {
-  f(a.level, b.level, "level");
-  f(a.range, b.range, "range");
-  f(a.points, b.points, "points");
+  f(a.most, b.most, "most points");
 }
 template <class P, class S, class F>
   requires is_packed<P, Samples>

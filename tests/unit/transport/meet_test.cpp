@@ -16,20 +16,15 @@ namespace {
 using test::Random;
 using V = Vec3<double>;
 
-// Seen red: with half the density; without the sign above the level.
-TEST(MeetingGrid, NumbersPointsAsDenselyAsItSays) {
-  Random random(501);
-  for (int i = 0; i < 1000; ++i) {
-    const MeetingGrid<double> grid{random.chance(0.3) ? 0 : random.between(0, 20),
-                                   random.scale(1, 100), random.scale(1, 1000)};
-    EXPECT_NEAR(grid.number(grid.level + grid.range), grid.points, 1e-12 * grid.points);
-    const double depth = grid.level + random.between(-1, 2) * grid.range;
-    const double number = grid.number(depth);
-    ASSERT_EQ(number > 0, depth > grid.level);
-    ASSERT_NEAR(grid.depth(number), depth, 1e-12 * (grid.range + grid.level));
-    const double step = 1e-3 * std::abs(depth - grid.level);
-    const auto slope = derivative([&](double z) { return grid.number(z); }, depth, step);
-    ASSERT_NEAR(grid.density(depth), slope, 1e-9 * slope);
+// Seen red: with another share for paths of one vertex, of two, of more; with steps twice as long.
+TEST(MeetingGrid, IsDenserForPathsOfMoreVertices) {
+  const MeetingGrid<double> grid{8};
+  const std::array<double, 6> density{1, 1, 2, 8, 8, 8};
+  for (std::int32_t order = 1; order < 6; ++order) {
+    const double expected = density[static_cast<std::size_t>(order)];
+    EXPECT_EQ(grid.density(order), expected);
+    EXPECT_EQ(grid.number(3, order), 3 * expected);
+    EXPECT_EQ(grid.depth(3 * expected, order), 3);
   }
 }
 
