@@ -151,8 +151,7 @@ class Bidirectional {
       connections.to_telescope(g);
       connections.to_laser(g);
       if (back.connected(g)) connections.between(g);
-      const std::size_t set = g / walks * walks;
-      for (std::size_t i = set; i < set + walks; ++i) connections.meetings(i, g);
+      connections.meetings(g / walks * walks, walks, g);
     }
     connections.close();
   }

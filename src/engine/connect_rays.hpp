@@ -6,19 +6,37 @@
 
 namespace photic::engine {
 
-/// Calls act(ends, mask, line of ray i, line of ray m) for all rays i of the laser's walk and m of
-/// the telescope's that may meet in time: as they are, and those that go up as the surface reflects
-/// them.
+/// Lists all rays of so many walks of the laser; tells how many there are.
+template <class T>
+std::int32_t Connections<T>::list_laser_rays(std::size_t first, std::size_t walks) {
+  walk_of_.resize(walks * (most_vertices + 1) + lanes_of<T>);  // packs are read beyond the end
+  ray_of_.resize(walk_of_.size());
+  std::int32_t count = 0;
+  for (std::size_t walk = first; walk < first + walks; ++walk) {
+    for (std::int32_t i = 0; i < laser_.rays(walk); ++i, ++count) {
+      walk_of_[static_cast<std::size_t>(count)] = static_cast<std::int32_t>(walk);
+      ray_of_[static_cast<std::size_t>(count)] = i;
+    }
+  }
+  return count;
+}
+
+/// Calls act(ends, mask, line of ray i, line of ray m) for all rays i of so many of the laser's
+/// walks and m of the telescope's that may meet in time: as they are, and those that go up as the
+/// surface reflects them.
 template <class T>
 template <class Act>
-void Connections<T>::each_pair(std::size_t laser, std::size_t back, Act act) {
+void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::size_t back,
+                               Act act) {
   each_index<T>(back_.rays(back), [&](const Index<T>& m, const Mask<T>&) {
     const auto first = static_cast<std::size_t>(each_lane(m)[0]);
     Line line = line_of(back_.ray(Index<T>(back), m));
     lines_.each(line, [first](const T& member, auto* column) { store(member, column + first); });
   });
-  each_index<T>(laser_.rays(laser), [&](const Index<T>& i, const Mask<T>& mask) {
-    const auto out = line_of(laser_.ray(Index<T>(laser), i));
+  each_index<T>(list_laser_rays(first_laser, walks), [&](const Index<T>& k, const Mask<T>& mask) {
+    const Index<T> laser = gather_index<T>(walk_of_.data(), k);
+    const Index<T> i = gather_index<T>(ray_of_.data(), k);
+    const auto out = line_of(laser_.ray(laser, i));
     const auto image = transport::reflected(out, world_.deepest);
     const Mask<T> rises = mask & (out.rise > T(0));
     for (std::int32_t m = 0; m < back_.rays(back); ++m) {
@@ -27,7 +45,7 @@ void Connections<T>::each_pair(std::size_t laser, std::size_t back, Act act) {
       const Mask<T> in_time =
           mask & in_order(i + Index<T>(m + 1)) & (out.start + home.start < receiver_.last_path);
       if (!any(in_time)) break;
-      const auto ends = ends_of<T>(laser, i, back, Index<T>(m));
+      const Ends<T> ends{laser, i, Index<T>(back), Index<T>(m)};
       const bool home_rises = all(home.rise > T(0));
       const auto home_image = transport::reflected(home, world_.deepest);
       for (std::int32_t which = 0; which < (home_rises ? 4 : 2); ++which) {
@@ -41,7 +59,8 @@ void Connections<T>::each_pair(std::size_t laser, std::size_t back, Act act) {
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t laser, std::size_t back, Moves moves) {
+PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_t walks,
+                                             std::size_t back, Moves moves) {
   const auto outset = back_.outset_in_all_lanes(back);
   const bool shifts = moves != Moves::turns && any(outset.shift_area > T(0));
   const bool turns =
@@ -49,7 +68,7 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t laser, std::size_t back
   if (!shifts && !turns) return;
   const auto axis = back_.axis(Index<T>(back));
   const Index<T> pivot(back_.pivot_vertex(back));
-  each_pair(laser, back,
+  each_pair(first_laser, walks, back,
             [&](const auto& ends, const auto& mask, const Line& out, const Line& home) {
               if (shifts)
                 shift(ends, mask & transport::turns_back(out, home), out, home, outset.lens);

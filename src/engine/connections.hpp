@@ -73,7 +73,8 @@ enum class Moves : std::int8_t { shifts, turns, all };
 /// Two rays that may be made to meet.
 template <class T>
 struct Pair {
-  transport::Ray<T> out, back;
+  using Ray = transport::Ray<T>;
+  Ray out, back;
   transport::Spread<T> spread;  ///< of the laser's walk
   Outset<T> outset;             ///< of the telescope's walk
   Index<T> turns{};             ///< 1: it may be turned about the vertical at ...
@@ -86,6 +87,8 @@ struct Pair {
     return {turns == Index<T>(1), axis_x, axis_y};
   }
 
+  static constexpr std::size_t members =
+      2 * Ray::members + 3 + Outset<T>::members + 3 + RayEnds<T>::integers + 4;
   template <class F>
   void each_member(F f) {
     out.each_member(f);
@@ -134,9 +137,10 @@ class Connections {
   void to_laser(std::size_t walk);
   /// Every vertex of the laser's walk with every vertex of the telescope's.
   void between(std::size_t walk);
-  /// Every ray of the laser's walk with every ray of the telescope's, which is moved so that they
-  /// meet.
-  void meetings(std::size_t laser, std::size_t back, Moves moves = Moves::all);
+  /// Every ray of so many walks of the laser with every ray of a telescope's, which is moved so
+  /// that they meet.
+  void meetings(std::size_t first_laser, std::size_t walks, std::size_t back,
+                Moves moves = Moves::all);
   /// What still waits for others to fill a pack.
   void close();
 
@@ -149,7 +153,8 @@ class Connections {
   using RayRoom = WaitingRoom<T, RayEnds<T>>;
 
   template <class Act>
-  void each_pair(std::size_t laser, std::size_t back, Act act);
+  void each_pair(std::size_t first_laser, std::size_t walks, std::size_t back, Act act);
+  std::int32_t list_laser_rays(std::size_t first, std::size_t walks);
   void shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
              const instrument::PlanePoint<T>& lens);
   void turn(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
@@ -256,6 +261,7 @@ class Connections {
   Room to_telescope_, to_laser_, between_;
   RayRoom chords_;
   WaitingRoom<T, Crossing<T>> crossings_;
+  std::vector<std::int32_t> walk_of_, ray_of_;  ///< the laser's rays that may meet a telescope's
   LaneColumns<T, Line, most_vertices + 1 + lanes_of<T>> lines_;  ///< of a telescope's walk
   ScoreRoom<T> scores_;
   transport::Completion<T> completion_;

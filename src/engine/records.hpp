@@ -17,15 +17,22 @@
 
 namespace photic::engine {
 
-/// What the given lanes have, lane by lane.
+/// The members that the given lanes have, lane by lane. A copy of the record, permuted in its
+/// place, would go through memory twice.
 template <class T, class R>
   requires(lanes_of<T> > 1)
-R of_lanes(R record, const Index<T>& lane) {
-  record.each_member([&](auto& member) { member = permute(member, lane); });
-  return record;
+R of_lanes(R& record, const Index<T>& lane) {
+  std::array<Index<T>, R::members> words;
+  std::size_t k = 0;
+  record.each_member(
+      [&](const auto& member) { words[k++] = permute(std::bit_cast<Index<T>>(member), lane); });
+  R out;
+  k = 0;
+  out.each_member([&]<class M>(M& member) { member = std::bit_cast<M>(words[k++]); });
+  return out;
 }
 template <std::floating_point T, class R>
-const R& of_lanes(const R& record, std::int32_t) {
+const R& of_lanes(R& record, std::int32_t) {
   return record;
 }
 

@@ -256,13 +256,14 @@ class Walks {
       sum = sum + select(before & usable.meeting(k), density, T(0));
     }
   }
-  /// Ray m as one side of a meeting. `spread`: of the walk's first ray; `freedom`: of the
-  /// telescope's walk, as this walk sees it.
+  /// Ray m as one side of a meeting. `spread`: of the walk's first ray, but for what is the same of
+  /// all walks; `freedom`: of the telescope's walk, as this walk sees it.
   [[nodiscard]] transport::Side<T> side(const Ray& ray, const transport::Spread<T>& spread,
                                         const Index<T>& walk, const Index<T>& m,
                                         const Usable<T>& usable,
                                         const transport::Freedom<T>& freedom) const {
     transport::Side<T> side{ray, m == Index<T>(0), spread};
+    side.spread.through_surface = through_surface_;
     side.behind = behind(ray, walk, m, usable).all(freedom.shifts);
     if (!from_telescope_)
       side.behind = side.behind + turned_before(walk, m - Index<T>(1), usable, freedom.axis);

@@ -75,7 +75,7 @@ class Scores {
     const auto back = telescope_walk(world_, samples_, path_, path_.order() - i, true,
                                      number - std::floor(number));
     Connections<double>(world_, receiver_, samples_, laser, back, tally_)
-        .meetings(0, 0, Moves::shifts);
+        .meetings(0, 1, 0, Moves::shifts);
     return taken();
   }
 
@@ -84,7 +84,7 @@ class Scores {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
     const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true);
     Connections<double>(world_, receiver_, samples_, laser, back, tally_)
-        .meetings(0, 0, Moves::turns);
+        .meetings(0, 1, 0, Moves::turns);
     return taken();
   }
 
