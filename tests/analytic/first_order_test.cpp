@@ -31,7 +31,7 @@ const Precision forward{
     simulation(1.25e7, 7, "max_order = 1\norders_kept = 1\nreception = \"overlap\""), 0.005, 0.005,
     true};
 /// Meetings of one pair of walks are seen in many gates. To points of the lens ways are longer, and
-/// solid angles smaller, than to its centre: by some 1e-4, a third of these errors.
+/// solid angles smaller, than to its centre: by some 1e-4, less than these errors.
 const Precision bidirectional{simulation(4e5, 7, "max_order = 1\norders_kept = 1", "bidirectional"),
                               0.01, 0.02, false};
 
