@@ -72,7 +72,7 @@ int benchmark(int argc, char** argv) {
     for (const auto& r : results)
       variance += std::pow(r.echo.mean[cell] - mean, 2) / static_cast<double>(repeats - 1);
     const std::size_t channel = cell / gates % first.channels();
-    const double depth = first.gate_depth_edge_m[channel * (gates + 1) + cell % gates];
+    const double depth = first.gate_depth_m(cell / gates / first.channels(), channel, cell % gates);
     const double merit = mean * mean / (variance * cpu / static_cast<double>(repeats));
     fmt::print("{:12} {:7.2f} m  echo {:10.4e}  {}\n", first.channel_name[channel], depth, mean,
                flagged ? "not converged" : fmt::format("figure of merit {:.3g}", merit));

@@ -30,7 +30,7 @@ def run(program, scene, photons, seed, settings, out):
 def read(out):
     """Echo of the first telescope and channel by gate, depth of the gates [m], time [s]."""
     with netCDF4.Dataset(out) as file:
-        return np.ma.filled(file["echo"][0, 0], np.nan), np.ma.filled(file["gate_depth"][0], np.nan), float(file.wall_time_s)
+        return np.ma.filled(file["echo"][0, 0], np.nan), np.ma.filled(file["gate_depth"][0, 0], np.nan), float(file.wall_time_s)
 
 
 def main():

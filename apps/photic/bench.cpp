@@ -51,15 +51,15 @@ struct Column {
   std::string heading;
 };
 
-std::vector<Column> columns(const tally::Result& result, std::size_t channel) {
+std::vector<Column> columns(const tally::Result& result, std::size_t telescope,
+                            std::size_t channel) {
   const std::size_t gates = result.gates();
+  const std::size_t first = (telescope * result.channels() + channel) * (gates + 1);
   const std::size_t count = std::min(most_columns, gates);
   std::vector<Column> out;
   for (std::size_t i = 0; i < count; ++i) {
     Column column{i * gates / count, (i + 1) * gates / count, ""};
-    const auto edge = [&](std::size_t gate) {
-      return result.gate_depth_edge_m[channel * (gates + 1) + gate];
-    };
+    const auto edge = [&](std::size_t gate) { return result.gate_depth_edge_m[first + gate]; };
     column.heading = fmt::format("{:.3g}-{:.3g}", edge(column.begin), edge(column.end));
     out.push_back(column);
   }
@@ -77,7 +77,7 @@ std::string block(const engine::Comparison& comparison, std::size_t telescope,
                   std::size_t channel) {
   const tally::Result& result = comparison.reference;
   const std::size_t first = (telescope * result.channels() + channel) * result.gates();
-  const auto all = columns(result, channel);
+  const auto all = columns(result, telescope, channel);
   std::vector<std::string> headings;
   std::vector<std::string> counts;
   for (const Column& c : all) {
@@ -170,11 +170,11 @@ Json gates_json(const engine::Comparison& comparison, const engine::Candidate& c
     if (!candidate.merit[cell].known) continue;
     const std::size_t gate = cell % result.gates();
     const std::size_t channel = cell / result.gates() % result.channels();
-    const double* edge = &result.gate_depth_edge_m[channel * (result.gates() + 1) + gate];
-    out.push_back({{"telescope", result.telescope_name[cell / result.gates() / result.channels()]},
+    const std::size_t telescope = cell / result.gates() / result.channels();
+    out.push_back({{"telescope", result.telescope_name[telescope]},
                    {"channel", result.channel_name[channel]},
                    {"gate", gate},
-                   {"depth_m", (edge[0] + edge[1]) / 2},
+                   {"depth_m", result.gate_depth_m(telescope, channel, gate)},
                    {"relative_variance", candidate.merit[cell].relative_variance},
                    {"figure_of_merit_per_s", candidate.merit[cell].figure_of_merit},
                    {"compared", static_cast<bool>(comparison.compared[cell])}});

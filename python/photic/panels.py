@@ -277,5 +277,6 @@ def finish_depth(panel, results):
         lit = result.echo > 0
         ends.append(float((end.where(lit) if lit.any() else end).max()))
     panel.set_ylim(max(ends), min(float(result.gate_depth_bounds.min()) for result in results))
-    is_depth = results[0].gate_depth.attrs.get("standard_name") == "depth"
-    panel.set_ylabel("depth [m]" if is_depth else "range [m]")
+    told = results[0].gate_depth.attrs
+    word = "depth" if told.get("standard_name") == "depth" else "range"
+    panel.set_ylabel("time [ns]" if told["units"] == "ns" else f"{word} [m]")

@@ -49,7 +49,17 @@ def _through(result, name, telescope):
     known = [str(each) for each in result.telescope.values]
     if telescope is not None and telescope not in known:
         raise Error(f"{name}: there is no telescope {telescope!r}; there are: {', '.join(known)}")
-    return result.isel(telescope=0 if telescope is None else known.index(telescope))
+    one = result.isel(telescope=0 if telescope is None else known.index(telescope))
+    return _by_time(one) if one.gate_depth.isnull().all() else one
+
+
+def _by_time(result):
+    """The gates of a telescope that has neither depths nor ranges, placed by their time."""
+    for name in ("gate_depth", "gate_depth_bounds"):
+        times = result[name.replace("depth", "time")].broadcast_like(result[name])
+        times = times.transpose(*result[name].dims)
+        result = result.assign_coords({name: (times.dims, times.values, {"units": "ns"})})
+    return result
 
 
 def _caption(result, telescope):

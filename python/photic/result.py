@@ -6,16 +6,17 @@ import xarray
 
 from photic.errors import Error
 
-FORMAT = 1  # the newest layout this package reads
+FORMAT = 2  # the newest layout this package reads
 
 
 def open(path):
     """The result in a netCDF file as an xarray.Dataset, in memory; the file is closed again.
 
     Dimensions: telescope, channel and process (indexed by name), order (1, 2, … and above), gate,
-    depth (of the last scattering) [m]. Coordinates: gate_time [ns], gate_depth [m] of each channel,
-    channel_wavelength [nm], and the bounds of gates. Variables: echo, echo_by_process,
-    echo_by_order, echo_by_depth, each with _standard_error, and converged (bool), convergence_flags
+    depth (of the last scattering) [m], unless the scene left it out. Coordinates: gate_time [ns],
+    gate_depth [m] of each telescope and channel, channel_wavelength [nm], and the bounds of gates.
+    Variables: echo, echo_by_process, echo_by_order, echo_by_depth, each with _standard_error, and
+    converged (bool), convergence_flags
     with their meanings, … If the scene has environments: the dimension environment (indexed by name),
     environment_echo and environment_difference (to echo), with _standard_error, and
     environment_converged. If it has sensitivities: the dimension parameter (indexed by path), with
@@ -56,7 +57,8 @@ def open(path):
         converged = dataset[name].astype(bool)
         converged.attrs = {"long_name": dataset[name].attrs["long_name"]}
         dataset[name] = converged
-    return dataset.set_coords(["gate_time_bounds", "gate_depth_bounds", "depth_bounds"])
+    bounds = ["gate_time_bounds", "gate_depth_bounds", "depth_bounds"]
+    return dataset.set_coords([name for name in bounds if name in dataset])
 
 
 def is_optics(dataset):

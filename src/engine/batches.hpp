@@ -3,6 +3,7 @@
 // batches are merged in their order; what ends a run is looked at there too.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -18,6 +19,7 @@
 #include "engine/problem.hpp"
 #include "engine/run.hpp"
 #include "engine/simulator.hpp"
+#include "scene/tally_memory.hpp"
 #include "tally/totals.hpp"
 
 namespace photic::engine {
@@ -96,11 +98,8 @@ class BatchRunner {
         totals_(conductor.begin(problem.shape)),
         next_batch_(totals_.state().batches),
         merged_(next_batch_) {
-    const int threads = conductor.ending.threads;
-    // Spare tallies let a fast thread run ahead of the one whose batch is due.
-    for (int i = 0; i < 2 * threads; ++i) {
+    for (int i = 0; i < tallies(problem.scene, conductor.ending.threads); ++i)
       free_.push_back(std::make_unique<tally::BatchTally>(problem.shape, problem.gates));
-    }
   }
 
   tally::Totals run() {
@@ -114,6 +113,14 @@ class BatchRunner {
 
  private:
   using Tally = std::unique_ptr<tally::BatchTally>;
+
+  /// Spare tallies let a fast thread run ahead of the one whose batch is due; where there is no
+  /// memory for more, threads wait for each other.
+  static int tallies(const scene::Scene& scene, int threads) {
+    const scene::TallyMemory memory = scene::tally_memory(scene);
+    const double room = (scene::most_tally_memory - memory.bytes()) / memory.batch;
+    return static_cast<int>(std::clamp(2 + room, 2.0, 2.0 * threads));
+  }
 
   void work() {
     try {
@@ -159,7 +166,10 @@ class BatchRunner {
     for (auto due = done_.find(merged_); due != done_.end() && !ended_; due = done_.find(merged_)) {
       Tally tally = std::move(due->second);
       done_.erase(due);
-      if (!conductor_.is_whole(*tally)) conductor_.keep_whole(totals_);
+      if (!conductor_.is_whole(*tally)) {
+        free_.clear();  // it is the last one: none but this is needed any more
+        conductor_.keep_whole(totals_);
+      }
       totals_.merge(*tally);
       tally->clear();
       free_.push_back(std::move(tally));

@@ -30,10 +30,11 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   shape.processes = processes.size();
   shape.orders = static_cast<std::size_t>(scene.simulation.orders_kept);
   shape.gates = static_cast<std::size_t>(gates.count());
-  const auto depth = gates.depth_edges();
-  shape.depths = depth.size() - 1;
-  shape.depth_min = depth.front();
-  shape.per_depth_step = static_cast<double>(shape.depths) / (depth.back() - depth.front());
+  if (const auto depth = gates.depth_edges(scene.gates.depth_cells); !depth.empty()) {
+    shape.depths = depth.size() - 1;
+    shape.depth_min = depth.front();
+    shape.per_depth_step = static_cast<double>(shape.depths) / (depth.back() - depth.front());
+  }
   shape.max_order = static_cast<std::int32_t>(scene.simulation.max_order.value_or(0));
   shape.environments = scene.environment.size() + scene.sensitivity.size();
   for (const auto& line : medium.line) {
@@ -58,15 +59,17 @@ medium::Line channel_line(const scene::Channel& channel, std::size_t c,
   medium::Line mean = lines.front();
   double all = 0;
   double wavelength = 0;
-  double group_index = 0;
+  double refractive_index = 0, group_index = 0;
   for (const auto& line : lines) {
     const double counted = line.photons * line.counted_by[c];
     all += counted;
     wavelength += counted * line.wavelength_nm;
+    refractive_index += counted * line.refractive_index;
     group_index += counted * line.group_index;
   }
   if (all > 0) {
     mean.wavelength_nm = wavelength / all;
+    mean.refractive_index = refractive_index / all;
     mean.group_index = group_index / all;
   } else if (channel.centre_nm) {
     mean.wavelength_nm = *channel.centre_nm;
@@ -113,11 +116,15 @@ tally::Result describe(const Problem& problem) {
     const auto line = channel_line(scene.channel[c], c, medium.line);
     result.channel_name.push_back(scene.channel[c].name);
     result.channel_wavelength_nm.push_back(line.wavelength_nm);
-    for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {
-      result.gate_depth_edge_m.push_back(gates.depth(gates.edge_path(edge), line));
+  }
+  for (std::size_t t = 0; t < scene.telescope.size(); ++t) {
+    for (std::size_t c = 0; c < scene.channel.size(); ++c) {
+      const auto line = channel_line(scene.channel[c], c, medium.line);
+      for (std::int32_t edge = 0; edge <= gates.count(); ++edge)
+        result.gate_depth_edge_m.push_back(gates.depth(gates.edge_path(edge), t, line));
     }
   }
-  result.depth_edge_m = gates.depth_edges();
+  result.depth_edge_m = gates.depth_edges(scene.gates.depth_cells);
   result.title = scene.title;
   result.scene_toml = scene::write_scene(scene);
   result.estimator = scene.simulation.estimator;

@@ -61,7 +61,7 @@ std::string block(const tally::Result& result, const Columns& columns, const Sho
   std::string out = names(result, columns, shown);
   for (std::size_t i = first; i < first + result.gates(); i += step) {
     const EchoRow& scene = shown.scene[i];
-    out += fmt::format("{:>10.2f}", scene.depth_m);
+    out += fmt::format("{:>10}", depth_text(scene.depth_m));
     for (const Rows& rows : shown.columns)
       out += fmt::format("{:>{}}{}", columns.text(scene, rows[i]), shown.width - 1,
                          scene.converged() && rows[i].converged() ? ' ' : '*');

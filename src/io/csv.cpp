@@ -42,8 +42,9 @@ std::string head(const tally::Result& result) {
       "echo\n";
   out += fmt::format(
       "# gate: from 0; time: from laser to telescope; depth_m: {}, centre of the gate\n",
-      result.gate_depth_is_range ? "range along the axis of the first telescope"
-                                 : "vertical, down from the sea level");
+      result.gate_depth_is_range
+          ? "range along the axis of the telescope"
+          : "vertical, down from the sea level, along the axes of laser and telescope");
   std::string more;
   if (has_environments(result)) {
     out +=

@@ -22,8 +22,8 @@ std::vector<EchoRow> rows_of(const tally::Result& result, const tally::Estimates
                              const std::vector<std::int32_t>& flags, std::size_t first) {
   const std::size_t gates = result.gates();
   const std::size_t count = cells(result);
-  expect(result.gate_depth_edge_m.size() == result.channels() * (gates + 1),
-         "a depth for every channel and edge of a gate");
+  expect(result.gate_depth_edge_m.size() == result.telescopes() * result.channels() * (gates + 1),
+         "a depth for every telescope, channel and edge of a gate");
   std::vector<EchoRow> rows(count);
   for (std::size_t i = 0; i < count; ++i) {
     EchoRow& row = rows[i];
@@ -32,8 +32,7 @@ std::vector<EchoRow> rows_of(const tally::Result& result, const tally::Estimates
     row.telescope = i / gates / result.channels();
     row.time_start_ns = result.gate_time_edge_ns[row.gate];
     row.time_end_ns = result.gate_time_edge_ns[row.gate + 1];
-    const double* depth_edge = &result.gate_depth_edge_m[row.channel * (gates + 1) + row.gate];
-    row.depth_m = 0.5 * (depth_edge[0] + depth_edge[1]);
+    row.depth_m = result.gate_depth_m(row.telescope, row.channel, row.gate);
     row.echo = echo.mean[first + i];
     row.standard_error = echo.standard_error[first + i];
     row.relative_error =

@@ -15,7 +15,8 @@ namespace photic::io {
 struct EchoRow {
   std::size_t telescope{}, channel{}, gate{};  ///< indices, from 0
   double time_start_ns{}, time_end_ns{};
-  double depth_m{};         ///< centre of the gate; the range if Result::gate_depth_is_range
+  double depth_m{};         ///< centre of the gate; the range if Result::gate_depth_is_range; NaN
+                            ///< where the telescope has none
   double echo{};            ///< expected photons detected per photon emitted
   double standard_error{};  ///< of the echo
   double difference{};      ///< of an environment's echo to the scene's

@@ -5,6 +5,7 @@
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <type_traits>
@@ -56,6 +57,17 @@ int type_of(const Values& values) {
                                [](std::span<const std::uint64_t>) { return NC_UINT64; },
                                [](std::span<const std::string>) { return NC_STRING; }},
                     values);
+}
+
+/// The pieces that a variable is compressed in: values that lie one behind the other, as the last
+/// dimensions have them. What netCDF would choose cuts all dimensions, and is gathered from afar.
+std::vector<std::size_t> chunk_of(std::vector<std::size_t> lengths) {
+  std::size_t room = std::size_t{1} << 15;  // values; some 1e5 bytes fit a processor's cache
+  for (auto length = lengths.rbegin(); length != lengths.rend(); ++length) {
+    *length = std::clamp<std::size_t>(room, 1, *length);
+    room /= *length;
+  }
+  return lengths;
 }
 
 int put_values(int file, int variable, const Values& values) {
@@ -133,10 +145,12 @@ void NetcdfImage::put_attribute(int variable, const std::string& name,
 void NetcdfImage::add_variable(const std::string& name, const std::vector<std::string>& dimensions,
                                Values values, const Attributes& attributes) {
   std::vector<int> ids;
+  std::vector<std::size_t> lengths;
   std::size_t size = 1;
   for (const auto& dimension : dimensions) {
     const auto& [id, length] = dimensions_.at(dimension);
     ids.push_back(id);
+    lengths.push_back(length);
     size *= length;
   }
   expect(std::visit([](auto span) { return span.size(); }, values) == size,
@@ -145,7 +159,11 @@ void NetcdfImage::add_variable(const std::string& name, const std::vector<std::s
   check(nc_def_var(group_, name.c_str(), type_of(values), static_cast<int>(ids.size()), ids.data(),
                    &variable),
         name);
-  if (ids.size() > 1) check(nc_def_var_deflate(group_, variable, NC_SHUFFLE, 1, 4), name);
+  if (ids.size() > 1) {
+    const auto chunk = chunk_of(lengths);
+    check(nc_def_var_chunking(group_, variable, NC_CHUNKED, chunk.data()), name);
+    check(nc_def_var_deflate(group_, variable, NC_SHUFFLE, 1, 1), name);
+  }
   for (const auto& [key, value] : attributes) put_attribute(variable, key, value);
   check(put_values(group_, variable, values), name);
 }

@@ -49,15 +49,19 @@ NetcdfReader::NetcdfReader(std::string path, std::string wanted)
 
 NetcdfReader::~NetcdfReader() { nc_close(file_); }
 
-void NetcdfReader::expect_result() const {
+std::int32_t NetcdfReader::format() const {
   int format = 0;
   if (nc_get_att_int(file_, NC_GLOBAL, "photic_format", &format) != NC_NOERR)
     refuse("a netCDF file, but not a result of Photic: it has no attribute photic_format");
-  if (format > photic_format)
+  return format;
+}
+
+void NetcdfReader::expect_result() const {
+  if (format() > photic_format)
     refuse_file(path_,
                 fmt::format("written by a newer Photic (result format {}; this program reads up to "
                             "{})",
-                            format, photic_format),
+                            format(), photic_format),
                 "use the newer Photic");
 }
 

@@ -22,6 +22,8 @@ class NetcdfReader {
 
   /// Throws InputError unless the file was written by Photic in a format that is known.
   void expect_result() const;
+  /// The format that Photic wrote it in; throws InputError if it did not.
+  [[nodiscard]] std::int32_t format() const;
 
   /// What it holds in the place of echoes: "the optics of layers" (io/optics_file.hpp), "spectra"
   /// (io/spectral_table.hpp). Empty: echoes.

@@ -1,5 +1,7 @@
 #include "io/netcdf_state.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -83,8 +85,9 @@ void describe(Visitor& v, State& s) {
           "echo by order of scattering" + of_sums);
   v.array("echo_by_process_sums", in_cell({"process", "sum"}), s.by_process, sums,
           "echo by process" + of_sums);
-  v.array("echo_by_depth_sums", in_cell({"depth", "sum"}), s.by_depth, sums,
-          "echo by depth of the last scattering" + of_sums);
+  if (!s.by_depth.empty())
+    v.array("echo_by_depth_sums", in_cell({"depth", "sum"}), s.by_depth, sums,
+            "echo by depth of the last scattering" + of_sums);
   v.array("order_cut_sum", cell, s.cut_order, itself, "first order cut off: sum of the scores");
   v.array("largest_score", cell, s.largest, itself, "largest single score");
   v.array("score_octaves", in_cell({"octave"}), s.octaves, octaves,
@@ -111,13 +114,13 @@ class StateWriter {
   void count(const char* name, std::uint64_t value) { file_.add_global(name, value); }
   void number(const char* name, double value) { file_.add_global(name, value); }
 
-  template <class T, class Fields>
-  void array(const char* name, const Names& dimensions, const std::vector<T>& elements,
+  template <class Elements, class Fields>
+  void array(const char* name, const Names& dimensions, const Elements& elements,
              const Fields& fields, const std::string& long_name) {
     using Number = std::remove_cvref_t<decltype(*fields(elements[0])[0])>;
-    std::vector<Number> values;
+    ZeroedVector<Number> values;
     if (!elements.empty()) values.reserve(elements.size() * fields(elements[0]).size());
-    for (const T& element : elements)
+    for (const auto& element : elements)
       for (const Number* field : fields(element)) values.push_back(*field);
     file_.add_variable(name, dimensions, std::span<const Number>(values),
                        {{"long_name", long_name}, {"units", "1"}});
@@ -135,12 +138,12 @@ class StateReader {
   void count(const char* name, std::uint64_t& value) const { value = file_.count(name); }
   void number(const char* name, double& value) const { value = file_.number(name); }
 
-  template <class T, class Fields>
-  void array(const char* name, const Names& dimensions, std::vector<T>& elements,
-             const Fields& fields, const std::string& /*long_name*/) const {
+  template <class Elements, class Fields>
+  void array(const char* name, const Names& dimensions, Elements& elements, const Fields& fields,
+             const std::string& /*long_name*/) const {
     std::vector<std::size_t> lengths;
     for (const std::string& dimension : dimensions) lengths.push_back(lengths_.at(dimension));
-    T element{};
+    typename Elements::value_type element{};
     using Number = std::remove_cvref_t<decltype(*fields(element)[0])>;
     const std::vector<Number> values = read<Number>(name, lengths);
     elements.clear();
@@ -187,11 +190,14 @@ void add_state(NetcdfImage& file, const tally::TotalsState& state) {
 tally::TotalsState read_state(const std::string& path, const tally::Shape& shape) {
   NetcdfReader file(path);
   file.expect_result();
+  if (file.format() < photic_format)
+    file.refuse(
+        fmt::format("written by an earlier Photic (result format {}; this program goes on "
+                    "from format {}): start anew",
+                    file.format(), photic_format));
   const std::uint64_t photons = file.count("photons");
   if (!file.enter_group(group))
     file.refuse(std::string("a result that no run can go on from: it has no group ") + group);
-  if (!file.has("resting_target"))
-    file.refuse("made by an earlier build of Photic, which kept other sums: start anew");
   const StateReader reader(file, {{"telescope", shape.telescopes},
                                   {"channel", shape.channels},
                                   {"process", shape.processes},

@@ -46,7 +46,6 @@ void add_axes(NetcdfImage& file, const tally::Result& result) {
   file.add_dimension("process", result.process_name.size());
   file.add_dimension("order", static_cast<std::size_t>(result.orders));
   file.add_dimension("gate", result.gates());
-  file.add_dimension("depth", result.depths());
   file.add_dimension("bnds", 2);
   file.add_variable("telescope_name", {"telescope"}, result.telescope_name,
                     {{"long_name", "name of the telescope"}});
@@ -80,22 +79,28 @@ void add_gates(NetcdfImage& file, const tally::Result& result) {
   file.add_variable("gate_time_bounds", {"gate", "bnds"}, time,
                     {{"long_name", "start and end of the gate"}});
 
-  const auto gate_depth = bounds(result.gate_depth_edge_m, result.channels());
+  const auto gate_depth = bounds(result.gate_depth_edge_m, result.telescopes() * result.channels());
   const std::string quantity =
-      result.gate_depth_is_range ? "range along the axis of the first telescope" : "depth";
+      result.gate_depth_is_range ? "range along the axis of the telescope" : "depth";
   Attributes attributes = {
       {"long_name",
        quantity + " from which light scattered once arrives at the centre of the gate"},
       {"units", "m"},
       {"_FillValue", nan},
-      {"coordinates", "channel_name gate_time"},
+      {"coordinates", "telescope_name channel_name gate_time"},
       {"bounds", "gate_depth_bounds"}};
   if (!result.gate_depth_is_range)
     attributes = attributes + Attributes{{"standard_name", "depth"}, {"positive", "down"}};
-  file.add_variable("gate_depth", {"channel", "gate"}, centres(gate_depth), attributes);
-  file.add_variable("gate_depth_bounds", {"channel", "gate", "bnds"}, gate_depth,
+  file.add_variable("gate_depth", {"telescope", "channel", "gate"}, centres(gate_depth),
+                    attributes);
+  file.add_variable("gate_depth_bounds", {"telescope", "channel", "gate", "bnds"}, gate_depth,
                     {{"long_name", quantity + " at start and end of the gate"}});
+}
 
+/// The depths of the last scattering, if they are tallied.
+void add_depths(NetcdfImage& file, const tally::Result& result) {
+  if (result.depths() == 0) return;
+  file.add_dimension("depth", result.depths());
   const auto depth = bounds(result.depth_edge_m);
   file.add_variable("depth", {"depth"}, centres(depth),
                     {{"standard_name", "depth"},
@@ -148,6 +153,7 @@ void add_echoes(NetcdfImage& file, const tally::Result& result) {
                 "gate: sum", "", " process_name");
   add_estimates(file, "echo_by_order", {"telescope", "channel", "order", "gate"},
                 result.echo_by_order, echo_meaning + ", by order of scattering", "gate: sum");
+  if (result.depths() == 0) return;
   add_estimates(file, "echo_by_depth", {"telescope", "channel", "gate", "depth"},
                 result.echo_by_depth, echo_meaning + ", by depth of the last scattering",
                 "gate: sum depth: sum");
@@ -302,6 +308,7 @@ void write_netcdf(const tally::Result& result, const std::string& path, const Wr
   add_run(file, result);
   add_axes(file, result);
   add_gates(file, result);
+  add_depths(file, result);
   add_echoes(file, result);
   add_convergence(file, result);
   add_environments(file, result);

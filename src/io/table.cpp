@@ -52,7 +52,7 @@ std::string block(const tally::Result& result, const std::vector<EchoRow>& rows,
     const auto row = [&](std::size_t c) -> const EchoRow& {
       return rows[(telescope * result.channels() + c) * gates + gate];
     };
-    out += fmt::format("{:>10.2f}", row(first).depth_m);
+    out += fmt::format("{:>10}", depth_text(row(first).depth_m));
     for (std::size_t c = first; c < last; ++c) out += cell(row(c));
     out += '\n';
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace photic::io {
@@ -47,6 +48,10 @@ std::string one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return text;
+}
+
+std::string depth_text(double depth_m) {
+  return std::isnan(depth_m) ? "-" : fmt::format("{:.2f}", depth_m);
 }
 
 std::string legend(const std::vector<EchoRow>& rows) {

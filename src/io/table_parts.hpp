@@ -16,6 +16,9 @@ std::string trimmed(const std::string& text);
 /// Without ends of lines, for the head of a CSV file.
 std::string one_line(std::string text);
 
+/// Of a gate, in metres; "-" where a telescope has none.
+std::string depth_text(double depth_m);
+
 /// Each reason why gates have not converged, with the number of gates it concerns.
 std::string legend(const std::vector<EchoRow>& rows);
 

@@ -7,6 +7,7 @@
 
 #include "core/constants.hpp"
 #include "scene/checks.hpp"
+#include "scene/tally_memory.hpp"
 
 namespace photic::scene {
 namespace {
@@ -59,8 +60,8 @@ bool check_interval(const Gates::Interval& interval, const Keys& keys, Findings&
   return false;
 }
 
-/// Depth gates need a vertical path that goes down from the source and comes back up to telescope
-/// 0.
+/// Depth gates need a path that goes down along the axis of the source and comes back up along
+/// that of telescope 0.
 void check_depth_gates(const Scene& scene, const Keys& keys, Findings& findings) {
   const Gates::Interval& depth = *scene.gates.depth_m;
   const double highest = std::max(-scene.source.position_m.z, -scene.telescope[0].position_m.z);
@@ -77,6 +78,13 @@ void check_depth_gates(const Scene& scene, const Keys& keys, Findings& findings)
   if (depth.max <= 0.0)
     findings.add(keys.max, "all gates lie in the air",
                  "end them below the sea surface, at depth 0");
+  for (std::size_t t = 1; t < scene.telescope.size(); ++t) {
+    if (scene.telescope[t].direction.z >= 0.0)
+      findings.remark(fmt::format("telescope.{}.direction", t),
+                      fmt::format("telescope \"{}\" does not look down: its gates have times, but "
+                                  "no depths",
+                                  scene.telescope[t].name));
+  }
   const auto bed = sea_bed_m(scene, findings);
   if (bed && depth.min >= *bed)
     findings.add(keys.min,
@@ -120,27 +128,6 @@ void check_time_gates(const Scene& scene, const Keys& keys, Findings& findings) 
                  "");
 }
 
-/// What the tallies take, in bytes: by what they grow with.
-struct Memory {
-  double gates, orders, other_waters, rest;
-  [[nodiscard]] double bytes() const { return gates + orders + other_waters + rest; }
-};
-
-Memory memory_of(const Scene& scene) {
-  // Doubles: none of these products can overflow. Sums, squares and largest scores of a cell, and
-  // the sum of the batch in each thread, of which there is at least one.
-  constexpr double bytes_per_cell = 24.0 + 8.0;
-  constexpr double bytes_per_water = 224.0;  // tally::EnvironmentSums and its batch
-  constexpr double processes = 3.0;          // elastic, raman, chlorophyll
-  const double gates = static_cast<double>(scene.gates.count());
-  const double echoes = static_cast<double>(scene.telescope.size() * scene.channel.size()) * gates;
-  const double cells = bytes_per_cell * echoes;
-  return {cells * gates, cells * static_cast<double>(scene.simulation.orders_kept),
-          bytes_per_water * echoes *
-              static_cast<double>(scene.environment.size() + scene.sensitivity.size()),
-          cells * (1.0 + processes)};
-}
-
 void check_tools(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
   if (!findings.good({"simulation.tools", "simulation.estimator"})) return;
@@ -158,16 +145,17 @@ void check_tools(const Scene& scene, Findings& findings) {
 }
 
 /// The path of what takes most, and the advice.
-std::pair<std::string, std::string> what_to_lessen(const Memory& memory, const Scene& scene) {
+std::pair<std::string, std::string> what_to_lessen(const TallyMemory& memory, const Scene& scene) {
   const Keys keys = keys_of(scene.gates);
   const bool more_environments = scene.environment.size() >= scene.sensitivity.size();
-  if (memory.other_waters > std::max(memory.gates, memory.orders))
+  const double most = std::max({memory.depths, memory.orders, memory.other_waters, memory.rest});
+  if (memory.other_waters == most)
     return {more_environments ? "environment" : "sensitivity",
             fmt::format("take fewer {}, or fewer gates",
                         more_environments ? "environments" : "parameters")};
-  if (memory.gates >= memory.orders)
-    return {keys.step, "take fewer gates: the memory goes with the square of their number"};
-  return {"simulation.orders_kept", "keep fewer orders: orders_kept"};
+  if (memory.depths == most) return {"gates.depth_cells", "take fewer: 0 leaves echo_by_depth out"};
+  if (memory.orders == most) return {"simulation.orders_kept", "keep fewer orders: orders_kept"};
+  return {keys.step, "take fewer gates"};
 }
 
 }  // namespace
@@ -202,20 +190,22 @@ void check_memory(const Scene& scene, Findings& findings) {
   if (!findings.good({"telescope", "channel", "gates", "simulation.orders_kept", "environment",
                       "sensitivity"}))
     return;
-  constexpr double limit = 2147483648.0;
-  const Memory memory = memory_of(scene);
-  if (memory.bytes() <= limit) return;
+  const TallyMemory memory = tally_memory(scene);
+  if (memory.bytes() <= most_tally_memory) return;
   const auto [path, suggestion] = what_to_lessen(memory, scene);
   const auto count = [](const char* what, std::size_t number) {
     return number == 0 ? "" : fmt::format(", {} {}", what, number);
   };
   findings.add(
       path,
-      fmt::format("the tallies (telescopes {}, channels {}, gates {}, orders {}{}{}) would take "
+      fmt::format("the tallies (telescopes {}, channels {}, gates {}, orders {}{}{}{}) would take "
                   "{:.3g} GiB; the limit is 2 GiB",
                   scene.telescope.size(), scene.channel.size(), scene.gates.count(),
-                  scene.simulation.orders_kept, count("environments", scene.environment.size()),
-                  count("parameters", scene.sensitivity.size()), memory.bytes() / (limit / 2.0)),
+                  scene.simulation.orders_kept,
+                  count("cells of depth", static_cast<std::size_t>(scene.gates.depth_cells)),
+                  count("environments", scene.environment.size()),
+                  count("parameters", scene.sensitivity.size()),
+                  memory.bytes() / (most_tally_memory / 2.0)),
       suggestion);
 }
 

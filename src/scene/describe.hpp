@@ -20,9 +20,9 @@ void describe(V& v, Gates& g) {
   Gates::Interval time = g.time_ns.value_or(Gates::Interval{});
   v.one_of(option(g.depth_m.has_value(),
                   [&](auto& w) {
-                    w.optional(
-                        "depth_min_m", depth.min, any_number,
-                        "where the first gate begins, as vertical depth in m; negative in the air");
+                    w.optional("depth_min_m", depth.min, any_number,
+                               "where the first gate begins, as depth below the surface in m; "
+                               "negative in the air");
                     w.required("depth_max_m", depth.max, any_number,
                                "where the last gate ends in m");
                     w.required("depth_step_m", depth.step, positive, "the depth of one gate in m");
@@ -44,6 +44,8 @@ void describe(V& v, Gates& g) {
              w.required("step_ns", time.step, positive, "the duration of one gate in ns");
              w.once_read([&] { g.time_ns = time; });
            }));
+  v.optional("depth_cells", g.depth_cells, Count{0, 10000},
+             "how many cells of depth echo_by_depth has; 0: there is none");
 }
 
 template <class V>

@@ -137,7 +137,7 @@ struct Sea {
   friend bool operator==(const Sea&, const Sea&) = default;
 };
 
-/// Range gates by vertical depth, by range along telescope 0's axis, or by time: exactly one kind
+/// Range gates by depth, by range along telescope 0's axis, or by time: exactly one kind
 /// is given.
 struct Gates {
   struct Interval {
@@ -150,6 +150,7 @@ struct Gates {
   std::optional<Interval> depth_m;  ///< depth_min_m (default 0), depth_max_m, depth_step_m
   std::optional<Interval> range_m;  ///< range_min_m, range_max_m, range_step_m
   std::optional<Interval> time_ns;  ///< start_ns, stop_ns, step_ns
+  std::int64_t depth_cells = 100;   ///< of echo_by_depth; 0: there is none
 
   [[nodiscard]] const Interval& interval() const;  ///< the one that is given
   [[nodiscard]] std::int64_t count() const;        ///< number of gates, from min to max

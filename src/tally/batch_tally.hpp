@@ -12,6 +12,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/zeroed.hpp"
+#include "tally/gates.hpp"
 #include "tally/shape.hpp"
 #include "tally/state.hpp"
 
@@ -28,15 +30,17 @@ inline int score_octave(double value) {
 
 /// Of the scores in a cell.
 struct CellScores {
-  double largest = 0, smallest = std::numeric_limits<double>::infinity();  ///< single score
-  double cut_order = 0;                              ///< first order beyond max_order
+  double largest = 0;    ///< single score
+  double cut_order = 0;  ///< first order beyond max_order
+  int octaves_down = 0;  ///< to that of the smallest score, from the topmost one
   std::array<std::uint32_t, score_octaves> count{};  ///< of an octave
 
   [[nodiscard]] bool touched() const { return largest > 0 || cut_order > 0; }
   void add(double value) {
+    const int octave = score_octave(value);
     largest = std::max(largest, value);
-    smallest = std::min(smallest, value);
-    ++count[static_cast<std::size_t>(score_octave(value))];
+    octaves_down = std::max(octaves_down, score_octaves - 1 - octave);
+    ++count[static_cast<std::size_t>(octave)];
   }
 };
 
@@ -127,12 +131,12 @@ class BatchTally {
   [[nodiscard]] bool wants(std::size_t telescope, std::int32_t line) const;
 
   // Sums over the batch. The echo of a cell is the sum of by_order over its orders.
-  std::vector<double> by_order;    ///< [cell][order]
-  std::vector<double> by_process;  ///< [cell][process]
-  std::vector<double> by_depth;    ///< [cell][depth]
-  std::vector<CellScores> cells;   ///< [cell]
+  ZeroedVector<double> by_order;    ///< [cell][order]
+  ZeroedVector<double> by_process;  ///< [cell][process]
+  ZeroedVector<double> by_depth;    ///< [cell][depth]
+  ZeroedVector<CellScores> cells;   ///< [cell]
   std::size_t environment_groups;
-  std::vector<EnvironmentScores> environment;  ///< [cell][group of environments]
+  ZeroedVector<EnvironmentScores> environment;  ///< [cell][group of environments]
   std::vector<std::uint32_t> touched_cells, touched_depths;
 
   Ledger ledger;  ///< sums of weights

@@ -120,6 +120,8 @@ void Totals::fill(Result& result) const {
       }
     }
   }
+  result.echo_by_depth.mean.reserve(state_.by_depth.size());
+  result.echo_by_depth.standard_error.reserve(state_.by_depth.size());
   for (std::size_t k = 0; k < state_.by_depth.size(); ++k)
     estimate(state_.by_depth[k], k / shape_->depths, result.echo_by_depth);
   const std::size_t parameters = result.parameter_value.size();

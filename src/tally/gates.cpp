@@ -8,27 +8,59 @@
 namespace photic::tally {
 namespace {
 
-/// Whether vertical depth tells where first-order light turns: all instruments look down.
+/// Whether depth tells where first-order light turns: both look down steeply.
 bool looks_down(const scene::Source& source, const scene::Telescope& telescope) {
   const double steep = std::cos(45.0 * radian_per_degree);
   return normalised(source.direction).z < -steep && normalised(telescope.direction).z < -steep;
 }
 
+/// The cosine of an axis from the vertical, below the surface (Snell's law).
+double cosine_in_water(const Vec3<double>& axis, bool submerged, double refractive_index) {
+  if (submerged) return std::abs(axis.z);
+  return std::sqrt(1 - (1 - axis.z * axis.z) / (refractive_index * refractive_index));
+}
+
+/// Group path along the axis of an instrument that looks down, at a line: to the surface, and per
+/// metre of depth above and below it. One in the water is above its own surface by less than 0.
+struct Leg {
+  double to_surface, per_depth_in_air, per_depth_in_water;
+};
+
+template <class Instrument>
+Leg leg_of(const Instrument& instrument, const medium::Line& line) {
+  const auto axis = normalised(instrument.direction);
+  if (!(axis.z < 0)) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none, none};
+  }
+  const bool submerged = instrument.position_m.z < 0;
+  const double in_water =
+      line.group_index / cosine_in_water(axis, submerged, line.refractive_index);
+  const double in_air = submerged ? in_water : -1 / axis.z;
+  return {instrument.position_m.z * in_air, in_air, in_water};
+}
+
+/// The depths that a range along the axis of a telescope leads to.
+double depth_of_range(double range, const scene::Telescope& telescope, double refractive_index) {
+  const auto axis = normalised(telescope.direction);
+  const double z = telescope.position_m.z;
+  if (z < 0) return std::max(0.0, -(z + range * axis.z));
+  if (axis.z >= 0) return 0.0;
+  return std::max(0.0, (range - z / -axis.z) * cosine_in_water(axis, false, refractive_index));
+}
+
 }  // namespace
 
 Gates::Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines)
-    : source_(scene.source),
-      telescope_(scene.telescope.front()),
-      refractive_index_(lines.front().refractive_index),
-      laser_group_index_(lines.front().group_index) {
+    : source_(scene.source), telescope_(scene.telescope), laser_(lines.front()) {
   const auto& interval = scene.gates.interval();
-  by_depth_ = scene.gates.depth_m.has_value();
+  const bool by_depth = scene.gates.depth_m.has_value();
   const bool by_range = scene.gates.range_m.has_value();
-  depth_is_range_ = by_range || (!by_depth_ && !looks_down(source_, telescope_));
-  if (by_depth_) {
-    scale_ = depth_scale(laser_group_index_);
+  depth_is_range_ = by_range || (!by_depth && !looks_down(source_, telescope_.front()));
+  if (by_depth) {
+    scale_ = depth_scale(telescope_.front(), laser_);
   } else if (by_range) {
-    scale_ = range_scale(laser_group_index_);
+    scale_ = range_scale(telescope_.front(), laser_);
   } else {
     scale_ = {0.0, 0.0, metre_per_nanosecond, metre_per_nanosecond};
   }
@@ -45,30 +77,29 @@ double Gates::edge_path(std::int32_t edge) const {
   return scale_.path(edge == count_ ? max_ : min_ + edge * step_);
 }
 
-/// Straight down from the source and straight up to telescope 0.
-PathScale Gates::depth_scale(double group_index_back) const {
-  const auto leg_to_surface = [](double z, double group_index) {
-    return z > 0 ? z : z * group_index;
-  };
+/// Down along the axis of the source and up along that of the telescope, refracted
+/// (docs/theory.md, eq. 35).
+PathScale Gates::depth_scale(const scene::Telescope& telescope, const medium::Line& back) const {
+  const Leg out = leg_of(source_, laser_);
+  const Leg home = leg_of(telescope, back);
   PathScale scale;
-  scale.knee_path = leg_to_surface(source_.position_m.z, laser_group_index_) +
-                    leg_to_surface(telescope_.position_m.z, group_index_back);
-  scale.slope_before = 2.0;
-  scale.slope_after = laser_group_index_ + group_index_back;
+  scale.knee_path = out.to_surface + home.to_surface;
+  scale.slope_before = out.per_depth_in_air + home.per_depth_in_air;
+  scale.slope_after = out.per_depth_in_water + home.per_depth_in_water;
   return scale;
 }
 
-/// Out and back along the (refracted) axis of telescope 0; a source ahead of it by s has a way
+/// Out and back along the (refracted) axis of the telescope; a source ahead of it by s has a way
 /// shorter by s.
-PathScale Gates::range_scale(double group_index_back) const {
-  const auto axis = normalised(telescope_.direction);
-  const bool submerged = telescope_.position_m.z < 0;
-  const double in_water = laser_group_index_ + group_index_back;
+PathScale Gates::range_scale(const scene::Telescope& telescope, const medium::Line& back) const {
+  const auto axis = normalised(telescope.direction);
+  const bool submerged = telescope.position_m.z < 0;
+  const double in_water = laser_.group_index + back.group_index;
   const double toward_surface = submerged ? axis.z : -axis.z;
-  const double to_surface = toward_surface > 0 ? std::abs(telescope_.position_m.z) / toward_surface
+  const double to_surface = toward_surface > 0 ? std::abs(telescope.position_m.z) / toward_surface
                                                : std::numeric_limits<double>::max();
-  const double ahead = dot(source_.position_m - telescope_.position_m, axis);
-  const double offset = -ahead * (source_.position_m.z < 0 ? laser_group_index_ : 1.0);
+  const double ahead = dot(source_.position_m - telescope.position_m, axis);
+  const double offset = -ahead * (source_.position_m.z < 0 ? laser_.group_index : 1.0);
   PathScale scale;
   scale.slope_before = submerged ? in_water : 2.0;
   scale.slope_after = submerged ? 2.0 : in_water;
@@ -79,39 +110,39 @@ PathScale Gates::range_scale(double group_index_back) const {
   return scale;
 }
 
-double Gates::depth(double path, const medium::Line& line) const {
-  return (depth_is_range_ ? range_scale(line.group_index) : depth_scale(line.group_index))
-      .coordinate(path);
+double Gates::depth(double path, std::size_t telescope, const medium::Line& line) const {
+  const scene::Telescope& t = telescope_[telescope];
+  return (depth_is_range_ ? range_scale(t, line) : depth_scale(t, line)).coordinate(path);
 }
 
-double Gates::vertical_depth(double range) const {
-  const auto axis = normalised(telescope_.direction);
-  const double z = telescope_.position_m.z;
-  if (z < 0) return std::max(0.0, -(z + range * axis.z));
-  if (axis.z >= 0) return 0.0;
-  const double in_air = z / -axis.z;
-  const double sine_squared = (1 - axis.z * axis.z) / (refractive_index_ * refractive_index_);
-  return std::max(0.0, (range - in_air) * std::sqrt(1 - sine_squared));
-}
-
-std::vector<double> Gates::depth_edges() const {
-  medium::Line laser;
-  laser.group_index = laser_group_index_;
-  double low = depth(edge_path(0), laser);
-  double high = depth(last_path(), laser);
-  if (depth_is_range_) {
-    const double span = high - low;
-    const double a = vertical_depth(low);
-    const double b = vertical_depth(high);
-    low = std::min(a, b);
-    high = std::max(a, b);
-    const double missing =
-        std::max(0.0, span / 2 - (high - low));  // an instrument that looks sideways
-    low = std::max(0.0, low - missing / 2);
-    high += missing / 2;
+std::vector<double> Gates::depth_edges(std::int64_t cells) const {
+  if (cells == 0) return {};
+  double low = std::numeric_limits<double>::max();
+  double high = 0;
+  for (std::size_t t = 0; t < telescope_.size(); ++t) {
+    double from = depth(edge_path(0), t, laser_);
+    double to = depth(last_path(), t, laser_);
+    if (depth_is_range_) {
+      // One that looks sideways sees light from above and below, too.
+      const double beside = std::max(0.0, (to - from) / 2);
+      from = depth_of_range(from, telescope_[t], laser_.refractive_index);
+      to = depth_of_range(to, telescope_[t], laser_.refractive_index);
+      if (from > to) std::swap(from, to);
+      const double missing = std::max(0.0, beside - (to - from));
+      from -= missing / 2;
+      to += missing / 2;
+    }
+    if (!std::isfinite(from)) continue;
+    low = std::min(low, from);
+    high = std::max(high, to);
   }
+  low = std::clamp(low, 0.0, high);
+  // Gates that end before an axis gets into the water may still see light beside it.
+  if (!(high > low)) high = low + (last_path() - edge_path(0)) / 2;
   std::vector<double> edges;
-  for (std::int32_t i = 0; i <= count_; ++i) edges.push_back(low + (high - low) * i / count_);
+  const auto count = static_cast<double>(cells);
+  for (std::int64_t i = 0; i <= cells; ++i)
+    edges.push_back(low + (high - low) * static_cast<double>(i) / count);
   return edges;
 }
 

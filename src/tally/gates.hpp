@@ -1,5 +1,5 @@
 // Range gates: intervals of group path between the laser's disc and the aperture, one grid for all
-// channels and telescopes, and the depth or range that each stands for.
+// channels and telescopes, and the depth or range that each stands for in each of them.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace photic::tally {
 
 /// A coordinate (depth, range or time) against group path: two straight lines that meet where the
-/// path passes the surface.
+/// path passes the surface. NaN throughout where an instrument has no such coordinate.
 struct PathScale {
   double knee_path = 0;  ///< [m]
   double knee_coordinate = 0;
@@ -58,24 +58,27 @@ class Gates {
   [[nodiscard]] double edge_path(std::int32_t edge) const;  ///< [m], edge 0 … count
   [[nodiscard]] double last_path() const { return edge_path(count_); }
 
-  /// Depth (or range) of first-order light that returns at a line's wavelength with a given group
-  /// path.
-  [[nodiscard]] double depth(double path, const medium::Line& line) const;
+  /// Depth (or range) [m] of first-order light along the axes of laser and telescope that returns
+  /// at a line's wavelength with a given group path; NaN where a telescope has none: a depth needs
+  /// one that looks down.
+  [[nodiscard]] double depth(double path, std::size_t telescope, const medium::Line& line) const;
+  /// Of all telescopes: ranges are told along the axis of each.
   [[nodiscard]] bool depth_is_range() const { return depth_is_range_; }
 
-  /// Edges of the grid on which the depth of the last scattering is tallied [m], as many cells as
-  /// gates.
-  [[nodiscard]] std::vector<double> depth_edges() const;
+  /// Edges of the grid on which the depth of the last scattering is tallied [m]: the depths in the
+  /// water that the gates stand for in any telescope, in so many cells; empty for none.
+  [[nodiscard]] std::vector<double> depth_edges(std::int64_t cells) const;
 
  private:
-  [[nodiscard]] PathScale depth_scale(double group_index_back) const;
-  [[nodiscard]] PathScale range_scale(double group_index_back) const;
-  [[nodiscard]] double vertical_depth(double range) const;
+  [[nodiscard]] PathScale depth_scale(const scene::Telescope& telescope,
+                                      const medium::Line& back) const;
+  [[nodiscard]] PathScale range_scale(const scene::Telescope& telescope,
+                                      const medium::Line& back) const;
 
   scene::Source source_;
-  scene::Telescope telescope_;
-  double refractive_index_ = 1, laser_group_index_ = 1;
-  bool by_depth_ = false, depth_is_range_ = false;
+  std::vector<scene::Telescope> telescope_;
+  medium::Line laser_;  ///< its light
+  bool depth_is_range_ = false;
   PathScale scale_;
   double min_ = 0, step_ = 1, max_ = 1;
   double knee_gate_ = 0, per_metre_before_ = 1, per_metre_after_ = 1;  ///< of scale_, in gates

@@ -7,14 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "core/zeroed.hpp"
 #include "tally/state.hpp"
 
 namespace photic::tally {
 
 /// Estimates on a grid, flattened with the last axis fastest.
 struct Estimates {
-  std::vector<double> mean;            ///< expected photons detected per photon emitted
-  std::vector<double> standard_error;  ///< of the mean; the same length
+  ZeroedVector<double> mean;            ///< expected photons detected per photon emitted
+  ZeroedVector<double> standard_error;  ///< of the mean; the same length
 };
 
 /// Why a gate is not converged: bits of Result::convergence_flags (docs/theory.md, "Error bars").
@@ -40,10 +41,11 @@ struct Result {
   std::vector<double> channel_wavelength_nm;  ///< mean over the light it counts
   std::int64_t orders = 0;                    ///< orders 1 … orders-1, and `orders and above`
   std::vector<double> gate_time_edge_ns;      ///< gates + 1
-  std::vector<double>
-      gate_depth_edge_m;             ///< [channel][gates + 1]: depth of first-order light, or range
-  bool gate_depth_is_range = false;  ///< gates given along the axis of telescope 0
-  std::vector<double> depth_edge_m;  ///< depths + 1: of the last scattering
+  /// [telescope][channel][gates + 1]: depth of first-order light, or range; NaN where a telescope
+  /// has none.
+  std::vector<double> gate_depth_edge_m;
+  bool gate_depth_is_range = false;  ///< along the axis of each telescope
+  std::vector<double> depth_edge_m;  ///< depths + 1: of the last scattering; empty: not tallied
 
   // What was tallied.
   Estimates echo;                               ///< [telescope][channel][gate]
@@ -96,7 +98,15 @@ struct Result {
   [[nodiscard]] std::size_t telescopes() const { return telescope_name.size(); }
   [[nodiscard]] std::size_t channels() const { return channel_name.size(); }
   [[nodiscard]] std::size_t gates() const { return gate_time_edge_ns.size() - 1; }
-  [[nodiscard]] std::size_t depths() const { return depth_edge_m.size() - 1; }
+  [[nodiscard]] std::size_t depths() const {
+    return depth_edge_m.empty() ? 0 : depth_edge_m.size() - 1;
+  }
+  /// The depth or range [m] in the middle of a gate; NaN where the telescope has none.
+  [[nodiscard]] double gate_depth_m(std::size_t telescope, std::size_t channel,
+                                    std::size_t gate) const {
+    const std::size_t edge = (telescope * channels() + channel) * (gates() + 1) + gate;
+    return 0.5 * (gate_depth_edge_m[edge] + gate_depth_edge_m[edge + 1]);
+  }
 };
 
 }  // namespace photic::tally

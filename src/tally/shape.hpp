@@ -22,8 +22,8 @@ struct Shape {
   std::vector<std::vector<Counting>> channels_of_line;  ///< that count a line's light
   std::vector<std::int32_t> process_of_line;            ///< index in the result's process axis
   std::vector<Decay> decay_of_line;                     ///< empty if all lines are emitted at once
-  std::int32_t max_order = 0;  ///< 0: none; order max_order + 1 is what is cut off
-  double depth_min = 0, per_depth_step = 1;
+  std::int32_t max_order = 0;                ///< 0: none; order max_order + 1 is what is cut off
+  double depth_min = 0, per_depth_step = 1;  ///< of the depths, if there are any
 
   /// Rows of gates: a channel of a telescope each.
   [[nodiscard]] std::size_t rows() const { return telescopes * channels; }

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/zeroed.hpp"
+
 namespace photic::tally {
 
 struct Shape;
@@ -101,13 +103,13 @@ struct TotalsState {
   std::vector<Row> row;           ///< [row]
   double resting_target = 0;      ///< relative error that rows rest at; 0: none does
   std::vector<TailSums> echo;     ///< [cell]
-  std::vector<Sums> by_order;     ///< [cell][order]
-  std::vector<Sums> by_process;   ///< [cell][process]
-  std::vector<Sums> by_depth;     ///< [cell][depth]
+  ZeroedVector<Sums> by_order;    ///< [cell][order]
+  ZeroedVector<Sums> by_process;  ///< [cell][process]
+  ZeroedVector<Sums> by_depth;    ///< [cell][depth]
   std::vector<double> cut_order;  ///< [cell] first order beyond max_order
   std::vector<double> largest;    ///< [cell] largest single score
-  std::vector<std::array<std::uint64_t, score_octaves>> octaves;  ///< [cell]
-  std::vector<EnvironmentSums> environment;                       ///< [cell][environment]
+  ZeroedVector<std::array<std::uint64_t, score_octaves>> octaves;  ///< [cell]
+  ZeroedVector<EnvironmentSums> environment;                       ///< [cell][environment]
   // The echo when there were 2^k batches, one snapshot after the other.
   std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot][row]
   std::vector<Sums> snapshot_echo;                         ///< [snapshot][cell]

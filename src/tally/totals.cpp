@@ -51,7 +51,7 @@ void Totals::merge(const BatchTally& batch) {
     const CellScores& scores = batch.cells[cell];
     state_.cut_order[cell] += scores.cut_order;
     state_.largest[cell] = std::max(state_.largest[cell], scores.largest);
-    for (auto k = static_cast<std::size_t>(score_octave(scores.smallest));
+    for (auto k = static_cast<std::size_t>(score_octaves - 1 - scores.octaves_down);
          k <= static_cast<std::size_t>(score_octave(scores.largest)); ++k)
       state_.octaves[cell][k] += scores.count[k];
     merge_environments(batch, cell, echo);

@@ -13,6 +13,7 @@
 #include "support/lidar_equation.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
+#include "support/slant_path.hpp"
 #include "support/z_test.hpp"
 
 namespace photic::test {
@@ -29,6 +30,10 @@ struct Precision {
 /// One scattering each. The equation has the overlap's mean over the lens.
 const Precision forward{
     simulation(1.25e7, 7, "max_order = 1\norders_kept = 1\nreception = \"overlap\""), 0.005, 0.005,
+    true};
+/// Where every photon's score is about the same.
+const Precision forward_in_short{
+    simulation(1e6, 7, "max_order = 1\norders_kept = 1\nreception = \"overlap\""), 0.005, 0.005,
     true};
 /// Meetings of one pair of walks are seen in many gates. To points of the lens ways are longer, and
 /// solid angles smaller, than to its centre: by some 1e-4, less than these errors.
@@ -53,12 +58,32 @@ EquationWater water_of(const medium::Medium& medium, std::size_t line,
   return water;
 }
 
+/// Where the gates of a telescope and channel begin and end, as group path: that to the depths that
+/// the result tells of them, where there are any and the light is of one line.
+std::vector<double> edge_paths(const engine::Problem& problem, std::size_t telescope,
+                               std::size_t channel) {
+  const tally::Result told = engine::describe(problem);
+  const auto& lines = problem.medium.line;
+  const auto counted = [&](const medium::Line& line) { return line.counted_by[channel] > 0; };
+  const bool one_line = std::ranges::count_if(lines, counted) == 1;
+  const auto back = std::ranges::find_if(lines, counted);
+  std::vector<double> edges;
+  for (std::int32_t e = 0; e <= problem.gates.count(); ++e) {
+    const std::size_t row = telescope * told.channels() + channel;
+    const double depth =
+        told.gate_depth_edge_m[row * (told.gates() + 1) + static_cast<std::size_t>(e)];
+    edges.push_back(told.gate_depth_is_range || !one_line
+                        ? problem.gates.edge_path(e)
+                        : slant_path(problem.scene.source, problem.scene.telescope[telescope],
+                                     lines.front(), *back, depth));
+  }
+  return edges;
+}
+
 /// What a scene's first order should be in one channel and telescope: the light of all its lines.
 std::vector<double> expected(const engine::Problem& problem, std::size_t telescope,
                              std::size_t channel, const std::function<double(double)>& phase) {
-  std::vector<double> edges;
-  for (std::int32_t e = 0; e <= problem.gates.count(); ++e)
-    edges.push_back(problem.gates.edge_path(e));
+  const std::vector<double> edges = edge_paths(problem, telescope, channel);
   std::vector<double> sum(edges.size() - 1, 0.0);
   for (std::size_t line = 0; line < problem.medium.line.size(); ++line) {
     const double counted = problem.medium.line[line].counted_by[channel];
@@ -270,6 +295,72 @@ range_max_m = 64.0
 range_step_m = 2.5
 )",
           {shape(optics::henyey_greenstein(0.6))});
+}
+
+// An airborne lidar with a telescope at its beam and one beside it, with gates by depth. Seen red:
+// timed straight down, where the first gates are empty.
+TEST(FirstOrder, DepthsOfALidarTilted20Degrees) {
+  compare(R"(
+[source]
+wavelength_nm = 532.0
+position_m = [0.0, 0.0, 300.0]
+direction = [0.3420201433256687, 0.0, -0.9396926207859084]
+diameter_m = 0.01
+half_divergence_mrad = 1.0
+[[telescope]]
+name = "coaxial"
+position_m = [0.0, 0.0, 300.0]
+direction = [0.3420201433256687, 0.0, -0.9396926207859084]
+diameter_m = 0.15
+focal_length_m = 1.0
+half_field_of_view_mrad = 5.0
+[[telescope]]
+name = "biaxial"
+position_m = [0.3, 0.8, 300.2]
+direction = [0.3420201433256687, 0.0, -0.9396926207859084]
+diameter_m = 0.20
+focal_length_m = 1.0
+half_field_of_view_mrad = 10.0
+)" + channel("elastic") +
+              water(0.03, 0.03, "{ model = \"henyey-greenstein\", g = 0.6 }") + depth_gates(40, 2),
+          {shape(optics::henyey_greenstein(0.6))}, {forward_in_short, bidirectional});
+}
+
+// A beam that goes down at 45 degrees, seen from its side, from higher up at 20 degrees, and from
+// straight above: what a gate is called differs by metres. Seen red: with the depths of the first
+// telescope for all.
+TEST(FirstOrder, DepthsOfThreeTelescopesAtOtherHeightsAndTilts) {
+  compare(R"(
+[source]
+wavelength_nm = 532.0
+position_m = [0.0, 0.0, 12.0]
+direction = [1.0, 0.0, -1.0]
+diameter_m = 0.04
+half_divergence_mrad = 2.0
+[[telescope]]
+name = "coaxial"
+position_m = [0.0, 0.2, 12.0]
+direction = [1.0, 0.0, -1.0]
+diameter_m = 0.40
+focal_length_m = 2.0
+half_field_of_view_mrad = 30.0
+[[telescope]]
+name = "higher, steeper"
+position_m = [1.081, 0.0, 30.0]
+direction = [0.3420201433256687, 0.0, -0.9396926207859084]
+diameter_m = 0.40
+focal_length_m = 1.0
+half_field_of_view_mrad = 300.0
+[[telescope]]
+name = "above"
+position_m = [14.0, 0.0, 20.0]
+direction = [0.0, 0.0, -1.0]
+diameter_m = 0.40
+focal_length_m = 1.0
+half_field_of_view_mrad = 450.0
+)" + channel("elastic") +
+              water(0.03, 0.03, "{ model = \"henyey-greenstein\", g = 0.6 }") + depth_gates(24, 2),
+          {shape(optics::henyey_greenstein(0.6))}, {forward_in_short, bidirectional});
 }
 
 // Seen red: with the refractive index for the group index on the way out, or on the way home; with

@@ -26,7 +26,9 @@ def test_coordinates(sample):
     echo = ds.echo.sel(telescope="narrow", channel="raman")
     assert echo.gate_depth.dims == ("gate",)
     assert echo.gate_depth.values[0] == pytest.approx(1.004 * 0.25, rel=1e-12)
-    assert ds.gate_depth_bounds.sel(channel="raman").values[0] == pytest.approx([0, 1.004 * 0.5])
+    bounds = ds.gate_depth_bounds.sel(channel="raman")
+    assert bounds.sel(telescope="narrow").values[0] == pytest.approx([0, 1.004 * 0.5])
+    assert bounds.sel(telescope="wide").values[0] == pytest.approx([-1.004 * 2, -1.004 * 1.5])
     # Numbers of ns, not timedeltas.
     assert ds.gate_time.dtype == float and ds.gate_time.attrs["units"] == "ns"
     assert echo.channel_wavelength == 649.8
@@ -142,8 +144,8 @@ def test_newer_format(sample, tmp_path):
     path = tmp_path / "new.nc"
     path.write_bytes(sample.read_bytes())
     with netCDF4.Dataset(path, "a") as file:
-        file.photic_format = 2
+        file.photic_format = 3
     with pytest.raises(photic.Error) as error:
         photic.open(path)
-    reason = "written by a newer Photic (result format 2; this package reads up to 1)"
+    reason = "written by a newer Photic (result format 3; this package reads up to 2)"
     assert str(error.value) == f"{path}: {reason}"

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <ostream>
+#include <span>
 #include <vector>
 
 #include "core/isa.hpp"
@@ -42,7 +43,7 @@ tally::Result run_in(std::optional<Isa> lanes, const scene::Scene& scene) {
 double left(double lifetime_ns, double ns) { return ns > 0 ? -std::expm1(-ns / lifetime_ns) : 0; }
 
 /// A channel's fine echo at once, as coarse gates see it once it decays.
-std::vector<double> convolved(const tally::Result& fine, const std::vector<double>& echo,
+std::vector<double> convolved(const tally::Result& fine, std::span<const double> echo,
                               const tally::Result& coarse, std::size_t channel,
                               double lifetime_ns) {
   std::vector<double> out(coarse.gates());
@@ -56,8 +57,8 @@ std::vector<double> convolved(const tally::Result& fine, const std::vector<doubl
   return out;
 }
 
-void expect_alike(const std::vector<double>& all, std::size_t channel,
-                  const std::vector<double>& expected) {
+void expect_alike(std::span<const double> all, std::size_t channel,
+                  std::span<const double> expected) {
   for (std::size_t g = 0; g < expected.size(); ++g) {
     SCOPED_TRACE(fmt::format("channel {}, gate {}", channel, g));
     EXPECT_GT(expected[g], 0);

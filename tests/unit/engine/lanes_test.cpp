@@ -9,6 +9,7 @@
 #include <functional>
 #include <numeric>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -187,12 +188,12 @@ tally::Result run_on(int threads, const scene::Scene& scene, Isa isa) {
 }
 
 /// The sum of differences, as a share of the sum.
-double difference(const std::vector<double>& lanes, const std::vector<double>& scalar) {
+double difference(std::span<const double> lanes, std::span<const double> scalar) {
   const auto off = [](double a, double b) { return std::abs(a - b); };
   return std::transform_reduce(lanes.begin(), lanes.end(), scalar.begin(), 0.0, std::plus(), off) /
          std::reduce(scalar.begin(), scalar.end());
 }
-void expect_near(const std::vector<double>& lanes, const std::vector<double>& scalar, double part) {
+void expect_near(std::span<const double> lanes, std::span<const double> scalar, double part) {
   for (std::size_t i = 0; i < scalar.size(); ++i)
     ASSERT_NEAR(lanes[i], scalar[i], part * scalar[i]);
 }

@@ -51,9 +51,11 @@ class Maker {
       result_.depth_edge_m.push_back(depth_m);
       result_.gate_time_edge_ns.push_back(2 * (height_m + 1.36 * depth_m) / 0.299792458);
     }
-    for (const double stretch : {1.0, 1.004, 1.005})
-      for (const double depth_m : result_.depth_edge_m)
-        result_.gate_depth_edge_m.push_back(stretch * depth_m);
+    // The second telescope looks on from a place 2 m higher.
+    for (const double higher_m : {0.0, 2.0})
+      for (const double stretch : {1.0, 1.004, 1.005})
+        for (const double depth_m : result_.depth_edge_m)
+          result_.gate_depth_edge_m.push_back(stretch * (depth_m - higher_m));
   }
 
   void channel(const Look& look, std::size_t telescope, std::size_t c) {

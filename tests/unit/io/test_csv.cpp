@@ -72,7 +72,7 @@ TEST(Csv, ReadsBackToTheSameNumbers) {
         EXPECT_EQ(record[2], std::to_string(k));
         EXPECT_EQ(number(record[3]), result.gate_time_edge_ns[k]);
         EXPECT_EQ(number(record[4]), result.gate_time_edge_ns[k + 1]);
-        const double* edge = &result.gate_depth_edge_m[101 * c + k];
+        const double* edge = &result.gate_depth_edge_m[101 * (3 * t + c) + k];
         EXPECT_EQ(number(record[5]), 0.5 * (edge[0] + edge[1]));
         const double echo = result.echo.mean[i], error = result.echo.standard_error[i];
         EXPECT_EQ(number(record[6]), echo);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <span>
 
 #include "core/error.hpp"
 #include "io/netcdf.hpp"
@@ -17,7 +18,7 @@ namespace {
 using test::NetcdfFile;
 
 /// Equal to the last bit, NaN included.
-void expect_same(const std::vector<double>& file, const std::vector<double>& result) {
+void expect_same(std::span<const double> file, std::span<const double> result) {
   ASSERT_EQ(file.size(), result.size());
   for (std::size_t i = 0; i < file.size(); ++i) {
     if (std::isnan(result[i]))
@@ -55,7 +56,7 @@ TEST_F(WrittenResult, Axes) {
   EXPECT_EQ(file.texts("channel_name"), result_.channel_name);
   EXPECT_EQ(file.texts("process_name"), result_.process_name);
   expect_same(file.numbers("channel_wavelength"), result_.channel_wavelength_nm);
-  expect_same(file.numbers("order"), {1, 2, 3, 4, 5, 6});
+  expect_same(file.numbers("order"), std::vector<double>{1, 2, 3, 4, 5, 6});
 }
 
 TEST_F(WrittenResult, Gates) {
@@ -64,7 +65,7 @@ TEST_F(WrittenResult, Gates) {
   const auto depth = file.numbers("depth"), depth_bounds = file.numbers("depth_bounds");
   const auto gate_depth = file.numbers("gate_depth"),
              gate_bounds = file.numbers("gate_depth_bounds");
-  ASSERT_EQ(gate_depth.size(), 300u);
+  ASSERT_EQ(gate_depth.size(), 600u);
   for (std::size_t k = 0; k < 100; ++k) {
     EXPECT_EQ(time_bounds[2 * k], result_.gate_time_edge_ns[k]);
     EXPECT_EQ(time_bounds[2 * k + 1], result_.gate_time_edge_ns[k + 1]);
@@ -72,13 +73,14 @@ TEST_F(WrittenResult, Gates) {
     EXPECT_EQ(depth_bounds[2 * k], result_.depth_edge_m[k]);
     EXPECT_EQ(depth_bounds[2 * k + 1], result_.depth_edge_m[k + 1]);
     EXPECT_EQ(depth[k], 0.5 * (result_.depth_edge_m[k] + result_.depth_edge_m[k + 1]));
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double* edge = &result_.gate_depth_edge_m[101 * c + k];
-      EXPECT_EQ(gate_bounds[2 * (100 * c + k)], edge[0]);
-      EXPECT_EQ(gate_bounds[2 * (100 * c + k) + 1], edge[1]);
-      EXPECT_EQ(gate_depth[100 * c + k], 0.5 * (edge[0] + edge[1]));
+    for (std::size_t row = 0; row < 6; ++row) {
+      const double* edge = &result_.gate_depth_edge_m[101 * row + k];
+      EXPECT_EQ(gate_bounds[2 * (100 * row + k)], edge[0]);
+      EXPECT_EQ(gate_bounds[2 * (100 * row + k) + 1], edge[1]);
+      EXPECT_EQ(gate_depth[100 * row + k], 0.5 * (edge[0] + edge[1]));
     }
   }
+  EXPECT_EQ(file.dimensions(file.variable("gate_depth")), (Names{"telescope", "channel", "gate"}));
 }
 
 // Seen red: writing the mean in the place of the standard error.
@@ -163,7 +165,7 @@ TEST_F(WrittenResult, Run) {
   const auto integer = [&](const char* name) {
     return file.attribute<std::int32_t>(NC_GLOBAL, name).at(0);
   };
-  EXPECT_EQ(integer("photic_format"), 1);
+  EXPECT_EQ(integer("photic_format"), 2);
   EXPECT_EQ(integer("partial"), 1);
   EXPECT_EQ(integer("threads"), 2);
 }
@@ -288,6 +290,18 @@ TEST(WriteNetcdf, OtherProgramsCanAddToTheFile) {
   EXPECT_EQ(NetcdfFile(folder.file("out.nc")).text("comment"), "added");
 }
 
+// Seen red: with a dimension of no depths, which netCDF takes for one without end.
+TEST(WriteNetcdf, DepthsOfTheLastScatteringAreLeftOutWhereTheyAreNotTallied) {
+  const test::TemporaryFolder folder;
+  tally::Result result = test::sample_result();
+  result.depth_edge_m.clear();
+  result.echo_by_depth = {};
+  result.state->by_depth.clear();
+  write_netcdf(result, folder.file("out.nc"), {"test"});
+  for (const auto& name : NetcdfFile(folder.file("out.nc")).variables())
+    EXPECT_TRUE(name.rfind("gate_", 0) == 0 || name.find("depth") == std::string::npos) << name;
+}
+
 TEST(WriteNetcdf, RangeIsCalledRange) {
   const test::TemporaryFolder folder;
   tally::Result result = test::sample_result();
@@ -295,7 +309,7 @@ TEST(WriteNetcdf, RangeIsCalledRange) {
   write_netcdf(result, folder.file("out.nc"), {"test"});
   const NetcdfFile file(folder.file("out.nc"));
   const int v = file.variable("gate_depth");
-  EXPECT_EQ(file.text(v, "long_name").rfind("range along the axis of the first telescope", 0), 0u);
+  EXPECT_EQ(file.text(v, "long_name").rfind("range along the axis of the telescope", 0), 0u);
   EXPECT_FALSE(file.has_attribute(v, "standard_name"));
   EXPECT_FALSE(file.has_attribute(v, "positive"));
 }

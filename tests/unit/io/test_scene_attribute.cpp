@@ -79,10 +79,10 @@ TEST(ReadScene, SomeoneElsesNetcdf) {
 TEST(ReadScene, NewerFormat) {
   const TemporaryFolder folder;
   const std::string path = folder.file("new.nc");
-  write_other(path, 2);
+  write_other(path, 3);
   EXPECT_EQ(error_of<InputError>(path),
             path +
-                ": written by a newer Photic (result format 2; this program reads up to 1) "
+                ": written by a newer Photic (result format 3; this program reads up to 2) "
                 "(use the newer Photic)");
 }
 

@@ -162,11 +162,17 @@ TEST_F(WrittenState, WithOtherAttributesIsRefused) {
   EXPECT_EQ(refusal(), "a damaged result: it has no attribute weight_lost that is a number");
 }
 
-// Seen red: without that look.
-TEST_F(WrittenState, OfAnEarlierBuildIsRefused) {
+// Its depths are others. Seen red: without that look.
+TEST_F(WrittenState, OfAnEarlierFormatIsRefused) {
   write();
-  edit([](int group) { nc_del_att(group, NC_GLOBAL, "resting_target"); });
-  EXPECT_EQ(refusal(), "made by an earlier build of Photic, which kept other sums: start anew");
+  edit([](int group) {
+    int file = 0, format = 1;
+    nc_inq_grp_parent(group, &file);
+    nc_put_att_int(file, NC_GLOBAL, "photic_format", NC_INT, 1, &format);
+  });
+  EXPECT_EQ(refusal(),
+            "written by an earlier Photic (result format 1; this program goes on from format 2): "
+            "start anew");
 }
 
 /// A result that is nothing but attributes, and what `add` puts into the group.

@@ -84,6 +84,13 @@ TEST(EchoTable, NumbersThatAreNone) {
   EXPECT_TRUE(has_line(echo_table(result), "      0.50         nan       -"));
 }
 
+// A telescope that looks up has no depths.
+TEST(EchoTable, DepthsThatAreNone) {
+  tally::Result result = small_result();
+  result.gate_depth_edge_m.assign(6, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE(has_line(echo_table(result), "         -   1.235e-08  0.10 %"));
+}
+
 TEST(EchoTable, ThinnedToTheRowsAskedFor) {
   const std::string table = echo_table(test::sample_result(), 10);
   EXPECT_NE(table.find("; shown: 1 gate of 10\n"), std::string::npos);

@@ -175,10 +175,14 @@ stop_ns = 200
 step_ns = 1)"}},
        {"scene.toml:27:12: 'start_ns' must be a finite number, at least 0, not -10"}},
       {"MemoryByGates",
-       {{28, 28, "depth_step_m = 0.001"}},
-       {"scene.toml:28:16: the tallies (telescopes 1, channels 1, gates 50000, orders 6) would "
-        "take 74.5 GiB; the limit is 2 GiB (take fewer gates: the memory goes with the square of "
-        "their number)"}},
+       {{28, 28, "depth_step_m = 1e-4\ndepth_cells = 20"}},
+       {"scene.toml:28:16: the tallies (telescopes 1, channels 1, gates 500000, orders 6, cells of "
+        "depth 20) would take 2.33 GiB; the limit is 2 GiB (take fewer gates)"}},
+      {"MemoryByDepths",
+       {{28, 28, "depth_step_m = 0.01\ndepth_cells = 10000"}},
+       {"scene.toml:29:15: the tallies (telescopes 1, channels 1, gates 5000, orders 6, cells of "
+        "depth 10000) would take 2.25 GiB; the limit is 2 GiB (take fewer: 0 leaves echo_by_depth "
+        "out)"}},
       {"ToolsOfTheBidirectionalEstimator",
        {{30, 30,
          "photons = 1e6\nestimator = \"bidirectional\"\ntools = { forced_collisions = 1 }"}},
@@ -222,15 +226,27 @@ TEST(Checks, EveryTextWithLineAndColumn) {
   }
 }
 
+// Seen red: without the remark.
+TEST(Checks, ATelescopeThatLooksUpHasNoDepths) {
+  const std::string text = edited({{14, 14,
+                                    "detector_diameter_m = 0.04\n[[telescope]]\nname = \"up\"\n"
+                                    "position_m = [0, 0, -1]\ndirection = [0, 0, 1]\n"
+                                    "diameter_m = 0.1\nfocal_length_m = 1\n"
+                                    "detector_diameter_m = 0.04"}});
+  EXPECT_EQ(read_scene_text(text, "scene.toml", "/").remarks,
+            (std::vector<std::string>{"scene.toml:18:13: telescope \"up\" does not look down: its "
+                                      "gates have times, but no depths"}));
+}
+
 TEST(Checks, MemoryOfManyOrders) {
   std::string channels;
   for (int i = 0; i < 100; ++i)
     channels += "[[channel]]\nname = \"c" + std::to_string(i) + "\"\nprocess = \"raman\"\n";
   channels.pop_back();
   const std::vector<std::string> expected{
-      "scene.toml:328:15: the tallies (telescopes 1, channels 100, gates 500, orders 1000) would "
-      "take "
-      "2.24 GiB; the limit is 2 GiB (keep fewer orders: orders_kept)"};
+      "scene.toml:328:15: the tallies (telescopes 1, channels 100, gates 500, orders "
+      "1000, cells of depth 100) would take 2.63 GiB; the limit is 2 GiB (keep fewer orders: "
+      "orders_kept)"};
   EXPECT_EQ(diagnostics_of(edited({{15, 17, channels},
                                    {28, 28, "depth_step_m = 0.1"},
                                    {30, 30, "photons = 1e6\norders_kept = 1000"}})),

@@ -310,11 +310,11 @@ TEST(Environment, TakesMemory) {
   std::string text = edited({{15, 17, channels}, {28, 28, "depth_step_m = 0.125"}});
   EXPECT_TRUE(diagnostics_of(text).empty());
   for (int i = 0; i < 100; ++i) text += "[[environment]]\nset = {}\n";
-  EXPECT_EQ(
-      diagnostics_of(text),
-      std::vector<std::string>{"scene.toml:628:1: the tallies (telescopes 1, channels 200, gates "
-                               "400, orders 6, environments 100) would take 2.65 GiB; the limit is "
-                               "2 GiB (take fewer environments, or fewer gates)"});
+  EXPECT_EQ(diagnostics_of(text),
+            std::vector<std::string>{
+                "scene.toml:628:1: the tallies (telescopes 1, channels 200, gates "
+                "400, orders 6, cells of depth 100, environments 100) would take "
+                "4.24 GiB; the limit is 2 GiB (take fewer environments, or fewer gates)"});
 }
 
 // --- Written -------------------------------------------------------------------------------------

@@ -180,6 +180,7 @@ chlorophyll_yield = 0.01
 depth_min_m = 0.0
 depth_max_m = 50.0
 depth_step_m = 1.0
+depth_cells = 100
 
 [simulation]
 estimator = "auto"

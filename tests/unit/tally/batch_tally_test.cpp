@@ -3,13 +3,14 @@
 
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include "unit/tally/tallies.hpp"
 
 namespace photic::tally {
 namespace {
 
-double sum(const std::vector<double>& values) {
+double sum(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "core/constants.hpp"
 #include "unit/tally/tallies.hpp"
@@ -12,7 +13,7 @@
 namespace photic::tally {
 namespace {
 
-double total_of(const std::vector<double>& values) {
+double total_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 

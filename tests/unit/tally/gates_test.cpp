@@ -1,10 +1,11 @@
-// Gates by vertical depth and by time.
+// Gates by depth and by time.
 #include "tally/gates.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/constants.hpp"
 #include "support/random.hpp"
+#include "support/slant_path.hpp"
 #include "unit/tally/lines.hpp"
 
 namespace photic::tally {
@@ -25,7 +26,7 @@ TEST(DepthGates, AreTimesToTheDepthAndBack) {
     const double z = 0.5 * edge;
     const double seconds = 2 * 12 / speed_of_light_m_s + 2 * 1.3638 * z / speed_of_light_m_s;
     EXPECT_NEAR(gates.edge_path(edge) / speed_of_light_m_s, seconds, 1e-20) << z;
-    EXPECT_NEAR(gates.depth(gates.edge_path(edge), lines()[0]), z, 1e-12);
+    EXPECT_NEAR(gates.depth(gates.edge_path(edge), 0, lines()[0]), z, 1e-12);
   }
   EXPECT_NEAR(gates.edge_path(40) / metre_per_nanosecond, 262.0213, 1e-4);  // 20 m
   EXPECT_FALSE(gates.depth_is_range());
@@ -45,8 +46,8 @@ TEST(DepthGates, HaveTheirBoundsAsAsked) {
        {std::tuple{0.0, 50.0, 0.5}, {0.0, 50.2, 0.5}, {-3.0, 7.0, 0.1}, {5.0, 6.0, 3.0}}) {
     const Gates gates(with_depth_gates(min, max, step), lines());
     EXPECT_EQ(gates.count(), std::lround(std::ceil((max - min) / step - 1e-6)));
-    EXPECT_NEAR(gates.depth(gates.edge_path(0), lines()[0]), min, 1e-12);
-    EXPECT_NEAR(gates.depth(gates.last_path(), lines()[0]), max, 1e-12);
+    EXPECT_NEAR(gates.depth(gates.edge_path(0), 0, lines()[0]), min, 1e-12);
+    EXPECT_NEAR(gates.depth(gates.last_path(), 0, lines()[0]), max, 1e-12);
   }
 }
 
@@ -55,11 +56,11 @@ TEST(DepthGates, HaveTheirBoundsAsAsked) {
 TEST(DepthGates, AreDeeperForLightThatReturnsFaster) {
   const Gates gates(test::ship_scene(), lines());
   const double path = gates.last_path();
-  EXPECT_NEAR(gates.depth(path, lines()[1]), 50 * 2 * 1.3638 / (1.3638 + 1.3541), 1e-12);
-  EXPECT_NEAR(gates.depth(path, lines()[1]) - 50, 0.2, 0.05);
-  EXPECT_NEAR(gates.depth(path, lines()[2]), 50 * 2 * 1.3638 / (1.3638 + 1.3525), 1e-12);
-  EXPECT_NEAR(gates.depth(24, lines()[1]), 0, 1e-12);  // at the surface they agree
-  EXPECT_NEAR(gates.depth(20, lines()[1]), -2, 1e-12);
+  EXPECT_NEAR(gates.depth(path, 0, lines()[1]), 50 * 2 * 1.3638 / (1.3638 + 1.3541), 1e-12);
+  EXPECT_NEAR(gates.depth(path, 0, lines()[1]) - 50, 0.2, 0.05);
+  EXPECT_NEAR(gates.depth(path, 0, lines()[2]), 50 * 2 * 1.3638 / (1.3638 + 1.3525), 1e-12);
+  EXPECT_NEAR(gates.depth(24, 0, lines()[1]), 0, 1e-12);  // at the surface they agree
+  EXPECT_NEAR(gates.depth(20, 0, lines()[1]), -2, 1e-12);
 }
 
 // Seen red: with the group index above the surface too.
@@ -112,16 +113,91 @@ TEST(TimeGates, AreTimes) {
   EXPECT_NEAR(gates.edge_path(40), 149.896229, 1e-10);
   // An instrument that looks down tells the depth that belongs to a time.
   EXPECT_FALSE(gates.depth_is_range());
-  EXPECT_NEAR(gates.depth(149.896229, lines()[0]), (149.896229 - 24) / 2 / 1.3638, 1e-9);
+  EXPECT_NEAR(gates.depth(149.896229, 0, lines()[0]), (149.896229 - 24) / 2 / 1.3638, 1e-9);
   scene.telescope[0].direction = {1, 0, -0.9};
   EXPECT_TRUE(Gates(scene, lines()).depth_is_range());
 }
 
-TEST(DepthGates, TallyTheLastScatteringOnTheirOwnGrid) {
-  const auto edges = Gates(with_depth_gates(-5, 20, 0.5), lines()).depth_edges();
-  ASSERT_EQ(edges.size(), 51U);
+/// An instrument at a height, tilted towards +x.
+template <class Instrument>
+void put(Instrument& instrument, double z, double tilt_deg) {
+  const double tilt = tilt_deg * radian_per_degree;
+  instrument.position_m = {0, 0, z};
+  instrument.direction = {3 * std::sin(tilt), 0, -3 * std::cos(tilt)};  // need not be normalised
+}
+
+// Along both axes, each refracted by its own angle and wavelength; in the air, in the water, and
+// one in each. Seen red: with heights for slant ways; with the angles in air below the surface;
+// with the telescope's angle for the laser's; with the laser's index for the light's on its way
+// home.
+TEST(DepthGates, OfTiltedInstrumentsFollowTheirRefractedAxes) {
+  for (const auto& [laser_z, laser_deg, telescope_z, telescope_deg] :
+       {std::tuple{300.0, 20.0, 300.0, 20.0},
+        {300.0, 80.0, 300.0, 80.0},
+        {12.0, 0.0, 30.0, 45.0},
+        {12.0, 45.0, 12.0, 0.0},
+        {-2.0, 30.0, -3.0, 50.0},
+        {12.0, 20.0, -4.0, 35.0}}) {
+    auto scene = with_depth_gates(telescope_z < 0 ? 4 : -6, 20, 0.5);
+    put(scene.source, laser_z, laser_deg);
+    put(scene.telescope[0], telescope_z, telescope_deg);
+    const Gates gates(scene, lines());
+    EXPECT_FALSE(gates.depth_is_range());
+    const auto path = [&](double depth, const medium::Line& back) {
+      return test::slant_path(scene.source, scene.telescope[0], lines()[0], back, depth);
+    };
+    for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {
+      const double depth = scene.gates.depth_m->min + 0.5 * edge;
+      EXPECT_NEAR(gates.edge_path(edge), path(depth, lines()[0]), 1e-9) << depth;
+      EXPECT_NEAR(gates.depth(path(depth, lines()[0]), 0, lines()[0]), depth, 1e-9);
+      EXPECT_NEAR(gates.depth(path(depth, lines()[1]), 0, lines()[1]), depth, 1e-9);
+    }
+  }
+}
+
+// Light from the surface of a lidar at 300 m and 20 degrees comes in the gate that begins at 0.
+// Seen red: timed as if it looked straight down, where it comes 14.4 m later.
+TEST(DepthGates, OfATiltedLidarBeginWhereItsLightMeetsTheSea) {
+  auto scene = with_depth_gates(0, 40, 1);
+  put(scene.source, 300, 20);
+  put(scene.telescope[0], 300, 20);
+  const Gates gates(scene, lines());
+  EXPECT_NEAR(gates.edge_path(0), 2 * 300 / std::cos(20 * radian_per_degree), 1e-9);
+  EXPECT_EQ(gates.find(2 * 300 / std::cos(20 * radian_per_degree) + 1e-6), 0);
+}
+
+// One grid of times, and in each telescope depths of its own. Seen red: with those of the first.
+TEST(DepthGates, StandForDepthsOfTheirOwnInEachTelescope) {
+  auto scene = with_depth_gates(0, 20, 0.5);
+  scene.telescope.resize(4, scene.telescope[0]);
+  put(scene.telescope[1], 30, 0);
+  put(scene.telescope[2], 12, 40);
+  put(scene.telescope[3], -3, 120);  // looks up
+  const Gates gates(scene, lines());
+  const auto path_of = [&](double depth, std::size_t telescope, const medium::Line& back) {
+    return test::slant_path(scene.source, scene.telescope[telescope], lines()[0], back, depth);
+  };
+  EXPECT_NEAR(gates.edge_path(10), path_of(5, 0, lines()[0]), 1e-9);
+  // Higher by 18 m: what is 7 m deep for the first lies 0.40 m deep for this one.
+  const double path = path_of(7, 0, lines()[0]);
+  EXPECT_NEAR(gates.depth(path, 1, lines()[0]), 7 - 18 / (2 * 1.3638), 1e-9);
+  EXPECT_NEAR(gates.depth(path, 1, lines()[0]), 0.40, 0.005);
+  EXPECT_NEAR(gates.depth(path_of(7, 2, lines()[1]), 2, lines()[1]), 7, 1e-9);
+  EXPECT_TRUE(std::isnan(gates.depth(path, 3, lines()[0])));
+}
+
+// The water that the gates stand for, of all telescopes. Seen red: with those of the first one
+// alone; with depths in the air.
+TEST(DepthGates, TallyTheLastScatteringOnAGridOfItsOwn) {
+  auto scene = with_depth_gates(-5, 20, 0.5);
+  const auto edges = Gates(scene, lines()).depth_edges(40);
+  ASSERT_EQ(edges.size(), 41U);
   for (std::size_t i = 0; i < edges.size(); ++i)
-    EXPECT_NEAR(edges[i], -5 + 0.5 * static_cast<double>(i), 1e-12);
+    EXPECT_NEAR(edges[i], 0.5 * static_cast<double>(i), 1e-12);
+  scene.telescope.push_back(scene.telescope[0]);
+  put(scene.telescope[1], 6, 0);
+  EXPECT_NEAR(Gates(scene, lines()).depth_edges(1).back(), 20 + 6 / (2 * 1.3638), 1e-9);
+  EXPECT_TRUE(Gates(scene, lines()).depth_edges(0).empty());
 }
 
 }  // namespace

@@ -29,10 +29,10 @@ TEST(RangeGates, OfATiltedLidarFollowItsRefractedAxis) {
   for (std::int32_t range = 0; range <= 100; ++range) {
     const double path = range < in_air ? 2.0 * range : 2 * in_air + 2 * group * (range - in_air);
     EXPECT_NEAR(gates.edge_path(range), path, 1e-10) << range;
-    EXPECT_NEAR(gates.depth(path, lines()[0]), range, 1e-10) << range;
+    EXPECT_NEAR(gates.depth(path, 0, lines()[0]), range, 1e-10) << range;
   }
   // Light of another group index from beyond the surface.
-  EXPECT_NEAR(gates.depth(gates.edge_path(50), lines()[1]),
+  EXPECT_NEAR(gates.depth(gates.edge_path(50), 0, lines()[1]),
               in_air + (50 - in_air) * 2 * group / (group + 1.3541), 1e-10);
 }
 
@@ -41,7 +41,7 @@ TEST(RangeGates, OfATiltedLidarFollowItsRefractedAxis) {
 TEST(RangeGates, OfATiltedLidarCoverTheDepthsItLooksAt) {
   const double tilt = 30 * radian_per_degree;
   const Gates gates(with_range_gates({0, 0, 12}, {std::sin(tilt), 0, -std::cos(tilt)}), lines());
-  const auto edges = gates.depth_edges();
+  const auto edges = gates.depth_edges(100);
   ASSERT_EQ(edges.size(), 101U);
   EXPECT_EQ(edges.front(), 0);
   const double water = std::asin(std::sin(tilt) / 1.3415);
@@ -52,8 +52,8 @@ TEST(RangeGates, OfASubmergedLidarLookingDownAreInWaterFromTheLensOn) {
   const Gates gates(with_range_gates({0, 0, -5}, {0, 0, -1}), lines());
   for (const std::int32_t range : {0, 1, 50, 100})
     EXPECT_NEAR(gates.edge_path(range), 2 * group * range, 1e-10);
-  EXPECT_NEAR(gates.depth_edges().front(), 5, 1e-12);
-  EXPECT_NEAR(gates.depth_edges().back(), 105, 1e-12);
+  EXPECT_NEAR(gates.depth_edges(100).front(), 5, 1e-12);
+  EXPECT_NEAR(gates.depth_edges(100).back(), 105, 1e-12);
 }
 
 // Beyond the surface a range lies in the air.
@@ -61,7 +61,7 @@ TEST(RangeGates, OfASubmergedLidarLookingUpEndInTheAir) {
   const Gates gates(with_range_gates({0, 0, -5}, {0, 0, 1}), lines());
   EXPECT_NEAR(gates.edge_path(5), 10 * group, 1e-10);
   EXPECT_NEAR(gates.edge_path(6), 10 * group + 2, 1e-10);
-  const auto edges = gates.depth_edges();
+  const auto edges = gates.depth_edges(100);
   EXPECT_EQ(edges.front(), 0);
   EXPECT_GE(edges.back(), 5);
 }
@@ -69,9 +69,20 @@ TEST(RangeGates, OfASubmergedLidarLookingUpEndInTheAir) {
 TEST(RangeGates, OfASubmergedLidarLookingSidewaysNeverReachTheSurface) {
   const Gates gates(with_range_gates({0, 0, -50}, {1, 0, 0}), lines());
   EXPECT_NEAR(gates.edge_path(100), 200 * group, 1e-10);
-  const auto edges = gates.depth_edges();
+  const auto edges = gates.depth_edges(100);
   EXPECT_LT(edges.front(), 50);
   EXPECT_GT(edges.back(), 50);
+}
+
+// Each telescope has ranges along its own axis. Seen red: with those of the first.
+TEST(RangeGates, OfAnotherTelescopeAreAlongItsOwnAxis) {
+  auto scene = with_range_gates({0, 0, 12}, {0, 0, -1});
+  scene.telescope.push_back(scene.telescope[0]);
+  scene.telescope[1].direction = {0, std::sin(0.6), -std::cos(0.6)};
+  const Gates gates(scene, lines());
+  EXPECT_NEAR(gates.depth(24 + 2 * group * 5, 0, lines()[0]), 17, 1e-10);
+  const double in_air = 12 / std::cos(0.6);
+  EXPECT_NEAR(gates.depth(2 * in_air + 2 * group * 5, 1, lines()[0]), in_air + 5, 1e-10);
 }
 
 // A source ahead of the telescope has a shorter way, in its own medium. Seen red: with the sign of

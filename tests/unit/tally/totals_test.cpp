@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "unit/tally/tallies.hpp"
 
@@ -162,7 +163,7 @@ TEST(Totals, PutASingleScoreWhereItBelongs) {
   t.batch.score({1, 1, 2, 12.0, t.path_in(3), 0.5});
   t.end_batch(10);
   const Result r = t.result();
-  const auto only = [](const std::vector<double>& values, std::vector<std::size_t> at) {
+  const auto only = [](std::span<const double> values, std::vector<std::size_t> at) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const bool here = std::find(at.begin(), at.end(), i) != at.end();
       EXPECT_EQ(values[i], here ? 0.05 : 0) << i;

@@ -1,0 +1,38 @@
+#include "scene/tally_memory.hpp"
+
+namespace photic::scene {
+namespace {
+
+// Doubles: none of the products below can overflow.
+//
+// Of a number with its square: a sum, and the sum before an incomplete batch or on its way into the
+// file; the number in two batches, or mean and error in the result.
+constexpr double per_sum = 16.0 + 16.0 + 16.0;
+constexpr double per_sum_of_batch = 8.0;
+/// Of a cell by itself: counts of its scores by 128 octaves, of 8 bytes twice, and of 4 in two
+/// batches; sums, snapshots of them, flags, diagnostics.
+constexpr double per_cell = 2 * 1024.0 + 2 * 536.0 + 500.0;
+constexpr double per_cell_of_batch = 536.0;
+/// Of a cell in other water: tally::EnvironmentSums as sums above, and four numbers of the result.
+constexpr double per_water = 2 * 168.0 + 2 * 56.0 + 32.0;
+constexpr double per_water_of_batch = 56.0;
+constexpr double processes = 3.0;  // elastic, raman, chlorophyll
+
+}  // namespace
+
+TallyMemory tally_memory(const Scene& scene) {
+  const auto number = [](auto count) { return static_cast<double>(count); };
+  const double cells =
+      number(scene.telescope.size() * scene.channel.size()) * number(scene.gates.count());
+  const double depths = number(scene.gates.depth_cells);
+  const double orders = number(scene.simulation.orders_kept);
+  const double waters = number(scene.environment.size() + scene.sensitivity.size());
+  return {.depths = cells * depths * per_sum,
+          .orders = cells * orders * per_sum,
+          .other_waters = cells * waters * per_water,
+          .rest = cells * (processes * per_sum + per_cell),
+          .batch = cells * ((depths + orders + processes) * per_sum_of_batch +
+                            waters * per_water_of_batch + per_cell_of_batch)};
+}
+
+}  // namespace photic::scene

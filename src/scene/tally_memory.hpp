@@ -1,0 +1,22 @@
+// What the tallies of a scene take in memory.
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace photic::scene {
+
+/// No run takes more for its tallies [bytes].
+inline constexpr double most_tally_memory = 2147483648.0;
+
+/// In bytes, where light reaches every gate; where it does not they take less. All copies are
+/// counted: sums, sums before an incomplete last batch, the result, what is being written. By what
+/// they grow with.
+struct TallyMemory {
+  double depths, orders, other_waters, rest;
+  double batch;  ///< of each batch under way beyond the two that are counted above
+  [[nodiscard]] double bytes() const { return depths + orders + other_waters + rest; }
+};
+
+TallyMemory tally_memory(const Scene& scene);
+
+}  // namespace photic::scene
