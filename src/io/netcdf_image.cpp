@@ -52,6 +52,7 @@ NC_memio empty_file() {
 
 int type_of(const Values& values) {
   return std::visit(Overloaded{[](std::span<const double>) { return NC_DOUBLE; },
+                               [](std::span<const float>) { return NC_FLOAT; },
                                [](std::span<const std::int32_t>) { return NC_INT; },
                                [](std::span<const std::int8_t>) { return NC_BYTE; },
                                [](std::span<const std::uint64_t>) { return NC_UINT64; },
@@ -82,6 +83,30 @@ int put_values(int file, int variable, const Values& values) {
         }
       },
       values);
+}
+
+/// Those of the chunks that are not all zeros.
+template <class Number>
+int put_nonzero(int file, int variable, std::span<const Number> values,
+                const std::vector<std::size_t>& lengths, std::vector<std::size_t> count) {
+  // A chunk has some of one dimension, all of those after it, and one of each before it.
+  std::size_t cut = lengths.size() - 1;
+  while (cut > 0 && count[cut] == lengths[cut]) --cut;
+  std::size_t after = 1;
+  for (std::size_t d = cut + 1; d < lengths.size(); ++d) after *= lengths[d];
+  const std::size_t step = count[cut];
+  for (std::size_t first = 0; first < values.size();) {
+    std::vector<std::size_t> start(lengths.size(), 0);
+    std::size_t row = first / after;
+    for (std::size_t d = cut + 1; d-- > 0; row /= lengths[d]) start[d] = row % lengths[d];
+    count[cut] = std::min(step, lengths[cut] - start[cut]);
+    const auto block = values.subspan(first, count[cut] * after);
+    first += block.size();
+    if (std::ranges::all_of(block, [](Number value) { return value == 0; })) continue;
+    const int status = nc_put_vara(file, variable, start.data(), count.data(), block.data());
+    if (status != NC_NOERR) return status;
+  }
+  return NC_NOERR;
 }
 
 }  // namespace
@@ -126,6 +151,9 @@ void NetcdfImage::put_attribute(int variable, const std::string& name,
           [&](double number) {
             return nc_put_att_double(group_, variable, key, NC_DOUBLE, 1, &number);
           },
+          [&](float number) {
+            return nc_put_att_float(group_, variable, key, NC_FLOAT, 1, &number);
+          },
           [&](std::int32_t number) {
             return nc_put_att_int(group_, variable, key, NC_INT, 1, &number);
           },
@@ -143,7 +171,7 @@ void NetcdfImage::put_attribute(int variable, const std::string& name,
 }
 
 void NetcdfImage::add_variable(const std::string& name, const std::vector<std::string>& dimensions,
-                               Values values, const Attributes& attributes) {
+                               Values values, const Attributes& attributes, Zeros zeros) {
   std::vector<int> ids;
   std::vector<std::size_t> lengths;
   std::size_t size = 1;
@@ -159,13 +187,23 @@ void NetcdfImage::add_variable(const std::string& name, const std::vector<std::s
   check(nc_def_var(group_, name.c_str(), type_of(values), static_cast<int>(ids.size()), ids.data(),
                    &variable),
         name);
+  const auto chunk = chunk_of(lengths);
   if (ids.size() > 1) {
-    const auto chunk = chunk_of(lengths);
     check(nc_def_var_chunking(group_, variable, NC_CHUNKED, chunk.data()), name);
     check(nc_def_var_deflate(group_, variable, NC_SHUFFLE, 1, 1), name);
   }
   for (const auto& [key, value] : attributes) put_attribute(variable, key, value);
-  check(put_values(group_, variable, values), name);
+  if (zeros == Zeros::written) return check(put_values(group_, variable, values), name);
+  std::visit(
+      [&](auto span) {
+        using Number = std::remove_const_t<typename decltype(span)::element_type>;
+        if constexpr (std::is_arithmetic_v<Number>) {
+          const Number zero = 0;
+          check(nc_def_var_fill(group_, variable, NC_FILL, &zero), name);
+          check(put_nonzero(group_, variable, span, lengths, chunk), name);
+        }
+      },
+      values);
 }
 
 std::string NetcdfImage::finish() {

@@ -18,12 +18,17 @@ struct LongText {
   std::string text;
 };
 
-using AttributeValue = std::variant<std::string, LongText, double, std::int32_t, std::uint64_t,
-                                    std::vector<std::int32_t>, std::vector<std::int8_t>>;
+using AttributeValue =
+    std::variant<std::string, LongText, double, float, std::int32_t, std::uint64_t,
+                 std::vector<std::int32_t>, std::vector<std::int8_t>>;
 using Attributes = std::vector<std::pair<std::string, AttributeValue>>;
-using Values = std::variant<std::span<const double>, std::span<const std::int32_t>,
-                            std::span<const std::int8_t>, std::span<const std::uint64_t>,
-                            std::span<const std::string>>;
+using Values = std::variant<std::span<const double>, std::span<const float>,
+                            std::span<const std::int32_t>, std::span<const std::int8_t>,
+                            std::span<const std::uint64_t>, std::span<const std::string>>;
+
+/// Whether blocks of zeros are in the file, or are what is read where nothing was written. The
+/// latter takes next to no time, and makes 0 the fill value: for what no other program reads.
+enum class Zeros { written, left_out };
 
 class NetcdfImage {
  public:
@@ -39,7 +44,7 @@ class NetcdfImage {
   /// Values with the last dimension fastest, compressed where the variable has more than one
   /// dimension.
   void add_variable(const std::string& name, const std::vector<std::string>& dimensions,
-                    Values values, const Attributes& attributes);
+                    Values values, const Attributes& attributes, Zeros zeros = Zeros::written);
   /// The finished file; nothing can be added afterwards.
   [[nodiscard]] std::string finish();
 

@@ -123,7 +123,7 @@ class StateWriter {
     for (const auto& element : elements)
       for (const Number* field : fields(element)) values.push_back(*field);
     file_.add_variable(name, dimensions, std::span<const Number>(values),
-                       {{"long_name", long_name}, {"units", "1"}});
+                       {{"long_name", long_name}, {"units", "1"}}, Zeros::left_out);
   }
 
  private:

@@ -121,18 +121,33 @@ Attributes dimensionless(const std::string& long_name, const std::string& more_c
           {"coordinates", usual_coordinates + more_coordinates}};
 }
 
+/// Single: far finer than any error bar, for what has many numbers.
+enum class Precision { full, single };
+
+void add_numbers(NetcdfImage& file, const std::string& name,
+                 const std::vector<std::string>& dimensions, const ZeroedVector<double>& numbers,
+                 Attributes attributes, Precision precision) {
+  if (precision == Precision::full) return file.add_variable(name, dimensions, numbers, attributes);
+  ZeroedVector<float> rounded;
+  rounded.reserve(numbers.size());
+  for (const double number : numbers) rounded.push_back(static_cast<float>(number));
+  for (auto& [key, value] : attributes)
+    if (key == "_FillValue") value = std::numeric_limits<float>::quiet_NaN();
+  file.add_variable(name, dimensions, rounded, attributes);
+}
+
 void add_estimates(NetcdfImage& file, const std::string& name,
                    const std::vector<std::string>& dimensions, const tally::Estimates& estimates,
                    const std::string& long_name, const std::string& cell_methods,
-                   const std::string& more_ancillary = "",
-                   const std::string& more_coordinates = "") {
+                   const std::string& more_ancillary = "", const std::string& more_coordinates = "",
+                   Precision precision = Precision::full) {
   const std::string error_name = name + "_standard_error";
   Attributes attributes = dimensionless(long_name, more_coordinates);
   if (!cell_methods.empty()) attributes.emplace_back("cell_methods", cell_methods);
   attributes.emplace_back("ancillary_variables", error_name + more_ancillary);
-  file.add_variable(name, dimensions, estimates.mean, attributes);
-  file.add_variable(error_name, dimensions, estimates.standard_error,
-                    dimensionless("standard error of " + name, more_coordinates));
+  add_numbers(file, name, dimensions, estimates.mean, attributes, precision);
+  add_numbers(file, error_name, dimensions, estimates.standard_error,
+              dimensionless("standard error of " + name, more_coordinates), precision);
 }
 
 void add_echoes(NetcdfImage& file, const tally::Result& result) {
@@ -156,7 +171,7 @@ void add_echoes(NetcdfImage& file, const tally::Result& result) {
   if (result.depths() == 0) return;
   add_estimates(file, "echo_by_depth", {"telescope", "channel", "gate", "depth"},
                 result.echo_by_depth, echo_meaning + ", by depth of the last scattering",
-                "gate: sum depth: sum");
+                "gate: sum depth: sum", "", "", Precision::single);
 }
 
 /// `prefix`: before the names of the variables; `what`: the flags are of.
