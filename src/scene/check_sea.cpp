@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
 
 #include "core/error.hpp"
 #include "optics/fournier_forand.hpp"
@@ -124,6 +128,39 @@ void check_phase_function(const PhaseFunction& function, const std::string& path
   if (function.model == "mie") check_radii(function.particles, path, findings);
 }
 
+/// A constituent, and more of it than any water has: a unit is wrong, or it is no sea.
+struct Plenty {
+  const char* key;
+  double Layer::*value;
+  double most;
+  const char* unit;
+  const char* known;
+};
+
+// From memory. Chlorophyll: lakes in bloom have some hundred mg/m3. CDOM: the brownest rivers and
+// lakes have 20 to 60 1/m (Kirk 2011). Minerals: water with more than 10 kg/m3 is fluid mud.
+constexpr Plenty plenties[] = {
+    {"chlorophyll_mg_m3", &Layer::chlorophyll_mg_m3, 1e3, "mg/m3", "lakes in bloom have hundreds"},
+    {"cdom_a440_per_m", &Layer::cdom_a440_per_m, 1e2, "1/m", "the brownest rivers have tens"},
+    {"minerals_g_m3", &Layer::minerals_g_m3, 1e4, "g/m3", "what has more is mud"}};
+
+/// What layers that one profile was cut into have in common is told once, with the greatest value.
+void remark_plenty(const std::vector<Layer>& layers, const Plenty& plenty, Findings& findings) {
+  std::map<std::tuple<std::string, int, int>, std::pair<double, std::string>> greatest;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const double value = layers[i].*plenty.value;
+    const std::string path = below(below("sea.layer", i), plenty.key);
+    if (!(value > plenty.most) || !findings.good({path})) continue;
+    const Place place = findings.place_of(path);
+    auto& most = greatest[{place.file, place.line, place.column}];
+    if (value > most.first) most = {value, path};
+  }
+  for (const auto& [place, found] : greatest)
+    findings.remark(found.second,
+                    fmt::format("{} {} of '{}' are more than water has ({}): are the units right?",
+                                plain_number(found.first), plenty.unit, plenty.key, plenty.known));
+}
+
 }  // namespace
 
 std::optional<double> sea_bed_m(const Scene& scene, const Findings& findings) {
@@ -142,6 +179,7 @@ void check_sea(const Scene& scene, Findings& findings) {
       check_phase_function(*layers[i].phase_function,
                            below(below("sea.layer", i), "phase_function"), findings);
   }
+  for (const Plenty& plenty : plenties) remark_plenty(layers, plenty, findings);
 }
 
 }  // namespace photic::scene

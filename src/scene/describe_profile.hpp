@@ -10,9 +10,15 @@
 
 namespace photic::scene {
 
+/// What holds where points end and layers go on: constant, or nothing does.
+struct BeyondPoints {
+  std::string above, below;
+};
+
 /// Values at depths.
 struct ProfilePoints {
   std::vector<double> depth_m, value;
+  BeyondPoints beyond;
 };
 
 /// A column of a CSV file, or a variable of a netCDF file.
@@ -21,6 +27,8 @@ struct ProfileFile {
   std::string depth;  ///< the column or variable of depths
   std::string column, variable;
   std::int64_t profile = 0;  ///< of several in a netCDF file
+  std::string negative;      ///< zero: values below 0 count as 0
+  BeyondPoints beyond;
 };
 
 /// A formula.
@@ -30,9 +38,18 @@ struct ProfileModel {
 };
 
 template <class V>
+void describe_beyond(V& v, BeyondPoints& b) {
+  v.optional("above", b.above, Choice{{"constant"}},
+             "constant: the uppermost value holds up to the top of the layer");
+  v.optional("below", b.below, Choice{{"constant"}},
+             "constant: the lowermost value holds down to the bottom of the layer");
+}
+
+template <class V>
 void describe(V& v, ProfilePoints& p) {
   v.required("depth_m", p.depth_m, Numbers{}, "depths in m, ascending");
   v.required("value", p.value, Numbers{}, "the values there; linear between");
+  describe_beyond(v, p.beyond);
 }
 
 template <class V>
@@ -48,6 +65,9 @@ void describe(V& v, ProfileFile& p) {
            }));
   v.required("depth", p.depth, Text{},
              "the column of depths in m, or the variable of depths or pressures");
+  v.optional("negative", p.negative, Choice{{"zero"}},
+             "zero: values below 0, as dark counts leave them, count as 0");
+  describe_beyond(v, p.beyond);
 }
 
 template <class V>

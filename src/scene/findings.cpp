@@ -54,6 +54,15 @@ void Findings::add(const std::string& path, std::string reason, std::string sugg
   add(path, place_of(path), std::move(reason), std::move(suggestion));
 }
 
+void Findings::add_from_file(const std::string& path, const Place& place, const InputError& error) {
+  for (const Diagnostic& d : error.diagnostics()) {
+    if (d.line > 0)
+      add(path, {d.file, d.line, d.column}, d.reason, d.suggestion);
+    else
+      add(path, place, d.file + ": " + d.reason, d.suggestion);
+  }
+}
+
 void Findings::remark(const std::string& path, const std::string& text) {
   remarked_.push_back(found(path, place_of(path), text, ""));
 }

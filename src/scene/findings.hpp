@@ -26,6 +26,9 @@ class Findings {
   void add_at(const Place& place, std::string reason, std::string suggestion);
   /// Something is wrong with the value at `path`, seen at `place`.
   void add(const std::string& path, const Place& place, std::string reason, std::string suggestion);
+  /// What is wrong with a file that the value at `path` names, at `place`: in lines of its own, or,
+  /// of a netCDF file, which has none, at that place.
+  void add_from_file(const std::string& path, const Place& place, const InputError& error);
   /// The same at the place of the value, or of the table that lacks it.
   void add(const std::string& path, std::string reason, std::string suggestion);
   /// No check that needs the value at `path` makes sense any more.

@@ -13,6 +13,7 @@
 #include "optics/data_table.hpp"
 #include "scene/cut.hpp"
 #include "scene/netcdf_columns.hpp"
+#include "scene/netcdf_units.hpp"
 #include "scene/suggest.hpp"
 
 namespace photic::scene {
@@ -148,9 +149,21 @@ IopGrid grid_of_csv(const std::string& path) {
 
 // --- netCDF --------------------------------------------------------------------------------------
 
+/// A variable in the unit that its name ends in, as it is where it tells none.
+NetcdfVariable in_units_of_name(const NetcdfColumns& file, const std::string& name) {
+  NetcdfVariable variable = file.read(name);
+  if (!variable.units.empty()) {
+    const Conversion convert = conversion_of(file, name, variable, name);
+    for (double& x : variable.value) x = convert(x);
+  }
+  if (name == depth_name && points_up(file, name, variable))
+    for (double& x : variable.value) x = 0 - x;
+  return variable;
+}
+
 /// A coordinate: of one dimension, ascending.
 NetcdfVariable coordinate(const NetcdfColumns& file, const std::string& name) {
-  NetcdfVariable variable = file.read(name);
+  NetcdfVariable variable = in_units_of_name(file, name);
   if (variable.length.size() != 1 || variable.value.empty())
     file.fail(shape_text(name, variable), "is not of one dimension with values");
   const auto& value = variable.value;
@@ -176,7 +189,7 @@ IopGrid grid_of_netcdf(const std::string& path, const NetcdfFiles& netcdf) {
   IopGrid grid{depth.value, wavelength.value, {}, {}};
   const std::vector<std::string> dimensions{depth.dimension[0], wavelength.dimension[0]};
   for (const std::string& name : names) {
-    NetcdfVariable variable = file.read(name);
+    NetcdfVariable variable = in_units_of_name(file, name);
     if (variable.dimension != dimensions)
       file.fail(shape_text(name, variable),
                 fmt::format("its dimensions must be ({}, {})", dimensions[0], dimensions[1]));

@@ -94,6 +94,16 @@ std::optional<IopTable> keys_of(const Node& given, const OtherFiles& files, Find
   return findings.problems().size() == before ? std::optional(keys) : std::nullopt;
 }
 
+/// Places in a netCDF file, which has no lines, behind that of the scene that names it.
+void place_behind(const Place& scene, IopGrid& grid) {
+  grid.place = [scene, in_file = grid.place](const std::string& name, std::size_t i) {
+    Place place = in_file(name, i);
+    if (place.line == 0 && scene.line > 0)
+      place.file = fmt::format("{}:{}:{}: {}", scene.file, scene.line, scene.column, place.file);
+    return place;
+  };
+}
+
 /// Either the file tells the phase function, or the scene.
 bool check_phase_function(const IopGrid& grid, const Node& table, Findings& findings) {
   const Node* given = table.find("phase_function");
@@ -114,12 +124,12 @@ std::optional<Node> read_layers(const Node& given, const OtherFiles& files, Find
   const auto keys = keys_of(table, files, findings);
   if (!keys) return std::nullopt;
   try {
-    const IopGrid grid = read_iop_grid(keys->file, files.netcdf);
+    IopGrid grid = read_iop_grid(keys->file, files.netcdf);
+    place_behind(table.find(file_key)->place, grid);
     if (!check_phase_function(grid, table, findings)) return std::nullopt;
     return layers_of(grid, table.find("phase_function"), given.place, findings);
   } catch (const InputError& error) {
-    for (const Diagnostic& d : error.diagnostics())
-      findings.add(table_path, {d.file, d.line, d.column}, d.reason, d.suggestion);
+    findings.add_from_file(table_path, table.find(file_key)->place, error);
     return std::nullopt;
   }
 }

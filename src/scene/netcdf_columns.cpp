@@ -27,9 +27,9 @@ NetcdfVariable NetcdfColumns::read(const std::string& name) const {
   return netcdf_.read(path_, name);
 }
 
-NetcdfVariable NetcdfColumns::read_flags(const std::string& name) const {
+NetcdfVariable NetcdfColumns::read_flags(const std::string& name, std::size_t rank) const {
   expect_variable(name);
-  return netcdf_.flags(path_, name);
+  return netcdf_.flags(path_, name, rank);
 }
 
 void NetcdfColumns::expect_variable(const std::string& name) const {

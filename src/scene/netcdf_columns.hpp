@@ -17,8 +17,8 @@ class NetcdfColumns {
   [[nodiscard]] bool has(const std::string& name) const;
   /// Throws InputError with the names there are if this is none of them.
   [[nodiscard]] NetcdfVariable read(const std::string& name) const;
-  /// The same of a variable of flags.
-  [[nodiscard]] NetcdfVariable read_flags(const std::string& name) const;
+  /// The same of a variable of flags of so many dimensions.
+  [[nodiscard]] NetcdfVariable read_flags(const std::string& name, std::size_t rank) const;
   /// Throws the InputError about something in the file.
   [[noreturn]] void fail(const std::string& what, const std::string& reason,
                          const std::string& suggestion = "") const;

@@ -8,18 +8,17 @@ namespace photic::scene {
 namespace {
 
 using NamesOfFiles = std::map<std::string, std::vector<std::string>>;
-using ReadVariable = std::function<NetcdfVariable(const std::string&, const std::string&)>;
-
-/// What a function gave is given again. What it throws is not kept.
-ReadVariable kept(const ReadVariable& read) {
+/// What a function gave for a path and a name is given again. What it throws is not kept.
+template <class Read>
+auto kept(const Read& read) {
   using Known = std::map<std::pair<std::string, std::string>, NetcdfVariable>;
-  return
-      [read, known = std::make_shared<Known>()](const std::string& path, const std::string& name) {
-        const auto at = known->find({path, name});
-        return at != known->end()
-                   ? at->second
-                   : known->emplace(std::pair(path, name), read(path, name)).first->second;
-      };
+  return [read, known = std::make_shared<Known>()](const std::string& path, const std::string& name,
+                                                   auto... more) {
+    const auto at = known->find({path, name});
+    return at != known->end()
+               ? at->second
+               : known->emplace(std::pair(path, name), read(path, name, more...)).first->second;
+  };
 }
 
 }  // namespace

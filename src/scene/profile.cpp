@@ -15,6 +15,17 @@ LinearProfile::LinearProfile(std::vector<double> depth_m, std::vector<double> va
          "a profile has as many depths as values, two or more");
 }
 
+void LinearProfile::reach(double from_m, double to_m) {
+  if (from_m < first_m()) {
+    depth_m_.insert(depth_m_.begin(), from_m);
+    value_.insert(value_.begin(), value_.front());
+  }
+  if (to_m > last_m()) {
+    depth_m_.push_back(to_m);
+    value_.push_back(value_.back());
+  }
+}
+
 double LinearProfile::at(double depth_m) const {
   const auto above = std::upper_bound(depth_m_.begin() + 1, depth_m_.end() - 1, depth_m);
   const auto i = static_cast<std::size_t>(above - depth_m_.begin());

@@ -18,6 +18,8 @@ class LinearProfile {
 
   [[nodiscard]] double first_m() const { return depth_m_.front(); }
   [[nodiscard]] double last_m() const { return depth_m_.back(); }
+  /// Makes it known from one depth to another at least, constant beyond its ends.
+  void reach(double from_m, double to_m);
   /// Over a - b, which the depths cover.
   [[nodiscard]] double integral(double a_m, double b_m) const;
   [[nodiscard]] Extremes extremes(double a_m, double b_m) const;

@@ -1,6 +1,7 @@
 // Profiles in files.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,20 +12,28 @@
 
 namespace photic::scene {
 
+/// A key of a layer that may be a profile, and what its values may be.
+struct ProfiledKey {
+  std::string key;
+  Number rule;
+  std::optional<double> scale;  ///< what departures are measured against (Varying)
+};
+
 /// A profile, and what its user should know.
 struct ReadProfile {
   LinearProfile profile;
   std::vector<std::string> remarks;
 };
 
-/// A column of a CSV file; each value obeys the rule. Throws InputError at its line and column.
-ReadProfile profile_of_csv(const ProfileFile& from, const Number& rule);
+/// A column of a CSV file; each value obeys the key's rule. Throws InputError at its line and
+/// column.
+ReadProfile profile_of_csv(const ProfileFile& from, const ProfiledKey& key);
 
 /// A variable of a netCDF file with the dimensions (levels) or (profiles, levels), such as floats
-/// write. Depths are in m, or pressures in dbar, which become depths at the file's LATITUDE. Levels
-/// without a value, and those that a variable of quality flags (NAME_QC) calls bad, are left out.
-/// Throws InputError naming file, variable and level.
-ReadProfile profile_of_netcdf(const ProfileFile& from, const Number& rule,
+/// write, in units that become the key's. Depths are lengths, or pressures, which become depths at
+/// the file's LATITUDE. Levels without a value, and those that a variable of quality flags
+/// (NAME_QC) calls bad, are left out. Throws InputError naming file, variable and level.
+ReadProfile profile_of_netcdf(const ProfileFile& from, const ProfiledKey& key,
                               const NetcdfFiles& netcdf);
 
 }  // namespace photic::scene

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/error.hpp"
@@ -41,8 +42,8 @@ class ProfiledKeys {
 class ProfileReader {
  public:
   ProfileReader(const Node& node, const std::string& path, const ProfiledKey& key,
-                const OtherFiles& files, Findings& findings)
-      : node_(node), path_(path), key_(key), files_(files), findings_(findings) {}
+                const Span& layer, const OtherFiles& files, Findings& findings)
+      : node_(node), path_(path), key_(key), layer_(layer), files_(files), findings_(findings) {}
 
   std::optional<Profile> read() {
     if (node_.find("model")) return model();
@@ -50,11 +51,11 @@ class ProfileReader {
     return points();
   }
 
+ private:
   void refuse(const Place& place, const std::string& reason, const std::string& suggestion) {
     findings_.add(path_, place, fmt::format("'{}' {}", key_.key, reason), suggestion);
   }
 
- private:
   /// The keys of a form; nothing if anything is wrong with them.
   template <class Form>
   std::optional<Form> keys() {
@@ -91,15 +92,18 @@ class ProfileReader {
   std::optional<Profile> file() {
     const auto form = keys<ProfileFile>();
     if (!form) return std::nullopt;
+    if (!form->negative.empty() && key_.rule.low < 0) {
+      refuse(node_.find("negative")->place, "may be below 0: 'negative' is not for it", "");
+      return std::nullopt;
+    }
     try {
-      ReadProfile read = form->column.empty() ? profile_of_netcdf(*form, key_.rule, files_.netcdf)
-                                              : profile_of_csv(*form, key_.rule);
+      ReadProfile read = form->column.empty() ? profile_of_netcdf(*form, key_, files_.netcdf)
+                                              : profile_of_csv(*form, key_);
       for (const std::string& remark : read.remarks)
         findings_.remark_at(node_.place, form->file + ": " + remark);
-      return std::move(read.profile);
+      return covering(std::move(read.profile), form->beyond);
     } catch (const InputError& error) {
-      for (const Diagnostic& d : error.diagnostics())
-        findings_.add(path_, {d.file, d.line, d.column}, d.reason, d.suggestion);
+      findings_.add_from_file(path_, node_.find("file")->place, error);
       return std::nullopt;
     }
   }
@@ -131,12 +135,54 @@ class ProfileReader {
       }
     }
     if (!good) return std::nullopt;
-    return LinearProfile(std::move(form->depth_m), std::move(form->value));
+    return covering({std::move(form->depth_m), std::move(form->value)}, form->beyond);
+  }
+
+  /// A profile that is known all over its layer; nothing if it is not and may not be held.
+  std::optional<Profile> covering(LinearProfile profile, const BeyondPoints& beyond) {
+    const double first = profile.first_m(), last = profile.last_m();
+    if (last <= 0) {
+      refuse(node_.place,
+             fmt::format("is known from {:.6g} to {:.6g} m, above the sea", first, last),
+             "depths are positive below the surface; netCDF variables of heights have the "
+             "attribute positive = \"up\"");
+      return std::nullopt;
+    }
+    const bool short_above = first > layer_.top_m, short_below = last < layer_.bottom_m;
+    if ((short_above && beyond.above.empty()) || (short_below && beyond.below.empty())) {
+      refuse(node_.place,
+             fmt::format("is known from {:.6g} to {:.6g} m, and its layer goes from {:.6g} to "
+                         "{:.6g} m",
+                         first, last, layer_.top_m, layer_.bottom_m),
+             remedy(short_above && beyond.above.empty(), short_below && beyond.below.empty()));
+      return std::nullopt;
+    }
+    if (short_above) hold(profile, layer_.top_m, std::min(first, layer_.bottom_m), first);
+    if (short_below) hold(profile, std::max(last, layer_.top_m), layer_.bottom_m, last);
+    return profile;
+  }
+
+  static std::string remedy(bool above, bool below) {
+    std::string ways;
+    if (above) ways += "above = \"constant\" holds its first value up to the top; ";
+    if (below) ways += "below = \"constant\" holds its last value down to the bottom; ";
+    return ways + "or let layers with a number begin and end where the profile does";
+  }
+
+  /// Goes on with the value of an end from one depth to another.
+  void hold(LinearProfile& profile, double from_m, double to_m, double end_m) {
+    const double value = profile.extremes(end_m, end_m).greatest;
+    profile.reach(from_m, to_m);
+    findings_.remark_at(node_.place,
+                        fmt::format("'{}' is held constant from {:.6g} to {:.6g} m, at the {:.4g} "
+                                    "of {:.6g} m",
+                                    key_.key, from_m, to_m, value, end_m));
   }
 
   const Node& node_;
   const std::string& path_;
   const ProfiledKey& key_;
+  const Span& layer_;
   const OtherFiles& files_;
   Findings& findings_;
 };
@@ -153,17 +199,7 @@ std::vector<ProfiledKey> profiled_keys() {
 std::optional<Profile> read_profile(const Node& node, const std::string& path,
                                     const ProfiledKey& key, const Span& layer,
                                     const OtherFiles& files, Findings& findings) {
-  ProfileReader reader(node, path, key, files, findings);
-  auto profile = reader.read();
-  const auto* linear = profile ? std::get_if<LinearProfile>(&*profile) : nullptr;
-  if (!linear || (linear->first_m() <= layer.top_m && layer.bottom_m <= linear->last_m()))
-    return profile;
-  reader.refuse(node.place,
-                fmt::format("is known from {:.6g} to {:.6g} m, and its layer goes from {:.6g} to "
-                            "{:.6g} m",
-                            linear->first_m(), linear->last_m(), layer.top_m, layer.bottom_m),
-                "let layers with a number begin and end where the profile does");
-  return std::nullopt;
+  return ProfileReader(node, path, key, layer, files, findings).read();
 }
 
 }  // namespace photic::scene

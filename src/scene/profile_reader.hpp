@@ -8,16 +8,9 @@
 #include "scene/cut.hpp"
 #include "scene/findings.hpp"
 #include "scene/iop_layers.hpp"
-#include "scene/rules.hpp"
+#include "scene/profile_file.hpp"
 
 namespace photic::scene {
-
-/// A key of a layer that may be a profile, and what its values may be.
-struct ProfiledKey {
-  std::string key;
-  Number rule;
-  std::optional<double> scale;  ///< what departures are measured against (Varying)
-};
 
 /// All such keys.
 [[nodiscard]] std::vector<ProfiledKey> profiled_keys();

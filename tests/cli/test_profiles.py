@@ -42,6 +42,12 @@ def with_profile(scene, profile):
 FROM_FLOAT = '{ file = "float.nc", variable = "CHLA", depth = "PRES", profile = 1 }'
 
 
+def shown_with_remarks(photic, *arguments):
+    done = photic("show", "--json", *arguments)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
 def shown(photic, *arguments):
     done = photic("show", "--json", *arguments)
     assert (done.returncode, done.stderr) == (0, "")
@@ -114,11 +120,73 @@ def test_temperature_and_salinity_of_a_float(photic, scene, bgc_file):
     assert "bgc.nc: PSAL: profile 0 has values at 0 of 5 levels; it takes two: PSAL_QC flags 5 of 5 levels" in done.stderr
 
 
+def as_it_is(data):
+    return data
+
+
+def as_doubles(data):
+    """Flags as numbers, NaN where there are none."""
+    digits = np.where(data["CHLA_QC"].values == b"", b"nan", data["CHLA_QC"].values)
+    return data.assign(CHLA_QC=(data["CHLA_QC"].dims, digits.astype(float)))
+
+
+def as_texts(data):
+    return data.assign(CHLA_QC=(data["CHLA_QC"].dims, data["CHLA_QC"].values.astype(str).astype(object)))
+
+
+def as_one_profile(data):
+    return data.isel(N_PROF=0)
+
+
+# Seen red: with flags refused whose shape is not that of their variable; with texts not read.
+@pytest.mark.parametrize("change", [as_it_is, as_doubles, as_texts, as_one_profile])
+@pytest.mark.parametrize("format", ["NETCDF4", "NETCDF3_64BIT"])
+def test_a_float_that_xarray_has_saved(photic, scene, tmp_path, change, format):
+    import xarray
+    original = write_float(tmp_path / "original.nc",
+                           PRES=("decibar", [[0, 2, 4, 6, 8]], b"11111"),
+                           CHLA=("mg/m3", [[0.2, 9.0, 0.2, 0.2, 0.2]], b"14 11"))
+    with xarray.open_dataset(original) as data:
+        change(data.load()).to_netcdf(tmp_path / "float.nc", format=format)
+    with_profile(scene, '{ file = "float.nc", variable = "CHLA", depth = "PRES" }')
+    done = photic("check", "quick.toml")
+    assert done.returncode == 0, done.stderr
+    assert "float.nc: CHLA_QC flags 1 of 5 levels of CHLA as bad (3, 4) or missing (9)" in done.stderr
+    layers = shown_with_remarks(photic, "quick.toml")["sea"]["layer"]
+    assert [layer["chlorophyll_mg_m3"] for layer in layers] == pytest.approx([0.2, 1.0])
+
+
+# A float as it comes: dark counts too high, one pressure twice, no level above 1 dbar; to 4 m alone.
+def test_keys_that_help_a_float(photic, scene, tmp_path):
+    write_float(tmp_path / "float.nc",
+                PRES=("decibar", [[1, 2, 2, 4]], b"1111"), CHLA=("mg/m3", [[0.2, 0.1, 0.3, -0.01]], b"1111"))
+    keys = '{ file = "float.nc", variable = "CHLA", depth = "PRES"'
+    with_profile(scene, keys + " }")
+    assert '(negative = "zero" counts values below 0 as 0)' in photic("check", "quick.toml").stderr
+    scene.write_text(scene.read_text().replace(keys, keys + ', negative = "zero"'))
+    assert '(above = "constant" holds its first value up to the top; ' in photic("check", "quick.toml").stderr
+    scene.write_text(scene.read_text().replace(keys, keys + ', above = "constant", below = "constant"'))
+    done = photic("run", "quick.toml", "--photons", "4000")
+    assert done.returncode == 0, done.stderr
+    for remark in ("1 of 4 values of CHLA are below 0, the least of them -0.01, and count as 0",
+                   "1 of 4 levels are at the depth of another one, the first at 1.984 m: they become one",
+                   "'chlorophyll_mg_m3' is held constant from 0 to 0.99188 m, at the 0.2 of 0.99188 m",
+                   "'chlorophyll_mg_m3' is held constant from 3.96749 to 5 m, at the 0 of 3.96749 m"):
+        assert remark in done.stderr
+    layers = shown(photic, "quick.nc")["sea"]["layer"]
+    tops = [0.0] + [layer["bottom_depth_m"] for layer in layers[:-1]]
+    cut = sum(layer["chlorophyll_mg_m3"] * (layer["bottom_depth_m"] - top) for layer, top in zip(layers[:-1], tops))
+    assert cut == pytest.approx(0.99188 * (2 * 0.2 + 2 * 0.1), rel=1e-4)  # 0.2 from 0 to 2 dbar, 0 at 4 dbar
+
+
 def test_problems_of_a_float_profile(photic, scene, float_file):
     with_profile(scene, FROM_FLOAT.replace("CHLA", "CHL"))
     problem = json.loads(photic("check", "quick.toml", "--json").stdout)["problems"][0]
-    assert problem["file"].endswith("float.nc")
-    assert (problem["reason"], problem["suggestion"]) == ('no variable "CHL"', "did you mean 'CHLA'?")
+    assert problem["file"].endswith("quick.toml")
+    line = scene.read_text().splitlines()[problem["line"] - 1]
+    assert line[problem["column"] - 1:].startswith('"float.nc"')
+    assert problem["reason"].endswith('float.nc: no variable "CHL"')
+    assert problem["suggestion"] == "did you mean 'CHLA'?"
     float_file.write_bytes(float_file.read_bytes()[:100])
     done = photic("check", "quick.toml")
     assert done.returncode == 2

@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <map>
 
 #include "core/error.hpp"
 #include "io/netcdf_variable.hpp"
@@ -130,7 +133,7 @@ TEST(NetcdfVariable, FlagsAreDigits) {
       file.put(bytes, {1, 2, 3, 4, 8, 9});
       must(nc_put_var_text(file.id(), characters, "14 9A0"));
     }
-    const auto flags = netcdf_flags(path, "CHLA_QC");
+    const auto flags = netcdf_flags(path, "CHLA_QC", 2);
     EXPECT_EQ(flags.length, (std::vector<std::size_t>{2, 3}));
     EXPECT_EQ(flags.value[0], 1);
     EXPECT_EQ(flags.value[1], 4);
@@ -138,8 +141,205 @@ TEST(NetcdfVariable, FlagsAreDigits) {
     EXPECT_EQ(flags.value[3], 9);
     EXPECT_TRUE(std::isnan(flags.value[4]));
     EXPECT_EQ(flags.value[5], 0);
-    EXPECT_EQ(netcdf_flags(path, "TEMP_QC").value, (std::vector<double>{1, 2, 3, 4, 8, 9}));
+    EXPECT_EQ(netcdf_flags(path, "TEMP_QC", 2).value, (std::vector<double>{1, 2, 3, 4, 8, 9}));
   }
+}
+
+/// Of values a variable has as its attributes tell, in the first row.
+std::vector<double> row_of(const std::function<void(FloatFile&, int)>& attributes, nc_type type,
+                           const std::vector<double>& stored) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("row.nc");
+  {
+    FloatFile file(path, NC_NETCDF4);
+    const int variable = file.define("CHLA", type);
+    attributes(file, variable);
+    std::vector<double> all = stored;
+    all.resize(6, stored.front());
+    file.put(variable, all);
+  }
+  auto value = netcdf_variable(path, "CHLA").value;
+  value.resize(stored.size());
+  return value;
+}
+
+void expect_values(const std::vector<double>& found, const std::vector<double>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (std::isnan(expected[i]))
+      EXPECT_TRUE(std::isnan(found[i])) << i << ": " << found[i];
+    else
+      EXPECT_NEAR(found[i], expected[i], 1e-6 * std::fabs(expected[i])) << i;
+}
+
+const double missing = std::numeric_limits<double>::quiet_NaN();
+
+// Seen red: without the bounds; with bounds of doubles not made floats.
+TEST(NetcdfVariable, OutsideItsValidRangeIsMissing) {
+  const std::vector<double> stored{-0.1, 0, 0.1, 50, 50.1};
+  expect_values(row_of(
+                    [](FloatFile& file, int v) {
+                      file.attribute(v, "valid_min", NC_FLOAT, 0);
+                      file.attribute(v, "valid_max", NC_FLOAT, 50);
+                    },
+                    NC_FLOAT, stored),
+                {missing, 0, 0.1, 50, missing});
+  expect_values(
+      row_of([](FloatFile& file, int v) { file.attribute(v, "valid_max", NC_DOUBLE, 0.1); },
+             NC_FLOAT, stored),
+      {-0.1, 0, 0.1, missing, missing});
+  expect_values(row_of(
+                    [](FloatFile& file, int v) {
+                      const double range[2] = {0.1, 50};
+                      must(nc_put_att_double(file.id(), v, "valid_range", NC_DOUBLE, 2, range));
+                    },
+                    NC_FLOAT, stored),
+                {missing, missing, 0.1, 50, missing});
+}
+
+// Seen red: with all bounds looked at after unpacking; with all before.
+TEST(NetcdfVariable, BoundsOfPackedValuesArePackedUnlessOfAnotherType) {
+  const auto packed = [](nc_type type, double greatest) {
+    return row_of(
+        [&](FloatFile& file, int v) {
+          file.attribute(v, "scale_factor", NC_FLOAT, 0.5);
+          file.attribute(v, "add_offset", NC_FLOAT, 1);
+          file.attribute(v, "valid_max", type, greatest);
+        },
+        NC_SHORT, {0, 10, 20, 30});
+  };
+  expect_values(packed(NC_SHORT, 20), {1, 6, 11, missing});
+  expect_values(packed(NC_FLOAT, 6), {1, 6, missing, missing});
+}
+
+// Seen red: with the sign bit for a sign.
+TEST(NetcdfVariable, BytesMayBeUnsigned) {
+  expect_values(row_of(
+                    [](FloatFile& file, int v) {
+                      file.text(v, "_Unsigned", "true");
+                      file.attribute(v, "_FillValue", NC_BYTE, -1);
+                      file.attribute(v, "valid_max", NC_BYTE, -6);
+                    },
+                    NC_BYTE, {0, 127, -128, -6, -5, -1}),
+                {0, 127, 128, 250, missing, missing});
+}
+
+// Seen red: with the double -999.9 looked for among floats; with the first of two alone.
+TEST(NetcdfVariable, MissingValuesMayBeSeveralAndOfAnotherType) {
+  expect_values(row_of(
+                    [](FloatFile& file, int v) {
+                      const double absent[2] = {-999.9, 1e20};
+                      must(nc_put_att_double(file.id(), v, "missing_value", NC_DOUBLE, 2, absent));
+                    },
+                    NC_FLOAT, {0.5, -999.9, 1e20, 2}),
+                {0.5, missing, missing, 2});
+}
+
+TEST(NetcdfVariable, AttributesOfNoUse) {
+  const auto refusal = [](const std::function<void(FloatFile&, int)>& attributes) {
+    const std::string text = refusal_of([&] { row_of(attributes, NC_FLOAT, {1, 2}); });
+    return text.substr(std::min(text.size(), text.find("CHLA: ")));
+  };
+  EXPECT_EQ(refusal([](FloatFile& f, int v) { f.attribute(v, "scale_factor", NC_FLOAT, 0); }),
+            "CHLA: its attribute scale_factor is 0 (is it the file you mean?)");
+  EXPECT_EQ(refusal([](FloatFile& f, int v) { f.attribute(v, "valid_range", NC_FLOAT, 0); }),
+            "CHLA: its attribute valid_range is not two numbers (is it the file you mean?)");
+  EXPECT_EQ(refusal([](FloatFile& f, int v) { f.text(v, "valid_min", "0"); }),
+            "CHLA: its attribute valid_min is not a number (is it the file you mean?)");
+  EXPECT_EQ(refusal([](FloatFile& f, int v) { f.attribute(v, "positive", NC_FLOAT, 1); }),
+            "CHLA: its attribute positive is not a word (is it the file you mean?)");
+}
+
+TEST(NetcdfVariable, TellsWhatItIsAndWhereItPoints) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("depth.nc");
+  {
+    FloatFile file(path, 0);
+    const int z = file.define("z", NC_DOUBLE, 1);
+    file.text(z, "standard_name", "altitude");
+    file.text(z, "positive", "up");
+    file.put(z, {0, -1});
+  }
+  EXPECT_EQ(netcdf_variable(path, "z").standard_name, "altitude");
+  EXPECT_EQ(netcdf_variable(path, "z").positive, "up");
+}
+
+// Seen red: with texts refused; with their first character whatever follows.
+TEST(NetcdfVariable, FlagsMayBeTextsOrDoubles) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("texts.nc");
+  {
+    FloatFile file(path, NC_NETCDF4);
+    const int texts = file.define("CHLA_QC", NC_STRING);
+    const char* flags[] = {"1", "4.0", "", " 9", "A", "nan"};
+    must(nc_put_var_string(file.id(), texts, flags));
+    const int longer = file.define("TEMP_QC", NC_STRING, 1);
+    const char* words[] = {"1", "bad"};
+    must(nc_put_var_string(file.id(), longer, words));
+    const int doubles = file.define("PSAL_QC", NC_DOUBLE);
+    file.attribute(doubles, "_FillValue", NC_DOUBLE, missing);
+    file.put(doubles, {1, missing, 3, 4, 9, missing});
+  }
+  expect_values(netcdf_flags(path, "CHLA_QC", 2).value, {1, 4, missing, 9, missing, missing});
+  expect_values(netcdf_flags(path, "PSAL_QC", 2).value, {1, missing, 3, 4, 9, missing});
+  EXPECT_EQ(refusal_of([&] { netcdf_flags(path, "TEMP_QC", 1); }),
+            path + ": TEMP_QC: \"bad\" is no flag (is it the file you mean?)");
+}
+
+// As xarray saves them: of one character, and of as many as the longest text has. Seen red: with
+// each character for a flag.
+TEST(NetcdfVariable, FlagsMayBeCharactersWithADimensionMore) {
+  const TemporaryFolder folder;
+  for (const int format : {0, NC_NETCDF4})
+    for (const std::size_t length : {1, 3}) {
+      const std::string path = folder.file("string.nc");
+      {
+        FloatFile file(path, format);
+        int dimensions[3] = {0, 1, 0}, variable = 0;
+        must(nc_def_dim(file.id(), "string", length, &dimensions[2]));
+        must(nc_def_var(file.id(), "CHLA_QC", NC_CHAR, 3, dimensions, &variable));
+        nc_enddef(file.id());
+        std::string text;
+        for (const std::string word : {"1", "4", " ", "9", "A", "0"})
+          text += word + std::string(length - 1, length == 1 ? ' ' : '\0');
+        must(nc_put_var_text(file.id(), variable, text.data()));
+      }
+      const auto flags = netcdf_flags(path, "CHLA_QC", 2);
+      EXPECT_EQ(flags.dimension, (std::vector<std::string>{"N_PROF", "N_LEVELS"}));
+      EXPECT_EQ(flags.length, (std::vector<std::size_t>{2, 3}));
+      expect_values(flags.value, {1, 4, missing, 9, missing, 0});
+    }
+}
+
+// Seen red: with the meanings one word on.
+TEST(NetcdfVariable, FlagsTellWhatTheyMean) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("meanings.nc");
+  {
+    FloatFile file(path, NC_NETCDF4);
+    const int bytes = file.define("CHLA_QC", NC_BYTE);
+    const signed char values[] = {0, 1, 4};
+    must(nc_put_att_schar(file.id(), bytes, "flag_values", NC_BYTE, 3, values));
+    file.text(bytes, "flag_meanings", "no_qc good  bad");
+    const int characters = file.define("PRES_QC", NC_CHAR);
+    file.text(characters, "flag_values", "0, 1, 4");
+    file.text(characters, "flag_meanings", "no_qc good bad");
+    const int fewer = file.define("TEMP_QC", NC_BYTE);
+    must(nc_put_att_schar(file.id(), fewer, "flag_values", NC_BYTE, 3, values));
+    file.text(fewer, "flag_meanings", "good bad");
+    const int bits = file.define("PSAL_QC", NC_BYTE);
+    file.attribute(bits, "flag_masks", NC_BYTE, 1);
+    file.put(bytes, {0, 1, 4, 1, 1, 1});
+  }
+  const std::map<double, std::string> expected{{0, "no_qc"}, {1, "good"}, {4, "bad"}};
+  EXPECT_EQ(netcdf_flags(path, "CHLA_QC", 2).meaning, expected);
+  EXPECT_EQ(netcdf_flags(path, "PRES_QC", 2).meaning, expected);
+  EXPECT_EQ(refusal_of([&] { netcdf_flags(path, "TEMP_QC", 2); }),
+            path + ": TEMP_QC: has 3 flag_values and 2 flag_meanings (is it the file you mean?)");
+  EXPECT_EQ(refusal_of([&] { netcdf_flags(path, "PSAL_QC", 2); }),
+            path +
+                ": PSAL_QC: its flags are single bits (flag_masks), which are not understood (is "
+                "it the file you mean?)");
 }
 
 TEST(NetcdfVariable, UnitsMayBeStrings) {

@@ -77,6 +77,34 @@ TEST(IopTable, OfNetcdf) {
   EXPECT_TRUE(read_scene_text(write_scene(scene), "written.toml", "/").scene == scene);
 }
 
+// Seen red: with the numbers as they are.
+TEST(IopTable, OfNetcdfHasUnits) {
+  WrittenFiles files("iop_units");
+  write_netcdf_table(files);
+  const Scene expected = files.read(tabled("'lib.nc'")).scene;
+  files.netcdf["depth_m"] = {{"z"}, {2}, "m", {0, -10}, "altitude", "up"};
+  files.netcdf["wavelength_nm"] = {{"lambda"}, {2}, "um", {0.5, 0.6}};
+  files.netcdf["b_per_m"].units = "km-1";
+  for (double& b : files.netcdf["b_per_m"].value) b *= 1000;
+  const Scene scene = files.read(tabled("'lib.nc'")).scene;
+  ASSERT_EQ(scene.sea.layer.size(), 2U);
+  EXPECT_EQ(scene.sea.layer[0].bottom_depth_m, 10);
+  for (std::size_t w = 0; w < 2; ++w) {
+    const IopEntry &found = scene.sea.layer[1].iop[w], &meant = expected.sea.layer[1].iop[w];
+    EXPECT_NEAR(found.wavelength_nm, meant.wavelength_nm, 1e-9);
+    EXPECT_NEAR(found.b_per_m, meant.b_per_m, 1e-12);
+    EXPECT_EQ(found.a_per_m, meant.a_per_m);
+  }
+  write_netcdf_table(files);
+  for (auto& [name, variable] : files.netcdf) variable.units = "";
+  EXPECT_TRUE(files.read(tabled("'lib.nc'")).scene == expected);
+  files.netcdf["a_per_m"].units = "m2 mg-1";
+  EXPECT_EQ(
+      files.problems(tabled("'lib.nc'")),
+      (Texts{"scene.toml:20:13: lib.nc: a_per_m: is in units of \"m2 mg-1\", not 1/m (units of "
+             "1/length are understood, as \"m-1\")"}));
+}
+
 TEST(IopTable, OfAnEnvironmentIsAnotherFile) {
   WrittenFiles files("iop_environment");
   files.write("lib.csv", good_rows);
@@ -257,33 +285,38 @@ TEST(IopTable, NetcdfProblemsNameVariableAndIndex) {
     return files.problems(tabled("'lib.nc'"));
   };
   EXPECT_EQ(problems([](Variables& v) { v.erase("b_per_m"); }),
-            (Texts{"lib.nc: neither \"b_per_m\" nor \"c_per_m\" (there are: a_per_m, bb_per_m, "
+            (Texts{"scene.toml:20:13: lib.nc: neither \"b_per_m\" nor \"c_per_m\" (there are: "
+                   "a_per_m, bb_per_m, "
                    "depth_m, wavelength_nm)"}));
   EXPECT_EQ(problems([](Variables& v) {
               v["a_per_m"].value[3] = std::numeric_limits<double>::quiet_NaN();
               v["bb_per_m"].value[2] = -1;
             }),
-            (Texts{"lib.nc: bb_per_m[1, 0]: 'bb_per_m' must be a finite number, at least 0, not -1",
-                   "lib.nc: a_per_m[1, 1]: 'a_per_m' must be a finite number, at least 0, not "
+            (Texts{"scene.toml:20:13: lib.nc: bb_per_m[1, 0]: 'bb_per_m' must be a finite number, "
+                   "at least 0, not -1",
+                   "scene.toml:20:13: lib.nc: a_per_m[1, 1]: 'a_per_m' must be a finite number, at "
+                   "least 0, not "
                    "nan"}));
-  EXPECT_EQ(problems([](Variables& v) {
-              std::swap(v["a_per_m"].dimension[0], v["a_per_m"].dimension[1]);
-            }),
-            (Texts{"lib.nc: a_per_m(lambda, z): its dimensions must be (z, lambda)"}));
+  EXPECT_EQ(
+      problems(
+          [](Variables& v) { std::swap(v["a_per_m"].dimension[0], v["a_per_m"].dimension[1]); }),
+      (Texts{"scene.toml:20:13: lib.nc: a_per_m(lambda, z): its dimensions must be (z, lambda)"}));
   EXPECT_EQ(problems([](Variables& v) { v["wavelength_nm"].value[1] = 500; }),
-            (Texts{"lib.nc: wavelength_nm[1]: 500 does not come after 500 (values ascend, each "
+            (Texts{"scene.toml:20:13: lib.nc: wavelength_nm[1]: 500 does not come after 500 "
+                   "(values ascend, each "
                    "once)"}));
   EXPECT_EQ(problems([](Variables& v) { v["depth_m"].value[0] = 1; }),
-            (Texts{"lib.nc: depth_m[0]: the first depth is 1 m, not 0"}));
+            (Texts{"scene.toml:20:13: lib.nc: depth_m[0]: the first depth is 1 m, not 0"}));
   EXPECT_EQ(problems([](Variables& v) {
               v["depth_m"] = {{}, {}, "", {0}};
             }),
-            (Texts{"lib.nc: depth_m(): is not of one dimension with values"}));
+            (Texts{"scene.toml:20:13: lib.nc: depth_m(): is not of one dimension with values"}));
   EXPECT_EQ(problems([](Variables& v) {
               v["depth_m"] = {{"z"}, {501}, "", {}};
               for (int i = 0; i < 501; ++i) v["depth_m"].value.push_back(i);
             }),
-            (Texts{"lib.nc: 501 depths with 2 wavelengths are too many: at most 500 depths, and "
+            (Texts{"scene.toml:20:13: lib.nc: 501 depths with 2 wavelengths are too many: at most "
+                   "500 depths, and "
                    "100000 pairs"}));
 }
 

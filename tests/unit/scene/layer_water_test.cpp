@@ -88,8 +88,9 @@ TEST(LayerWater, OfAFloat) {
   EXPECT_NEAR(*scene.sea.layer[0].temperature_c, 19, 0.1);
   EXPECT_NEAR(*scene.sea.layer[0].salinity_psu, 35.25, 0.03);
   files.netcdf["TEMP"].value[1] = 289;  // kelvin
-  EXPECT_EQ(files.problems(text), (Texts{"float.nc: TEMP[0, 1]: must be a finite number, at least "
-                                         "-2 and at most 45, not 289"}));
+  EXPECT_EQ(files.problems(text),
+            (Texts{"scene.toml:23:26: float.nc: TEMP[0, 1]: must be a finite number, at least "
+                   "-2 and at most 45, not 289"}));
 }
 
 // --- Environments and sensitivities --------------------------------------------------------------

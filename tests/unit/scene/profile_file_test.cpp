@@ -3,30 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "optics/pressure.hpp"
 #include "scene/profile.hpp"
-#include "unit/scene/written_files.hpp"
+#include "unit/scene/profile_scenes.hpp"
 
 namespace photic::scene {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-std::string profiled(const std::string& profile) {
-  return edited({{22, 22, "chlorophyll_mg_m3 = { " + profile + " }"}});
-}
-
-double mean_chlorophyll(const Scene& scene) {
-  double sum = 0, top = 0;
-  for (const Layer& layer : scene.sea.layer) {
-    if (!layer.bottom_depth_m) break;
-    sum += layer.chlorophyll_mg_m3 * (*layer.bottom_depth_m - top);
-    top = *layer.bottom_depth_m;
-  }
-  return sum / top;
-}
 
 // --- CSV -----------------------------------------------------------------------------------------
 
@@ -47,19 +30,20 @@ TEST(CsvProfile, ProblemsAreToldAtTheirLineAndColumn) {
     return files.problems(profiled(profile));
   };
   EXPECT_EQ(problems("0, 0.2\n30, -0.4\n"),
-            (Texts{"chl.csv:3:4: must be a finite number, at least 0, not -0.4"}));
+            (Texts{"chl.csv:3:4: must be a finite number, at least 0, not -0.4 (negative = "
+                   "\"zero\" counts values below 0 as 0)"}));
   EXPECT_EQ(problems("0, 0.2\n10,\n30, nan\n"),
             (Texts{"chl.csv:3:4: \"\" is not a finite number",
                    "chl.csv:4:4: \"nan\" is not a finite number"}));
-  EXPECT_EQ(problems("10, 0.2\n0, 0.4\n"),
-            (Texts{"chl.csv:3:1: depth_m 0 is not above the 10 before it (this column must "
-                   "ascend)"}));
+  EXPECT_EQ(problems("10, 0.2\n10, 0.4\n"),
+            (Texts{"chl.csv:2:4: all rows are at a depth of 10 m (a profile needs two depths)"}));
   EXPECT_EQ(problems("0, 0.2\n"), (Texts{"chl.csv:2:1: a profile needs at least two rows"}));
   EXPECT_EQ(problems("0, 0.2\n30, 0.4\n", "file = 'chl.csv', depth = 'depth_m', column = 'chla'"),
             (Texts{"chl.csv:1:1: no column \"chla\" (there are: depth_m, chl)"}));
   EXPECT_EQ(problems("0, 0.2\n15, 0.4\n"),
             (Texts{"scene.toml:22:21: 'chlorophyll_mg_m3' is known from 0 to 15 m, and its layer "
-                   "goes from 0 to 20 m (let layers with a number begin and end where the profile "
+                   "goes from 0 to 20 m (below = \"constant\" holds its last value down to the "
+                   "bottom; or let layers with a number begin and end where the profile "
                    "does)"}));
 }
 
@@ -77,17 +61,6 @@ TEST(CsvProfile, KeysThatAreMissing) {
 }
 
 // --- netCDF --------------------------------------------------------------------------------------
-
-const std::string from_float = "file = 'float.nc', depth = 'PRES', variable = 'CHLA'";
-
-/// Two profiles of five levels, the second shallower by far.
-void write_float(WrittenFiles& files) {
-  files.write("float.nc", "");
-  const std::vector<std::string> dimensions{"N_PROF", "N_LEVELS"};
-  files.netcdf["PRES"] = {dimensions, {2, 5}, "decibar", {0, 5, 10, 20, 30, 0, 1, 2, 3, 4}};
-  files.netcdf["CHLA"] = {dimensions, {2, 5}, "mg/m3", {0.1, 0.2, 0.4, 0.3, 0.3, 9, 9, 9, 9, 9}};
-  files.netcdf["LATITUDE"] = {{"N_PROF"}, {2}, "degree_north", {30, 60}};
-}
 
 // The check value of the source. Seen red: with the latitude in degrees for radians.
 TEST(Pressure, GivesTheDepthOfTheSource) {
@@ -110,7 +83,8 @@ TEST(FloatProfile, IsTheOneAskedForAtTheDepthsOfItsPressures) {
   EXPECT_NEAR(mean_chlorophyll(reading.scene), expected.integral(0, 20) / 20, 1e-14);
   EXPECT_EQ(files.problems(profiled(from_float + ", profile = 1")),
             (Texts{"scene.toml:22:21: 'chlorophyll_mg_m3' is known from 0 to 3.96225 m, and its "
-                   "layer goes from 0 to 20 m (let layers with a number begin and end where the "
+                   "layer goes from 0 to 20 m (below = \"constant\" holds its last value down to "
+                   "the bottom; or let layers with a number begin and end where the "
                    "profile does)"}));
 }
 
@@ -148,7 +122,7 @@ TEST(FloatProfile, OfOneDimensionInMetres) {
   WrittenFiles files("float_metres");
   files.write("float.nc", "");
   files.netcdf["z"] = {{"z"}, {3}, "m", {0, 10, 20}};
-  files.netcdf["CHLA"] = {{"z"}, {3}, "", {0.1, 0.3, 0.1}};
+  files.netcdf["CHLA"] = {{"z"}, {3}, "mg/m3", {0.1, 0.3, 0.1}};
   const Reading reading = files.read(profiled("file = 'float.nc', depth = 'z', variable = 'CHLA'"));
   EXPECT_NEAR(mean_chlorophyll(reading.scene), 0.2, 1e-15);
   EXPECT_EQ(reading.remarks, Texts{});
@@ -189,9 +163,10 @@ TEST(FloatProfile, FlagsThatLeaveNothing) {
   const std::vector<std::string> dimensions{"N_PROF", "N_LEVELS"};
   files.netcdf["CHLA_QC"] = {dimensions, {2, 5}, "", std::vector<double>(10, 4)};
   const std::string flagged =
-      "float.nc: CHLA: profile 0 has values at 0 of 5 levels; it takes two: CHLA_QC flags 5 of 5 "
+      "scene.toml:22:30: float.nc: CHLA: profile 0 has values at 0 of 5 levels; it takes two: "
+      "CHLA_QC flags 5 of 5 "
       "levels of CHLA as bad (3, 4) or missing (9), which then have no value";
-  EXPECT_EQ(files.problems(profiled(from_float)), (Texts{flagged + " (take another profile)"}));
+  EXPECT_EQ(files.problems(profiled(from_float)), (Texts{flagged + " (no profile has values)"}));
   files.netcdf["CHLA_ADJUSTED"] = files.netcdf["CHLA"];
   EXPECT_EQ(files.problems(profiled(from_float)), (Texts{flagged + " (there is CHLA_ADJUSTED)"}));
   EXPECT_EQ(
@@ -199,7 +174,8 @@ TEST(FloatProfile, FlagsThatLeaveNothing) {
       Texts{});
   files.netcdf["CHLA_QC"] = {{"N_PROF"}, {2}, "", {1, 1}};
   EXPECT_EQ(files.problems(profiled(from_float)),
-            (Texts{"float.nc: CHLA_QC(N_PROF): should have a flag for each value of CHLA(N_PROF, "
+            (Texts{"scene.toml:22:30: float.nc: CHLA_QC(N_PROF): should have a flag for each value "
+                   "of CHLA(N_PROF, "
                    "N_LEVELS)"}));
 }
 
@@ -211,9 +187,9 @@ TEST(FloatProfile, IsReadOnceForAllEnvironments) {
   const NetcdfFiles plain = files.netcdf_files();
   int lists = 0, variables = 0;
   const auto counting = [&](const auto& read) {
-    return [&variables, read](const std::string& path, const std::string& name) {
+    return [&variables, read](const std::string& path, const std::string& name, auto... more) {
       ++variables;
-      return read(path, name);
+      return read(path, name, more...);
     };
   };
   const NetcdfFiles counted{[&](const std::string& path) {
@@ -233,53 +209,60 @@ TEST(FloatProfile, IsReadOnceForAllEnvironments) {
 TEST(FloatProfile, ProblemsNameVariableAndLevel) {
   WrittenFiles files("float_problems");
   const auto problems = [&](const auto& damage, const std::string& more = "") {
+    files.netcdf.clear();
     write_float(files);
     damage(files.netcdf);
     return files.problems(profiled(from_float + more));
   };
   using Variables = std::map<std::string, NetcdfVariable>;
-  EXPECT_EQ(problems([](Variables& v) { v.erase("CHLA"); }),
-            (Texts{"float.nc: no variable \"CHLA\" (there are: LATITUDE, PRES)"}));
+  EXPECT_EQ(
+      problems([](Variables& v) { v.erase("CHLA"); }),
+      (Texts{"scene.toml:22:30: float.nc: no variable \"CHLA\" (there are: LATITUDE, PRES)"}));
   EXPECT_EQ(problems([](Variables& v) {
               v["CHLA_ADJUSTED"] = v["CHL"] = v["CHLA"];
               v.erase("CHLA");
             }),
-            (Texts{"float.nc: no variable \"CHLA\" (did you mean 'CHL'?)"}));
+            (Texts{"scene.toml:22:30: float.nc: no variable \"CHLA\" (did you mean 'CHL'?)"}));
   EXPECT_EQ(problems([](Variables& v) { v["CHLA"].value[3] = -0.02; }),
-            (Texts{"float.nc: CHLA[0, 3]: must be a finite number, at least 0, not -0.02"}));
-  EXPECT_EQ(problems([](Variables& v) { v["PRES"].value[3] = 10; }),
-            (Texts{"float.nc: PRES[0, 3]: a depth of 9.9317 m is not below the 9.9317 m of the "
-                   "level before it (depths must ascend)"}));
+            (Texts{"scene.toml:22:30: float.nc: CHLA[0, 3]: must be a finite number, at least 0, "
+                   "not -0.02 (negative = \"zero\" counts values below 0 as 0)"}));
   EXPECT_EQ(problems([](Variables& v) {
               for (int i = 0; i < 5; ++i) v["CHLA"].value[i] = none;
             }),
-            (Texts{"float.nc: CHLA: profile 0 has values at 0 of 5 levels; it takes two (the first "
+            (Texts{"scene.toml:22:30: float.nc: CHLA: profile 0 has values at 0 of 5 levels; it "
+                   "takes two (the first "
                    "profile with values is 1)"}));
   EXPECT_EQ(problems([](Variables& v) { v["CHLA"].value.assign(10, none); }),
-            (Texts{"float.nc: CHLA: profile 0 has values at 0 of 5 levels; it takes two (no "
+            (Texts{"scene.toml:22:30: float.nc: CHLA: profile 0 has values at 0 of 5 levels; it "
+                   "takes two (no "
                    "profile has values)"}));
   EXPECT_EQ(problems([](Variables&) {}, ", profile = 2"),
-            (Texts{"float.nc: CHLA(N_PROF, N_LEVELS): there is no profile 2: it has 2, counted "
+            (Texts{"scene.toml:22:30: float.nc: CHLA(N_PROF, N_LEVELS): there is no profile 2: it "
+                   "has 2, counted "
                    "from 0"}));
-  EXPECT_EQ(problems([](Variables& v) { v["PRES"].units = "bar"; }),
-            (Texts{"float.nc: PRES: is in units of \"bar\" (depths are in \"m\", pressures in "
+  EXPECT_EQ(problems([](Variables& v) { v["PRES"].units = "fathom"; }),
+            (Texts{"scene.toml:22:30: float.nc: PRES: is in units of \"fathom\" (depths are in "
+                   "\"m\", pressures in "
                    "\"decibar\")"}));
   EXPECT_EQ(problems([](Variables& v) { v["PRES"].units = ""; }),
-            (Texts{"float.nc: PRES: has no attribute units (depths are in \"m\", pressures in "
+            (Texts{"scene.toml:22:30: float.nc: PRES: has no attribute units (depths are in \"m\", "
+                   "pressures in "
                    "\"decibar\")"}));
   EXPECT_EQ(problems([](Variables& v) {
               v["PRES"] = {{"N_LEVELS"}, {2}, "m", {0, 30}};
             }),
-            (Texts{"float.nc: PRES(N_LEVELS): has 2 levels where CHLA has 5"}));
+            (Texts{"scene.toml:22:30: float.nc: PRES(N_LEVELS): has 2 levels where CHLA has 5"}));
   EXPECT_EQ(problems([](Variables& v) {
               v["CHLA"] = {{}, {}, "", {1}};
             }),
-            (Texts{"float.nc: CHLA(): has 0 dimensions, not (levels) or (profiles, levels)"}));
+            (Texts{"scene.toml:22:30: float.nc: CHLA(): has 0 dimensions, not (levels) or "
+                   "(profiles, levels)"}));
   EXPECT_EQ(problems([](Variables& v) {
               v["CHLA"].length = {1, 100001};
               v["CHLA"].value.resize(100001);
             }),
-            (Texts{"float.nc: CHLA(N_PROF, N_LEVELS): has 100001 levels; at most 100000 are "
+            (Texts{"scene.toml:22:30: float.nc: CHLA(N_PROF, N_LEVELS): has 100001 levels; at most "
+                   "100000 are "
                    "read"}));
 }
 

@@ -262,7 +262,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         chlorophyll("Outside", "{ depth_m = [1, 20], value = [0.1, 0.2] }",
                     {"scene.toml:22:21: 'chlorophyll_mg_m3' is known from 1 to 20 m, and its layer "
-                     "goes from 0 to 20 m (let layers with a number begin and end where the "
+                     "goes from 0 to 20 m (above = \"constant\" holds its first value up to the "
+                     "top; or let layers with a number begin and end where the "
                      "profile does)"}),
         chlorophyll("NotAscending", "{ depth_m = [0, 20, 20], value = [0.1, 0.2, 0.3] }",
                     {"scene.toml:22:41: 'chlorophyll_mg_m3' goes from 20 m to 20 m: depths must "
@@ -284,7 +285,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {"scene.toml:22:21: 'depth_m' is missing in 'chlorophyll_mg_m3' (add it: "
                      "depths in m, ascending)",
                      "scene.toml:22:23: unknown key 'depth' in 'chlorophyll_mg_m3' (known here: "
-                     "depth_m, value)"}),
+                     "depth_m, value, above, below)"}),
         chlorophyll(
             "MaximumBelowBackground",
             "{ model = 'gaussian', background = 1, maximum = 0.5, depth_m = 1, width_m = 1 }",

@@ -46,6 +46,9 @@ std::set<std::string> keys_of_scenes() {
                              "variable",
                              "profile",
                              "depth",
+                             "negative",
+                             "above",
+                             "below",
                              "background",
                              "maximum",
                              "width_m"};

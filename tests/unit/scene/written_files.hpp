@@ -38,7 +38,9 @@ class WrittenFiles {
               return names;
             },
             [this](const std::string&, const std::string& name) { return netcdf.at(name); },
-            [this](const std::string&, const std::string& name) { return netcdf.at(name); }};
+            [this](const std::string&, const std::string& name, std::size_t) {
+              return netcdf.at(name);
+            }};
   }
 
   [[nodiscard]] Reading read(const std::string& text) const {

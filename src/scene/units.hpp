@@ -1,0 +1,38 @@
+// What makes of numbers in a file's units those that a key of a scene means.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "scene/unit_text.hpp"
+
+namespace photic::scene {
+
+/// To a number in other units.
+struct Conversion {
+  int decade = 0;  ///< apart from the factor, so that 1 mg/m3 stays 1
+  double factor = 1, offset = 0;
+
+  [[nodiscard]] double operator()(double x) const;
+};
+
+/// Nothing if they are not of one kind.
+[[nodiscard]] std::optional<Conversion> conversion(const Unit& from, const Unit& to);
+
+/// To the unit that the name of a key ends in (chlorophyll_mg_m3, a_per_m), from what a file calls
+/// its units and, where salinities are absolute, its standard name (CF). Nothing if that is not
+/// understood.
+[[nodiscard]] std::optional<Conversion> conversion_to(const std::string& key,
+                                                      const std::string& units,
+                                                      const std::string& standard_name);
+
+/// The unit that the name of a key ends in, as people write it.
+[[nodiscard]] std::string unit_of(const std::string& key);
+
+/// "… are understood": what a file may call units of this key.
+[[nodiscard]] std::string understood_for(const std::string& key);
+
+/// Whether a file's salinities are in grams per kilogram (TEOS-10), which are not practical ones.
+[[nodiscard]] bool is_absolute_salinity(const std::string& units, const std::string& standard_name);
+
+}  // namespace photic::scene
