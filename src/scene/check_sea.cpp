@@ -149,8 +149,9 @@ void remark_plenty(const std::vector<Layer>& layers, const Plenty& plenty, Findi
   std::map<std::tuple<std::string, int, int>, std::pair<double, std::string>> greatest;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const double value = layers[i].*plenty.value;
+    if (!(value > plenty.most)) continue;
     const std::string path = below(below("sea.layer", i), plenty.key);
-    if (!(value > plenty.most) || !findings.good({path})) continue;
+    if (!findings.good({path})) continue;
     const Place place = findings.place_of(path);
     auto& most = greatest[{place.file, place.line, place.column}];
     if (value > most.first) most = {value, path};

@@ -173,8 +173,8 @@ ReadProfile profile_of_netcdf(const ProfileFile& from, const ProfiledKey& key,
   Levels value = variable.levels(number), depth = depths.levels_for(number);
   check_shapes(file, depths, variable);
   std::vector<std::string> remarks;
-  for (const Levels& levels : {value, depth})
-    if (!levels.flagged.empty()) remarks.push_back(levels.flagged);
+  for (const Levels* each : {&value, &depth})
+    if (!each->flagged.empty()) remarks.push_back(each->flagged);
   const std::string flags = remarks.empty() ? "" : fmt::format(": {}", fmt::join(remarks, ", "));
   convert_depths(file, depths, number, depth, remarks);
   convert_values(file, variable, key.key, value, remarks);
