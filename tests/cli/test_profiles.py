@@ -138,7 +138,7 @@ def as_one_profile(data):
     return data.isel(N_PROF=0)
 
 
-# Seen red: with flags refused whose shape is not that of their variable; with texts not read.
+# Seen red: with texts of more than one character refused, "nan" among them.
 @pytest.mark.parametrize("change", [as_it_is, as_doubles, as_texts, as_one_profile])
 @pytest.mark.parametrize("format", ["NETCDF4", "NETCDF3_64BIT"])
 def test_a_float_that_xarray_has_saved(photic, scene, tmp_path, change, format):

@@ -197,7 +197,7 @@ TEST(NetcdfVariable, OutsideItsValidRangeIsMissing) {
                 {missing, missing, 0.1, 50, missing});
 }
 
-// Seen red: with all bounds looked at after unpacking; with all before.
+// Seen red: with all bounds taken for packed ones.
 TEST(NetcdfVariable, BoundsOfPackedValuesArePackedUnlessOfAnotherType) {
   const auto packed = [](nc_type type, double greatest) {
     return row_of(
@@ -264,7 +264,7 @@ TEST(NetcdfVariable, TellsWhatItIsAndWhereItPoints) {
   EXPECT_EQ(netcdf_variable(path, "z").positive, "up");
 }
 
-// Seen red: with texts refused; with their first character whatever follows.
+// Seen red: with their first character whatever follows.
 TEST(NetcdfVariable, FlagsMayBeTextsOrDoubles) {
   const TemporaryFolder folder;
   const std::string path = folder.file("texts.nc");

@@ -22,7 +22,7 @@ Texts remarks_of(const WrittenFiles& files, const Reading& reading) {
 
 // --- Order ---------------------------------------------------------------------------------------
 
-// Seen red: with the first of two values at one depth; with the values not sorted.
+// Seen red: with the first of the values at one depth.
 TEST(MeasuredLevels, AtOneDepthBecomeOne) {
   WrittenFiles files("measured_twice");
   write_depths(files, {0, 9, 9, 9, 12, 12, 30}, {0.1, 0.20, 0.22, 0.24, 0.3, 0.1, 0.2});
@@ -34,6 +34,7 @@ TEST(MeasuredLevels, AtOneDepthBecomeOne) {
                    "one, with the mean of CHLA"}));
 }
 
+// Seen red: with the order of the file.
 TEST(MeasuredLevels, ThatDoNotAscendAreSorted) {
   WrittenFiles files("measured_order");
   const LinearProfile expected({0, 5, 10, 30}, {0.1, 0.2, 0.4, 0.3});
@@ -67,7 +68,6 @@ TEST(MeasuredLevels, AtOneDepthAloneAreNoProfile) {
              "needs two depths)"}));
 }
 
-// Seen red: with the index of a level after sorting.
 TEST(MeasuredLevels, ProblemsNameTheLevelOfTheFile) {
   WrittenFiles files("measured_index");
   write_depths(files, {30, 10, none, 0}, {0.3, 0.2, 0.1, -0.1});
@@ -92,7 +92,7 @@ TEST(MeasuredLevels, RowsOfCsvLikewise) {
 
 // --- Below 0 -------------------------------------------------------------------------------------
 
-// Seen red: with values below 0 left out.
+// Seen red: with such values told and kept.
 TEST(MeasuredLevels, BelowZeroCountAsZeroWhereAskedFor) {
   WrittenFiles files("measured_negative");
   write_depths(files, {0, 10, 20, 30}, {0.1, 0.2, -0.007, -0.012});
@@ -156,7 +156,7 @@ TEST(MeasuredLevels, KeysOfEndsAreNamedWhereTheyHelp) {
   EXPECT_EQ(problem({4, 15}, ", above = 'constant'"), "(" + below + layers);
 }
 
-// A layer that lies beyond all levels. Seen red: with the remark's depths those of the profile.
+// A layer that lies beyond all levels. Seen red: with a value of 0 at its top.
 TEST(MeasuredLevels, HoldThroughAWholeLayer) {
   WrittenFiles files("measured_beyond");
   write_depths(files, {30, 40}, {0.1, 0.2});

@@ -17,7 +17,7 @@ double one(const std::string& key, const std::string& units, const std::string& 
   return convert ? (*convert)(1) : -1;
 }
 
-// Seen red: with exponents of what follows "/" not turned; with litres of 1 m3.
+// Seen red: with exponents of what follows "/" not turned.
 TEST(Units, OfMassPerVolume) {
   for (const char* units : {"mg m-3",
                             "mg/m3",
@@ -178,7 +178,7 @@ TEST(UnitsOfAProfile, ThatAreMissingAreTold) {
                    "for mg/m3"}));
 }
 
-// Seen red: with all lengths taken for m; with Pa for dbar.
+// Seen red: with pressures taken for lengths.
 TEST(UnitsOfAProfile, OfDepthsAndPressures) {
   WrittenFiles files("units_depth");
   const std::vector<double> value{0.1, 0.4, 0.2};
@@ -249,7 +249,7 @@ TEST(UnitsOfAProfile, SalinitiesThatAreNotPractical) {
 
 // --- Values that no water has --------------------------------------------------------------------
 
-// Seen red: with the remark of each layer that a profile is cut into.
+// Seen red: with a remark for each layer that a profile is cut into.
 TEST(ValuesOfNoWater, GetARemark) {
   const auto remarks = [](const std::string& line) {
     return read_scene_text(edited({{22, 22, line}}), "scene.toml", "/").remarks;
