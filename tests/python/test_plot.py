@@ -359,3 +359,24 @@ def test_bad_arguments(sample):
     code, error = command("plot", sample)
     assert code == 2 and "-o/--output" in error and "Traceback" not in error
     assert command()[0] == 2
+
+
+def test_gates_without_depths_are_placed_by_time(sample):
+    # A telescope that looks up. Seen red: with no gates drawn.
+    ds = photic.open(sample)
+    for name in ("gate_depth", "gate_depth_bounds"):
+        ds[name] = ds[name].where(ds.telescope != "wide")
+    drawing = plot.figure([ds], ["sample"], telescope="wide")
+    assert drawing.axes[0].get_ylabel() == "time [ns]"
+    low, high = sorted(drawing.axes[0].get_ylim())
+    assert low == pytest.approx(float(ds.gate_time_bounds.min())) and high > low
+    assert visible(drawing.axes[0].get_lines()[0]) > 0
+    assert plot.figure([ds], ["sample"]).axes[0].get_ylabel() == "depth [m]"
+
+
+def test_each_telescope_has_its_own_depths(sample):
+    # Seen red: with those of the first telescope.
+    ds = photic.open(sample)
+    for name in ("narrow", "wide"):
+        first = plot.figure([ds], ["sample"], telescope=name).axes[0].get_lines()[0]
+        assert first.get_ydata()[0] == ds.gate_depth.sel(telescope=name, channel="elastic").values[0]
