@@ -141,7 +141,8 @@ def changes(panel, part, colours, title):
     for name, colour in zip(part.environment.values, colours):
         this = {"environment": name}
         middle, width = ratio.sel(this).values, half_width.sel(this).values
-        good, narrow = settled.sel(this).values, width < NARROW * middle
+        # An error that is not known, of a single batch, hides no curve.
+        good, narrow = settled.sel(this).values, ~(width >= NARROW * middle)
         ends = _ends(middle, width) if factors else (middle - width, middle + width)
         if not factors:
             middle, *ends = (100 * (each - 1) for each in (middle, *ends))
@@ -194,7 +195,7 @@ def sensitivities(panel, part, colours, title):
         good = one.sensitivity_converged.values
         ends = (middle - error, middle + error)
         _curve(panel, part.gate_depth.values, middle, ends, good, colour, name)
-        narrow = error < NARROW * abs(middle)
+        narrow = ~(error >= NARROW * abs(middle))
         shown += [middle[good | narrow], *(end[good] for end in ends)]
     values = numpy.concatenate(shown)
     _around_zero(panel, values[numpy.isfinite(values)])

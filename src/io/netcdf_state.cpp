@@ -69,6 +69,8 @@ void describe(Visitor& v, State& s) {
   v.number("weight_cut_by_weight", s.ledger.cut_by_weight);
   v.number("weight_roulette", s.ledger.roulette);
   v.number("weight_lost", s.ledger.lost);
+  v.number("weight_excess", s.ledger_excess.x);
+  v.number("weight_excess_squares", s.ledger_excess.xx);
   v.number("resting_target", s.resting_target);
 
   const Names cell{"telescope", "channel", "gate"};

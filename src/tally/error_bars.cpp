@@ -2,15 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace photic::tally {
+namespace {
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
 
 double error_of_sum(const Sums& s, const Counted& n) {
+  if (n.batches < 2) return not_known;
   const double spread = std::max(0.0, s.xx - s.x * s.x / n.photons);
-  return n.batches > 1 ? std::sqrt(spread / (n.batches - 1) * n.photons) : 0.0;
+  return std::sqrt(spread / (n.batches - 1) * n.photons);
 }
 
 double variance_of_variance(const TailSums& s, const Counted& n) {
+  if (n.batches < 2) return not_known;
   const auto [second, fourth] = s.central(n.photons);
   return second > 0 ? std::max(0.0, fourth / (second * second) - 1) / n.batches : 0.0;
 }
@@ -21,7 +29,8 @@ double error_of_ratio(double ratio, double denominator, double error_of_numerato
   const double of_denominator = error_of_denominator * error_of_denominator;
   const double covariance = (error_of_sum * error_of_sum - of_numerator - of_denominator) / 2;
   const double variance = of_numerator - 2 * ratio * covariance + ratio * ratio * of_denominator;
-  return std::sqrt(std::max(0.0, variance)) / denominator;
+  // NaN if any error is: std::max would make 0 of it.
+  return std::sqrt(variance < 0 ? 0.0 : variance) / denominator;
 }
 
 }  // namespace photic::tally

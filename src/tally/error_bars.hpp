@@ -13,7 +13,8 @@ struct Counted {
 /// Mean per photon.
 inline double mean(const Sums& s, const Counted& n) { return s.x / n.photons; }
 
-/// Standard error of the sum, of which every batch is a sample; 0 of a single one.
+/// Standard error of the sum, of which every batch is a sample; NaN of a single one, which does not
+/// tell it.
 double error_of_sum(const Sums& s, const Counted& n);
 
 /// Standard error of the mean per photon.
@@ -21,7 +22,7 @@ inline double standard_error(const Sums& s, const Counted& n) {
   return error_of_sum(s, n) / n.photons;
 }
 
-/// Of the variance of the mean, over its square.
+/// Of the variance of the mean, over its square; NaN of a single batch.
 double variance_of_variance(const TailSums& s, const Counted& n);
 
 /// Standard error of the ratio of two correlated means, to first order (Cochran, Sampling

@@ -137,6 +137,9 @@ void Totals::fill(Result& result) const {
       state_.ledger.sea_bed * per_photon,      state_.ledger.cut_by_time * per_photon,
       state_.ledger.cut_by_order * per_photon, state_.ledger.cut_by_weight * per_photon,
       state_.ledger.roulette * per_photon,     state_.ledger.lost * per_photon};
+  result.ledger_standard_error =
+      standard_error(state_.ledger_excess,
+                     {static_cast<double>(state_.photons), static_cast<double>(state_.batches)});
   result.photons = state_.photons;
   result.batches = state_.batches;
   result.collisions = state_.collisions;

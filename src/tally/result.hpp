@@ -87,7 +87,8 @@ struct Result {
   std::uint64_t lost_not_finite = 0;       ///< photons
   double wall_time_s = 0;                  ///< of all sittings
   int threads = 0;                         ///< of the last one
-  Ledger ledger;  ///< as shares of the photons emitted; sums to 1 in expectation
+  Ledger ledger;                     ///< as shares of the photons emitted; sums to 1 in expectation
+  double ledger_standard_error = 0;  ///< of that sum; NaN of a single batch
   std::vector<std::string> warnings;  ///< for the user, one sentence each
   std::vector<std::string> sources;   ///< "quantity = value: source [status]" of the optics used
 

@@ -23,6 +23,10 @@ struct Ledger {
   double cut_by_weight = 0;  ///< ended below the weight threshold
   double roulette = 0;  ///< killed less gained by Russian roulette and splitting; 0 in expectation
   double lost = 0;      ///< too many events, or a number that is not finite
+  [[nodiscard]] double sum() const {
+    return absorbed + escaped + sea_bed + cut_by_time + cut_by_order + cut_by_weight + roulette +
+           lost;
+  }
   friend bool operator==(const Ledger&, const Ledger&) = default;
   friend Ledger operator+(const Ledger& a, const Ledger& b) {
     return {a.absorbed + b.absorbed,         a.escaped + b.escaped,
@@ -100,6 +104,7 @@ struct TotalsState {
   std::uint64_t photons = 0, batches = 0, collisions = 0, scores = 0, too_many_events = 0,
                 not_finite = 0;
   Ledger ledger;                  ///< sums of weights
+  Sums ledger_excess;             ///< over the batches: of all in their ledgers less their photons
   std::vector<Row> row;           ///< [row]
   double resting_target = 0;      ///< relative error that rows rest at; 0: none does
   std::vector<TailSums> echo;     ///< [cell]

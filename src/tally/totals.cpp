@@ -72,6 +72,7 @@ void Totals::merge(const BatchTally& batch) {
   state_.scores += batch.scores;
   state_.too_many_events += batch.too_many_events;
   state_.not_finite += batch.not_finite;
+  state_.ledger_excess.add(batch.ledger.sum() - n, n);
   state_.ledger.absorbed += batch.ledger.absorbed;
   state_.ledger.escaped += batch.ledger.escaped;
   state_.ledger.sea_bed += batch.ledger.sea_bed;

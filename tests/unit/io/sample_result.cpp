@@ -191,6 +191,7 @@ class Maker {
     state.too_many_events = 2;
     state.not_finite = 1;
     state.ledger = {next(), next(), next(), next(), next(), next(), next()};
+    state.ledger_excess = {next(), next()};
     state.resting_target = next();
     for (auto& row : state.row) row = {++numbers_, ++numbers_, ++numbers_, ++numbers_};
     for (auto& s : state.echo)

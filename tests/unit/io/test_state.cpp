@@ -191,7 +191,8 @@ void write_bare(const std::string& path, const std::function<void(NetcdfImage& f
   for (const char* name : {"absorbed", "escaped", "sea_bed", "cut_by_time", "cut_by_order",
                            "cut_by_weight", "roulette", "lost"})
     file.add_global(std::string("weight_") + name, 0.0);
-  file.add_global("resting_target", 0.0);
+  for (const char* name : {"weight_excess", "weight_excess_squares", "resting_target"})
+    file.add_global(name, 0.0);
   file.add_dimension("row_count", 4);
   const std::vector<std::uint64_t> rows(std::size_t{2} * 3 * 4);
   file.add_variable("row_counts", {"telescope", "channel", "row_count"}, rows, {});

@@ -1,4 +1,6 @@
 // Rows of gates that have met their target rest, and keep what they have.
+#include <cmath>
+
 #include "unit/tally/tallies.hpp"
 
 namespace photic::tally {
@@ -66,6 +68,24 @@ TEST(Rests, KeepARowAsItWas) {
   const std::size_t other = t.shape.gates + 2;
   EXPECT_NE(after.echo.mean[other], before.echo.mean[other]);
   EXPECT_NEAR(after.echo.mean[other] / 1e-6, 1, 0.05);
+}
+
+// However many batches others have. Seen red: with the batches of all.
+TEST(Rests, LeaveARowOfOneBatchWithoutAnError) {
+  Tallies t;
+  test::Random random(3);
+  add_batches(t, 1, random);
+  t.batch.rests = only_the_first(t);
+  for (int b = 0; b < 50; ++b) {
+    t.score(1, 1e-4);
+    t.score(2, 1e-4, 1, 1);
+    t.end_batch(1000);
+  }
+  const Result r = t.result();
+  EXPECT_GT(r.echo.mean[1], 0);
+  EXPECT_TRUE(std::isnan(r.echo.standard_error[1]));
+  EXPECT_NE(r.convergence_flags[1] & few_batches, 0);
+  EXPECT_GT(r.echo.standard_error[t.shape.gates + 2], 0);
 }
 
 // Awake again, it is compared with what it had then. Seen red: with the photons of all in

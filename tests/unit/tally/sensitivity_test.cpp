@@ -100,11 +100,24 @@ TEST(Sensitivity, OfAnEchoThatIsProportionalIsCertain) {
   EXPECT_NEAR(r.sensitivity.standard_error[0] / r.echo.standard_error[0], 2, 1e-12);
 }
 
-// Seen red: with 0 for what is not known.
-TEST(Sensitivity, WithoutLightIsZeroAndUnknown) {
+// Seen red: with the larger of 0 and NaN, which std::max takes for 0.
+TEST(Sensitivity, OfOneBatchHasNoKnownError) {
   Tangent t(0.5);
   t.add(1e-4, 1e-5);
   t.end_batch(2000);
+  const Result r = t.result();
+  EXPECT_NEAR(r.logarithmic_sensitivity.mean[0], 0.1, 1e-14);
+  EXPECT_TRUE(std::isnan(r.sensitivity.standard_error[0]));
+  EXPECT_TRUE(std::isnan(r.logarithmic_sensitivity.standard_error[0]));
+}
+
+// Seen red: with 0 for what is not known.
+TEST(Sensitivity, WithoutLightIsZeroAndUnknown) {
+  Tangent t(0.5);
+  for (int batch = 0; batch < 2; ++batch) {
+    t.add(1e-4, 1e-5);
+    t.end_batch(2000);
+  }
   const Result r = t.result();
   EXPECT_EQ(r.sensitivity.mean[1], 0);
   EXPECT_EQ(r.sensitivity.standard_error[1], 0);

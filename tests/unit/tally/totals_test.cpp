@@ -1,6 +1,7 @@
 // Means and errors of merged batches against direct formulas.
 #include "tally/totals.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -92,12 +93,41 @@ TEST(Totals, AreExactToRoundingAtTenBillionScores) {
   EXPECT_NEAR(sum / (0.1 * scores * batches), 1, most);
 }
 
+/// Whether all of them are NaN.
+bool unknown(const std::vector<double>& errors) {
+  return !errors.empty() &&
+         std::ranges::all_of(errors, [](double error) { return std::isnan(error); });
+}
+
+// Neither where something was scored nor where nothing was. Seen red: with an error of 0; with a
+// variance of the variance of 0.
 TEST(Totals, OfOneBatchKnowNoError) {
-  Tallies t;
+  Tallies t(0, 1);
   t.score(0, 1);
   t.end_batch(100);
-  EXPECT_EQ(t.result().echo.standard_error[0], 0);
-  EXPECT_NE(t.totals.health(0).flags & few_batches, 0);
+  const Result r = t.result();
+  for (const Estimates* of : {&r.echo, &r.echo_by_process, &r.echo_by_order, &r.echo_by_depth,
+                              &r.environment_echo, &r.environment_difference})
+    EXPECT_TRUE(unknown(of->standard_error));
+  EXPECT_TRUE(std::isnan(r.variance_of_variance[0]));
+  EXPECT_TRUE(std::isnan(r.ledger_standard_error));
+  EXPECT_EQ(r.convergence_flags[0], few_batches | large_score);
+  EXPECT_EQ(r.convergence_flags[1], no_score);
+  EXPECT_FALSE(t.totals.all_converged(0.99));
+}
+
+// Of accounts that differ from batch to batch by as much as the absorbed weight does: a thousand
+// photons each, that lose 900, 1000 … 1300 of weight. Seen red: without one account in the sum;
+// with the sum's squares for those of what it is too much.
+TEST(Totals, KnowTheErrorOfTheLedger) {
+  Tallies t;
+  for (const double absorbed : {200, 300, 400, 500, 600}) {
+    t.batch.ledger = {absorbed, 100, 100, 100, 100, 100, 100, 100};
+    t.end_batch(1000);
+  }
+  const Result r = t.result();
+  EXPECT_NEAR(r.ledger.sum(), 1.1, 1e-14);
+  EXPECT_NEAR(r.ledger_standard_error, std::sqrt(0.025 / 5), 1e-14);
 }
 
 // A batch that scored nothing counts like any other.
