@@ -24,7 +24,7 @@ constexpr std::size_t most_columns = 6;
 Json settings_of(const scene::Simulation& s) {
   if (s.estimator == "forward") return {{"estimator", s.estimator}, {"reception", s.reception}};
   return {{"estimator", s.estimator},
-          {"walk_attenuation", s.walk_attenuation},
+          {"walk_attenuation", s.walk_attenuation.value()},
           {"walks", s.walks},
           {"connected_fraction", s.connected_fraction},
           {"sampling", s.sampling}};
@@ -155,8 +155,8 @@ std::string table(const engine::Comparison& comparison) {
   const tally::Result& reference = comparison.reference;
   std::string out = fmt::format(
       "Figure of merit: 1 / (relative variance * CPU time) [1/s], geometric means over gates;\n"
-      "reference: bidirectional, 0.6, {} photons in {:.3g} CPU s; each below: {} repeats\n",
-      reference.photons, comparison.reference_cpu_s, comparison.repeats);
+      "reference: {}, {} photons in {:.3g} CPU s; each below: {} repeats\n",
+      comparison.reference_name, reference.photons, comparison.reference_cpu_s, comparison.repeats);
   for (std::size_t t = 0; t < reference.telescopes(); ++t) {
     for (std::size_t c = 0; c < reference.channels(); ++c) out += block(comparison, t, c);
   }

@@ -22,7 +22,8 @@ scene::Scene as_chosen(scene::Scene now, const scene::Scene& then) {
   if (now.simulation.estimator != "auto" || !then.simulation.estimator_reason) return now;
   now.simulation.estimator = then.simulation.estimator;
   now.simulation.estimator_reason = then.simulation.estimator_reason;
-  now.simulation.walk_attenuation = then.simulation.walk_attenuation;
+  if (!now.simulation.walk_attenuation)
+    now.simulation.walk_attenuation = then.simulation.walk_attenuation;
   return now;
 }
 
@@ -36,7 +37,7 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
              .suggestion = fmt::format("go on with Photic {}, or start anew", run.version)}};
   }
   scene::Scene then = scene::read_scene_text(run.scene_toml, file, folder_of(file)).scene;
-  const scene::Scene now = as_chosen(asked, then);
+  const scene::Scene now = engine::make_problem(as_chosen(asked, then)).scene;
   then.simulation.photons = now.simulation.photons;
   then.simulation.target_relative_error = now.simulation.target_relative_error;
   then.simulation.max_time_s = now.simulation.max_time_s;

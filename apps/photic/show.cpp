@@ -20,19 +20,18 @@ scene::Reading read(const ShowCommand& command) {
 }
 
 /// Where every number of the water comes from, as comments under the scene.
-std::string sources_of(const scene::Scene& scene) {
+std::string sources_of(const engine::Problem& problem) {
   std::string out = "\n# The optics of this scene and their sources:\n";
-  for (const std::string& source : engine::describe(engine::make_problem(scene)).sources)
-    out += "#   " + source + '\n';
+  for (const std::string& source : engine::describe(problem).sources) out += "#   " + source + '\n';
   return out;
 }
 
 }  // namespace
 
 int run(const ShowCommand& command) {
-  const scene::Scene scene = read(command).scene;
-  print_out(command.json ? scene::write_scene_json(scene) + '\n'
-                         : scene::write_scene(scene) + sources_of(scene));
+  const engine::Problem problem = engine::make_problem(read(command).scene);
+  print_out(command.json ? scene::write_scene_json(problem.scene) + '\n'
+                         : scene::write_scene(problem.scene) + sources_of(problem));
   return done;
 }
 

@@ -13,6 +13,7 @@
 #include "engine/choose.hpp"
 #include "engine/engines.hpp"
 #include "engine/problem.hpp"
+#include "medium/walk_attenuation.hpp"
 
 namespace photic::engine {
 namespace {
@@ -41,32 +42,39 @@ Candidate candidate(const scene::Scene& scene, const std::string& estimator,
   s.reception = defaults.reception;
   s.walks = defaults.walks;
   s.connected_fraction = defaults.connected_fraction;
-  s.walk_attenuation = 0.6;
+  s.walk_attenuation.reset();
   s.sampling = defaults.sampling;
   if (estimator != "forward") s.tools = defaults.tools;
   return c;
 }
 
-std::vector<Candidate> candidates(const scene::Scene& scene) {
+/// Walks that take a share of the attenuation; `more`: what else its name says.
+Candidate bidirectional(const scene::Scene& scene, double walk_attenuation,
+                        const std::string& more = "") {
+  Candidate c =
+      candidate(scene, "bidirectional", fmt::format("bidirectional, {}{}", walk_attenuation, more));
+  c.simulation.walk_attenuation = walk_attenuation;
+  return c;
+}
+
+std::vector<Candidate> candidates(const scene::Scene& scene, double highest_albedo) {
   std::vector<Candidate> out;
   out.push_back(candidate(scene, "forward", "forward, ray"));
   out.push_back(candidate(scene, "forward", "forward, overlap"));
   out.back().simulation.reception = "overlap";
   out.back().exact = false;
-  for (const double walk_attenuation : {0.35, 0.6, 0.9}) {
-    out.push_back(
-        candidate(scene, "bidirectional", fmt::format("bidirectional, {}", walk_attenuation)));
-    out.back().simulation.walk_attenuation = walk_attenuation;
-  }
-  out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, walks 4"));
+  for (const double walk_attenuation : medium::walk_attenuations(highest_albedo))
+    out.push_back(bidirectional(scene, walk_attenuation));
+  const double usual = medium::usual_walk_attenuation(highest_albedo);
+  out.push_back(bidirectional(scene, usual, ", walks 4"));
   out.back().simulation.walks = 4;
-  out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, all connected"));
+  out.push_back(bidirectional(scene, usual, ", all connected"));
   out.back().simulation.connected_fraction = 1;
-  out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, random"));
+  out.push_back(bidirectional(scene, usual, ", random"));
   out.back().simulation.sampling = "random";
   out.push_back(candidate(scene, "forward", "forward, ray, scalar"));
   out.back().lanes.reset();
-  out.push_back(candidate(scene, "bidirectional", "bidirectional, 0.6, scalar"));
+  out.push_back(bidirectional(scene, usual, ", scalar"));
   out.back().lanes.reset();
   return out;
 }
@@ -183,12 +191,15 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   Comparison out;
   out.repeats = repeat_count;
   tell("the reference");
-  Bench bench(scene, candidate(scene, "bidirectional", ""), options);
+  const double albedo = medium::highest_albedo(make_problem(scene).medium);
+  const Candidate best_known = bidirectional(scene, medium::usual_walk_attenuation(albedo));
+  out.reference_name = best_known.name;
+  Bench bench(scene, best_known, options);
   const Timed reference = bench.run(0, {}, reference_share * options.time_s);
   out.reference = bench.result(reference.totals);
   out.reference_cpu_s = reference.cpu_s;
 
-  out.candidates = candidates(scene);
+  out.candidates = candidates(scene, albedo);
   // The reference has had all threads for as long as the candidates have together.
   const double cpu_s = reference.cpu_s * (1 - reference_share) / reference_share /
                        static_cast<double>(out.candidates.size());

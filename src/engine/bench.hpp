@@ -48,6 +48,7 @@ struct Candidate {
 
 struct Comparison {
   tally::Result reference;  ///< names and gates too
+  std::string reference_name;
   double reference_cpu_s = 0;
   int repeats = 0;  ///< of each candidate
   std::vector<Candidate> candidates;

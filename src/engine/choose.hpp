@@ -6,6 +6,10 @@
 
 namespace photic::engine {
 
+/// The reason where no pilot run saw any light.
+inline constexpr const char* reason_unseen =
+    "no pilot run saw any light, so that nothing could be compared";
+
 /// The scene with an estimator and its settings in place of "auto", and the reason in
 /// Simulation::estimator_reason; any other scene as it is. Candidates are compared by pilot runs
 /// with random numbers of their own, by variances and counted operations, never by a clock: the

@@ -7,6 +7,7 @@
 #include "medium/build.hpp"
 #include "medium/check.hpp"
 #include "medium/environments.hpp"
+#include "medium/walk_attenuation.hpp"
 #include "optics/data_folder.hpp"
 
 namespace photic::engine {
@@ -93,7 +94,10 @@ Problem make_problem(const scene::Scene& scene) {
   auto medium = medium::build_medium(scene, library);
   tally::Gates gates(scene, medium.line);
   auto shape = make_shape(scene, medium, gates);
-  return {scene, std::move(medium), std::move(gates), std::move(shape)};
+  scene::Scene effective = scene;
+  if (scene.simulation.estimator == "bidirectional")
+    effective.simulation.walk_attenuation = medium::walk_attenuation_in(medium, scene.simulation);
+  return {std::move(effective), std::move(medium), std::move(gates), std::move(shape)};
 }
 
 tally::Result describe(const Problem& problem) {

@@ -20,7 +20,7 @@ inline std::uint64_t batch_photons(const scene::Simulation& simulation) {
 }
 
 struct Problem {
-  scene::Scene scene;
+  scene::Scene scene;  ///< with what it leaves to the water (walk_attenuation)
   medium::Medium medium;
   tally::Gates gates;
   tally::Shape shape;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -15,6 +16,38 @@ namespace photic::engine {
 namespace {
 
 constexpr double tolerated_cut = 1e-3;  // of a gate, by max_order
+
+// Of the ledger's sum: it may be off by so much, and, since it scatters, by so many of its standard
+// errors, which ten batches tell, but for rare large weights: far off is off all the same.
+constexpr double tolerated_excess = 0.02;
+constexpr double tolerated_errors = 4;
+constexpr double far_off = 0.25;
+constexpr std::uint64_t batches_of_ledger = 10;
+
+/// Why weights scatter, and what to do.
+std::string about_weights(const scene::Simulation& s) {
+  if (s.estimator == "bidirectional")
+    return "weights that grow from vertex to vertex, since walk_attenuation is small for water "
+           "that scatters so much: leave it out, or raise it";
+  if (s.directed_fraction > 0)
+    return "directed sampling, which doubles weights at each scattering: set directed_fraction = "
+           "0, or take estimator = \"bidirectional\"";
+  return "tools or conversions: more photons are needed, or estimator = \"bidirectional\"";
+}
+
+/// In expectation the ledger sums to 1. Where it does not, photons that carry much weight are too
+/// rare to have come (docs/theory.md, section 5).
+void warn_of_ledger(tally::Result& result, const scene::Simulation& simulation) {
+  if (result.batches < batches_of_ledger) return;
+  const double excess = std::abs(result.ledger.sum() - 1);
+  const double scatter = tolerated_errors * result.ledger_standard_error;
+  if (excess <= std::max(tolerated_excess, std::min(scatter, far_off))) return;
+  result.warnings.push_back(fmt::format(
+      "the photons' weights add up to {:.2f}, not 1: most is carried by photons so rare that they "
+      "were not met, and echoes of light scattered many times are off, mostly low, even in gates "
+      "that seem converged. The reason is {}",
+      result.ledger.sum(), about_weights(simulation)));
+}
 
 void warn(tally::Result& result) {
   const auto cut = std::count_if(result.order_cut_share.begin(), result.order_cut_share.end(),
@@ -66,6 +99,12 @@ tally::Result result_of(const Problem& problem, const tally::Totals& totals, con
   result.wall_time_s = ending.wall_time_s + (options.start ? options.start->wall_time_s : 0);
   result.threads = ending.threads;
   warn(result);
+  warn_of_ledger(result, problem.scene.simulation);
+  if (problem.scene.simulation.estimator_reason == reason_unseen) {
+    result.warnings.push_back(
+        "the pilot runs of estimator = \"auto\" saw no light at all: it took \"bidirectional\" "
+        "unseen; look whether telescopes and gates are where the light is, or name an estimator");
+  }
   return result;
 }
 

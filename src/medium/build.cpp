@@ -6,6 +6,7 @@
 
 #include "medium/environments.hpp"
 #include "medium/layer_optics.hpp"
+#include "medium/walk_attenuation.hpp"
 #include "optics/phase_functions.hpp"
 
 namespace photic::medium {
@@ -30,7 +31,7 @@ void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of,
     const WaterOptics water = optics_of(layer, medium.line[l].wavelength_nm);
     const double c = water.a_per_m + water.b_per_m;
     medium.c.push_back(c);
-    medium.albedo.push_back(water.b_per_m / c);
+    medium.albedo.push_back(water.albedo());
     medium.conversion.push_back(l == 0 ? 0.0 : emitted[l - 1].coefficient_per_m[k] / medium.c[k]);
     const double given_back = l == 0 ? emitted_per_m(emitted, scene, k, water.a_per_m) : 0.0;
     medium.absorption.push_back((water.a_per_m - given_back) / c);
@@ -75,7 +76,7 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   add_environments(scene, library, medium);
   const scene::Simulation& simulation = scene.simulation;
   if (simulation.estimator == "bidirectional")
-    medium.finish(simulation.walk_attenuation);
+    medium.finish(walk_attenuation_in(medium, simulation));
   else if (simulation.estimator == "analog")
     medium.finish(Medium::analog_share);
   else

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "medium/layer_optics.hpp"
 #include "medium/lines.hpp"
+#include "medium/walk_attenuation.hpp"
 
 namespace photic::medium {
 namespace {
@@ -46,6 +47,7 @@ class Checker {
   std::optional<WaterOptics> check_layer(std::size_t k, const Wavelength& light);
   [[nodiscard]] Wavelength asked_by_channel(const EmittedLine& line) const;
   void remark_dark_channels(const std::vector<EmittedLine>& lines);
+  void remark_growing_weights(const std::vector<std::optional<WaterOptics>>& at_laser);
 
   /// What an action gives; none if it refuses, which is told at `path`.
   template <class Action>
@@ -192,6 +194,22 @@ void Checker::remark_dark_channels(const std::vector<EmittedLine>& lines) {
   }
 }
 
+void Checker::remark_growing_weights(const std::vector<std::optional<WaterOptics>>& at_laser) {
+  const scene::Simulation& asked = scene_.simulation;
+  const std::string path = "simulation.walk_attenuation";
+  const bool walks = asked.estimator == "auto" || asked.estimator == "bidirectional";
+  if (!walks || !asked.walk_attenuation || !findings_.good({path, "simulation.estimator"})) return;
+  double albedo = 0;
+  for (const auto& water : at_laser)
+    if (water) albedo = std::max(albedo, water->albedo());
+  if (*asked.walk_attenuation >= least_walk_attenuation(albedo)) return;
+  findings_.remark(
+      path, fmt::format("{} is little in water {:.3g} of whose attenuation is scattering: weights "
+                        "grow from vertex to vertex, and deep echoes come out low; left out, it is "
+                        "{} here",
+                        *asked.walk_attenuation, albedo, usual_walk_attenuation(albedo)));
+}
+
 void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>>& at_laser) {
   std::vector<WaterOptics> known;
   bool complete = true;
@@ -229,6 +247,7 @@ void Checker::check_light() {
   const Wavelength laser{scene_.source.wavelength_nm, path, "", "the source emits there"};
   check_index(Process::elastic, laser);
   const auto at_laser = check_layers(laser);
+  remark_growing_weights(at_laser);
   // A laser's wavelength that is of no use tells nothing of the inelastic light either.
   if (findings_.good({path, "optics"})) check_inelastic_light(at_laser);
 }

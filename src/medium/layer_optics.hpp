@@ -35,6 +35,8 @@ struct WaterOptics {
   double b_minerals_per_m = 0;       ///< what minerals add to b
   std::optional<double> backscatter_fraction;  ///< b_b/b, which tells an iop layer's phase function
   std::vector<Contribution> contributions;     ///< which a and b are the sums of
+
+  [[nodiscard]] double albedo() const { return b_per_m / (a_per_m + b_per_m); }
 };
 
 /// "a of CDOM = 0.012 1/m: source [status]", one for each contribution.

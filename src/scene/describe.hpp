@@ -120,7 +120,8 @@ void describe(V& v, Simulation& s) {
       "connected with those of a laser's walk; the others only meet it");
   v.optional("walk_attenuation", s.walk_attenuation, between(0.0, 1.0),
              "of the bidirectional estimator: the share of the water's attenuation that its free "
-             "paths are drawn from");
+             "paths are drawn from; by default 0.6, or 0.9 in water that scatters more than two "
+             "thirds of it");
   v.optional(
       "sampling", s.sampling, Choice{{"quasi-random", "random"}, {}},
       "the photons or walks of a batch begin spread evenly, at scrambled Sobol' points, or "

@@ -194,9 +194,10 @@ struct Simulation {
   double meetings = 100;   ///< bidirectional: of two rays, if all depths of the gates let them meet
   double connected_fraction =
       0.3;  ///< bidirectional: share of walks whose vertices are all connected
-  double walk_attenuation = 0.6;  ///< bidirectional: share of c that free paths are drawn from
-  std::string sampling = "quasi-random";  ///< quasi-random | random
-  Tools tools;                            ///< forward
+  std::optional<double> walk_attenuation;  ///< bidirectional: share of c that free paths are drawn
+                                           ///< from; none: as the water asks for
+  std::string sampling = "quasi-random";   ///< quasi-random | random
+  Tools tools;                             ///< forward
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };
 

@@ -13,7 +13,6 @@ from test_interrupt import wait_until_it_listens
 CANDIDATES = [
     "forward, ray",
     "forward, overlap (approximate)",
-    "bidirectional, 0.35",
     "bidirectional, 0.6",
     "bidirectional, 0.9",
     "bidirectional, 0.6, walks 4",

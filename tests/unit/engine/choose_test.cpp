@@ -88,6 +88,41 @@ TEST(Choose, DoesNotDependOnHowLongTheRunIs) {
   EXPECT_EQ(a.walk_attenuation, b.walk_attenuation);
 }
 
+/// Seen by a telescope over water of so much absorption, and as much scattering.
+scene::Scene clear_scene(double per_m, const std::string& gates) {
+  return test::read(test::ship_instrument + test::channel("elastic") +
+                    test::water(per_m, per_m, test::henyey_greenstein_phase) + gates +
+                    test::simulation(5000, 3, "", "auto"));
+}
+
+// Seen red: with photons that cost nothing and gates without a score that count as known to 1.
+TEST(Choose, NeverTakesWhatSawNothing) {
+  for (const double per_m : {1e-7, 1e-12}) {
+    const auto chosen = choose_estimator(clear_scene(per_m, test::depth_gates(50, 5)), {});
+    EXPECT_EQ(chosen.simulation.estimator, "bidirectional");
+  }
+}
+
+// The telescope looks away from the sea. Seen red: with the first contender.
+TEST(Choose, SaysThatNothingWasSeen) {
+  auto asked = clear_scene(0.1, "[gates]\nstart_ns = 80.0\nstop_ns = 120.0\nstep_ns = 10.0\n");
+  asked.telescope[0].direction = {0, 0, 1};
+  const auto chosen = choose_estimator(asked, {}).simulation;
+  EXPECT_EQ(chosen.estimator, "bidirectional");
+  EXPECT_EQ(chosen.walk_attenuation, 0.6);
+  EXPECT_EQ(chosen.estimator_reason, reason_unseen);
+  EXPECT_NE(run(asked).warnings.back().find("saw no light at all"), std::string::npos);
+}
+
+// Seen red: with all candidates.
+TEST(Choose, LeavesAWalkAttenuationThatIsGiven) {
+  scene::Scene asked = scene_of("auto");
+  asked.simulation.walk_attenuation = 0.7;
+  const auto chosen = choose_estimator(asked, {}).simulation;
+  EXPECT_EQ(chosen.walk_attenuation, 0.7);
+  EXPECT_EQ(chosen.estimator_reason->find("0.6"), std::string::npos);
+}
+
 // docs/decisions/0010 has the measurement. Longer free paths look better to a short run than they
 // are. Seen red: without the weight of large scores.
 TEST(Choose, TakesWhatIsBestOnPeakedWater) {

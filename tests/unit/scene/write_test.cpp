@@ -194,7 +194,6 @@ conversion_probability = 0.3
 walks = 2
 meetings = 100.0
 connected_fraction = 0.3
-walk_attenuation = 0.6
 sampling = "quasi-random"
 
 [simulation.tools]

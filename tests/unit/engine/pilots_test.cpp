@@ -1,0 +1,65 @@
+// Which of several short runs is the best one, those among them that saw nothing.
+#include "engine/pilots.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace photic::engine {
+namespace {
+
+constexpr std::optional<double> nothing;
+
+/// Of one channel, seen unless all gates saw nothing.
+Pilot pilot(double cost, const std::vector<std::optional<double>>& squared_error,
+            std::size_t rows_seen = 1) {
+  return {cost, squared_error, rows_seen};
+}
+
+// A cost ten times as high for an error a hundred times as small. Seen red: with costs left out.
+TEST(Pilots, AreComparedAtEqualCost) {
+  EXPECT_EQ(best_of({pilot(100, {1e-2}), pilot(1000, {1e-4})}), 1U);
+  EXPECT_EQ(best_of({pilot(100, {1e-2}), pilot(100000, {1e-4})}), 0U);
+}
+
+// However cheap it was to see nothing. Seen red: with 1 for the squared error of a gate without a
+// score, which a gate with a single one exceeds; with channels counted as they come.
+TEST(Pilots, ThatSawNothingNeverWin) {
+  EXPECT_EQ(best_of({pilot(1, {nothing, nothing}, 0), pilot(1e9, {500.0, nothing})}), 1U);
+  EXPECT_EQ(best_of({pilot(1e9, {500.0, nothing}), pilot(1, {nothing, nothing}, 0)}), 0U);
+  EXPECT_EQ(best_of({pilot(1, {1e-4, nothing}, 1), pilot(1e9, {1e-4, 0.1}, 2)}), 1U);
+  EXPECT_EQ(best_of({pilot(1, {1e-4, nothing}), pilot(1.1, {1e-4, 400.0})}), 1U);
+  EXPECT_EQ(best_of({pilot(1, {nothing}, 0), pilot(2, {nothing}, 0)}), std::nullopt);
+}
+
+/// Two telescopes of one channel and two gates.
+tally::Result result_of(const std::vector<double>& echo, const std::vector<double>& error,
+                        const std::vector<double>& largest_share) {
+  tally::Result result;
+  result.telescope_name = {"a", "b"};
+  result.channel_name = {"c"};
+  result.gate_time_edge_ns = {0, 1, 2};
+  result.echo = {echo, error};
+  result.largest_score_share = largest_share;
+  return result;
+}
+
+// Seen red: with the look at a telescope's gates going on into the next one's; without the weight
+// of large scores.
+TEST(Pilots, KnowWhereTheySawLight) {
+  const Pilot both = pilot_of(result_of({0, 2, 4, 4}, {0, 0.2, 0.4, 0}, {0, 1e-3, 0.02, 1e-3}), 7);
+  EXPECT_EQ(both.cost, 7);
+  EXPECT_EQ(both.rows_seen, 2U);
+  EXPECT_EQ(both.squared_error[0], std::nullopt);
+  EXPECT_NEAR(both.squared_error[1].value(), 0.01, 1e-15);
+  EXPECT_NEAR(both.squared_error[2].value(), 0.1, 1e-15);
+  EXPECT_GT(both.squared_error[3].value(), 0);  // for its logarithm
+  EXPECT_EQ(pilot_of(result_of({1, 1, 0, 0}, {1, 1, 0, 0}, {1, 1, 0, 0}), 1).rows_seen, 1U);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(pilot_of(result_of({1, 1, 0, 0}, {nan, nan, nan, nan}, {1, 1, 0, 0}), 1).rows_seen, 0U);
+  EXPECT_EQ(gates_seen({both, pilot(1, {1.0, nothing, nothing, nothing})}),
+            std::vector<bool>(4, true));
+}
+
+}  // namespace
+}  // namespace photic::engine
