@@ -95,7 +95,8 @@ scene::Scene clear_scene(double per_m, const std::string& gates) {
                     test::simulation(5000, 3, "", "auto"));
 }
 
-// Seen red: with photons that cost nothing and gates without a score that count as known to 1.
+// Seen red: as it was, with photons that cost nothing, 1 for the squared error of a gate without a
+// score, and a contest of those who saw nothing.
 TEST(Choose, NeverTakesWhatSawNothing) {
   for (const double per_m : {1e-7, 1e-12}) {
     const auto chosen = choose_estimator(clear_scene(per_m, test::depth_gates(50, 5)), {});
@@ -103,7 +104,7 @@ TEST(Choose, NeverTakesWhatSawNothing) {
   }
 }
 
-// The telescope looks away from the sea. Seen red: with the first contender.
+// The telescope looks away from the sea. Seen red: with the forward estimator.
 TEST(Choose, SaysThatNothingWasSeen) {
   auto asked = clear_scene(0.1, "[gates]\nstart_ns = 80.0\nstop_ns = 120.0\nstep_ns = 10.0\n");
   asked.telescope[0].direction = {0, 0, 1};

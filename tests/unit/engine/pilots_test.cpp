@@ -16,14 +16,14 @@ Pilot pilot(double cost, const std::vector<std::optional<double>>& squared_error
   return {cost, squared_error, rows_seen};
 }
 
-// A cost ten times as high for an error a hundred times as small. Seen red: with costs left out.
+// A cost ten times as high for an error a hundred times as small.
 TEST(Pilots, AreComparedAtEqualCost) {
   EXPECT_EQ(best_of({pilot(100, {1e-2}), pilot(1000, {1e-4})}), 1U);
   EXPECT_EQ(best_of({pilot(100, {1e-2}), pilot(100000, {1e-4})}), 0U);
 }
 
-// However cheap it was to see nothing. Seen red: with 1 for the squared error of a gate without a
-// score, which a gate with a single one exceeds; with channels counted as they come.
+// However cheap it was to see nothing. Seen red: by badness alone, with 1
+// for the squared error of a gate without a score, which a gate with a single one exceeds.
 TEST(Pilots, ThatSawNothingNeverWin) {
   EXPECT_EQ(best_of({pilot(1, {nothing, nothing}, 0), pilot(1e9, {500.0, nothing})}), 1U);
   EXPECT_EQ(best_of({pilot(1e9, {500.0, nothing}), pilot(1, {nothing, nothing}, 0)}), 0U);
@@ -44,8 +44,7 @@ tally::Result result_of(const std::vector<double>& echo, const std::vector<doubl
   return result;
 }
 
-// Seen red: with the look at a telescope's gates going on into the next one's; without the weight
-// of large scores.
+// By channel of a telescope, and with the weight of large scores.
 TEST(Pilots, KnowWhereTheySawLight) {
   const Pilot both = pilot_of(result_of({0, 2, 4, 4}, {0, 0.2, 0.4, 0}, {0, 1e-3, 0.02, 1e-3}), 7);
   EXPECT_EQ(both.cost, 7);

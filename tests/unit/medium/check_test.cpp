@@ -212,8 +212,7 @@ TEST(CheckMedium, RemarksOnChannelsThatCountNothing) {
   EXPECT_EQ(remarks({{16, 17, "name = \"c\"\nprocess = \"chlorophyll\""}, {23, 25, ""}}), Texts{});
 }
 
-// Of the layer that scatters most, here the second. Seen red: with the first layer alone; with what
-// the forward estimator does not use.
+// Of the layer that scatters most, here the second. Seen red: with the first layer alone.
 TEST(CheckMedium, RemarksOnWalksWhoseWeightsGrow) {
   const auto with = [](const std::string& lines) {
     return remarks({{30, 30, "photons = 1e6\n" + lines}});

@@ -70,7 +70,7 @@ TEST(Rests, KeepARowAsItWas) {
   EXPECT_NEAR(after.echo.mean[other] / 1e-6, 1, 0.05);
 }
 
-// However many batches others have. Seen red: with the batches of all.
+// However many batches others have. Seen red: with an error of 0.
 TEST(Rests, LeaveARowOfOneBatchWithoutAnError) {
   Tallies t;
   test::Random random(3);

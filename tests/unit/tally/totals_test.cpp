@@ -99,8 +99,7 @@ bool unknown(const std::vector<double>& errors) {
          std::ranges::all_of(errors, [](double error) { return std::isnan(error); });
 }
 
-// Neither where something was scored nor where nothing was. Seen red: with an error of 0; with a
-// variance of the variance of 0.
+// Neither where something was scored nor where nothing was. Seen red: with an error of 0.
 TEST(Totals, OfOneBatchKnowNoError) {
   Tallies t(0, 1);
   t.score(0, 1);
@@ -117,8 +116,8 @@ TEST(Totals, OfOneBatchKnowNoError) {
 }
 
 // Of accounts that differ from batch to batch by as much as the absorbed weight does: a thousand
-// photons each, that lose 900, 1000 … 1300 of weight. Seen red: without one account in the sum;
-// with the sum's squares for those of what it is too much.
+// photons each, that lose 900, 1000 … 1300 of weight. Seen red: with half of the absorbed
+// weight twice and without what is lost.
 TEST(Totals, KnowTheErrorOfTheLedger) {
   Tallies t;
   for (const double absorbed : {200, 300, 400, 500, 600}) {
