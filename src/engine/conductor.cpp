@@ -83,12 +83,12 @@ void Conductor::check_start(const tally::Shape& shape, const tally::BatchTally& 
   tally::Totals totals(shape);
   totals.merge(first);
   // Versions and scenes that read the same may still differ in what lies behind them: the build,
-  // the data tables, the file of a phase function. The echo of the first batch shows it.
+  // the data tables. The echo of the first batch shows it.
   const auto& echo = totals.state().snapshot_echo;
   if (std::equal(echo.begin(), echo.end(), options_.start->state.snapshot_echo.begin())) return;
   refuse(*options_.start,
-         "made by another build of Photic, or with other data tables or another file of a phase "
-         "function: its first photons scored differently",
+         "made by another build of Photic, or with other data tables: its first photons scored "
+         "differently",
          "go on with those, or start anew");
 }
 

@@ -33,7 +33,7 @@ class Checker {
       readable_.push_back(findings.good({below(layer_path(k), "iop")}));
   }
 
-  void check_files();
+  void check_tables();
   void check_light();
 
  private:
@@ -74,8 +74,9 @@ class Checker {
 /// A problem of a line of another file keeps its place. Several layers may have the same problem.
 void Checker::tell(const std::string& path, const Diagnostic& d, const std::string& why) {
   const bool elsewhere = d.line > 0;
-  const std::string reason = (elsewhere || d.file.empty() ? "" : d.file + " ") + d.reason +
-                             (why.empty() ? "" : "; " + why);
+  const bool named = elsewhere || d.file.empty() || d.file == findings_.place_of(path).file;
+  const std::string reason =
+      (named ? "" : d.file + " ") + d.reason + (why.empty() ? "" : "; " + why);
   if (!told_.insert((elsewhere ? d.text() : path) + reason).second) return;
   if (elsewhere)
     findings_.add(path, {d.file, d.line, d.column}, reason, d.suggestion);
@@ -89,7 +90,7 @@ void Checker::drop_bad_channels() {
     const scene::Channel& channel = scene_.channel[i];
     const std::string path = below("channel", i);
     const bool whole =
-        channel.process || channel.transmission_file || (channel.centre_nm && channel.fwhm_nm);
+        channel.process || channel.transmission || (channel.centre_nm && channel.fwhm_nm);
     if (!whole || !findings_.good({path})) continue;
     const std::string key = below(path, channel.process     ? "process"
                                         : channel.centre_nm ? "centre_nm"
@@ -107,7 +108,7 @@ void Checker::check_phase_function(const scene::PhaseFunction& function, const s
   if (!function.components.empty() || !findings_.good({path})) return;
   if (function.model == "table") {
     const std::string file = below(path, "file");
-    const auto table = ask(file, [&] { return phase_of_file(function.file); });
+    const auto table = ask(file, [&] { return optics::phase_from_table(function.table.data()); });
     if (table && !table->remark.empty()) findings_.remark(file, table->remark);
   } else if (function.model != "mie") {
     ask(path, [&] { return optics_of_.shape(function, scene_.source.wavelength_nm); });
@@ -127,10 +128,11 @@ void Checker::check_spheres(const scene::PhaseFunction& function, const std::str
       fmt::format("at {:.6g} nm: {}", light.nm, light.why_there));
 }
 
-void Checker::check_files() {
+void Checker::check_tables() {
   const std::string path = "optics.phytoplankton_file";
   if (scene_.optics.phytoplankton == "table" && findings_.good({"optics.phytoplankton", path}))
-    ask(path, [&] { return phytoplankton_of_file(scene_.optics.phytoplankton_file); });
+    ask(path,
+        [&] { return optics::phytoplankton_table(scene_.optics.phytoplankton_table.data()); });
   for (std::size_t k = 0; k < scene_.sea.layer.size(); ++k)
     if (const auto& function = scene_.sea.layer[k].phase_function)
       check_phase_function(*function, below(layer_path(k), "phase_function"));
@@ -257,7 +259,7 @@ void Checker::check_light() {
 void check_medium(const scene::Scene& scene, const optics::Library& library,
                   scene::Findings& findings) {
   Checker checker(scene, library, findings);
-  checker.check_files();
+  checker.check_tables();
   checker.check_light();
 }
 

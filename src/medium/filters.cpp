@@ -9,8 +9,7 @@ namespace photic::medium {
 namespace {
 
 /// A user's table of wavelength_nm and transmission, straight lines between.
-Filter filter_of_file(const std::string& path) {
-  const auto table = optics::DataTable::read(path);
+Filter filter_of_table(const optics::DataTable& table) {
   const auto nm = table.ascending_numbers("wavelength_nm");
   const auto passed = table.numbers("transmission");
   if (nm.size() < 2) table.fail(0, "wavelength_nm", "a filter needs two rows or more");
@@ -27,7 +26,7 @@ Filter filter_of_file(const std::string& path) {
 
 std::optional<Filter> filter_of(const scene::Channel& channel) {
   if (channel.process) return std::nullopt;
-  if (channel.transmission_file) return filter_of_file(*channel.transmission_file);
+  if (channel.transmission) return filter_of_table(channel.transmission->data());
   const double centre = *channel.centre_nm;
   const double fwhm = *channel.fwhm_nm;
   if (channel.filter == "gaussian") {

@@ -129,7 +129,7 @@ optics::Phytoplankton LayerOptics::phytoplankton(const scene::Layer& layer,
   if (model != "table")
     return optics::phytoplankton(*library_, model, layer.chlorophyll_mg_m3, wavelength_nm);
   if (!phytoplankton_table_)
-    phytoplankton_table_ = phytoplankton_of_file(scene_->optics.phytoplankton_file);
+    phytoplankton_table_ = optics::phytoplankton_table(scene_->optics.phytoplankton_table.data());
   return optics::phytoplankton_of_table(*phytoplankton_table_, layer.chlorophyll_mg_m3,
                                         wavelength_nm);
 }
@@ -224,7 +224,7 @@ optics::PhaseShape LayerOptics::shape(const scene::PhaseFunction& function,
   if (function.model == "petzold") return optics::petzold(*library_);
   if (function.model == "rayleigh") return optics::rayleigh(function.depolarisation);
   if (function.model == "isotropic") return optics::isotropic();
-  if (function.model == "table") return phase_of_file(function.file).shape;
+  if (function.model == "table") return optics::phase_from_table(function.table.data()).shape;
   if (function.model == "mie")
     return *library_->spheres.phase(spheres(function.particles, wavelength_nm));
   expect(function.model == "mixture", "the scene's reader knows the phase function's model");
@@ -249,14 +249,6 @@ optics::PhaseShape LayerOptics::phase_of_particles(const std::string& model,
   if (model == "mie") return *library_->spheres.phase(spheres(particles, wavelength_nm));
   if (model == "petzold") return optics::petzold(*library_);
   return optics::fournier_forand(ff_index, ff_slope);
-}
-
-optics::TabulatedPhase phase_of_file(const std::string& path) {
-  return optics::phase_from_table(optics::DataTable::read(path));
-}
-
-optics::PhytoplanktonTable phytoplankton_of_file(const std::string& path) {
-  return optics::phytoplankton_table(optics::DataTable::read(path));
 }
 
 }  // namespace photic::medium

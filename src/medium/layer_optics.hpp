@@ -98,10 +98,4 @@ class LayerOptics {
   mutable std::optional<optics::PhytoplanktonTable> phytoplankton_table_;  ///< once it is needed
 };
 
-/// A user's table of a phase function.
-optics::TabulatedPhase phase_of_file(const std::string& path);
-
-/// A user's table of phytoplankton.
-optics::PhytoplanktonTable phytoplankton_of_file(const std::string& path);
-
 }  // namespace photic::medium

@@ -112,8 +112,7 @@ optics::Emission cdom_emission(const scene::Scene& scene, const optics::Library&
   const double laser_nm = scene.source.wavelength_nm;
   if (scene.optics.cdom_fluorescence != "table")
     return optics::cdom_fluorescence(library, laser_nm);
-  return optics::cdom_fluorescence(optics::DataTable::read(scene.optics.cdom_fluorescence_file),
-                                   laser_nm);
+  return optics::cdom_fluorescence(scene.optics.cdom_fluorescence_table.data(), laser_nm);
 }
 
 EmittedLight emitted_light(const scene::Scene& scene, const optics::Library& library,

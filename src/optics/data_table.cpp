@@ -107,14 +107,26 @@ void DataTable::add_line(const std::string& line, int number) {
   line_.push_back(number);
 }
 
+DataTable DataTable::of_columns(const std::vector<Column>& columns, const std::string& name) {
+  DataTable table;
+  table.name_ = name;
+  table.cells_.resize(columns.front().second.size());
+  table.line_.resize(table.cells_.size());
+  for (const auto& [column, cells] : columns) {
+    table.columns_.push_back(column);
+    for (std::size_t row = 0; row < cells.size(); ++row) table.cells_[row].push_back(cells[row]);
+  }
+  return table;
+}
+
 std::vector<DataTable::Cell> DataTable::split(const std::string& line, int number) const {
-  std::vector<Cell> cells{{"", 1}};
+  std::vector<Cell> cells{{.text = "", .column = 1}};
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '"') {
       quoted = !quoted;
     } else if (line[i] == ',' && !quoted) {
-      cells.push_back({"", static_cast<int>(i) + 2});
+      cells.push_back({.text = "", .column = static_cast<int>(i) + 2});
     } else {
       cells.back().text += line[i];
     }

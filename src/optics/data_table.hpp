@@ -22,6 +22,15 @@ class DataTable {
   static DataTable read(const std::string& path);
   static DataTable parse(const std::string& text, const std::string& name);
 
+  struct Cell {
+    std::string text;
+    int column = 0;  ///< where it starts, from 1
+    int line = 0;    ///< 0: that of its row
+  };
+  using Column = std::pair<std::string, std::vector<Cell>>;
+  /// A table that is no text of its own: columns by their names, all equally long.
+  static DataTable of_columns(const std::vector<Column>& columns, const std::string& name);
+
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
   [[nodiscard]] std::size_t rows() const { return cells_.size(); }
@@ -44,7 +53,8 @@ class DataTable {
   /// The line that names the columns; line and column of a cell (row from 0).
   [[nodiscard]] int column_line() const { return column_line_; }
   [[nodiscard]] std::pair<int, int> place(std::size_t row, const std::string& column) const {
-    return {line_.at(row), cells_.at(row)[index_of(column)].column};
+    const Cell& cell = cells_.at(row)[index_of(column)];
+    return {cell.line > 0 ? cell.line : line_.at(row), cell.column};
   }
 
   /// Throws the InputError for something wrong in a row (from 0) and column.
@@ -55,10 +65,6 @@ class DataTable {
                                  const std::string& suggestion = "") const;
 
  private:
-  struct Cell {
-    std::string text;
-    int column = 0;  ///< where it starts, from 1
-  };
   struct Header {
     std::string text;
     int line = 0;

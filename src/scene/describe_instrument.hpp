@@ -72,10 +72,12 @@ void describe(V& v, Channel& c) {
                     w.optional("filter", c.filter, Choice{{"top-hat", "gaussian"}},
                                "the shape of its transmission, 1 at the centre");
                   }),
-           option(c.transmission_file.has_value(), [&](auto& w) {
-             w.required("transmission_file", c.transmission_file, File{},
+           option(c.transmission.has_value(), [&](auto& w) {
+             w.required("transmission_file", c.transmission,
+                        TableOrFile{{{"wavelength_nm", "wavelengths in nm, ascending"},
+                                     {"transmission", "what passes there, from 0 to 1"}}},
                         "count what passes a filter given by a CSV file of wavelength_nm, "
-                        "transmission");
+                        "transmission, or by a table of these");
            }));
 }
 

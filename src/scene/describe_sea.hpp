@@ -27,8 +27,15 @@ void describe(V& v, Optics& o) {
              Choice{{"bricaud", "prieur-sathyendranath", "table"}},
              "the absorption and scattering of phytoplankton by chlorophyll");
   v.when("phytoplankton", o.phytoplankton, "table", [&](auto& w) {
-    w.required("phytoplankton_file", o.phytoplankton_file, File{},
-               "a CSV file of wavelength_nm, a_m2_per_mg, b_m2_per_mg");
+    w.required("phytoplankton_file", o.phytoplankton_table,
+               TableOrFile{{{"wavelength_nm", "wavelengths in nm, ascending"},
+                            {"a_m2_per_mg", "absorption per chlorophyll in m2/mg"},
+                            {"b_m2_per_mg", "scattering per chlorophyll in m2/mg"},
+                            {"a_exciting_m2_per_mg",
+                             "the share of the absorption that excites fluorescence, in m2/mg; by "
+                             "default all",
+                             true}}},
+               "a CSV file of wavelength_nm, a_m2_per_mg, b_m2_per_mg, or a table of these");
   });
   v.optional("phytoplankton_phase", o.phytoplankton_phase,
              Choice{{"fournier-forand", "petzold", "mie"}},
@@ -56,8 +63,11 @@ void describe(V& v, Optics& o) {
   v.optional("cdom_fluorescence", o.cdom_fluorescence, Choice{{"hawes", "table"}},
              "how dissolved organic matter fluoresces");
   v.when("cdom_fluorescence", o.cdom_fluorescence, "table", [&](auto& w) {
-    w.required("cdom_fluorescence_file", o.cdom_fluorescence_file, File{},
-               "a CSV file of excitation_nm, emission_nm, yield_per_nm");
+    w.required("cdom_fluorescence_file", o.cdom_fluorescence_table,
+               TableOrFile{{{"excitation_nm", "ascending wavelengths in nm, for each emission"},
+                            {"emission_nm", "wavelengths in nm, the same for every excitation"},
+                            {"yield_per_nm", "photons per photon absorbed and nm"}}},
+               "a CSV file of excitation_nm, emission_nm, yield_per_nm, or a table of these");
   });
   v.optional("chlorophyll_lifetime_ns", o.chlorophyll_lifetime_ns, not_negative,
              "the mean time from excitation to emission of chlorophyll's light in ns; 0: at once");
@@ -118,7 +128,10 @@ void describe(V& v, PhaseFunction& p) {
                "the depolarisation ratio of natural light");
   });
   v.when(model_key, p.model, "table", [&](auto& w) {
-    w.required("file", p.file, File{}, "a CSV file of angle_deg, phase_function_per_sr");
+    w.required("file", p.table,
+               TableOrFile{{{"angle_deg", "scattering angles in degrees, ascending to 180"},
+                            {"phase_function_per_sr", "the phase function there, in 1/sr"}}},
+               "a CSV file of angle_deg, phase_function_per_sr, or a table of these");
   });
   v.when(model_key, p.model, "mie", [&](auto& w) {
     w.optional("relative_index", p.particles.relative_index, from_to(0.5, 3.0),

@@ -50,14 +50,14 @@ Place place_of(const Entry& entry) {
 // --- Changes that the scene keeps when it is written ---------------------------------------------
 
 /// Whether the changes make the environment's water of a written scene, which has every default in
-/// it and may be read from another folder.
+/// it and names no file.
 bool hold(const Node& written_scene, const Environment& environment) {
   Node document = written_scene;
   Findings findings(document, {});
   for (const Change& change : environment.set)
     if (auto value = parse_value(change.value, {}))
       assign(change.path, std::move(*value), {}, document, findings);
-  const Scene read = scene_of(document, nowhere, findings);
+  const Scene read = scene_of(document, std::nullopt, findings);
   return findings.problems().empty() && read.optics == environment.optics &&
          read.sea == environment.sea;
 }

@@ -34,31 +34,53 @@ bool holds_tables(const Node::Array& array) {
                      [](const Node& element) { return element.as<Node::Table>(); });
 }
 
-std::string inline_toml(const Node& node);
+/// Whether a long array of numbers may go over several lines, which TOML allows within inline
+/// tables, too.
+enum class Lines { one, several };
 
-std::string inline_array(const Node::Array& array, const std::string& separator) {
+std::string inline_toml(const Node& node, Lines lines);
+
+std::string inline_array(const Node::Array& array, const std::string& separator, Lines lines) {
   std::string inside;
   for (const Node& element : array)
-    inside += (inside.empty() ? "" : separator) + inline_toml(element);
+    inside += (inside.empty() ? "" : separator) + inline_toml(element, lines);
   return inside;
 }
 
-/// The value of a key: an array of several tables takes a line for each, all else one line.
-std::string value_toml(const Node& node) {
-  const auto* array = node.as<Node::Array>();
-  if (!array || array->size() < 2 || !holds_tables(*array)) return inline_toml(node);
-  return fmt::format("[\n  {},\n]", inline_array(*array, ",\n  "));
+/// Ten numbers a line.
+std::string column_toml(const Node::Array& array) {
+  constexpr std::size_t in_a_line = 10;
+  std::string out = "[";
+  for (std::size_t i = 0; i < array.size(); ++i)
+    out += (i % in_a_line == 0 ? "\n    " : " ") + inline_toml(array[i], Lines::one) + ',';
+  return out + "\n  ]";
 }
 
-std::string inline_toml(const Node& node) {
-  if (const auto* array = node.as<Node::Array>())
-    return fmt::format("[{}]", inline_array(*array, ", "));
+bool is_column(const Node::Array& array) {
+  constexpr std::size_t longest_line = 12;
+  return array.size() > longest_line &&
+         std::ranges::all_of(array, [](const Node& element) { return element.as<double>(); });
+}
+
+/// The value of a key: an array of several tables takes a line for each.
+std::string value_toml(const Node& node) {
+  const auto* array = node.as<Node::Array>();
+  if (!array || array->size() < 2 || !holds_tables(*array))
+    return inline_toml(node, Lines::several);
+  return fmt::format("[\n  {},\n]", inline_array(*array, ",\n  ", Lines::several));
+}
+
+std::string inline_toml(const Node& node, Lines lines) {
+  if (const auto* array = node.as<Node::Array>()) {
+    if (lines == Lines::several && is_column(*array)) return column_toml(*array);
+    return fmt::format("[{}]", inline_array(*array, ", ", lines));
+  }
   const auto* table = node.as<Node::Table>();
   if (!table) return scalar_text(node);
   std::string inside;
   for (const Entry& entry : *table)
     inside += (inside.empty() ? "" : ", ") +
-              fmt::format("{} = {}", key_toml(entry.key), inline_toml(entry.value));
+              fmt::format("{} = {}", key_toml(entry.key), inline_toml(entry.value, lines));
   return table->empty() ? "{}" : fmt::format("{{ {} }}", inside);
 }
 
@@ -125,7 +147,7 @@ std::string format_toml(const Node& table) {
   return out;
 }
 
-std::string format_value(const Node& node) { return inline_toml(node); }
+std::string format_value(const Node& node) { return inline_toml(node, Lines::one); }
 
 std::string format_json(const Node& node) {
   std::string out;

@@ -7,7 +7,8 @@
 
 namespace photic::scene {
 
-/// A scene as TOML: sections under their headers, all else as inline values.
+/// A scene as TOML: sections under their headers, all else as inline values; long columns of
+/// numbers take several lines.
 std::string format_toml(const Node& table);
 
 /// A value as TOML, on one line.

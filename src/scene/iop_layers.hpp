@@ -1,6 +1,7 @@
 // A table of inherent optical properties in a file, as layers of a scene.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "scene/findings.hpp"
@@ -15,7 +16,7 @@ Node schema_of(const IopTableKey& rule);
 
 /// What reading other files takes.
 struct OtherFiles {
-  std::string folder;  ///< where relative ones lie
+  std::optional<std::string> folder;  ///< where relative ones lie; none: none may be named
   const NetcdfFiles& netcdf;
 };
 

@@ -120,6 +120,12 @@ Node to_node(const std::vector<std::string>& value) {
   return {.value = std::move(array)};
 }
 
+Node to_node(const std::vector<double>& value) {
+  Node::Array array;
+  for (const double x : value) array.push_back(to_node(x));
+  return {.value = std::move(array)};
+}
+
 Node empty_table() { return {.value = Node::Table{}}; }
 
 }  // namespace photic::scene

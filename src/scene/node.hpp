@@ -62,6 +62,7 @@ Node to_node(const char* value);
 Node to_node(const std::string& value);
 Node to_node(const Vec3<double>& value);
 Node to_node(const std::vector<std::string>& value);
+Node to_node(const std::vector<double>& value);
 Node empty_table();
 
 /// What a message calls this value: `-0.4`, `text "abc"`, `[1, 2]`, `a table`, …

@@ -12,9 +12,6 @@
 
 namespace photic::scene {
 
-/// A folder for scenes that name no file by a relative path: no file is below it.
-inline constexpr const char* nowhere = "/dev/null";
-
 /// The tree of a scene as it is written, but for its environments and sensitivities.
 Node written(const Scene& scene);
 

@@ -14,27 +14,27 @@ const std::array<Optics, 2>& presets() {
              .water_scattering = "zhang",
              .water_depolarisation = 0.039,  // Farinato & Rowell 1976, used by Zhang et al. 2009
              .phytoplankton = "bricaud",
-             .phytoplankton_file = "",
+             .phytoplankton_table = {},
              .phytoplankton_phase = "fournier-forand",
              .minerals = "power-law",
              .minerals_phase = "fournier-forand",
              .raman = "bartlett",
              .emission = "",  // spectra, unless iops are given (read.cpp)
              .cdom_fluorescence = "hawes",
-             .cdom_fluorescence_file = ""},
+             .cdom_fluorescence_table = {}},
       Optics{.set = "paper",
              .water_absorption = "smith-baker",
              .water_scattering = "smith-baker",
              .water_depolarisation = 0.17,  // as PREMAR-2F has it; it is a Raman value (Porto 1966)
              .phytoplankton = "prieur-sathyendranath",
-             .phytoplankton_file = "",
+             .phytoplankton_table = {},
              .phytoplankton_phase = "mie",
              .minerals = "mie",
              .minerals_phase = "mie",
              .raman = "marshall-smith",
              .emission = "lines",
              .cdom_fluorescence = "hawes",
-             .cdom_fluorescence_file = ""}};
+             .cdom_fluorescence_table = {}}};
   return all;
 }
 

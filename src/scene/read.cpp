@@ -90,7 +90,7 @@ void read_on(const Node& document, const Layered& layered, const Check& check, S
 
 }  // namespace
 
-Scene scene_of(const Node& document, const std::string& folder, Findings& findings) {
+Scene scene_of(const Node& document, const std::optional<std::string>& folder, Findings& findings) {
   Scene scene;
   ReadContext context{findings, folder};
   Reader reader(document, {"", "", "the scene"}, context);

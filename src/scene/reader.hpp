@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/table_reader.hpp"
+#include "scene/user_table_reader.hpp"
 
 namespace photic::scene {
 
@@ -124,7 +125,9 @@ class Reader : public TableReader {
   void read(const std::string& key, const Node& node, T& value, const Rule& rule) {
     typename Rule::Value plain{};
     std::optional<Refusal> problem;
-    if constexpr (std::is_same_v<Rule, File>)
+    if constexpr (std::is_same_v<Rule, TableOrFile>)
+      problem = read_user_table(rule, node, inline_name(key), shared_, plain);
+    else if constexpr (std::is_same_v<Rule, File>)
       problem = check(rule, node, plain, shared_.folder);
     else
       problem = check(rule, node, plain);

@@ -9,6 +9,7 @@
 
 #include "core/vec3.hpp"
 #include "scene/node.hpp"
+#include "scene/user_table.hpp"
 
 namespace photic::scene {
 
@@ -64,6 +65,17 @@ struct File {
   using Value = std::string;
 };
 
+/// A table of numbers in a CSV file, or its columns in the scene.
+struct TableOrFile {
+  using Value = UserTable;
+  struct Column {
+    const char* name;
+    const char* meaning;
+    bool may_lack = false;
+  };
+  std::vector<Column> columns;
+};
+
 /// [x, y, z], finite.
 struct Position {
   using Value = Vec3<double>;
@@ -74,14 +86,15 @@ struct Direction {
   using Value = Vec3<double>;
 };
 
-/// Checks a value and stores it if it passes. `folder` is where relative files lie.
+/// Checks a value and stores it if it passes. `folder` is where relative files lie; without one no
+/// file may be named.
 std::optional<Refusal> check(const Number& rule, const Node& node, double& value);
 std::optional<Refusal> check(const Count& rule, const Node& node, std::int64_t& value);
 std::optional<Refusal> check(const Numbers& rule, const Node& node, std::vector<double>& value);
 std::optional<Refusal> check(const Choice& rule, const Node& node, std::string& value);
 std::optional<Refusal> check(const Text& rule, const Node& node, std::string& value);
 std::optional<Refusal> check(const File& rule, const Node& node, std::string& value,
-                             const std::string& folder);
+                             const std::optional<std::string>& folder);
 std::optional<Refusal> check(const Position& rule, const Node& node, Vec3<double>& value);
 std::optional<Refusal> check(const Direction& rule, const Node& node, Vec3<double>& value);
 
@@ -92,6 +105,7 @@ Node schema_of(const Numbers& rule);
 Node schema_of(const Choice& rule);
 Node schema_of(const Text& rule);
 Node schema_of(const File& rule);
+Node schema_of(const TableOrFile& rule);
 Node schema_of(const Position& rule);
 Node schema_of(const Direction& rule);
 

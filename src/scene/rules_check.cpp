@@ -119,11 +119,12 @@ std::optional<Refusal> check(const Text& rule, const Node& node, std::string& va
 }
 
 std::optional<Refusal> check(const File&, const Node& node, std::string& value,
-                             const std::string& folder) {
+                             const std::optional<std::string>& folder) {
+  if (!folder) return Refusal{"must not name a file here", ""};
   if (auto problem = check(Text{}, node, value)) return problem;
   namespace fs = std::filesystem;
   std::error_code failure;
-  const fs::path path = fs::absolute(fs::path(folder) / value, failure).lexically_normal();
+  const fs::path path = fs::absolute(fs::path(*folder) / value, failure).lexically_normal();
   const bool readable = !failure && fs::exists(path, failure) && !fs::is_directory(path, failure) &&
                         std::ifstream(path).good();
   if (!readable)

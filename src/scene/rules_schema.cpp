@@ -57,6 +57,25 @@ Node schema_of(const Text& rule) {
 }
 
 Node schema_of(const File&) { return schema_of(Text{}); }
+
+Node schema_of(const TableOrFile& rule) {
+  Node columns = empty_table();
+  std::vector<std::string> needed;
+  for (const TableOrFile::Column& column : rule.columns) {
+    Node schema = schema_of(Numbers{});
+    schema.add("description", to_node(column.meaning));
+    columns.add(column.name, std::move(schema));
+    if (!column.may_lack) needed.emplace_back(column.name);
+  }
+  Node table = typed("object");
+  table.add("properties", std::move(columns));
+  table.add("required", to_node(needed));
+  table.add("additionalProperties", to_node(false));
+  Node schema = empty_table();
+  schema.add("anyOf", {.value = Node::Array{schema_of(File{}), std::move(table)}});
+  return schema;
+}
+
 Node schema_of(const Position&) { return three_numbers(); }
 Node schema_of(const Direction&) { return three_numbers(); }
 

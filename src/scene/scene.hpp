@@ -10,6 +10,7 @@
 #include "core/vec3.hpp"
 #include "optics/minerals.hpp"
 #include "optics/sea_particles.hpp"
+#include "scene/user_table.hpp"
 
 namespace photic::scene {
 
@@ -48,9 +49,8 @@ struct Channel {
   std::optional<std::string> process;  ///< elastic | raman | chlorophyll | cdom
   std::optional<double> centre_nm;     ///< of a filter; both given or none
   std::optional<double> fwhm_nm;
-  std::string filter = "top-hat";                ///< top-hat (centre +- fwhm/2) | gaussian
-  std::optional<std::string> transmission_file;  ///< a CSV of wavelength_nm, transmission;
-                                                 ///< absolute once read
+  std::string filter = "top-hat";         ///< top-hat (centre +- fwhm/2) | gaussian
+  std::optional<UserTable> transmission;  ///< of wavelength_nm, transmission
   friend bool operator==(const Channel&, const Channel&) = default;
 };
 
@@ -61,7 +61,7 @@ struct Optics {
   std::string water_scattering;   ///< zhang | morel | smith-baker
   double water_depolarisation{};  ///< of natural light, for the molecular phase function
   std::string phytoplankton;      ///< bricaud | prieur-sathyendranath | table
-  std::string phytoplankton_file;   ///< table: a CSV; absolute once read
+  UserTable phytoplankton_table;  ///< table
   std::string phytoplankton_phase;  ///< fournier-forand | petzold | mie
   std::string minerals;             ///< power-law | mie
   optics::MineralsPowerLaw minerals_power_law = optics::european_minerals;
@@ -70,7 +70,7 @@ struct Optics {
   std::string emission;  ///< spectra | lines: chlorophyll's and Raman light at one wavelength each
   double chlorophyll_share_730 = 0.0;    ///< of chlorophyll's light in its second band
   std::string cdom_fluorescence;         ///< hawes | table
-  std::string cdom_fluorescence_file;    ///< table: absolute once read
+  UserTable cdom_fluorescence_table;     ///< table
   double chlorophyll_lifetime_ns = 0.0;  ///< mean time from excitation to emission; 0: at once
   double cdom_lifetime_ns = 0.0;
   friend bool operator==(const Optics&, const Optics&) = default;
@@ -97,7 +97,7 @@ struct PhaseFunction {
   double slope{};                                                ///< fournier-forand
   double depolarisation{};                                       ///< rayleigh
   optics::SeaParticles particles = optics::paper_phytoplankton;  ///< mie
-  std::string file;   ///< table: a CSV of angle_deg, phase_function_per_sr; absolute once read
+  UserTable table;    ///< table: of angle_deg, phase_function_per_sr
   double fraction{};  ///< as a component of a mixture: its share of the scattering
   std::vector<PhaseFunction> components;  ///< mixture
   friend bool operator==(const PhaseFunction&, const PhaseFunction&) = default;

@@ -167,7 +167,8 @@ void read_sensitivities(const Node& document, const Check& check, Scene& scene,
   const bool all_good = findings.problems().empty();
   const Node as_written = written(scene);
   const NetcdfFiles no_files;  // a scene that is written names none
-  const Reference reference{as_written, {nowhere, no_files}, nullptr, as_written, findings, check};
+  const Reference reference{as_written, {std::nullopt, no_files}, nullptr, as_written, findings,
+                            check};
   const auto& elements = *document.find("sensitivity")->as<Node::Array>();
   std::set<std::string> seen;
   for (std::size_t i = 0; i < elements.size(); ++i) {

@@ -1,6 +1,7 @@
 // One table of a scene file: which keys were asked for, and the messages about the others.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace photic::scene {
 /// What the readers of all tables of one scene share.
 struct ReadContext {
   Findings& findings;
-  std::string folder;  ///< where relative files lie
+  std::optional<std::string> folder;  ///< where relative files lie; none: no file may be named
 };
 
 /// Where a table stands in the scene.

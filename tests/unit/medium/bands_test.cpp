@@ -83,7 +83,8 @@ TEST(FilterOf, ReadsAUsersTable) {
   const auto with = [&](const std::string& rows) {
     std::ofstream(path) << "wavelength_nm,transmission\n" << rows;
     scene::Channel channel;
-    channel.transmission_file = path.string();
+    channel.transmission =
+        scene::UserTable(optics::DataTable::read(path.string()), {"wavelength_nm", "transmission"});
     return filter_of(channel);
   };
   const auto refused = [&](const std::string& rows) {

@@ -265,7 +265,9 @@ TEST(IopLayer, ScattersWithTheNamedPhaseFunction) {
   auto mixture = function_of("mixture");
   mixture.components = {ff, rayleigh};
   auto table = function_of("table");
-  table.file = PHOTIC_SOURCE_DIR "/data/particles_petzold_average.csv";
+  table.table = scene::UserTable(
+      optics::DataTable::read(PHOTIC_SOURCE_DIR "/data/particles_petzold_average.csv"),
+      {"angle_deg", "phase_function_per_sr"});
   auto mie = function_of("mie");
   mie.particles = {1.1, 0.002, 4.5, 0.2, 2};
   const auto spheres = optics::phase_of_spheres(library().spheres(

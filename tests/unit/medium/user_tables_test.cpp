@@ -99,6 +99,25 @@ TEST_F(PhaseTableOfAUser, IsRemarkedOnWhenItIsScaled) {
   EXPECT_EQ(remarks(with("0,0.0795774715\n180,0.0795774715\n")), Texts{});
 }
 
+// Seen red: with the place of the table for all that is wrong in it.
+TEST_F(PhaseTableOfAUser, InTheSceneIsRefusedAtItsNumber) {
+  const auto with_columns = [](const std::string& columns) {
+    return std::vector<scene::Edit>{
+        {25, 25, "phase_function = { model = \"table\", file = {\n" + columns + "\n} }"}};
+  };
+  EXPECT_EQ(problems(with_columns("angle_deg = [0, 90, 90, 180],\nphase_function_per_sr = [0.1,"
+                                  " 0.1, 0.1, 0.1]")),
+            Texts{"scene.toml:26:21: angle_deg 90 is not above the 90 before it (this column must "
+                  "ascend)"});
+  EXPECT_EQ(problems(with_columns("angle_deg = [0, 180],\nphase_function_per_sr = [0.1, -0.1]")),
+            Texts{"scene.toml:27:31: a phase function is not negative"});
+  EXPECT_EQ(
+      problems({}, {"sea.layer.1.phase_function={ model = \"table\", file = { angle_deg = "
+                    "[0, 180], phase_function_per_sr = [0.1, -0.1] } }"}),
+      Texts{"--set sea.layer.1.phase_function={ model = \"table\", file = { angle_deg = [0, "
+            "180], phase_function_per_sr = [0.1, -0.1] } }: a phase function is not negative"});
+}
+
 TEST_F(PhaseTableOfAUser, IsFoundInAMixture) {
   auto edits = with("0,0.0799\n180,0.0799\n");
   edits[0].text =

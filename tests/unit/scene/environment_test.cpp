@@ -382,11 +382,11 @@ set = { "sea.layer.0.phase_function" = "petzold", "sea.layer.0.iop" = [{ wavelen
 TEST(Environment, FilesAreRelativeToTheScene) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "photic_environment_test";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "vsf.csv") << "0,1\n180,1\n";
+  std::ofstream(folder / "vsf.csv") << "angle_deg,phase_function_per_sr\n0,1\n180,1\n";
   std::ofstream(folder / "scene.toml")
       << setting(R"("sea.layer.1.phase_function" = { model = "table", file = "vsf.csv" })");
   const Scene scene = read_scene((folder / "scene.toml").string()).scene;
-  EXPECT_EQ(scene.environment[0].sea.layer[1].phase_function->file,
+  EXPECT_EQ(scene.environment[0].sea.layer[1].phase_function->table.data().name(),
             (folder / "vsf.csv").lexically_normal());
   expect_to_read_back(scene);
   std::filesystem::remove_all(folder);

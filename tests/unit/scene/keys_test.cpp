@@ -244,7 +244,7 @@ phase_function = "petzold")"}},
       {"TableWithoutFile",
        {{18, 18, "[optics]\nphytoplankton = \"table\""}},
        {"scene.toml:18:1: 'phytoplankton_file' is missing in [optics] (add it: a CSV file of "
-        "wavelength_nm, a_m2_per_mg, b_m2_per_mg)"}},
+        "wavelength_nm, a_m2_per_mg, b_m2_per_mg, or a table of these)"}},
       {"FileWithoutTable",
        {{18, 18, "[optics]\nphytoplankton_file = \"a.csv\""}},
        {R"(scene.toml:19:22: 'phytoplankton_file' does not belong to phytoplankton = "bricaud" (it belongs to "table"))"}},

@@ -45,11 +45,12 @@ TEST(Read, SetsOfOpticsGiveWhatIsNotGiven) {
 TEST(Read, FilesAreRelativeToTheScene) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "photic_read_test";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "vsf.csv") << "0,1\n180,1\n";
+  std::ofstream(folder / "vsf.csv") << "angle_deg,phase_function_per_sr\n0,1\n180,1\n";
   std::ofstream(folder / "scene.toml")
       << edited({{25, 25, R"(phase_function = { model = "table", file = "vsf.csv" })"}});
   const Scene scene = read_scene((folder / "scene.toml").string()).scene;
-  EXPECT_EQ(scene.sea.layer[1].phase_function->file, (folder / "vsf.csv").lexically_normal());
+  EXPECT_EQ(scene.sea.layer[1].phase_function->table.data().name(),
+            (folder / "vsf.csv").lexically_normal());
   std::filesystem::remove_all(folder);
 }
 
@@ -57,15 +58,17 @@ TEST(Read, FilesAreRelativeToTheScene) {
 TEST(Read, AFileOfPhytoplanktonIsRelativeToTheScene) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "photic_read_algae_test";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "algae.csv") << "wavelength_nm,a_m2_per_mg,b_m2_per_mg\n";
-  std::ofstream(folder / "more.csv") << "wavelength_nm,a_m2_per_mg,b_m2_per_mg\n";
+  std::ofstream(folder / "algae.csv")
+      << "wavelength_nm,a_m2_per_mg,b_m2_per_mg\n500,1,2\n600,1,2\n";
+  std::ofstream(folder / "more.csv") << "wavelength_nm,a_m2_per_mg,b_m2_per_mg\n500,1,2\n600,1,2\n";
   std::ofstream(folder / "scene.toml")
       << edited({{18, 18,
                   "[optics]\nphytoplankton = \"table\"\nphytoplankton_file = \"algae.csv\""}}) +
              "[[environment]]\nset = { \"optics.phytoplankton_file\" = \"more.csv\" }\n";
   const Scene scene = read_scene((folder / "scene.toml").string()).scene;
-  EXPECT_EQ(scene.optics.phytoplankton_file, (folder / "algae.csv").lexically_normal());
-  EXPECT_EQ(scene.environment[0].optics.phytoplankton_file,
+  EXPECT_EQ(scene.optics.phytoplankton_table.data().name(),
+            (folder / "algae.csv").lexically_normal());
+  EXPECT_EQ(scene.environment[0].optics.phytoplankton_table.data().name(),
             (folder / "more.csv").lexically_normal());
   std::filesystem::remove_all(folder);
 }

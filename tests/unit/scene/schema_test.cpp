@@ -30,27 +30,17 @@ void collect_keys(const json& value, std::set<std::string>& keys) {
     for (const auto& part : value) collect_keys(part, keys);
 }
 
-/// Scenes that together use every key but those of files, and but those that are written as what
-/// they stand for: a grid, a table, profiles, the steps of a row of channels.
+/// Scenes that together use every key but those of other files, and but those that are written as
+/// what they stand for: a grid, a table, profiles, the steps of a row of channels.
 std::set<std::string> keys_of_scenes() {
-  std::set<std::string> keys{"file",
-                             "transmission_file",
-                             "cdom_fluorescence_file",
-                             "environment_grid",
-                             "from",
-                             "to",
-                             "step",
-                             "iop_table",
-                             "column",
-                             "profile_tolerance",
-                             "variable",
-                             "profile",
-                             "depth",
-                             "negative",
-                             "above",
-                             "below",
-                             "background",
-                             "maximum",
+  std::set<std::string> keys{"file",       "environment_grid",
+                             "from",       "to",
+                             "step",       "iop_table",
+                             "column",     "profile_tolerance",
+                             "variable",   "profile",
+                             "depth",      "negative",
+                             "above",      "below",
+                             "background", "maximum",
                              "width_m"};
   for (const std::vector<Override>& overrides : std::vector<std::vector<Override>>{
            {"sea={ refractive_index = 1.3, group_index = 1.4, layer = [{ bottom_depth_m = 60 }] }",
@@ -66,8 +56,14 @@ std::set<std::string> keys_of_scenes() {
             "model = \"rayleigh\", depolarisation = 0.04 }] }"},
            {"sea.layer.1.phase_function=mie",
             "sea.layer.0={ jerlov = \"II\", bottom_depth_m = 1 }"},
-           {"optics={ phytoplankton = \"table\", phytoplankton_file = \"" PHOTIC_SOURCE_DIR
-            "/CMakeLists.txt\" }"},
+           {"optics={ phytoplankton = \"table\", phytoplankton_file = { wavelength_nm = [500, "
+            "600], a_m2_per_mg = [1, 2], b_m2_per_mg = [1, 2], a_exciting_m2_per_mg = [1, 1] }, "
+            "cdom_fluorescence = \"table\", cdom_fluorescence_file = { excitation_nm = [500, 500], "
+            "emission_nm = [550, 600], yield_per_nm = [1, 2] } }"},
+           {"channel.0={ name = \"green\", transmission_file = { wavelength_nm = [500, 600], "
+            "transmission = [1, 1] } }",
+            "sea.layer.1.phase_function={ model = \"table\", file = { angle_deg = [0, 180], "
+            "phase_function_per_sr = [0.1, 0.06] } }"},
            {"sea.layer.1={ iop = [{ wavelength_nm = 532, a_per_m = 1, b_per_m = 1, bb_per_m = 0.02 "
             "}] }"},
            {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},

@@ -98,12 +98,13 @@ TEST(Write, KeepsTheOtherWaysOfSayingThings) {
            {"gates={ range_min_m = 10, range_max_m = 20, range_step_m = 0.1 }"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"},
            {"sea.layer.1.phase_function=petzold"},
-           {"sea.layer.1.phase_function={ model = \"table\", file = \"" PHOTIC_SOURCE_DIR
-            "/CMakeLists.txt\" }"},
+           {"sea.layer.1.phase_function={ model = \"table\", file = { angle_deg = [0, 180], "
+            "phase_function_per_sr = [0.1, 0.06] } }"},
            {"simulation={ max_time_s = 5 }"},
            {"sea.layer.0={ jerlov = \"5C\", bottom_depth_m = 20 }"},
            {"optics.phytoplankton=table",
-            "optics.phytoplankton_file=" PHOTIC_SOURCE_DIR "/CMakeLists.txt"},
+            "optics.phytoplankton_file={ wavelength_nm = [500, 600], a_m2_per_mg = [1, 2], "
+            "b_m2_per_mg = [1, 2] }"},
            {"optics.set=paper", "sea.layer.0.chlorophyll_mg_m3=0"}}) {
     SCOPED_TRACE(overrides.front());
     EXPECT_FALSE(base_scene(overrides) == base_scene());

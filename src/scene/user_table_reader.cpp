@@ -1,0 +1,92 @@
+#include "scene/user_table_reader.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "scene/reader.hpp"
+
+namespace photic::scene {
+namespace {
+
+std::optional<Refusal> read_file(const TableOrFile& rule, const Node& node, const TableName& name,
+                                 ReadContext& shared, UserTable& value) {
+  std::string path;
+  if (auto problem = check(File{}, node, path, shared.folder)) return problem;
+  try {
+    auto data = optics::DataTable::read(path);
+    std::vector<std::string> taken;
+    for (const TableOrFile::Column& column : rule.columns)
+      if (!column.may_lack || data.has(column.name)) taken.emplace_back(column.name);
+    value = UserTable(std::move(data), taken);
+  } catch (const InputError& error) {
+    for (const Diagnostic& d : error.diagnostics())
+      shared.findings.add(name.path, {d.file, d.line, d.column}, d.reason, d.suggestion);
+  }
+  return std::nullopt;
+}
+
+/// "angle_deg 3, phase_function_per_sr 2"; empty if all are equally long.
+std::string unequal_lengths(const std::vector<optics::DataTable::Column>& columns) {
+  std::vector<std::string> lengths;
+  for (const auto& [name, cells] : columns)
+    lengths.push_back(fmt::format("{} {}", name, cells.size()));
+  const bool equal = std::ranges::all_of(columns, [&](const auto& column) {
+    return column.second.size() == columns.front().second.size();
+  });
+  return equal ? "" : fmt::format("{}", fmt::join(lengths, ", "));
+}
+
+/// Of a column that was read.
+std::vector<optics::DataTable::Cell> cells_of(const Node& column, const std::vector<double>& read) {
+  std::vector<optics::DataTable::Cell> cells;
+  for (const Node& element : *column.as<Node::Array>())
+    cells.push_back({number_text(read[cells.size()]), element.place.column, element.place.line});
+  return cells;
+}
+
+void read_columns(const TableOrFile& rule, const Node& node, const TableName& name,
+                  ReadContext& shared, UserTable& value) {
+  const std::size_t before = shared.findings.problems().size();
+  std::vector<optics::DataTable::Column> columns;
+  std::vector<std::string> names;
+  Reader reader(node, name, shared);
+  for (const TableOrFile::Column& column : rule.columns) {
+    std::vector<double> numbers;
+    if (column.may_lack)
+      reader.optional(column.name, numbers, Numbers{}, column.meaning);
+    else
+      reader.required(column.name, numbers, Numbers{}, column.meaning);
+    if (numbers.empty()) continue;
+    columns.emplace_back(column.name, cells_of(*node.find(column.name), numbers));
+    names.emplace_back(column.name);
+  }
+  reader.finish();
+  if (shared.findings.problems().size() > before) return;
+  const std::string lengths = unequal_lengths(columns);
+  if (!lengths.empty())
+    return shared.findings.add(
+        name.path, node.place,
+        fmt::format("{} has columns of different lengths: {}", name.label, lengths),
+        "give one number a row in each");
+  value = UserTable(optics::DataTable::of_columns(columns, node.place.file), names);
+}
+
+}  // namespace
+
+std::optional<Refusal> read_user_table(const TableOrFile& rule, const Node& node,
+                                       const TableName& name, ReadContext& shared,
+                                       UserTable& value) {
+  if (!node.as<Node::Table>()) {
+    if (node.as<std::string>()) return read_file(rule, node, name, shared, value);
+    return Refusal{
+        fmt::format("must be a file or a table, not {}", found_text(node)),
+        fmt::format("name a CSV file, or write {{ {} = [ … ], … }}", rule.columns.front().name)};
+  }
+  read_columns(rule, node, name, shared, value);
+  return std::nullopt;
+}
+
+}  // namespace photic::scene

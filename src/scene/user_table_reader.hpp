@@ -1,0 +1,17 @@
+// Reads a table of numbers where a scene names its file or holds its columns.
+#pragma once
+
+#include <optional>
+
+#include "scene/rules.hpp"
+#include "scene/table_reader.hpp"
+
+namespace photic::scene {
+
+/// What is wrong with the value itself is returned; what is wrong in the file, or with columns, is
+/// told at its place, and `value` is left as it was.
+std::optional<Refusal> read_user_table(const TableOrFile& rule, const Node& node,
+                                       const TableName& name, ReadContext& shared,
+                                       UserTable& value);
+
+}  // namespace photic::scene
