@@ -4,10 +4,11 @@
 
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "core/error.hpp"
 #include "io/netcdf.hpp"
-#include "photic/continuation.hpp"
+#include "photic/destination.hpp"
 #include "photic/output.hpp"
 
 namespace photic::app {
@@ -21,6 +22,15 @@ std::string checkpoint_path(const std::string& result) {
   return fs::path(result).replace_extension(ending).string() + ".nc";
 }
 
+/// Whatever cannot be read is no checkpoint to go on from, and none to replace.
+Occupant checkpoint_at(const std::string& path, const Origin& origin) {
+  try {
+    return occupant_of(path, origin);
+  } catch (const EnvironmentError& error) {
+    return {Occupant::Kind::stranger, 0, error.what()};
+  }
+}
+
 }  // namespace
 
 std::string without_checkpoint(const std::string& file) {
@@ -30,11 +40,14 @@ std::string without_checkpoint(const std::string& file) {
   return (path.parent_path() / stem.stem()).string() + path.extension().string();
 }
 
-Checkpoint::Checkpoint(const std::string& result, const scene::Scene& scene, std::string history)
+Checkpoint::Checkpoint(const std::string& result, const Origin& origin, std::string history)
     : result_(result),
       path_(checkpoint_path(result)),
       history_(std::move(history)),
-      photons_(photons_to_take_up(path_, scene)) {}
+      origin_(origin) {
+  const Occupant left = checkpoint_at(path_, origin_);
+  if (left.kind == Occupant::Kind::same_scene) photons_ = left.photons;
+}
 
 std::string Checkpoint::leftover(std::uint64_t photons) const {
   if (photons_ <= photons) return "";
@@ -46,14 +59,33 @@ std::string Checkpoint::leftover(std::uint64_t photons) const {
 void Checkpoint::write(const tally::Result& so_far, ProgressBar& bar) {
   if (so_far.photons <= photons_) return;
   try {
-    io::write_netcdf(so_far, path_, {.history = history_});
+    const std::string keep_as = ours_ ? "" : take_place(bar);
+    io::write_netcdf(so_far, path_,
+                     {.history = history_, .scene_file = origin_.scene_file, .keep_as = keep_as});
     photons_ = so_far.photons;
+    ours_ = true;
   } catch (const EnvironmentError& error) {
     if (warned_) return;
     warned_ = true;
     bar.wipe();
     print_error(fmt::format("{} (the run goes on without this checkpoint)\n", error.what()));
   }
+}
+
+/// Where the first checkpoint puts the one of an earlier scene; empty if there is none.
+std::string Checkpoint::take_place(ProgressBar& bar) {
+  const Occupant left = checkpoint_at(path_, origin_);
+  const bool edited = left.kind == Occupant::Kind::edited_scene;
+  if (!edited && left.reason.empty()) return "";
+  bar.wipe();
+  if (edited) {
+    print_error(kept_line(path_));
+    return previous_name(path_);
+  }
+  const std::string taken = std::exchange(path_, free_name(path_));
+  print_error(fmt::format("{}: {}, and is left as it is: this run's checkpoint is {}\n", taken,
+                          left.reason, path_));
+  return "";
 }
 
 std::string Checkpoint::finish(const tally::Result& result) {

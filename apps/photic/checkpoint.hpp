@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "photic/occupant.hpp"
 #include "photic/progress.hpp"
-#include "scene/scene.hpp"
 #include "tally/result.hpp"
 
 namespace photic::app {
@@ -17,15 +17,16 @@ std::string without_checkpoint(const std::string& file);
 
 class Checkpoint {
  public:
-  /// Of a run of `scene` that will write `result`. `history` is that of the result.
-  Checkpoint(const std::string& result, const scene::Scene& scene, std::string history);
+  /// Of a run that will write `result`, from there. `history` is that of the result.
+  Checkpoint(const std::string& result, const Origin& origin, std::string history);
 
   /// One line that tells how to go on from the file, if a run of this scene left more than
   /// `photons` there; else empty.
   [[nodiscard]] std::string leftover(std::uint64_t photons) const;
 
-  /// Writes the result so far. Never in the place of more photons of the same scene. A failure is
-  /// told once, and leaves the last good checkpoint.
+  /// Writes the result so far. Never in the place of more photons of the same scene, nor of what
+  /// belongs to another scene file: then it is beside that, which is told. A failure is told once,
+  /// and leaves the last good checkpoint.
   void write(const tally::Result& so_far, ProgressBar& bar);
 
   /// Removes what the result, now written, holds as well. A partial result that no run can go on
@@ -33,8 +34,12 @@ class Checkpoint {
   std::string finish(const tally::Result& result);
 
  private:
+  std::string take_place(ProgressBar& bar);
+
   std::string result_, path_, history_;
-  std::uint64_t photons_;  ///< of this scene that the file holds
+  const Origin& origin_;
+  std::uint64_t photons_ = 0;  ///< of this scene that the file holds
+  bool ours_ = false;          ///< whether this run has written the file
   bool warned_ = false;
 };
 

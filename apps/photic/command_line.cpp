@@ -122,6 +122,10 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& flags
               "Write the result so far this often [default: every 30s, after the first minute]",
               [&run](const std::string& text) { run.checkpoint_s = seconds(text); });
   add_overrides(sub, run.overrides);
+  sub.add_flag(
+      "--force", run.force,
+      "Replace whatever is where the result goes: results of other scenes, of more photons "
+      "than this run's, other files");
   sub.add_flag("--json", run.json, "Print the table of echoes as JSON");
 }
 

@@ -26,6 +26,7 @@ struct RunCommand {
   std::string engine;  ///< empty: that of the result it goes on from, or scalar
   std::string isa;     ///< of the lane engine; empty: the best there is
   bool json = false;
+  bool force = false;        ///< replaces whatever is where the result goes
   std::string command_line;  ///< as typed, for the history of the result
 };
 

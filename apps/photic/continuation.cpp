@@ -6,7 +6,6 @@
 
 #include "core/error.hpp"
 #include "engine/problem.hpp"
-#include "io/netcdf.hpp"
 #include "io/netcdf_variable.hpp"
 #include "scene/compare.hpp"
 
@@ -90,17 +89,16 @@ Earlier take_up(const std::string& file, const scene::Scene& scene) {
                     .file = file},
           .lanes = engine::isa_of_engine(run.engine),
           .photons = run.photons,
-          .history = run.history};
+          .history = run.history,
+          .scene_file = run.scene_file};
 }
 
-std::uint64_t photons_to_take_up(const std::string& file, const scene::Scene& scene) {
+bool is_same_scene(const io::RunSoFar& run, const std::string& file, const scene::Scene& scene) {
   try {
-    const io::RunSoFar run = io::read_run(file);
-    return obstacles(run, file, scene).empty() ? run.photons : 0;
-  } catch (const InputError&) {
-  } catch (const EnvironmentError&) {
+    return obstacles(run, file, scene).empty();
+  } catch (const InputError&) {  // its scene is none to this program
+    return false;
   }
-  return 0;
 }
 
 }  // namespace photic::app

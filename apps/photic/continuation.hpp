@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/run.hpp"
+#include "io/netcdf.hpp"
 #include "photic/commands.hpp"
 
 namespace photic::app {
@@ -19,6 +20,7 @@ struct Earlier {
   std::optional<Isa> lanes;  ///< that it ran in; none: the scalar engine
   std::uint64_t photons = 0;
   std::string history;
+  std::string scene_file;  ///< seen from the result's folder; empty: not known
 };
 
 /// Throws InputError with all that keeps a run of this scene from going on from the result: another
@@ -26,7 +28,7 @@ struct Earlier {
 /// for that are fewer than those there.
 Earlier take_up(const std::string& file, const scene::Scene& scene);
 
-/// How many photons a run of this scene can take up from a file; 0 if none, for whatever reason.
-std::uint64_t photons_to_take_up(const std::string& file, const scene::Scene& scene);
+/// Whether a result of this program is of this scene, but for when its run was to stop.
+bool is_same_scene(const io::RunSoFar& run, const std::string& file, const scene::Scene& scene);
 
 }  // namespace photic::app

@@ -28,7 +28,7 @@ scene::Reading read_water(const OpticsCommand& command) {
 }
 
 scene::Scene read(const OpticsCommand& command) {
-  if (!command.output.empty()) check_output(command.output, command.scene);
+  if (!command.output.empty()) check_optics_output(command.output, command.scene);
   const scene::Reading reading =
       command.scene.empty() ? read_water(command)
                             : scene::read_scene(command.scene, command.overrides,

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "photic/checkpoint.hpp"
 #include "photic/commands.hpp"
+#include "photic/occupant.hpp"
 
 namespace photic::app {
 namespace {
@@ -52,6 +53,13 @@ void check_output(const std::string& output, const std::string& scene) {
   std::error_code none;
   if (fs::equivalent(output, scene, none))
     throw UsageError(output + ": the result would replace the scene (choose another name with -o)");
+}
+
+void check_optics_output(const std::string& output, const std::string& scene) {
+  check_output(output, scene);
+  if (holds_echoes(output))
+    throw UsageError(output +
+                     ": holds echoes of a run, and is left as it is (choose another name with -o)");
 }
 
 void spare(const std::vector<std::string>& inputs, const std::string& output) {

@@ -31,6 +31,9 @@ std::string result_path(const RunCommand& command);
 /// than its scene.
 void check_output(const std::string& output, const std::string& scene);
 
+/// The same for what is no result of a run, and must replace none.
+void check_optics_output(const std::string& output, const std::string& scene);
+
 /// Throws UsageError if the output is one of the files that it is made of.
 void spare(const std::vector<std::string>& inputs, const std::string& output);
 

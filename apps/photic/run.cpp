@@ -15,7 +15,9 @@
 #include "photic/checkpoint.hpp"
 #include "photic/commands.hpp"
 #include "photic/continuation.hpp"
+#include "photic/destination.hpp"
 #include "photic/interrupt.hpp"
+#include "photic/lock.hpp"
 #include "photic/output.hpp"
 #include "photic/progress.hpp"
 
@@ -29,14 +31,6 @@ tally::Result simulate(const scene::Scene& scene, engine::RunOptions options,
     options.progress = [&bar](const engine::Progress& progress) { bar.draw(progress); };
   options.checkpoints.write = [&](const tally::Result& so_far) { checkpoint.write(so_far, bar); };
   return engine::run(scene, options);
-}
-
-void write(const tally::Result& result, const std::string& path, const std::string& history) {
-  if (std::filesystem::path(path).extension() == ".csv") {
-    io::write_csv(result, path);
-  } else {
-    io::write_netcdf(result, path, {.history = history});
-  }
 }
 
 std::string where_it_is(const tally::Result& result, const std::string& path,
@@ -56,13 +50,27 @@ std::string where_it_is(const tally::Result& result, const std::string& path,
 
 /// A run as it is before it begins.
 struct Plan {
-  scene::Scene scene;
-  std::string path;  ///< of the result
+  Origin origin;
+  std::string path;  ///< of the result, if nothing is there that took longer
   std::string history;
   std::optional<Isa> lanes;  ///< none: the scalar engine
   std::optional<engine::Start> start;
   std::uint64_t photons = 0;  ///< there already
 };
+
+/// Returns where the result is.
+std::string write(const tally::Result& result, Destination& destination, const Plan& plan) {
+  const Place place = destination.place_of(result);
+  if (std::filesystem::path(place.path).extension() == ".csv") {
+    io::write_csv(result, place.path, place.keep_as);
+  } else {
+    io::write_netcdf(
+        result, place.path,
+        {.history = plan.history, .scene_file = plan.origin.scene_file, .keep_as = place.keep_as});
+  }
+  print_error(place.remark);
+  return place.path;
+}
 
 /// What the command says of the run besides its scene.
 engine::RunOptions options_of(const RunCommand& command, std::optional<Isa> lanes,
@@ -106,19 +114,24 @@ Plan plan(const RunCommand& command) {
   scene::Reading reading = read_scene_of(command);
   for (const std::string& remark : reading.remarks) print_error(remark + '\n');
   Plan plan;
-  plan.scene = std::move(reading.scene);
   plan.path = result_path(command);
+  plan.origin = {std::move(reading.scene),
+                 command.scene.empty() ? "" : seen_from(plan.path, command.scene)};
   spare(reading.files, plan.path);
   plan.history = io::history_line(command.command_line);
   io::check_writable(plan.path);  // now, not after hours of work
   plan.lanes = lanes_asked(command);
   if (command.earlier.empty()) return plan;
-  Earlier earlier = take_up(command.earlier, plan.scene);
+  Earlier earlier = take_up(command.earlier, plan.origin.scene);
+  if (command.scene.empty() && !earlier.scene_file.empty())
+    plan.origin.scene_file = seen_from(
+        plan.path,
+        (std::filesystem::path(command.earlier).parent_path() / earlier.scene_file).string());
   plan.history = earlier.history + '\n' + plan.history;
   plan.lanes = lanes_going_on(command, earlier.lanes);
   plan.start = std::move(earlier.start);
   plan.photons = earlier.photons;
-  if (plan.photons == plan.scene.simulation.photons)
+  if (plan.photons == plan.origin.scene.simulation.photons)
     print_error(fmt::format("{}: holds all {} photons asked for already (--photons is the total)\n",
                             command.earlier, plan.photons));
   return plan;
@@ -128,22 +141,25 @@ Plan plan(const RunCommand& command) {
 
 int run(const RunCommand& command) {
   Plan plan = app::plan(command);
-  Checkpoint checkpoint(plan.path, plan.scene, plan.history);
+  const Lock lock(plan.path);
+  Destination destination(plan.path, plan.origin, command.force);
+  Checkpoint checkpoint(plan.path, plan.origin, plan.history);
   print_error(checkpoint.leftover(plan.photons));
 
   listen_for_interrupts();
-  const tally::Result result =
-      simulate(plan.scene, options_of(command, plan.lanes, std::move(plan.start)), checkpoint);
+  const tally::Result result = simulate(
+      plan.origin.scene, options_of(command, plan.lanes, std::move(plan.start)), checkpoint);
 
   const std::string table = command.json ? io::echo_json(result) : io::echo_table(result);
+  std::string path;
   try {
-    write(result, plan.path, plan.history);
+    path = write(result, destination, plan);
   } catch (const EnvironmentError&) {
     print_out(table);  // all that is left of the run, but for its checkpoint
     print_error(checkpoint.leftover(0));
     throw;
   }
-  const std::string place = where_it_is(result, plan.path, checkpoint.finish(result));
+  const std::string place = where_it_is(result, path, checkpoint.finish(result));
   print_out(table);
   command.json ? print_error(place) : print_out(place);
   return result.partial ? interrupt_exit_code() : done;

@@ -71,7 +71,7 @@ void tell(const io::SpectralTable& table, const std::string& text, const std::st
 /// Before anything is computed.
 void check_output_of(const std::string& input, const OpticsCommand& command) {
   if (command.output.empty()) return;
-  check_output(command.output, "");
+  check_optics_output(command.output, "");
   spare({input}, command.output);
 }
 

@@ -4,6 +4,7 @@ import contextlib
 import json
 import numbers
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -20,7 +21,14 @@ PATIENCE_S = 10  # for the program to end a batch, after a signal
 
 
 def run(
-    scene, set=None, photons=None, threads=None, output=None, program=None, continue_from=None
+    scene,
+    set=None,
+    photons=None,
+    threads=None,
+    output=None,
+    program=None,
+    continue_from=None,
+    force=False,
 ):
     """Simulates a scene file and returns the result as photic.open does.
 
@@ -29,6 +37,8 @@ def run(
     photons  how many to emit; threads: how many to use (default: all cores)
     output   where to keep the result file (.nc); not kept by default
     continue_from  a result of the same scene to go on from; photons are the total then
+    force    replaces whatever is at `output`; otherwise what took longer, or is of another scene, is
+             refused, or left with this result beside it, which a warning tells
     program  the program to run; otherwise $PHOTIC_PROGRAM, the one this package was installed or
              built with, or the one in PATH
 
@@ -50,54 +60,66 @@ def run(
             command += ["--threads", str(threads)]
         if continue_from is not None:
             command += ["--continue", os.fspath(continue_from)]
-        code, remarks = _call(command)
-        dataset = open_result(result)
+        if force:
+            command.append("--force")
+        code, remarks, told = _call(command)
+        path = _result_of(told) or result
+        dataset = open_result(path)
     if code != 0:
-        _raise_ended(code, dataset, output)
+        _raise_ended(code, dataset, path if output is not None else None)
     for warning in remarks + dataset.attrs["warnings"].splitlines():
         warnings.warn(warning, stacklevel=2)
     return dataset
 
 
 def _call(command):
-    """The exit code of a program that wrote a result, and what it remarked on the scene."""
-    pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE}
+    """Of a program that wrote a result: its exit code, what it remarked, and what it printed."""
+    pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     try:
-        process = subprocess.Popen(command, text=True, **pipes)
+        process = subprocess.Popen(command, encoding="utf-8", errors="surrogateescape", **pipes)
     except OSError as error:
         message = f"{command[0]}: cannot run the program: {error.strerror}"
         raise Error(message, exit_code=1) from error
     with process:
         try:
-            errors = process.communicate()[1]
+            told, errors = process.communicate()
         except KeyboardInterrupt:
-            _finish(process)
+            told = _finish(process)
             if process.returncode not in (0, INTERRUPTED, TERMINATED):
                 raise
-            return INTERRUPTED, []
+            return INTERRUPTED, [], told
         except BaseException:
             process.kill()
             raise
     if process.returncode not in (0, INTERRUPTED, TERMINATED):
         message = errors.strip() or f"{command[0]} ended with code {process.returncode}"
         raise Error(message, exit_code=process.returncode)
-    return process.returncode, errors.splitlines()
+    return process.returncode, errors.splitlines(), told
 
 
 def _finish(process):
-    """Lets an interrupted program write its partial result; a second Ctrl-C ends it."""
+    """Lets an interrupted program write its partial result, and returns what it printed; a second
+    Ctrl-C ends it."""
+    told = ""
     try:
         # A terminal or a notebook has sent the signal to the program as well, and a second one
         # would end it at once: only a program that goes on has not got it.
         with contextlib.suppress(subprocess.TimeoutExpired):
-            process.communicate(timeout=PATIENCE_S)
+            told = process.communicate(timeout=PATIENCE_S)[0]
         if process.poll() is None:
             process.send_signal(signal.SIGINT)
             with contextlib.suppress(subprocess.TimeoutExpired):
-                process.communicate(timeout=PATIENCE_S)
+                told = process.communicate(timeout=PATIENCE_S)[0]
+        return told
     finally:
         process.kill()  # nothing, if it has ended
         process.wait()
+
+
+def _result_of(told):
+    """Where the program says that the result is: beside the output, if more photons were there."""
+    places = re.findall(r"^Result(?: \(.*\))?: (.+)$", told, re.MULTILINE)
+    return places[-1] if places else None
 
 
 def _raise_ended(code, partial, output):

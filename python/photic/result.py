@@ -48,6 +48,8 @@ def open(path):
         return _indexed(dataset)
     has = {axis: axis + "_name" in dataset for axis in ("environment", "parameter")}
     for axis in ["telescope", "channel", "process"] + [axis for axis in has if has[axis]]:
+        if axis + "_name" not in dataset and axis in dataset.coords:
+            continue  # a dataset of this function, written by xarray
         names = dataset[axis + "_name"]
         dataset = dataset.assign_coords({axis: (axis, names.values.astype(str), names.attrs)})
         dataset = dataset.drop_vars(axis + "_name")

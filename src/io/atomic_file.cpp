@@ -26,10 +26,8 @@ namespace fs = std::filesystem;
 /// The regular file that `path` stands for, whether it is there already or not.
 fs::path target_of(const std::string& path) {
   std::error_code error;
-  fs::path target = path;
   // A result may be a link to another disk: replace what it points to, not the link.
-  if (fs::is_symlink(target, error)) target = fs::weakly_canonical(target, error);
-  if (error && error != std::errc::no_such_file_or_directory) fail(path, error.message());
+  const fs::path target = behind_links(path);
   const fs::file_status status = fs::status(target, error);
   if (fs::is_directory(status)) fail(path, "it is a directory");
   // A rename would put a file in the place of a device such as /dev/null.
@@ -69,17 +67,33 @@ class Temporary {
     }
   }
 
-  void take_place() {
+  void take_place(const std::string& keep_as) {
     // Without it a power cut after the rename could leave an empty file instead of the old one.
     if (::fsync(file_) != 0) fail_with_errno(path_);
     const int status = ::close(file_);
     file_ = -1;
     if (status != 0) fail_with_errno(path_);
+    if (!keep_as.empty()) keep_target(target_.parent_path() / fs::path(keep_as).filename());
     if (std::rename(name_.c_str(), target_.c_str()) != 0) fail_with_errno(path_);
     renamed_ = true;
   }
 
  private:
+  /// By a second name, so that its own is never without a file; where files have one name only, by
+  /// another one.
+  void keep_target(const fs::path& kept) const {
+    if (::access(target_.c_str(), F_OK) != 0) return;
+    const std::string second = name_.native() + ".old";
+    const bool linked = ::link(target_.c_str(), second.c_str()) == 0;
+    if (std::rename(linked ? second.c_str() : target_.c_str(), kept.c_str()) != 0) {
+      const int why = errno;
+      if (linked) ::unlink(second.c_str());
+      errno = why;
+      fail_with_errno(path_);
+    }
+    if (linked) ::unlink(second.c_str());  // there if it was kept under that name already
+  }
+
   std::string path_;  ///< as the user wrote it, for messages
   fs::path target_, name_;
   int file_ = -1;
@@ -88,10 +102,24 @@ class Temporary {
 
 }  // namespace
 
-void write_atomically(const std::string& path, std::string_view content) {
+void write_atomically(const std::string& path, std::string_view content,
+                      const std::string& keep_as) {
   Temporary temporary(path);
   temporary.write(content);
-  temporary.take_place();
+  temporary.take_place(keep_as);
+}
+
+std::string behind_links(const std::string& path) {
+  constexpr int most = 40;  // as Linux has it
+  fs::path target = path;
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(target, error); ++links) {
+    if (links == most) fail(path, "its links lead in a circle");
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) fail(path, error.message());
+    target = target.parent_path() / next;  // next alone, if it begins at the root
+  }
+  return target.string();
 }
 
 void check_writable(const std::string& path) { Temporary temporary(path); }

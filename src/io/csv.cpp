@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <charconv>
+#include <cstring>
+#include <fstream>
 #include <vector>
 
 #include "io/atomic_file.hpp"
@@ -20,6 +23,9 @@ std::string field(const std::string& text) {
   return quoted + '"';
 }
 
+constexpr const char* estimator_word = ", estimator ";
+constexpr const char* photons_word = ", photons ";
+
 const char* const columns =
     "telescope,channel,gate,time_start_ns,time_end_ns,depth_m,echo,standard_error,relative_error,"
     "converged,reasons";
@@ -29,8 +35,8 @@ bool has_parameters(const tally::Result& result) { return !result.parameter_name
 
 std::string head(const tally::Result& result) {
   std::string out = fmt::format("# {}\n", one_line(result.title));
-  out += fmt::format("# Photic {}, estimator {}, engine {}, seed {}, photons {}{}\n",
-                     result.version, result.estimator, result.engine, result.seed, result.photons,
+  out += fmt::format("# Photic {}{}{}, engine {}, seed {}{}{}{}\n", result.version, estimator_word,
+                     result.estimator, result.engine, result.seed, photons_word, result.photons,
                      result.partial ? " (partial: interrupted)" : "");
   if (const std::string rested = rested_channels(result); !rested.empty())
     out += fmt::format("# photons of channels that met the target before others: {}\n",
@@ -106,8 +112,24 @@ std::string echo_csv(const tally::Result& result) {
   return out;
 }
 
-void write_csv(const tally::Result& result, const std::string& path) {
-  write_atomically(path, echo_csv(result));
+void write_csv(const tally::Result& result, const std::string& path, const std::string& keep_as) {
+  write_atomically(path, echo_csv(result), keep_as);
+}
+
+std::optional<std::uint64_t> photons_in_csv(const std::string& path) {
+  std::ifstream file(path);
+  std::string title, about;
+  std::getline(file, title);
+  std::getline(file, about);
+  const bool ours = title.starts_with("# ") && about.starts_with("# Photic ");
+  if (!ours || about.find(", ") != about.find(estimator_word)) return std::nullopt;
+  const auto found = about.find(photons_word);
+  if (found == std::string::npos) return std::nullopt;
+  std::uint64_t photons = 0;
+  const char* digits = about.data() + found + std::strlen(photons_word);
+  if (std::from_chars(digits, about.data() + about.size(), photons).ec != std::errc{})
+    return std::nullopt;
+  return photons;
 }
 
 }  // namespace photic::io

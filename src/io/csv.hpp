@@ -2,6 +2,8 @@
 // tells is in the netCDF file (io/netcdf.hpp).
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "tally/result.hpp"
@@ -15,7 +17,12 @@ namespace photic::io {
 /// with the derivatives in five columns of their own and the convergence of these.
 std::string echo_csv(const tally::Result& result);
 
-/// Writes echo_csv to a file, whole or not at all. Throws EnvironmentError.
-void write_csv(const tally::Result& result, const std::string& path);
+/// Writes echo_csv to a file, whole or not at all; `keep_as` as in write_atomically. Throws
+/// EnvironmentError.
+void write_csv(const tally::Result& result, const std::string& path,
+               const std::string& keep_as = "");
+
+/// How many photons a file tells of that write_csv wrote; nothing if it is another file.
+std::optional<std::uint64_t> photons_in_csv(const std::string& path);
 
 }  // namespace photic::io

@@ -16,7 +16,9 @@ namespace photic::io {
 inline constexpr std::int32_t photic_format = 2;
 
 struct WriteInfo {
-  std::string history;  ///< how the file came to be; see history_line
+  std::string history = {};     ///< how the file came to be; see history_line
+  std::string scene_file = {};  ///< seen from the folder of the result; empty: not known
+  std::string keep_as = {};     ///< see write_atomically
 };
 
 /// "2026-01-31T12:00:00Z: photic run ship.toml": the time now (UTC) and the command.
@@ -32,6 +34,7 @@ std::string read_scene_attribute(const std::string& path);
 /// What a result file says of its run, for one that goes on from it.
 struct RunSoFar {
   std::string scene_toml, version, engine, history;
+  std::string scene_file;  ///< as in WriteInfo
   std::uint64_t photons = 0;
   double wall_time_s = 0;
 };

@@ -21,6 +21,7 @@ RunSoFar read_run(const std::string& path) {
           .version = reader.text("version"),
           .engine = reader.text("engine"),
           .history = reader.text("history"),
+          .scene_file = reader.has("scene_file") ? reader.text("scene_file") : "",
           .photons = reader.count("photons"),
           .wall_time_s = reader.number("wall_time_s")};
 }

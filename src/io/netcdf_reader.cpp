@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <numeric>
@@ -49,15 +50,14 @@ NetcdfReader::NetcdfReader(std::string path, std::string wanted)
 
 NetcdfReader::~NetcdfReader() { nc_close(file_); }
 
-std::int32_t NetcdfReader::format() const {
-  int format = 0;
-  if (nc_get_att_int(file_, NC_GLOBAL, "photic_format", &format) != NC_NOERR)
+double NetcdfReader::format() const {
+  if (!has("photic_format"))
     refuse("a netCDF file, but not a result of Photic: it has no attribute photic_format");
-  return format;
+  return number("photic_format");
 }
 
 void NetcdfReader::expect_result() const {
-  if (format() > photic_format)
+  if (!(format() <= photic_format))
     refuse_file(path_,
                 fmt::format("written by a newer Photic (result format {}; this program reads up to "
                             "{})",
@@ -97,15 +97,21 @@ std::string NetcdfReader::text(const std::string& name) const {
 }
 
 std::uint64_t NetcdfReader::count(const std::string& name) const {
-  if (!is_single(name, NC_UINT64))
+  if (is_single(name, NC_UINT64)) {
+    std::uint64_t value = 0;
+    check(nc_get_att(group_, NC_GLOBAL, name.c_str(), &value), name);
+    return value;
+  }
+  // Where another program wrote the result again: int64, or what netCDF-3 has for it.
+  constexpr double whole_below = 9007199254740992.0;  // 2^53
+  const double value = is_single_number(name) ? number(name) : -1;
+  if (!(value >= 0 && value <= whole_below && value == std::floor(value)))
     refuse(fmt::format("a damaged result: it has no attribute {} that is a count", name));
-  std::uint64_t value = 0;
-  check(nc_get_att(group_, NC_GLOBAL, name.c_str(), &value), name);
-  return value;
+  return static_cast<std::uint64_t>(value);
 }
 
 double NetcdfReader::number(const std::string& name) const {
-  if (!is_single(name, NC_DOUBLE))
+  if (!is_single_number(name))
     refuse(fmt::format("a damaged result: it has no attribute {} that is a number", name));
   double value = 0;
   check(nc_get_att_double(group_, NC_GLOBAL, name.c_str(), &value), name);
@@ -137,6 +143,13 @@ std::vector<T> NetcdfReader::values(const std::string& name, int type,
       std::accumulate(lengths.begin(), lengths.end(), std::size_t{1}, std::multiplies<>()));
   check(nc_get_var(group_, variable, out.data()), name);
   return out;
+}
+
+bool NetcdfReader::is_single_number(const std::string& name) const {
+  nc_type found = NC_NAT;
+  std::size_t length = 0;
+  return nc_inq_att(group_, NC_GLOBAL, name.c_str(), &found, &length) == NC_NOERR && length == 1 &&
+         found >= NC_BYTE && found <= NC_UINT64 && found != NC_CHAR;
 }
 
 bool NetcdfReader::is_single(const std::string& name, int type) const {

@@ -23,7 +23,7 @@ class NetcdfReader {
   /// Throws InputError unless the file was written by Photic in a format that is known.
   void expect_result() const;
   /// The format that Photic wrote it in; throws InputError if it did not.
-  [[nodiscard]] std::int32_t format() const;
+  [[nodiscard]] double format() const;
 
   /// What it holds in the place of echoes: "the optics of layers" (io/optics_file.hpp), "spectra"
   /// (io/spectral_table.hpp). Empty: echoes.
@@ -34,7 +34,8 @@ class NetcdfReader {
   /// Whatever is read afterwards comes from this group; false if there is none.
   bool enter_group(const std::string& name);
 
-  // Attributes.
+  // Attributes. Numbers may have become others that say the same, since programs that write a
+  // result again have types of their own.
   [[nodiscard]] std::string text(const std::string& name) const;
   [[nodiscard]] std::uint64_t count(const std::string& name) const;
   [[nodiscard]] double number(const std::string& name) const;
@@ -55,6 +56,7 @@ class NetcdfReader {
   template <class T>
   [[nodiscard]] std::vector<T> values(const std::string& name, int type,
                                       const std::vector<std::size_t>& lengths) const;
+  [[nodiscard]] bool is_single_number(const std::string& name) const;
   [[nodiscard]] bool is_single(const std::string& name, int type) const;
   [[nodiscard]] std::vector<std::size_t> lengths_of(int variable) const;
   void check(int status, const std::string& name) const;

@@ -277,6 +277,7 @@ void add_description(NetcdfImage& file, const tally::Result& result, const Write
   file.add_global("version", result.version);
   file.add_global("engine", result.engine);
   file.add_global("estimator", result.estimator);
+  if (!info.scene_file.empty()) file.add_global("scene_file", LongText{info.scene_file});
   file.add_global("scene", LongText{result.scene_toml});
   file.add_global("optics_sources", LongText{fmt::format("{}", fmt::join(result.sources, "\n"))});
 }
@@ -329,7 +330,7 @@ void write_netcdf(const tally::Result& result, const std::string& path, const Wr
   add_environments(file, result);
   add_sensitivities(file, result);
   if (result.state) add_state(file, *result.state);
-  write_atomically(path, file.finish());
+  write_atomically(path, file.finish(), info.keep_as);
 }
 
 }  // namespace photic::io

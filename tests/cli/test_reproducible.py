@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 # What may differ between two runs of one scene.
-ABOUT_THE_RUN = {"history", "wall_time_s", "threads", "collisions_per_second"}
+ABOUT_THE_RUN = {"history", "scene_file", "wall_time_s", "threads", "collisions_per_second"}
 
 
 def contents(path):

@@ -1,6 +1,12 @@
+import os
+import subprocess
+
 import netCDF4
 import numpy
 import pytest
+import xarray
+from conftest import made
+from test_run import SCENE
 
 import photic
 
@@ -149,3 +155,62 @@ def test_newer_format(sample, tmp_path):
         photic.open(path)
     reason = "written by a newer Photic (result format 3; this package reads up to 2)"
     assert str(error.value) == f"{path}: {reason}"
+
+
+def with_other_types(dataset):
+    """Attributes as other tools and netCDF-3 have them: int64 or double for every count."""
+    attrs = {}
+    for name, value in dataset.attrs.items():
+        whole = isinstance(value, numpy.integer)
+        attrs[name] = numpy.int64(value) if whole and name != "photons" else float(value) if whole else value
+    return dataset.assign_attrs(attrs)
+
+
+# Seen red: with names looked for under `telescope_name` alone; with counts that have to be uint64.
+@pytest.mark.parametrize("read", [xarray.open_dataset, photic.open], ids=["xarray", "photic"])
+@pytest.mark.parametrize("change", [lambda ds: ds, with_other_types], ids=["as it is", "other types"])
+def test_a_result_that_xarray_wrote_again(real, tmp_path, read, change):
+    copy = tmp_path / "copy.nc"
+    with read(real) as dataset:
+        change(dataset).to_netcdf(copy)
+    original, again = photic.open(real), photic.open(copy)
+    assert again.equals(original)
+    assert again.converged.dtype == bool and list(again.telescope.values) == list(original.telescope.values)
+    assert set(again.coords) == set(original.coords)
+
+    shown = [program("show", path).stdout for path in (real, copy)]
+    assert shown[0] == shown[1] and "[source]" in shown[0]
+    going_on = program("run", "--continue", copy, "--photons", "40000", "-o", tmp_path / "new.nc")
+    assert going_on.returncode == 2
+    assert going_on.stderr.startswith(
+        f"{copy}: a result that no run can go on from: it has no group continuation, which is lost where another "
+    )
+    scene = tmp_path / "other.toml"
+    scene.write_text(SCENE)
+    over = program("run", scene, "-o", copy, "--photons", "4000")
+    assert over.returncode == 2 and "copy.nc: holds 20000 photons of this scene" in over.stderr
+
+
+def program(*arguments):
+    return subprocess.run([os.environ["PHOTIC_PROGRAM"], *map(str, arguments)], capture_output=True, text=True, check=False)
+
+
+@pytest.fixture
+def real(tmp_path):
+    """A result of the program itself."""
+    scene = tmp_path / "scene.toml"
+    scene.write_text(SCENE)
+    done = program("run", scene, "-o", tmp_path / "out.nc")
+    assert done.returncode == 0, done.stderr
+    return tmp_path / "out.nc"
+
+
+@pytest.mark.parametrize("names", [(), ("bloom", "--", "sea.x")], ids=["plain", "environments and parameters"])
+def test_what_photic_opened_and_xarray_wrote_opens_again(tmp_path, names):
+    original = photic.open(made(tmp_path / "sample.nc", *names))
+    original.to_netcdf(tmp_path / "copy.nc")
+    again = photic.open(tmp_path / "copy.nc")
+    assert again.equals(original)
+    assert {name: again[name].dtype for name in again if "converged" in name} == {
+        name: bool for name in original if "converged" in name
+    }

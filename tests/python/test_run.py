@@ -99,3 +99,18 @@ def test_all_errors_of_a_scene(scene):
 def test_missing_scene(tmp_path):
     with pytest.raises(photic.Error, match="none.toml"):
         photic.run(tmp_path / "none.toml")
+
+
+# Seen red: with the longer result returned in the place of this run's.
+def test_a_longer_result_is_left_and_this_one_is_beside(scene, tmp_path):
+    photic.run(scene, photons=3e6, output=tmp_path / "kept.nc")
+    with pytest.raises(photic.Error, match="holds 3000000 photons of this scene, more than the 10000"):
+        photic.run(scene, photons=1e4, output=tmp_path / "kept.nc")
+    time_limit = {"simulation.max_time_s": 0.001}
+    with pytest.warns(UserWarning, match="left as it is: see .*kept-2.nc"):
+        ds = photic.run(scene, photons=1e12, set=time_limit, output=tmp_path / "kept.nc")
+    assert ds.attrs["photons"] < 3e6
+    assert ds.identical(photic.open(tmp_path / "kept-2.nc"))
+    assert photic.open(tmp_path / "kept.nc").attrs["photons"] == 3e6
+    photic.run(scene, photons=1e4, output=tmp_path / "kept.nc", force=True)
+    assert photic.open(tmp_path / "kept.nc").attrs["photons"] == 1e4

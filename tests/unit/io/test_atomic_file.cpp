@@ -90,6 +90,46 @@ TEST(AtomicFile, FollowsALinkAndKeepsIt) {
   EXPECT_EQ(read_file(elsewhere.file("real.txt")), "new");
 }
 
+// Seen red: with the link replaced where its file is not there yet.
+TEST(AtomicFile, FollowsALinkToAFileThatIsToBe) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("link2.txt", folder.file("link.txt"));
+  std::filesystem::create_symlink("real.txt", folder.file("link2.txt"));
+  EXPECT_EQ(behind_links(folder.file("link.txt")), folder.file("real.txt"));
+  write_atomically(folder.file("link.txt"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link.txt")));
+  EXPECT_EQ(read_file(folder.file("real.txt")), "new");
+  std::filesystem::create_symlink("circle.txt", folder.file("circle.txt"));
+  EXPECT_TRUE(error_of([&] {
+                write_atomically(folder.file("circle.txt"), "text");
+              }).ends_with("its links lead in a circle"));
+}
+
+// Seen red: with the older file's name taken from it before the new one is whole.
+TEST(AtomicFile, KeepsTheOlderFileOnceUnderAnotherName) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("out.txt");
+  write_atomically(path, "first", "out.previous.txt");
+  EXPECT_EQ(folder.files(), Names{"out.txt"});
+  write_atomically(path, "second", "out.previous.txt");
+  write_atomically(path, "third", "out.previous.txt");
+  EXPECT_EQ(folder.files(), (Names{"out.previous.txt", "out.txt"}));
+  EXPECT_EQ(read_file(folder.file("out.previous.txt")), "second");
+  {
+    const FullDisk disk(1000);
+    EXPECT_NE(error_of([&] { write_atomically(path, std::string(9999, 'x'), "out.previous.txt"); }),
+              "no error");
+  }
+  EXPECT_EQ(read_file(path), "third");
+  EXPECT_EQ(read_file(folder.file("out.previous.txt")), "second");
+  // Where a power cut came between the two: both names stand for one file.
+  std::filesystem::remove(folder.file("out.previous.txt"));
+  std::filesystem::create_hard_link(path, folder.file("out.previous.txt"));
+  write_atomically(path, "fourth", "out.previous.txt");
+  EXPECT_EQ(read_file(folder.file("out.previous.txt")), "third");
+  EXPECT_EQ(folder.files(), (Names{"out.previous.txt", "out.txt"}));
+}
+
 TEST(AtomicFile, MissingFolder) {
   const TemporaryFolder folder;
   const std::string path = folder.file("none/out.nc");

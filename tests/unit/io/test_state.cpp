@@ -109,7 +109,10 @@ TEST_F(WrittenState, KnowsItsRun) {
 TEST_F(WrittenState, IsNotInEveryResult) {
   result_.state.reset();
   write();
-  EXPECT_EQ(refusal(), "a result that no run can go on from: it has no group continuation");
+  EXPECT_EQ(
+      refusal(),
+      "a result that no run can go on from: it has no group continuation, which is lost where "
+      "another program writes a result again");
 }
 
 // Seen red: without a look at the lengths of the dimensions.

@@ -45,7 +45,7 @@ TEST_F(PhytoplanktonTableOfAUser, IsRefusedAtItsLine) {
   EXPECT_EQ(problems(with("500,0.04,0.3\n500,0.02,x\n")),
             Texts{file_ + ":3:1: wavelength_nm 500 is not above the 500 before it (this column "
                           "must ascend)"});
-  EXPECT_EQ(problems(with("500,-0.04,0.3\n600,0.02,x\n")),
+  EXPECT_EQ(problems(with("500,-0.04,0.3\n600,0.02,0.25\n")),
             Texts{file_ + ":2:5: a_m2_per_mg -0.04 is negative"});
 }
 
@@ -103,19 +103,17 @@ TEST_F(PhaseTableOfAUser, IsRemarkedOnWhenItIsScaled) {
 TEST_F(PhaseTableOfAUser, InTheSceneIsRefusedAtItsNumber) {
   const auto with_columns = [](const std::string& columns) {
     return std::vector<scene::Edit>{
-        {25, 25, "phase_function = { model = \"table\", file = {\n" + columns + "\n} }"}};
+        {25, 25, "phase_function = { model = \"table\", file = { " + columns + " } }"}};
   };
-  EXPECT_EQ(problems(with_columns("angle_deg = [0, 90, 90, 180],\nphase_function_per_sr = [0.1,"
-                                  " 0.1, 0.1, 0.1]")),
-            Texts{"scene.toml:26:21: angle_deg 90 is not above the 90 before it (this column must "
+  EXPECT_EQ(problems(with_columns("angle_deg = [0, 90, 90, 180], phase_function_per_sr = [0.1, 0.1,"
+                                  " 0.1, 0.1]")),
+            Texts{"scene.toml:25:66: angle_deg 90 is not above the 90 before it (this column must "
                   "ascend)"});
-  EXPECT_EQ(problems(with_columns("angle_deg = [0, 180],\nphase_function_per_sr = [0.1, -0.1]")),
-            Texts{"scene.toml:27:31: a phase function is not negative"});
-  EXPECT_EQ(
-      problems({}, {"sea.layer.1.phase_function={ model = \"table\", file = { angle_deg = "
-                    "[0, 180], phase_function_per_sr = [0.1, -0.1] } }"}),
-      Texts{"--set sea.layer.1.phase_function={ model = \"table\", file = { angle_deg = [0, "
-            "180], phase_function_per_sr = [0.1, -0.1] } }: a phase function is not negative"});
+  EXPECT_EQ(problems(with_columns("angle_deg = [0, 180], phase_function_per_sr = [\n0.1,\n-0.1]")),
+            Texts{"scene.toml:27:1: a phase function is not negative"});
+  EXPECT_EQ(problems({}, {"sea.layer.1.phase_function={ model = \"table\", file = { angle_deg = "
+                          "[0, 180], phase_function_per_sr = [0.1, -0.1] } }"}),
+            Texts{"--set sea.layer.1.phase_function: a phase function is not negative"});
 }
 
 TEST_F(PhaseTableOfAUser, IsFoundInAMixture) {

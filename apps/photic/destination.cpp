@@ -1,0 +1,93 @@
+#include "photic/destination.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "io/atomic_file.hpp"
+#include "photic/output.hpp"
+
+namespace photic::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = Occupant::Kind;
+
+/// "my.nc" and ".previous" -> "my.previous.nc"
+fs::path renamed(const fs::path& file, const std::string& ending) {
+  return file.parent_path() / (file.stem().string() + ending + file.extension().string());
+}
+
+[[noreturn]] void refuse_to_replace(const std::string& file, const std::string& reason,
+                                    const std::string& way = "") {
+  throw UsageError(
+      fmt::format("{}: {}, and is left as it is ({}choose another name with -o, or --force to "
+                  "replace it)",
+                  file, reason, way));
+}
+
+std::string more_photons(const Occupant& occupant) {
+  return fmt::format("holds {} photons of this scene", occupant.photons);
+}
+
+}  // namespace
+
+std::string previous_name(const std::string& file) {
+  return renamed(io::behind_links(file), ".previous").string();
+}
+
+std::string kept_line(const std::string& file) {
+  return fmt::format("{}: what {} held before\n", previous_name(file), file);
+}
+
+std::string free_name(const std::string& file) {
+  std::error_code none;
+  for (int n = 2;; ++n) {
+    const fs::path name = renamed(file, fmt::format("-{}", n));
+    if (!fs::exists(name, none)) return name.string();
+  }
+}
+
+Destination::Destination(std::string path, const Origin& origin, bool force)
+    : path_(std::move(path)), previous_(previous_name(path_)), origin_(origin), force_(force) {
+  if (!force_) expect_room(occupant_of(path_, origin_));
+}
+
+void Destination::expect_room(const Occupant& occupant) const {
+  if (!occupant.reason.empty()) refuse_to_replace(path_, occupant.reason);
+  const auto asked = origin_.scene.simulation.photons;
+  if (occupant.kind == Kind::same_scene && asked && *asked < occupant.photons)
+    refuse_to_replace(path_,
+                      fmt::format("{}, more than the {} asked for", more_photons(occupant), *asked),
+                      fmt::format("add to them with --continue {}, ", path_));
+  if (occupant.kind != Kind::edited_scene && occupant.kind != Kind::some_scene) return;
+  const Occupant previous = occupant_of(previous_, origin_);
+  if (previous.kind == Kind::stranger)
+    refuse_to_replace(previous_,
+                      fmt::format("{}; {} would be kept under this name", previous.reason, path_));
+}
+
+Place Destination::beside(const std::string& why) {
+  const std::string path = free_name(path_);
+  lock_.emplace(path);
+  return {path, "", fmt::format("{}: {}, and is left as it is: see {}\n", path_, why, path)};
+}
+
+Place Destination::place_of(const tally::Result& result) {
+  if (force_) return {path_, "", ""};
+  const Occupant occupant = occupant_of(path_, origin_);
+  if (!occupant.reason.empty()) return beside(occupant.reason);
+  const bool more = occupant.photons > result.photons;
+  if (occupant.kind == Kind::same_scene && more)
+    return beside(
+        fmt::format("{}, more than this run's {}", more_photons(occupant), result.photons));
+  if (occupant.kind == Kind::some_scene && more && result.partial)
+    return beside(
+        fmt::format("holds {} photons, more than this run's {}", occupant.photons, result.photons));
+  if (occupant.kind != Kind::edited_scene && occupant.kind != Kind::some_scene)
+    return {path_, "", ""};
+  return {path_, previous_, kept_line(path_)};
+}
+
+}  // namespace photic::app

@@ -1,0 +1,40 @@
+// What stands already where a run is to write.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "scene/scene.hpp"
+
+namespace photic::app {
+
+/// What a result is made from.
+struct Origin {
+  scene::Scene scene;
+  std::string scene_file;  ///< seen from the result's folder; empty: not known
+};
+
+struct Occupant {
+  enum class Kind {
+    nobody,        ///< no file, or an empty one
+    same_scene,    ///< a result of the same scene: its photons count
+    edited_scene,  ///< of the same scene file, when there was something else in it
+    some_scene,    ///< a CSV, which does not tell its scene
+    other_scene,   ///< of another scene file
+    stranger       ///< no result of a run
+  };
+  Kind kind = Kind::nobody;
+  std::uint64_t photons = 0;
+  std::string reason;  ///< why no run should replace it
+};
+
+/// Throws EnvironmentError if there is something that cannot be read.
+Occupant occupant_of(const std::string& file, const Origin& origin);
+
+/// Whether it is a result of a run.
+bool holds_echoes(const std::string& file);
+
+/// A scene file seen from the folder of a result, so that both may move.
+std::string seen_from(const std::string& result, const std::string& scene_file);
+
+}  // namespace photic::app
