@@ -156,7 +156,8 @@ def test_the_result_of_another_scene_file_is_not_replaced(run, scene, tmp_path):
     other.parent.mkdir()
     other.write_text(scene.read_text().replace("chlorophyll_mg_m3 = 0.1", "chlorophyll_mg_m3 = 0.2"))
     before = (tmp_path / "echo.nc").read_bytes()
-    done = run("campaign/quick.toml", "-o", "echo.nc", "--photons", "1e15", code=2)
+    done = run("campaign/quick.toml", "-o", "echo.nc", code=2)
+    assert done.stdout == "", "told before the run"
     assert done.stderr == (
         "echo.nc: is the result of another scene file, quick.toml, and is left as it is (" + LEFT
     )
@@ -206,7 +207,8 @@ def test_what_is_no_result_is_not_replaced(run, photic, scene, tmp_path):
         "optics.nc": "holds the optics of layers, and no echoes",
         "optics.csv": "is no result of a run",
     }.items():
-        done = run("quick.toml", "-o", name, "--photons", "1e15", code=2)
+        done = run("quick.toml", "-o", name, code=2)
+        assert done.stdout == ""
         assert done.stderr == f"{name}: {reason}, and is left as it is ({LEFT}"
     assert {p.name: p.read_bytes() for p in tmp_path.iterdir()} == before
     run("quick.toml", "-o", "notes.nc", "--force")
