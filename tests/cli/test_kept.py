@@ -1,6 +1,5 @@
 """What a run finds where its result is to go: nothing is lost that took longer, and two runs do not share a name."""
 
-import os
 import resource
 import shutil
 import signal
@@ -47,7 +46,7 @@ def test_the_same_command_works_twice(run, scene, tmp_path):
 
 
 def test_more_photons_of_the_same_scene_are_not_replaced(run, scene, tmp_path):
-    # Seen red: without the comparison of photons; with the look after the run only.
+    # Seen red: with the look after the run only.
     run("quick.toml", "--photons", "40000")
     before = (tmp_path / "quick.nc").read_bytes()
     done = run("quick.toml", "--photons", "39999", code=2)
@@ -101,7 +100,7 @@ def test_an_interrupted_run_does_not_replace_a_longer_one(run, start, scene, tmp
 
 
 def test_of_an_edited_scene_the_older_result_is_kept_once(run, scene, tmp_path):
-    # Seen red: with the older result gone; with one kept for each run.
+    # Seen red: with the older result gone.
     run("quick.toml", "--photons", "40000")
     scene.write_text(scene.read_text().replace("chlorophyll_mg_m3 = 0.1", "chlorophyll_mg_m3 = 0.2"))
     done = run("quick.toml", "--photons", "6000")
@@ -169,7 +168,7 @@ def test_the_result_of_another_scene_file_is_not_replaced(run, scene, tmp_path):
 
 
 def test_a_folder_that_moved_has_the_same_scene(run, scene, tmp_path):
-    # Seen red: with whole paths in the result; without a look at whether the scene is still where it was.
+    # Seen red: without a look at whether the scene is still where it was.
     campaign = tmp_path / "campaign"
     campaign.mkdir()
     shutil.move(scene, campaign / "quick.toml")
@@ -183,6 +182,7 @@ def test_a_folder_that_moved_has_the_same_scene(run, scene, tmp_path):
 
 
 def test_the_scene_of_a_continued_run_keeps_its_file(run, scene, tmp_path):
+    # Seen red: with whole paths in the result.
     (tmp_path / "out").mkdir()
     run("quick.toml", "-o", "old.nc")
     run("--continue", "old.nc", "--photons", "24000", "-o", "out/new.nc")
@@ -297,7 +297,7 @@ def test_the_checkpoint_of_another_scene_stays(run, start, scene, tmp_path):  # 
 
 
 def test_the_second_of_two_runs_is_told(run, start, scene, tmp_path):  # noqa: F811
-    # Seen red: without a lock; with one for the result alone, and not for its checkpoint.
+    # Seen red: without a lock; with another one for the checkpoint than for the result.
     process = start("--photons", "1e15")
     wait_until_it_listens(process)
     who = f"process {process.pid} on {socket.gethostname()}"
@@ -313,6 +313,7 @@ def test_the_second_of_two_runs_is_told(run, start, scene, tmp_path):  # noqa: F
 
 
 def test_kill_9_leaves_no_lock(run, start, scene, tmp_path):  # noqa: F811
+    # Seen red: with the lock's file left at the end of a run.
     process = start("--photons", "1e15")
     wait_until_it_listens(process)
     process.kill()
@@ -322,14 +323,12 @@ def test_kill_9_leaves_no_lock(run, start, scene, tmp_path):  # noqa: F811
 
 
 def test_of_many_runs_that_begin_at_once_one_has_the_name(program, scene, tmp_path):
-    # Seen red: without the second look at the lock's file.
-    command = [program, "run", "quick.toml", "--photons", "4000", "--threads", "1"]
+    # Seen red: without a lock. They open and remove its file in each other's way as long as the first has not begun.
+    command = [program, "run", "quick.toml", "--photons", "1e15", "--max-time", "8s", "--threads", "1"]
     pipes = {"cwd": tmp_path, "stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    runs = [subprocess.Popen(command, text=True, **pipes) for _ in range(12)]
+    runs = [subprocess.Popen(command, text=True, **pipes) for _ in range(6)]
     ends = [(process.communicate(timeout=120)[1], process.returncode) for process in runs]
-    assert {code for _, code in ends} <= {0, 2}
-    assert 0 in {code for _, code in ends}
+    assert sorted(code for _, code in ends) == [0, 2, 2, 2, 2, 2]
     for errors, code in ends:
         assert errors == "" if code == 0 else "is at work on it" in errors
     assert names(tmp_path) == ["quick.nc", "quick.toml"]
-    assert os.access(tmp_path / "quick.nc", os.W_OK)

@@ -40,7 +40,6 @@ cdom_fluorescence_file = "eem.csv"
 """
 
 
-# Seen red: with the files' names in the result; with numbers that do not read back.
 def test_a_result_is_shown_and_gone_on_from_where_its_folder_has_moved(photic, campaign, tmp_path):
     long_run = photic("run", "lib.toml", "--photons", "40000", "-o", "../long.nc", cwd=campaign)
     assert long_run.returncode == 0, long_run.stderr
@@ -65,7 +64,6 @@ def test_a_result_is_shown_and_gone_on_from_where_its_folder_has_moved(photic, c
     assert contents(moved / "alone.nc")[0] == contents(tmp_path / "long.nc")[0]
 
 
-# Seen red: with the name of the file compared, and not what is in it.
 def test_another_table_under_the_same_name_is_another_scene(photic, campaign):
     assert photic("run", "lib.toml", "-o", "out.nc", cwd=campaign).returncode == 0
     (campaign / "vsf.csv").write_text(OTHER_TABLE)

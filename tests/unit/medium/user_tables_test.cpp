@@ -42,7 +42,7 @@ TEST_F(PhytoplanktonTableOfAUser, IsReadOnceItIsGood) {
 }
 
 TEST_F(PhytoplanktonTableOfAUser, IsRefusedAtItsLine) {
-  EXPECT_EQ(problems(with("500,0.04,0.3\n500,0.02,x\n")),
+  EXPECT_EQ(problems(with("500,0.04,0.3\n500,0.02,0.25\n")),
             Texts{file_ + ":3:1: wavelength_nm 500 is not above the 500 before it (this column "
                           "must ascend)"});
   EXPECT_EQ(problems(with("500,-0.04,0.3\n600,0.02,0.25\n")),

@@ -38,8 +38,7 @@ class UserTableTest : public testing::Test {
   WrittenFiles files_{"user_tables"};
 };
 
-// Seen red: with the name of the file written; with numbers of six digits; without the column that
-// may lack; with the columns that nobody asked for.
+// Seen red: with numbers of six digits; without the column that may lack.
 TEST_F(UserTableTest, AWrittenSceneNeedsNoFile) {
   files_.write("exciting.csv",
                "wavelength_nm,a_m2_per_mg,b_m2_per_mg,a_exciting_m2_per_mg\n500,1,2,0.7\n600,1,2,"
@@ -59,6 +58,8 @@ TEST_F(UserTableTest, AWrittenSceneNeedsNoFile) {
     const Scene scene = files_.read(text).scene;
     EXPECT_EQ(write_scene(scene).find(".csv"), std::string::npos) << write_scene(scene);
     EXPECT_EQ(write_scene(scene).find("note"), std::string::npos);
+    EXPECT_EQ(write_scene(scene).find("a_exciting_m2_per_mg = [0.7, 0.1]") != std::string::npos,
+              text.find("exciting.csv") != std::string::npos);
     EXPECT_TRUE(elsewhere(scene) == scene);
     EXPECT_EQ(differences(elsewhere(scene), scene), std::vector<Difference>{});
   }
