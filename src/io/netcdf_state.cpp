@@ -194,19 +194,13 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
   file.expect_result();
   if (file.format() < photic_format)
     file.refuse(
-        fmt::format("written by an earlier Photic (result format {}; this program goes on "
-                    "from format {}): start anew",
-                    file.format(), photic_format));
+        fmt::format("written by Photic {} in result format {}; this program goes on from "
+                    "format {}: start anew",
+                    file.text("version"), file.format(), photic_format));
   const std::uint64_t photons = file.count("photons");
   if (!file.enter_group(group))
-<<<<<<< HEAD
-    file.refuse(std::string("a result that no run can go on from: it has no group ") + group);
-=======
     file.refuse(std::string("a result that no run can go on from: it has no group ") + group +
                 ", which is lost where another program writes a result again");
-  if (!file.has("resting_target"))
-    file.refuse("made by an earlier build of Photic, which kept other sums: start anew");
->>>>>>> 898714c (Runs keep what took longer: results know their scene file, are locked while a run is at work on them, and go under another name rather than be lost; results that xarray wrote again are read)
   const StateReader reader(file, {{"telescope", shape.telescopes},
                                   {"channel", shape.channels},
                                   {"process", shape.processes},

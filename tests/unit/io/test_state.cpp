@@ -174,8 +174,8 @@ TEST_F(WrittenState, OfAnEarlierFormatIsRefused) {
     nc_put_att_int(file, NC_GLOBAL, "photic_format", NC_INT, 1, &format);
   });
   EXPECT_EQ(refusal(),
-            "written by an earlier Photic (result format 1; this program goes on from format 2): "
-            "start anew");
+            "written by Photic 0.1.0 in result format 1; this program goes on from format 2: start "
+            "anew");
 }
 
 /// A result that is nothing but attributes, and what `add` puts into the group.
