@@ -94,7 +94,7 @@ TEST(Totals, AreExactToRoundingAtTenBillionScores) {
 }
 
 /// Whether all of them are NaN.
-bool unknown(const std::vector<double>& errors) {
+bool unknown(std::span<const double> errors) {
   return !errors.empty() &&
          std::ranges::all_of(errors, [](double error) { return std::isnan(error); });
 }
