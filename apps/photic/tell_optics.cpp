@@ -77,7 +77,7 @@ void check_output_of(const std::string& input, const OpticsCommand& command) {
 
 /// A tape6, if nothing else.
 optics::AirProfile modtran_air(const std::string& text, const std::string& name) {
-  if (text.find("ATMOSPHERIC PROFILES") == std::string::npos) {
+  if (!optics::is_tape6(text)) {
     throw InputError({{name, 0, 0,
                        "neither a tape6 of MODTRAN (no block \"ATMOSPHERIC PROFILES\") nor a tape7 "
                        "(no line of names that begins with FREQ)",

@@ -1,5 +1,6 @@
 // What LOWTRAN 7 and MODTRAN print about the air: the profiles in a tape6, the transmittances in a
-// tape7. Columns are found by their names, since versions add some.
+// tape7. Columns are found by their names, since versions add some. Those of a tape7 have fixed
+// widths, and names of seven letters fill theirs: they touch.
 //
 // Whatever is wrong is an InputError with file, line and column.
 #pragma once
@@ -16,7 +17,11 @@ namespace photic::optics {
 /// and with AEROSOL 1 to 4 and RH. One run in a file.
 AirProfile modtran_profile(const std::string& text, const std::string& name);
 
-/// Whether a text looks like a tape7: a line of it begins with FREQ.
+/// Whether a text looks like a tape6: it has the head of one or a title of profiles.
+bool is_tape6(const std::string& text);
+
+/// Whether a text looks like a tape7: a line of it begins with FREQ, and it is no tape6, whose
+/// tables of spectra begin so too.
 bool is_tape7(const std::string& text);
 
 /// An optical depth, and how far off it may be because the file has so few digits.

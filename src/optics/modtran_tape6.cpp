@@ -16,7 +16,6 @@ namespace {
 constexpr double loschmidt_per_m3 = 101325 / (boltzmann_j_k * 273.15);
 constexpr double per_m_of_atm_cm_per_km = 1e-2 / 1e3;  // a thickness in cm on every km
 
-constexpr const char* title = "ATMOSPHERIC PROFILES";
 constexpr const char* height = "Z";
 constexpr const char* molecules = "MOL SCAT";
 constexpr const char* first_aerosols = "AEROSOL 1";
@@ -57,11 +56,6 @@ bool is_row(const std::vector<ModtranWord>& words) {
          });
 }
 
-bool is_title(const std::string& line) {
-  const auto at = line.find(title);  // after blanks or the 1 of a new page
-  return at != std::string::npos && line.find_first_not_of(" 1") == at;
-}
-
 Block block_below(const ModtranText& text, int title_line) {
   Block block;
   int n = title_line + 1;
@@ -71,7 +65,7 @@ Block block_below(const ModtranText& text, int title_line) {
               "expected: the names of columns");
   block.names_line = n;
   block.names = joined(text.words(n));
-  while (++n <= text.lines() && !is_title(text.line(n))) {
+  while (++n <= text.lines() && !text.is_title(n)) {
     if (is_row(text.words(n))) {
       block.lines.push_back(n);
     } else if (!block.lines.empty()) {
@@ -101,14 +95,15 @@ class Tape6 {
   explicit Tape6(const ModtranText& text) : text_(text) {
     int first_title = 0;
     for (int n = 1; n <= text.lines(); ++n) {
-      if (!is_title(text.line(n))) continue;
+      if (!text.is_title(n)) continue;
       if (first_title == 0) first_title = n;
       const Block block = block_below(text, n);
       if (block.has(molecules)) keep(molecules_, block);
       if (block.has(first_aerosols)) keep(aerosols_, block);
     }
     if (first_title == 0)
-      text.fail(1, 1, fmt::format("no block \"{}\"", title), "expected: a tape6 that has one");
+      text.fail(1, 1, fmt::format("no block \"{}\"", modtran_profiles),
+                "expected: a tape6 that has one, as of NOPRNT = 0");
     check_version(text, first_title);
     if (!molecules_) missing(molecules);
     if (!aerosols_) missing(first_aerosols);
@@ -150,7 +145,7 @@ class Tape6 {
     text_.fail(
         text_.lines(), 1,
         fmt::format("the file ends without a block \"{}\" with a column {}: is it truncated?",
-                    title, column),
+                    modtran_profiles, column),
         "");
   }
 
@@ -215,6 +210,13 @@ class Tape6 {
 };
 
 }  // namespace
+
+bool is_tape6(const std::string& text) {
+  const ModtranText file(text, "");
+  for (int n = 1; n <= file.lines(); ++n)
+    if (file.is_title(n) || file.is_head(n)) return true;
+  return false;
+}
 
 AirProfile modtran_profile(const std::string& text, const std::string& name) {
   return Tape6(ModtranText(text, name)).profile(name);

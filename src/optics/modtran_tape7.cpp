@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "core/error.hpp"
 #include "optics/modtran.hpp"
@@ -14,10 +15,17 @@ namespace {
 
 constexpr const char* of_transmittance = " TRANS";
 constexpr const char* minus_log = "-LOG ";
+constexpr const char* transmittances_expected =
+    "expected: a tape7 of transmittances (IEMSCT = 0) of MODTRAN";
 constexpr double cm_per_nm = 1e-7;
 
 bool begins_with(const std::vector<ModtranWord>& words, const char* first) {
-  return !words.empty() && words[0].text == first;
+  return !words.empty() && words[0].text.starts_with(first);
+}
+
+/// -9999 ends a run.
+bool is_end(const std::vector<ModtranWord>& words) {
+  return words.size() == 1 && begins_with(words, "-9999");
 }
 
 /// The line of the first names; the second names stand below.
@@ -26,19 +34,83 @@ int find_names(const ModtranText& text) {
     if (!begins_with(text.words(n), "FREQ")) continue;
     if (n < text.lines()) {
       const auto below = text.words(n + 1);
-      const bool units = begins_with(below, "CM-1") || begins_with(below, "1/CM");
-      if (units && below.size() == text.words(n).size()) return n;
+      if (begins_with(below, "CM-1") || begins_with(below, "1/CM")) return n;
     }
-    text.fail(n, 1, "no second line of as many names below, from CM-1 on",
-              "expected: a tape7 of transmittances (IEMSCT = 0) of MODTRAN");
+    text.fail(n, 1, "no second line of names below, from CM-1 on", transmittances_expected);
   }
   text.fail(1, 1, "no line of names that begins with FREQ: is the file truncated?",
-            "expected: a tape7 of transmittances (IEMSCT = 0) of MODTRAN");
+            transmittances_expected);
 }
 
+/// The widths that all lines of a table share. Where names or numbers touch, the row whose numbers
+/// do not tells where to cut.
+class Fields {
+ public:
+  Fields(const ModtranText& text, int names_line) : text_(text) {
+    for (int n = names_line + 2; n <= text.lines() && !is_end(text.words(n)); ++n) {
+      const auto words = text.words(n);
+      if (words.size() > row_.size()) row_ = words;
+    }
+  }
+
+  /// The words of a line of names, one in each field; as they stand if that cannot be.
+  [[nodiscard]] std::vector<ModtranWord> names(int line) const {
+    return cut(line).value_or(text_.words(line));
+  }
+
+  /// The same of a row. A number that touches must have its point where the others of its column
+  /// have theirs.
+  [[nodiscard]] std::vector<ModtranWord> numbers(int line) const {
+    auto words = text_.words(line);
+    if (words.size() >= row_.size()) return words;
+    const auto parts = cut(line);
+    if (!parts) return words;
+    const bool aligned = std::equal(
+        row_.begin(), row_.end(), parts->begin(),
+        [](const ModtranWord& a, const ModtranWord& b) { return point_of(a) == point_of(b); });
+    return aligned ? *parts : words;
+  }
+
+ private:
+  static std::size_t end_of(const ModtranWord& word) { return word.column - 1 + word.text.size(); }
+  static std::size_t point_of(const ModtranWord& word) {
+    return word.column + std::min(word.text.find('.'), word.text.size());
+  }
+
+  /// None where a field is empty or holds several words, or something stands behind the last one.
+  [[nodiscard]] std::optional<std::vector<ModtranWord>> cut(int line) const {
+    const auto words = text_.words(line);
+    std::vector<ModtranWord> out;
+    std::size_t from = 0;
+    for (const ModtranWord& field : row_) {
+      const std::size_t to = end_of(field);
+      std::vector<ModtranWord> inside;
+      for (const ModtranWord& word : words) {
+        const std::size_t begin = std::max<std::size_t>(word.column - 1, from);
+        const std::size_t end = std::min(end_of(word), to);
+        if (begin < end)
+          inside.push_back(
+              {text_.line(line).substr(begin, end - begin), static_cast<int>(begin) + 1});
+      }
+      if (inside.size() != 1) return {};
+      out.push_back(inside.front());
+      from = to;
+    }
+    if (!words.empty() && end_of(words.back()) > from) return {};
+    return out;
+  }
+
+  const ModtranText& text_;
+  std::vector<ModtranWord> row_;
+};
+
 /// Each name with the one below it.
-std::vector<std::string> joined_names(const ModtranText& text, int line) {
-  const auto first = text.words(line), second = text.words(line + 1);
+std::vector<std::string> joined_names(const ModtranText& text, const Fields& fields, int line) {
+  const auto first = fields.names(line), second = fields.names(line + 1);
+  if (first.size() != second.size())
+    text.fail(line, 1,
+              fmt::format("{} names where {} stand in the line below", first.size(), second.size()),
+              transmittances_expected);
   std::vector<std::string> out;
   for (std::size_t i = 0; i < first.size(); ++i) {
     const std::string name = first[i].text + " " + second[i].text;
@@ -47,11 +119,6 @@ std::vector<std::string> joined_names(const ModtranText& text, int line) {
     out.push_back(name);
   }
   return out;
-}
-
-/// -9999 ends a run.
-bool is_end(const std::vector<ModtranWord>& words) {
-  return words.size() == 1 && words[0].text.starts_with("-9999");
 }
 
 /// Half a unit of the last digit of a number as it is printed.
@@ -68,6 +135,7 @@ double half_last_digit(const std::string& text) {
 }  // namespace
 
 bool is_tape7(const std::string& text) {
+  if (is_tape6(text)) return false;
   const ModtranText file(text, "");
   for (int n = 1; n <= file.lines(); ++n)
     if (begins_with(file.words(n), "FREQ")) return true;
@@ -78,10 +146,11 @@ ModtranTransmittances::ModtranTransmittances(const std::string& text, const std:
     : name_(name) {
   const ModtranText file(text, name);
   names_line_ = find_names(file);
-  const std::vector<std::string> names = joined_names(file, names_line_);
+  const Fields fields(file, names_line_);
+  const std::vector<std::string> names = joined_names(file, fields, names_line_);
   int n = names_line_ + 2;
   for (; n <= file.lines() && !is_end(file.words(n)); ++n) {
-    const auto words = file.words(n);
+    const auto words = fields.numbers(n);
     if (words.empty()) continue;
     if (words.size() != names.size())
       file.fail(n, 1,

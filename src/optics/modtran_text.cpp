@@ -28,6 +28,16 @@ std::vector<ModtranWord> ModtranText::words(int number) const {
   return out;
 }
 
+bool ModtranText::is_title(int number) const {
+  const auto at = line(number).find(modtran_profiles);  // after blanks or the 1 of a new page
+  return at != std::string::npos && line(number).find_first_not_of(" 1") == at;
+}
+
+bool ModtranText::is_head(int number) const {
+  const auto has = [&](const char* part) { return line(number).find(part) != std::string::npos; };
+  return has("***") && (has("MODTRAN") || has("LOWTRAN"));
+}
+
 double ModtranText::number(int line, const ModtranWord& word, const std::string& what, double min,
                            double max) const {
   double value = 0;

@@ -6,6 +6,8 @@
 
 namespace photic::optics {
 
+inline constexpr const char* modtran_profiles = "ATMOSPHERIC PROFILES";
+
 struct ModtranWord {
   std::string text;
   int column = 0;  ///< where it starts, from 1
@@ -20,6 +22,10 @@ class ModtranText {
   /// Lines are numbered from 1.
   [[nodiscard]] const std::string& line(int number) const { return lines_.at(number - 1); }
   [[nodiscard]] std::vector<ModtranWord> words(int number) const;
+  /// The title of a block of profiles, which only a tape6 has.
+  [[nodiscard]] bool is_title(int number) const;
+  /// The name of the program between stars, which is the head of a tape6.
+  [[nodiscard]] bool is_head(int number) const;
 
   /// A finite number from min to max.
   [[nodiscard]] double number(int line, const ModtranWord& word, const std::string& what,

@@ -172,6 +172,50 @@ def test_tells_what_a_tape7_holds(photic, tape7, tmp_path):
     assert [float(row["molec_scat"]) for row in rows_of(tmp_path / "out.csv")] == every["molec_scat"]
 
 
+TAPE6 = """\
+ 1                   *****  MODTRAN4  *****
+
+ ATMOSPHERIC PROFILES
+
+   I     Z       P       T        N2       CNTMSLF MOL SCAT     N-1     O3 (UV)   O2 (UV)
+        (KM)    (MB)    (K)            (MOL/CM2 KM)   (-)       (-)    (  ATM CM/KM  )
+
+   1   0.0000 1013.000  288.0  8.000E-01 1.000E+20 9.470E-01 2.700E-04 3.000E-03 3.500E+04
+   2  12.0000  200.000  217.0  9.000E-02 1.000E+16 2.480E-01 9.000E-05 8.000E-03 3.500E+03
+
+ ATMOSPHERIC PROFILES
+
+   I     Z       P       T      AEROSOL 1 AEROSOL 2 AEROSOL 3 AEROSOL 4  AER1*RH      RH
+        (KM)    (MB)    (K)       (-)       (-)       (-)        (-)       (-)        (%)
+
+   1   0.0000 1013.000  288.0  1.000E-01 0.000E+00 0.000E+00 0.000E+00 6.000E+00  60.00000
+   2  12.0000  200.000  217.0  0.000E+00 2.000E-03 0.000E+00 0.000E+00 0.000E+00  20.00000
+"""
+SPECTRA = """
+  FREQ   WAVLEN    PATH_THERMAL    SURFACE_EMISSION  TOTAL
+ (CM-1) (MICRN)   (CM-1)  (MICRN)   (CM-1)  (MICRN)  TRANS
+
+ 18700.   0.535 1.00E-11 1.00E-08 1.00E-13 1.00E-09 0.60000
+ 18800.   0.532 1.00E-11 1.00E-08 1.00E-13 1.00E-09 0.60000
+"""
+
+
+# The standard atmosphere's molecules, 0.1112 as above, would fill 8.013 km at 0 C and 1013.25 hPa. Seen red: with a tape7
+# known by FREQ alone.
+def test_a_tape6_is_one_whether_spectra_follow_or_not(photic, tmp_path):
+    (tmp_path / "profiles").write_text(TAPE6)
+    (tmp_path / "all").write_text(TAPE6 + SPECTRA)
+    (tmp_path / "spectra").write_text(TAPE6.splitlines()[0] + SPECTRA)
+    told = [photic("optics", "--air", name, "--wavelengths", "532").stdout for name in ["profiles", "all"]]
+    assert told[0].replace("profiles", "all") == told[1]
+    molecules, ozone, scattered, absorbed = [float(cell) for cell in re.search(r"\n +532 (.*)", told[1])[1].split()[:4]]
+    km = 12 * (0.947 - 0.248) / numpy.log(0.947 / 0.248)
+    assert molecules == pytest.approx(0.1112 * km / 8.013, rel=1e-3)
+    assert ozone > 0 and scattered > 0.3 and absorbed > 0.01
+    done = photic("optics", "--air", "spectra")
+    assert (done.returncode, done.stdout) == (2, "") and 'no block "ATMOSPHERIC PROFILES"' in done.stderr
+
+
 REFUSED = {
     "no atmosphere": (["mars"], 2, "there are: us-standard"),
     "no file": (["./none"], 2, "./none: cannot be read"),

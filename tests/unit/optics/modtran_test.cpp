@@ -122,7 +122,9 @@ struct BadFile {
 TEST(Tape6, SaysWhatIsWrongAndWhatWasExpected) {
   const std::string second_row = "   2     1.50  850.000  280.0  5.100E-01 6.000E+19 8.200E-01";
   const std::vector<BadFile> bad{
-      {"", "tape6:1:1: no block \"ATMOSPHERIC PROFILES\" (expected: a tape6 that has one)"},
+      {"",
+       "tape6:1:1: no block \"ATMOSPHERIC PROFILES\" (expected: a tape6 that has one, "
+       "as of NOPRNT = 0)"},
       {"1013.25, 288.15\n", "tape6:1:1: no block \"ATMOSPHERIC PROFILES\""},
       {lowtran_molecules + lowtran_aerosols,
        "tape6:1:1: no LOWTRAN 7 or MODTRAN is named above the first profile"},
@@ -165,6 +167,32 @@ TEST(Tape6, SaysWhatIsWrongAndWhatWasExpected) {
   };
   for (const BadFile& file : bad)
     expect_contains(message<InputError>([&] { tape6(file.text); }), file.says);
+}
+
+// The spectra that follow the profiles have lines of names that begin as a tape7's do, by wave
+// number or with a page's 1.
+const std::string spectra =
+    "\n  FREQ   WAVLEN    PATH_THERMAL    SURFACE_EMISSION  TOTAL\n"
+    " (CM-1) (MICRN)   (CM-1)  (MICRN)   (CM-1)  (MICRN)  TRANS\n\n"
+    " 18700.   0.535 1.00E-11 1.00E-08 1.00E-13 1.00E-09 0.60000\n"
+    "1\n   FREQ WAVELENGTH  TOTAL     H2O     CO2+\n"
+    "   1/CM  MICRONS    TRANS    TRANS    TRANS\n\n"
+    " 18800.    0.532   0.6000   1.0000   1.0000\n -9999.\n";
+
+// Seen red: with a tape7 known by its line of names alone.
+TEST(Tape6, IsNoTape7ForItsSpectra) {
+  for (const std::string& profiles : {lowtran, modtran}) {
+    EXPECT_TRUE(is_tape6(profiles) && is_tape6(profiles + spectra));
+    EXPECT_FALSE(is_tape7(profiles + spectra));
+    EXPECT_EQ(tape6(profiles + spectra).z_km, tape6(profiles).z_km);
+    EXPECT_EQ(tape6(profiles + spectra).ozone_per_m3, tape6(profiles).ozone_per_m3);
+  }
+  // Without profiles it is no tape7 either.
+  EXPECT_TRUE(is_tape6(lowtran_head + spectra) && !is_tape7(lowtran_head + spectra));
+  expect_contains(message<InputError>([] { tape6(lowtran_head + spectra); }),
+                  "no block \"ATMOSPHERIC PROFILES\"");
+  EXPECT_FALSE(is_tape6(spectra) || is_tape6(""));
+  EXPECT_TRUE(is_tape7(spectra));
 }
 
 // Nothing but InputError, wherever a file ends before the last number that is needed.
@@ -245,6 +273,43 @@ TEST(Tape7, HasTransmittancesAtItsWavelengthsAndBetween) {
   EXPECT_FALSE(is_tape7(lowtran) || is_tape7(""));
 }
 
+// Gases of a user's have names of up to seven letters, as wide as their columns; some stand one
+// letter left of their numbers. Seen red: by blanks alone.
+TEST(Tape7, NamesThatTouchAreThoseOfTheirColumns) {
+  const ModtranTransmittances air = transmittances(
+      "    FREQ COMBIN    H2OACETONEETHANOL MOLEC AER+CLD    -LOGTOLUENE\n"
+      "    CM-1  TRANS  TRANS  TRANS  TRANS   SCAT  TRANS  COMBIN  TRANS\n"
+      "18000.00 0.5000 1.0000 0.9900 0.9800 0.9050 0.5580   0.693 0.9700\n"
+      "19000.00 0.0400 1.0000 0.9910 0.9810 0.8800 0.0460   3.219 0.9710\n -9999.\n");
+  EXPECT_EQ(air.columns(), (std::vector<std::string>{
+                               "-LOG COMBIN", "ACETONE TRANS", "AER+CLD TRANS", "COMBIN TRANS",
+                               "ETHANOL TRANS", "H2O TRANS", "MOLEC SCAT", "TOLUENE TRANS"}));
+  EXPECT_NEAR(air.transmittance("ACETONE TRANS", 1e7 / 18000), 0.99, 1e-12);
+  EXPECT_NEAR(air.transmittance("ETHANOL TRANS", 1e7 / 19000), 0.981, 1e-12);
+  EXPECT_NEAR(air.transmittance("AER+CLD TRANS", 1e7 / 18000), 0.558, 1e-12);
+  EXPECT_NEAR(air.transmittance("TOLUENE TRANS", 1e7 / 19000), 0.971, 1e-12);
+}
+
+// Where the numbers of another row do not. Seen red: by blanks alone; without the look at points.
+TEST(Tape7, NumbersThatTouchAreThoseOfTheirColumns) {
+  const std::string head =
+      "    FREQ COMBIN    -LOG MOLEC\n"
+      "    CM-1  TRANS  COMBIN  SCAT\n";
+  const std::string rows =
+      " 9000.00 0.0400   3.219 0.9050\n"
+      "10000.00 0.00001234.500 0.8800\n -9999.\n";
+  const ModtranTransmittances air = transmittances(head + rows);
+  EXPECT_NEAR(air.optical_depth("COMBIN TRANS", 1000).value, 1234.5, 1e-9);
+  EXPECT_NEAR(air.transmittance("MOLEC SCAT", 1000), 0.88, 1e-12);
+  const std::string seven = "7:4:1: 3 numbers where 4 columns are named at line 1";
+  for (const char* other : {"10000.00 0.000001234.50 0.8800", "10000.00  0.0000         0.8800",
+                            "10000.00 0.00001234.500 0.88001"})
+    expect_contains(message<InputError>([&] {
+                      transmittances(head + with(rows, "10000.00 0.00001234.500 0.8800", other));
+                    }),
+                    seven);
+}
+
 TEST(Tape7, SaysWhatItDoesNotHold) {
   const ModtranTransmittances air = transmittances(tape7);
   const auto asking = [&](const std::string& column, double nm) {
@@ -268,8 +333,10 @@ TEST(Tape7, SaysWhatIsWrongAndWhatWasExpected) {
        "tape7:1:1: no line of names that begins with FREQ: is the file truncated? "
        "(expected: a tape7 of transmittances (IEMSCT = 0) of MODTRAN)"},
       {tape7_head + "    FREQ TOT TRANS PTH THRML THRML SCT\n" + tape7_rows,
-       "tape7:3:1: no second line of as many names below, from CM-1 on"},
-      {with(tape7, "CM-1", "  NM"), "tape7:3:1: no second line of as many names below, from CM-1"},
+       "tape7:3:1: no second line of names below, from CM-1 on"},
+      {with(tape7, "COMBIN    H2O", "COMBIN       "),
+       "tape7:3:1: 7 names where 8 stand in the line below"},
+      {with(tape7, "CM-1", "  NM"), "tape7:3:1: no second line of names below, from CM-1"},
       {tape7_head + tape7_names, "tape7:4:1: the file ends without -9999: is it truncated?"},
       {tape7_head + tape7_names + tape7_rows, "tape7:7:1: the file ends without -9999"},
       {tape7_head + tape7_names + " -9999.\n", "tape7:3:1: there are no two rows of numbers below"},
