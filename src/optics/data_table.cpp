@@ -4,53 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <fstream>
-#include <optional>
 #include <sstream>
 
-#include "core/error.hpp"
+#include "optics/table_text.hpp"
 
 namespace photic::optics {
-namespace {
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// What several actions refuse, told together, unless it is so much that the file is another one.
-class Problems {
- public:
-  [[nodiscard]] bool enough() const { return found_.size() >= 20; }
-  template <class Action>
-  void collect(const Action& action) {
-    try {
-      action();
-    } catch (const InputError& error) {
-      for (const Diagnostic& d : error.diagnostics()) found_.push_back(d);
-    }
-  }
-  void raise() const {
-    if (!found_.empty()) throw InputError(found_);
-  }
-
- private:
-  std::vector<Diagnostic> found_;
-};
-
-/// Of a whole text.
-std::optional<double> finite_number(const std::string& text) {
-  double value = 0;
-  const auto end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-}  // namespace
 
 std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -64,49 +23,6 @@ std::string read_text(const std::string& path) {
 
 DataTable DataTable::read(const std::string& path) { return parse(read_text(path), path); }
 
-DataTable DataTable::parse(const std::string& text, const std::string& name) {
-  DataTable table;
-  table.name_ = name;
-  std::istringstream lines(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text);
-  std::string line;
-  int number = 0;
-  Problems problems;
-  while (!problems.enough() && std::getline(lines, line)) {
-    ++number;
-    problems.collect([&] { table.add_line(line, number); });
-    if (table.columns_.empty()) problems.raise();  // nothing can be said of the rest
-  }
-  problems.raise();
-  if (table.cells_.empty()) table.fail_at(std::max(1, number), 1, "has no rows of data");
-  return table;
-}
-
-void DataTable::add_line(const std::string& line, int number) {
-  const std::string content = trimmed(line);
-  if (content.empty()) return;
-  if (content.front() == '#') {
-    const auto colon = content.find(':');
-    if (colon != std::string::npos) {
-      headers_.emplace(trimmed(content.substr(1, colon - 1)),
-                       Header{trimmed(content.substr(colon + 1)), number});
-    }
-    return;
-  }
-  std::vector<Cell> fields = split(line, number);
-  if (columns_.empty()) {
-    for (const Cell& field : fields) columns_.push_back(field.text);
-    column_line_ = number;
-    return;
-  }
-  if (fields.size() != columns_.size()) {
-    fail_at(number, 1,
-            fmt::format("{} fields where {} columns are named", fields.size(), columns_.size()),
-            "a text with a comma needs double quotes");
-  }
-  cells_.push_back(std::move(fields));
-  line_.push_back(number);
-}
-
 DataTable DataTable::of_columns(const std::vector<Column>& columns, const std::string& name) {
   DataTable table;
   table.name_ = name;
@@ -119,29 +35,14 @@ DataTable DataTable::of_columns(const std::vector<Column>& columns, const std::s
   return table;
 }
 
-std::vector<DataTable::Cell> DataTable::split(const std::string& line, int number) const {
-  std::vector<Cell> cells{{.text = "", .column = 1}};
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"') {
-      quoted = !quoted;
-    } else if (line[i] == ',' && !quoted) {
-      cells.push_back({.text = "", .column = static_cast<int>(i) + 2});
-    } else {
-      cells.back().text += line[i];
-    }
-  }
-  if (quoted) fail_at(number, cells.back().column, "a double quote is not closed");
-  for (Cell& cell : cells) cell.text = trimmed(cell.text);
-  return cells;
-}
-
 std::size_t DataTable::index_of(const std::string& column) const {
   const auto found = std::find(columns_.begin(), columns_.end(), column);
   if (found == columns_.end()) {
     fail_columns(fmt::format("no column \"{}\"", column),
                  fmt::format("there are: {}", fmt::join(columns_, ", ")));
   }
+  if (std::find(found + 1, columns_.end(), column) != columns_.end())
+    fail_columns(fmt::format("column \"{}\" is there twice", column));
   return static_cast<std::size_t>(found - columns_.begin());
 }
 
@@ -155,7 +56,8 @@ const std::string& DataTable::header(const std::string& key) const { return head
 
 double DataTable::number_in_header(const std::string& key) const {
   const Header& header = header_of(key);
-  const auto value = finite_number(header.text);
+  auto value = finite_number(header.text);
+  if (!value && sure_comma_ && !point_) value = number_with_comma(header.text);
   if (!value || *value < 0)
     fail_at(header.line, 1,
             fmt::format("{} must be a finite number, not negative, not \"{}\"", key, header.text));
@@ -174,30 +76,52 @@ std::vector<std::string> DataTable::texts(const std::string& column) const {
   return out;
 }
 
+void DataTable::check_decimal_marks(std::size_t index, const std::string& column) const {
+  const auto is_marked = [index](const Cells& row) {
+    return has_decimal_point(row[index].text) || number_with_comma(row[index].text);
+  };
+  const auto found = std::find_if(cells_.begin(), cells_.end(), is_marked);
+  if (!comma_ || found == cells_.end()) return;
+  const auto row = static_cast<std::size_t>(found - cells_.begin());
+  if (point_)
+    fail(row, column,
+         fmt::format("decimal points and decimal commas in one table: \"{}\" in line {}, \"{}\" in "
+                     "line {}",
+                     point_->text, point_->line, comma_->text, comma_->line),
+         "write decimal points, and nothing between thousands");
+  if (!sure_comma_)
+    fail(row, column, fmt::format("\"{}\" may have a decimal comma or thousands", comma_->text),
+         "write decimal points, and nothing between thousands");
+}
+
 std::vector<double> DataTable::numbers(const std::string& column) const {
+  const std::size_t c = index_of(column);
+  check_decimal_marks(c, column);
   std::vector<double> out;
-  Problems problems;
-  for (const std::string& text : texts(column)) {
-    const auto value = finite_number(text);
-    if (!value) {
-      if (problems.enough()) break;
-      problems.collect(
-          [&] { fail(out.size(), column, fmt::format("\"{}\" is not a finite number", text)); });
-    }
+  std::vector<Diagnostic> found;
+  for (std::size_t row = 0; row < cells_.size(); ++row) {
+    const Cell& cell = cells_[row][c];
+    auto value = finite_number(cell.text);
+    if (!value && comma_) value = number_with_comma(cell.text);
+    if (!value)
+      found.push_back({name_, line_[row], cell.column,
+                       fmt::format("\"{}\" is not a finite number", cell.text),
+                       how_to_write_number(cell.text)});
     out.push_back(value.value_or(0));
   }
-  problems.raise();
+  raise_together(std::move(found), rows());
   return out;
 }
 
 std::vector<double> DataTable::numbers_from_0(const std::string& column) const {
   std::vector<double> out = numbers(column);
-  Problems problems;
-  for (std::size_t i = 0; i < out.size() && !problems.enough(); ++i) {
-    if (out[i] < 0)
-      problems.collect([&] { fail(i, column, fmt::format("{} {} is negative", column, out[i])); });
+  std::vector<Diagnostic> found;
+  for (std::size_t row = 0; row < out.size(); ++row) {
+    const auto [line, at] = place(row, column);
+    if (out[row] < 0)
+      found.push_back({name_, line, at, fmt::format("{} {} is negative", column, out[row]), ""});
   }
-  problems.raise();
+  raise_together(std::move(found), rows());
   return out;
 }
 

@@ -1,13 +1,18 @@
 // Tables in CSV files, read strictly: Photic's own data and those of users.
 //
 // Lines that begin with "#" are comments; those of the form "# KEY: text" can be asked for. The
-// first other line names the columns. Fields with commas stand in double quotes. Whatever is wrong
-// is an InputError with file, line and column; what cannot be read in all lines, or in all cells of
-// a column, is told at once.
+// first other line names the columns, separated by commas, semicolons or tabs, which a line "sep=;"
+// above may tell. Fields that hold the separator stand in double quotes, where a double quote is
+// written twice (RFC 4180, but for lines that end inside quotes). Between semicolons and tabs
+// numbers may have decimal commas, if all of the table do. Rows without any field are left out.
+//
+// Whatever is wrong is an InputError with file, line and column; what cannot be read in all lines,
+// or in all cells of a column, is told at once: in one line where most of them have it.
 #pragma once
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,13 +70,28 @@ class DataTable {
                                  const std::string& suggestion = "") const;
 
  private:
+  struct Mark {
+    std::string text;
+    int line = 0;
+  };
   struct Header {
     std::string text;
     int line = 0;
   };
 
-  void add_line(const std::string& line, int number);
-  [[nodiscard]] std::vector<Cell> split(const std::string& line, int number) const;
+  using Cells = std::vector<Cell>;
+  struct Lines;
+
+  void read_head(Lines& lines);
+  void read_rows(Lines& lines);
+  void add_comment(const std::string& content, int number);
+  void add_row(Cells cells, int number);
+  [[nodiscard]] std::string how_to_separate(const Cells& row) const;
+  void leave_out_unnamed_columns();
+  void look_for_decimal_marks();
+  [[nodiscard]] Cells split(const std::string& line, int number) const;
+  [[nodiscard]] std::string quoted_text(const std::string& line, std::size_t& at, int number) const;
+  void check_decimal_marks(std::size_t index, const std::string& column) const;
   [[nodiscard]] std::size_t index_of(const std::string& column) const;
   [[nodiscard]] const Header& header_of(const std::string& key) const;
   [[noreturn]] void fail_at(int line, int column, const std::string& reason,
@@ -81,8 +101,12 @@ class DataTable {
   std::map<std::string, Header> headers_;
   std::vector<std::string> columns_;
   int column_line_ = 0;
-  std::vector<std::vector<Cell>> cells_;
+  char separator_ = ',';
+  std::vector<Cells> cells_;
   std::vector<int> line_;  ///< of each row
+  /// The first number with a decimal point; with a decimal comma; with one that cannot separate
+  /// thousands.
+  std::optional<Mark> point_, comma_, sure_comma_;
 };
 
 }  // namespace photic::optics

@@ -1,0 +1,36 @@
+// The text of a table as other programs write it, on the way to cells and numbers: encodings, ends
+// of lines, decimal commas, and faults that most lines have.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace photic::optics {
+
+/// The lines of a text, ended by \n, \r\n or \r alone, in UTF-8: read from UTF-8 or UTF-16 with its
+/// mark, from Latin-1 if it is no UTF-8. Throws InputError, one line, for what is no text.
+std::vector<std::string> lines_of_table(const std::string& bytes, const std::string& name);
+
+/// Throws those of `found`, if there are any, as an InputError: one for all where most of so many
+/// lines have them, and 20 at most.
+void raise_together(std::vector<Diagnostic> found, std::size_t lines);
+
+/// Of a whole text, with a plus or a minus before it or none.
+std::optional<double> finite_number(const std::string& text);
+
+/// The same of a number that holds one decimal comma and no point.
+std::optional<double> number_with_comma(const std::string& text);
+
+/// Whether its decimal point (a number that finite_number reads) is written.
+bool has_decimal_point(const std::string& text);
+
+/// Whether a number with a decimal comma may as well be one of thousands: 1,234 but not 0,123.
+bool may_be_thousands(const std::string& text);
+
+/// What may help where a number is expected; may be empty.
+std::string how_to_write_number(const std::string& text);
+
+}  // namespace photic::optics
