@@ -85,6 +85,15 @@ void sum_orders(const std::vector<Complex>& a, const std::vector<Complex>& b, co
 
 int mie_orders(double x) { return static_cast<int>(std::ceil(x + 4.05 * std::cbrt(x) + 2)); }
 
+MieContrast::MieContrast(Complex m) : index(m) {
+  const Complex contrast = m - 1.0;
+  if (std::abs(contrast) >= faintest) return;
+  const Complex faint(faintest, -faintest);
+  index = 1.0 + faint;
+  scattering = std::norm(contrast * (m + 1.0)) / std::norm(faint * (index + 1.0));
+  absorption = m.real() * m.imag() / (index.real() * index.imag());
+}
+
 MieSphere::MieSphere(double x, Complex m) : size_(x) {
   expect(x >= smallest_size && x <= largest_size, "Mie theory is asked for a size it can do");
   expect(m.real() > 0 && m.imag() <= 0, "the index of a sphere is n - ik with n > 0, k >= 0");

@@ -29,6 +29,22 @@ struct MieMueller {
   double s11, s12, s33, s34;
 };
 
+/// What Mie theory is asked for in place of an index so near 1 that the coefficients, differences
+/// of nearly equal numbers, would lose their digits. How spheres fainter than that scatter depends
+/// on nothing but their size: scattering goes as |m^2 - 1|^2, absorption as the imaginary part of
+/// m^2 (Rayleigh-Gans theory: van de Hulst 1957, ch. 7; Bohren & Huffman 1983, sec. 6.1 [from
+/// memory]).
+struct MieContrast {
+  /// |m - 1|, where rounding and what is left out of Rayleigh-Gans theory are alike: 2e-6 of the
+  /// scattering into any direction up to size parameters of 1000, 2e-5 at 10 000.
+  static constexpr double faintest = 1e-8;
+
+  explicit MieContrast(std::complex<double> relative_index);
+
+  std::complex<double> index;             ///< that of the sphere if it is not too faint
+  double scattering = 1, absorption = 1;  ///< what the efficiencies have to be multiplied by
+};
+
 class MieSphere {
  public:
   static constexpr double smallest_size = 1e-8, largest_size = 2e4;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <utility>
 
 #include "core/constants.hpp"
@@ -113,6 +114,29 @@ std::vector<double> checked_p(const DataTable& table) {
   return p;
 }
 
+/// What makes 1 of the integral, by the customs of other fields. A volume scattering function of
+/// 0.5 or 2 per metre is as likely as those, one of 4 pi is not.
+std::string how_to_normalise(double integral) {
+  struct Custom {
+    double integral;
+    const char* advice;
+  };
+  constexpr double nearly = 0.02;
+  for (const Custom& custom :
+       {Custom{4 * pi, "looks normalised to 4 pi, a mean of 1: divide it by 4 pi"},
+        {2 * pi,
+         "looks normalised to 1 over the cosine of the angle, without the azimuth: divide it "
+         "by 2 pi"},
+        {2,
+         "looks normalised to 1 over half of the sphere: divide it by 2; or is it a volume "
+         "scattering function? divide that by its scattering coefficient"},
+        {0.5,
+         "looks normalised to one half, as for each of two polarisations: multiply it by 2; or "
+         "is it a volume scattering function? divide that by its scattering coefficient"}})
+    if (std::abs(integral / custom.integral - 1) <= nearly) return custom.advice;
+  return "divide a volume scattering function by its scattering coefficient";
+}
+
 }  // namespace
 
 TabulatedPhase phase_from_table(const DataTable& table) {
@@ -130,7 +154,7 @@ TabulatedPhase phase_from_table(const DataTable& table) {
   if (!(std::abs(out.integral - 1) <= 0.01)) {
     table.fail(0, p_column,
                fmt::format("integrates to {:.4g} over the sphere, not 1 within 1 %", out.integral),
-               "divide a volume scattering function by its scattering coefficient");
+               how_to_normalise(out.integral));
   }
   if (std::abs(out.integral - 1) > 1e-4) {
     out.remark = fmt::format("{}: the phase function integrates to {:.5f}; scaled to 1",

@@ -68,6 +68,7 @@ struct SizeSums {
 /// Adds up spheres whose sizes are equal modulo the number of size_blocks: large and small ones.
 SizeSums sum_block(const Spheres& spheres, const SampledSizes& sizes,
                    const std::vector<double>& cosines, std::size_t first) {
+  const MieContrast contrast({spheres.index, -spheres.absorption_index});
   const double wave_number = 2 * pi / spheres.wavelength_m;
   std::vector<MieAmplitudes> amplitude(cosines.size());
   SizeSums sums;
@@ -75,7 +76,7 @@ SizeSums sum_block(const Spheres& spheres, const SampledSizes& sizes,
   for (std::size_t i = first; i < sizes.x.size(); i += size_blocks) {
     const double radius = sizes.x[i] / wave_number;
     const double n = number_per_log_radius(spheres.sizes, radius) * sizes.width[i];
-    const MieSphere sphere(sizes.x[i], {spheres.index, -spheres.absorption_index});
+    const MieSphere sphere(sizes.x[i], contrast.index);
     const MieEfficiencies q = sphere.efficiencies();
     const double area = n * pi * radius * radius;
     sums.number += n;
@@ -103,11 +104,12 @@ SizeSums sum_over_sizes(const Spheres& spheres, const std::vector<double>& cosin
   return sums;
 }
 
-SampledSpheres means_of(const SizeSums& sums) {
+SampledSpheres means_of(const Spheres& spheres, const SizeSums& sums) {
+  const MieContrast contrast({spheres.index, -spheres.absorption_index});
   SampledSpheres out;
-  out.extinction_m2 = sums.extinction / sums.number;
-  out.scattering_m2 = sums.scattering / sums.number;
-  out.absorption_m2 = sums.absorption / sums.number;
+  out.scattering_m2 = contrast.scattering * sums.scattering / sums.number;
+  out.absorption_m2 = contrast.absorption * sums.absorption / sums.number;
+  out.extinction_m2 = out.scattering_m2 + out.absorption_m2;
   out.mean_cosine = sums.forward / sums.scattering;
   return out;
 }
@@ -120,7 +122,7 @@ SampledSpheres sampled_spheres(const Spheres& spheres) {
   for (const double degrees : angles.degrees())
     cosines.push_back(std::cos(degrees * radian_per_degree));
   SizeSums sums = sum_over_sizes(spheres, cosines);
-  SampledSpheres out = means_of(sums);
+  SampledSpheres out = means_of(spheres, sums);
   for (double& p : sums.s11) p /= sums.scattering;
   PhaseBetweenAngles phase = phase_between_angles(sums.s11);
   out.phase = std::move(phase.shape);
@@ -129,7 +131,7 @@ SampledSpheres sampled_spheres(const Spheres& spheres) {
 }
 
 SampledSpheres sampled_sections(const Spheres& spheres) {
-  return means_of(sum_over_sizes(spheres, {}));
+  return means_of(spheres, sum_over_sizes(spheres, {}));
 }
 
 std::shared_ptr<const SampledSpheres> SampledSpheresCache::operator()(

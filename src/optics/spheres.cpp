@@ -29,10 +29,17 @@ class Integrand {
   Integrand(const Spheres& spheres, int angles)
       : spheres_(spheres),
         wave_number_(2 * pi / spheres.wavelength_m),
+        contrast_({spheres.index, -spheres.absorption_index}),
         rule_(angles),
         amplitude_(rule_.node.size()) {}
 
   [[nodiscard]] const GaussRule& rule() const { return rule_; }
+  /// Of the integrals over all sizes.
+  [[nodiscard]] SphereSections sections(const Values& total) const {
+    const double n = total[Of::number];
+    return {contrast_.scattering * total[Of::scattering] / n,
+            contrast_.absorption * total[Of::absorption] / n, total[Of::volume] / n};
+  }
   [[nodiscard]] std::size_t size() const { return Of::angles + rule_.node.size(); }
   [[nodiscard]] double work() const { return work_; }
   [[nodiscard]] int radii() const { return radii_; }
@@ -46,7 +53,7 @@ class Integrand {
   void evaluate(double log_radius, Values& out) {
     const double radius = std::exp(log_radius);
     const double n = number_per_log_radius(spheres_.sizes, radius);
-    const MieSphere sphere(wave_number_ * radius, {spheres_.index, -spheres_.absorption_index});
+    const MieSphere sphere(wave_number_ * radius, contrast_.index);
     const MieEfficiencies q = sphere.efficiencies();
     const double area = n * pi * radius * radius;
     out[Of::number] = n;
@@ -65,6 +72,7 @@ class Integrand {
  private:
   const Spheres& spheres_;
   double wave_number_;
+  MieContrast contrast_;
   GaussRule rule_;
   std::vector<MieAmplitudes> amplitude_;
   double work_ = 0;
@@ -185,12 +193,12 @@ SpheresOptics optics_of_spheres(const Spheres& spheres) {
   const Values& total = integral.total();
   Values p(total.begin() + Of::angles, total.end());
   for (double& value : p) value /= total[Of::scattering];
-  const double n = total[Of::number];
-  return {.extinction_m2 = total[Of::extinction] / n,
-          .scattering_m2 = total[Of::scattering] / n,
-          .absorption_m2 = total[Of::absorption] / n,
+  const SphereSections sections = integrand.sections(total);
+  return {.extinction_m2 = sections.scattering_m2 + sections.absorption_m2,
+          .scattering_m2 = sections.scattering_m2,
+          .absorption_m2 = sections.absorption_m2,
           .mean_cosine = total[Of::forward] / total[Of::scattering],
-          .volume_m3 = total[Of::volume] / n,
+          .volume_m3 = sections.volume_m3,
           .phase = LegendreSeries(integrand.rule(), p),
           .error = integral.error(),
           .radii = integrand.radii()};
@@ -199,9 +207,7 @@ SpheresOptics optics_of_spheres(const Spheres& spheres) {
 SphereSections sections_of_spheres(const Spheres& spheres) {
   Integrand integrand(spheres, 2);  // as few angles as there can be
   const AdaptiveIntegral integral(integrand, smooth_between_m(spheres.sizes));
-  const double n = integral.total()[Of::number];
-  return {integral.total()[Of::scattering] / n, integral.total()[Of::absorption] / n,
-          integral.total()[Of::volume] / n};
+  return integrand.sections(integral.total());
 }
 
 PhaseShape phase_of_spheres(std::shared_ptr<const SpheresOptics> optics) {

@@ -102,6 +102,28 @@ TEST(PhaseFromTable, RefusesWhatIsNoPhaseFunction) {
                   "vsf.csv:3:1: 3 fields where 2 columns are named");
 }
 
+// Seen red: with 4 pi and 2 pi in each other's place; with every integral near one of them.
+TEST(PhaseFromTable, KnowsTheCustomsOfOtherFields) {
+  const PhaseShape hg = henyey_greenstein(0.5);
+  const auto advice = [&](double integral) {
+    return message<InputError>(
+        [&] { phase_from_table(as_table(angles(0.1, 1.05), hg.p, integral)); });
+  };
+  expect_contains(advice(4 * pi),
+                  "integrates to 12.56 over the sphere, not 1 within 1 % (looks "
+                  "normalised to 4 pi, a mean of 1: divide it by 4 pi)");
+  expect_contains(advice(2 * pi),
+                  "(looks normalised to 1 over the cosine of the angle, without "
+                  "the azimuth: divide it by 2 pi)");
+  expect_contains(advice(2), "(looks normalised to 1 over half of the sphere: divide it by 2; or");
+  expect_contains(advice(0.5),
+                  "(looks normalised to one half, as for each of two polarisations: "
+                  "multiply it by 2; or is it a volume scattering function?");
+  for (const double other : {0.4, 0.9, 1.1, 2.1, 6.0, 13.0, 100.0})
+    expect_contains(advice(other),
+                    "(divide a volume scattering function by its scattering coefficient)");
+}
+
 TEST(PhaseFromTable, RefusesDetailFinerThanTheCells) {
   // A spike of 1 degree at 179.5 degrees, on top of a flat function, that holds 0.9 % of the
   // scattering.

@@ -2,6 +2,7 @@
 
 #include "optics/mie.hpp"
 #include "optics/refractive_index.hpp"
+#include "optics/sampled_spheres.hpp"
 #include "optics/sea_particles.hpp"
 #include "unit/optics/support.hpp"
 
@@ -145,6 +146,65 @@ TEST(Spheres, AreRayleighsIfSmall) {
   EXPECT_NEAR(optics.scattering_m2 / expected, 1, 1e-3);
   for (const double x : {0.0, 0.5, 1.0, 2.0})
     EXPECT_NEAR(optics.phase.at(x) / rayleigh(0).p(x), 1, 1e-3) << x;
+}
+
+/// |S|^2 of a faint sphere but for its contrast, Rayleigh-Gans theory: van de Hulst 1957, sec. 7.2;
+/// Bohren & Huffman 1983, eq. (6.14) [from memory].
+double faint_s11(double size, double x) {
+  const double u = 2 * size * std::sqrt(x / 2), cosine = 1 - x;
+  const double form = u < 1e-2 ? 1 - u * u / 10 : 3 * (std::sin(u) - u * std::cos(u)) / (u * u * u);
+  return std::pow(size, 6) * form * form * (1 + cosine * cosine) / 2;
+}
+
+Spheres faint(double contrast, double absorption_index = 0) {
+  return {0.532 * um / 1.34, 1 + contrast, absorption_index, Junge{4, 0.1 * um, 1 * um}};
+}
+
+// The mean of |S|^2 over sizes, and of the solid angle, in the limit of no contrast. Seen red: with
+// the coefficients' own differences at 1e-13; with 1e-4 for 1e-8, where the theory is not the limit
+// yet.
+TEST(Spheres, NearlyOfTheMediumScatterAsRayleighAndGansSay) {
+  const double k = 2 * pi / (0.532 * um / 1.34), from = std::log(0.1), to = std::log(1.0);
+  using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
+  const auto s11 = [&](double x) {  // numbers per ln(radius) go as radius^-3
+    const auto at = [&](double t) { return std::exp(-3 * t) * faint_s11(k * std::exp(t) * um, x); };
+    return Rule::integrate(at, from, to);
+  };
+  const double back = Rule::integrate(s11, 1.0, 2.0), all = back + Rule::integrate(s11, 0.0, 1.0);
+  EXPECT_NEAR(back / all, 0.00780, 5e-6);
+  for (const double contrast :
+       {1e-7, 1.001e-8, 0.999e-8, 1e-13, 0.0, -0.999e-8, -1.001e-8, -1e-7}) {
+    const auto optics = shared(faint(contrast));
+    for (const double x : {0.0, 1e-3, 0.3, 1.0, 1.7, 2.0})
+      EXPECT_NEAR(optics->phase.at(x) / (s11(x) / (2 * pi * all)), 1, 3e-6) << contrast << " " << x;
+    EXPECT_NEAR(PhaseTable(phase_of_spheres(optics)).backscatter_fraction(), back / all,
+                1e-4 * back / all);
+  }
+}
+
+// On both sides of where another index stands in, and straight through 1. Seen red: with
+// |m^2 - 1| for its square; with absorption as its square.
+TEST(Spheres, HaveCrossSectionsThatFallAsTheirContrastDoes) {
+  const SpheresCache cache;
+  const auto scattering = [&](double contrast, double k = 0) {
+    return cache.sections(faint(contrast, k)).scattering_m2;
+  };
+  const double at_1 = scattering(1e-7) / 1e-14;
+  for (const double contrast : {1.001e-8, 0.999e-8, -0.999e-8, 1e-11, 1e-15}) {
+    const double told = (1 + contrast) - 1;  // as far as 1 + contrast has its digits
+    EXPECT_NEAR(scattering(contrast) / (told * told) / at_1, 1, 1e-6) << contrast;
+    EXPECT_NEAR(sampled_sections(faint(contrast)).scattering_m2 / scattering(contrast), 1, 1e-3);
+  }
+  EXPECT_EQ(scattering(0), 0);
+  EXPECT_NEAR(scattering(0, 1e-10) / 1e-20 / at_1, 1, 1e-6);
+  // All of a faint sphere absorbs as its material does: 4 pi k / wavelength.
+  for (const double k : {1e-7, 1e-9, 1e-12}) {
+    const SpheresOptics optics = optics_of_spheres(faint(0, k));
+    const double bulk = optics.volume_m3 * 4 * pi * k / (0.532 * um / 1.34);
+    EXPECT_NEAR(optics.absorption_m2 / bulk, 1, 1e-5) << k;
+    EXPECT_NEAR(optics.extinction_m2 / (bulk + optics.scattering_m2), 1, 1e-5) << k;
+    EXPECT_NEAR(sampled_sections(faint(0, k)).absorption_m2 / bulk, 1, 1e-3) << k;
+  }
 }
 
 TEST(Spheres, FitIntoAPhaseTable) {
