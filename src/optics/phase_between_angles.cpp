@@ -38,11 +38,6 @@ double degrees_of_x(double x) {
   return 2 * std::asin(std::sqrt(std::min(x, 2.0) / 2)) / radian_per_degree;
 }
 
-double x_of_degrees(double degrees) {
-  const double half = std::sin(degrees * radian_per_degree / 2);
-  return 2 * half * half;
-}
-
 class SmoothPhase {
  public:
   explicit SmoothPhase(const std::vector<double>& values) {
@@ -60,12 +55,11 @@ class SmoothPhase {
                     s * t * (s * slope(i) - t * slope(i + 1)));
   }
 
-  /// Integral over the sphere between two angles, of p times a function of x.
-  template <class F>
-  [[nodiscard]] double integral(double from_deg, double to_deg, const F& weight) const {
+  /// Integral over the sphere between two angles.
+  [[nodiscard]] double integral(double from_deg, double to_deg) const {
     using Rule = boost::math::quadrature::gauss<double, 7>;
     const auto integrand = [&](double degrees) {
-      return p(degrees) * weight(x_of_degrees(degrees)) * std::sin(degrees * radian_per_degree);
+      return p(degrees) * std::sin(degrees * radian_per_degree);
     };
     double sum = 0, from = from_deg;
     for (const double knot : angles_.degrees()) {
@@ -74,10 +68,6 @@ class SmoothPhase {
       from = to;
     }
     return 2 * pi * radian_per_degree * sum;
-  }
-
-  [[nodiscard]] double integral(double from_deg, double to_deg) const {
-    return integral(from_deg, to_deg, [](double) { return 1.0; });
   }
 
  private:
@@ -89,22 +79,6 @@ class SmoothPhase {
   PhaseAngles angles_;
   std::vector<double> log_p_;
 };
-
-/// Whether a table of straight lines can tell it.
-constexpr double well_told = 1e-5;
-/// Width of a table's cells from 90 to 180 degrees, in x.
-constexpr double wide_cell = 1.0 / (1 << PhaseView::cell_bits);
-
-/// p over the cells beside a node behind 90 degrees, by their nearness to it: so a table has the
-/// integral that p has.
-double mean_near(const SmoothPhase& curve, double x) {
-  const auto nearness = [x](double at) { return 1 - std::min(1.0, std::abs(at - x) / wide_cell); };
-  const double from = degrees_of_x(x - wide_cell), here = degrees_of_x(x);
-  const double below = curve.integral(from, here, nearness);
-  if (x >= 2) return below / (pi * wide_cell);
-  return (below + curve.integral(here, degrees_of_x(x + wide_cell), nearness)) /
-         (2 * pi * wide_cell);
-}
 
 }  // namespace
 
@@ -129,10 +103,6 @@ PhaseBetweenAngles phase_between_angles(const std::vector<double>& values_per_sr
   const double scale = 1 / out.integral;
   out.shape.p = [curve, scale](double x) { return scale * curve->p(degrees_of_x(x)); };
   out.shape.core_mass = scale * curve->integral(0, degrees_of_x(PhaseView::x_core));
-  if (std::abs(table_integral(out.shape) - 1) <= well_told) return out;
-  out.shape.resolved = [curve, scale](double x) {
-    return scale * (x > 1 ? mean_near(*curve, x) : curve->p(degrees_of_x(x)));
-  };
   return out;
 }
 

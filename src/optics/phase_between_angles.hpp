@@ -23,8 +23,7 @@ class PhaseAngles {
 };
 
 /// A phase function through values above 0 at PhaseAngles, its integral scaled to 1: the logarithm
-/// of p is a piecewise cubic of their coordinate. Where the cells of a PhaseTable are too wide for
-/// it near 180 degrees, the table holds what p is over a cell in the mean.
+/// of p is a piecewise cubic of their coordinate.
 struct PhaseBetweenAngles {
   PhaseShape shape;
   double integral = 1;  ///< before it was scaled

@@ -78,14 +78,6 @@ PhaseShape mixture(const std::vector<std::pair<double, PhaseShape>>& parts) {
     for (const auto& [share, part] : parts) p += share * part.p(x);
     return p;
   };
-  const auto has_detail = [](const auto& part) { return bool(part.second.resolved); };
-  if (std::ranges::any_of(parts, has_detail)) {
-    shape.resolved = [parts](double x) {
-      double p = 0;
-      for (const auto& [share, part] : parts) p += share * part.at_node(x);
-      return p;
-    };
-  }
   return shape;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Number of cells outside the core, and the lower edge of the one numbered i from 0.
 constexpr int outer_cells = PhaseView::cells - 1;
-double edge(int i) { return PhaseView::edge<double>(i + 1); }
+double edge(int i) { return PhaseView::edge(i + 1); }
 
 /// Integral over a cell of 2 pi p(x) for the straight line between its nodes.
 double mass(const std::vector<double>& node, int i) {
@@ -27,7 +27,7 @@ constexpr double least_node = 1e-30;
 std::vector<double> nodes_of(const PhaseShape& shape) {
   std::vector<double> node;
   for (int i = 0; i <= outer_cells; ++i) {
-    const double p = shape.at_node(edge(i));
+    const double p = shape.p(edge(i));
     expect(std::isfinite(p) && p >= 0,
            "a phase function is finite and not negative outside its core");
     node.push_back(std::max(p, least_node));
@@ -146,21 +146,25 @@ PhaseTable::PhaseTable(const PhaseShape& shape) {
   const double whole = table_integral(shape);
   expect(std::abs(whole - 1) <= 1e-4, "a phase function integrates to 1");
 
-  std::vector<double> line;
+  std::vector<double> line, seen;  // by x, and from the nearer pole
   double sum = 0;
-  const auto add = [&](double mass, double p, double slope) {
+  const auto add = [&](double mass, double from, double to, double width) {
+    const double slope = (to - from) / width;
     cdf_.push_back(sum);
-    line.insert(line.end(), {p, slope});
+    line.insert(line.end(), {from, slope});
+    if (cdf_.size() > PhaseView::forward_cells)
+      seen.insert(seen.end(), {to, -slope});
+    else
+      seen.insert(seen.end(), {from, slope});
     sum += mass;
   };
-  const double core_mass = shape.core_mass / whole;
-  add(core_mass, core_mass / (2 * pi * PhaseView::x_core), 0.0);
+  const double core_mass = shape.core_mass / whole, core = core_mass / (2 * pi * PhaseView::x_core);
+  add(core_mass, core, core, PhaseView::x_core);
   for (int i = 0; i < outer_cells; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const double slope = (node[k + 1] - node[k]) / (edge(i + 1) - edge(i));
-    add(mass(node, i) / whole, node[k] / whole, slope / whole);
+    add(mass(node, i) / whole, node[k] / whole, node[k + 1] / whole, edge(i + 1) - edge(i));
   }
-  line_ = TwinTable(line);
+  line_ = TwinTable(seen);
   constexpr double never = 1e30;
   core_per_u_ = TwinTable({{core_mass > 0 ? PhaseView::x_core / core_mass : never}});
   quantile_ = TwinTable(quantiles_of(Inverse(cdf_, line, sum)));
@@ -174,17 +178,13 @@ double PhaseTable::mean_cosine() const {
   double mean_x = cdf_[1] * PhaseView::x_core / 2;
   for (int i = 0; i < outer_cells; ++i) {
     const double x0 = edge(i), x1 = edge(i + 1);
-    const auto [p0, slope] = view().line_of<double>(i + 1);
-    const double p1 = p0 + slope * (x1 - x0);
+    const double p0 = view().value(x0), p1 = view().value(x1);
     // Integral of x times a straight line.
     mean_x += 2 * pi * (x1 - x0) * (p0 * (2 * x0 + x1) + p1 * (x0 + 2 * x1)) / 6;
   }
   return 1 - mean_x;
 }
 
-double PhaseTable::backscatter_fraction() const {
-  constexpr int at_90_degrees = PhaseView::cells - (1 << PhaseView::cell_bits);
-  return 1 - cdf_[at_90_degrees];
-}
+double PhaseTable::backscatter_fraction() const { return 1 - cdf_[PhaseView::forward_cells]; }
 
 }  // namespace photic::optics

@@ -1,8 +1,9 @@
 // One tabulated form for every phase function: value, pdf and inverse-CDF sampling.
 //
 // The variable is x = 1 - cos(angle), 0 <= x <= 2, and the grid has equal cells within each octave
-// of x, from x_core to 2, so that a forward peak keeps its digits and a cell is found from the bits
-// of x. Inside x_core the function is flat with the same mass (docs/theory.md, "Phase functions").
+// of x up to 1 and of 2 - x behind it, so that a forward peak and a glory straight back keep their
+// digits and a cell is found from the bits of x. Inside x_core the function is flat with the same
+// mass (docs/theory.md, "Phase functions"); the last cell, straight back, is a straight line.
 // Samples come from a table of the inverse of its cumulative, which is as close to it as the cells
 // are to the formula.
 #pragma once
@@ -21,16 +22,18 @@ namespace photic::optics {
 
 /// What a walk sees of a phase function: pointers into a PhaseTable, copied freely.
 struct PhaseView {
-  static constexpr int cell_bits = 7;                       ///< 128 cells in an octave
-  static constexpr int core_exponent = -26;                 ///< x_core = 2^-26: 0.00989 degree
-  static constexpr int octaves = 1 - core_exponent;         ///< from x_core to 2
-  static constexpr int cells = 1 + (octaves << cell_bits);  ///< cell 0 is the core
+  static constexpr int cell_bits = 7;        ///< 128 cells in an octave
+  static constexpr int core_exponent = -26;  ///< x_core = 2^-26: 0.00989 degree
+  static constexpr int back_exponent = -16;  ///< the last cell: 2^-16, 0.32 degrees
+  static constexpr int forward_cells = 1 + (-core_exponent << cell_bits);  ///< cell 0 is the core
+  static constexpr int cells = forward_cells + (-back_exponent << cell_bits) + 1;
   static constexpr double x_core = 1.0 / (1 << -core_exponent);
 
-  /// The straight line of p in a cell.
+  /// The straight line of p in a cell: from where it is nearest to straight ahead (to straight
+  /// back, in the backward hemisphere), and per x (per 2 - x).
   enum Line : std::int32_t {
-    node,   ///< p at the lower edge [1/sr]
-    slope,  ///< dp/dx [1/sr]
+    node,   ///< [1/sr]
+    slope,  ///< [1/sr]
     line_fields
   };
   Table line;  ///< [cells][line_fields]
@@ -47,10 +50,12 @@ struct PhaseView {
   Table quantile;         ///< [quantiles][quantile_fields], outside the core
   ShortTable core_per_u;  ///< x over u inside it
 
-  /// Lower edge of a cell but the core.
-  template <class T>
-  static T edge(const Index<T>& i) {
-    return octave_edge<T>(i + Index<T>(first_octave_cell - 1), cell_bits);
+  /// Lower edge of a cell; 2 of the one behind the last.
+  static double edge(int i) {
+    if (i == 0) return 0;
+    if (i == cells) return 2;
+    return i < forward_cells ? octave_edge<double>(first_octave_cell + i - 1, cell_bits)
+                             : 2 - octave_edge<double>(forward_cells - i, cell_bits);
   }
 
   /// The line of an entry.
@@ -65,12 +70,20 @@ struct PhaseView {
   /// p(x) [1/sr], which is also the density per solid angle that sample() draws from.
   template <class T>
   T value(const T& x, const Index<T>& table = Index<T>(0)) const {
-    constexpr Element<T> last = 2 - std::numeric_limits<Element<T>>::epsilon();  // in the last cell
-    const T within = select(x < T(last), x, T(last));
-    Index<T> i = octave_cell(within, cell_bits).cell - Index<T>(first_octave_cell - 1);
-    i = select(i > Index<T>(0), i, Index<T>(0));
+    constexpr Element<T> below_1 = 1 - std::numeric_limits<Element<T>>::epsilon() / 2;
+    const Mask<T> ahead = x < T(1);
+    const T near = select(ahead, x, T(2) - x);
+    const T within = select(near < T(below_1), near, T(below_1));
+    // From a pole on: 0 in the cell there, which is below all octaves.
+    const Index<T> least =
+        select(ahead, Index<T>(first_octave_cell - 1), Index<T>(first_octave_cell_back - 1));
+    const Index<T> found = octave_cell(within, cell_bits).cell;
+    const Mask<T> in_octave = found > least;
+    const Index<T> cell = select(in_octave, found, least);
+    const T from = select(in_octave, octave_edge<T>(cell, cell_bits), T(0));
+    const Index<T> i = select(ahead, cell - least, Index<T>(forward_cells - 1) - cell);
     const auto here = line_of<T>(i + table * Index<T>(cells));
-    return here[node] + here[slope] * (within - edge<T>(i));
+    return here[node] + here[slope] * (within - from);
   }
 
   /// The x below which the fraction u of all scattering lies: monotone in u, 0 < u < 1.
@@ -79,17 +92,13 @@ struct PhaseView {
 
  private:
   static constexpr std::int32_t first_octave_cell = core_exponent * (1 << cell_bits);
+  static constexpr std::int32_t first_octave_cell_back = back_exponent * (1 << cell_bits);
 };
 
 /// A phase function as its formula gives it: what the models produce and mixtures add up.
 struct PhaseShape {
   std::function<double(double)> p;  ///< p(x) [1/sr] at x = 1 - cos, for x_core <= x <= 2
   double core_mass = 0;             ///< the share of all scattering inside x_core
-  /// What a table holds at its nodes, where p has detail finer than its cells: p over the cells
-  /// around. Empty: p itself.
-  std::function<double(double)> resolved = {};
-
-  [[nodiscard]] double at_node(double x) const { return resolved ? resolved(x) : p(x); }
 };
 
 /// The same shape, which knows what the nodes of a table ask it for: that is computed once.

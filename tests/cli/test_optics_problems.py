@@ -91,7 +91,7 @@ def test_a_phase_table_is_refused_at_its_own_lines(photic, scene, tmp_path):
     table.write_text("angle_deg,phase_function_per_sr\n0,0.0796\n90,x\n120;0.1\n180,0.0796\n")
     scene.write_text(QUICK_SCENE.replace(LAYER, TABLE).replace('"raman"\n[[sea', '"elastic"\n[[sea'))
     expected = [
-        f"{table}:4:1: 1 fields where 2 columns are named (a text with a comma needs double quotes)",
+        f"{table}:4:1: 1 fields where 2 columns are named (separate them by commas, as the names are)",
         "1 problem in quick.toml",
     ]
     for command in ["check", "run", "show"]:

@@ -125,12 +125,21 @@ TEST(PhaseFromTable, KnowsTheCustomsOfOtherFields) {
 }
 
 TEST(PhaseFromTable, RefusesDetailFinerThanTheCells) {
-  // A spike of 1 degree at 179.5 degrees, on top of a flat function, that holds 0.9 % of the
-  // scattering.
-  const double spike = 0.009 / (2 * pi * (1 - std::cos(1 * radian_per_degree)));
-  expect_contains(
-      refusal(fmt::format("0,0.0788\n178.9,0.0788\n179,{0}\n180,{0}\n", spike + 0.0788)),
-      "has detail that is too fine");
+  // A spike 0.05 degrees wide at 120 degrees, on top of a flat function, that holds 0.9 % of the
+  // scattering; at 179.5 degrees, 1 degree wide, it is told.
+  const auto ring = [](double from, double to) {
+    return 2 * pi * (std::cos(from * radian_per_degree) - std::cos(to * radian_per_degree));
+  };
+  const double at_120 = 0.0788 + 0.009 / ring(119.975, 120.025),
+               at_180 = 0.0788 + 0.009 / ring(179, 180);
+  expect_contains(refusal(fmt::format("0,0.0788\n119.974,0.0788\n119.975,{0}\n120.025,{0}\n"
+                                      "120.026,0.0788\n180,0.0788\n",
+                                      at_120)),
+                  "has detail that is too fine");
+  EXPECT_NO_THROW(phase_from_table(DataTable::parse(
+      fmt::format("angle_deg,phase_function_per_sr\n0,0.0788\n178.99,0.0788\n179,{0}\n180,{0}\n",
+                  at_180),
+      "vsf.csv")));
 }
 
 }  // namespace

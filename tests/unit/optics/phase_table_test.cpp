@@ -8,7 +8,7 @@ namespace photic::optics {
 namespace {
 
 constexpr int outer_cells = PhaseView::cells - 1;
-double edge(int outer_cell) { return PhaseView::edge<double>(outer_cell + 1); }
+double edge(int outer_cell) { return PhaseView::edge(outer_cell + 1); }
 
 /// The probability of less than x under the view's value(): the integral of straight lines.
 double probability_below(const PhaseView& view, double x) {
@@ -22,10 +22,38 @@ double probability_below(const PhaseView& view, double x) {
   return sum;
 }
 
+template <class T>
+class PhaseValues : public testing::Test {};
+using Lanes = testing::Types<double, float>;
+TYPED_TEST_SUITE(PhaseValues, Lanes);
+
 TEST(PhaseTable, IsAPdf) {
   for (const auto& [name, shape] : all_shapes()) {
     const PhaseTable table(shape);
     EXPECT_NEAR(probability_below(table.view(), 2), 1, 1e-12) << name;
+  }
+}
+
+// Every cell from both of its ends, the ones at the poles and those on both sides of 90 degrees
+// too. Seen red: with the cells behind 90 degrees counted from there on.
+TYPED_TEST(PhaseValues, AreThoseOfTheirCells) {
+  using T = TypeParam;
+  const PhaseShape shape = raman_phase(0.17);
+  const PhaseTable table(shape);
+  const PhaseView view = table.view();
+  const double whole = table_integral(shape);
+  EXPECT_EQ(PhaseView::edge(0), 0);
+  EXPECT_EQ(PhaseView::edge(PhaseView::forward_cells), 1);
+  EXPECT_EQ(PhaseView::edge(PhaseView::cells), 2);
+  const double tolerance = std::numeric_limits<T>::epsilon() * 4;
+  for (int i = 1; i < PhaseView::cells; ++i) {
+    const double from = PhaseView::edge(i), to = PhaseView::edge(i + 1);
+    ASSERT_LT(from, to);
+    for (const double part : {0.0, 0.3, 0.9999}) {
+      const double x = static_cast<double>(static_cast<T>(std::lerp(from, to, part)));
+      const double p = std::lerp(shape.p(from), shape.p(to), (x - from) / (to - from)) / whole;
+      ASSERT_NEAR(view.value(static_cast<T>(x)) / p, 1, 1e-13 + tolerance) << i << " " << part;
+    }
   }
 }
 

@@ -1,5 +1,7 @@
 #include "optics/spheres.hpp"
 
+#include <fmt/format.h>
+
 #include "optics/mie.hpp"
 #include "optics/refractive_index.hpp"
 #include "optics/sampled_spheres.hpp"
@@ -232,9 +234,40 @@ TEST(Spheres, KeepTheForwardPeakOfLargeSpheres) {
   EXPECT_NEAR(shape.core_mass / (2 * pi * PhaseView::x_core * optics->phase.at(0)), 1, 1e-3);
 }
 
+// Calibration beads of polystyrene: fringes all around, and a glory that is narrower the larger
+// they are. The table has their integral, their b_b and g, p straight back, and p between its nodes
+// as far as fringes allow. Seen red: with octaves of x alone, cells of 7 degrees straight back;
+// with the line of each cell behind 90 degrees from its other edge.
+TEST(Spheres, OfNearlyOneSizeFitIntoAPhaseTable) {
+  constexpr double wavelength = 0.532 * um / 1.34;
+  for (const double radius_um : {0.05, 0.5, 1.0, 2.1, 3.0, 10.0}) {
+    for (const double width : {0.01, 0.05}) {
+      SCOPED_TRACE(fmt::format("{} um, {}", radius_um, width));
+      const double r = radius_um * um;
+      const auto optics = shared({wavelength, 1.19, 0, Junge{4, r * (1 - width), r * (1 + width)}});
+      const PhaseShape shape = phase_of_spheres(optics);
+      EXPECT_NEAR(table_integral(shape), 1, 1.5e-5);
+      const PhaseTable table(shape);
+      EXPECT_NEAR(table.mean_cosine(), optics->mean_cosine, 2e-5);
+      const double back = integral(shape.p, 1, 2);
+      EXPECT_NEAR(table.backscatter_fraction(), back, 1e-3 * back);
+      EXPECT_NEAR(table.view().value(2.0) / shape.p(2), 1, 2e-5);
+      // Behind 90 degrees, against the larger one of p and its mean there. The finest fringes go as
+      // cos(2 size angle), and cells are up to 0.26 degrees long: a straight line is this far off.
+      const double phase = 2 * 2 * pi * r / wavelength * 0.26 * radian_per_degree;
+      for (double degrees = 90; degrees <= 180; degrees += 0.07) {
+        const double x = x_of(degrees), p = shape.p(x);
+        EXPECT_NEAR(table.view().value<double>(x), p,
+                    (1e-4 + phase * phase / 8) * std::max(p, back / (2 * pi)))
+            << degrees;
+      }
+    }
+  }
+}
+
 // Seen red: with the refusal left out.
 TEST(Spheres, TooLargeForAPhaseTableAreRefused) {
-  const auto optics = shared({0.4 * um, 1.5, 0, Junge{4, 10 * um, 10.001 * um}});
+  const auto optics = shared({0.4 * um, 1.5, 0, Junge{4, 50 * um, 50.00001 * um}});
   expect_contains(message<InputError>([&] { phase_of_spheres(optics); }),
                   "has detail that is too fine: as tabulated by the program it integrates to");
 }
@@ -270,7 +303,7 @@ TEST(Spheres, HaveTheirPhaseFunctionTabulatedOnce) {
   for (const double x : {PhaseView::x_core, 0.01, 2.0}) EXPECT_EQ(once->p(x), direct.p(x)) << x;
   expect_contains(
       message<InputError>([&] {
-        static_cast<void>(cache.phase({0.4 * um, 1.5, 0, Junge{4, 10 * um, 10.001 * um}}));
+        static_cast<void>(cache.phase({0.4 * um, 1.5, 0, Junge{4, 50 * um, 50.00001 * um}}));
       }),
       "has detail that is too fine");
 }

@@ -226,8 +226,8 @@ INSTANTIATE_TEST_SUITE_P(
                "wavelengths)"}},
         Table{"FieldMissing",
               rows("0, 500, 1\n"),
-              {"lib.csv:2:1: 3 fields where 4 columns are named (a text with a comma needs double "
-               "quotes)"}},
+              {"lib.csv:2:1: 3 fields where 4 columns are named (separate them by commas, as the "
+               "names are)"}},
         Table{"NoRows", rows(""), {"lib.csv:1:1: has no rows of data"}},
         Table{"Backscattering",
               "depth_m, wavelength_nm, a_per_m, b_per_m, bb_per_m\n0, 500, 1, 1, 0.02\n",

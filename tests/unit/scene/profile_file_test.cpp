@@ -33,7 +33,7 @@ TEST(CsvProfile, ProblemsAreToldAtTheirLineAndColumn) {
             (Texts{"chl.csv:3:4: must be a finite number, at least 0, not -0.4 (negative = "
                    "\"zero\" counts values below 0 as 0)"}));
   EXPECT_EQ(problems("0, 0.2\n10,\n30, nan\n"),
-            (Texts{"chl.csv:3:4: \"\" is not a finite number",
+            (Texts{"chl.csv:3:4: \"\" is not a finite number (fill the gap, or leave the row out)",
                    "chl.csv:4:4: \"nan\" is not a finite number"}));
   EXPECT_EQ(problems("10, 0.2\n10, 0.4\n"),
             (Texts{"chl.csv:2:4: all rows are at a depth of 10 m (a profile needs two depths)"}));
