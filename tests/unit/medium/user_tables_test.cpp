@@ -87,8 +87,8 @@ TEST_F(PhaseTableOfAUser, IsToldOnceWhereTwoLayersUseIt) {
       {22, 22, "iop = [{ wavelength_nm = 532, a_per_m = 0.06, b_per_m = 0.1 }]\n" + edits[0].text});
   EXPECT_EQ(problems(edits),
             Texts{file_ + ":2:3: integrates to 6.283 over the sphere, not 1 within "
-                          "1 % (divide a volume scattering function by its "
-                          "scattering coefficient)"});
+                          "1 % (looks normalised to 1 "
+                          "over the cosine of the angle, without the azimuth: divide it by 2 pi)"});
 }
 
 // Seen red: with the remark dropped.
