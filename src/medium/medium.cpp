@@ -59,7 +59,7 @@ std::vector<std::int32_t> hues_of(std::span<const Line> band) {
   return count;
 }
 
-constexpr std::size_t phase_lines = std::size_t{PhaseView::cells} * PhaseView::line_fields,
+constexpr std::size_t phase_lines = std::size_t{PhaseView::lines} * PhaseView::line_fields,
                       phase_quantiles =
                           std::size_t{PhaseView::quantiles} * PhaseView::quantile_fields;
 

@@ -109,6 +109,28 @@ std::vector<double> quantiles_of(Inverse inverse) {
   return rows;
 }
 
+/// The rows of PhaseView::line, of p and its slope in the cells by x.
+std::vector<double> from_the_poles(const std::vector<double>& line) {
+  const auto at = [&](int cell, double x) {
+    const auto k = 2 * static_cast<std::size_t>(cell);
+    return line[k] + line[k + 1] * (x - PhaseView::edge(cell));
+  };
+  const auto slope_in = [&](int cell) { return line[2 * static_cast<std::size_t>(cell) + 1]; };
+  const double at_90_degrees = at(PhaseView::pole_cells, 1);
+  std::vector<double> rows;
+  for (int i = 0; i < PhaseView::pole_cells; ++i)
+    rows.insert(rows.end(), {at(i, PhaseView::edge(i)), slope_in(i)});
+  rows.insert(rows.end(), {at_90_degrees, 0});
+  for (int i = PhaseView::cells - 1; i >= PhaseView::pole_cells; --i) {
+    if (i == PhaseView::cells - 1)
+      rows.insert(rows.end(), {at(i, 2 - PhaseView::x_core / 2), 0});
+    else
+      rows.insert(rows.end(), {at(i, PhaseView::edge(i + 1)), -slope_in(i)});
+  }
+  rows.insert(rows.end(), {at_90_degrees, 0});
+  return rows;
+}
+
 }  // namespace
 
 PhaseShape tabulated(const PhaseShape& shape) {
@@ -146,25 +168,21 @@ PhaseTable::PhaseTable(const PhaseShape& shape) {
   const double whole = table_integral(shape);
   expect(std::abs(whole - 1) <= 1e-4, "a phase function integrates to 1");
 
-  std::vector<double> line, seen;  // by x, and from the nearer pole
+  std::vector<double> line;
   double sum = 0;
-  const auto add = [&](double mass, double from, double to, double width) {
-    const double slope = (to - from) / width;
+  const auto add = [&](double mass, double p, double slope) {
     cdf_.push_back(sum);
-    line.insert(line.end(), {from, slope});
-    if (cdf_.size() > PhaseView::forward_cells)
-      seen.insert(seen.end(), {to, -slope});
-    else
-      seen.insert(seen.end(), {from, slope});
+    line.insert(line.end(), {p, slope});
     sum += mass;
   };
-  const double core_mass = shape.core_mass / whole, core = core_mass / (2 * pi * PhaseView::x_core);
-  add(core_mass, core, core, PhaseView::x_core);
+  const double core_mass = shape.core_mass / whole;
+  add(core_mass, core_mass / (2 * pi * PhaseView::x_core), 0.0);
   for (int i = 0; i < outer_cells; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    add(mass(node, i) / whole, node[k] / whole, node[k + 1] / whole, edge(i + 1) - edge(i));
+    const double slope = (node[k + 1] - node[k]) / (edge(i + 1) - edge(i));
+    add(mass(node, i) / whole, node[k] / whole, slope / whole);
   }
-  line_ = TwinTable(seen);
+  line_ = TwinTable(from_the_poles(line));
   constexpr double never = 1e30;
   core_per_u_ = TwinTable({{core_mass > 0 ? PhaseView::x_core / core_mass : never}});
   quantile_ = TwinTable(quantiles_of(Inverse(cdf_, line, sum)));
@@ -185,6 +203,6 @@ double PhaseTable::mean_cosine() const {
   return 1 - mean_x;
 }
 
-double PhaseTable::backscatter_fraction() const { return 1 - cdf_[PhaseView::forward_cells]; }
+double PhaseTable::backscatter_fraction() const { return 1 - cdf_[PhaseView::pole_cells]; }
 
 }  // namespace photic::optics
