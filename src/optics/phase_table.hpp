@@ -73,9 +73,11 @@ struct PhaseView {
     // What rounding puts beyond a pole is in the core there.
     constexpr auto in_core =
         static_cast<Element<T>>(x_core) * (1 - std::numeric_limits<Element<T>>::epsilon());
-    const T from_pole = larger(smaller(x, T(2) - x), T(in_core));
+    const Mask<T> ahead = x < T(1);
+    const T near = select(ahead, x, T(2) - x);
+    const T from_pole = select(near > T(in_core), near, T(in_core));
     const Index<T> cell = octave_cell(from_pole, cell_bits).cell;
-    const Index<T> first = select(x < T(1), Index<T>(0), Index<T>(pole_cells + 1));
+    const Index<T> first = select(ahead, Index<T>(0), Index<T>(pole_cells + 1));
     const Index<T> i = cell - Index<T>(first_octave_cell - 1) + first;
     const auto here = line_of<T>(i + table * Index<T>(lines));
     return here[node] + here[slope] * (from_pole - octave_edge<T>(cell, cell_bits));
