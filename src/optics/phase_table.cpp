@@ -24,13 +24,36 @@ double mass(const std::vector<double>& node, int i) {
 /// Far below any real value, but not 0: the inverse divides by the sum of the nodes of a cell.
 constexpr double least_node = 1e-30;
 
+/// A function of x at all edges of cells but the core's lower one. Towards 180 degrees most phase
+/// functions are nearly straight: an octave of 2 - x whose line lies within 1e-7 of the function at
+/// seven places between its ends has the line's values.
+template <class P>
+std::vector<double> at_edges(const P& p) {
+  std::vector<double> out;
+  for (int i = 0; i < PhaseView::forward_cells; ++i) out.push_back(p(edge(i)));
+  constexpr int octave = 1 << PhaseView::cell_bits, step = octave / 8;
+  for (int first = PhaseView::forward_cells - 1; first + octave < outer_cells; first += octave) {
+    const double from = out.back(), to = p(edge(first + octave));
+    const auto on_line = [&](int i) {
+      return std::lerp(from, to, (edge(i) - edge(first)) / (edge(first + octave) - edge(first)));
+    };
+    bool straight = true;
+    for (int i = first + step; i < first + octave && straight; i += step)
+      straight = std::abs(p(edge(i)) - on_line(i)) <= 1e-7 * from;
+    for (int i = first + 1; i < first + octave; ++i)
+      out.push_back(straight ? on_line(i) : p(edge(i)));
+    out.push_back(to);
+  }
+  out.push_back(p(2));
+  return out;
+}
+
 std::vector<double> nodes_of(const PhaseShape& shape) {
-  std::vector<double> node;
-  for (int i = 0; i <= outer_cells; ++i) {
-    const double p = shape.p(edge(i));
+  std::vector<double> node = at_edges(shape.p);
+  for (double& p : node) {
     expect(std::isfinite(p) && p >= 0,
            "a phase function is finite and not negative outside its core");
-    node.push_back(std::max(p, least_node));
+    p = std::max(p, least_node);
   }
   return node;
 }
@@ -109,25 +132,17 @@ std::vector<double> quantiles_of(Inverse inverse) {
   return rows;
 }
 
-/// The rows of PhaseView::line, of p and its slope in the cells by x.
+/// The rows of PhaseView::line, of p at the lower edges of the cells by x and its slope in them.
 std::vector<double> from_the_poles(const std::vector<double>& line) {
-  const auto at = [&](int cell, double x) {
-    const auto k = 2 * static_cast<std::size_t>(cell);
-    return line[k] + line[k + 1] * (x - PhaseView::edge(cell));
-  };
-  const auto slope_in = [&](int cell) { return line[2 * static_cast<std::size_t>(cell) + 1]; };
-  const double at_90_degrees = at(PhaseView::pole_cells, 1);
   std::vector<double> rows;
-  for (int i = 0; i < PhaseView::pole_cells; ++i)
-    rows.insert(rows.end(), {at(i, PhaseView::edge(i)), slope_in(i)});
-  rows.insert(rows.end(), {at_90_degrees, 0});
-  for (int i = PhaseView::cells - 1; i >= PhaseView::pole_cells; --i) {
-    if (i == PhaseView::cells - 1)
-      rows.insert(rows.end(), {at(i, 2 - PhaseView::x_core / 2), 0});
-    else
-      rows.insert(rows.end(), {at(i, PhaseView::edge(i + 1)), -slope_in(i)});
-  }
-  rows.insert(rows.end(), {at_90_degrees, 0});
+  const auto add = [&](int cell, double pole, double toward) {
+    const auto k = 2 * static_cast<std::size_t>(cell);
+    const double p = line[k], slope = line[k + 1];
+    rows.insert(rows.end(), {p + slope * (pole - PhaseView::edge(cell)), toward * slope});
+  };
+  for (int i = 0; i < PhaseView::forward_cells; ++i) add(i, 0, 1);
+  for (int i = PhaseView::cells - 1; i >= PhaseView::forward_cells; --i) add(i, 2, -1);
+  add(PhaseView::forward_cells, 2, -1);
   return rows;
 }
 
@@ -138,11 +153,8 @@ PhaseShape tabulated(const PhaseShape& shape) {
     PhaseShape shape;
     std::vector<double> x, p;
   };
-  Known known{shape, {}, {}};
-  for (int i = 0; i <= outer_cells; ++i) {
-    known.x.push_back(edge(i));
-    known.p.push_back(shape.p(edge(i)));
-  }
+  Known known{shape, {}, at_edges(shape.p)};
+  for (int i = 0; i <= outer_cells; ++i) known.x.push_back(edge(i));
   PhaseShape out;
   out.core_mass = shape.core_mass;
   out.p = [known = std::make_shared<const Known>(std::move(known))](double x) {
@@ -203,6 +215,6 @@ double PhaseTable::mean_cosine() const {
   return 1 - mean_x;
 }
 
-double PhaseTable::backscatter_fraction() const { return 1 - cdf_[PhaseView::pole_cells]; }
+double PhaseTable::backscatter_fraction() const { return 1 - cdf_[PhaseView::forward_cells]; }
 
 }  // namespace photic::optics

@@ -2,8 +2,8 @@
 //
 // The variable is x = 1 - cos(angle), 0 <= x <= 2, and the grid has equal cells within each octave
 // of x up to 1 and of 2 - x behind it, so that a forward peak and a glory straight back keep their
-// digits and a cell is found from the bits of x. Inside x_core, from either pole, the function is
-// flat, ahead with the same mass (docs/theory.md, "Phase functions").
+// digits and a cell is found from the bits of x. Inside x_core the function is flat with the same
+// mass (docs/theory.md, "Phase functions"); the last cell, straight back, is a straight line.
 // Samples come from a table of the inverse of its cumulative, which is as close to it as the cells
 // are to the formula.
 #pragma once
@@ -24,17 +24,18 @@ namespace photic::optics {
 struct PhaseView {
   static constexpr int cell_bits = 7;        ///< 128 cells in an octave
   static constexpr int core_exponent = -26;  ///< x_core = 2^-26: 0.00989 degree
-  static constexpr int pole_cells = 1 + (-core_exponent << cell_bits);  ///< the core, to 90 degrees
-  static constexpr int cells = 2 * pole_cells;                          ///< by x
+  static constexpr int back_exponent = -16;  ///< the last cell: 2^-16, 0.32 degrees
+  static constexpr int forward_cells = 1 + (-core_exponent << cell_bits);  ///< cell 0 is the core
+  static constexpr int cells = forward_cells + 1 + (-back_exponent << cell_bits);
   static constexpr double x_core = 1.0 / (1 << -core_exponent);
 
-  /// The straight line of p in a cell, by the distance x or 2 - x from the nearer pole: at the edge
-  /// towards it, and per distance. The cells from the forward pole on, and one that begins at 90
-  /// degrees; then the same of the backward pole.
-  static constexpr int lines = 2 * (pole_cells + 1);
+  /// The straight line of p in a cell against the distance from the nearer pole, x or 2 - x: the
+  /// cells from the forward pole to 90 degrees, then those from the backward pole, and the last of
+  /// them again for 90 degrees itself.
+  static constexpr int lines = cells + 1;
   enum Line : std::int32_t {
-    node,   ///< [1/sr]
-    slope,  ///< [1/sr]
+    at_pole,  ///< where the line would meet the pole [1/sr]
+    slope,    ///< per distance [1/sr]
     line_fields
   };
   Table line;  ///< [lines][line_fields]
@@ -54,8 +55,9 @@ struct PhaseView {
   /// Lower edge of a cell; 2 of the one behind the last.
   static double edge(int i) {
     if (i == 0) return 0;
-    return i <= pole_cells ? octave_edge<double>(first_octave_cell + i - 1, cell_bits)
-                           : 2 - edge(cells - i);
+    if (i == cells) return 2;
+    return i <= forward_cells ? octave_edge<double>(first_octave_cell + i - 1, cell_bits)
+                              : 2 - octave_edge<double>(forward_cells - i, cell_bits);
   }
 
   /// The line of an entry.
@@ -70,17 +72,18 @@ struct PhaseView {
   /// p(x) [1/sr], which is also the density per solid angle that sample() draws from.
   template <class T>
   T value(const T& x, const Index<T>& table = Index<T>(0)) const {
-    // What rounding puts beyond a pole is in the core there.
-    constexpr auto in_core =
-        static_cast<Element<T>>(x_core) * (1 - std::numeric_limits<Element<T>>::epsilon());
+    using Number = Element<T>;
+    constexpr Number below = 1 - std::numeric_limits<Number>::epsilon();
     const Mask<T> ahead = x < T(1);
     const T near = select(ahead, x, T(2) - x);
-    const T from_pole = select(near > T(in_core), near, T(in_core));
-    const Index<T> cell = octave_cell(from_pole, cell_bits).cell;
-    const Index<T> first = select(ahead, Index<T>(0), Index<T>(pole_cells + 1));
-    const Index<T> i = cell - Index<T>(first_octave_cell - 1) + first;
+    // In the cells at the poles, where rounding puts what lies beyond them, too.
+    const T least = select(ahead, T(static_cast<Number>(x_core) * below),
+                           T(static_cast<Number>(x_back) * below));
+    const Index<T> cell = octave_cell(select(near > least, near, least), cell_bits).cell;
+    const Index<T> i = cell + select(ahead, Index<T>(1 - first_octave_cell),
+                                     Index<T>(forward_cells + 1 - first_octave_cell_back));
     const auto here = line_of<T>(i + table * Index<T>(lines));
-    return here[node] + here[slope] * (from_pole - octave_edge<T>(cell, cell_bits));
+    return here[at_pole] + here[slope] * near;
   }
 
   /// The x below which the fraction u of all scattering lies: monotone in u, 0 < u < 1.
@@ -89,6 +92,8 @@ struct PhaseView {
 
  private:
   static constexpr std::int32_t first_octave_cell = core_exponent * (1 << cell_bits);
+  static constexpr std::int32_t first_octave_cell_back = back_exponent * (1 << cell_bits);
+  static constexpr double x_back = 1.0 / (1 << -back_exponent);
 };
 
 /// A phase function as its formula gives it: what the models produce and mixtures add up.

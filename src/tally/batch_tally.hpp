@@ -32,15 +32,14 @@ inline int score_octave(double value) {
 struct CellScores {
   double largest = 0;    ///< single score
   double cut_order = 0;  ///< first order beyond max_order
-  int octaves_down = 0;  ///< to that of the smallest score, from the topmost one
-  std::array<std::uint32_t, score_octaves> count{};  ///< of an octave
+  std::uint32_t scores = 0;
+  std::array<std::uint32_t, score_octaves> count{};  ///< of them, in an octave
 
   [[nodiscard]] bool touched() const { return largest > 0 || cut_order > 0; }
   void add(double value) {
-    const int octave = score_octave(value);
     largest = std::max(largest, value);
-    octaves_down = std::max(octaves_down, score_octaves - 1 - octave);
-    ++count[static_cast<std::size_t>(octave)];
+    ++scores;
+    ++count[static_cast<std::size_t>(score_octave(value))];
   }
 };
 

@@ -51,9 +51,11 @@ void Totals::merge(const BatchTally& batch) {
     const CellScores& scores = batch.cells[cell];
     state_.cut_order[cell] += scores.cut_order;
     state_.largest[cell] = std::max(state_.largest[cell], scores.largest);
-    for (auto k = static_cast<std::size_t>(score_octaves - 1 - scores.octaves_down);
-         k <= static_cast<std::size_t>(score_octave(scores.largest)); ++k)
+    std::uint32_t rest = scores.scores;
+    for (auto k = static_cast<std::size_t>(score_octave(scores.largest)); rest > 0; --k) {
       state_.octaves[cell][k] += scores.count[k];
+      rest -= scores.count[k];
+    }
     merge_environments(batch, cell, echo);
   }
   for (const std::uint32_t k : batch.touched_depths) {
