@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "photic/checkpoint.hpp"
@@ -72,18 +74,33 @@ void spare(const std::vector<std::string>& inputs, const std::string& output) {
   }
 }
 
+namespace {
+
+/// Whether a file is there and says just this.
+bool holds(const std::string& path, std::string_view text) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream there;
+  return file.is_open() && file.peek() != std::ifstream::traits_type::eof() &&
+         there << file.rdbuf() && there.view() == text;
+}
+
+}  // namespace
+
 std::string go_on_command(const std::string& earlier, const std::string& output) {
   return fmt::format("photic run --continue {} -o {}", earlier, output);
 }
 
-void write_new_file(const std::string& path, std::string_view text) {
+bool write_new_file(const std::string& path, std::string_view text) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wx"),
                                                              &std::fclose);
-  if (!file && errno == EEXIST)
+  if (!file && errno == EEXIST) {
+    if (holds(path, text)) return false;
     throw UsageError(path + ": exists already and was left as it is (choose another name with -o)");
+  }
   if (!file) fail("cannot write " + path);
   const bool written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
   if (std::fflush(file.get()) != 0 || !written) fail("cannot write " + path);
+  return true;
 }
 
 }  // namespace photic::app

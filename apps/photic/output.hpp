@@ -40,8 +40,8 @@ void spare(const std::vector<std::string>& inputs, const std::string& output);
 /// What goes on from a result file and writes the longer one.
 std::string go_on_command(const std::string& earlier, const std::string& output);
 
-/// Writes a file that must not exist yet. Throws UsageError if it does, EnvironmentError on
-/// failure.
-void write_new_file(const std::string& path, std::string_view text);
+/// Writes a file that must not exist yet; false if it does, with this very text. Throws UsageError
+/// if it holds anything else, EnvironmentError on failure.
+bool write_new_file(const std::string& path, std::string_view text);
 
 }  // namespace photic::app

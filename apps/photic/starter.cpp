@@ -9,8 +9,9 @@ int run(const NewCommand& command) {
     print_out(text);
     return done;
   }
-  write_new_file(command.output, text);
-  print_out(command.output + ": written; check it with: photic check " + command.output + '\n');
+  const bool written = write_new_file(command.output, text);
+  print_out(command.output + (written ? ": written" : ": is there already") +
+            "; check it with: photic check " + command.output + '\n');
   return done;
 }
 

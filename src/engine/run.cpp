@@ -21,7 +21,7 @@ constexpr double tolerated_cut = 1e-3;  // of a gate, by max_order
 // errors, which ten batches tell, but for rare large weights: far off is off all the same.
 constexpr double tolerated_excess = 0.02;
 constexpr double tolerated_errors = 4;
-constexpr double far_off = 0.25;
+constexpr double far_off = 0.10;
 constexpr std::uint64_t batches_of_ledger = 10;
 
 /// Why weights scatter, and what to do.

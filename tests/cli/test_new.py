@@ -18,6 +18,14 @@ def test_a_starter_scene_goes_to_a_file(photic, tmp_path):
     assert (tmp_path / "mine.toml").read_text() == photic("new", "ship").stdout
 
 
+def test_the_same_file_may_be_asked_for_again(photic, tmp_path):
+    # Seen red: refused, as before.
+    photic("new", "ship", "-o", "mine.toml")
+    done = photic("new", "ship", "-o", "mine.toml")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == "mine.toml: is there already; check it with: photic check mine.toml\n"
+
+
 def test_an_existing_file_stays_as_it_is(photic, tmp_path):
     # Seen red: with the file opened for writing rather than for a new one.
     (tmp_path / "mine.toml").write_text("precious")
