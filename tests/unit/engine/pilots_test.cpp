@@ -39,7 +39,8 @@ tally::Result result_of(const std::vector<double>& echo, const std::vector<doubl
   result.telescope_name = {"a", "b"};
   result.channel_name = {"c"};
   result.gate_time_edge_ns = {0, 1, 2};
-  result.echo = {echo, error};
+  result.echo.mean.assign(echo.begin(), echo.end());
+  result.echo.standard_error.assign(error.begin(), error.end());
   result.largest_score_share = largest_share;
   return result;
 }
