@@ -5,11 +5,17 @@
 namespace photic::medium {
 namespace {
 
-/// Of the highest albedo (docs/decisions/0010). Water that scatters alone is left with 0.9.
+/// Of the highest albedo (docs/decisions/0010).
 constexpr double least_per_albedo = 0.9;
 
 /// Best on most waters (docs/decisions/0010 and 0035).
 constexpr double usual = 0.6;
+
+/// Longer free paths and shorter ones than usual. Water that scatters alone is left with the
+/// latter.
+constexpr double low = 0.35, high = 0.9;
+/// Nearer to `high` a value is not worth a try of its own.
+constexpr double near_high = 0.8;
 
 }  // namespace
 
@@ -19,14 +25,16 @@ double highest_albedo(const Medium& medium) {
 
 double least_walk_attenuation(double highest_albedo) { return least_per_albedo * highest_albedo; }
 
-std::vector<double> walk_attenuations(double highest_albedo) {
-  std::vector<double> out{0.35, usual, 0.9};
-  std::erase_if(out, [&](double share) { return share < least_walk_attenuation(highest_albedo); });
-  return out;
+double usual_walk_attenuation(double highest_albedo) {
+  return usual >= least_walk_attenuation(highest_albedo) ? usual : std::min(highest_albedo, high);
 }
 
-double usual_walk_attenuation(double highest_albedo) {
-  return std::max(usual, walk_attenuations(highest_albedo).front());
+std::vector<double> walk_attenuations(double highest_albedo) {
+  std::vector<double> out;
+  if (low >= least_walk_attenuation(highest_albedo)) out.push_back(low);
+  out.push_back(usual_walk_attenuation(highest_albedo));
+  if (out.back() < near_high) out.push_back(high);
+  return out;
 }
 
 double walk_attenuation_in(const Medium& medium, const scene::Simulation& simulation) {

@@ -19,7 +19,8 @@ double least_walk_attenuation(double highest_albedo);
 /// Those worth a try, ascending; at least one.
 std::vector<double> walk_attenuations(double highest_albedo);
 
-/// Of a scene that names none: 0.6, or more where water scatters so much that this is too little.
+/// Of a scene that names none: 0.6, or, where water scatters so much that this is too little, c' =
+/// b up to 0.9.
 double usual_walk_attenuation(double highest_albedo);
 
 /// What the walks of a simulation take in a medium.

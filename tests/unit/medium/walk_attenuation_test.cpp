@@ -14,11 +14,13 @@ using Shares = std::vector<double>;
 TEST(WalkAttenuation, IsNotFarBelowTheAlbedo) {
   EXPECT_EQ(walk_attenuations(0.38), (Shares{0.35, 0.6, 0.9}));
   EXPECT_EQ(walk_attenuations(0.4), (Shares{0.6, 0.9}));
-  EXPECT_EQ(walk_attenuations(0.67), (Shares{0.9}));
+  EXPECT_EQ(walk_attenuations(0.66), (Shares{0.6, 0.9}));
+  EXPECT_EQ(walk_attenuations(0.75), (Shares{0.75, 0.9}));
+  EXPECT_EQ(walk_attenuations(0.85), (Shares{0.85}));
   EXPECT_EQ(walk_attenuations(1), (Shares{0.9}));
   EXPECT_EQ(usual_walk_attenuation(0), 0.6);
   EXPECT_EQ(usual_walk_attenuation(0.66), 0.6);
-  EXPECT_EQ(usual_walk_attenuation(0.67), 0.9);
+  EXPECT_EQ(usual_walk_attenuation(0.67), 0.67);
   EXPECT_EQ(usual_walk_attenuation(1), 0.9);
 }
 
