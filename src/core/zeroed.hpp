@@ -1,6 +1,9 @@
 // Vectors whose zeros cost no memory until they are written to.
 #pragma once
 
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -40,8 +43,12 @@ struct ZeroedAllocator {
 
  private:
   static bool is_zero(const T& value) noexcept {
-    static constexpr T zero{};
-    return std::memcmp(&value, &zero, sizeof(T)) == 0;
+    using Word = std::conditional_t<sizeof(T) % 8 == 0, std::uint64_t, std::uint32_t>;
+    static_assert(sizeof(T) % sizeof(Word) == 0);
+    Word any = 0;
+    for (const Word word : std::bit_cast<std::array<Word, sizeof(T) / sizeof(Word)>>(value))
+      any |= word;
+    return any == 0;
   }
 };
 

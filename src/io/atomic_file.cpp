@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 fs::path target_of(const std::string& path) {
   std::error_code error;
   // A result may be a link to another disk: replace what it points to, not the link.
-  const fs::path target = behind_links(path);
+  fs::path target = behind_links(path);
   const fs::file_status status = fs::status(target, error);
   if (fs::is_directory(status)) fail(path, "it is a directory");
   // A rename would put a file in the place of a device such as /dev/null.

@@ -126,14 +126,15 @@ enum class Precision { full, single };
 
 void add_numbers(NetcdfImage& file, const std::string& name,
                  const std::vector<std::string>& dimensions, const ZeroedVector<double>& numbers,
-                 Attributes attributes, Precision precision) {
+                 const Attributes& attributes, Precision precision) {
   if (precision == Precision::full) return file.add_variable(name, dimensions, numbers, attributes);
   ZeroedVector<float> rounded;
   rounded.reserve(numbers.size());
   for (const double number : numbers) rounded.push_back(static_cast<float>(number));
-  for (auto& [key, value] : attributes)
+  Attributes in_single = attributes;
+  for (auto& [key, value] : in_single)
     if (key == "_FillValue") value = std::numeric_limits<float>::quiet_NaN();
-  file.add_variable(name, dimensions, rounded, attributes);
+  file.add_variable(name, dimensions, rounded, in_single);
 }
 
 void add_estimates(NetcdfImage& file, const std::string& name,

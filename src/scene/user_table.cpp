@@ -25,7 +25,7 @@ std::vector<UserTable::Column> columns_of(const optics::DataTable& data,
 
 }  // namespace
 
-UserTable::UserTable(optics::DataTable data, const std::vector<std::string>& columns)
+UserTable::UserTable(const optics::DataTable& data, const std::vector<std::string>& columns)
     : content_(std::make_shared<const Content>(Content{data, columns_of(data, columns)})) {}
 
 const optics::DataTable& UserTable::data() const {

@@ -21,7 +21,7 @@ class UserTable {
 
   UserTable() = default;
   /// Those columns of a table that a scene takes. Throws InputError with all that is wrong in them.
-  UserTable(optics::DataTable data, const std::vector<std::string>& columns);
+  UserTable(const optics::DataTable& data, const std::vector<std::string>& columns);
 
   /// For the optics: it knows the place of every number, for messages.
   [[nodiscard]] const optics::DataTable& data() const;

@@ -32,7 +32,7 @@ inline int score_octave(double value) {
 struct CellScores {
   double largest = 0;    ///< single score
   double cut_order = 0;  ///< first order beyond max_order
-  std::uint32_t scores = 0;
+  std::uint64_t scores = 0;
   std::array<std::uint32_t, score_octaves> count{};  ///< of them, in an octave
 
   [[nodiscard]] bool touched() const { return largest > 0 || cut_order > 0; }

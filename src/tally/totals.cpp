@@ -51,7 +51,7 @@ void Totals::merge(const BatchTally& batch) {
     const CellScores& scores = batch.cells[cell];
     state_.cut_order[cell] += scores.cut_order;
     state_.largest[cell] = std::max(state_.largest[cell], scores.largest);
-    std::uint32_t rest = scores.scores;
+    std::uint64_t rest = scores.scores;
     for (auto k = static_cast<std::size_t>(score_octave(scores.largest)); rest > 0; --k) {
       state_.octaves[cell][k] += scores.count[k];
       rest -= scores.count[k];
