@@ -59,7 +59,10 @@ std::vector<Column> columns(const tally::Result& result, std::size_t telescope,
   std::vector<Column> out;
   for (std::size_t i = 0; i < count; ++i) {
     Column column{i * gates / count, (i + 1) * gates / count, ""};
-    const auto edge = [&](std::size_t gate) { return result.gate_depth_edge_m[first + gate]; };
+    const bool by_time = std::isnan(result.gate_depth_edge_m[first]);
+    const auto edge = [&](std::size_t gate) {
+      return by_time ? result.gate_time_edge_ns[gate] : result.gate_depth_edge_m[first + gate];
+    };
     column.heading = fmt::format("{:.3g}-{:.3g}", edge(column.begin), edge(column.end));
     out.push_back(column);
   }
@@ -88,10 +91,13 @@ std::string block(const engine::Comparison& comparison, std::size_t telescope,
                                             compared + static_cast<std::ptrdiff_t>(c.end), true),
                                  c.end - c.begin));
   }
+  const bool by_time = std::isnan(result.gate_depth_m(telescope, channel, 0));
+  const char* place = by_time                      ? "time [ns]"
+                      : result.gate_depth_is_range ? "range [m]"
+                                                   : "depth [m]";
   std::string out = fmt::format("\nchannel {}, telescope {}\n", result.channel_name[channel],
                                 result.telescope_name[telescope]) +
-                    row(result.gate_depth_is_range ? "range [m]" : "depth [m]", headings) +
-                    row("gates compared", counts);
+                    row(place, headings) + row("gates compared", counts);
   for (const engine::Candidate& candidate : comparison.candidates) {
     std::vector<std::string> cells;
     for (const Column& c : all)

@@ -79,8 +79,9 @@ std::string Checkpoint::take_place(ProgressBar& bar) {
   if (!edited && left.reason.empty()) return "";
   bar.wipe();
   if (edited) {
-    print_error(kept_line(path_));
-    return previous_name(path_);
+    const Place place = kept_before(path_, left, origin_);
+    print_error(place.remark);
+    return place.keep_as;
   }
   const std::string taken = std::exchange(path_, free_name(path_));
   print_error(fmt::format("{}: {}, and is left as it is: this run's checkpoint is {}\n", taken,

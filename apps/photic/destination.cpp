@@ -37,16 +37,23 @@ std::string previous_name(const std::string& file) {
   return renamed(io::behind_links(file), ".previous").string();
 }
 
-std::string kept_line(const std::string& file) {
-  return fmt::format("{}: what {} held before\n", previous_name(file), file);
-}
-
-std::string free_name(const std::string& file) {
+std::string free_name(const std::string& file, int first) {
   std::error_code none;
-  for (int n = 2;; ++n) {
+  for (int n = first;; ++n) {
     const fs::path name = renamed(file, fmt::format("-{}", n));
     if (!fs::exists(name, none)) return name.string();
   }
+}
+
+Place kept_before(const std::string& file, const Occupant& there, const Origin& origin) {
+  const std::string previous = previous_name(file);
+  const Occupant before = occupant_of(previous, origin);
+  if (before.reason.empty() && before.photons > there.photons)
+    return {file, "",
+            fmt::format("{}: holds {} photons and stays; the {} of {} are replaced\n", previous,
+                        before.photons, there.photons, file)};
+  const std::string keep_as = before.reason.empty() ? previous : free_name(previous);
+  return {file, keep_as, fmt::format("{}: what {} held before\n", keep_as, file)};
 }
 
 Destination::Destination(std::string path, const Origin& origin, bool force)
@@ -63,14 +70,20 @@ void Destination::expect_room(const Occupant& occupant) const {
                       fmt::format("add to them with --continue {}, ", path_));
   if (occupant.kind != Kind::edited_scene && occupant.kind != Kind::some_scene) return;
   const Occupant previous = occupant_of(previous_, origin_);
-  if (previous.kind == Kind::stranger)
+  if (!previous.reason.empty())
     refuse_to_replace(previous_,
                       fmt::format("{}; {} would be kept under this name", previous.reason, path_));
 }
 
 Place Destination::beside(const std::string& why) {
-  const std::string path = free_name(path_);
-  lock_.emplace(path);
+  std::string path = free_name(path_);
+  for (int n = 3; !lock_; ++n) {
+    try {
+      lock_.emplace(path);
+    } catch (const UsageError&) {  // another run is at work on that one
+      path = free_name(path_, n);
+    }
+  }
   return {path, "", fmt::format("{}: {}, and is left as it is: see {}\n", path_, why, path)};
 }
 
@@ -87,7 +100,7 @@ Place Destination::place_of(const tally::Result& result) {
         fmt::format("holds {} photons, more than this run's {}", occupant.photons, result.photons));
   if (occupant.kind != Kind::edited_scene && occupant.kind != Kind::some_scene)
     return {path_, "", ""};
-  return {path_, previous_, kept_line(path_)};
+  return kept_before(path_, occupant, origin_);
 }
 
 }  // namespace photic::app

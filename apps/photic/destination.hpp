@@ -39,10 +39,11 @@ class Destination {
 /// "my.nc" -> "my.previous.nc", beside what a link leads to.
 std::string previous_name(const std::string& file);
 
-/// One line that tells where what a file held before has gone.
-std::string kept_line(const std::string& file);
+/// A file in whose place a result of an edited scene goes: what is there is kept under its previous
+/// name, unless more photons have that already.
+Place kept_before(const std::string& file, const Occupant& there, const Origin& origin);
 
-/// "my.nc" -> "my-2.nc", or the next number that is free.
-std::string free_name(const std::string& file);
+/// "my.nc" -> "my-2.nc", or the next number from `first` on that is free.
+std::string free_name(const std::string& file, int first = 2);
 
 }  // namespace photic::app

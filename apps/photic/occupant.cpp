@@ -23,8 +23,10 @@ fs::path folder_around(const std::string& file) { return fs::absolute(file).pare
 bool is_same_file(const std::string& recorded, const Origin& origin, const std::string& result) {
   if (recorded.empty() || origin.scene_file.empty() || recorded == origin.scene_file) return true;
   std::error_code none;
+  const fs::path folder = folder_around(result);
+  if (fs::equivalent(folder / recorded, folder / origin.scene_file, none)) return true;  // by links
   return fs::path(recorded).filename() == fs::path(origin.scene_file).filename() &&
-         !fs::exists(folder_around(result) / recorded, none);
+         !fs::exists(folder / recorded, none);
 }
 
 Occupant netcdf_occupant(const std::string& file, const Origin& origin) {

@@ -147,14 +147,20 @@ int run(const RunCommand& command) {
   print_error(checkpoint.leftover(plan.photons));
 
   listen_for_interrupts();
-  const tally::Result result = simulate(
-      plan.origin.scene, options_of(command, plan.lanes, std::move(plan.start)), checkpoint);
+  tally::Result result;
+  try {
+    result = simulate(plan.origin.scene, options_of(command, plan.lanes, std::move(plan.start)),
+                      checkpoint);
+  } catch (const engine::InterruptedPilots&) {
+    print_error("interrupted while estimators were compared: there is no result yet\n");
+    return interrupt_exit_code();
+  }
 
   const std::string table = command.json ? io::echo_json(result) : io::echo_table(result);
   std::string path;
   try {
     path = write(result, destination, plan);
-  } catch (const EnvironmentError&) {
+  } catch (const std::exception&) {
     print_out(table);  // all that is left of the run, but for its checkpoint
     print_error(checkpoint.leftover(0));
     throw;

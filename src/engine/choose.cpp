@@ -75,11 +75,13 @@ Pilot try_out(const Contender& contender, const RunOptions& options) {
   pilot.simulation.photons = forward ? forward_pilot_photons : pilot_photons;
   pilot.simulation.target_relative_error.reset();
   pilot.simulation.max_time_s.reset();
-  RunOptions quiet;  // and not interrupted: half a pilot would choose otherwise
+  RunOptions quiet;
   quiet.threads = options.threads;
+  quiet.interrupt = options.interrupt;
   const Problem problem = make_problem(pilot);
   Conductor conductor(pilot.simulation, quiet);
   const tally::Totals totals = run_batches(problem, conductor, engine_of_pilots(options));
+  if (options.interrupt != nullptr && options.interrupt->load()) throw InterruptedPilots();
   tally::Result result = describe(problem);
   totals.fill(result);
 

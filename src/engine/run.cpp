@@ -11,6 +11,7 @@
 #include "engine/batches.hpp"
 #include "engine/choose.hpp"
 #include "engine/problem.hpp"
+#include "engine/world.hpp"
 
 namespace photic::engine {
 namespace {
@@ -66,8 +67,12 @@ void warn(tally::Result& result) {
   }
   if (result.lost_too_many_events > 0) {
     result.warnings.push_back(
-        fmt::format("{} photons were lost after too many events ({} of all weight)",
-                    result.lost_too_many_events, result.ledger.lost));
+        result.estimator == "bidirectional"
+            ? fmt::format("{} walks were cut after {} vertices ({:.2g} of all weight): echoes of "
+                          "light scattered so often are low",
+                          result.lost_too_many_events, most_vertices, result.ledger.lost)
+            : fmt::format("{} photons were lost after too many events ({:.2g} of all weight)",
+                          result.lost_too_many_events, result.ledger.lost));
   }
   if (result.lost_not_finite > 0) {
     result.warnings.push_back(

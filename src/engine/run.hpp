@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
@@ -46,6 +47,14 @@ struct RunOptions {
   const std::atomic<bool>* interrupt = nullptr;  ///< set to end the run at the next batch end
   std::optional<Start> start;                    ///< to go on from; the scene asks for more photons
   Checkpoints checkpoints;
+};
+
+/// Thrown by run() if it is interrupted while pilots compare estimators: half of them would choose
+/// otherwise, and nothing has been simulated yet.
+struct InterruptedPilots : std::exception {
+  [[nodiscard]] const char* what() const noexcept override {
+    return "interrupted while estimators were compared";
+  }
 };
 
 /// Runs the scene to its photons, target or time limit. The result depends on the scene alone, not

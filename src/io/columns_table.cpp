@@ -35,7 +35,7 @@ std::string number(double value, int decimals) {
 }
 
 /// The names of the columns, as many lines as the longest takes.
-std::string names(const tally::Result& result, const Columns& all, const Shown& shown) {
+std::string names(const std::string& place, const Columns& all, const Shown& shown) {
   std::vector<std::vector<std::string>> columns;
   std::size_t lines = 0;
   for (std::size_t e = 0; e < shown.columns.size(); ++e) {
@@ -44,8 +44,7 @@ std::string names(const tally::Result& result, const Columns& all, const Shown& 
   }
   std::string out;
   for (std::size_t i = 0; i < lines; ++i) {
-    const std::string depth = result.gate_depth_is_range ? "range [m]" : "depth [m]";
-    out += fmt::format("{:>10}", i + 1 == lines ? depth : "");
+    out += fmt::format("{:>10}", i + 1 == lines ? place : "");
     for (const auto& column : columns) {
       const std::size_t above = lines - column.size();  // empty: names end in one line
       out += fmt::format("{:>{}} ", i < above ? "" : column[i - above], shown.width - 1);
@@ -58,10 +57,10 @@ std::string names(const tally::Result& result, const Columns& all, const Shown& 
 /// The gates of one telescope and channel, whose first row is `first`.
 std::string block(const tally::Result& result, const Columns& columns, const Shown& shown,
                   std::size_t first, std::size_t step) {
-  std::string out = names(result, columns, shown);
+  std::string out = names(place_heading(result, shown.scene[first]), columns, shown);
   for (std::size_t i = first; i < first + result.gates(); i += step) {
     const EchoRow& scene = shown.scene[i];
-    out += fmt::format("{:>10}", depth_text(scene.depth_m));
+    out += fmt::format("{:>10}", place_text(scene));
     for (const Rows& rows : shown.columns)
       out += fmt::format("{:>{}}{}", columns.text(scene, rows[i]), shown.width - 1,
                          scene.converged() && rows[i].converged() ? ' ' : '*');

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,18 +14,19 @@
 namespace photic::io {
 
 struct EchoRow {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::size_t telescope{}, channel{}, gate{};  ///< indices, from 0
   double time_start_ns{}, time_end_ns{};
-  double depth_m{};         ///< centre of the gate; the range if Result::gate_depth_is_range; NaN
-                            ///< where the telescope has none
-  double echo{};            ///< expected photons detected per photon emitted
-  double standard_error{};  ///< of the echo
-  double difference{};      ///< of an environment's echo to the scene's
-  double difference_standard_error{};
-  double sensitivity{};  ///< derivative of the echo with respect to a parameter
-  double sensitivity_standard_error{};
-  double logarithmic_sensitivity{};  ///< NaN where the echo is 0
-  double logarithmic_sensitivity_standard_error{};
+  double depth_m{};          ///< centre of the gate; the range if Result::gate_depth_is_range; NaN
+                             ///< where the telescope has none
+  double echo{};             ///< expected photons detected per photon emitted
+  double standard_error{};   ///< of the echo
+  double difference = none;  ///< of an environment's echo to the scene's
+  double difference_standard_error = none;
+  double sensitivity = none;  ///< derivative of the echo with respect to a parameter
+  double sensitivity_standard_error = none;
+  double logarithmic_sensitivity = none;  ///< NaN where the echo is 0, too
+  double logarithmic_sensitivity_standard_error = none;
   double relative_error{};  ///< standard_error / echo; NaN where the echo is not above 0
   std::int32_t flags{};     ///< Result::convergence_flags
 

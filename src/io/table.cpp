@@ -44,7 +44,8 @@ std::string block(const tally::Result& result, const std::vector<EchoRow>& rows,
   std::string out(10, ' ');
   for (std::size_t c = first; c < last; ++c)
     out += fmt::format("   {:<19.19}", result.channel_name[c]);
-  out += fmt::format("\n{:>10}", result.gate_depth_is_range ? "range [m]" : "depth [m]");
+  out += fmt::format("\n{:>10}",
+                     place_heading(result, rows[(telescope * result.channels() + first) * gates]));
   for (std::size_t c = first; c < last; ++c)
     out += fmt::format("   {:>9} {:>7}  ", "echo", "error");
   out += '\n';
@@ -52,7 +53,7 @@ std::string block(const tally::Result& result, const std::vector<EchoRow>& rows,
     const auto row = [&](std::size_t c) -> const EchoRow& {
       return rows[(telescope * result.channels() + c) * gates + gate];
     };
-    out += fmt::format("{:>10}", depth_text(row(first).depth_m));
+    out += fmt::format("{:>10}", place_text(row(first)));
     for (std::size_t c = first; c < last; ++c) out += cell(row(c));
     out += '\n';
   }

@@ -50,8 +50,14 @@ std::string one_line(std::string text) {
   return text;
 }
 
-std::string depth_text(double depth_m) {
-  return std::isnan(depth_m) ? "-" : fmt::format("{:.2f}", depth_m);
+std::string place_text(const EchoRow& row) {
+  const double time_ns = (row.time_start_ns + row.time_end_ns) / 2;
+  return fmt::format("{:.2f}", std::isnan(row.depth_m) ? time_ns : row.depth_m);
+}
+
+std::string place_heading(const tally::Result& result, const EchoRow& row) {
+  if (std::isnan(row.depth_m)) return "time [ns]";
+  return result.gate_depth_is_range ? "range [m]" : "depth [m]";
 }
 
 std::string legend(const std::vector<EchoRow>& rows) {

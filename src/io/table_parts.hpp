@@ -16,8 +16,10 @@ std::string trimmed(const std::string& text);
 /// Without ends of lines, for the head of a CSV file.
 std::string one_line(std::string text);
 
-/// Of a gate, in metres; "-" where a telescope has none.
-std::string depth_text(double depth_m);
+/// Where a gate lies: its depth or range, or its time where the telescope has none; and what that
+/// is called.
+std::string place_text(const EchoRow& row);
+std::string place_heading(const tally::Result& result, const EchoRow& row);
 
 /// Each reason why gates have not converged, with the number of gates it concerns.
 std::string legend(const std::vector<EchoRow>& rows);

@@ -207,8 +207,7 @@ void Checker::remark_growing_weights(const std::vector<std::optional<WaterOptics
   if (*asked.walk_attenuation >= least_walk_attenuation(albedo)) return;
   findings_.remark(
       path, fmt::format("{} is little in water {:.3g} of whose attenuation is scattering: weights "
-                        "grow from vertex to vertex, and deep echoes come out low; left out, it is "
-                        "{} here",
+                        "grow from vertex to vertex, and deep echoes come out low; {:.3g} would do",
                         *asked.walk_attenuation, albedo, usual_walk_attenuation(albedo)));
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -24,8 +25,11 @@ bool is_bad(double flag, const NetcdfVariable& flags) {
   const auto meaning = flags.meaning.find(flag);
   if (meaning == flags.meaning.end()) return false;
   const std::string text = lower_case(meaning->second);
-  const auto says = [&](const char* word) { return text.find(word) != std::string::npos; };
-  return says("bad") || says("missing") || says("fail") || says("suspect") || says("questionable");
+  if (text.starts_with("not_") || text.starts_with("not ")) return false;
+  constexpr std::array words{"bad",   "missing", "fail",  "suspect", "questionable", "reject",
+                             "error", "erron",   "wrong", "invalid", "spike",        "doubtful"};
+  return std::ranges::any_of(
+      words, [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
 std::size_t known(const Levels& levels) {

@@ -83,11 +83,13 @@ void check_salinities(const NetcdfColumns& file, const ProfileVariable& from, co
   double greatest = 0;
   for (const double x : levels.value) greatest = std::max(greatest, x);  // NaN is none of them
   constexpr double largest_fraction = 0.05;
-  if (variable.units == "1" && greatest > 0 && greatest < largest_fraction)
+  const bool is_ratio =
+      variable.units == "1" || variable.units == "1e-3" || variable.units == "0.001";
+  if (is_ratio && greatest > 0 && greatest < largest_fraction)
     file.fail(from.name(),
-              fmt::format("salinities of {:.4g} at most, in units of \"1\", are fractions of mass "
+              fmt::format("salinities of {:.4g} at most, in units of \"{}\", are fractions of mass "
                           "and no practical ones",
-                          greatest),
+                          greatest, variable.units),
               "give its units as \"kg/kg\"");
 }
 

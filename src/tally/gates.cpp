@@ -89,24 +89,30 @@ PathScale Gates::depth_scale(const scene::Telescope& telescope, const medium::Li
   return scale;
 }
 
-/// Out and back along the (refracted) axis of the telescope; a source ahead of it by s has a way
-/// shorter by s.
+/// Out and back along the (refracted) axis of the telescope. The source counts as where it is along
+/// that axis, before or behind the telescope and on its own side of the surface.
 PathScale Gates::range_scale(const scene::Telescope& telescope, const medium::Line& back) const {
   const auto axis = normalised(telescope.direction);
-  const bool submerged = telescope.position_m.z < 0;
-  const double in_water = laser_.group_index + back.group_index;
-  const double toward_surface = submerged ? axis.z : -axis.z;
-  const double to_surface = toward_surface > 0 ? std::abs(telescope.position_m.z) / toward_surface
-                                               : std::numeric_limits<double>::max();
+  const double z = telescope.position_m.z;
   const double ahead = dot(source_.position_m - telescope.position_m, axis);
-  const double offset = -ahead * (source_.position_m.z < 0 ? laser_.group_index : 1.0);
+  const auto before = [&](const medium::Line& light) {
+    const bool in_water = axis.z > 0 || (axis.z == 0 && z < 0);
+    return in_water ? light.group_index : 1.0;
+  };
+  const auto after = [&](const medium::Line& light) {
+    const bool in_water = axis.z < 0 || (axis.z == 0 && z < 0);
+    return in_water ? light.group_index : 1.0;
+  };
   PathScale scale;
-  scale.slope_before = submerged ? in_water : 2.0;
-  scale.slope_after = submerged ? 2.0 : in_water;
-  const bool reached = toward_surface > 0;
-  scale.knee_coordinate = reached ? to_surface : 0.0;
-  scale.knee_path = offset + (reached ? to_surface * scale.slope_before : 0.0);
-  if (!reached) scale.slope_after = scale.slope_before;
+  scale.knee_coordinate = axis.z == 0 ? 0.0 : -z / axis.z;  // the surface
+  // From a place on the axis to the surface; negative from behind it.
+  const auto to_surface = [&](double place, const medium::Line& light) {
+    const double way = scale.knee_coordinate - place;
+    return way * (way > 0 ? before(light) : after(light));
+  };
+  scale.knee_path = to_surface(ahead, laser_) + to_surface(0, back);
+  scale.slope_before = before(laser_) + before(back);
+  scale.slope_after = after(laser_) + after(back);
   return scale;
 }
 

@@ -83,6 +83,17 @@ def test_a_run_that_time_ends_too_early_is_written_beside(run, scene, tmp_path):
     assert names(tmp_path) == ["quick-2.nc", "quick-3.nc", "quick.nc", "quick.toml"]
 
 
+def test_a_name_beside_that_another_run_has_is_passed_over(run, start, scene, tmp_path):  # noqa: F811
+    # Seen red: refused after all the work.
+    run("quick.toml", "--photons", "3e7", "--max-time", "3s")
+    other = start("--photons", "1e15", "-o", "quick-2.nc")
+    wait_until_it_listens(other)
+    done = run("quick.toml", "--photons", "1e15", "--max-time", "0.01s")
+    assert "Result: quick-3.nc\n" in done.stdout
+    other.send_signal(signal.SIGINT)
+    other.communicate(timeout=60)
+
+
 def test_an_interrupted_run_does_not_replace_a_longer_one(run, start, scene, tmp_path):  # noqa: F811
     run("quick.toml", "--photons", "3e7", "--max-time", "5s")
     before = photons_in(tmp_path / "quick.nc")
@@ -108,11 +119,15 @@ def test_of_an_edited_scene_the_older_result_is_kept_once(run, scene, tmp_path):
     assert photons_in(tmp_path / "quick.previous.nc") == 40000
     assert chlorophyll_in(tmp_path / "quick.nc") == "chlorophyll_mg_m3 = 0.2"
     assert run("quick.toml", "--photons", "6000").stderr == ""
-    assert run("quick.toml", *OTHER_WATER).stderr == "quick.previous.nc: what quick.nc held before\n"
-    assert chlorophyll_in(tmp_path / "quick.previous.nc") == "chlorophyll_mg_m3 = 0.2"
+    # Seen red: with 6000 photons in the place of 40000.
+    done = run("quick.toml", *OTHER_WATER, "--photons", "50000")
+    assert done.stderr == "quick.previous.nc: holds 40000 photons and stays; the 6000 of quick.nc are replaced\n"
+    assert photons_in(tmp_path / "quick.previous.nc") == 40000
+    assert run("quick.toml", "--photons", "6000").stderr == "quick.previous.nc: what quick.nc held before\n"
+    assert photons_in(tmp_path / "quick.previous.nc") == 50000
     assert names(tmp_path) == ["quick.nc", "quick.previous.nc", "quick.toml"]
-    assert run("quick.toml", "--force").stderr == ""
-    assert chlorophyll_in(tmp_path / "quick.previous.nc") == "chlorophyll_mg_m3 = 0.2"
+    assert run("quick.toml", *OTHER_WATER, "--force").stderr == ""
+    assert photons_in(tmp_path / "quick.previous.nc") == 50000
 
 
 def test_a_link_is_followed(run, scene, tmp_path):

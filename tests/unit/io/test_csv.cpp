@@ -142,7 +142,7 @@ TEST(Csv, EnvironmentsFollowTheScene) {
   EXPECT_EQ(Record(csv.records[0].begin() + 11, csv.records[0].end()), more);
   for (std::size_t i = 1; i <= 600; ++i) {
     Record record = scene.records[i];
-    record.insert(record.end(), {"", "0", "0"});
+    record.insert(record.end(), {"", "nan", "nan"});
     EXPECT_EQ(csv.records[i], record);
   }
   for (std::size_t i = 0; i < 1200; ++i) {
@@ -170,7 +170,7 @@ TEST(Csv, ParametersFollowTheEnvironments) {
   EXPECT_EQ(Record(csv.records[0].begin() + 14, csv.records[0].end()), more);
   for (std::size_t i = 1; i <= 1200; ++i) {
     Record record = before.records[i];
-    record.insert(record.end(), {"", "0", "0", "0", "0"});
+    record.insert(record.end(), {"", "nan", "nan", "nan", "nan"});
     EXPECT_EQ(csv.records[i], record);
   }
   for (std::size_t i = 0; i < 1200; ++i) {

@@ -84,11 +84,12 @@ TEST(EchoTable, NumbersThatAreNone) {
   EXPECT_TRUE(has_line(echo_table(result), "      0.50         nan       -"));
 }
 
-// A telescope that looks up has no depths.
+// A telescope that looks up has no depths: its gates are told by time.
 TEST(EchoTable, DepthsThatAreNone) {
   tally::Result result = small_result();
   result.gate_depth_edge_m.assign(6, std::numeric_limits<double>::quiet_NaN());
-  EXPECT_TRUE(has_line(echo_table(result), "         -   1.235e-08  0.10 %"));
+  EXPECT_TRUE(has_line(echo_table(result), " time [ns]        echo   error"));
+  EXPECT_TRUE(has_line(echo_table(result), "     85.00   1.235e-08  0.10 %"));
 }
 
 TEST(EchoTable, ThinnedToTheRowsAskedFor) {

@@ -181,8 +181,8 @@ step_ns = 1)"}},
       {"MemoryByDepths",
        {{28, 28, "depth_step_m = 0.01\ndepth_cells = 10000"}},
        {"scene.toml:29:15: the tallies (telescopes 1, channels 1, gates 5000, orders 6, cells of "
-        "depth 10000) would take 2.25 GiB; the limit is 2 GiB (take fewer: 0 leaves echo_by_depth "
-        "out)"}},
+        "depth 10000) would take 2.25 GiB; the limit is 2 GiB (take fewer, 0 leaves echo_by_depth "
+        "out, or fewer gates)"}},
       {"ToolsOfTheBidirectionalEstimator",
        {{30, 30,
          "photons = 1e6\nestimator = \"bidirectional\"\ntools = { forced_collisions = 1 }"}},

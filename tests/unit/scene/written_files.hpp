@@ -1,6 +1,8 @@
 // Files for scenes to name: a folder of CSV files, and netCDF files that exist in memory.
 #pragma once
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -14,7 +16,8 @@ namespace photic::scene {
 class WrittenFiles {
  public:
   explicit WrittenFiles(const std::string& name)
-      : folder_(std::filesystem::path(testing::TempDir()) / ("photic_" + name)) {
+      : folder_(std::filesystem::path(testing::TempDir()) /
+                ("photic_" + name + std::to_string(::getpid()))) {
     std::filesystem::create_directories(folder_);
   }
   WrittenFiles(const WrittenFiles&) = delete;

@@ -74,6 +74,20 @@ TEST(RangeGates, OfASubmergedLidarLookingSidewaysNeverReachTheSurface) {
   EXPECT_GT(edges.back(), 50);
 }
 
+// Light from the bed at 10 m, in the range at which the axis meets it. Seen red: with all of the
+// distance between them by the source's medium.
+TEST(RangeGates, KnowASourceBeyondTheSurface) {
+  auto from_below = with_range_gates({0, 0, 12}, {0, 0, -1});
+  from_below.source.position_m.z = -5;
+  const Gates above(from_below, lines());
+  EXPECT_NEAR(above.depth(5 * group + 10 * group + 12, 0, lines()[0]), 22, 1e-10);
+  EXPECT_NEAR(above.depth(0.5 * group + 5.5 * group + 12, 0, lines()[0]), 17.5, 1e-10);
+  auto from_above = with_range_gates({0, 0, -5}, {0, 0, -1});
+  from_above.source.position_m.z = 12;
+  const Gates below(from_above, lines());
+  EXPECT_NEAR(below.depth(12 + 10 * group + 5 * group, 0, lines()[0]), 5, 1e-10);
+}
+
 // Each telescope has ranges along its own axis. Seen red: with those of the first.
 TEST(RangeGates, OfAnotherTelescopeAreAlongItsOwnAxis) {
   auto scene = with_range_gates({0, 0, 12}, {0, 0, -1});
