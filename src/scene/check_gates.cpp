@@ -153,7 +153,8 @@ std::pair<std::string, std::string> what_to_lessen(const TallyMemory& memory, co
     return {more_environments ? "environment" : "sensitivity",
             fmt::format("take fewer {}, or fewer gates",
                         more_environments ? "environments" : "parameters")};
-  if (memory.depths == most) return {"gates.depth_cells", "take fewer, 0 leaves echo_by_depth out, or fewer gates"};
+  if (memory.depths == most)
+    return {"gates.depth_cells", "take fewer, 0 leaves echo_by_depth out, or fewer gates"};
   if (memory.orders == most) return {"simulation.orders_kept", "keep fewer orders: orders_kept"};
   return {keys.step, "take fewer gates"};
 }
