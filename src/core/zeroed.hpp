@@ -44,9 +44,10 @@ struct ZeroedAllocator {
  private:
   static bool is_zero(const T& value) noexcept {
     using Word = std::conditional_t<sizeof(T) % 8 == 0, std::uint64_t, std::uint32_t>;
-    static_assert(sizeof(T) % sizeof(Word) == 0);
+    constexpr std::size_t word_size = sizeof(Word);
+    static_assert(sizeof(T) % word_size == 0);
     Word any = 0;
-    for (const Word word : std::bit_cast<std::array<Word, sizeof(T) / sizeof(Word)>>(value))
+    for (const Word word : std::bit_cast<std::array<Word, sizeof(T) / word_size>>(value))
       any |= word;
     return any == 0;
   }

@@ -16,11 +16,11 @@ std::optional<Refusal> read_file(const TableOrFile& rule, const Node& node, cons
   std::string path;
   if (auto problem = check(File{}, node, path, shared.folder)) return problem;
   try {
-    auto data = optics::DataTable::read(path);
+    const auto data = optics::DataTable::read(path);
     std::vector<std::string> taken;
     for (const TableOrFile::Column& column : rule.columns)
       if (!column.may_lack || data.has(column.name)) taken.emplace_back(column.name);
-    value = UserTable(std::move(data), taken);
+    value = UserTable(data, taken);
   } catch (const InputError& error) {
     for (const Diagnostic& d : error.diagnostics())
       shared.findings.add(name.path, {d.file, d.line, d.column}, d.reason, d.suggestion);
