@@ -10,58 +10,18 @@
 
 #include "core/error.hpp"
 #include "io/netcdf_variable.hpp"
+#include "unit/io/float_file.hpp"
 #include "unit/io/temporary_folder.hpp"
 
 namespace photic::io {
 namespace {
 
+using test::expect_values;
+using test::FloatFile;
+using test::missing;
+using test::must;
+using test::refusal_of;
 using test::TemporaryFolder;
-
-void must(int status) {
-  if (status != NC_NOERR) throw std::runtime_error(nc_strerror(status));
-}
-
-/// A file in the way of a BGC-Argo float's, of any of netCDF's formats.
-class FloatFile {
- public:
-  FloatFile(const std::string& path, int format) {
-    must(nc_create(path.c_str(), NC_CLOBBER | format, &id_));
-    must(nc_def_dim(id_, "N_PROF", 2, &dimensions_[0]));
-    must(nc_def_dim(id_, "N_LEVELS", 3, &dimensions_[1]));
-  }
-  FloatFile(const FloatFile&) = delete;
-  FloatFile& operator=(const FloatFile&) = delete;
-  ~FloatFile() { nc_close(id_); }
-
-  int define(const char* name, nc_type type, int rank = 2) {
-    int variable = 0;
-    must(nc_def_var(id_, name, type, rank, dimensions_, &variable));
-    return variable;
-  }
-  void attribute(int variable, const char* name, nc_type type, double value) {
-    must(nc_put_att_double(id_, variable, name, type, 1, &value));
-  }
-  void text(int variable, const char* name, const std::string& value) {
-    must(nc_put_att_text(id_, variable, name, value.size(), value.c_str()));
-  }
-  void put(int variable, const std::vector<double>& values) {
-    nc_enddef(id_);  // of no use, and an error, in netCDF-4
-    must(nc_put_var_double(id_, variable, values.data()));
-  }
-  [[nodiscard]] int id() const { return id_; }
-
- private:
-  int id_ = -1, dimensions_[2] = {};
-};
-
-std::string refusal_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 // Seen red: with fill values kept.
 TEST(NetcdfVariable, OfAFloatHasNaNForFillValues) {
@@ -120,31 +80,6 @@ TEST(NetcdfVariable, IsUnpacked) {
   EXPECT_TRUE(std::isnan(pres[2]));
 }
 
-// Characters as floats write them, and bytes as others do. Seen red: with the codes of characters.
-TEST(NetcdfVariable, FlagsAreDigits) {
-  const TemporaryFolder folder;
-  for (const int format : {0, NC_NETCDF4}) {
-    const std::string path = folder.file("flags.nc");
-    {
-      FloatFile file(path, format);
-      const int characters = file.define("CHLA_QC", NC_CHAR);
-      const int bytes = file.define("TEMP_QC", NC_BYTE);
-      file.text(characters, "_FillValue", " ");
-      file.put(bytes, {1, 2, 3, 4, 8, 9});
-      must(nc_put_var_text(file.id(), characters, "14 9A0"));
-    }
-    const auto flags = netcdf_flags(path, "CHLA_QC", 2);
-    EXPECT_EQ(flags.length, (std::vector<std::size_t>{2, 3}));
-    EXPECT_EQ(flags.value[0], 1);
-    EXPECT_EQ(flags.value[1], 4);
-    EXPECT_TRUE(std::isnan(flags.value[2]));
-    EXPECT_EQ(flags.value[3], 9);
-    EXPECT_TRUE(std::isnan(flags.value[4]));
-    EXPECT_EQ(flags.value[5], 0);
-    EXPECT_EQ(netcdf_flags(path, "TEMP_QC", 2).value, (std::vector<double>{1, 2, 3, 4, 8, 9}));
-  }
-}
-
 /// Of values a variable has as its attributes tell, in the first row.
 std::vector<double> row_of(const std::function<void(FloatFile&, int)>& attributes, nc_type type,
                            const std::vector<double>& stored) {
@@ -162,17 +97,6 @@ std::vector<double> row_of(const std::function<void(FloatFile&, int)>& attribute
   value.resize(stored.size());
   return value;
 }
-
-void expect_values(const std::vector<double>& found, const std::vector<double>& expected) {
-  ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i)
-    if (std::isnan(expected[i]))
-      EXPECT_TRUE(std::isnan(found[i])) << i << ": " << found[i];
-    else
-      EXPECT_NEAR(found[i], expected[i], 1e-6 * std::fabs(expected[i])) << i;
-}
-
-const double missing = std::numeric_limits<double>::quiet_NaN();
 
 // Seen red: without the bounds; with bounds of doubles not made floats.
 TEST(NetcdfVariable, OutsideItsValidRangeIsMissing) {
@@ -262,84 +186,6 @@ TEST(NetcdfVariable, TellsWhatItIsAndWhereItPoints) {
   }
   EXPECT_EQ(netcdf_variable(path, "z").standard_name, "altitude");
   EXPECT_EQ(netcdf_variable(path, "z").positive, "up");
-}
-
-// Seen red: with their first character whatever follows.
-TEST(NetcdfVariable, FlagsMayBeTextsOrDoubles) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("texts.nc");
-  {
-    FloatFile file(path, NC_NETCDF4);
-    const int texts = file.define("CHLA_QC", NC_STRING);
-    const char* flags[] = {"1", "4.0", "", " 9", "A", "nan"};
-    must(nc_put_var_string(file.id(), texts, flags));
-    const int longer = file.define("TEMP_QC", NC_STRING, 1);
-    const char* words[] = {"1", "bad"};
-    must(nc_put_var_string(file.id(), longer, words));
-    const int doubles = file.define("PSAL_QC", NC_DOUBLE);
-    file.attribute(doubles, "_FillValue", NC_DOUBLE, missing);
-    file.put(doubles, {1, missing, 3, 4, 9, missing});
-  }
-  expect_values(netcdf_flags(path, "CHLA_QC", 2).value, {1, 4, missing, 9, missing, missing});
-  expect_values(netcdf_flags(path, "PSAL_QC", 2).value, {1, missing, 3, 4, 9, missing});
-  EXPECT_EQ(refusal_of([&] { netcdf_flags(path, "TEMP_QC", 1); }),
-            path + ": TEMP_QC: \"bad\" is no flag (is it the file you mean?)");
-}
-
-// As xarray saves them: of one character, and of as many as the longest text has. Seen red: with
-// each character for a flag.
-TEST(NetcdfVariable, FlagsMayBeCharactersWithADimensionMore) {
-  const TemporaryFolder folder;
-  for (const int format : {0, NC_NETCDF4})
-    for (const std::size_t length : {1, 3}) {
-      const std::string path = folder.file("string.nc");
-      {
-        FloatFile file(path, format);
-        int dimensions[3] = {0, 1, 0}, variable = 0;
-        must(nc_def_dim(file.id(), "string", length, &dimensions[2]));
-        must(nc_def_var(file.id(), "CHLA_QC", NC_CHAR, 3, dimensions, &variable));
-        nc_enddef(file.id());
-        std::string text;
-        for (const std::string word : {"1", "4", " ", "9", "A", "0"})
-          text += word + std::string(length - 1, length == 1 ? ' ' : '\0');
-        must(nc_put_var_text(file.id(), variable, text.data()));
-      }
-      const auto flags = netcdf_flags(path, "CHLA_QC", 2);
-      EXPECT_EQ(flags.dimension, (std::vector<std::string>{"N_PROF", "N_LEVELS"}));
-      EXPECT_EQ(flags.length, (std::vector<std::size_t>{2, 3}));
-      expect_values(flags.value, {1, 4, missing, 9, missing, 0});
-    }
-}
-
-// Seen red: with the meanings one word on.
-TEST(NetcdfVariable, FlagsTellWhatTheyMean) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("meanings.nc");
-  {
-    FloatFile file(path, NC_NETCDF4);
-    const int bytes = file.define("CHLA_QC", NC_BYTE);
-    const signed char values[] = {0, 1, 4};
-    must(nc_put_att_schar(file.id(), bytes, "flag_values", NC_BYTE, 3, values));
-    file.text(bytes, "flag_meanings", "no_qc good  bad");
-    const int characters = file.define("PRES_QC", NC_CHAR);
-    file.text(characters, "flag_values", "0, 1, 4");
-    file.text(characters, "flag_meanings", "no_qc good bad");
-    const int fewer = file.define("TEMP_QC", NC_BYTE);
-    must(nc_put_att_schar(file.id(), fewer, "flag_values", NC_BYTE, 3, values));
-    file.text(fewer, "flag_meanings", "good bad");
-    const int bits = file.define("PSAL_QC", NC_BYTE);
-    file.attribute(bits, "flag_masks", NC_BYTE, 1);
-    file.put(bytes, {0, 1, 4, 1, 1, 1});
-  }
-  const std::map<double, std::string> expected{{0, "no_qc"}, {1, "good"}, {4, "bad"}};
-  EXPECT_EQ(netcdf_flags(path, "CHLA_QC", 2).meaning, expected);
-  EXPECT_EQ(netcdf_flags(path, "PRES_QC", 2).meaning, expected);
-  EXPECT_EQ(refusal_of([&] { netcdf_flags(path, "TEMP_QC", 2); }),
-            path + ": TEMP_QC: has 3 flag_values and 2 flag_meanings (is it the file you mean?)");
-  EXPECT_EQ(refusal_of([&] { netcdf_flags(path, "PSAL_QC", 2); }),
-            path +
-                ": PSAL_QC: its flags are single bits (flag_masks), which are not understood (is "
-                "it the file you mean?)");
 }
 
 TEST(NetcdfVariable, UnitsMayBeStrings) {
