@@ -11,7 +11,7 @@
 #include "photic/commands.hpp"
 #include "photic/interrupt.hpp"
 #include "photic/output.hpp"
-#include "photic/progress.hpp"
+#include "photic/terminal.hpp"
 
 namespace photic::app {
 namespace {
@@ -227,12 +227,12 @@ std::string json(const engine::Comparison& comparison, const std::string& scene)
 int run(const BenchCommand& command) {
   const scene::Reading reading = scene::read_scene(command.scene, command.overrides,
                                                    engine::optics_check(), io::netcdf_files());
-  for (const std::string& remark : reading.remarks) print_error(remark + '\n');
+  for (const std::string& remark : reading.remarks) print_warning(remark + '\n');
   engine::BenchOptions options;
   options.time_s = command.time_s;
   options.threads = command.threads;
   options.interrupt = &interrupted();
-  if (has_terminal())
+  if (is_terminal(Stream::error))
     options.tell = [](const std::string& line) { print_error("measuring " + line + '\n'); };
   listen_for_interrupts();
   const auto comparison = engine::compare_estimators(reading.scene, options);

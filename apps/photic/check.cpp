@@ -42,7 +42,7 @@ int check_as_json(const CheckCommand& command) {
 
 int run(const CheckCommand& command) {
   if (command.json) return check_as_json(command);
-  for (const std::string& remark : remarks_on(command)) print_error(remark + '\n');
+  for (const std::string& remark : remarks_on(command)) print_warning(remark + '\n');
   print_out(command.scene + ": no problems\n");
   return done;
 }

@@ -40,10 +40,12 @@ std::string without_checkpoint(const std::string& file) {
   return (path.parent_path() / stem.stem()).string() + path.extension().string();
 }
 
-Checkpoint::Checkpoint(const std::string& result, const Origin& origin, std::string history)
+Checkpoint::Checkpoint(const std::string& result, const Origin& origin, std::string history,
+                       Call call)
     : result_(result),
       path_(checkpoint_path(result)),
       history_(std::move(history)),
+      call_(std::move(call)),
       origin_(origin) {
   const Occupant left = checkpoint_at(path_, origin_);
   if (left.kind == Occupant::Kind::same_scene) photons_ = left.photons;
@@ -53,7 +55,7 @@ std::string Checkpoint::leftover(std::uint64_t photons) const {
   if (photons_ <= photons) return "";
   return fmt::format(
       "{}: left by a run of this scene that did not end, with {} photons (go on from it: {})\n",
-      path_, photons_, go_on_command(path_, result_));
+      path_, photons_, go_on_command(call_, path_, result_));
 }
 
 void Checkpoint::write(const tally::Result& so_far, ProgressBar& bar) {
@@ -91,7 +93,7 @@ std::string Checkpoint::take_place(ProgressBar& bar) {
 
 std::string Checkpoint::finish(const tally::Result& result) {
   if (photons_ == 0 || photons_ > result.photons) return "";
-  if (result.partial && fs::path(result_).extension() != ".nc") return path_;
+  if (result.partial && format_of(result_) != Format::netcdf) return path_;
   std::error_code none;
   fs::remove(path_, none);
   return "";

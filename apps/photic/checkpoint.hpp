@@ -1,5 +1,5 @@
-// The checkpoint of a run: its result so far, in out.checkpoint.nc beside the out.nc or out.csv
-// that is to be.
+// The checkpoint of a run: its result so far, in out.checkpoint.nc beside the result that
+// is to be.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 
 #include "photic/occupant.hpp"
 #include "photic/progress.hpp"
+#include "photic/shell.hpp"
 #include "tally/result.hpp"
 
 namespace photic::app {
@@ -18,7 +19,7 @@ std::string without_checkpoint(const std::string& file);
 class Checkpoint {
  public:
   /// Of a run that will write `result`, from there. `history` is that of the result.
-  Checkpoint(const std::string& result, const Origin& origin, std::string history);
+  Checkpoint(const std::string& result, const Origin& origin, std::string history, Call call);
 
   /// One line that tells how to go on from the file, if a run of this scene left more than
   /// `photons` there; else empty.
@@ -37,6 +38,7 @@ class Checkpoint {
   std::string take_place(ProgressBar& bar);
 
   std::string result_, path_, history_;
+  Call call_;
   const Origin& origin_;
   std::uint64_t photons_ = 0;  ///< of this scene that the file holds
   bool ours_ = false;          ///< whether this run has written the file

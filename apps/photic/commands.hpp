@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "photic/manual.hpp"
+#include "photic/shell.hpp"
 #include "scene/read.hpp"
 
 namespace photic::app {
@@ -19,15 +21,27 @@ inline constexpr int bad_input = 2;  ///< a scene or a command line that cannot 
 struct RunCommand {
   std::string scene;    ///< may be empty if there is an earlier result
   std::string earlier;  ///< the result to go on from; empty: none
-  std::string output;   ///< .nc or .csv; empty: the scene's name in the current folder
+  std::string output;   ///< .nc, .csv, .txt or a folder; empty: the scene's name in the current one
   std::optional<double> checkpoint_s;  ///< time between checkpoints; none: the usual
   std::vector<scene::Override> overrides;
-  int threads = 0;     ///< 0: all cores
-  std::string engine;  ///< empty: that of the result it goes on from, or scalar
-  std::string isa;     ///< of the lane engine; empty: the best there is
+  int threads = 0;              ///< 0: all cores
+  std::string engine;           ///< empty: that of the result it goes on from, or scalar
+  std::string isa;              ///< of the lane engine; empty: the best there is
+  std::string table = "short";  ///< short | full | none
   bool json = false;
-  bool force = false;        ///< replaces whatever is where the result goes
-  std::string command_line;  ///< as typed, for the history of the result
+  bool quiet = false;  ///< prints warnings and errors alone
+  bool force = false;  ///< replaces whatever is where the result goes
+  Call call;           ///< for the history of the result
+};
+
+/// photic plot: draws results by the Python package.
+struct PlotCommand {
+  std::vector<std::string> results;
+  std::string output;  ///< .png, .pdf or .svg; empty: the first result's name, .png
+  std::string title;
+  std::vector<std::string> telescopes, channels;
+  std::string width_mm;
+  Call call;
 };
 
 /// photic bench: compares the estimators on a scene.
@@ -66,27 +80,41 @@ struct OpticsCommand {
   std::string output;                   ///< .nc or .csv; empty: none
   std::vector<scene::Override> overrides;
   bool json = false;
-  std::string command_line;  ///< as typed, for the history of the output
+  Call call;  ///< for the history of the output
 };
 
 /// photic new: writes a commented scene to start from.
 struct NewCommand {
   std::string kind;
+  bool list = false;   ///< tells all kinds instead
   std::string output;  ///< empty: standard output
+  Call call;
 };
 
 /// photic schema: prints the JSON Schema of scene files.
 struct SchemaCommand {};
 
-using Command = std::variant<RunCommand, BenchCommand, CheckCommand, ShowCommand, OpticsCommand,
-                             NewCommand, SchemaCommand>;
+/// photic help: what there is.
+struct HelpCommand {
+  std::string command;  ///< empty: of all, in short
+  CommandManual program;
+};
+
+/// photic --version
+struct VersionCommand {};
+
+using Command = std::variant<RunCommand, PlotCommand, BenchCommand, CheckCommand, ShowCommand,
+                             OpticsCommand, NewCommand, SchemaCommand, HelpCommand, VersionCommand>;
 
 int run(const RunCommand& command);
+int run(const PlotCommand& command);
 int run(const BenchCommand& command);
 int run(const CheckCommand& command);
 int run(const ShowCommand& command);
 int run(const OpticsCommand& command);
 int run(const NewCommand& command);
 int run(const SchemaCommand& command);
+int run(const HelpCommand& command);
+int run(const VersionCommand& command);
 
 }  // namespace photic::app

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "photic/command_line.hpp"
 #include "photic/output.hpp"
+#include "photic/terminal.hpp"
 
 namespace {
 
@@ -23,17 +24,25 @@ struct Subject {
   std::string operator()(const app::CheckCommand& c) const { return c.scene; }
   std::string operator()(const app::ShowCommand& c) const { return c.file; }
   std::string operator()(const app::OpticsCommand& c) const { return c.scene; }
-  std::string operator()(const app::NewCommand& /*c*/) const { return {}; }
-  std::string operator()(const app::SchemaCommand& /*c*/) const { return {}; }
+  /// Of commands that read no scene.
+  template <class Other>
+  std::string operator()(const Other& /*c*/) const {
+    return {};
+  }
 };
 
 void report(const InputError& error, const std::string& subject) {
-  std::string text;
-  for (const Diagnostic& d : error.diagnostics()) text += d.text() + '\n';
+  app::print_problems(error.diagnostics());
   const std::size_t count = error.diagnostics().size();
   if (!subject.empty())
-    text += fmt::format("{} problem{} in {}\n", count, count == 1 ? "" : "s", subject);
-  app::print_error(text);
+    app::print_error(
+        app::painted(fmt::format("{} problem{} in {}", count, count == 1 ? "" : "s", subject),
+                     app::Colour::red, app::Stream::error) +
+        '\n');
+}
+
+void failure(const std::string& reason) {
+  app::print_error(app::painted("photic: " + reason, app::Colour::red, app::Stream::error) + '\n');
 }
 
 int follow(const app::Command& command) {
@@ -43,14 +52,14 @@ int follow(const app::Command& command) {
     report(error, std::visit(Subject{error}, command));
     return app::bad_input;
   } catch (const app::UsageError& error) {
-    app::print_error(fmt::format("{}\n", error.what()));
+    app::print_error(app::painted(error.what(), app::Colour::red, app::Stream::error) + '\n');
     return app::bad_input;
   } catch (const EnvironmentError& error) {
-    app::print_error(fmt::format("photic: {}\n", error.what()));
+    failure(error.what());
   } catch (const std::bad_alloc&) {
-    app::print_error("photic: not enough memory (fewer gates, orders or telescopes need less)\n");
+    failure("not enough memory (fewer gates, orders or telescopes need less)");
   } catch (const std::exception& error) {
-    app::print_error(fmt::format("photic: this is a bug, please report it: {}\n", error.what()));
+    failure(fmt::format("this is a bug, please report it: {}", error.what()));
   }
   return app::failed;
 }

@@ -11,6 +11,7 @@
 #include "io/csv.hpp"
 #include "io/netcdf.hpp"
 #include "photic/continuation.hpp"
+#include "photic/output.hpp"
 
 namespace photic::app {
 namespace {
@@ -42,8 +43,8 @@ Occupant netcdf_occupant(const std::string& file, const Origin& origin) {
   }
 }
 
-Occupant csv_occupant(const std::string& file) {
-  if (const auto photons = io::photons_in_csv(file))
+Occupant text_occupant(const std::string& file) {
+  if (const auto photons = io::photons_in_text(file))
     return {Occupant::Kind::some_scene, *photons, ""};
   return {Occupant::Kind::stranger, 0, "is no result of a run"};
 }
@@ -54,13 +55,13 @@ Occupant occupant_of(const std::string& file, const Origin& origin) {
   std::error_code none;
   if (!fs::exists(file, none) || (fs::is_regular_file(file, none) && fs::is_empty(file, none)))
     return {};
-  return fs::path(file).extension() == ".csv" ? csv_occupant(file) : netcdf_occupant(file, origin);
+  return format_of(file) == Format::netcdf ? netcdf_occupant(file, origin) : text_occupant(file);
 }
 
 bool holds_echoes(const std::string& file) {
   std::error_code none;
   if (!fs::is_regular_file(file, none)) return false;
-  if (fs::path(file).extension() == ".csv") return io::photons_in_csv(file).has_value();
+  if (format_of(file) != Format::netcdf) return io::photons_in_text(file).has_value();
   try {
     return !io::read_run(file).scene_toml.empty();
   } catch (const InputError&) {

@@ -19,7 +19,7 @@ struct Occupant {
     nobody,        ///< no file, or an empty one
     same_scene,    ///< a result of the same scene: its photons count
     edited_scene,  ///< of the same scene file, when there was something else in it
-    some_scene,    ///< a CSV, which does not tell its scene
+    some_scene,    ///< a text file, which does not tell its scene
     other_scene,   ///< of another scene file
     stranger       ///< no result of a run
   };

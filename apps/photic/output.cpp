@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -14,6 +15,7 @@
 #include "photic/checkpoint.hpp"
 #include "photic/commands.hpp"
 #include "photic/occupant.hpp"
+#include "photic/terminal.hpp"
 
 namespace photic::app {
 namespace {
@@ -30,35 +32,103 @@ void print_error(std::string_view text) {
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 
+void print_warning(std::string_view text) {
+  print_error(painted(text, Colour::yellow, Stream::error));
+}
+
+void print_problems(const std::vector<Diagnostic>& problems) {
+  std::string text;
+  for (const Diagnostic& problem : problems) {
+    Diagnostic place = problem;
+    place.reason = place.suggestion = "";
+    const std::string whole = problem.text(), where = place.text();
+    const std::size_t end = whole.starts_with(where) ? where.size() : 0;
+    text += painted(whole.substr(0, end), Colour::bold, Stream::error) + whole.substr(end) + '\n';
+  }
+  print_error(text);
+}
+
+namespace {
+
+/// A line of a table: '*' marks what has not converged, "warning:" begins a warning.
+std::string coloured(const std::string& line) {
+  if (line.starts_with("warning: ")) return painted(line, Colour::yellow, Stream::out);
+  if (line.starts_with("Result") || line.starts_with("converged"))
+    return painted(line, Colour::bold, Stream::out);
+  std::string out;
+  for (const char c : line)
+    out += c == '*' ? painted("*", Colour::yellow, Stream::out) : std::string(1, c);
+  return out;
+}
+
+}  // namespace
+
+void print_table(const std::string& text) {
+  std::string out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) out += coloured(line) + '\n';
+  print_out(out);
+}
+
 void print_out(std::string_view text) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (std::fflush(stdout) != 0 || !written) fail("cannot write to standard output");
 }
 
-std::string result_path(const RunCommand& command) {
-  const std::string& output = command.output;
-  if (output.empty()) {
-    const std::string named_after =
-        command.scene.empty() ? without_checkpoint(command.earlier) : command.scene;
-    return fs::path(named_after).filename().replace_extension(".nc").string();
-  }
-  check_output(output, command.scene);
-  return output;
+std::optional<Format> format_of(const std::string& file) {
+  std::string kind = fs::path(file).extension().string();
+  for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (kind == ".nc") return Format::netcdf;
+  if (kind == ".csv") return Format::csv;
+  if (kind == ".txt") return Format::text;
+  return std::nullopt;
 }
 
-void check_output(const std::string& output, const std::string& scene) {
-  const std::string kind = fs::path(output).extension().string();
-  if (kind != ".nc" && kind != ".csv") {
-    throw UsageError(output + ": the result's name ends neither in .nc nor in .csv (write -o " +
-                     output + ".nc)");
-  }
+namespace {
+
+bool is_folder(const std::string& output) {
+  std::error_code none;
+  return output.ends_with('/') || fs::is_directory(output, none);
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw EnvironmentError(fmt::format("cannot make the folder {}: {}", folder, error.message()));
+}
+
+void spare_scene(const std::string& output, const std::string& scene) {
   std::error_code none;
   if (fs::equivalent(output, scene, none))
     throw UsageError(output + ": the result would replace the scene (choose another name with -o)");
 }
 
+}  // namespace
+
+std::string result_path(const RunCommand& command) {
+  const std::string& output = command.output;
+  const std::string named_after =
+      command.scene.empty() ? without_checkpoint(command.earlier) : command.scene;
+  const std::string name = fs::path(named_after).filename().replace_extension(".nc").string();
+  if (output.empty()) return name;
+  if (is_folder(output)) {
+    make_folder(output);
+    return (fs::path(output) / name).string();
+  }
+  if (!format_of(output))
+    throw UsageError(output + ": the result's name ends in none of .nc, .csv and .txt (write -o " +
+                     output + ".nc, or -o " + output + "/ for a folder)");
+  spare_scene(output, command.scene);
+  return output;
+}
+
 void check_optics_output(const std::string& output, const std::string& scene) {
-  check_output(output, scene);
+  const auto format = format_of(output);
+  if (format != Format::netcdf && format != Format::csv)
+    throw UsageError(output + ": the result's name ends neither in .nc nor in .csv (write -o " +
+                     output + ".nc)");
+  spare_scene(output, scene);
   if (holds_echoes(output))
     throw UsageError(output +
                      ": holds echoes of a run, and is left as it is (choose another name with -o)");
@@ -86,8 +156,14 @@ bool holds(const std::string& path, std::string_view text) {
 
 }  // namespace
 
-std::string go_on_command(const std::string& earlier, const std::string& output) {
-  return fmt::format("photic run --continue {} -o {}", earlier, output);
+std::string go_on_command(const Call& call, const std::string& earlier, const std::string& output) {
+  return call.command({"run", "--continue", earlier, "-o", output});
+}
+
+std::string plot_hint(const Call& call, const std::string& file) {
+  if (format_of(file) != Format::netcdf) return "";
+  const std::string picture = fs::path(file).replace_extension(".png").string();
+  return "Plot it:  " + call.command({"plot", file, "-o", picture}) + '\n';
 }
 
 bool write_new_file(const std::string& path, std::string_view text) {

@@ -1,25 +1,24 @@
 #include "photic/progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
+#include "io/table_parts.hpp"
 #include "photic/output.hpp"
+#include "photic/terminal.hpp"
 
 namespace photic::app {
 namespace {
 
-constexpr int longest_bar = 30;
+constexpr int longest_bar = 20;
+constexpr int shortest_bar = 8;
 constexpr const char* wipe_line = "\r\033[K";
 
-int terminal_width() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
+int digits(std::size_t number) { return static_cast<int>(fmt::format("{}", number).size()); }
 
 double share(double part, double whole) { return whole > 0 ? std::min(1.0, part / whole) : 0.0; }
 
@@ -36,45 +35,71 @@ std::optional<double> share_of_limits(const engine::Progress& p) {
   return out;
 }
 
-/// Until the first limit is reached; none as long as nobody knows.
+/// Photons until the worst gate meets the target, if its error falls as the root of their number.
+double photons_to_target(const engine::Progress& p) {
+  const double ratio = p.worst_error / *p.target;
+  return static_cast<double>(p.photons) * std::max(0.0, ratio * ratio - 1);
+}
+
+/// Until the run is likely to end; none as long as nobody knows.
 std::optional<double> seconds_left(const engine::Progress& p) {
   std::optional<double> out;
-  if (p.photons_asked && photons_per_second(p) > 0)
-    out = static_cast<double>(*p.photons_asked - p.photons) / photons_per_second(p);
-  if (p.max_time_s) {
-    const double left = std::max(0.0, *p.max_time_s - p.elapsed_s);
-    out = std::min(out.value_or(left), left);
-  }
+  const auto consider = [&out](double left) { out = std::min(out.value_or(left), left); };
+  const double pace = photons_per_second(p);
+  if (p.photons_asked && pace > 0)
+    consider(static_cast<double>(*p.photons_asked - p.photons) / pace);
+  if (p.max_time_s) consider(std::max(0.0, *p.max_time_s - p.elapsed_s));
+  if (p.target && pace > 0 && std::isfinite(p.worst_error)) consider(photons_to_target(p) / pace);
   return out;
 }
 
-std::string time_left(double seconds) {
-  if (seconds < 100) return fmt::format("{:.0f} s left", seconds);
-  if (seconds < 6000) return fmt::format("{:.0f} min left", seconds / 60);
-  return fmt::format("{:.1f} h left", seconds / 3600);
+std::string time_left(std::optional<double> seconds) {
+  if (!seconds) return "";
+  if (*seconds < 100) return fmt::format("{:.0f} s left", *seconds);
+  if (*seconds < 6000) return fmt::format("{:.0f} min left", *seconds / 60);
+  return fmt::format("{:.1f} h left", *seconds / 3600);
+}
+
+std::string percent(double share) {
+  if (!std::isfinite(share)) return "?";
+  return share >= 9.995 ? ">999 %" : fmt::format("{:.{}f} %", 100 * share, share < 0.0995 ? 1 : 0);
+}
+
+/// "worst 12 % of 2 %"
+std::string worst(const engine::Progress& p) {
+  return fmt::format("worst gate {}{}", percent(p.worst_error),
+                     p.target ? fmt::format(" (target {})", percent(*p.target)) : "");
+}
+
+std::string bar(double done, int room) {
+  const int filled = static_cast<int>(std::lround(done * room));
+  return fmt::format("[{:#<{}}{:<{}}] ", "", filled, "", room - filled);
 }
 
 }  // namespace
 
 std::string progress_line(const engine::Progress& p, int width) {
-  const auto limits = share_of_limits(p);
-  const double done =
-      limits.value_or(share(static_cast<double>(p.gates_converged), static_cast<double>(p.gates)));
-  std::string text = fmt::format("{:3.0f} %  {:.2g} photons", std::floor(100 * done),
-                                 static_cast<double>(p.photons));
-  if (photons_per_second(p) > 0) text += fmt::format("  {:.2g}/s", photons_per_second(p));
-  text += fmt::format("  gates converged {}/{}", p.gates_converged, p.gates);
-  if (const auto left = seconds_left(p)) text += "  " + time_left(*left);
-  const int room = std::clamp(width - static_cast<int>(text.size()) - 3, 0, longest_bar);
-  const int filled = static_cast<int>(std::lround(done * room));
-  std::string line = fmt::format("[{:#<{}}{:<{}}] {}", "", filled, "", room - filled, text);
-  line.resize(std::min(line.size(), static_cast<std::size_t>(std::max(width, 0))));
-  return line;
+  const double done = share_of_limits(p).value_or(
+      share(static_cast<double>(p.gates_converged), static_cast<double>(p.gates)));
+  // Fields keep their widths, so that they stand still; the first are the last to go.
+  const std::vector<std::string> fields{
+      fmt::format("{:3.0f} %", std::floor(100 * done)),
+      fmt::format("  {:>11}", time_left(seconds_left(p))),
+      fmt::format("  {}/{} gates", fmt::format("{:>{}}", p.gates_converged, digits(p.gates)),
+                  p.gates),
+      fmt::format("  {:<{}}", worst(p), p.target ? 33 : 17),
+      fmt::format("  {:>6}/s", io::with_prefix(photons_per_second(p))),
+      fmt::format("  {:>6} photons", io::with_prefix(static_cast<double>(p.photons)))};
+  std::string text;
+  for (const std::string& field : fields)
+    if (static_cast<int>(text.size() + field.size()) <= width) text += field;
+  const int room = std::min(width - static_cast<int>(text.size()) - 3, longest_bar);
+  return room < shortest_bar ? text : bar(done, room) + text;
 }
 
 void ProgressBar::draw(const engine::Progress& progress) {
   // A last column left free keeps terminals from wrapping.
-  print_error(wipe_line + progress_line(progress, terminal_width() - 1));
+  print_error(wipe_line + progress_line(progress, columns(Stream::error, 80) - 1));
   drawn_ = true;
 }
 
@@ -82,7 +107,5 @@ void ProgressBar::wipe() {
   if (drawn_) print_error(wipe_line);
   drawn_ = false;
 }
-
-bool has_terminal() { return isatty(STDERR_FILENO) == 1; }
 
 }  // namespace photic::app

@@ -7,8 +7,8 @@
 
 namespace photic::app {
 
-/// "[######    ]  58 %  5.8e+06 photons  1.2e+06/s  gates converged 210/300  4 s left", `width`
-/// columns at most.
+/// "[######    ]  58 %   4 s left  210/300 gates  worst gate 12 % (target 2.0 %)  91.2 k/s  5.81 M
+/// photons": what fits in `width` columns.
 std::string progress_line(const engine::Progress& progress, int width);
 
 /// Draws the line again at every call, on standard error; wipes it before a message and when the
@@ -26,8 +26,5 @@ class ProgressBar {
  private:
   bool drawn_ = false;
 };
-
-/// Standard error is a terminal.
-bool has_terminal();
 
 }  // namespace photic::app

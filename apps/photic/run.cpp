@@ -20,32 +20,50 @@
 #include "photic/lock.hpp"
 #include "photic/output.hpp"
 #include "photic/progress.hpp"
+#include "photic/terminal.hpp"
 
 namespace photic::app {
 namespace {
 
-tally::Result simulate(const scene::Scene& scene, engine::RunOptions options,
+tally::Result simulate(const scene::Scene& scene, engine::RunOptions options, bool quiet,
                        Checkpoint& checkpoint) {
   ProgressBar bar;
-  if (has_terminal())
+  if (is_terminal(Stream::error) && !quiet)
     options.progress = [&bar](const engine::Progress& progress) { bar.draw(progress); };
   options.checkpoints.write = [&](const tally::Result& so_far) { checkpoint.write(so_far, bar); };
   return engine::run(scene, options);
 }
 
-std::string where_it_is(const tally::Result& result, const std::string& path,
+std::string where_it_is(const tally::Result& result, const Call& call, const std::string& path,
                         const std::string& checkpoint) {
   std::string out = fmt::format("\nResult{}: {}\n",
                                 result.partial ? " (partial: the run was interrupted)" : "", path);
-  const std::filesystem::path file(path);
-  const bool netcdf = file.extension() == ".nc";
+  const bool netcdf = format_of(path) == Format::netcdf;
   if (result.partial && (netcdf || !checkpoint.empty()))
-    out += fmt::format("Go on:    {}\n", go_on_command(netcdf ? path : checkpoint, path));
-  if (netcdf) {
-    out += fmt::format("Plot it:  python3 -m photic plot {} -o {}\n", path,
-                       std::filesystem::path(file).replace_extension(".png").string());
+    out += fmt::format("Go on:    {}\n", go_on_command(call, netcdf ? path : checkpoint, path));
+  return out + plot_hint(call, path);
+}
+
+/// What the terminal shows of the echoes.
+std::string echoes(const tally::Result& result, const RunCommand& command) {
+  if (command.json) return io::echo_json(result);
+  constexpr int no_terminal = 100;
+  const auto width = static_cast<std::size_t>(columns(Stream::out, no_terminal));
+  if (command.table == "none") return io::run_summary(result, width);
+  io::TableLayout layout{.width = width};
+  if (command.table == "full") layout = {result.gates(), width, true};
+  return io::echo_table(result, layout);
+}
+
+/// Prints what a run came to; where it is goes to standard error if the rest is for a program.
+void tell(const tally::Result& result, const RunCommand& command, const std::string& place) {
+  if (command.quiet) {
+    for (const std::string& warning : result.warnings) print_warning(warning + '\n');
+    if (command.json) print_out(io::echo_json(result));
+    return;
   }
-  return out;
+  print_table(echoes(result, command));
+  command.json ? print_error(place) : print_out(place);
 }
 
 /// A run as it is before it begins.
@@ -61,14 +79,20 @@ struct Plan {
 /// Returns where the result is.
 std::string write(const tally::Result& result, Destination& destination, const Plan& plan) {
   const Place place = destination.place_of(result);
-  if (std::filesystem::path(place.path).extension() == ".csv") {
-    io::write_csv(result, place.path, place.keep_as);
-  } else {
-    io::write_netcdf(
-        result, place.path,
-        {.history = plan.history, .scene_file = plan.origin.scene_file, .keep_as = place.keep_as});
+  switch (format_of(place.path).value_or(Format::netcdf)) {
+    case Format::csv:
+      io::write_csv(result, place.path, place.keep_as);
+      break;
+    case Format::text:
+      io::write_table(result, place.path, place.keep_as);
+      break;
+    case Format::netcdf:
+      io::write_netcdf(result, place.path,
+                       {.history = plan.history,
+                        .scene_file = plan.origin.scene_file,
+                        .keep_as = place.keep_as});
   }
-  print_error(place.remark);
+  print_warning(place.remark);
   return place.path;
 }
 
@@ -112,13 +136,13 @@ std::optional<Isa> lanes_going_on(const RunCommand& command, const std::optional
 
 Plan plan(const RunCommand& command) {
   scene::Reading reading = read_scene_of(command);
-  for (const std::string& remark : reading.remarks) print_error(remark + '\n');
+  for (const std::string& remark : reading.remarks) print_warning(remark + '\n');
   Plan plan;
   plan.path = result_path(command);
   plan.origin = {std::move(reading.scene),
                  command.scene.empty() ? "" : seen_from(plan.path, command.scene)};
   spare(reading.files, plan.path);
-  plan.history = io::history_line(command.command_line);
+  plan.history = io::history_line(command.call.line);
   io::check_writable(plan.path);  // now, not after hours of work
   plan.lanes = lanes_asked(command);
   if (command.earlier.empty()) return plan;
@@ -132,8 +156,9 @@ Plan plan(const RunCommand& command) {
   plan.start = std::move(earlier.start);
   plan.photons = earlier.photons;
   if (plan.photons == plan.origin.scene.simulation.photons)
-    print_error(fmt::format("{}: holds all {} photons asked for already (--photons is the total)\n",
-                            command.earlier, plan.photons));
+    print_warning(
+        fmt::format("{}: holds all {} photons asked for already (--photons is the total)\n",
+                    command.earlier, plan.photons));
   return plan;
 }
 
@@ -143,31 +168,28 @@ int run(const RunCommand& command) {
   Plan plan = app::plan(command);
   const Lock lock(plan.path);
   Destination destination(plan.path, plan.origin, command.force);
-  Checkpoint checkpoint(plan.path, plan.origin, plan.history);
-  print_error(checkpoint.leftover(plan.photons));
+  Checkpoint checkpoint(plan.path, plan.origin, plan.history, command.call);
+  print_warning(checkpoint.leftover(plan.photons));
 
   listen_for_interrupts();
   tally::Result result;
   try {
     result = simulate(plan.origin.scene, options_of(command, plan.lanes, std::move(plan.start)),
-                      checkpoint);
+                      command.quiet, checkpoint);
   } catch (const engine::InterruptedPilots&) {
     print_error("interrupted while estimators were compared: there is no result yet\n");
     return interrupt_exit_code();
   }
 
-  const std::string table = command.json ? io::echo_json(result) : io::echo_table(result);
   std::string path;
   try {
     path = write(result, destination, plan);
   } catch (const std::exception&) {
-    print_out(table);  // all that is left of the run, but for its checkpoint
+    print_table(echoes(result, command));  // all that is left of the run, but for its checkpoint
     print_error(checkpoint.leftover(0));
     throw;
   }
-  const std::string place = where_it_is(result, path, checkpoint.finish(result));
-  print_out(table);
-  command.json ? print_error(place) : print_out(place);
+  tell(result, command, where_it_is(result, command.call, path, checkpoint.finish(result)));
   return result.partial ? interrupt_exit_code() : done;
 }
 

@@ -1,8 +1,10 @@
 #include <filesystem>
+#include <utility>
 
 #include "engine/problem.hpp"
 #include "io/netcdf.hpp"
 #include "io/netcdf_variable.hpp"
+#include "io/table_parts.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
 
@@ -10,19 +12,25 @@ namespace photic::app {
 namespace {
 
 scene::Reading read(const ShowCommand& command) {
-  const std::filesystem::path file(command.file);
-  if (file.extension() != ".nc")
+  if (format_of(command.file) != Format::netcdf)
     return scene::read_scene(command.file, command.overrides, engine::optics_check(),
                              io::netcdf_files());
   return scene::read_scene_text(io::read_scene_attribute(command.file), command.file,
-                                file.parent_path().string(), command.overrides,
-                                engine::optics_check(), io::netcdf_files());
+                                std::filesystem::path(command.file).parent_path().string(),
+                                command.overrides, engine::optics_check(), io::netcdf_files());
 }
+
+constexpr std::size_t comment_width = 96;
 
 /// Where every number of the water comes from, as comments under the scene.
 std::string sources_of(const engine::Problem& problem) {
   std::string out = "\n# The optics of this scene and their sources:\n";
-  for (const std::string& source : engine::describe(problem).sources) out += "#   " + source + '\n';
+  for (const std::string& source : engine::describe(problem).sources) {
+    std::string start = "#   ";
+    for (const std::string& line : io::wrapped(source, comment_width)) {
+      out += std::exchange(start, "#     ") + line + '\n';
+    }
+  }
   return out;
 }
 

@@ -11,7 +11,7 @@ int run(const NewCommand& command) {
   }
   const bool written = write_new_file(command.output, text);
   print_out(command.output + (written ? ": written" : ": is there already") +
-            "; check it with: photic check " + command.output + '\n');
+            "; check it with: " + command.call.command({"check", command.output}) + '\n');
   return done;
 }
 

@@ -28,7 +28,7 @@ io::OpticsOrigin origin_of(const Told& what, const OpticsCommand& command) {
   return {.title = what.title,
           .scene_toml = what.scene_toml,
           .version = PHOTIC_VERSION,
-          .history = io::history_line(command.command_line)};
+          .history = io::history_line(command.call.line)};
 }
 
 /// "5 layers".
@@ -37,13 +37,8 @@ std::string count(std::size_t number, const char* noun) {
 }
 
 /// What is told of a file that was written.
-std::string where_it_is(const std::string& output, const std::string& what) {
-  std::string out = fmt::format("{}: {}\n", output, what);
-  const fs::path file(output);
-  if (file.extension() == ".nc")
-    out += fmt::format("Plot it: python3 -m photic plot {} -o {}\n", output,
-                       fs::path(file).replace_extension(".png").string());
-  return out;
+std::string where_it_is(const OpticsCommand& command, const std::string& what) {
+  return fmt::format("{}: {}\n", command.output, what) + plot_hint(command.call, command.output);
 }
 
 /// Those asked for, or from the ultraviolet of fluorosensors to the red.
@@ -60,8 +55,8 @@ void tell(const io::SpectralTable& table, const std::string& text, const std::st
   if (!command.output.empty()) {
     io::write_spectral(table, origin_of({title, ""}, command), command.output);
     if (!command.json)
-      print_out(where_it_is(command.output,
-                            title + " at " + count(table.wavelength_nm.size(), "wavelength")));
+      print_out(
+          where_it_is(command, title + " at " + count(table.wavelength_nm.size(), "wavelength")));
   } else if (!command.json) {
     print_out(text);
   }
@@ -89,8 +84,7 @@ optics::AirProfile modtran_air(const std::string& text, const std::string& name)
 /// A CSV file by its name, another file as a tape6, else one of Photic's atmospheres.
 optics::AirProfile air_profile(const optics::AirLibrary& library, const std::string& name) {
   std::error_code none;
-  if (fs::path(name).extension() == ".csv")
-    return optics::air_profile(optics::DataTable::read(name));
+  if (format_of(name) == Format::csv) return optics::air_profile(optics::DataTable::read(name));
   if (fs::exists(name, none) || name.find('/') != std::string::npos)
     return modtran_air(optics::read_text(name), name);
   return library.atmosphere(name);
@@ -146,7 +140,7 @@ void tell_tape7(const std::string& text, const OpticsCommand& command) {
 /// The text of a file that is a tape7.
 std::optional<std::string> tape7(const std::string& file) {
   std::error_code none;
-  if (!fs::is_regular_file(file, none) || fs::path(file).extension() == ".csv") return {};
+  if (!fs::is_regular_file(file, none) || format_of(file) == Format::csv) return {};
   std::string text = optics::read_text(file);
   return optics::is_tape7(text) ? std::optional(std::move(text)) : std::nullopt;
 }
@@ -156,13 +150,13 @@ std::optional<std::string> tape7(const std::string& file) {
 void tell(const medium::OpticalTable& table, const Told& what, const OpticsCommand& command) {
   if (!command.output.empty()) {
     const io::OpticsOrigin origin = origin_of(what, command);
-    if (fs::path(command.output).extension() == ".csv")
+    if (format_of(command.output) == Format::csv)
       io::write_optics_csv(table, origin, command.output);
     else
       io::write_optics_netcdf(table, origin, command.output);
     if (!command.json)
-      print_out(where_it_is(command.output, "the optics of " + count(table.layers(), "layer") +
-                                                " at " + count(table.wavelengths(), "wavelength")));
+      print_out(where_it_is(command, "the optics of " + count(table.layers(), "layer") + " at " +
+                                         count(table.wavelengths(), "wavelength")));
   } else if (!command.json) {
     print_out(io::optics_text(table));
   }

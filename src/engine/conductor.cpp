@@ -122,6 +122,8 @@ void Conductor::tell(const tally::Totals& totals) {
   progress.max_time_s = asked_.max_time_s;
   progress.gates_converged = totals.converged_cells();
   progress.gates = totals.scored_cells();
+  progress.worst_error = totals.worst_error();
+  progress.target = asked_.target_relative_error;
   options_.progress(progress);
 }
 

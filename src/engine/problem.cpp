@@ -1,5 +1,7 @@
 #include "engine/problem.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -78,6 +80,17 @@ medium::Line channel_line(const scene::Channel& channel, std::size_t c,
   return mean;
 }
 
+/// The values of an environment that its name does not tell: "sea.layer.0.chlorophyll_mg_m3 = 2".
+std::string values_untold(const scene::Environment& environment) {
+  std::string out;
+  for (const auto& [path, value] : environment.set) {
+    const std::string key = path.substr(path.find_last_of('.') + 1);
+    if (environment.name.find(fmt::format("{} = {}", key, value)) != std::string::npos) continue;
+    out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", path, value);
+  }
+  return out;
+}
+
 }  // namespace
 
 scene::Check optics_check() {
@@ -104,7 +117,10 @@ tally::Result describe(const Problem& problem) {
   const auto& [scene, medium, gates, shape] = problem;
   tally::Result result;
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
-  for (const auto& e : scene.environment) result.environment_name.push_back(e.name);
+  for (const auto& e : scene.environment) {
+    result.environment_name.push_back(e.name);
+    result.environment_values.push_back(values_untold(e));
+  }
   for (const auto& s : scene.sensitivity) {
     result.parameter_name.push_back(s.path);
     result.parameter_value.push_back(s.value);
@@ -132,8 +148,9 @@ tally::Result describe(const Problem& problem) {
   result.title = scene.title;
   result.scene_toml = scene::write_scene(scene);
   result.estimator = scene.simulation.estimator;
+  result.estimator_reason = scene.simulation.estimator_reason.value_or("");
   result.seed = scene.simulation.seed;
-  result.sources = medium.sources;
+  for (const auto& source : medium.sources) result.sources.push_back(medium::source_line(source));
   return result;
 }
 

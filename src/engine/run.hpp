@@ -23,6 +23,8 @@ struct Progress {
   std::optional<double> max_time_s;
   std::size_t gates_converged = 0;  ///< over all telescopes and channels
   std::size_t gates = 0;            ///< those that light can reach
+  double worst_error = 0;           ///< the largest relative error of these
+  std::optional<double> target;     ///< what it is to come to
 };
 
 /// Where an earlier run of the same scene stood.

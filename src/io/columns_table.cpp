@@ -10,21 +10,19 @@
 namespace photic::io {
 namespace {
 
-constexpr std::size_t most_shown = 6;  // 10 + 6 * 15 columns: what fits a terminal of 100
-constexpr std::size_t widest = 22;
+constexpr std::size_t place_width = 10;
+constexpr std::size_t column_width = 15;  // "-999.12±999.12*", with a blank
 
 using Rows = std::vector<EchoRow>;
 
-/// The scene's rows and those of the columns that are shown.
+/// The rows of the scene, and of some of the columns.
 struct Shown {
   Rows scene;
   std::vector<Rows> columns;
-  std::size_t width = 0;  ///< of a column
 };
 
-Shown first_ones(const tally::Result& result, const Columns& columns) {
-  const std::size_t count = std::min(columns.names.size(), most_shown);
-  Shown out{echo_rows(result), {}, std::min(widest, 90 / count)};
+Shown first_columns(const tally::Result& result, const Columns& columns, std::size_t count) {
+  Shown out{echo_rows(result), {}};
   for (std::size_t i = 0; i < count; ++i) out.columns.push_back(columns.rows(i));
   return out;
 }
@@ -34,57 +32,57 @@ std::string number(double value, int decimals) {
   return fmt::format("{:.{}f}", value, decimals);
 }
 
-/// The names of the columns, as many lines as the longest takes.
-std::string names(const std::string& place, const Columns& all, const Shown& shown) {
-  std::vector<std::vector<std::string>> columns;
-  std::size_t lines = 0;
-  for (std::size_t e = 0; e < shown.columns.size(); ++e) {
-    columns.push_back(wrapped(all.names[e], shown.width - 2));
-    lines = std::max(lines, columns.back().size());
-  }
-  std::string out;
-  for (std::size_t i = 0; i < lines; ++i) {
-    out += fmt::format("{:>10}", i + 1 == lines ? place : "");
-    for (const auto& column : columns) {
-      const std::size_t above = lines - column.size();  // empty: names end in one line
-      out += fmt::format("{:>{}} ", i < above ? "" : column[i - above], shown.width - 1);
-    }
-    out += '\n';
-  }
-  return out;
-}
-
-/// The gates of one telescope and channel, whose first row is `first`.
+/// The gates of one telescope and channel, whose first row is `first`, in the columns [from, to).
 std::string block(const tally::Result& result, const Columns& columns, const Shown& shown,
-                  std::size_t first, std::size_t step) {
-  std::string out = names(place_heading(result, shown.scene[first]), columns, shown);
+                  std::size_t first, std::size_t from, std::size_t to, std::size_t step) {
+  std::string out = fmt::format("{:>{}}", place_heading(result, shown.scene[first]), place_width);
+  for (std::size_t c = from; c < to; ++c)
+    out += fmt::format("{:>{}} ", column_letters(c), column_width - 1);
+  out += '\n';
   for (std::size_t i = first; i < first + result.gates(); i += step) {
     const EchoRow& scene = shown.scene[i];
-    out += fmt::format("{:>10}", place_text(scene));
-    for (const Rows& rows : shown.columns)
-      out += fmt::format("{:>{}}{}", columns.text(scene, rows[i]), shown.width - 1,
-                         scene.converged() && rows[i].converged() ? ' ' : '*');
+    out += fmt::format("{:>{}}", place_text(scene), place_width);
+    for (std::size_t c = from; c < to; ++c) {
+      const EchoRow& row = shown.columns[c][i];
+      out += fmt::format("{:>{}}{}", columns.text(scene, row), column_width - 1,
+                         scene.converged() && row.converged() ? ' ' : '*');
+    }
     out += '\n';
   }
   return trimmed(out);
 }
 
-/// Why the columns shown have not converged, and how many of their gates have.
-std::string below(const Columns& columns, const Shown& shown) {
-  Rows all;
-  std::string counts = "converged";
-  for (std::size_t e = 0; e < shown.columns.size(); ++e) {
-    const Rows& rows = shown.columns[e];
-    all.insert(all.end(), rows.begin(), rows.end());
-    const auto count =
-        std::count_if(rows.begin(), rows.end(), [](const EchoRow& row) { return row.converged(); });
-    counts += fmt::format("{} {} {} of {} gates", e == 0 ? "" : ",", columns.names[e], count,
-                          rows.size());
+std::string meanings(const Columns& columns, const Shown& shown, std::size_t width) {
+  std::string out;
+  for (std::size_t c = 0; c < shown.columns.size(); ++c) {
+    const Rows& rows = shown.columns[c];
+    const auto converged = std::ranges::count_if(rows, &EchoRow::converged);
+    out += paragraph(fmt::format("  {} {} ({} of {} gates converged)", column_letters(c),
+                                 columns.meanings[c], converged, rows.size()),
+                     width, 4);
   }
-  return legend(all) + counts + '\n';
+  const std::size_t more = columns.meanings.size() - shown.columns.size();
+  if (more > 0)
+    out += paragraph(fmt::format("  {} more {} in the file, and printed with --table full", more,
+                                 more == 1 ? "is" : "are"),
+                     width, 4);
+  return out;
+}
+
+Rows rows_of_all(const Shown& shown) {
+  Rows all;
+  for (const Rows& rows : shown.columns) all.insert(all.end(), rows.begin(), rows.end());
+  return all;
 }
 
 }  // namespace
+
+std::string column_letters(std::size_t column) {
+  std::string out;
+  for (std::size_t left = column + 1; left > 0; left = (left - 1) / 26)
+    out.insert(out.begin(), static_cast<char>('A' + (left - 1) % 26));
+  return out;
+}
 
 std::string with_error(double value, double error) {
   if (!std::isfinite(value) || !std::isfinite(error)) return "-";
@@ -93,21 +91,26 @@ std::string with_error(double value, double error) {
   return number(value, decimals) + "±" + number(error > 0 ? std::max(error, 1e-4) : 0, decimals);
 }
 
-std::string columns_table(const tally::Result& result, const Columns& columns, std::size_t step) {
-  if (columns.names.empty()) return "";
-  const Shown shown = first_ones(result, columns);
-  std::string out = fmt::format("\n{}\n\n", columns.title);
+std::string columns_table(const tally::Result& result, const Columns& columns, std::size_t step,
+                          const TableLayout& layout) {
+  if (columns.meanings.empty()) return "";
+  const std::size_t width = std::max(layout.width, least_width);
+  const std::size_t abreast = (width - place_width) / column_width;
+  const std::size_t all = columns.meanings.size();
+  const Shown shown =
+      first_columns(result, columns, layout.all_columns ? all : std::min(all, abreast));
+  std::string out = '\n' + paragraph(columns.title, width) + meanings(columns, shown, width) + '\n';
   for (std::size_t first = 0; first < shown.scene.size(); first += result.gates()) {
     const EchoRow& row = shown.scene[first];
-    out += fmt::format("telescope {}, channel {}\n", result.telescope_name[row.telescope],
-                       result.channel_name[row.channel]);
-    out += block(result, columns, shown, first, step) + '\n';
+    out += paragraph(fmt::format("telescope {}, channel {}", result.telescope_name[row.telescope],
+                                 result.channel_name[row.channel]),
+                     width);
+    for (std::size_t from = 0; from < shown.columns.size(); from += abreast)
+      out += block(result, columns, shown, first, from,
+                   std::min(from + abreast, shown.columns.size()), step);
+    out += '\n';
   }
-  const std::size_t more = columns.names.size() - shown.columns.size();
-  if (more > 0)
-    out +=
-        fmt::format("{} more {}{} in the file.\n", more, columns.noun, more == 1 ? " is" : "s are");
-  return out + below(columns, shown) + '\n';
+  return out + legend(rows_of_all(shown), width);
 }
 
 }  // namespace photic::io

@@ -10,6 +10,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/echo_rows.hpp"
+#include "io/table.hpp"
 #include "io/table_parts.hpp"
 
 namespace photic::io {
@@ -33,11 +34,16 @@ const char* const columns =
 bool has_environments(const tally::Result& result) { return !result.environment_name.empty(); }
 bool has_parameters(const tally::Result& result) { return !result.parameter_name.empty(); }
 
-std::string head(const tally::Result& result) {
-  std::string out = fmt::format("# {}\n", one_line(result.title));
-  out += fmt::format("# Photic {}{}{}, engine {}, seed {}{}{}{}\n", result.version, estimator_word,
-                     result.estimator, result.engine, result.seed, photons_word, result.photons,
+/// What a file of text says first, and photons_in_text looks for.
+std::string whose(const tally::Result& result) {
+  return fmt::format("# {}\n# Photic {}{}{}, engine {}, seed {}{}{}{}\n", one_line(result.title),
+                     result.version, estimator_word, result.estimator, result.engine, result.seed,
+                     photons_word, result.photons,
                      result.partial ? " (partial: interrupted)" : "");
+}
+
+std::string head(const tally::Result& result) {
+  std::string out = whose(result);
   if (const std::string rested = rested_channels(result); !rested.empty())
     out += fmt::format("# photons of channels that met the target before others: {}\n",
                        one_line(rested));
@@ -116,7 +122,13 @@ void write_csv(const tally::Result& result, const std::string& path, const std::
   write_atomically(path, echo_csv(result), keep_as);
 }
 
-std::optional<std::uint64_t> photons_in_csv(const std::string& path) {
+void write_table(const tally::Result& result, const std::string& path,
+                 const std::string& keep_as) {
+  const TableLayout full{.most_rows = result.gates(), .all_columns = true};
+  write_atomically(path, whose(result) + '\n' + echo_table(result, full), keep_as);
+}
+
+std::optional<std::uint64_t> photons_in_text(const std::string& path) {
   std::ifstream file(path);
   std::string title, about;
   std::getline(file, title);

@@ -1,5 +1,5 @@
-// The echoes as comma-separated values, for spreadsheets and quick looks. Everything else a run
-// tells is in the netCDF file (io/netcdf.hpp).
+// The echoes as text: comma-separated values for spreadsheets, the printed table for people.
+// Everything else a run tells is in the netCDF file (io/netcdf.hpp).
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,12 @@ std::string echo_csv(const tally::Result& result);
 void write_csv(const tally::Result& result, const std::string& path,
                const std::string& keep_as = "");
 
-/// How many photons a file tells of that write_csv wrote; nothing if it is another file.
-std::optional<std::uint64_t> photons_in_csv(const std::string& path);
+/// The same of echo_table with all gates and columns, after the two lines that tell whose it is.
+void write_table(const tally::Result& result, const std::string& path,
+                 const std::string& keep_as = "");
+
+/// How many photons a file tells of that write_csv or write_table wrote; nothing if it is another
+/// file.
+std::optional<std::uint64_t> photons_in_text(const std::string& path);
 
 }  // namespace photic::io

@@ -11,17 +11,26 @@ std::string ratio_text(const EchoRow& scene, const EchoRow& environment) {
                     environment.difference_standard_error / scene.echo);
 }
 
+/// Its name, and the values that the name does not tell.
+std::string meaning(const tally::Result& result, std::size_t environment) {
+  const std::string& values = result.environment_values[environment];
+  return result.environment_name[environment] + (values.empty() ? "" : ": " + values);
+}
+
 }  // namespace
 
-std::string environment_table(const tally::Result& result, std::size_t step) {
+std::string environment_table(const tally::Result& result, std::size_t step,
+                              const TableLayout& layout) {
+  std::vector<std::string> meanings;
+  for (std::size_t e = 0; e < result.environment_name.size(); ++e)
+    meanings.push_back(meaning(result, e));
   return columns_table(
       result,
       {.title = "Environments: echo over that of the scene, with its standard error",
-       .noun = "environment",
-       .names = result.environment_name,
+       .meanings = meanings,
        .rows = [&](std::size_t e) { return environment_rows(result, e); },
        .text = ratio_text},
-      step);
+      step, layout);
 }
 
 }  // namespace photic::io

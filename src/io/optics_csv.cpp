@@ -87,13 +87,6 @@ std::string name_in_files(const std::string& constituent) {
   return out;
 }
 
-std::string source_line(const OpticalTable::Source& source) {
-  const std::string where = source.first_nm == source.last_nm
-                                ? fmt::format("{:.6g}", source.first_nm)
-                                : fmt::format("{:.6g}-{:.6g}", source.first_nm, source.last_nm);
-  return fmt::format("{}, {} nm: {}", source.quantity, where, source.source);
-}
-
 std::vector<std::string> source_lines(const OpticalTable::Emission& emission) {
   std::vector<std::string> out;
   for (const auto& source : emission.sources)

@@ -46,8 +46,6 @@ EdgeNames edge_names(const medium::OpticalTable& table);
 /// is the share which excites fluorescence.
 std::string name_in_files(const std::string& constituent);
 
-/// "a of water, 300-700 nm: source [status]".
-std::string source_line(const medium::OpticalTable::Source& source);
 /// "raman light: source [status]", one for each source.
 std::vector<std::string> source_lines(const medium::OpticalTable::Emission& emission);
 

@@ -14,13 +14,9 @@
 namespace photic::io {
 namespace {
 
-constexpr std::size_t channels_abreast = 4;  // 10 + 4 * 22 columns: what fits a terminal of 100
-
-/// "12 345 678"
-std::string grouped(std::uint64_t number) {
-  std::string digits = fmt::format("{}", number);
-  for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, 1, ' ');
-  return digits;
+/// Channels of 22 columns beside the depth.
+std::size_t channels_abreast(std::size_t width) {
+  return std::max<std::size_t>(1, (std::max(width, least_width) - 10) / 22);
 }
 
 std::string relative_error_text(double relative_error) {
@@ -60,62 +56,91 @@ std::string block(const tally::Result& result, const std::vector<EchoRow>& rows,
   return trimmed(out) + '\n';
 }
 
-std::string tables(const tally::Result& result, const std::vector<EchoRow>& rows,
-                   std::size_t step) {
-  std::string out = result.title.empty() ? "" : result.title + '\n';
-  out += "Echo: photons detected in the gate per photon emitted; error: standard error over echo";
-  out += step > 1 ? fmt::format("; shown: 1 gate of {}\n\n", step) : "\n\n";
+std::string tables(const tally::Result& result, const std::vector<EchoRow>& rows, std::size_t step,
+                   std::size_t width) {
+  std::string about =
+      "Echo: photons detected in the gate per photon emitted; error: standard error over echo";
+  if (step > 1) about += fmt::format("; shown: 1 gate of {}", step);
+  std::string out = result.title.empty() ? "" : paragraph(result.title, width);
+  out += paragraph(about, width) + '\n';
+  const std::size_t abreast = channels_abreast(width);
   for (std::size_t t = 0; t < result.telescopes(); ++t) {
     out += fmt::format("telescope {}\n", result.telescope_name[t]);
-    for (std::size_t c = 0; c < result.channels(); c += channels_abreast)
-      out += block(result, rows, t, c, std::min(c + channels_abreast, result.channels()), step);
+    for (std::size_t c = 0; c < result.channels(); c += abreast)
+      out += block(result, rows, t, c, std::min(c + abreast, result.channels()), step);
   }
   if (result.channels() > 1)
-    out += fmt::format("{}: of light scattered once, in the first channel of the table.\n",
-                       result.gate_depth_is_range ? "Range" : "Depth");
+    out += paragraph(fmt::format("{}: of light scattered once, in the first channel of the table.",
+                                 result.gate_depth_is_range ? "Range" : "Depth"),
+                     width);
   return out;
 }
 
-std::string converged_counts(const tally::Result& result, const std::vector<EchoRow>& rows) {
-  const std::size_t gates = result.gates();
-  std::string out = "converged";
-  for (std::size_t t = 0; t < result.telescopes(); ++t) {
-    if (result.telescopes() > 1) out += fmt::format("\n  {}:", result.telescope_name[t]);
-    for (std::size_t c = 0; c < result.channels(); ++c) {
-      const auto first =
-          rows.begin() + static_cast<std::ptrdiff_t>((t * result.channels() + c) * gates);
-      const auto count = std::count_if(first, first + static_cast<std::ptrdiff_t>(gates),
-                                       [](const EchoRow& row) { return row.converged(); });
-      out += fmt::format("{} {} {} of {} gates", c == 0 ? "" : ",", result.channel_name[c], count,
-                         gates);
-    }
+/// Of one telescope: "elastic 45 of 100 gates, raman 94".
+std::string converged_counts(const tally::Result& result, const std::vector<EchoRow>& rows,
+                             std::size_t telescope) {
+  const auto gates = static_cast<std::ptrdiff_t>(result.gates());
+  std::string out;
+  for (std::size_t c = 0; c < result.channels(); ++c) {
+    const auto first =
+        rows.begin() + static_cast<std::ptrdiff_t>(telescope * result.channels() + c) * gates;
+    const auto count =
+        std::count_if(first, first + gates, [](const EchoRow& row) { return row.converged(); });
+    out += fmt::format("{}{} {} of {}", c == 0 ? "" : ", ", result.channel_name[c], count, gates);
   }
-  return out + '\n';
+  return out + " gates";
 }
 
-std::string run_summary(const tally::Result& result) {
-  std::string out = fmt::format("{} photons in {:.3g} s on {} thread{}", grouped(result.photons),
+std::string converged(const tally::Result& result, const std::vector<EchoRow>& rows,
+                      std::size_t width) {
+  if (result.telescopes() == 1)
+    return paragraph("converged: " + converged_counts(result, rows, 0), width);
+  std::string out = "converged\n";
+  for (std::size_t t = 0; t < result.telescopes(); ++t)
+    out += paragraph("  " + result.telescope_name[t] + ": " + converged_counts(result, rows, t),
+                     width, 4);
+  return out;
+}
+
+std::string pace(const tally::Result& result) {
+  std::string out = fmt::format("{} photons in {:.3g} s on {} thread{}",
+                                with_prefix(static_cast<double>(result.photons)),
                                 result.wall_time_s, result.threads, result.threads == 1 ? "" : "s");
   if (result.wall_time_s > 0)
-    out += fmt::format(": {:.3g} million photons/s, {:.3g} million collisions/s",
-                       static_cast<double>(result.photons) / result.wall_time_s / 1e6,
-                       static_cast<double>(result.collisions) / result.wall_time_s / 1e6);
-  if (const std::string rested = rested_channels(result); !rested.empty())
-    out += "\nphotons of channels that met the target before others: " + rested;
-  out += fmt::format("\nstopped by: {}{}\n", result.stopped_by,
-                     result.partial ? "; this is a partial result" : "");
-  for (const auto& warning : result.warnings) out += fmt::format("warning: {}\n", warning);
+    out += fmt::format(": {} photons/s, {} collisions/s",
+                       with_prefix(static_cast<double>(result.photons) / result.wall_time_s),
+                       with_prefix(static_cast<double>(result.collisions) / result.wall_time_s));
   return out;
+}
+
+std::string made_by(const tally::Result& result) {
+  return fmt::format(
+      "estimator: {}{}; seed: {}; engine: {}", result.estimator,
+      result.estimator_reason.empty() ? "" : " (auto: " + result.estimator_reason + ")",
+      result.seed, result.engine);
 }
 
 }  // namespace
 
-std::string echo_table(const tally::Result& result, std::size_t max_rows) {
-  expect(max_rows > 0, "a table has at least one row");
+std::string run_summary(const tally::Result& result, std::size_t width) {
+  std::string out = converged(result, echo_rows(result), width) + paragraph(pace(result), width) +
+                    paragraph(made_by(result), width);
+  if (const std::string rested = rested_channels(result); !rested.empty())
+    out += paragraph("photons of channels that met the target before others: " + rested, width);
+  out += fmt::format("stopped by: {}{}\n", result.stopped_by,
+                     result.partial ? "; this is a partial result" : "");
+  for (const auto& warning : result.warnings) out += paragraph("warning: " + warning, width);
+  return out;
+}
+
+std::string echo_table(const tally::Result& result, const TableLayout& layout) {
+  expect(layout.most_rows > 0, "a table has at least one row");
   const std::vector<EchoRow> rows = echo_rows(result);
-  const std::size_t step = (result.gates() + max_rows - 1) / max_rows;
-  return tables(result, rows, step) + legend(rows) + converged_counts(result, rows) +
-         environment_table(result, step) + sensitivity_table(result, step) + run_summary(result);
+  const std::size_t step = (result.gates() + layout.most_rows - 1) / layout.most_rows;
+  const std::size_t width = std::max(layout.width, least_width);
+  return tables(result, rows, step, width) + legend(rows, width) +
+         environment_table(result, step, layout) + sensitivity_table(result, step, layout) + '\n' +
+         run_summary(result, width);
 }
 
 }  // namespace photic::io

@@ -1,17 +1,26 @@
 // The echoes as a table for the terminal.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "tally/result.hpp"
 
 namespace photic::io {
 
+/// How much of a result a table shows.
+struct TableLayout {
+  std::size_t most_rows = 26;  ///< above 0; of more gates every second, third … is shown
+  std::size_t width = 100;     ///< of lines, in columns; at least 40 are used
+  bool all_columns = false;    ///< environments and parameters that do not fit stand below
+};
+
 /// For each telescope a table: gates down, channels across, each with its echo and relative error,
-/// '*' where it has not converged. Below: why, how many gates converged, the environments
-/// and sensitivities (io/environment_table.hpp, io/sensitivity_table.hpp), what the run took,
-/// warnings. When there are more gates than `max_rows`, every second, third … is shown. Ends with a
-/// newline.
-std::string echo_table(const tally::Result& result, std::size_t max_rows = 26);
+/// '*' where it has not converged. Below: why, the environments and sensitivities
+/// (io/columns_table.hpp), the summary. Ends with a newline.
+std::string echo_table(const tally::Result& result, const TableLayout& layout = {});
+
+/// How many gates converged, what the run took and was made by, why it stopped, warnings.
+std::string run_summary(const tally::Result& result, std::size_t width);
 
 }  // namespace photic::io

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -60,17 +61,38 @@ std::string place_heading(const tally::Result& result, const EchoRow& row) {
   return result.gate_depth_is_range ? "range [m]" : "depth [m]";
 }
 
-std::string legend(const std::vector<EchoRow>& rows) {
+std::string legend(const std::vector<EchoRow>& rows, std::size_t width) {
   std::string out;
   for (const auto& meaning : tally::flag_meanings()) {
     const auto count = std::count_if(rows.begin(), rows.end(), [&](const EchoRow& row) {
       return (row.flags & meaning.flag) != 0;
     });
     if (count > 0)
-      out += fmt::format("  {:<20} {:>6} {}  {}\n", meaning.name, count,
-                         count == 1 ? "gate: " : "gates:", meaning.explanation);
+      out += paragraph(fmt::format("  {}, {} gate{}: {}", meaning.name, count,
+                                   count == 1 ? "" : "s", meaning.explanation),
+                       width, 4);
   }
   return out.empty() ? out : "* not converged, because\n" + out;
+}
+
+std::string paragraph(const std::string& text, std::size_t width, std::size_t indent) {
+  const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
+  std::string out;
+  for (const std::string& line :
+       wrapped(text, std::max(width, least_width) - std::max(first, indent)))
+    out += std::string(out.empty() ? first : indent, ' ') + line + '\n';
+  return out;
+}
+
+std::string with_prefix(double number) {
+  constexpr std::array<const char*, 6> prefixes{"", " k", " M", " G", " T", " P"};
+  std::size_t k = 0;
+  while (std::abs(number) >= 999.5 && k + 1 < prefixes.size()) {
+    number /= 1000;
+    ++k;
+  }
+  if (k == 0) return fmt::format("{:.3g}", number);
+  return fmt::format("{:.{}f}{}", number, number < 9.995 ? 2 : number < 99.95 ? 1 : 0, prefixes[k]);
 }
 
 std::vector<std::string> wrapped(const std::string& text, std::size_t width) {

@@ -21,8 +21,18 @@ std::string one_line(std::string text);
 std::string place_text(const EchoRow& row);
 std::string place_heading(const tally::Result& result, const EchoRow& row);
 
+/// Narrower lines than this are not made.
+inline constexpr std::size_t least_width = 40;
+
 /// Each reason why gates have not converged, with the number of gates it concerns.
-std::string legend(const std::vector<EchoRow>& rows);
+std::string legend(const std::vector<EchoRow>& rows, std::size_t width);
+
+/// A text in lines of at most `width` letters, each with its newline; all but the first are set
+/// back by `indent`. Blanks at its beginning are kept.
+std::string paragraph(const std::string& text, std::size_t width, std::size_t indent = 2);
+
+/// "4.00 M", "91.2 k", "512": three digits and a prefix of the SI.
+std::string with_prefix(double number);
 
 /// A text in lines of at most `width` letters, broken at blanks; a word that is longer is cut,
 /// after a dot if it can be.

@@ -37,10 +37,8 @@ void add_line_tables(const scene::Scene& scene, const LayerOptics& optics_of,
     medium.absorption.push_back((water.a_per_m - given_back) / c);
     medium.elastic_phase.push_back(medium.add_phase(
         optics::PhaseTable(optics_of.phase(layer, medium.line[l].wavelength_nm, water))));
-    for (const auto& source : sources_of(water)) {
-      medium.sources.push_back(
-          fmt::format("layer {} at {:.2f} nm: {}", k, medium.line[l].wavelength_nm, source));
-    }
+    for (const Contribution& each : water.contributions)
+      add_source(each, medium.line[l].wavelength_nm, medium.sources);
   }
 }
 
@@ -66,7 +64,9 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
     line.counted_by = emitted.counted_by;
     medium.line.push_back(std::move(line));
   }
-  medium.sources = sources_of(light);
+  for (const EmissionSource& of : light.sources)
+    for (const double nm : {of.first_nm, of.last_nm})
+      add_source(fmt::format("{} light", process_name(of.process)), of.source, nm, medium.sources);
   for (std::size_t l = 0; l < medium.line.size(); ++l) {
     add_line_tables(scene, optics_of, light.lines, l, medium);
     medium.conversion_phase.push_back(conversion_phase(medium, medium.line[l].process, library));

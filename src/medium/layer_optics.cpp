@@ -74,20 +74,6 @@ WaterOptics of_table(const scene::Layer& layer, double wavelength_nm) {
 
 }  // namespace
 
-std::vector<std::string> sources_of(const WaterOptics& water) {
-  std::vector<std::string> out;
-  for (const auto& [name, a, b, source] : water.contributions) {
-    if (a && b) {
-      const std::string whose = name.empty() ? "" : name + ' ';
-      out.push_back(fmt::format("{}a = {:.5g} 1/m, b = {:.5g} 1/m: {}", whose, *a, *b, source));
-    } else if (a || b) {
-      out.push_back(
-          fmt::format("{} of {} = {:.5g} 1/m: {}", a ? 'a' : 'b', name, a ? *a : *b, source));
-    }
-  }
-  return out;
-}
-
 LayerOptics::LayerOptics(const scene::Scene& scene, const optics::Library& library)
     : scene_(&scene), library_(&library) {}
 

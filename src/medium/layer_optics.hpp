@@ -39,9 +39,6 @@ struct WaterOptics {
   [[nodiscard]] double albedo() const { return b_per_m / (a_per_m + b_per_m); }
 };
 
-/// "a of CDOM = 0.012 1/m: source [status]", one for each contribution.
-std::vector<std::string> sources_of(const WaterOptics& water);
-
 /// What has one phase function.
 enum class Scatterer { all, water, phytoplankton, minerals };
 

@@ -142,18 +142,6 @@ EmittedLight emitted_light(const scene::Scene& scene, const optics::Library& lib
   return light;
 }
 
-std::vector<std::string> sources_of(const EmittedLight& light) {
-  std::vector<std::string> out;
-  for (const auto& s : light.sources) {
-    const bool many = s.first_nm < s.last_nm;
-    out.push_back(fmt::format("layer {}: {} light at {:.2f}{} nm = {:.5g} 1/m: {}", s.layer,
-                              process_name(s.process), s.first_nm,
-                              many ? fmt::format(" to {:.2f}", s.last_nm) : "", s.coefficient_per_m,
-                              s.source));
-  }
-  return out;
-}
-
 double emitted_per_m(const std::vector<EmittedLine>& lines, const scene::Scene& scene,
                      std::size_t layer, double a_per_m) {
   double sum = 0;

@@ -52,9 +52,6 @@ struct EmittedLight {
   std::vector<EmissionSource> sources;  ///< of the coefficients that are not 0
 };
 
-/// "layer 0: raman light at 649.48 nm = 2e-4 1/m: source [status]", one for each source.
-std::vector<std::string> sources_of(const EmittedLight& light);
-
 /// The light that a channel of the scene counts. A spectrum is cut into lines that are at most
 /// 5 nm apart, each where the mean of its light is. By layer: its optics at the laser's wavelength.
 /// Throws InputError for tables that are of no use, and for more lines than a walk can choose from.

@@ -14,6 +14,7 @@
 #include "core/lanes.hpp"
 #include "core/twin_table.hpp"
 #include "medium/layering.hpp"
+#include "medium/sources.hpp"
 #include "optics/phase_table.hpp"
 
 namespace photic::medium {
@@ -227,7 +228,7 @@ class Medium {
   std::vector<std::int32_t> elastic_phase, conversion_phase;
   std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam
   EnvironmentTables environments;
-  std::vector<std::string> sources;  ///< "quantity = value: source [status]"
+  std::vector<Source> sources;  ///< of all that it is made of
 
   /// Adds a phase function, or finds the equal one that is there already; returns its number.
   std::int32_t add_phase(const optics::PhaseTable& table);

@@ -30,11 +30,6 @@ void add_phase(const optics::PhaseTable& phase, OpticalTable& table) {
     table.phase_function_per_sr.push_back(phase.view().value<double>(x_of_angle(angle)));
 }
 
-std::string quantity_of(const Contribution& contribution) {
-  const std::string which = !contribution.b_per_m ? "a" : contribution.a_per_m ? "a and b" : "b";
-  return which + (contribution.name.empty() ? "" : " of " + contribution.name);
-}
-
 /// The optics of all layers at the laser's wavelength.
 std::vector<WaterOptics> at_laser(const scene::Scene& scene, const LayerOptics& optics_of) {
   std::vector<WaterOptics> out;
@@ -98,19 +93,6 @@ std::vector<double> OpticalTable::albedo() const {
   return albedo;
 }
 
-void add_source(const std::string& quantity, const std::string& source, double nm,
-                std::vector<OpticalTable::Source>& sources) {
-  const auto known = std::ranges::find_if(sources, [&](const OpticalTable::Source& s) {
-    return s.quantity == quantity && s.source == source;
-  });
-  if (known == sources.end()) {
-    sources.push_back({quantity, nm, nm, source});
-    return;
-  }
-  known->first_nm = std::min(known->first_nm, nm);
-  known->last_nm = std::max(known->last_nm, nm);
-}
-
 double x_of_angle(double angle_deg) {
   const double half = std::sin(angle_deg * radian_per_degree / 2);
   return 2 * half * half;
@@ -159,7 +141,7 @@ OpticalTable optical_table(const scene::Scene& scene, const optics::Library& lib
       table.a_exciting_per_m.push_back(waters.back().a_exciting_per_m);
       add_phase(optics::PhaseTable(optics_of.phase(layer, nm, waters.back())), table);
       for (const Contribution& each : waters.back().contributions)
-        add_source(quantity_of(each), each.source, nm, table.sources);
+        add_source(each, nm, table.sources);
     }
   }
   table.parts = parts_of(waters, backscattering);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "medium/sources.hpp"
 #include "optics/library.hpp"
 #include "scene/scene.hpp"
 
@@ -24,12 +25,6 @@ struct OpticalTable {
   struct Part {
     std::string name;
     std::vector<double> a_per_m, b_per_m, bb_per_m;
-  };
-  /// Where numbers come from: "a of water", and the wavelengths they were taken for.
-  struct Source {
-    std::string quantity;
-    double first_nm = 0, last_nm = 0;
-    std::string source;
   };
   /// What the layers emit by one process [photons per metre and photon of the exciting light].
   struct Emission {
@@ -63,10 +58,6 @@ struct OpticalTable {
   [[nodiscard]] std::vector<double> bb_per_m() const;  ///< backscattering
   [[nodiscard]] std::vector<double> albedo() const;    ///< b / c
 };
-
-/// Adds where a number comes from, or another wavelength that it comes from there at.
-void add_source(const std::string& quantity, const std::string& source, double wavelength_nm,
-                std::vector<OpticalTable::Source>& sources);
 
 /// 1 - cos, with its digits near the forward direction.
 double x_of_angle(double angle_deg);

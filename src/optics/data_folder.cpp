@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/program.hpp"
 
 namespace photic::optics {
 namespace {
@@ -30,9 +31,8 @@ std::string find_data_folder() {
         fmt::format("no data tables in {} (named by PHOTIC_DATA): it has no {}", given, landmark));
   }
   std::vector<fs::path> places;
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) places.push_back((program.parent_path() / "../share/photic/data").lexically_normal());
+  if (const fs::path prefix = program_prefix(); !prefix.empty())
+    places.push_back(prefix / "share/photic/data");
   places.emplace_back(PHOTIC_SOURCE_DATA_DIR);
   std::string looked;
   for (const fs::path& place : places) {

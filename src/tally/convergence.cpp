@@ -118,6 +118,17 @@ std::size_t Totals::scored_cells() const {
   return count;
 }
 
+double Totals::worst_error() const {
+  double worst = 0;
+  for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
+    const Sums& s = state_.echo[cell].low;
+    if (s.x == 0) continue;
+    const double error = standard_error(s, counted(cell)) / mean(s, counted(cell));
+    if (!(error <= worst)) worst = error;
+  }
+  return worst;
+}
+
 void Totals::let_rest_at(double relative_error) {
   if (state_.resting_target == relative_error) return;
   state_.resting_target = relative_error;

@@ -62,6 +62,7 @@ struct Result {
 
   // The same of the environments, if there are any.
   std::vector<std::string> environment_name;
+  std::vector<std::string> environment_values;  ///< that its name does not tell: "path = value, …"
   Estimates environment_echo;        ///< [environment][telescope][channel][gate]
   Estimates environment_difference;  ///< the same: less the echo; its error is its own
   std::vector<std::int32_t> environment_convergence_flags;  ///< of environment_echo
@@ -75,6 +76,7 @@ struct Result {
 
   // The run.
   std::string title, scene_toml, version, engine, estimator;
+  std::string estimator_reason;  ///< why "auto" chose it; empty: the scene names it
   std::uint64_t seed = 0;
   std::uint64_t photons = 0;                   ///< emitted
   std::vector<std::uint64_t> channel_photons;  ///< [telescope][channel]: that its echoes are means
@@ -90,7 +92,7 @@ struct Result {
   Ledger ledger;                     ///< as shares of the photons emitted; sums to 1 in expectation
   double ledger_standard_error = 0;  ///< of that sum; NaN of a single batch
   std::vector<std::string> warnings;  ///< for the user, one sentence each
-  std::vector<std::string> sources;   ///< "quantity = value: source [status]" of the optics used
+  std::vector<std::string> sources;   ///< "a of water, 532 nm: source [status]" of the optics used
 
   /// What a longer run goes on from: the state after the last whole batch. An incomplete batch at
   /// the end is not in it, since a longer run would have done that batch whole.

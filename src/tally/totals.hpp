@@ -46,6 +46,8 @@ class Totals {
   [[nodiscard]] bool all_converged(double relative_error) const;
   [[nodiscard]] std::size_t converged_cells() const;
   [[nodiscard]] std::size_t scored_cells() const;
+  /// The largest relative error of the cells that have been scored in; NaN after a single batch.
+  [[nodiscard]] double worst_error() const;
 
   /// Estimates and counts of the tallies into a result. The last environments are the tangents of
   /// the parameters whose values the result has.

@@ -156,6 +156,7 @@ class Maker {
     result_.version = "0.1.0";
     result_.engine = "scalar";
     result_.estimator = "forward";
+    result_.environment_values.assign(result_.environment_name.size(), "");
     result_.seed = 1;
     result_.photons = 20'000'000;
     result_.stopped_by = "photons";

@@ -1,0 +1,268 @@
+#include "photic/subcommands.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "photic/quantities.hpp"
+
+namespace photic::app {
+namespace {
+
+void add_overrides(CLI::App& app, std::vector<scene::Override>& overrides) {
+  app.add_option(
+         "--set", overrides,
+         "Replace a value of the scene (sea.layer.0.chlorophyll_mg_m3=0.5); may be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+}
+
+/// An option whose text is looked at as it is taken: a std::invalid_argument is told with the flag.
+void add_checked(CLI::App& app, const std::string& flag, const std::string& type,
+                 const std::string& description,
+                 const std::function<void(const std::string& text)>& take) {
+  app.add_option_function<std::string>(
+         flag,
+         [flag, take](const std::string& text) {
+           try {
+             take(text);
+           } catch (const std::invalid_argument& problem) {
+             throw CLI::ValidationError(flag, problem.what());
+           }
+         },
+         description)
+      ->type_name(type);
+}
+
+/// An option that stands for one value of the scene: the effective scene tells what ran.
+void add_scene_value(CLI::App& app, std::vector<scene::Override>& overrides,
+                     const std::string& flag, const std::string& type, const std::string& path,
+                     const std::string& description, std::string (*value)(const std::string&)) {
+  add_checked(app, flag, type, description, [&overrides, path, value](const std::string& text) {
+    overrides.push_back(path + "=" + value(text));
+  });
+}
+
+/// An option that takes one of some words.
+void add_choice(CLI::App& app, const std::string& flag, std::string& variable,
+                const std::string& type, const std::vector<std::string>& choices,
+                const std::string& description, Notes& notes) {
+  CLI::Option* option = app.add_option(flag, variable, description)->type_name(type);
+  option->check(CLI::IsMember(choices));
+  notes.choices[option] = choices;
+}
+
+void add_seed(CLI::App& app, std::vector<scene::Override>& overrides) {
+  add_scene_value(app, overrides, "--seed", "S", "simulation.seed", "Seed of the random numbers",
+                  seed_value);
+}
+
+void add_threads(CLI::App& app, int& threads, const std::string& description) {
+  app.add_option("--threads", threads, description)->type_name("T")->check(CLI::Range(1, 4096));
+}
+
+CLI::Option* add_scene(CLI::App& app, std::string& scene, const std::string& description) {
+  return app.add_option("scene", scene, description)->type_name("SCENE");
+}
+
+void add_json(CLI::App& app, bool& json) { app.add_flag("--json", json, "Print as JSON"); }
+
+/// When a run stops, all of them values of the scene.
+void add_ends(CLI::App& sub, std::vector<scene::Override>& values) {
+  add_scene_value(sub, values, "--photons", "N", "simulation.photons",
+                  "Stop after N photons (1e7 is accepted)", photons_value);
+  add_scene_value(sub, values, "--target", "SHARE", "simulation.target_relative_error",
+                  "Stop when every gate is converged below this relative error (1%)", share_value);
+  add_scene_value(sub, values, "--max-time", "TIME", "simulation.max_time_s",
+                  "Stop after this time (60s, 10min, 2h)", seconds_value);
+}
+
+void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& values, Notes& notes) {
+  CLI::App& sub = *app.add_subcommand("run", "Simulate a scene and write its echoes");
+  add_scene(sub, run.scene, "The scene file [with --continue: that of the earlier result]");
+  sub.add_option("-o,--output", run.output,
+                 "The result: .nc (netCDF), .csv, .txt (the table as printed), or a folder "
+                 "[default: the scene's name, .nc, in the current folder]")
+      ->type_name("FILE");
+  sub.add_option("--continue", run.earlier,
+                 "Go on from this result or checkpoint of the same scene; photons are the total")
+      ->type_name("RESULT.nc");
+  add_ends(sub, values);
+  add_seed(sub, values);
+  add_overrides(sub, run.overrides);
+  add_choice(sub, "--table", run.table, "HOW", {"short", "full", "none"},
+             "The echoes on the terminal: short (26 gates at most), full (all gates, all "
+             "environments) or none [default: short]",
+             notes);
+  sub.add_flag("-q,--quiet", run.quiet, "Print nothing but warnings and errors");
+  sub.add_flag("--json", run.json, "Print the table of echoes as JSON");
+  add_threads(sub, run.threads,
+              "Number of threads [default: all cores]; the result does not depend on it");
+  add_choice(sub, "--engine", run.engine, "ENGINE", {"scalar", "lanes"},
+             "What walks the photons: lanes (many at a time in float) or scalar (in double, the "
+             "reference) [default: lanes, or what --continue goes on from]",
+             notes);
+  add_choice(sub, "--isa", run.isa, "ISA", {"avx512", "avx2", "baseline"},
+             "Instructions of the lanes: avx512, avx2 or baseline [default: the best that the "
+             "processor has]",
+             notes);
+  add_checked(sub, "--checkpoint", "TIME",
+              "Write the result so far this often [default: every 30s, after the first minute]",
+              [&run](const std::string& text) { run.checkpoint_s = seconds(text); });
+  sub.add_flag(
+      "--force", run.force,
+      "Replace whatever is where the result goes: results of other scenes, of more photons "
+      "than this run's, other files");
+  notes.examples["run"] = {
+      {"photic run my.toml", "the echoes as a table, and my.nc"},
+      {"photic run my.toml --target 1% --max-time 10min", "until the errors are small"},
+      {"photic run my.toml --continue my.nc --photons 1e9", "more photons for my.nc"},
+      {"photic run my.toml -o green.nc --set sea.layer.0.chlorophyll_mg_m3=0.5", "other water"}};
+}
+
+/// What is drawn, and how, is the Python package's business: it checks the values.
+void add_plot(CLI::App& app, PlotCommand& plot, Notes& notes) {
+  CLI::App& sub =
+      *app.add_subcommand("plot", "Draw results, or what photic optics wrote, as a picture");
+  sub.add_option("results", plot.results, "Results; several are drawn over each other")
+      ->type_name("RESULT.nc")
+      ->required();
+  sub.add_option("-o,--output", plot.output,
+                 "The picture: .png, .pdf or .svg [default: the first result's name, .png]")
+      ->type_name("FILE");
+  sub.add_option("--title", plot.title, "[default: the scene's title]")->type_name("TEXT");
+  sub.add_option("--telescope", plot.telescopes, "Only this one; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  sub.add_option("--channel", plot.channels, "Only this one; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  sub.add_option("--width-mm", plot.width_mm, "Width of the picture, for a journal's column")
+      ->type_name("MM");
+  notes.examples["plot"] = {
+      {"photic plot my.nc", "my.png"},
+      {"photic plot clear.nc green.nc -o both.pdf", "two results over each other"},
+      {"photic plot my.nc -o my.svg --width-mm 84", "for one column of a journal"}};
+}
+
+void add_bench(CLI::App& app, BenchCommand& bench, std::vector<scene::Override>& values,
+               Notes& notes) {
+  CLI::App& sub = *app.add_subcommand("bench", "Measure which estimator suits a scene best");
+  add_scene(sub, bench.scene, "The scene file")->required();
+  add_checked(sub, "--time", "TIME", "Time for all of it [default: 60s]",
+              [&bench](const std::string& text) { bench.time_s = bench_seconds(text); });
+  add_threads(sub, bench.threads, "Number of threads [default: all cores]");
+  add_seed(sub, values);
+  add_overrides(sub, bench.overrides);
+  add_json(sub, bench.json);
+  notes.examples["bench"] = {{"photic bench my.toml --time 5min", "surer than in one minute"}};
+}
+
+void add_check(CLI::App& app, CheckCommand& check, Notes& notes) {
+  CLI::App& sub = *app.add_subcommand("check", "Tell every problem of a scene");
+  add_scene(sub, check.scene, "The scene file")->required();
+  add_overrides(sub, check.overrides);
+  add_json(sub, check.json);
+  notes.examples["check"] = {{"photic check my.toml", "all that is wrong with it, by line"}};
+}
+
+void add_show(CLI::App& app, ShowCommand& show, Notes& notes) {
+  CLI::App& sub = *app.add_subcommand(
+      "show", "Print the scene of a file or a result, every default written out");
+  sub.add_option("file", show.file, "A scene file, or a result (.nc)")
+      ->required()
+      ->type_name("SCENE|RESULT.nc");
+  add_overrides(sub, show.overrides);
+  add_json(sub, show.json);
+  notes.examples["show"] = {{"photic show my.nc", "the scene that a result came from"}};
+}
+
+/// "" if it is key=value.
+std::string not_a_pair(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals != std::string::npos && equals > 0) return "";
+  return fmt::format("'{}' is not KEY=VALUE (write chlorophyll_mg_m3=0.5)", text);
+}
+
+/// What is told of instead of a scene's water.
+void add_optics_subjects(CLI::App& sub, OpticsCommand& optics) {
+  sub.add_option("--water", optics.water,
+                 "Instead of a scene: one layer with these keys (chlorophyll_mg_m3=0.5 "
+                 "cdom_a440_per_m=0.02); none: pure water")
+      ->type_name("KEY=VALUE")
+      ->expected(0, std::numeric_limits<int>::max())
+      ->check(CLI::Validator(not_a_pair, ""));
+  sub.add_option("--oil", optics.oil,
+                 "Instead of a scene: an oil, by its class (light-refined …) or a CSV file of its "
+                 "spectra")
+      ->type_name("CLASS|FILE");
+  sub.add_option("--air", optics.air,
+                 "Instead of a scene: the air, by an atmosphere (us-standard …), a CSV file of "
+                 "levels, or a tape6 or tape7 of MODTRAN")
+      ->type_name("NAME|FILE");
+  sub.add_option("--visibility", optics.visibility_km,
+                 "With --air: its aerosols are those of this visibility in km")
+      ->type_name("KM");
+  sub.add_option("--aerosol", optics.aerosol,
+                 "With --air: of the lowest 2 km: rural, maritime, urban … [default: rural]")
+      ->type_name("MODEL");
+}
+
+void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Override>& values,
+                Notes& notes) {
+  CLI::App& sub = *app.add_subcommand(
+      "optics", "Tell the optical properties of a scene's layers, of water, an oil or air");
+  add_scene(sub, optics.scene, "The scene file");
+  add_optics_subjects(sub, optics);
+  add_checked(
+      sub, "--wavelengths", "NM",
+      "355,532,685 or 400:700:10 [default: the laser's and those that the channels count; of air "
+      "and oil 300:700:50, of a tape7 all]",
+      [&optics](const std::string& text) { optics.wavelength_nm = wavelengths_nm(text); });
+  add_scene_value(sub, values, "--laser", "NM", "source.wavelength_nm",
+                  "Wavelength of the light that excites Raman and fluorescence light [default: the "
+                  "scene's; 532 with --water]",
+                  wavelength_value);
+  sub.add_option("-o,--output", optics.output, "Write them to a file, .nc or .csv")
+      ->type_name("FILE");
+  add_overrides(sub, optics.overrides);
+  add_json(sub, optics.json);
+  notes.examples["optics"] = {
+      {"photic optics my.toml", "what its water does to light, and whose numbers these are"},
+      {"photic optics --water chlorophyll_mg_m3=0.5 --wavelengths 400:700:10 -o water.nc",
+       "spectra as a file"}};
+}
+
+void add_new(CLI::App& app, NewCommand& starter, Notes& notes) {
+  CLI::App& sub = *app.add_subcommand("new", "Write a commented scene to start from");
+  sub.add_option("kind", starter.kind, "Which one: --list tells all")->type_name("KIND");
+  sub.add_flag("--list", starter.list, "Tell what there is, a line each");
+  sub.add_option("-o,--output", starter.output,
+                 "Where to [default: standard output]; never an existing file")
+      ->type_name("FILE");
+  notes.examples["new"] = {{"photic new ship -o my.toml", "a ship lidar over clear ocean water"}};
+}
+
+}  // namespace
+
+void add_subcommands(CLI::App& program, Commands& commands, Notes& notes) {
+  add_run(program, commands.run, commands.values, notes);
+  add_plot(program, commands.plot, notes);
+  add_new(program, commands.starter, notes);
+  add_check(program, commands.check, notes);
+  add_show(program, commands.show, notes);
+  add_optics(program, commands.optics, commands.values, notes);
+  add_bench(program, commands.bench, commands.values, notes);
+  program.add_subcommand("schema", "Print the JSON Schema of scene files, for editors");
+  program.add_subcommand("help", "Tell of the program, or all of a command")
+      ->add_option("command", commands.help.command, "The command to tell of")
+      ->type_name("COMMAND");
+  notes.examples["photic"] = {{"photic new ship -o my.toml", "a commented scene to start from"},
+                              {"photic check my.toml", "all that is wrong with it"},
+                              {"photic run my.toml", "simulate it; the result is my.nc"},
+                              {"photic plot my.nc -o my.png", "its echoes as a picture"}};
+}
+
+}  // namespace photic::app

@@ -1,0 +1,48 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/isa.hpp"
+#include "optics/data_folder.hpp"
+#include "photic/commands.hpp"
+#include "photic/output.hpp"
+
+namespace photic::app {
+namespace {
+
+#ifdef __clang__
+constexpr const char* compiler = "Clang " __clang_version__;
+#else
+constexpr const char* compiler = "GCC " __VERSION__;
+#endif
+
+std::string data_folder() {
+  try {
+    return optics::find_data_folder();
+  } catch (const EnvironmentError& none) {
+    return none.what();
+  }
+}
+
+/// Those that run here, the best first.
+std::vector<std::string> instruction_sets() {
+  std::vector<std::string> out;
+  for (const Isa isa : isas_here()) out.emplace_back(isa_name(isa));
+  std::ranges::reverse(out);
+  return out;
+}
+
+}  // namespace
+
+int run(const VersionCommand& /*command*/) {
+  print_out(fmt::format(
+      "photic {}\ncompiler: {}, {}\ninstruction sets that run here: {}\ndata: {}\n", PHOTIC_VERSION,
+      compiler, PHOTIC_BUILD_TYPE, fmt::join(instruction_sets(), ", "), data_folder()));
+  return done;
+}
+
+}  // namespace photic::app

@@ -1,0 +1,12 @@
+// Where the running program is.
+#pragma once
+
+#include <filesystem>
+
+namespace photic {
+
+/// The prefix that the program is installed under: the folder above its own ("/usr" of
+/// /usr/bin/photic). Empty if nobody knows.
+std::filesystem::path program_prefix();
+
+}  // namespace photic
