@@ -50,10 +50,12 @@ void print_problems(const std::vector<Diagnostic>& problems) {
 
 namespace {
 
-/// A line of a table: '*' marks what has not converged, "warning:" begins a warning.
-std::string coloured(const std::string& line) {
-  if (line.starts_with("warning: ")) return painted(line, Colour::yellow, Stream::out);
-  if (line.starts_with("Result") || line.starts_with("converged"))
+/// A line of a table: '*' marks what has not converged; a warning begins with "warning:" and may
+/// take several lines, which are set back.
+std::string coloured(const std::string& line, bool& in_warning) {
+  in_warning = line.starts_with("warning: ") || (in_warning && line.starts_with("  "));
+  if (in_warning) return painted(line, Colour::yellow, Stream::out);
+  if (line.starts_with("converged") || line.starts_with("stopped by"))
     return painted(line, Colour::bold, Stream::out);
   std::string out;
   for (const char c : line)
@@ -65,8 +67,9 @@ std::string coloured(const std::string& line) {
 
 void print_table(const std::string& text) {
   std::string out;
+  bool in_warning = false;
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) out += coloured(line) + '\n';
+  for (std::string line; std::getline(lines, line);) out += coloured(line, in_warning) + '\n';
   print_out(out);
 }
 

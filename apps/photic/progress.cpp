@@ -57,7 +57,8 @@ std::string time_left(std::optional<double> seconds) {
   if (!seconds) return "";
   if (*seconds < 100) return fmt::format("{:.0f} s left", *seconds);
   if (*seconds < 6000) return fmt::format("{:.0f} min left", *seconds / 60);
-  return fmt::format("{:.1f} h left", *seconds / 3600);
+  if (*seconds < 360000) return fmt::format("{:.1f} h left", *seconds / 3600);
+  return *seconds < 864e5 ? fmt::format("{:.0f} d left", *seconds / 86400) : "years left";
 }
 
 std::string percent(double share) {
@@ -65,7 +66,7 @@ std::string percent(double share) {
   return share >= 9.995 ? ">999 %" : fmt::format("{:.{}f} %", 100 * share, share < 0.0995 ? 1 : 0);
 }
 
-/// "worst 12 % of 2 %"
+/// "worst gate 12 % (target 2.0 %)"
 std::string worst(const engine::Progress& p) {
   return fmt::format("worst gate {}{}", percent(p.worst_error),
                      p.target ? fmt::format(" (target {})", percent(*p.target)) : "");
@@ -85,9 +86,9 @@ std::string progress_line(const engine::Progress& p, int width) {
   const std::vector<std::string> fields{
       fmt::format("{:3.0f} %", std::floor(100 * done)),
       fmt::format("  {:>11}", time_left(seconds_left(p))),
+      fmt::format("  {:<{}}", worst(p), p.target ? 33 : 17),
       fmt::format("  {}/{} gates", fmt::format("{:>{}}", p.gates_converged, digits(p.gates)),
                   p.gates),
-      fmt::format("  {:<{}}", worst(p), p.target ? 33 : 17),
       fmt::format("  {:>6}/s", io::with_prefix(photons_per_second(p))),
       fmt::format("  {:>6} photons", io::with_prefix(static_cast<double>(p.photons)))};
   std::string text;

@@ -118,8 +118,8 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& value
   notes.examples["run"] = {
       {"photic run my.toml", "the echoes as a table, and my.nc"},
       {"photic run my.toml --target 1% --max-time 10min", "until the errors are small"},
-      {"photic run my.toml --continue my.nc --photons 1e9", "more photons for my.nc"},
-      {"photic run my.toml -o green.nc --set sea.layer.0.chlorophyll_mg_m3=0.5", "other water"}};
+      {"photic run --continue my.nc --photons 1e9 -o my.nc", "more photons for my.nc"},
+      {"photic run my.toml -o uv.nc --set source.wavelength_nm=355", "another laser"}};
 }
 
 /// What is drawn, and how, is the Python package's business: it checks the values.
@@ -231,8 +231,7 @@ void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Overrid
   add_json(sub, optics.json);
   notes.examples["optics"] = {
       {"photic optics my.toml", "what its water does to light, and whose numbers these are"},
-      {"photic optics --water chlorophyll_mg_m3=0.5 --wavelengths 400:700:10 -o water.nc",
-       "spectra as a file"}};
+      {"photic optics --water chlorophyll_mg_m3=0.5 -o water.nc", "as a file, of other water"}};
 }
 
 void add_new(CLI::App& app, NewCommand& starter, Notes& notes) {

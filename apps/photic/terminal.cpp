@@ -44,8 +44,9 @@ int columns(Stream stream, int otherwise) {
 }
 
 std::string painted(std::string_view text, Colour colour, Stream stream) {
-  if (!colours(stream)) return std::string(text);
-  return fmt::format(style(colour), "{}", text);
+  if (text.empty() || !colours(stream)) return std::string(text);
+  const std::size_t end = text.ends_with('\n') ? text.size() - 1 : text.size();
+  return fmt::format(style(colour), "{}", text.substr(0, end)).append(text.substr(end));
 }
 
 }  // namespace photic::app

@@ -11,7 +11,7 @@ namespace photic::io {
 namespace {
 
 constexpr std::size_t place_width = 10;
-constexpr std::size_t column_width = 15;  // "-999.12±999.12*", with a blank
+constexpr std::size_t column_width = 16;  // a blank, "-0.8123±0.0012*"
 
 using Rows = std::vector<EchoRow>;
 

@@ -58,11 +58,12 @@ std::string block(const tally::Result& result, const std::vector<EchoRow>& rows,
 
 std::string tables(const tally::Result& result, const std::vector<EchoRow>& rows, std::size_t step,
                    std::size_t width) {
-  std::string about =
+  const std::string about =
       "Echo: photons detected in the gate per photon emitted; error: standard error over echo";
-  if (step > 1) about += fmt::format("; shown: 1 gate of {}", step);
   std::string out = result.title.empty() ? "" : paragraph(result.title, width);
-  out += paragraph(about, width) + '\n';
+  out += paragraph(about, width);
+  if (step > 1) out += fmt::format("Shown: 1 gate of {}; --table full shows all\n", step);
+  out += '\n';
   const std::size_t abreast = channels_abreast(width);
   for (std::size_t t = 0; t < result.telescopes(); ++t) {
     out += fmt::format("telescope {}\n", result.telescope_name[t]);

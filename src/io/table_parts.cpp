@@ -77,6 +77,7 @@ std::string legend(const std::vector<EchoRow>& rows, std::size_t width) {
 
 std::string paragraph(const std::string& text, std::size_t width, std::size_t indent) {
   const std::size_t first = std::min(text.find_first_not_of(' '), text.size());
+  if (letters(text) <= width) return text + '\n';
   std::string out;
   for (const std::string& line :
        wrapped(text, std::max(width, least_width) - std::max(first, indent)))

@@ -109,7 +109,7 @@ def test_a_csv_result_has_a_netcdf_checkpoint(photic, start, tmp_path):
     assert not checkpoint.exists()
 
 
-def test_what_a_killed_run_left_is_told_and_never_replaced_by_less(photic, start, tmp_path):
+def test_what_a_killed_run_left_is_told_and_never_replaced_by_less(photic, start, tmp_path, program):
     # Seen red: without the line; with a checkpoint of fewer photons written over it; with the removal of what holds more
     # than the result.
     checkpoint = tmp_path / "quick.checkpoint.nc"
@@ -118,7 +118,7 @@ def test_what_a_killed_run_left_is_told_and_never_replaced_by_less(photic, start
     assert done.returncode == 0
     assert done.stderr == (
         f"quick.checkpoint.nc: left by a run of this scene that did not end, with {photons} photons "
-        "(go on from it: photic run --continue quick.checkpoint.nc -o quick.nc)\n"
+        f"(go on from it: {program} run --continue quick.checkpoint.nc -o quick.nc)\n"
     )
     assert photons_in(tmp_path / "quick.nc") == 4000, "not used by itself"
     assert photons_in(checkpoint) == photons
@@ -180,13 +180,13 @@ def test_a_disk_that_is_full_at_the_end_leaves_the_checkpoint(start, tmp_path):
     assert sorted(p.name for p in tmp_path.iterdir()) == ["quick.checkpoint.nc", "quick.toml"]
 
 
-def test_an_interrupted_run_goes_on(photic, start, tmp_path):
+def test_an_interrupted_run_goes_on(photic, start, tmp_path, program):
     # Seen red: without the line that tells how.
     process = start(*YEARS)
     wait_until_it_listens(process)
     process.send_signal(signal.SIGTERM)
     out, _ = process.communicate(timeout=60)
-    assert "Go on:    photic run --continue quick.nc -o quick.nc\n" in out
+    assert f"Go on:    {program} run --continue quick.nc -o quick.nc\n" in out
     total = photons_in(tmp_path / "quick.nc") + 7777
     done = photic("run", "--continue", "quick.nc", "-o", "quick.nc", "--photons", total)
     assert (done.returncode, done.stderr) == (0, "")
@@ -195,11 +195,11 @@ def test_an_interrupted_run_goes_on(photic, start, tmp_path):
     assert contents(tmp_path / "quick.nc") == contents(tmp_path / "long.nc")
 
 
-def test_an_interrupted_run_with_a_csv_result_keeps_its_checkpoint(start, tmp_path):
+def test_an_interrupted_run_with_a_csv_result_keeps_its_checkpoint(start, tmp_path, program):
     # Seen red: with the checkpoint removed.
     process = start(*YEARS, "-o", "echo.csv", "--checkpoint", "0.2s")
     wait_for(process, tmp_path / "echo.checkpoint.nc")
     process.send_signal(signal.SIGTERM)
     out, _ = process.communicate(timeout=60)
-    assert "Go on:    photic run --continue echo.checkpoint.nc -o echo.csv\n" in out
+    assert f"Go on:    {program} run --continue echo.checkpoint.nc -o echo.csv\n" in out
     assert sorted(p.name for p in tmp_path.iterdir()) == ["echo.checkpoint.nc", "echo.csv", "quick.toml"]

@@ -1,7 +1,9 @@
 """The command line itself: help, version, what it refuses, and its exit codes."""
 
 import json
+import os
 import re
+from pathlib import Path
 
 import pytest
 
@@ -9,27 +11,53 @@ import pytest
 def test_version(photic):
     done = photic("--version")
     assert (done.returncode, done.stderr) == (0, "")
-    assert re.fullmatch(r"photic \d+\.\d+\.\d+\n", done.stdout)
+    version, compiler, sets, data = done.stdout.splitlines()
+    assert re.fullmatch(r"photic \d+\.\d+\.\d+", version)
+    assert re.fullmatch(r"compiler: (GCC|Clang) \d+\.\d+.*, \w+", compiler)
+    assert re.fullmatch(r"instruction sets that run here: (\w+, )*baseline", sets)
+    assert (Path(data.removeprefix("data: ")) / "water_mason_2016.csv").is_file()
+
+
+def test_version_where_the_data_are_missing(photic, tmp_path):
+    done = photic("--version", env=os.environ | {"PHOTIC_DATA": str(tmp_path)})
+    assert done.returncode == 0
+    assert f"data: no data tables in {tmp_path} (named by PHOTIC_DATA)" in done.stdout
+
+
+COMMANDS = ["run", "plot", "new", "check", "show", "optics", "bench", "schema", "help"]
 
 
 def test_help_shows_every_subcommand_and_an_example(photic):
     done = photic("--help")
     assert (done.returncode, done.stderr) == (0, "")
-    for word in ["run", "bench", "check", "show", "new", "schema", "photic run my.toml", "Exit codes"]:
+    for word in [*COMMANDS, "photic run my.toml", "Exit codes", "PHOTIC_PYTHON"]:
         assert word in done.stdout
 
 
-@pytest.mark.parametrize("subcommand", ["run", "bench", "check", "show", "optics", "new", "schema"])
-def test_help_of_a_subcommand(photic, subcommand):
-    done = photic(subcommand, "--help")
+@pytest.mark.parametrize("words", [(), ("help",)])
+def test_who_asks_nothing_is_told_the_commands(photic, words):
+    done = photic(*words)
     assert (done.returncode, done.stderr) == (0, "")
-    assert f"photic {subcommand}" in done.stdout
+    assert all(f"\n  {command} " in done.stdout for command in COMMANDS)
+    assert len(done.stdout.splitlines()) < 25
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_help_of_a_subcommand(photic, command):
+    done = photic(command, "--help")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert f"Usage: photic {command}" in done.stdout
+    assert photic("help", command).stdout == done.stdout
+    # Examples are of this command alone. Seen red: with the program's examples below each.
+    examples = re.findall(r"^  photic (\w+)", done.stdout, re.MULTILINE)
+    assert set(examples) <= {command}
 
 
 REFUSED = {
-    (): "A subcommand is required",
+    ("help", "runn"): "there is no subcommand 'runn' (did you mean 'run'?)",
     ("rnu", "quick.toml"): "there is no subcommand 'rnu' (did you mean 'run'?)",
-    ("simulate", "quick.toml"): "there is no subcommand 'simulate' (there are: run, bench, check, show, optics, new, schema)",
+    ("simulate", "quick.toml"): "there is no subcommand 'simulate' (there are: run, plot, new, check, "
+    "show, optics, bench, schema, help)",
     ("run",): "scene is required",
     ("run", "quick.toml", "--photon", "5"): "--photon",
     ("run", "quick.toml", "--photons", "many"): "--photons: 'many' is not a whole number from 1 to 2^63 - 1 "
@@ -51,8 +79,11 @@ REFUSED = {
     ("run", "--photons", "5"): "scene is required",
     ("run", "quick.toml", "--seed", "-1"): "--seed: '-1' is not a whole number from 0 to 2^63 - 1",
     ("run", "quick.toml", "--threads", "0"): "--threads",
-    ("run", "quick.toml", "-o", "echo.txt"): "echo.txt: the result's name ends neither in .nc nor in .csv "
-    "(write -o echo.txt.nc)",
+    ("run", "quick.toml", "-o", "echo.dat"): "echo.dat: the result's name ends in none of .nc, .csv and .txt "
+    "(write -o echo.dat.nc, or -o echo.dat/ for a folder)",
+    ("run", "quick.toml", "--table", "long"): "--table: long not in {short,full,none}",
+    ("optics", "quick.toml", "-o", "water.txt"): "water.txt: the result's name ends neither in .nc nor in .csv",
+    ("plot",): "results is required",
     ("check", "quick.toml", "other.toml"): "other.toml",
     ("new",): "kind is required",
     ("schema", "extra"): "extra",

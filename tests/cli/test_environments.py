@@ -23,7 +23,7 @@ def test_run_tells_and_writes_them(photic, environments, tmp_path):
     done = photic("run", "quick.toml", "-o", "out.nc")
     assert done.returncode == 0, done.stderr
     assert "Environments: echo over that of the scene" in done.stdout
-    assert "more algae" in done.stdout
+    assert "  A more algae: sea.layer.1.chlorophyll_mg_m3 = 2.0 (" in done.stdout
     with netCDF4.Dataset(tmp_path / "out.nc") as file:
         assert list(file["environment_name"][:]) == ["more algae", "the same"]
         assert (file["environment_echo"][1] == file["echo"][:]).all()
@@ -74,7 +74,8 @@ def test_a_grid_runs_as_its_environments(photic, environments, tmp_path):
     environments.write_text(environments.read_text() + GRID)
     done = photic("run", "quick.toml", "-o", "out.nc")
     assert done.returncode == 0, done.stderr
-    assert "2 more environments are in the file." in done.stdout
+    assert "  3 more are in the file, and printed with --table full\n" in done.stdout
+    assert "  C chlorophyll_mg_m3 = 1.0, cdom_a440_per_m = 0.01 (" in done.stdout
     with netCDF4.Dataset(tmp_path / "out.nc") as file:
         names = list(file["environment_name"][:])
         assert names[:3] == ["more algae", "the same", "chlorophyll_mg_m3 = 1.0, cdom_a440_per_m = 0.01"]

@@ -74,7 +74,7 @@ def test_the_progress_bar_on_a_terminal(program, scene):
     os.close(theirs)
     text = ""
     limit = time.monotonic() + 60
-    while text.count("gates converged") < 2 and time.monotonic() < limit:
+    while text.count(" gates ") < 2 and time.monotonic() < limit:
         text += os.read(ours, 4096).decode()
     process.send_signal(signal.SIGINT)
     try:
@@ -85,7 +85,7 @@ def test_the_progress_bar_on_a_terminal(program, scene):
     process.communicate(timeout=60)
     os.close(ours)
     assert process.returncode == 130
-    assert text.count("gates converged") >= 2
-    for word in ["[", "%", "photons", "/s", "left"]:
+    assert text.count(" gates ") >= 2
+    for word in ["%", "worst gate", "left"]:
         assert word in text
     assert text.endswith("\r\x1b[K"), "the bar is wiped at the end"

@@ -94,7 +94,7 @@ def test_a_name_beside_that_another_run_has_is_passed_over(run, start, scene, tm
     other.communicate(timeout=60)
 
 
-def test_an_interrupted_run_does_not_replace_a_longer_one(run, start, scene, tmp_path):  # noqa: F811
+def test_an_interrupted_run_does_not_replace_a_longer_one(run, start, scene, tmp_path, program):  # noqa: F811
     run("quick.toml", "--photons", "3e7", "--max-time", "5s")
     before = photons_in(tmp_path / "quick.nc")
     process = start("--photons", "1e15")
@@ -103,7 +103,7 @@ def test_an_interrupted_run_does_not_replace_a_longer_one(run, start, scene, tmp
     out, errors = process.communicate(timeout=60)
     assert process.returncode == 130
     assert errors.endswith("left as it is: see quick-2.nc\n")
-    assert "Go on:    photic run --continue quick-2.nc -o quick-2.nc\n" in out
+    assert f"Go on:    {program} run --continue quick-2.nc -o quick-2.nc\n" in out
     assert photons_in(tmp_path / "quick.nc") == before > photons_in(tmp_path / "quick-2.nc")
 
 

@@ -11,19 +11,19 @@ def test_a_starter_scene_is_a_good_scene(photic, tmp_path):
     assert (check.returncode, check.stdout, check.stderr) == (0, "mine.toml: no problems\n", "")
 
 
-def test_a_starter_scene_goes_to_a_file(photic, tmp_path):
+def test_a_starter_scene_goes_to_a_file(photic, tmp_path, program):
     done = photic("new", "ship", "-o", "mine.toml")
     assert done.returncode == 0
-    assert done.stdout == "mine.toml: written; check it with: photic check mine.toml\n"
+    assert done.stdout == f"mine.toml: written; check it with: {program} check mine.toml\n"
     assert (tmp_path / "mine.toml").read_text() == photic("new", "ship").stdout
 
 
-def test_the_same_file_may_be_asked_for_again(photic, tmp_path):
+def test_the_same_file_may_be_asked_for_again(photic, tmp_path, program):
     # Seen red: refused, as before.
     photic("new", "ship", "-o", "mine.toml")
     done = photic("new", "ship", "-o", "mine.toml")
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout == "mine.toml: is there already; check it with: photic check mine.toml\n"
+    assert done.stdout == f"mine.toml: is there already; check it with: {program} check mine.toml\n"
 
 
 def test_an_existing_file_stays_as_it_is(photic, tmp_path):

@@ -8,12 +8,12 @@ import resource
 import netCDF4
 
 
-def test_a_run(photic, scene, tmp_path):
+def test_a_run(photic, program, scene, tmp_path):
     done = photic("run", "quick.toml")
     assert (done.returncode, done.stderr) == (0, "")
     assert "stopped by: photons" in done.stdout
     last = done.stdout.splitlines()[-2:]
-    assert last == ["Result: quick.nc", "Plot it:  python3 -m photic plot quick.nc -o quick.png"]
+    assert last == ["Result: quick.nc", f"Plot it:  {program} plot quick.nc -o quick.png"]
     assert sorted(p.name for p in tmp_path.iterdir()) == ["quick.nc", "quick.toml"]
     with netCDF4.Dataset(tmp_path / "quick.nc") as result:
         assert result.photons == 20000
@@ -90,8 +90,8 @@ def test_a_folder_that_is_missing_is_told_before_the_run(photic, scene):
 
 
 def test_a_folder_in_place_of_a_file(photic, scene, tmp_path):
-    (tmp_path / "echo.nc").mkdir()
-    expect_refusal(photic("run", "quick.toml", "--photons", "1e15", "-o", "echo.nc"), 1, "echo.nc", "directory")
+    (tmp_path / "quick.nc").mkdir()
+    expect_refusal(photic("run", "quick.toml", "--photons", "1e15"), 1, "quick.nc", "directory")
 
 
 def test_a_folder_nobody_can_write_to(photic, scene):

@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "io/columns_table.hpp"
 #include "io/table.hpp"
+#include "io/table_parts.hpp"
 #include "unit/io/sample_result.hpp"
 
 namespace photic::io {
@@ -44,6 +46,10 @@ tally::Result small_result() {
   result.wall_time_s = 2;
   result.collisions = 9'000'000;
   result.threads = 1;
+  result.estimator = "forward";
+  result.estimator_reason = "it is quicker";
+  result.seed = 7;
+  result.engine = "scalar";
   result.stopped_by = "interrupt";
   result.partial = true;
   result.warnings = {"first warning", "second warning"};
@@ -66,11 +72,13 @@ telescope ship
       4.50           0       - *
 
 * not converged, because
-  no_score                  1 gate:   no light was ever scored in the gate
-  large_error               2 gates:  the standard error is above 10 % of the echo
-  heavy_tail                1 gate:   scores too rare to have been seen may carry more than half the error
-converged raman 2 of 5 gates
-1 234 567 photons in 2 s on 1 thread: 0.617 million photons/s, 4.5 million collisions/s
+  no_score, 1 gate: no light was ever scored in the gate
+  large_error, 2 gates: the standard error is above 10 % of the echo
+  heavy_tail, 1 gate: scores too rare to have been seen may carry more than half the error
+
+converged: raman 2 of 5 gates
+1.23 M photons in 2 s on 1 thread: 617 k photons/s, 4.50 M collisions/s
+estimator: forward (auto: it is quicker); seed: 7; engine: scalar
 photons of channels that met the target before others: raman 400000
 stopped by: interrupt; this is a partial result
 warning: first warning
@@ -93,14 +101,14 @@ TEST(EchoTable, DepthsThatAreNone) {
 }
 
 TEST(EchoTable, ThinnedToTheRowsAskedFor) {
-  const std::string table = echo_table(test::sample_result(), 10);
-  EXPECT_NE(table.find("; shown: 1 gate of 10\n"), std::string::npos);
+  const std::string table = echo_table(test::sample_result(), {.most_rows = 10});
+  EXPECT_NE(table.find("\nShown: 1 gate of 10; --table full shows all\n"), std::string::npos);
   std::size_t rows = 0;
   for (const auto& line : lines(table.substr(0, table.find("* not"))))
     rows += line.find(" %") != std::string::npos;
   EXPECT_EQ(rows, 2 * 10u);
-  EXPECT_EQ(echo_table(test::sample_result(), 100).find("shown"), std::string::npos);
-  EXPECT_THROW(echo_table(test::sample_result(), 0), ContractViolation);
+  EXPECT_EQ(echo_table(test::sample_result(), {.most_rows = 100}).find("Shown"), std::string::npos);
+  EXPECT_THROW(echo_table(test::sample_result(), {.most_rows = 0}), ContractViolation);
 }
 
 TEST(EchoTable, EachTelescopeItsOwn) {
@@ -108,9 +116,8 @@ TEST(EchoTable, EachTelescopeItsOwn) {
   EXPECT_EQ(lines(table)[0], "Table 1 ship lidar over case-1 water");
   EXPECT_TRUE(has_line(table, "telescope narrow"));
   EXPECT_TRUE(has_line(table, "telescope wide"));
-  EXPECT_TRUE(has_line(
-      table,
-      "  wide: elastic 45 of 100 gates, raman 94 of 100 gates, chlorophyll 91 of 100 gates"));
+  EXPECT_TRUE(
+      has_line(table, "  wide: elastic 45 of 100, raman 94 of 100, chlorophyll 91 of 100 gates"));
 }
 
 TEST(EchoTable, FitsATerminalOf100Columns) {
@@ -145,13 +152,15 @@ TEST(EchoTable, ConvergedHasNoLegend) {
   result.convergence_flags.assign(5, 0);
   const std::string table = echo_table(result);
   EXPECT_EQ(table.find('*'), std::string::npos);
-  EXPECT_TRUE(has_line(table, "converged raman 5 of 5 gates"));
+  EXPECT_TRUE(has_line(table, "converged: raman 5 of 5 gates"));
 }
 
 /// The small result in other water.
 tally::Result small_result_in(const std::vector<std::string>& names) {
   tally::Result result = small_result();
   result.environment_name = names;
+  for (const std::string& name : names)
+    result.environment_values.push_back(name.starts_with("many") ? "sea.x = 2" : "");
   for (std::size_t e = 0; e < names.size(); ++e)
     for (std::size_t i = 0; i < 5; ++i) {
       const double echo = result.echo.mean[i];
@@ -167,7 +176,7 @@ tally::Result small_result_in(const std::vector<std::string>& names) {
 
 std::string section_of_environments(const tally::Result& result) {
   const std::string table = echo_table(result);
-  const std::size_t begin = table.find("\nEnvironments"), end = table.find("1 234 567 photons");
+  const std::size_t begin = table.find("\nEnvironments"), end = table.find("\nconverged: ");
   return begin == std::string::npos ? "none" : table.substr(begin, end - begin);
 }
 
@@ -177,20 +186,19 @@ TEST(EchoTable, EnvironmentsOverTheScene) {
   EXPECT_EQ(section_of_environments(small_result_in({"no CDOM", "many more algae of this kind"})),
             R"(
 Environments: echo over that of the scene, with its standard error
+  A no CDOM (3 of 5 gates converged)
+  B many more algae of this kind: sea.x = 2 (3 of 5 gates converged)
 
 telescope ship, channel raman
-                                   many more algae of
- depth [m]              no CDOM             this kind
-      0.50        0.8000±0.0001         0.8000±0.0001
-      1.50        0.5000±0.0012*        0.5000±0.0012*
-      2.50           12.00±0.30*           12.00±0.30*
-      3.50              >999±20*              >999±20*
-      4.50                    -*                    -*
+ depth [m]              A               B
+      0.50  0.8000±0.0001   0.8000±0.0001
+      1.50  0.5000±0.0012*  0.5000±0.0012*
+      2.50     12.00±0.30*     12.00±0.30*
+      3.50        >999±20*        >999±20*
+      4.50              -*              -*
 
 * not converged, because
-  large_score               4 gates:  a single score carries more than 2 % of the echo
-converged no CDOM 3 of 5 gates, many more algae of this kind 3 of 5 gates
-
+  large_score, 4 gates: a single score carries more than 2 % of the echo
 )");
   EXPECT_EQ(section_of_environments(small_result()), "none");
 }
@@ -218,41 +226,76 @@ tally::Result small_result_to(const std::vector<std::string>& parameters) {
 // Seen red, each for itself: with the scene's flags; with large negative numbers told as large.
 TEST(EchoTable, Sensitivities) {
   const std::string table = echo_table(small_result_to({"sea.layer.0.chlorophyll_mg_m3", "sea.x"}));
-  const std::size_t begin = table.find("\nSensitivities"), end = table.find("1 234 567 photons");
+  const std::size_t begin = table.find("\nSensitivities"), end = table.find("\nconverged: ");
   ASSERT_NE(begin, std::string::npos);
   EXPECT_EQ(table.substr(begin, end - begin), R"(
 Sensitivities: per cent that the echo changes by for 1 % of each parameter, with the standard error
+  A sea.layer.0.chlorophyll_mg_m3, 0.1 in the scene (3 of 5 gates converged)
+  B sea.x, 0.1 in the scene (3 of 5 gates converged)
 
 telescope ship, channel raman
-                   sea.layer.0.
- depth [m]    chlorophyll_mg_m3                 sea.x
-      0.50       -0.8000±0.0001        -0.8000±0.0001
-      1.50        0.5000±0.0012*        0.5000±0.0012*
-      2.50          -12.00±0.30*          -12.00±0.30*
-      3.50             <-999±20*             <-999±20*
-      4.50                    -*                    -*
+ depth [m]              A               B
+      0.50 -0.8000±0.0001  -0.8000±0.0001
+      1.50  0.5000±0.0012*  0.5000±0.0012*
+      2.50    -12.00±0.30*    -12.00±0.30*
+      3.50       <-999±20*       <-999±20*
+      4.50              -*              -*
 
 * not converged, because
-  large_score               4 gates:  a single score carries more than 2 % of the echo
-converged sea.layer.0.chlorophyll_mg_m3 3 of 5 gates, sea.x 3 of 5 gates
-
+  large_score, 4 gates: a single score carries more than 2 % of the echo
 )");
   EXPECT_EQ(echo_table(small_result()).find("Sensitivities"), std::string::npos);
 }
 
-// Seen red: with seven of them across.
-TEST(EchoTable, ManyEnvironmentsFitATerminalOf100Columns) {
-  const std::vector<std::string> names{"a", "chlorophyll_of_10_mg_m3", "c", "d", "e", "f", "g",
-                                       "h"};
-  const std::string section = section_of_environments(small_result_in(names));
-  for (const auto& line : lines(section.substr(0, section.find("* not")))) {
-    // Letters: ± takes two bytes.
-    EXPECT_LE(std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; }),
-              100)
-        << line;
+std::size_t letters(const std::string& line) {  // ± takes two bytes
+  return static_cast<std::size_t>(
+      std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+// Seen red: with columns for a width of 100 whatever the width.
+TEST(EchoTable, FitsTheTerminal) {
+  const std::vector<std::string> names{
+      "a", "chlorophyll_mg_m3 = 0.05, cdom_a440_per_m = 0.01, minerals_g_m3 = 12.5",
+      "c", "d",
+      "e", "f",
+      "g", "many more algae"};
+  for (const std::size_t width : {60, 80, 100, 200}) {
+    const std::string table = echo_table(small_result_in(names), {.width = width});
+    std::size_t widest = 0;
+    for (const auto& line : lines(table)) widest = std::max(widest, letters(line));
+    EXPECT_LE(widest, width);
+    EXPECT_GT(widest, std::min<std::size_t>(width, 130) - 17) << "uses the room";
+    const std::size_t abreast = std::min<std::size_t>(8, (width - 10) / 16);
+    EXPECT_EQ(table.find(fmt::format("{} more are in the file", 8 - abreast)) != std::string::npos,
+              abreast < 8);
   }
-  EXPECT_TRUE(has_line(section, "                          chlorophyll_o"));
-  EXPECT_TRUE(has_line(section, "2 more environments are in the file."));
+}
+
+// Seen red: with the columns that fit alone.
+TEST(EchoTable, AllColumnsStandBelowEachOther) {
+  const std::vector<std::string> names{"a", "b", "c", "d", "e", "f", "g", "h"};
+  const std::string table = echo_table(small_result_in(names), {.width = 60, .all_columns = true});
+  EXPECT_TRUE(has_line(table, " depth [m]              A               B               C"));
+  EXPECT_TRUE(has_line(table, " depth [m]              G               H"));
+  EXPECT_EQ(table.find("in the file"), std::string::npos);
+}
+
+TEST(EchoTable, ColumnsAreCalledAsInSpreadsheets) {
+  EXPECT_EQ(column_letters(0), "A");
+  EXPECT_EQ(column_letters(25), "Z");
+  EXPECT_EQ(column_letters(26), "AA");
+  EXPECT_EQ(column_letters(26 * 27), "AAA");
+}
+
+TEST(WithPrefix, ThreeDigits) {
+  EXPECT_EQ(with_prefix(0), "0");
+  EXPECT_EQ(with_prefix(999), "999");
+  EXPECT_EQ(with_prefix(999.6), "1.00 k");
+  EXPECT_EQ(with_prefix(91234), "91.2 k");
+  EXPECT_EQ(with_prefix(9.996e6), "10.0 M");
+  EXPECT_EQ(with_prefix(99.96e6), "100 M");
+  EXPECT_EQ(with_prefix(4e9), "4.00 G");
+  EXPECT_EQ(with_prefix(9.22e18), "9220 P");
 }
 
 TEST(EchoTable, EnvironmentsOfEachTelescopeAndChannel) {
