@@ -8,6 +8,7 @@
 
 #include "engine/problem.hpp"
 #include "io/netcdf_variable.hpp"
+#include "io/table_parts.hpp"
 #include "photic/commands.hpp"
 #include "photic/interrupt.hpp"
 #include "photic/output.hpp"
@@ -48,64 +49,53 @@ std::string name_of(const engine::Candidate& candidate) {
 /// Gates [begin, end) of one telescope and channel in one column.
 struct Column {
   std::size_t begin, end;
-  std::string heading;
 };
 
-std::vector<Column> columns(const tally::Result& result, std::size_t telescope,
-                            std::size_t channel) {
-  const std::size_t gates = result.gates();
-  const std::size_t first = (telescope * result.channels() + channel) * (gates + 1);
+std::vector<Column> columns(std::size_t gates) {
   const std::size_t count = std::min(most_columns, gates);
   std::vector<Column> out;
-  for (std::size_t i = 0; i < count; ++i) {
-    Column column{i * gates / count, (i + 1) * gates / count, ""};
-    const bool by_time = std::isnan(result.gate_depth_edge_m[first]);
-    const auto edge = [&](std::size_t gate) {
-      return by_time ? result.gate_time_edge_ns[gate] : result.gate_depth_edge_m[first + gate];
-    };
-    column.heading = fmt::format("{:.3g}-{:.3g}", edge(column.begin), edge(column.end));
-    out.push_back(column);
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    out.push_back({i * gates / count, (i + 1) * gates / count});
   return out;
 }
 
-std::string row(const std::string& name, const std::vector<std::string>& cells) {
-  std::string out = fmt::format("{:<36}", name);
-  for (const std::string& cell : cells) out += fmt::format(" {:>10}", cell);
-  return out + '\n';
+/// What candidates are called, below a heading for the place of gates.
+io::TextColumn names(const engine::Comparison& comparison, std::vector<std::string> heading) {
+  io::TextColumn out{heading.front(), {}, true};
+  out.cells.assign(heading.begin() + 1, heading.end());
+  for (const engine::Candidate& candidate : comparison.candidates)
+    out.cells.push_back(name_of(candidate));
+  return out;
 }
 
 /// One telescope's and channel's gates: columns of depths, a row for each candidate.
 std::string block(const engine::Comparison& comparison, std::size_t telescope,
                   std::size_t channel) {
   const tally::Result& result = comparison.reference;
+  const double depth_m = result.gate_depth_m(telescope, channel, 0);
   const std::size_t first = (telescope * result.channels() + channel) * result.gates();
-  const auto all = columns(result, telescope, channel);
-  std::vector<std::string> headings;
-  std::vector<std::string> counts;
-  for (const Column& c : all) {
+  const std::size_t first_edge = (telescope * result.channels() + channel) * (result.gates() + 1);
+  const auto edge = [&](std::size_t gate) {
+    return std::isnan(depth_m) ? result.gate_time_edge_ns[gate]
+                               : result.gate_depth_edge_m[first_edge + gate];
+  };
+  std::vector<io::TextColumn> table{
+      names(comparison, {io::place_heading(result, depth_m), "gates compared"})};
+  for (const auto& [begin, end] : columns(result.gates())) {
     const auto compared = comparison.compared.begin() + static_cast<std::ptrdiff_t>(first);
-    headings.push_back(c.heading);
-    counts.push_back(fmt::format("{}/{}",
-                                 std::count(compared + static_cast<std::ptrdiff_t>(c.begin),
-                                            compared + static_cast<std::ptrdiff_t>(c.end), true),
-                                 c.end - c.begin));
-  }
-  const bool by_time = std::isnan(result.gate_depth_m(telescope, channel, 0));
-  const char* place = by_time                      ? "time [ns]"
-                      : result.gate_depth_is_range ? "range [m]"
-                                                   : "depth [m]";
-  std::string out = fmt::format("\nchannel {}, telescope {}\n", result.channel_name[channel],
-                                result.telescope_name[telescope]) +
-                    row(place, headings) + row("gates compared", counts);
-  for (const engine::Candidate& candidate : comparison.candidates) {
-    std::vector<std::string> cells;
-    for (const Column& c : all)
+    table.push_back({fmt::format("{:.3g}-{:.3g}", edge(begin), edge(end)), {}});
+    auto& cells = table.back().cells;
+    cells.push_back(fmt::format("{}/{}",
+                                std::count(compared + static_cast<std::ptrdiff_t>(begin),
+                                           compared + static_cast<std::ptrdiff_t>(end), true),
+                                end - begin));
+    for (const engine::Candidate& candidate : comparison.candidates)
       cells.push_back(
-          merit_text(engine::mean_merit(comparison, candidate, first + c.begin, first + c.end)));
-    out += row(name_of(candidate), cells);
+          merit_text(engine::mean_merit(comparison, candidate, first + begin, first + end)));
   }
-  return out;
+  return fmt::format("\nchannel {}, telescope {}\n", result.channel_name[channel],
+                     result.telescope_name[telescope]) +
+         io::side_by_side(table);
 }
 
 /// Why gates were left out of the comparison.
@@ -131,10 +121,14 @@ std::optional<double> mean_over_all(const engine::Comparison& comparison,
 }
 
 std::string summary(const engine::Comparison& comparison) {
-  std::string out = '\n' + row("", {"all gates", "photons", "CPU s"});
-  for (const engine::Candidate& c : comparison.candidates)
-    out += row(name_of(c), {merit_text(mean_over_all(comparison, c)), fmt::format("{}", c.photons),
-                            fmt::format("{:.3g}", c.cpu_s)});
+  std::vector<io::TextColumn> columns{
+      names(comparison, {""}), {"all gates", {}}, {"photons", {}}, {"CPU s", {}}};
+  for (const engine::Candidate& c : comparison.candidates) {
+    columns[1].cells.push_back(merit_text(mean_over_all(comparison, c)));
+    columns[2].cells.push_back(fmt::format("{}", c.photons));
+    columns[3].cells.push_back(fmt::format("{:.3g}", c.cpu_s));
+  }
+  std::string out = '\n' + io::side_by_side(columns);
   const GateCounts gates = count_gates(comparison);
   out += fmt::format(
       "\n{} of {} gates compared; left out: {} not converged in the reference, {} where it is too "

@@ -18,6 +18,22 @@ inline double geometric_lerp(double from, double to, double t) {
   return from == 0 || to == 0 ? (1 - t) * from + t * to : std::pow(from, 1 - t) * std::pow(to, t);
 }
 
+/// Where a number lies among others.
+struct Interval {
+  std::size_t upper;  ///< the index of the interval's upper end, at least 1
+  double t;           ///< the way from the lower end, 0, to the upper, 1; beyond where x is outside
+};
+
+/// Of two or more ascending numbers, the interval that x is in: the first or the last for x
+/// outside.
+inline Interval interval_of(const std::vector<double>& ascending, double x) {
+  const auto above = std::upper_bound(ascending.begin() + 1, ascending.end() - 1, x);
+  const double low = *(above - 1), high = *above;
+  // By halves, which are exact and whose differences are finite.
+  return {static_cast<std::size_t>(above - ascending.begin()),
+          (x / 2 - low / 2) / (high / 2 - low / 2)};
+}
+
 class LinearTable {
  public:
   /// The same number (at least 2) of x, strictly ascending, and y.
@@ -35,9 +51,7 @@ class LinearTable {
   /// The value at x, which the table must cover; exactly y at its points.
   [[nodiscard]] double operator()(double x) const {
     expect(covers(x), "a table is asked for what it covers");
-    const auto above = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
-    const auto i = static_cast<std::size_t>(above - x_.begin());
-    const double t = (x - x_[i - 1]) / (x_[i] - x_[i - 1]);
+    const auto [i, t] = interval_of(x_, x);
     return (1 - t) * y_[i - 1] + t * y_[i];
   }
 

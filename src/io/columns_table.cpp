@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "io/table_parts.hpp"
+#include "io/text_columns.hpp"
 
 namespace photic::io {
 namespace {
 
-constexpr std::size_t place_width = 10;
-constexpr std::size_t column_width = 16;  // a blank, "-0.8123±0.0012*"
+constexpr std::size_t cell_width = 15;  // "-0.8123±0.0012*"
 
 using Rows = std::vector<EchoRow>;
 
@@ -35,21 +35,16 @@ std::string number(double value, int decimals) {
 /// The gates of one telescope and channel, whose first row is `first`, in the columns [from, to).
 std::string block(const tally::Result& result, const Columns& columns, const Shown& shown,
                   std::size_t first, std::size_t from, std::size_t to, std::size_t step) {
-  std::string out = fmt::format("{:>{}}", place_heading(result, shown.scene[first]), place_width);
-  for (std::size_t c = from; c < to; ++c)
-    out += fmt::format("{:>{}} ", column_letters(c), column_width - 1);
-  out += '\n';
-  for (std::size_t i = first; i < first + result.gates(); i += step) {
-    const EchoRow& scene = shown.scene[i];
-    out += fmt::format("{:>{}}", place_text(scene), place_width);
-    for (std::size_t c = from; c < to; ++c) {
-      const EchoRow& row = shown.columns[c][i];
-      out += fmt::format("{:>{}}{}", columns.text(scene, row), column_width - 1,
-                         scene.converged() && row.converged() ? ' ' : '*');
+  std::vector<TextColumn> out{place_column(result, shown.scene[first], result.gates(), step)};
+  for (std::size_t c = from; c < to; ++c) {
+    out.push_back({column_letters(c) + ' ', {}});
+    for (std::size_t i = first; i < first + result.gates(); i += step) {
+      const EchoRow &scene = shown.scene[i], &row = shown.columns[c][i];
+      out.back().cells.push_back(fmt::format("{:>{}}{}", columns.text(scene, row), cell_width - 1,
+                                             scene.converged() && row.converged() ? ' ' : '*'));
     }
-    out += '\n';
   }
-  return trimmed(out);
+  return side_by_side(out, 1);
 }
 
 std::string meanings(const Columns& columns, const Shown& shown, std::size_t width) {
@@ -95,7 +90,7 @@ std::string columns_table(const tally::Result& result, const Columns& columns, s
                           const TableLayout& layout) {
   if (columns.meanings.empty()) return "";
   const std::size_t width = std::max(layout.width, least_width);
-  const std::size_t abreast = (width - place_width) / column_width;
+  const std::size_t abreast = (width - 1 - place_width) / (1 + cell_width);
   const std::size_t all = columns.meanings.size();
   const Shown shown =
       first_columns(result, columns, layout.all_columns ? all : std::min(all, abreast));

@@ -38,8 +38,7 @@ bool has_parameters(const tally::Result& result) { return !result.parameter_name
 std::string whose(const tally::Result& result) {
   return fmt::format("# {}\n# Photic {}{}{}, engine {}, seed {}{}{}{}\n", one_line(result.title),
                      result.version, estimator_word, result.estimator, result.engine, result.seed,
-                     photons_word, result.photons,
-                     result.partial ? " (partial: interrupted)" : "");
+                     photons_word, result.photons, result.partial ? " (partial: interrupted)" : "");
 }
 
 std::string head(const tally::Result& result) {
@@ -122,8 +121,7 @@ void write_csv(const tally::Result& result, const std::string& path, const std::
   write_atomically(path, echo_csv(result), keep_as);
 }
 
-void write_table(const tally::Result& result, const std::string& path,
-                 const std::string& keep_as) {
+void write_table(const tally::Result& result, const std::string& path, const std::string& keep_as) {
   const TableLayout full{.most_rows = result.gates(), .all_columns = true};
   write_atomically(path, whose(result) + '\n' + echo_table(result, full), keep_as);
 }

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
+#include "io/text_columns.hpp"
+
 namespace photic::io {
 namespace {
 
@@ -14,11 +18,16 @@ std::string property_line(const optics::OilProperty& p) {
 }  // namespace
 
 std::string oil_text(const optics::Oil& oil, const std::vector<double>& wavelength_nm) {
-  std::string out = fmt::format("Oil: {}\n\n{:>10} {:>10} {:>12} {:>16}\n", oil.name, "nm", "n",
-                                "a [1/m]", "emission [1/nm]");
-  for (const double nm : wavelength_nm)
-    out += fmt::format("{:>10g} {:>10.4f} {:>12.4g} {:>16.4g}\n", nm, oil.refractive_index(nm),
-                       oil.absorption_per_m(nm), oil.emission_per_nm(nm));
+  const auto column = [&](const char* heading, const auto& of, const char* format) {
+    std::vector<double> values;
+    for (const double nm : wavelength_nm) values.push_back(of(nm));
+    return text_column(heading, values, 0, values.size(), format);
+  };
+  std::string out = fmt::format("Oil: {}\n\n", oil.name);
+  out += side_by_side({column("nm", std::identity(), "{:g}"),
+                       column("n", oil.refractive_index, "{:.4f}"),
+                       column("a [1/m]", oil.absorption_per_m, "{:.4g}"),
+                       column("emission [1/nm]", oil.emission_per_nm, "{:.4g}")});
   out += fmt::format("\n{:g} photons are emitted per photon absorbed, after {:g} ns in the mean.\n",
                      oil.yield, oil.lifetime_ns);
   if (!oil.properties.empty()) out += "\n";

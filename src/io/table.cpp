@@ -6,17 +6,22 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/utf8.hpp"
 #include "io/echo_rows.hpp"
 #include "io/environment_table.hpp"
 #include "io/sensitivity_table.hpp"
 #include "io/table_parts.hpp"
+#include "io/text_columns.hpp"
 
 namespace photic::io {
 namespace {
 
-/// Channels of 22 columns beside the depth.
+constexpr std::size_t cell_width = 19;  // "1.235e-08 > 999 % *"
+constexpr std::size_t blanks = 3;       // before a column
+
+/// Beside the depth.
 std::size_t channels_abreast(std::size_t width) {
-  return std::max<std::size_t>(1, (std::max(width, least_width) - 10) / 22);
+  return std::max<std::size_t>(1, (width - blanks - place_width) / (blanks + cell_width));
 }
 
 std::string relative_error_text(double relative_error) {
@@ -29,31 +34,32 @@ std::string relative_error_text(double relative_error) {
 
 std::string cell(const EchoRow& row) {
   const std::string echo = row.echo == 0 ? "0" : fmt::format("{:.3e}", row.echo);
-  return fmt::format("   {:>9} {:>7} {}", echo, relative_error_text(row.relative_error),
+  return fmt::format("{:>9} {:>7} {}", echo, relative_error_text(row.relative_error),
                      row.converged() ? ' ' : '*');
+}
+
+/// A channel's name above its echoes and their errors, in lines as wide as these.
+std::string heading(const std::string& channel) {
+  std::string out;
+  for (const std::string& line : wrapped(channel, cell_width))
+    out += line + std::string(cell_width - letters(line), ' ') + '\n';
+  return out + fmt::format("{:>9} {:>7}  ", "echo", "error");
 }
 
 /// One telescope's gates for the channels [first, last).
 std::string block(const tally::Result& result, const std::vector<EchoRow>& rows,
                   std::size_t telescope, std::size_t first, std::size_t last, std::size_t step) {
   const std::size_t gates = result.gates();
-  std::string out(10, ' ');
-  for (std::size_t c = first; c < last; ++c)
-    out += fmt::format("   {:<19.19}", result.channel_name[c]);
-  out += fmt::format("\n{:>10}",
-                     place_heading(result, rows[(telescope * result.channels() + first) * gates]));
-  for (std::size_t c = first; c < last; ++c)
-    out += fmt::format("   {:>9} {:>7}  ", "echo", "error");
-  out += '\n';
-  for (std::size_t gate = 0; gate < gates; gate += step) {
-    const auto row = [&](std::size_t c) -> const EchoRow& {
-      return rows[(telescope * result.channels() + c) * gates + gate];
-    };
-    out += fmt::format("{:>10}", place_text(row(first)));
-    for (std::size_t c = first; c < last; ++c) out += cell(row(c));
-    out += '\n';
+  const auto row = [&](std::size_t c, std::size_t gate) -> const EchoRow& {
+    return rows[(telescope * result.channels() + c) * gates + gate];
+  };
+  std::vector<TextColumn> columns{place_column(result, row(first, 0), gates, step)};
+  for (std::size_t c = first; c < last; ++c) {
+    columns.push_back({heading(result.channel_name[c]), {}});
+    for (std::size_t gate = 0; gate < gates; gate += step)
+      columns.back().cells.push_back(cell(row(c, gate)));
   }
-  return trimmed(out) + '\n';
+  return side_by_side(columns, blanks) + '\n';
 }
 
 std::string tables(const tally::Result& result, const std::vector<EchoRow>& rows, std::size_t step,

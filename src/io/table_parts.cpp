@@ -7,29 +7,14 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/utf8.hpp"
+
 namespace photic::io {
 namespace {
 
-/// Bytes of the first `count` letters of a text in UTF-8; of all if it has fewer.
-std::size_t bytes_of(const std::string& text, std::size_t count) {
-  std::size_t bytes = 0;
-  const auto continues = [&] { return (static_cast<unsigned char>(text[bytes]) & 0xC0) == 0x80; };
-  while (bytes < text.size() && count-- > 0) {
-    ++bytes;
-    while (bytes < text.size() && continues()) ++bytes;
-  }
-  return bytes;
-}
-
-std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
-
 /// Where to cut a word that is too long: after a dot if it has one there, as paths do.
 std::size_t end_of_line(const std::string& word, std::size_t width) {
-  const std::size_t end = bytes_of(word, width);
+  const std::size_t end = first_letters(word, width).size();
   const std::size_t dot = word.rfind('.', end - 1);
   return dot == std::string::npos ? end : dot + 1;
 }
@@ -51,14 +36,21 @@ std::string one_line(std::string text) {
   return text;
 }
 
-std::string place_text(const EchoRow& row) {
-  const double time_ns = (row.time_start_ns + row.time_end_ns) / 2;
-  return fmt::format("{:.2f}", std::isnan(row.depth_m) ? time_ns : row.depth_m);
+std::string place_heading(const tally::Result& result, double depth_m) {
+  if (std::isnan(depth_m)) return "time [ns]";
+  return result.gate_depth_is_range ? "range [m]" : "depth [m]";
 }
 
-std::string place_heading(const tally::Result& result, const EchoRow& row) {
-  if (std::isnan(row.depth_m)) return "time [ns]";
-  return result.gate_depth_is_range ? "range [m]" : "depth [m]";
+TextColumn place_column(const tally::Result& result, const EchoRow& first, std::size_t gates,
+                        std::size_t step) {
+  const EchoRow* row = &first;
+  TextColumn out{place_heading(result, first.depth_m), {}};
+  for (std::size_t gate = 0; gate < gates; gate += step) {
+    const double time_ns = (row[gate].time_start_ns + row[gate].time_end_ns) / 2;
+    out.cells.push_back(fmt::format(
+        "{:>{}.2f}", std::isnan(row[gate].depth_m) ? time_ns : row[gate].depth_m, place_width));
+  }
+  return out;
 }
 
 std::string legend(const std::vector<EchoRow>& rows, std::size_t width) {

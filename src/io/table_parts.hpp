@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/echo_rows.hpp"
+#include "io/text_columns.hpp"
 
 namespace photic::io {
 
@@ -16,10 +17,14 @@ std::string trimmed(const std::string& text);
 /// Without ends of lines, for the head of a CSV file.
 std::string one_line(std::string text);
 
-/// Where a gate lies: its depth or range, or its time where the telescope has none; and what that
-/// is called.
-std::string place_text(const EchoRow& row);
-std::string place_heading(const tally::Result& result, const EchoRow& row);
+/// What the place of a gate is called: "depth [m]", "range [m]", or "time [ns]" where the telescope
+/// has none.
+std::string place_heading(const tally::Result& result, double depth_m);
+
+/// Where every `step`-th gate lies, from the row of the first on: `place_width` columns.
+inline constexpr std::size_t place_width = 9;
+TextColumn place_column(const tally::Result& result, const EchoRow& first, std::size_t gates,
+                        std::size_t step);
 
 /// Narrower lines than this are not made.
 inline constexpr std::size_t least_width = 40;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/utf8.hpp"
 #include "io/table_parts.hpp"
 
 namespace photic::io {
@@ -21,20 +22,45 @@ TextColumn text_column(const std::string& heading, const std::vector<double>& va
   return out;
 }
 
-std::string side_by_side(const std::vector<TextColumn>& columns) {
-  std::string out;
-  const auto add_line = [&](const auto& text_of) {
-    for (const TextColumn& c : columns) {
-      std::size_t wide = c.heading.size();
-      for (const std::string& cell : c.cells) wide = std::max(wide, cell.size());
-      out += fmt::format("  {:>{}}", text_of(c), wide);
-    }
-    out += '\n';
-  };
-  add_line([](const TextColumn& c) { return c.heading; });
-  for (std::size_t i = 0; i < columns.front().cells.size(); ++i)
-    add_line([i](const TextColumn& c) { return c.cells[i]; });
+namespace {
+
+std::vector<std::string> lines_of(const std::string& heading) {
+  std::vector<std::string> out(1);
+  for (const char c : heading) {
+    if (c == '\n')
+      out.emplace_back();
+    else
+      out.back() += c;
+  }
   return out;
+}
+
+/// The lines of a column from the top of the highest heading down, all as wide.
+std::vector<std::string> padded(const TextColumn& column, std::size_t heading_lines) {
+  std::vector<std::string> lines = lines_of(column.heading);
+  lines.insert(lines.begin(), heading_lines - lines.size(), "");
+  lines.insert(lines.end(), column.cells.begin(), column.cells.end());
+  std::size_t width = 0;
+  for (const std::string& line : lines) width = std::max(width, letters(line));
+  for (std::string& line : lines)
+    line.insert(column.left ? line.size() : 0, width - letters(line), ' ');
+  return lines;
+}
+
+}  // namespace
+
+std::string side_by_side(const std::vector<TextColumn>& columns, std::size_t blanks) {
+  std::size_t heading_lines = 0;
+  for (const TextColumn& c : columns)
+    heading_lines = std::max(heading_lines, lines_of(c.heading).size());
+  std::vector<std::string> lines(heading_lines + columns.front().cells.size());
+  for (const TextColumn& c : columns) {
+    const auto more = padded(c, heading_lines);
+    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] += std::string(blanks, ' ') + more[i];
+  }
+  std::string out;
+  for (const std::string& line : lines) out += line + '\n';
+  return trimmed(out);
 }
 
 std::string set_back(const std::string& line) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/interpolation.hpp"
 #include "medium/lines.hpp"
 #include "optics/cdom.hpp"
 #include "optics/data_table.hpp"
@@ -45,12 +46,10 @@ Between entries_around(const scene::Layer& layer, double wavelength_nm) {
                                    layer.name, first, last, wavelength_nm),
                        "add an entry for it"}});
   if (iop.size() == 1) return {iop[0], iop[0], 0.0};
-  std::size_t i = 1;
-  while (iop[i].wavelength_nm < wavelength_nm) ++i;
-  const auto& low = iop[i - 1];
-  const auto& high = iop[i];
-  return {low, high,
-          (wavelength_nm - low.wavelength_nm) / (high.wavelength_nm - low.wavelength_nm)};
+  std::vector<double> nm;
+  for (const auto& entry : iop) nm.push_back(entry.wavelength_nm);
+  const auto [i, t] = interval_of(nm, wavelength_nm);
+  return {iop[i - 1], iop[i], t};
 }
 
 WaterOptics of_table(const scene::Layer& layer, double wavelength_nm) {

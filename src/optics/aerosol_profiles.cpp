@@ -48,9 +48,7 @@ Values at_levels(const Values& z_km, const Values& values, const Values& levels_
       out.push_back(0);
       continue;
     }
-    const auto above = std::upper_bound(z_km.begin() + 1, z_km.end() - 1, z);
-    const auto i = static_cast<std::size_t>(above - z_km.begin());
-    const double t = (z - z_km[i - 1]) / (z_km[i] - z_km[i - 1]);
+    const auto [i, t] = interval_of(z_km, z);
     out.push_back(geometric_lerp(values[i - 1], values[i], t));
   }
   return out;

@@ -10,12 +10,6 @@
 namespace photic::optics {
 namespace {
 
-/// The interval of ascending numbers that x is in, as the index of its upper end.
-std::size_t interval(const std::vector<double>& ascending, double x) {
-  const auto above = std::upper_bound(ascending.begin() + 1, ascending.end() - 1, x);
-  return static_cast<std::size_t>(above - ascending.begin());
-}
-
 /// Of the ways between two values that the interpolation has gone, in wavelength and humidity.
 struct Steps {
   std::size_t wavelength;
@@ -58,7 +52,7 @@ AerosolOptics AerosolModel::at(double nm, double relative_humidity_percent) cons
   const auto& rh = humidity_percent_;
   const double humidity = std::clamp(relative_humidity_percent, rh.front(), rh.back());
   const auto dryness = [](double percent) { return std::log(100 - percent); };
-  const std::size_t i = interval(w, nm), k = interval(rh, humidity);
+  const std::size_t i = interval_of(w, nm).upper, k = interval_of(rh, humidity).upper;
   const Steps steps{
       i, std::log(nm / w[i - 1]) / std::log(w[i] / w[i - 1]),
       (dryness(humidity) - dryness(rh[k - 1])) / (dryness(rh[k]) - dryness(rh[k - 1]))};

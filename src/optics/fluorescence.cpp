@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/constants.hpp"
+#include "core/interpolation.hpp"
 
 namespace photic::optics {
 namespace {
@@ -118,11 +119,11 @@ Emission cdom_fluorescence(const DataTable& table, double laser_nm) {
   if (laser_nm < rows.front().nm || laser_nm > rows.back().nm)
     no_data("CDOM fluorescence", laser_nm, table.name(), rows.front().nm, rows.back().nm,
             "add excitations around the laser's wavelength");
-  const auto above = std::find_if(rows.begin() + (rows.size() > 1 ? 1 : 0), rows.end(),
-                                  [&](const auto& row) { return row.nm >= laser_nm; });
-  const auto& high = *above;
-  const auto& low = rows.size() > 1 ? *(above - 1) : high;
-  const double t = high.nm > low.nm ? (laser_nm - low.nm) / (high.nm - low.nm) : 0;
+  std::vector<double> excitation_nm;
+  for (const auto& row : rows) excitation_nm.push_back(row.nm);
+  const auto [upper, t] = rows.size() > 1 ? interval_of(excitation_nm, laser_nm) : Interval{0, 0};
+  const auto& high = rows[upper];
+  const auto& low = rows[upper == 0 ? 0 : upper - 1];
   Emission out{{}, {}, table.name()};
   std::vector<double> nm, per_nm;
   for (std::size_t i = 0; i < low.emission_nm.size(); ++i) {

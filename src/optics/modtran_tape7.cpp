@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "core/interpolation.hpp"
 #include "optics/modtran.hpp"
 #include "optics/modtran_text.hpp"
 
@@ -219,9 +220,8 @@ ModtranTransmittances::Between ModtranTransmittances::between_rows(const std::st
           fmt::format("no transmittances at {:g} nm: the file covers {:g}-{:g} nm", wavelength_nm,
                       1 / (cm_per_nm * w.back()), 1 / (cm_per_nm * w.front())),
           "choose another wavelength"}});
-  const auto above = std::upper_bound(w.begin() + 1, w.end() - 1, wavenumber);
-  const auto i = static_cast<std::size_t>(above - w.begin());
-  return {i, std::clamp((wavenumber - w[i - 1]) / (w[i] - w[i - 1]), 0.0, 1.0)};
+  const auto [i, t] = interval_of(w, wavenumber);
+  return {i, std::clamp(t, 0.0, 1.0)};
 }
 
 RoundedDepth ModtranTransmittances::optical_depth(const std::string& column,

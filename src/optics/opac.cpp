@@ -72,9 +72,7 @@ Spheres Opac::spheres(const std::string& component, double nm) const {
   const auto& w = c.wavelength_nm;
   if (!(nm >= w.front() && nm <= w.back()))
     no_data("OPAC", nm, source_, w.front(), w.back(), "choose another wavelength");
-  const auto above = std::upper_bound(w.begin() + 1, w.end() - 1, nm);
-  const auto i = static_cast<std::size_t>(above - w.begin());
-  const double t = (nm - w[i - 1]) / (w[i] - w[i - 1]);
+  const auto [i, t] = interval_of(w, nm);
   return {nm * m_per_nm, std::lerp(c.n[i - 1], c.n[i], t), geometric_lerp(c.k[i - 1], c.k[i], t),
           c.sizes};
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/interpolation.hpp"
 
 namespace photic::optics {
 namespace {
@@ -53,12 +54,10 @@ struct Number {
   }
   double operator()(const SizeTable& s) const {
     const auto& r = s.radius_m;
-    const auto above = std::upper_bound(r.begin() + 1, r.end() - 1, radius_m);
-    const auto i = static_cast<std::size_t>(above - r.begin());
+    const auto [i, way] = interval_of(r, radius_m);
     const double lower = s.number[i - 1], upper = s.number[i];
     const bool straight = lower == 0 || upper == 0;
-    const double t = straight ? (radius_m - r[i - 1]) / (r[i] - r[i - 1])
-                              : std::log(radius_m / r[i - 1]) / std::log(r[i] / r[i - 1]);
+    const double t = straight ? way : std::log(radius_m / r[i - 1]) / std::log(r[i] / r[i - 1]);
     return radius_m * (straight ? std::lerp(lower, upper, t) : lower * std::pow(upper / lower, t));
   }
 };

@@ -10,7 +10,7 @@
 namespace photic::scene {
 namespace {
 
-/// A boolean, number or text, which TOML and JSON write alike; empty for a table or an array.
+/// A boolean, number or text; empty for a table or an array.
 std::string scalar_text(const Node& node) {
   if (const auto* b = node.as<bool>()) return *b ? "true" : "false";
   if (const auto* i = node.as<std::int64_t>()) return fmt::format("{}", *i);
@@ -104,41 +104,6 @@ void write_table(const Node& table, const std::string& header, std::string& out)
   }
 }
 
-void write_json(const Node& node, const std::string& indent, std::string& out);
-
-template <class Items, class WriteItem>
-void write_block(const Items& items, char open, char close, const std::string& indent,
-                 std::string& out, const WriteItem& write_item) {
-  out += open;
-  bool first = true;
-  for (const auto& item : items) {
-    out += (first ? "\n" : ",\n") + indent + "  ";
-    write_item(item);
-    first = false;
-  }
-  out += fmt::format("\n{}{}", indent, close);
-}
-
-std::string json_line(const Node::Array& array) {
-  std::string inside;
-  for (const Node& element : array) inside += (inside.empty() ? "" : ", ") + scalar_text(element);
-  return fmt::format("[{}]", inside);
-}
-
-void write_json(const Node& node, const std::string& indent, std::string& out) {
-  if (const auto* table = node.as<Node::Table>()) {
-    write_block(*table, '{', '}', indent, out, [&](const Entry& entry) {
-      out += quoted(entry.key) + ": ";
-      write_json(entry.value, indent + "  ", out);
-    });
-  } else if (const auto* array = node.as<Node::Array>(); array && holds_tables(*array)) {
-    write_block(*array, '[', ']', indent, out,
-                [&](const Node& element) { write_json(element, indent + "  ", out); });
-  } else {
-    out += array ? json_line(*array) : scalar_text(node);
-  }
-}
-
 }  // namespace
 
 std::string format_toml(const Node& table) {
@@ -148,11 +113,5 @@ std::string format_toml(const Node& table) {
 }
 
 std::string format_value(const Node& node) { return inline_toml(node, Lines::one); }
-
-std::string format_json(const Node& node) {
-  std::string out;
-  write_json(node, "", out);
-  return out + "\n";
-}
 
 }  // namespace photic::scene

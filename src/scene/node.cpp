@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/utf8.hpp"
 
 namespace photic::scene {
 namespace {
@@ -31,13 +32,10 @@ std::string short_array(const Node::Array& array) {
   return fmt::format("[{}]", inside);
 }
 
-/// Cut to a length that leaves a message readable, never inside a UTF-8 sequence.
+/// Cut to a length that leaves a message readable.
 std::string shortened(const std::string& text) {
   constexpr std::size_t longest = 40;
-  if (text.size() <= longest) return text;
-  std::size_t end = longest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
-  return text.substr(0, end) + "…";
+  return letters(text) <= longest ? text : std::string(first_letters(text, longest)) + "…";
 }
 
 }  // namespace

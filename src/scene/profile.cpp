@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/interpolation.hpp"
 
 namespace photic::scene {
 
@@ -27,10 +28,7 @@ void LinearProfile::reach(double from_m, double to_m) {
 }
 
 double LinearProfile::at(double depth_m) const {
-  const auto above = std::upper_bound(depth_m_.begin() + 1, depth_m_.end() - 1, depth_m);
-  const auto i = static_cast<std::size_t>(above - depth_m_.begin());
-  // By halves, which are exact and whose differences are finite.
-  const double t = (depth_m / 2 - depth_m_[i - 1] / 2) / (depth_m_[i] / 2 - depth_m_[i - 1] / 2);
+  const auto [i, t] = interval_of(depth_m_, depth_m);
   return std::lerp(value_[i - 1], value_[i], t);
 }
 

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <string_view>
 
+#include "core/utf8.hpp"
+
 namespace photic::scene {
 namespace {
 
-bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80U; }
 
 /// Where a comment or a string that begins at `start` ends. Strings on one line end with it, even
@@ -33,7 +34,7 @@ LineColumn place_of(std::string_view toml, std::size_t position) {
   for (const char c : toml.substr(0, position)) {
     if (c == '\n')
       place = {place.line + 1, 1};
-    else if (!is_continuation(c))
+    else if (!continues_letter(c))
       ++place.column;
   }
   return place;

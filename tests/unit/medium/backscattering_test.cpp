@@ -40,7 +40,8 @@ TEST(Backscattering, IsNamedAmongTheSources) {
   const std::string told =
       "given in the scene; b_b/b = 0.02381, too: phase function Fournier-Forand of that b_b/b, "
       "Mobley, Sundman & Boss 2002 [verified]";
-  EXPECT_TRUE(std::ranges::any_of(m.sources, [&](const auto& s) { return s.ends_with(told); }));
+  EXPECT_TRUE(
+      std::ranges::any_of(m.sources, [&](const auto& s) { return s.source.ends_with(told); }));
 }
 
 TEST(Backscattering, OfNoScatteringIsNothing) {

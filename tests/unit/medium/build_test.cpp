@@ -132,12 +132,13 @@ TEST(BuildMedium, EndsAtTheBedOfTheLastLayer) {
 TEST(BuildMedium, TellsWhereItsNumbersComeFrom) {
   const auto m = medium_of(scene_of({iop_layer()}, all_channels));
   const auto tells = [&](const std::string& what) {
-    return std::any_of(m.sources.begin(), m.sources.end(),
-                       [&](const std::string& s) { return s.find(what) != std::string::npos; });
+    return std::any_of(m.sources.begin(), m.sources.end(), [&](const Source& s) {
+      return source_line(s).find(what) != std::string::npos;
+    });
   };
   EXPECT_TRUE(tells("given in the scene"));
-  EXPECT_TRUE(tells("layer 0: raman light at"));
-  EXPECT_TRUE(tells("layer 0: chlorophyll light at 685"));
+  EXPECT_TRUE(tells("raman light, 6"));
+  EXPECT_TRUE(tells("chlorophyll light, 685 nm: "));
   EXPECT_TRUE(tells("Bartlett"));
 }
 
