@@ -18,15 +18,19 @@ def main(arguments=None):
         "plot",
         help="draw echoes against depth, or optics",
         description="Draws the echoes of one result by channel, process and order, or those of "
-        "several results over each other, channel by channel, and each by order beside them. Of a "
+        "several results over each other, channel by channel, and each by order beside them; all "
+        "telescopes, or those chosen. Of a "
         "file of `photic optics` it draws coefficients, phase functions and emitted light, or "
         "spectra.",
     )
     add = plot.add_argument
+    several = {"action": "append", "default": [], "metavar": "NAME"}
     add("results", nargs="+", metavar="RESULT.nc", help="what `photic run` or `photic optics` wrote")
     add("-o", "--output", required=True, metavar="OUT.png", help="picture: .png, .pdf or .svg")
     add("--title", help="default: the scene's title")
-    add("--telescope", metavar="NAME", help="default: the first")
+    add("--telescope", **several, help="draw this telescope only; may be repeated [default: all]")
+    add("--channel", **several, help="draw this channel only; may be repeated [default: all]")
+    add("--width-mm", type=float, metavar="W", help="width of the picture, as for a journal's column")
     options = parser.parse_args(arguments)
     try:
         draw(options)
@@ -37,8 +41,9 @@ def main(arguments=None):
 
 
 def draw(options):
-    if not options.output.endswith((".png", ".pdf", ".svg")):
-        raise Error(f"{options.output}: pictures are .png, .pdf or .svg")
+    ending = _ending(options.output)
+    if options.width_mm is not None and not 60 <= options.width_mm <= 500:
+        raise Error(f"--width-mm {options.width_mm:g}: widths are from 60 to 500 mm")
     results = [open_result(path) for path in options.results]
     try:
         from photic import optics_plot, plot  # here, so that reading results needs no matplotlib
@@ -47,22 +52,35 @@ def draw(options):
     if any(is_optics(result) or is_spectra(result) for result in results):
         _expect_one(options)
         draws = optics_plot.figure if is_optics(results[0]) else optics_plot.spectra
-        picture = draws(results[0], title=options.title)
+        picture = draws(results[0], title=options.title, width_mm=options.width_mm)
     else:
         names = _names(options.results)
-        picture = plot.figure(results, names, telescope=options.telescope, title=options.title)
+        chosen = {"telescopes": options.telescope, "channels": options.channel}
+        look = {"title": options.title, "width_mm": options.width_mm}
+        picture = plot.figure(results, names, **chosen, **look)
     try:
-        picture.savefig(options.output)
+        picture.savefig(options.output, format=ending)
     except OSError as error:
         message = f"{options.output}: cannot write the picture: {error.strerror or error}"
         raise Error(message, exit_code=1) from error
 
 
+def _ending(path):
+    if os.path.isdir(path) or path.endswith("/"):
+        example = os.path.join(path, "echoes.png")
+        raise Error(f"{path}: is a folder: name a picture in it, as in {example}")
+    ending = os.path.splitext(path)[1].lower()
+    if ending not in (".png", ".pdf", ".svg"):
+        raise Error(f"{path}: pictures are .png, .pdf or .svg")
+    return ending[1:]
+
+
 def _expect_one(options):
     if len(options.results) > 1:
         raise Error("optics are drawn alone: give one file of `photic optics`, and nothing else")
-    if options.telescope is not None:
-        raise Error(f"{options.results[0]}: holds optics, and no telescopes (leave out --telescope)")
+    for option, given in (("telescope", options.telescope), ("channel", options.channel)):
+        if given:
+            raise Error(f"{options.results[0]}: holds optics, and no {option}s (leave out --{option})")
 
 
 def _names(paths):

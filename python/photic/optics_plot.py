@@ -2,15 +2,20 @@
 against angle, and emitted light; a row for each layer. Air emits nothing: the lowest layer is at the
 bottom. Spectra of an oil and transmittances have a panel for each unit."""
 
+from functools import partial
+
 import numpy
 from matplotlib import colormaps
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
-from photic import panels
-from photic.plot import COLOURS, LOOK
+from photic.page import Cell, Legend, as_many_as_fit, build, page, rows, spread
+from photic.panels import COLOURS, grid, say
+from photic.sources import caution
 
-MOST_LAYERS = 6  # rows of a figure; of more layers so many are drawn, from the first to the last
+MOST_LAYERS = 6  # of a figure; of more layers so many are drawn, from the first to the last
 MOST_PHASES = 5  # phase functions in a panel, of so many wavelengths
+WIDE, HIGH = 4.5, 3.6  # a panel, on a page of free width
 FEW = 12  # points or lines that are drawn one by one
 DECADES = 6  # of an axis: what is less than all of them below the most is not seen
 OF_CONSTITUENT = {
@@ -20,68 +25,90 @@ OF_CONSTITUENT = {
 OF_PROCESS = {"raman": "#0072B2", "chlorophyll": "#009E73", "cdom": "#D55E00"}
 UNITS = {"m-1": "1/m", "nm-1": "1/nm"}
 FLOOR = 1e-30  # 0 for a logarithmic axis
-ANGLES = [0, 1, 10, 30, 60, 90, 120, 180]
+ANGLES = [0, 1, 10, 30, 60, 90, 180]
 TOTAL = {"color": "black", "linewidth": 2.0}
+UNNAMED = "_child"  # as matplotlib calls lines that have no name
 NO_EMISSION = "no light of other wavelengths"
 
 
-def figure(optics, title=None):
-    """optics: what photic.open gives for a file of `photic optics`; title: default the scene's."""
-    axis = _axis(optics)
-    layers = _spread(optics.sizes[axis], MOST_LAYERS)
-    layers = layers[::-1] if axis == "altitude" else layers
-    panels_across = 4 if "process" in optics.sizes else 3
-    drawing = Figure(figsize=(4.5 * panels_across, 1.3 + 3.9 * len(layers)), **LOOK)
-    together = "col" if axis == "depth" else "none"  # air thins out by more than an axis can show
-    grid = drawing.subplots(
-        len(layers), panels_across, sharex="col", sharey=together, squeeze=False
-    )
-    for row, layer in zip(grid, layers):
-        absorption, scattering, phases = row[:3]
-        one = optics.isel({axis: layer})
-        name = _name(one)
-        _spectra(absorption, one, [("a_per_m", "all", "-")], "absorption by ")
-        totals = [("b_per_m", "all", "-"), ("bb_per_m", "all, backwards", "--")]
-        _spectra(scattering, one, totals, "scattering by ")
-        _phases(phases, one)
-        for emission in row[3:]:
-            _emission(emission, one)
-        titles = ("absorption", "scattering", "phase function", "light emitted")
-        for panel, what in zip(row, titles):
-            panel.set_title(panels.text(f"{name}: {what}"), fontsize=10.5, loc="left")
-    _finish(grid)
-    for row, layer in zip(grid, layers):
-        _limit_row(row, optics if together == "col" else optics.isel({axis: layer}))
+def figure(optics, title=None, width_mm=None):
+    """optics: what photic.open gives for a file of `photic optics`; title: default the scene's;
+    width_mm: of the figure."""
+    across = 4 if "process" in optics.sizes else 3
+    sheet = page(width_mm, WIDE * across)
+    out, drawn = as_many_as_fit(sheet, MOST_LAYERS, partial(_rows, sheet, optics, across))
+    caption = [_caption(optics, drawn), caution(optics)]
     title = optics.attrs["title"] if title is None else title
-    drawing.suptitle(panels.text(title), x=0.01, ha="left", fontsize=14, fontweight="bold")
-    caption = panels.text(_caption(optics, len(layers)))
-    drawing.supxlabel(caption, x=0.01, ha="left", fontsize=8, color="0.3")
-    return drawing
+    return build(sheet, out, title, "\n".join(filter(None, caption)))
 
 
-def spectra(table, title=None):
-    """table: what photic.open gives for spectra of an oil, or for transmittances."""
+def _rows(sheet, optics, across, most):
+    """Those of so many layers, or of all if there are fewer, and how many these are."""
+    axis, out = _axis(optics), []
+    layers = spread(optics.sizes[axis], most)
+    for layer in layers[::-1] if axis == "altitude" else layers:
+        one = optics.isel({axis: layer})
+        # Air thins out by more than an axis can show.
+        limits = optics if axis == "depth" else one
+        out += rows(sheet, _cells(one, limits, across), HIGH, sharey=False)
+    return out, len(layers)
+
+
+def _cells(layer, limits, across):
+    """The panels of a layer; limits: optics that hold all that is drawn on the same axes."""
+    totals = [("b_per_m", "all", "-"), ("bb_per_m", "all, backwards", "--")]
+    draws = [
+        ("absorption", partial(_spectra, layer, limits, [("a_per_m", "all", "-")], "absorption by ")),
+        ("scattering", partial(_spectra, layer, limits, totals, "scattering by ")),
+        ("phase function", partial(_phases, layer, limits)),
+        ("light emitted", partial(_emission, layer, limits)),
+    ]
+    return [_cell(f"{_name(layer)}: {what}", draw) for what, draw in draws[:across]]
+
+
+def _cell(title, draw, width=WIDE):
+    """A panel with a legend of what is drawn in it."""
+    scratch = Figure().subplots()
+    draw(scratch)
+    lines = [line for line in scratch.get_lines() if not line.get_label().startswith(UNNAMED)]
+    return Cell(title, width, draw, Legend([_proxy(line) for line in lines]))
+
+
+def _proxy(line):
+    """Of a line, for the legend of another figure."""
+    look = {"color": line.get_color(), "linewidth": line.get_linewidth()}
+    marker = {"marker": line.get_marker(), "markersize": line.get_markersize()}
+    face = {"linestyle": line.get_linestyle(), "markerfacecolor": line.get_markerfacecolor()}
+    return Line2D([], [], label=line.get_label(), **look, **marker, **face)
+
+
+def spectra(table, title=None, width_mm=None):
+    """table: what photic.open gives for spectra of an oil, or for transmittances; width_mm: of the
+    figure."""
     units = list(dict.fromkeys(table[name].attrs["units"] for name in _curves(table)))
-    drawing = Figure(figsize=(6.0 * len(units), 5.2), **LOOK)
-    row = drawing.subplots(1, len(units), squeeze=False)[0]
-    for panel, unit in zip(row, units):
-        names = [name for name in _curves(table) if table[name].attrs["units"] == unit]
-        names.sort(key=lambda name: -float(abs(table[name] - table[name][0]).max()))
-        for name, colour in zip(names[: len(COLOURS) - 1], COLOURS):
-            label = panels.text(table[name].attrs["long_name"])
-            _spectrum(panel, table[name], label, color=colour, linewidth=1.5)
-        panel.set_xlabel("wavelength [nm]", fontsize=9)
-        panel.set_ylabel(panels.text(f"[{UNITS.get(unit, unit)}]"), fontsize=9)
-        panel.grid(which="major", color="0.88", linewidth=0.7)
-        if unit == "m-1":
-            panel.set_yscale("log")
-        if panel.get_legend_handles_labels()[0]:
-            panel.legend(loc="best", fontsize=8.5, framealpha=0.92)
+    sheet = page(width_mm, 6.0 * len(units))
+    cells = [_cell("", partial(_of_unit, table, unit), 6.0) for unit in units]
+    caption = [table.attrs["source"] + _numbers(table), caution(table)]
     title = table.attrs["title"] if title is None else title
-    drawing.suptitle(panels.text(title), x=0.01, ha="left", fontsize=14, fontweight="bold")
-    caption = panels.text(table.attrs["source"] + _numbers(table))
-    drawing.supxlabel(caption, x=0.01, ha="left", fontsize=8, color="0.3")
-    return drawing
+    return build(sheet, rows(sheet, cells, 4.2, sharey=False), title, "\n".join(filter(None, caption)))
+
+
+def _of_unit(table, unit, panel):
+    """The curves that change most of those in the unit."""
+    names = [name for name in _curves(table) if table[name].attrs["units"] == unit]
+    names.sort(key=lambda name: -float(abs(table[name] - table[name][0]).max()))
+    for name, colour in zip(names[: len(COLOURS) - 1], COLOURS):
+        look = {"color": colour, "linewidth": 1.5}
+        _spectrum(panel, table[name], table[name].attrs["long_name"], **look)
+    panel.set_xlabel("wavelength [nm]")
+    panel.set_ylabel(_unit(unit))
+    grid(panel)
+    if unit == "m-1":
+        panel.set_yscale("log")
+
+
+def _unit(unit):
+    return f"[{UNITS.get(unit, unit)}]"
 
 
 def _curves(table):
@@ -102,11 +129,6 @@ def _axis(optics):
     return "altitude" if "altitude" in optics.sizes else "depth"
 
 
-def _spread(count, most):
-    """Indices below count: all, or so many of them, evenly from the first to the last."""
-    return numpy.unique(numpy.linspace(0, count - 1, min(count, most)).round().astype(int))
-
-
 def _name(layer):
     if "altitude" in layer.coords:
         return str(layer.layer_name.values)
@@ -119,7 +141,8 @@ def _caption(optics, drawn):
     parts = [optics.attrs["source"]]
     layers = optics.sizes[_axis(optics)]
     if drawn < layers:
-        parts.append(f"{drawn} of its {layers} layers")
+        which = f"{drawn} of its {layers} layers, from the first to the last"
+        parts.append(which if drawn > 1 else f"the first of its {layers} layers")
     if "process" in optics.sizes:
         nm = float(optics.excitation_wavelength_nm)
         parts.append(f"light emitted: photons per metre and photon of {nm:.6g} nm (dotted)")
@@ -139,16 +162,21 @@ def _colours(known, names):
     return known | {name: left[i % len(left)] for i, name in enumerate(unknown)}
 
 
-def _spectra(panel, layer, totals, verb):
+def _spectra(layer, limits, totals, verb, panel):
     """Coefficients of the layer, and those of its constituents that are above 0."""
     both = {**_constituents(layer, "absorption by "), **_constituents(layer, "scattering by ")}
     colours = _colours(OF_CONSTITUENT, dict.fromkeys(both.values()))
     for name, label, style in totals:
         fill = "black" if style == "-" else "white"
         _spectrum(panel, layer[name], label, linestyle=style, markerfacecolor=fill, **TOTAL)
-    for name, constituent in _constituents(layer, verb).items():
-        look = {"color": colours[constituent], "linewidth": 1.5}
-        _spectrum(panel, layer[name], panels.text(constituent), **look)
+    parts = _constituents(layer, verb)
+    for name, constituent in parts.items():
+        _spectrum(panel, layer[name], constituent, color=colours[constituent], linewidth=1.5)
+    what = verb.removesuffix(" by ")
+    if not panel.get_lines():
+        say(panel, f"no {what}")
+    _finish(panel, "wavelength [nm]", f"{what} coefficient [1/m]")
+    _limit(panel, limits[[name for name, _, _ in totals] + list(parts)])
 
 
 def _spectrum(panel, values, label, **look):
@@ -159,17 +187,34 @@ def _spectrum(panel, values, label, **look):
         panel.plot(values.wavelength, values, label=label, **look)
 
 
-def _phases(panel, layer):
-    chosen = _spread(layer.sizes["wavelength"], MOST_PHASES)
+def _phases(layer, limits, panel):
+    """Phase functions. What a file has at 0 is the mean over their core, which reaches to its next
+    angle: flat there, and a step down to what stands behind it."""
+    chosen = spread(layer.sizes["wavelength"], MOST_PHASES)
     shades = colormaps["viridis"](numpy.linspace(0.08, 0.9, len(chosen)))
+    angles = layer.angle.values
+    angles = numpy.concatenate([angles[:1], angles[1:2], angles[1:]])
     for index, shade in zip(chosen, shades):
         one = layer.phase_function_per_sr.isel(wavelength=index)
-        panel.plot(one.angle, one, color=shade, label=f"{float(one.wavelength):.5g} nm")
+        values = numpy.concatenate([one.values[:1], one.values])
+        panel.plot(angles, values, color=shade, label=f"{float(one.wavelength):.5g} nm")
+    _finish(panel, "scattering angle [degree]", "phase function [1/sr]")
+    values = limits.phase_function_per_sr.isel(wavelength=chosen).values
+    panel.set_ylim(values[values > 0].min() / 2, 2 * values.max())
+    # Between a linear axis, where the forward peak is a wall, and a logarithmic one, which has no
+    # room for the light that comes back.
+    panel.set_xscale("function", functions=(numpy.cbrt, lambda root: root**3))
+    panel.set_xticks(ANGLES)
+    panel.set_xlim(0, 180)
+    low, high = panel.get_ylim()
+    if high > 1000 * low:  # many decades of minor ticks take seconds to draw
+        panel.minorticks_off()
 
 
-def _emission(panel, layer):
+def _emission(layer, limits, panel):
     """The lines that the layer emits, where they lie, and the light that excites them."""
-    panel.axvline(float(layer.excitation_wavelength_nm), color="0.5", linestyle=":")
+    excitation = float(layer.excitation_wavelength_nm)
+    panel.axvline(excitation, color="0.5", linestyle=":")
     processes = [str(process) for process in layer.process.values]
     colours = _colours(OF_PROCESS, processes)
     for process in processes:
@@ -179,8 +224,16 @@ def _emission(panel, layer):
         total = float(layer.emission_per_m.sel(process=process))
         thick, size = (2.2, 5) if len(nm) <= FEW else (0.8, 2)
         panel.vlines(nm, FLOOR, per_m, color=colours[process], linewidth=thick)
-        label = panels.text(f"{process}: {total:.3g} 1/m in all")
+        label = f"{process}: {total:.3g} 1/m in all"
         panel.plot(nm, per_m, "o", color=colours[process], markersize=size, label=label)
+    if len(panel.get_lines()) == 1:
+        say(panel, NO_EMISSION)
+    _finish(panel, "wavelength [nm]", "emission coefficient [1/m]")
+    _limit(panel, limits[[name for name in ["emission_line_per_m"] if name in limits]])
+    if "emission_wavelength_nm" in limits:
+        drawn = [excitation, *limits.emission_wavelength_nm.values]
+        margin = 0.1 * (max(drawn) - min(drawn))
+        panel.set_xlim(min(drawn) - margin, max(drawn) + margin)
 
 
 def _lines_of(layer, process):
@@ -192,45 +245,11 @@ def _lines_of(layer, process):
     return layer.emission_wavelength_nm.values[its], per_m[its]
 
 
-def _finish(grid):
-    """Axes and legends. All panels of a column have the same wavelengths or angles."""
-    labels = [
-        ("wavelength [nm]", "absorption coefficient [1/m]"),
-        ("wavelength [nm]", "scattering coefficient [1/m]"),
-        ("scattering angle [degree]", "phase function [1/sr]"),
-        ("wavelength [nm]", "emission coefficient [1/m]"),
-    ]
-    for panel, (across, up) in zip(grid[-1], labels):
-        panel.set_xlabel(across, fontsize=9)
-    for row in grid:
-        for panel, (_, up) in zip(row, labels):
-            panel.set_ylabel(up, fontsize=9)
-            panel.set_yscale("log")
-            panel.grid(which="major", color="0.88", linewidth=0.7)
-            panel.set_axisbelow(True)
-        for panel, nothing in zip(row, ("no absorption", "no scattering", "", NO_EMISSION)):
-            if panel.get_legend_handles_labels()[0]:
-                panel.legend(loc="best", fontsize=8.5, framealpha=0.92)
-            else:
-                panel.text(0.5, 0.5, nothing, transform=panel.transAxes, ha="center", color="0.3")
-        # Between a linear axis, where the forward peak is a wall, and a logarithmic one, which has
-        # no room for the light that comes back.
-        row[2].set_xscale("function", functions=(numpy.cbrt, lambda root: root**3))
-        row[2].set_xticks(ANGLES)
-        row[2].set_xlim(0, 180)
-        low, high = row[2].get_ylim()
-        if high > 1000 * low:  # many decades of minor ticks take seconds to draw
-            row[2].minorticks_off()
-        for emission in row[3:]:
-            emission.margins(x=0.1)
-
-
-def _limit_row(row, optics):
-    a, b = _constituents(optics, "absorption by "), _constituents(optics, "scattering by ")
-    _limit(row[0], optics[["a_per_m", *a]])
-    _limit(row[1], optics[["b_per_m", "bb_per_m", *b]])
-    for emission in row[3:]:
-        _limit(emission, optics[[name for name in ["emission_line_per_m"] if name in optics]])
+def _finish(panel, across, up):
+    panel.set_xlabel(across)
+    panel.set_ylabel(up)
+    panel.set_yscale("log")
+    grid(panel)
 
 
 def _limit(panel, variables):

@@ -9,29 +9,29 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullFormatter
 
+from photic.page import MOST_NAMED, Legend, spread
+
+# Okabe & Ito (2008), "Color Universal Design": told apart by the colour-blind too.
+# Green comes first, for 532 nm.
+COLOURS = ["#009E73", "#D55E00", "#0072B2", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
 INTERVAL_95 = 1.96  # standard errors of a normal distribution
 MARKERS_PER_LINE = 40
 LARGEST_RATIO = 1e16  # of echoes on one axis: more decades cannot be told apart
 LARGEST_CHANGE = 3  # factor of an environment that is still told in per cent
 NARROW = 0.3  # band, over its echo: not too wild to choose the axis by
-LEGEND_LINES = 22  # what fits beside a panel
-AT_THE_RIGHT = {"loc": "upper left", "bbox_to_anchor": (1.01, 1), "borderaxespad": 0}
+BAND, FADED_BAND, FADED = 0.25, 0.08, 0.45  # opacity: of bands, and of what has not converged
 NO_LIGHT = "no light in any gate"
+NOT_CONVERGED = "faded: not converged"
 HATCH = {"hatch": "///", "edgecolor": "white", "linewidth": 0}
+VEIL = {"facecolor": (1, 1, 1, 1 - FADED)}
 
 
-def text(words):
-    """Users' words as they stand: to matplotlib $ begins a formula, and a leading _ hides a line
-    from the legend."""
-    words = str(words).replace("$", r"\$")
-    return f" {words}" if words.startswith("_") else words
-
-
-def line(panel, part, echo, standard_error, colour, label):
-    """An echo with its 95 % band; open circles where not converged, a gap where not above 0."""
+def line(panel, part, echo, standard_error, colour):
+    """An echo with its 95 % band; faded, with open circles, where not converged, a gap where not above
+    0."""
     echo = echo.where(echo > 0).values
     ends = _ends(echo, INTERVAL_95 * standard_error.values)
-    _curve(panel, part.gate_depth.values, echo, ends, part.converged.values, colour, label)
+    _curve(panel, part.gate_depth.values, echo, ends, part.converged.values, colour)
 
 
 def _ends(middle, half_width):
@@ -40,18 +40,26 @@ def _ends(middle, half_width):
     return numpy.maximum(middle - half_width, 0.1 * middle), middle + half_width
 
 
-def _curve(panel, depth, middle, ends, settled, colour, label):
+def _curve(panel, depth, middle, ends, settled, colour):
+    """The line with its band, both faded where not converged."""
     there = ~numpy.isnan(middle)
-    panel.fill_betweenx(depth, *ends, where=there, color=colour, alpha=0.22, linewidth=0)
+    look = {"color": colour, "linewidth": 0}
+    panel.fill_betweenx(depth, *ends, where=there & settled, alpha=BAND, **look)
+    # Each gate twice, so that the rest begins and ends in the gate where the other does.
+    rest = numpy.concatenate([[True], (~(settled[:-1] & settled[1:])).repeat(2), [True]])
+    twice = [each.repeat(2) for each in (depth, *ends)]
+    where = there.repeat(2) & rest
+    panel.fill_betweenx(*twice, where=where, alpha=FADED_BAND, **look)
     thick = numpy.where(settled, middle, numpy.nan)
-    panel.plot(thick, depth, color=colour, linewidth=1.8, label=text(label))
-    panel.plot(middle, depth, color=colour, linewidth=0.8)
+    panel.plot(thick, depth, color=colour, linewidth=1.8)
+    panel.plot(middle, depth, color=colour, linewidth=0.8, alpha=FADED)
     marked = thinned(~settled, -(-len(depth) // MARKERS_PER_LINE))
-    panel.plot(middle[marked], depth[marked], color=colour, markeredgewidth=0.9, **_circles())
+    panel.plot(middle[marked], depth[marked], color=colour, **_circles())
 
 
 def _circles():
-    return {"linestyle": "none", "marker": "o", "markersize": 4, "markerfacecolor": "white"}
+    face = {"markerfacecolor": "white", "markeredgewidth": 0.9, "alpha": FADED}
+    return {"linestyle": "none", "marker": "o", "markersize": 4, **face}
 
 
 def thinned(chosen, step):
@@ -62,39 +70,45 @@ def thinned(chosen, step):
     return kept
 
 
-def finish_lines(panel, shown, title):
-    """Axes and legend for the echoes shown, each given with the convergence of its gates."""
-    _echo_axes(panel, [echo for echo, _ in shown], title)
-    handles, _ = panel.get_legend_handles_labels()
-    if any(_unsettled(echo, converged) for echo, converged in shown):
-        handles.append(_not_converged())
-    panel.legend(handles=handles, loc="best", fontsize=8.5, framealpha=0.92)
+def lines_legend(lines, faded, title=None):
+    """lines: what they are called, and their colours; faded: whether any gate has not converged."""
+    kept = spread(len(lines), MOST_NAMED)
+    named = [lines[k] for k in kept]
+    handles = [Line2D([], [], color=colour, linewidth=1.8, label=name) for name, colour in named]
+    if len(named) < len(lines):
+        label = f"{len(named)} of {len(lines)} are named"
+        handles.append(Line2D([], [], linestyle="none", label=label))
+    if faded:
+        style = {**_circles(), "linestyle": "-", "linewidth": 0.8, "color": "0.2"}
+        handles.append(Line2D([], [], label=NOT_CONVERGED, **style))
+    return Legend(handles, title)
 
 
-def _not_converged():
-    style = {**_circles(), "linestyle": "-", "linewidth": 0.8, "color": "0.4"}
-    return Line2D([], [], label="not converged", **style)
-
-
-def _echo_axes(panel, echoes, title):
-    limits = _echo_limits(echoes)
-    if limits is None:  # and no numbers for a logarithmic axis
-        panel.text(0.5, 0.5, NO_LIGHT, transform=panel.transAxes, ha="center", color="0.3")
+def finish_lines(panel, echoes, every=None):
+    """Axes for the echoes shown; every: those that other panels show on the same axis."""
+    if _echo_limits(echoes) is None:
+        say(panel, NO_LIGHT)
+    limits = _echo_limits(every or echoes)
+    if limits is None:  # no numbers for a logarithmic axis
         panel.set_xticks([])
     else:
         panel.set_xscale("log")
         panel.set_xlim(limits)
-    panel.set_xlabel("photons detected in the gate per photon emitted", fontsize=9)
-    panel.set_title(text(title), fontsize=10.5, loc="left")
-    _grid(panel)
+    panel.set_xlabel("photons in the gate per photon emitted")
+    grid(panel)
 
 
-def _grid(panel):
+def say(panel, words):
+    """In the middle of a panel without curves."""
+    panel.text(0.5, 0.5, words, transform=panel.transAxes, ha="center", color="0.3")
+
+
+def grid(panel):
     panel.grid(which="major", color="0.88", linewidth=0.7)
     panel.set_axisbelow(True)
 
 
-def _unsettled(echo, converged):
+def unsettled(echo, converged):
     return bool(((echo > 0) & ~converged).any())
 
 
@@ -107,28 +121,26 @@ def _echo_limits(echoes):
     return max(values.min() / 3, values.max() / LARGEST_RATIO), 3 * values.max()
 
 
-def processes(panel, part, colours, title):
-    """The echo of one channel by the process in which the light turned."""
-    for process in part.process.values:
+def processes(panel, part, lines):
+    """The echo of one channel by the process in which the light turned; lines: processes, and their
+    colours."""
+    for process, colour in lines:
         one = part.sel(process=process)
-        if (one.echo_by_process > 0).any():
-            error = one.echo_by_process_standard_error
-            line(panel, part, one.echo_by_process, error, next(colours), process)
-    finish_lines(panel, [(part.echo_by_process, part.converged)], title)
+        line(panel, part, one.echo_by_process, one.echo_by_process_standard_error, colour)
+    finish_lines(panel, [part.echo_by_process])
 
 
-def environments(panel, part, colours, title):
+def environments(panel, part, colours):
     """The echo of one channel in the scene, black, and in its environments."""
-    line(panel, part, part.echo, part.echo_standard_error, "black", "the scene")
+    line(panel, part, part.echo, part.echo_standard_error, "black")
     for name, colour in zip(part.environment.values, colours):
         one = part.sel(environment=name)
         one = one.assign(converged=one.environment_converged)
-        error = one.environment_echo_standard_error
-        line(panel, one, one.environment_echo, error, colour, name)
-    _echo_axes(panel, [part.echo, part.environment_echo], title)
+        line(panel, one, one.environment_echo, one.environment_echo_standard_error, colour)
+    finish_lines(panel, [part.echo, part.environment_echo])
 
 
-def changes(panel, part, colours, title):
+def changes(panel, part, colours):
     """What the environments change in the echo of one channel: over the scene's, in per cent unless
     factors are large. Bands are those of the difference."""
     echo = part.echo.where(part.echo > 0)
@@ -146,11 +158,10 @@ def changes(panel, part, colours, title):
         ends = _ends(middle, width) if factors else (middle - width, middle + width)
         if not factors:
             middle, *ends = (100 * (each - 1) for each in (middle, *ends))
-        _curve(panel, part.gate_depth.values, middle, ends, good, colour, name)
+        _curve(panel, part.gate_depth.values, middle, ends, good, colour)
         shown += [middle[good | narrow], *(end[good] for end in ends)]
     _change_axes(panel, numpy.concatenate(shown), factors)
-    panel.set_title(text(title), fontsize=10.5, loc="left")
-    _grid(panel)
+    grid(panel)
 
 
 def _largest_change(ratio):
@@ -170,13 +181,13 @@ def _change_axes(panel, values, factors):
         panel.xaxis.set_major_formatter("{x:g}")
         panel.xaxis.set_minor_formatter(NullFormatter())
     label = "echo over that of the scene" if factors else "echo against the scene's [%]"
-    panel.set_xlabel(label, fontsize=9)
+    panel.set_xlabel(label)
 
 
 def _around_zero(panel, values):
     """A linear axis that holds 0 and the values, if there are any."""
     if len(values) == 0:
-        panel.text(0.5, 0.5, NO_LIGHT, transform=panel.transAxes, ha="center", color="0.3")
+        say(panel, NO_LIGHT)
         panel.set_xticks([])
         return
     low, high = min(values.min(), 0), max(values.max(), 0)
@@ -184,7 +195,7 @@ def _around_zero(panel, values):
     panel.set_xlim(low - margin, high + margin)
 
 
-def sensitivities(panel, part, colours, title):
+def sensitivities(panel, part, colours):
     """The logarithmic sensitivities of one channel's echo with their 95 % bands."""
     panel.axvline(0, color="black", linewidth=1.2)
     shown = []
@@ -194,38 +205,28 @@ def sensitivities(panel, part, colours, title):
         error = INTERVAL_95 * one.logarithmic_sensitivity_standard_error.values
         good = one.sensitivity_converged.values
         ends = (middle - error, middle + error)
-        _curve(panel, part.gate_depth.values, middle, ends, good, colour, name)
+        _curve(panel, part.gate_depth.values, middle, ends, good, colour)
         narrow = ~(error >= NARROW * abs(middle))
         shown += [middle[good | narrow], *(end[good] for end in ends)]
     values = numpy.concatenate(shown)
     _around_zero(panel, values[numpy.isfinite(values)])
-    panel.set_xlabel("change of the echo for 1 % of the parameter [%]", fontsize=9)
-    panel.set_title(text(title), fontsize=10.5, loc="left")
-    _grid(panel)
+    panel.set_xlabel("change of the echo for 1 % of the parameter [%]")
+    grid(panel)
 
 
-def sensitivities_legend(panel, result, colours):
-    """To the right of the panel, for all panels of sensitivities."""
-    _lines_legend(panel, zip(result.parameter.values, colours), result, result.sensitivity_converged)
+def sensitivities_legend(result, colours):
+    """For all panels of sensitivities."""
+    lines = list(zip(result.parameter.values, colours))
+    return lines_legend(lines, unsettled(result.echo, result.sensitivity_converged))
 
 
-def environments_legend(panel, result, colours):
-    """To the right of the panel, for all panels of environments."""
+def environments_legend(result, colours):
+    """For all panels of environments."""
     lines = [("the scene", "black"), *zip(result.environment.values, colours)]
-    _lines_legend(panel, lines, result, result.converged & result.environment_converged)
+    return lines_legend(lines, unsettled(result.echo, result.converged & result.environment_converged))
 
 
-def _lines_legend(panel, lines, result, converged):
-    handles = []
-    for name, colour in lines:
-        handles.append(Line2D([], [], color=colour, linewidth=1.8, label=text(name)))
-    if _unsettled(result.echo, converged):
-        handles.append(_not_converged())
-    columns = -(-len(handles) // LEGEND_LINES)
-    panel.legend(handles=handles, frameon=False, fontsize=8.5, ncols=columns, **AT_THE_RIGHT)
-
-
-def orders(panel, part, title, count, colour="black"):
+def orders(panel, part, count):
     """Shares of the orders of scattering, side by side: single scattering first. `count`: of how many
     orders the figure tells."""
     total = part.echo_by_order.sum("order")
@@ -236,37 +237,36 @@ def orders(panel, part, title, count, colour="black"):
         panel.fill_betweenx(depth, left.repeat(2), right.repeat(2), color=shade, linewidth=0)
         left = right
     unsettled = (~part.converged.values & (total.values > 0)).repeat(2)
-    panel.fill_betweenx(depth, 0, 100, where=unsettled, facecolor="none", **HATCH)
+    panel.fill_betweenx(depth, 0, 100, where=unsettled, **VEIL, **HATCH)
     if not (total > 0).any():
-        panel.text(0.5, 0.5, NO_LIGHT, transform=panel.transAxes, ha="center", color="0.3")
+        say(panel, NO_LIGHT)
     panel.set_xlim(0, 100)
-    panel.set_xlabel("share of the echo [%]", fontsize=9)
-    panel.set_title(text(title), fontsize=10.5, loc="left", color=colour)
+    panel.set_xlabel("share of the echo [%]")
 
 
-def orders_legend(panel, results):
-    """To the right of the panel, for all panels of orders."""
+def orders_legend(results):
+    """For all panels of orders."""
     count = max(result.sizes["order"] for result in results)
     names = [str(order) for order in range(1, count + 1)]
     if count > 1:
         names[-1] += " and above"
-    handles = [Patch(color=shade, label=name) for name, shade in zip(names, _shades(count))]
-    if any(_unsettled(result.echo, result.converged) for result in results):
-        handles.append(Patch(facecolor="0.55", label="not converged", **HATCH))
-    size = {"fontsize": 8.5, "title_fontsize": 8.5}
-    look = {"frameon": False, "alignment": "left", **size, **AT_THE_RIGHT}
-    panel.legend(handles=handles, title="order", **look)
+    lines = list(zip(names, _shades(count)))
+    kept = spread(count, MOST_NAMED)
+    handles = [Patch(color=lines[k][1], label=lines[k][0]) for k in kept]
+    if any(unsettled(result.echo, result.converged) for result in results):
+        handles.append(Patch(facecolor="0.75", label=NOT_CONVERGED, **HATCH))
+    return Legend(handles, "order of scattering")
 
 
 def _shades(count):
     return colormaps["viridis"](numpy.linspace(0.12, 0.95, count))
 
 
-def family(colours, count):
+def family(count):
     """Colours of so many lines that black is not among: shades in their order where there are more
     than colours."""
-    if count < len(colours):
-        return colours[:count]
+    if count < len(COLOURS):
+        return COLOURS[:count]
     return list(colormaps["viridis"](numpy.linspace(0.15, 0.92, count)))
 
 
@@ -278,6 +278,11 @@ def finish_depth(panel, results):
         lit = result.echo > 0
         ends.append(float((end.where(lit) if lit.any() else end).max()))
     panel.set_ylim(max(ends), min(float(result.gate_depth_bounds.min()) for result in results))
-    told = results[0].gate_depth.attrs
+    panel.set_ylabel(axis_of(results[0]))
+
+
+def axis_of(result):
+    """What the places of gates are."""
+    told = result.gate_depth.attrs
     word = "depth" if told.get("standard_name") == "depth" else "range"
-    panel.set_ylabel("time [ns]" if told["units"] == "ns" else f"{word} [m]")
+    return "time [ns]" if told["units"] == "ns" else f"{word} [m]"
