@@ -94,7 +94,7 @@ def finish_lines(panel, echoes, every=None):
     else:
         panel.set_xscale("log")
         panel.set_xlim(limits)
-    panel.set_xlabel("photons in the gate per photon emitted")
+    panel.set_xlabel("photons detected per photon emitted")
     grid(panel)
 
 

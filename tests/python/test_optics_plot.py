@@ -35,13 +35,14 @@ def command(*arguments):
 
 
 def curves(panel):
-    """What is drawn under each name of the legend."""
-    handles, labels = panel.get_legend_handles_labels()
-    return dict(zip(labels, handles))
+    """What is drawn under each name."""
+    return {line.get_label(): line for line in panel.get_lines() if line.get_label()[0] != "_"}
 
 
-def legend(panel):
-    return [text.get_text() for text in panel.get_legend().get_texts()]
+def legends(drawing):
+    """What is written in the legends of a figure, from above, and from the left in each row."""
+    found = [part.legends for part in drawing.subfigs]
+    return [[text.get_text() for text in each.get_texts()] for part in found for each in part]
 
 
 # Seen red: without the index of wavelengths.
@@ -76,17 +77,18 @@ def test_a_row_for_each_layer(library):
     rows = numpy.array(drawing.axes).reshape(3, 4)
     for k, (absorption, scattering, phases, emission) in enumerate(rows):
         one = ds.isel(depth=k)
-        assert legend(absorption) == ["all", "water", "phytoplankton", "CDOM"]
-        assert legend(scattering) == ["all", "all, backwards", "water", "phytoplankton"]
+        below = legends(drawing)[4 * k : 4 * k + 4]
+        assert below[0] == ["all", "water", "phytoplankton", "CDOM"]
+        assert below[1] == ["all", "all, backwards", "water", "phytoplankton"]
         drawn = curves(absorption)
         assert numpy.array_equal(drawn["all"].get_ydata(), one.a_per_m)
         assert numpy.array_equal(drawn["CDOM"].get_ydata(), one.a_cdom_per_m)
         assert numpy.array_equal(drawn["CDOM"].get_xdata(), one.wavelength)
         drawn = curves(scattering)
         assert numpy.array_equal(drawn["all, backwards"].get_ydata(), one.bb_per_m)
-        assert legend(phases) == ["400 nm", "480 nm", "550 nm", "620 nm", "700 nm"]
+        assert below[2] == ["400 nm", "480 nm", "550 nm", "620 nm", "700 nm"]
         green = one.phase_function_per_sr.sel(wavelength=550)
-        assert numpy.array_equal(curves(phases)["550 nm"].get_ydata(), green)
+        assert numpy.array_equal(curves(phases)["550 nm"].get_ydata()[1:], green)
         raman, chlorophyll = list(curves(emission).values())[:2]
         assert sum(raman.get_ydata()) == pytest.approx(float(one.emission_per_m.sel(process="raman")))
         assert 640 < min(chlorophyll.get_xdata()) < 685 < max(chlorophyll.get_xdata()) < 730
@@ -100,23 +102,52 @@ def test_a_row_for_each_layer(library):
 # 0 has no place on a logarithmic axis. Seen red: with a line for all constituents of the file.
 def test_what_is_not_there_is_not_drawn(tmp_path):
     path = made(tmp_path / "pure.nc", "--water", "--wavelengths", "500,600", "--laser", "900")
-    absorption, scattering, _, emission = optics_plot.figure(photic.open(path)).axes
-    assert legend(absorption) == ["all", "water"]
-    assert legend(scattering) == ["all", "all, backwards", "water"]
+    drawing = optics_plot.figure(photic.open(path))
+    absorption, _, _, emission = drawing.axes
+    assert legends(drawing)[:2] == [["all", "water"], ["all", "all, backwards", "water"]]
     assert curves(absorption)["water"].get_marker() == "o"  # of two wavelengths
     assert len(emission.get_lines()) == 2  # the laser, and Raman light at 1294 nm
     path = made(tmp_path / "clear.nc", SCENES / "three-layers.toml", "--set", "sea.layer.0.chlorophyll_mg_m3=0")
-    absorption, scattering, *_ = optics_plot.figure(photic.open(path)).axes
-    assert legend(absorption) == ["all", "water", "CDOM"]
-    assert legend(scattering) == ["all", "all, backwards", "water"]
+    drawing = optics_plot.figure(photic.open(path))
+    assert legends(drawing)[:2] == [["all", "water", "CDOM"], ["all", "all, backwards", "water"]]
     path = made(tmp_path / "given.nc", SCENES / "benchmark-hg.toml")
-    absorption, *_ = optics_plot.figure(photic.open(path)).axes
-    assert legend(absorption) == ["all"]
+    assert legends(optics_plot.figure(photic.open(path)))[0] == ["all"]
     clear = photic.open(path)
     clear = clear.assign(b_per_m=0 * clear.b_per_m, bb_per_m=0 * clear.bb_per_m)
-    scattering = optics_plot.figure(clear.drop_dims("emission_line")).axes[1]
-    assert [text.get_text() for text in scattering.texts] == ["no scattering"]
-    assert scattering.get_legend() is None
+    drawing = optics_plot.figure(clear.drop_dims("emission_line"))
+    assert [text.get_text() for text in drawing.axes[1].texts] == ["no scattering"]
+    assert len(legends(drawing)) == 2  # of the absorption and the phase functions
+
+
+# The file has the mean over the core at 0. Seen red: with a slope from there to the next angle.
+def test_phase_functions_are_flat_in_their_core(library):
+    ds = photic.open(library)
+    line = curves(optics_plot.figure(ds).axes[2])["550 nm"]
+    angles, values = line.get_xdata(), line.get_ydata()
+    inside = ds.phase_function_per_sr.sel(wavelength=550).isel(depth=0)
+    core = float(ds.angle[1])
+    assert core == pytest.approx(0.01) and float(inside[0]) > 2 * float(inside[1])
+    assert list(angles[:3]) == [0, core, core] and list(values[:3]) == [inside[0], inside[0], inside[1]]
+    assert numpy.interp(0.999 * core, angles, values) == inside[0]
+    assert numpy.array_equal(angles[2:], ds.angle[1:]) and numpy.array_equal(values[2:], inside[1:])
+
+
+# Seen red: with the first mark alone looked for.
+def test_the_caption_tells_what_is_not_verified(library, tmp_path):
+    said = optics_plot.figure(photic.open(library))._supxlabel.get_text()
+    assert "Optical data from memory: raman light, chlorophyll light." in said
+    oil = photic.open(made(tmp_path / "oil.nc", "--oil", "light-refined", "--wavelengths", "300:600:10"))
+    said = optics_plot.spectra(oil)._supxlabel.get_text()
+    assert "from memory: refractive_index, quantum_yield, lifetime. Placeholders for optical data: absorption_337_nm" in said
+
+
+@pytest.mark.parametrize("width_mm", [84, 174])
+def test_optics_of_a_width_stay_on_a_page(library, air, width_mm):
+    for path in (library, air):
+        drawing = optics_plot.figure(photic.open(path), width_mm=width_mm)
+        assert drawing.get_size_inches()[0] == pytest.approx(width_mm / 25.4)
+        assert drawing.get_size_inches()[1] < 260 / 25.4
+        assert "of its" in drawing._supxlabel.get_text()
 
 
 # From the first to the last, and the caption says so.
@@ -136,6 +167,8 @@ def test_optics_are_drawn_alone(library, sample, tmp_path):
     assert code == 2 and message.startswith("optics are drawn alone")
     code, message = command("plot", library, "-o", picture, "--telescope", "narrow")
     assert code == 2 and "holds optics, and no telescopes" in message
+    code, message = command("plot", library, "-o", picture, "--channel", "raman")
+    assert code == 2 and "holds optics, and no channels" in message
     assert not picture.exists()
 
 
@@ -159,8 +192,8 @@ def test_air_has_a_row_for_each_layer_the_lowest_below(air):
     rows = numpy.array(drawing.axes).reshape(6, 3)
     assert rows[0, 0].get_title(loc="left") == "115 to 120 km: absorption"
     assert rows[5, 2].get_title(loc="left") == "0 to 1 km: phase function"
-    assert legend(rows[5, 0]) == ["all", "ozone", "aerosols"]
-    assert legend(rows[5, 1]) == ["all", "all, backwards", "molecules", "aerosols"]
+    lowest = [["all", "ozone", "aerosols"], ["all", "all, backwards", "molecules", "aerosols"]]
+    assert legends(drawing)[-3:-1] == lowest
     for row, layer in [(rows[5], 0), (rows[0], 48)]:
         low, high = row[1].get_ylim()
         b = ds.b_per_m.isel(altitude=layer)
