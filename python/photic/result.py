@@ -46,6 +46,14 @@ def open(path):
         )
     if is_optics(dataset) or is_spectra(dataset):
         return _indexed(dataset)
+    try:
+        return _named(dataset)
+    except KeyError as error:
+        raise Error(f"{path}: a result of Photic that lacks {error}") from error
+
+
+def _named(dataset):
+    """Echoes by the names of telescopes, channels and processes."""
     has = {axis: axis + "_name" in dataset for axis in ("environment", "parameter")}
     for axis in ["telescope", "channel", "process"] + [axis for axis in has if has[axis]]:
         if axis + "_name" not in dataset and axis in dataset.coords:
