@@ -119,7 +119,7 @@ def test_what_is_not_there_is_not_drawn(tmp_path):
     assert len(legends(drawing)) == 2  # of the absorption and the phase functions
 
 
-# The file has the mean over the core at 0. Seen red: with a slope from there to the next angle.
+# The file has the mean over the core at 0. Seen red: with a line from there to the next angle.
 def test_phase_functions_are_flat_in_their_core(library):
     ds = photic.open(library)
     line = curves(optics_plot.figure(ds).axes[2])["550 nm"]
@@ -132,7 +132,7 @@ def test_phase_functions_are_flat_in_their_core(library):
     assert numpy.array_equal(angles[2:], ds.angle[1:]) and numpy.array_equal(values[2:], inside[1:])
 
 
-# Seen red: with the first mark alone looked for.
+# Seen red: with the mark of placeholders misspelt.
 def test_the_caption_tells_what_is_not_verified(library, tmp_path):
     said = optics_plot.figure(photic.open(library))._supxlabel.get_text()
     assert "Optical data from memory: raman light, chlorophyll light." in said

@@ -73,8 +73,8 @@ FIGURES = {
 }
 
 
-# Seen red: with legends inside the panels; with titles that are not folded; with strips for legends
-# of one line only.
+# Seen red: with legends that reach into the panels; with titles that are not folded; with all lines of
+# a legend side by side.
 @pytest.mark.parametrize("width_mm", [None, 84, 174])
 @pytest.mark.parametrize("name", FIGURES)
 def test_nothing_is_covered_or_cut(sample, name, width_mm):
@@ -104,6 +104,7 @@ def test_letters_of_a_column_are_of_7_to_9_points(sample):
     assert min(sizes) == 7 and max(sizes) == 9
 
 
+# Seen red: with a figure wider by a thousandth.
 @pytest.mark.parametrize("width_mm", [84, 174])
 def test_pictures_have_the_width_asked_for(sample, tmp_path, width_mm):
     for ending in ("png", "pdf", "svg"):
@@ -126,7 +127,7 @@ def drawn_at(collections, depth):
     ]
 
 
-# Seen red: with one opacity for all gates; with the bands of both over each other.
+# Seen red: with one opacity for all gates; with faded bands under all gates.
 def test_what_has_not_converged_is_faded(sample):
     ds = photic.open(sample).sel(channel=["elastic"])
     drawing = plot.figure([ds], ["one"], telescopes=["narrow"])
@@ -148,7 +149,7 @@ def test_what_has_not_converged_is_faded(sample):
     assert to_rgb(veil.get_facecolor()[0]) == (1, 1, 1) and 0.4 < veil.get_facecolor()[0][3] < 0.8
 
 
-# Seen red: with the first telescope alone; with the echoes of the first for all.
+# Seen red: with the echoes of the first for all.
 def test_all_telescopes_are_drawn_or_those_asked_for(sample):
     ds = photic.open(sample)
     drawing = plot.figure([ds], ["one"])
@@ -174,7 +175,7 @@ def test_results_share_the_panels_of_telescopes_of_one_name(sample):
     assert [len(drawing.axes[k].get_lines()) for k in (0, 2)] == [3, 6]
 
 
-# Seen red: with the depths of those that have some.
+# Seen red: without the look for unknown depths.
 def test_depths_and_times_are_not_mixed_on_an_axis(sample):
     ds = photic.open(sample).isel(telescope=[0])
     up = ds.copy()
@@ -185,7 +186,7 @@ def test_depths_and_times_are_not_mixed_on_an_axis(sample):
     assert all(panel.get_lines()[k].get_ydata()[0] == ds.gate_time[0] for k in (1, 4))
 
 
-# Seen red: with all channels in a panel; with those drawn that have no light.
+# Seen red: with all channels in one panel; with those drawn that have no light.
 def test_many_channels_have_panels_of_seven(sample):
     ds = with_channels(photic.open(sample), 33)
     ds.echo.loc[{"channel": ["f_400", "f_405"]}] = 0
@@ -212,6 +213,7 @@ def test_what_has_no_room_is_told(sample):
         plot.figure([ds], ["200"], channels=["g"])
 
 
+# Seen red: with as many rows as there are groups.
 @pytest.mark.parametrize("width_mm", [84, 174])
 def test_many_channels_stay_on_a_page(sample, width_mm):
     ds = with_channels(photic.open(sample), 64)
@@ -219,6 +221,7 @@ def test_many_channels_stay_on_a_page(sample, width_mm):
     assert drawing.get_size_inches()[1] < 270 / 25.4
 
 
+# Seen red: with all of them named.
 def test_legends_of_many_environments_are_bounded():
     lines = [(f"water {k}", "black") for k in range(1000)]
     names = [handle.get_label() for handle in panels.lines_legend(lines, True).handles]
