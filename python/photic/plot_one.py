@@ -152,7 +152,7 @@ def _environments(sheet, result, channels, said):
             Cell(said(f"{channel} echo against the scene's"), MIDDLE, change),
         ]
         out += rows(sheet, cells, LOW)
-    return with_legend(out, panels.environments_legend(result, colours))
+    return with_legend(out, panels.environments_legend(result.sel(channel=channels), colours))
 
 
 def _sensitivities(sheet, result, channels, said):
@@ -162,4 +162,5 @@ def _sensitivities(sheet, result, channels, said):
     for channel in channels:
         draws = partial(_panel, panels.sensitivities, result, result.sel(channel=channel), colours)
         cells.append(Cell(said(f"{channel} echo: sensitivities"), MIDDLE, draws))
-    return with_legend(rows(sheet, cells, LOW), panels.sensitivities_legend(result, colours))
+    legend = panels.sensitivities_legend(result.sel(channel=channels), colours)
+    return with_legend(rows(sheet, cells, LOW), legend)
