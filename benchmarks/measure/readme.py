@@ -1,0 +1,121 @@
+"""The README's two tables: five rows each, no cell above 60 characters."""
+
+from measure import accuracy, coverage, intervals, speed
+from measure.kinds import number, percent, within
+
+
+def raw_of(results, name):
+    record = results["measurements"].get(name, {})
+    return record.get("raw")
+
+
+def run_only(name):
+    return f"`benchmarks/measure.py run --only {name}`"
+
+
+def verdict(text, held):
+    return text if held else f"{text} (**not held**)"
+
+
+def lidar_equation(raw):
+    largest = {name: 0.0 for name in accuracy.LARGEST}
+    for key, gates in raw.items():
+        off = max(abs(echo / equation - 1) for echo, equation in zip(gates["echo"], gates["equation"]))
+        largest[key.split(", ")[1]] = max(largest[key.split(", ")[1]], off)
+    return (
+        "; ".join(f"{percent(accuracy.LARGEST[name])} {name}" for name in largest),
+        verdict("; ".join(percent(off, 2) for off in largest.values()), all(off < accuracy.LARGEST[n] for n, off in largest.items())),
+    )
+
+
+def agreement(raw):
+    z = [abs(x) for of_scene in raw.values() for x in of_scene]
+    limit = accuracy.family_wise_z(max(1, len(z)))
+    return f"z below {limit:.1f}", verdict(f"z up to {max(z, default=0):.1f} in {len(z)} gates", 0 < max(z, default=0) < limit)
+
+
+def of_coverage(allowed, by_estimator):
+    text = f"{100 * allowed[0]:.0f} to {100 * allowed[1]:.0f} %"
+    if not all(sum(counts["converged"]) for counts in by_estimator):
+        return text, verdict("no gate is converged", False)
+    shares = [coverage.share(counts["covered"], counts["converged"])[0] for counts in by_estimator]
+    held = all(within(share, *allowed) for share in shares)
+    return text, verdict(f"{100 * min(shares):.1f} to {100 * max(shares):.1f} %", held)
+
+
+def slabs(raw):
+    rows = list(accuracy.rows_slabs(raw))
+    told = "; ".join(row.measured for row in rows)
+    published = "; ".join(row.allowed.split(" ")[0] for row in rows)
+    return f"within 3 errors of {published}", verdict(told, all(row.held for row in rows))
+
+
+TRUST = (
+    ("lidar-equation", "Single scattering is that of the lidar equation", lidar_equation),
+    ("agreement", "Two independent estimators agree", agreement),
+    ("coverage", "95 % intervals of converged gates hold the truth",
+     lambda raw: of_coverage(intervals.ALLOWED, [c for of in raw.values() for c in of.values()])),
+    ("coverage-hard", "The same in forty random layers: known to be low",
+     lambda raw: of_coverage(intervals.ALLOWED_HARD, raw.values())),
+    ("slabs", "Multiple scattering: slabs as published", slabs),
+)
+
+
+def time_of(scene):
+    return lambda raw: (f"{scene[0].upper()}{scene[1:]}: 2 % to 40 m", speed.told_time(raw[scene], raw["limit"]))
+
+
+def worst(raw):
+    name, one = speed.slowest(raw)
+    return f"Slowest of {len(raw) - 1}: {name}", speed.told_time(one, raw["limit"])
+
+
+def environments(raw):
+    times = sorted(least["16"] / least["0"] for least in raw.values())
+    return "16 more waters in the same run, over none", f"{times[0]:.1f} to {times[-1]:.1f} times the time"
+
+
+def lanes(raw):
+    times = {name: speed.over_scalar(raw, name) for name in accuracy.BOTH}
+    told = "; ".join(f"{number(ratio)} times {name}" for name, (ratio, _) in times.items())
+    return f"Lanes ({times['forward'][1]}) over the scalar engine", told
+
+
+SPEED = (
+    ("time-to-target", time_of("ship lidar, three channels")),
+    ("time-to-target", time_of("peaked water")),
+    ("time-to-target", worst),
+    ("environments", environments),
+    ("engines", lanes),
+)
+
+
+def rows(head, lines):
+    return "".join("| " + " | ".join(cells) + " |\n" for cells in (head, ["---"] * len(head), *lines))
+
+
+def trust_table(results):
+    lines = []
+    for name, claim, summary in TRUST:
+        raw = raw_of(results, name)
+        allowed, measured = ("", "not measured") if raw is None else summary(raw)
+        lines.append([claim, allowed, measured, run_only(name)])
+    return remark(results) + rows(["claim", "allowed", "measured", "command"], lines)
+
+
+def speed_table(results):
+    lines = []
+    for name, summary in SPEED:
+        raw = raw_of(results, name)
+        what, measured = (name, "not measured") if raw is None else summary(raw)
+        lines.append([what, measured, run_only(name)])
+    stamp = results["stamp"]
+    machine = (
+        f"On {stamp['processor']}, {stamp['cores']} cores, {stamp['instruction_sets'][-1]}, {stamp['compiler']}, "
+        f"commit {stamp['commit']}, {stamp['date']}. Other machines differ by two and more.\n\n"
+    )
+    return remark(results) + machine + rows(["what", "measured", "command"], lines)
+
+
+def remark(results):
+    return "**A reduced run: do not quote.**\n\n" if results["stamp"]["reduced"] else ""

@@ -1,0 +1,229 @@
+"""benchmarks/measure.py: the pages are what it makes of the committed results, and its statistics see what is wrong."""
+
+import json
+import os
+import random
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "benchmarks"))
+
+from measure import accuracy, coverage, intervals, pages, program, speed, stamp  # noqa: E402
+
+RESULTS = json.loads((ROOT / "benchmarks/measured.json").read_text())
+README = (ROOT / "README.md").read_text()
+
+
+@pytest.fixture
+def measure(tmp_path):
+    """measure("run", …) in an empty folder."""
+
+    def call(*arguments, **environment):
+        command = [sys.executable, ROOT / "benchmarks/measure.py", *map(str, arguments)]
+        return subprocess.run(
+            command, cwd=tmp_path, env=os.environ | environment, capture_output=True, text=True, check=False, timeout=250
+        )
+
+    return call
+
+
+def tables(text, name):
+    block = re.search(f"<!-- measured: {name} -->\n(.*?)<!-- end -->", text, re.DOTALL).group(1)
+    return [[cell.strip() for cell in line.strip("|").split(" | ")] for line in block.splitlines() if line.startswith("|")]
+
+
+def test_nobody_types_in_the_pages():
+    # Seen red: with one digit of each changed.
+    for path, text in pages.documents(RESULTS).items():
+        assert (ROOT / path).read_text() == text, f"{path} is not what benchmarks/measure.py write makes"
+    assert pages.readme(RESULTS, README) == README
+
+
+def test_the_results_hold_every_measurement():
+    # Seen red: with one left out.
+    for measurement in pages.ALL:
+        assert "raw" in RESULTS["measurements"][measurement.name], measurement.name
+
+
+def test_the_tables_of_the_readme():
+    # Seen red: with a command written out in a cell; with four rows.
+    trust, speeds = tables(README, "trust"), tables(README, "speed")
+    assert trust[0] == ["claim", "allowed", "measured", "command"]
+    assert speeds[0] == ["what", "measured", "command"]
+    assert len(trust) == len(speeds) == 2 + 5
+    cells = [cell for line in trust + speeds for cell in line]
+    assert "" not in cells
+    assert [cell for cell in cells if len(cell) > 60] == []
+    slowest = speed.slowest(RESULTS["measurements"]["time-to-target"]["raw"])[0]
+    assert slowest in speeds[4][0]
+
+
+def test_a_readme_without_a_place_for_a_table():
+    with pytest.raises(ValueError, match="0 places between '<!-- measured: speed -->'"):
+        pages.readme(RESULTS, README.replace("<!-- measured: speed -->", ""))
+
+
+def test_a_reduced_run_is_told():
+    for reduced in (True, False):
+        results = RESULTS | {"stamp": RESULTS["stamp"] | {"reduced": reduced}}
+        for text in pages.documents(results).values():
+            assert ("(reduced run)" in text.splitlines()[0]) == reduced
+        assert ("**A reduced run: do not quote.**" in pages.readme(results, README)) == reduced
+
+
+def test_what_is_missing_failed_or_missed_is_told():
+    # Seen red: with failures left out of the page.
+    slabs = RESULTS["measurements"]["slabs"]
+    low = slabs | {"raw": slabs["raw"] | {"slab": slabs["raw"]["slab"] | {"escaped": 0.05}}}
+    results = RESULTS | {"measurements": {"slabs": low, "ledger": {"failed": "photic run: exit code 1: no disk"}}}
+    text = pages.documents(results)["docs/accuracy.md"]
+    assert "| 0.0500 (**not held**) |" in text
+    assert "**Not measured**: photic run: exit code 1: no disk" in text
+    assert text.count("**Not measured.**") == len(accuracy.MEASUREMENTS + intervals.MEASUREMENTS) - 2
+    readme = pages.readme(results, README)
+    assert tables(readme, "trust")[6][2].endswith("(**not held**)")
+    assert [line[2] for line in tables(readme, "trust")[2:6]] == ["not measured"] * 4
+
+
+def made_up(seeds, cells, shrunk=1.0, flagged=lambda seed, cell: False):
+    """Counts of runs whose echoes are normal about 1 with an error of 0.01, and tell that error `shrunk`."""
+    chance = random.Random(5)
+    runs = [
+        {("t", "c", k): (chance.gauss(1, 0.01), 0.01 * shrunk, not flagged(seed, k)) for k in range(cells)} for seed in range(seeds)
+    ]
+    return coverage.compare(runs, {("t", "c", k): (1.0, 1e-6, True) for k in range(cells)})
+
+
+def test_coverage_is_that_of_normal_numbers():
+    # Seen red: with 2.6 for 1.96.
+    counts = made_up(60, 50)
+    share, error = coverage.share(counts["covered"], counts["converged"])
+    assert share == pytest.approx(0.95, abs=0.012)
+    assert error == pytest.approx((0.95 * 0.05 / 3000) ** 0.5, rel=0.3)
+    assert intervals.covered("made up", counts, intervals.ALLOWED).held
+    assert (counts["known"], counts["known_but_flagged"], sum(counts["beyond"])) == (3000, 0, 0)
+
+
+@pytest.mark.parametrize("shrunk", [0.5, 2.0])
+def test_errors_that_are_wrong_are_seen(shrunk):
+    counts = made_up(60, 50, shrunk)
+    assert not intervals.covered("made up", counts, intervals.ALLOWED).held
+    assert not intervals.covered("made up", counts, intervals.ALLOWED_HARD).held
+
+
+def test_blind_and_timid_flags_are_seen():
+    wild = made_up(20, 50, 0.3)
+    timid = made_up(20, 50, flagged=lambda seed, cell: seed % 2 == 0)
+    held = [row.held for row in intervals.rows_flags({"water": {"wild, echoes": wild, "timid, echoes": timid}})]
+    assert held == [False, True, True, False]
+    assert sum(timid["converged"]) == 500
+
+
+def test_nothing_converged_is_not_held():
+    counts = made_up(3, 5, flagged=lambda seed, cell: True)
+    row = intervals.covered("made up", counts, intervals.ALLOWED)
+    assert (row.measured, row.held) == ("no gate is converged", False)
+    assert [row.held for row in accuracy.rows_agreement({"ship": []})] == [False]
+
+
+def test_estimators_that_disagree_are_seen():
+    chance = random.Random(5)
+    z = [chance.gauss(0, 1) for _ in range(200)]
+    assert [row.held for row in accuracy.rows_agreement({"a": z, "b": [1.3 * x for x in z], "c": [*z, 5.0]})] == [True, False, False]
+
+
+def test_single_scattering_meets_the_equation_and_a_wrong_one_is_seen():
+    # Seen red: with n^2 left out of the equation's solid angle; with the attenuation 1 % larger.
+    runner = program.Runner(program.find_program(), reduced=True)
+    raw = accuracy.measure_lidar_equation(runner)
+    assert [row.held for row in accuracy.rows_lidar_equation(raw)] == [True] * 4
+    for of_run in raw.values():
+        of_run["equation"] = [1.03 * echo for echo in of_run["equation"]]
+    assert [row.held for row in accuracy.rows_lidar_equation(raw)] == [False] * 4
+
+
+def test_the_slowest_scene():
+    def one(known, wall_s):
+        return {"gates": 10, "known": known, "wall_s": wall_s}
+
+    assert speed.slowest({"limit": "60s", "a": one(10, 3.0), "b": one(10, 9.0), "c": one(10, 5.0)})[0] == "b"
+    assert speed.slowest({"limit": "60s", "a": one(10, 3.0), "b": one(8, 60.0), "c": one(3, 60.0)})[0] == "c"
+
+
+def test_commands_of_many_seeds_are_one_line():
+    commands = [f"photic run a.toml --seed {seed}" for seed in (1, 2, 3)] + ["photic run b.toml", "photic run a.toml --seed 1"]
+    assert program.typed(commands) == ["photic run a.toml --seed 1   # and so on to --seed 3", "photic run b.toml"]
+
+
+def test_a_run_goes_on_with_what_is_missing(measure, tmp_path):
+    # Seen red: with results kept at the end alone; with all of it measured anew; with stamps not compared.
+    done = measure("run", "--quick", "--only", "slabs", "-o", "out.json")
+    assert done.returncode == 0, done.stderr
+    path = tmp_path / "out.json"
+    results = json.loads(path.read_text())
+    assert list(results["measurements"]) == ["slabs"]
+    assert results["measurements"]["slabs"]["commands"][0] == "photic run experiments/slab.toml --photons 240000"
+    assert results["stamp"].keys() == stamp.stamp(program.Runner(program.find_program(), True)).keys()
+
+    for measurement in pages.ALL:
+        results["measurements"].setdefault(measurement.name, {"raw": "kept"})
+    results["measurements"]["files"] = {"failed": "last time"}
+    path.write_text(json.dumps(results))
+    done = measure("run", "--quick", "-o", "out.json")
+    assert done.returncode == 0, done.stderr
+    assert " 1 of 1  files " in done.stdout and "1 measured, 0 failed" in done.stdout
+    after = json.loads(path.read_text())["measurements"]
+    assert after["files"]["raw"]["ship"] > 1e4
+    assert after["coverage"] == {"raw": "kept"} and after["slabs"] == results["measurements"]["slabs"]
+
+    before = path.read_text()
+    done = measure("run", "-o", "out.json")
+    assert done.returncode == 2
+    assert "out.json: was not measured in the same way: reduced was True and is False now" in done.stderr
+    assert path.read_text() == before
+
+
+def test_a_failure_is_kept_and_told_and_others_go_on(measure, tmp_path):
+    # Seen red: with an exit code of 0; with the first failure the end of all.
+    broken = tmp_path / "photic"
+    real = program.find_program()
+    broken.write_text(f'#!/bin/sh\ncase "$*" in *half-space*) echo "it broke" >&2; exit 1;; esac\nexec {real} "$@"\n')
+    broken.chmod(0o755)
+    done = measure("run", "--quick", "--only", "slabs", "--only", "files", PHOTIC_PROGRAM=str(broken))
+    assert done.returncode == 1
+    records = json.loads((tmp_path / "measured.json").read_text())["measurements"]
+    assert records["slabs"]["failed"].endswith("exit code 1: it broke")
+    assert "experiments/half-space.toml" in records["slabs"]["failed"]
+    assert "raw" in records["files"]
+    assert "1 measured, 1 failed" in done.stdout
+
+
+def test_ctrl_c_keeps_what_is_done(tmp_path):
+    # Seen red: with results kept at the end alone; with the runs that were due begun all the same.
+    command = [sys.executable, ROOT / "benchmarks/measure.py", "run", "--quick", "--only", "slabs", "--only", "coverage-hard"]
+    process = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    path = tmp_path / "measured.json"
+    while not path.exists() and process.poll() is None:
+        time.sleep(0.05)
+    os.killpg(process.pid, signal.SIGINT)
+    start = time.monotonic()
+    _, errors = process.communicate(timeout=100)
+    assert time.monotonic() - start < 5
+    assert process.returncode == 130
+    assert errors.strip() == "measure.py: interrupted; the same command goes on with what is missing"
+    assert list(json.loads(path.read_text())["measurements"]) == ["slabs"]
+
+
+def test_a_program_that_is_not_there(measure):
+    done = measure("run", "--quick", "--only", "slabs", PHOTIC_PROGRAM="/nowhere/photic")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == (
+        "measure.py: /nowhere/photic: no such program (build it: cmake --preset release && cmake --build --preset release)\n"
+    )
