@@ -70,10 +70,11 @@ def measure(asked):
             raise Failed(f"{asked.output}: was not measured in the same way: {'; '.join(other)} (remove it, or take another -o)")
     done = results["measurements"]
     due = [m for m in pages.ALL if (m.name in asked.only if asked.only else "raw" not in done.get(m.name, {}))]
+    known = {}
     start = time.monotonic()
     for place, measurement in enumerate(due, 1):
         print(f"{place:2} of {len(due)}  {measurement.name:16}", end="", flush=True)
-        record, said = one(measurement, Runner(program, asked.quick))
+        record, said = one(measurement, Runner(program, asked.quick, known))
         done[measurement.name] = record
         keep(results, asked.output)
         print(f"{record['seconds']:7.1f} s  {said}", flush=True)

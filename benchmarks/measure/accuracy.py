@@ -67,7 +67,7 @@ def measure_agreement(runner):
         runs = {}
         for name, photons in zip(BOTH, PHOTONS[scene]):
             count = runner.photons(photons, name)
-            many = [("run", f"scenes/{scene}.toml", "--photons", count, *estimator(name), "--seed", s) for s in runner.seeds(6)]
+            many = [("run", f"scenes/{scene}.toml", "--photons", count, *estimator(name), "--seed", s) for s in runner.seeds(4)]
             runs[name] = [coverage.cells(result, "echoes") for result in runner.results(many)]
         z = []
         for a, b in zip(runs["forward"], runs["bidirectional"]):

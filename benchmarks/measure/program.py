@@ -20,17 +20,19 @@ class Failed(Exception):
 
 
 def find_program():
-    return os.environ.get("PHOTIC_PROGRAM") or str(ROOT / "build/release/apps/photic/photic")
+    program = os.environ.get("PHOTIC_PROGRAM") or str(ROOT / "build/release/apps/photic/photic")
+    return os.path.abspath(program) if os.sep in program else program
 
 
 class Runner:
-    """Runs commands and remembers them. `reduced` asks for as little work as tells whether a measurement works at all."""
+    """Runs commands and remembers them. `reduced` asks for as little work as tells whether a measurement works at all;
+    `known` are results of earlier runs by their arguments, which measurements may share."""
 
-    def __init__(self, program, reduced=False):
+    def __init__(self, program, reduced=False, known=None):
         self.program = program
         self.reduced = reduced
         self.commands = []
-        self._known = {}
+        self.known = {} if known is None else known
 
     # How much work: a full run's number, or what a reduced one makes of it.
     def photons(self, count, estimator="forward"):
@@ -49,21 +51,19 @@ class Runner:
         return self._run([*map(str, arguments), "--json"])
 
     def result(self, *arguments):
-        """The same where time does not matter: on one thread, by which no result changes, and remembered."""
+        """The same where time does not matter: remembered."""
         return self.results([arguments])[0]
 
     def results(self, many):
-        """Many such runs, as many at a time as there are cores; in their order."""
-        self.commands += [shlex.join(["photic", *map(str, arguments)]) for arguments in many]
-        many = [[*map(str, arguments), "--threads", "1", "--json"] for arguments in many]
-        new = [words for words in many if tuple(words) not in self._known]
-        pool = ThreadPoolExecutor(os.cpu_count())
-        try:
-            for words, result in zip(new, pool.map(self._run, new)):
-                self._known[tuple(words)] = result
-        finally:
-            pool.shutdown(cancel_futures=True)  # after a failure or Ctrl-C no more are begun
-        return [self._known[tuple(words)] for words in many]
+        """Many such runs, as many at a time as there are cores, each on one thread: no result depends on it."""
+        many = [tuple(map(str, arguments)) for arguments in many]
+        self.commands += [shlex.join(["photic", *words]) for words in many]
+        new = [words for words in dict.fromkeys(many) if words not in self.known]
+        options = ("--json",) if len(new) == 1 else ("--threads", "1", "--json")
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            for words, result in zip(new, pool.map(lambda words: self._run((*words, *options)), new)):
+                self.known[words] = result
+        return [self.known[words] for words in many]
 
     def _run(self, words):
         with tempfile.TemporaryDirectory() as folder:

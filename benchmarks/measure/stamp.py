@@ -4,6 +4,7 @@ import datetime
 import os
 import platform
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -52,7 +53,7 @@ def compiler(version, program):
         name, _, value = line.partition(":")
         if "compiler" in name.lower():
             return value.strip()
-    for folder in Path(program).resolve().parents:
+    for folder in Path(shutil.which(program)).resolve().parents:
         cache = folder / "CMakeCache.txt"
         if cache.exists():
             text = cache.read_text()
@@ -75,5 +76,5 @@ def changed():
 
 
 def older_than_sources(program):
-    built = Path(program).stat().st_mtime
+    built = Path(shutil.which(program)).stat().st_mtime
     return any(path.stat().st_mtime > built for path in (ROOT / "src").rglob("*.?pp"))

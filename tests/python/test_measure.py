@@ -206,7 +206,7 @@ def test_a_failure_is_kept_and_told_and_others_go_on(measure, tmp_path):
 
 
 def test_ctrl_c_keeps_what_is_done(tmp_path):
-    # Seen red: with results kept at the end alone; with the runs that were due begun all the same.
+    # Seen red: with results kept at the end alone.
     command = [sys.executable, ROOT / "benchmarks/measure.py", "run", "--quick", "--only", "slabs", "--only", "coverage-hard"]
     process = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
     path = tmp_path / "measured.json"
