@@ -187,7 +187,7 @@ def rows_ledger(raw):
         off, lost = abs(kept["sum"] - 1), sum(kept["lost"] for kept in of_it.values())
         measured = f"off by {percent(off, 2)} ({worst.split(',')[0]}), {lost} photons lost"
         allowed = LARGEST_LOSS[name]
-        yield Row(f"{name}, {len(of_it)} scenes", measured, f"off by {percent(allowed, 0)}, none lost", off < allowed and lost == 0)
+        yield Row(f"{name}, {len(of_it)} scenes", measured, f"off by at most {percent(allowed, 0)}, none lost", off < allowed and lost == 0)
 
 
 MEASUREMENTS = [

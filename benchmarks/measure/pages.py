@@ -4,6 +4,7 @@ import re
 
 from measure import accuracy, intervals, speed
 from measure.kinds import Row
+from measure.program import Failed
 from measure.readme import speed_table, trust_table
 
 PAGES = {
@@ -35,7 +36,7 @@ def readme(results, text):
             f"{re.escape(start)}\n.*?{re.escape(end)}", lambda _: f"{start}\n{table}{end}", text, flags=re.DOTALL  # noqa: B023
         )
         if times != 1:
-            raise ValueError(f"README.md: {times} places between '{start}' and '{end}', not one")
+            raise Failed(f"README.md: {times} places between '{start}' and '{end}', not one")
     return text
 
 

@@ -66,7 +66,7 @@ def test_the_tables_of_the_readme():
 
 
 def test_a_readme_without_a_place_for_a_table():
-    with pytest.raises(ValueError, match="0 places between '<!-- measured: speed -->'"):
+    with pytest.raises(program.Failed, match="0 places between '<!-- measured: speed -->'"):
         pages.readme(RESULTS, README.replace("<!-- measured: speed -->", ""))
 
 
@@ -121,7 +121,7 @@ def test_errors_that_are_wrong_are_seen(shrunk):
 def test_blind_and_timid_flags_are_seen():
     wild = made_up(20, 50, 0.3)
     timid = made_up(20, 50, flagged=lambda seed, cell: seed % 2 == 0)
-    held = [row.held for row in intervals.rows_flags({"water": {"wild, echoes": wild, "timid, echoes": timid}})]
+    held = [row.held for row in intervals.rows_flags({"a": {"bidirectional, echoes": wild}, "b": {"forward, echoes": timid}})]
     assert held == [False, True, True, False]
     assert sum(timid["converged"]) == 500
 
