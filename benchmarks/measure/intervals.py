@@ -20,9 +20,9 @@ WATERS = {
 HARD = ("run", "experiments/hard.toml")
 
 
-def long_run(runner, scene, photons):
-    """The truth: by the bidirectional estimator, with a seed that no short run has."""
-    return runner.result(*scene, *estimator("bidirectional"), "--photons", runner.photons(photons, "bidirectional"), "--seed", 7777)
+def long_run(runner, scene, photons, name="bidirectional"):
+    """The truth, with a seed that no short run has."""
+    return runner.result(*scene, *estimator(name), "--photons", runner.photons(photons, name), "--seed", 7777)
 
 
 def short_runs(runner, scene, name, photons, seeds):
@@ -30,9 +30,8 @@ def short_runs(runner, scene, name, photons, seeds):
     return runner.results([(*scene, *estimator(name), "--photons", count, "--seed", s) for s in runner.seeds(seeds)])
 
 
-def compared(runner, scene, reference, photons, seeds, kinds=("echoes",)):
-    """By estimator and kind of number."""
-    truth = long_run(runner, scene, reference)
+def compared(runner, scene, truth, photons, seeds, kinds=("echoes",)):
+    """Short runs against the long one, by estimator and kind of number."""
     out = {}
     for name in photons:
         runs = short_runs(runner, scene, name, photons[name], seeds)
@@ -55,7 +54,7 @@ def covered(what, counts, allowed):
 
 
 def measure_coverage(runner):
-    return {water: compared(runner, scene, 4e6, PHOTONS, SEEDS) for water, scene in WATERS.items()}
+    return {water: compared(runner, scene, long_run(runner, scene, 4e6), PHOTONS, SEEDS) for water, scene in WATERS.items()}
 
 
 def rows_coverage(raw):
@@ -65,7 +64,8 @@ def rows_coverage(raw):
 
 
 def measure_hard(runner):
-    return compared(runner, HARD, 4e6, {"forward": 1e6, "bidirectional": 1.2e5}, FEWER)
+    truth = long_run(runner, HARD, 1e7, "forward")
+    return compared(runner, HARD, truth, {"forward": 1e6, "bidirectional": 1.2e5}, FEWER)
 
 
 def rows_hard(raw):
@@ -103,7 +103,7 @@ NAMES = {"environment_echoes": "difference for 1 % more chlorophyll", "sensitivi
 
 
 def measure_differences(runner):
-    return compared(runner, CHANGED, 2e6, {"forward": 4e5, "bidirectional": 6e4}, FEWER, tuple(NAMES))
+    return compared(runner, CHANGED, long_run(runner, CHANGED, 2e6), {"forward": 4e5, "bidirectional": 6e4}, FEWER, tuple(NAMES))
 
 
 def rows_differences(raw):
@@ -140,9 +140,11 @@ MEASUREMENTS = [
         measure_coverage, rows_coverage,
     ),
     Measurement(
-        "coverage-hard", "Error bars in hard water", "**In forty layers of random chlorophyll, seen by a tilted and a wide "
-        "telescope, elastic and Raman, intervals are known to cover less often than they claim.**",
-        "As above. The bound is below 95 %, since this falls short of it as is known.", measure_hard, rows_hard,
+        "coverage-hard", "Error bars in hard water", "In forty layers of random chlorophyll, seen by a tilted and a wide telescope, "
+        "elastic and Raman. **The bidirectional estimator's intervals are known to cover less often here than they claim.**",
+        "As above, but for the long run, which is the forward estimator's: it converges in more of the gates. The bound is lower "
+        "than elsewhere, since 95 % is known to be missed.",
+        measure_hard, rows_hard,
     ),
     Measurement(
         "flags", "Flags", "Gates flagged converged are not far off, and gates that are well known are not flagged.",
