@@ -91,7 +91,7 @@ def one(measurement, runner):
         rows = pages.judged(measurement, raw)
         record = {"raw": raw, "commands": typed(runner.commands)}
         missed = [f"{row.what}: {row.measured}, allowed {row.allowed}" for row in rows if not row.held]
-        said = "; ".join(["NOT HELD", *missed]) if missed else f"{len(rows)} held" if rows else ""
+        said = "; ".join(["NOT HELD", *missed]) if missed else f"{len(rows)} held" if rows else "done"
     except Exception as error:  # noqa: BLE001
         reason = str(error) if isinstance(error, Failed) else f"{type(error).__name__}: {error}"
         record, said = {"failed": reason}, f"FAILED: {reason}"

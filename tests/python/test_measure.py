@@ -118,6 +118,13 @@ def test_errors_that_are_wrong_are_seen(shrunk):
     assert not intervals.covered("made up", counts, intervals.ALLOWED_HARD).held
 
 
+def test_a_few_gates_leave_it_open():
+    # Seen red: with any number of them judged.
+    row = intervals.covered("made up", made_up(3, 20), intervals.ALLOWED)
+    assert row.held is None
+    assert row.measured.endswith("of 60 (100 % are converged): too few to judge")
+
+
 def test_blind_and_timid_flags_are_seen():
     wild = made_up(20, 50, 0.3)
     timid = made_up(20, 50, flagged=lambda seed, cell: seed % 2 == 0)
