@@ -77,7 +77,7 @@ def rows_hard(raw):
         share, _ = coverage.share(counts["covered"], counts["converged"])
         if 0 < share < 1:  # what normal errors would be too small by
             factor = coverage.TWO_SIDED_95 / NormalDist().inv_cdf((1 + share) / 2)
-            row = replace(row, measured=f"{row.measured}: errors {factor:.2f} times as large would cover 95 %")
+            row = replace(row, measured=f"{row.measured}; errors {factor:.2f} times as large would cover 95 %")
         yield row
 
 
