@@ -4,7 +4,7 @@
 namespace photic::app {
 
 int run(const SchemaCommand& /*command*/) {
-  print_out(scene::scene_schema() + '\n');
+  print_out(scene::scene_schema(PHOTIC_VERSION) + '\n');
   return done;
 }
 

@@ -1,10 +1,42 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
 
 namespace photic::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The line by which editors find the schema of scenes; none where there is no schema beside this
+/// program: that of an installation, or of the build.
+std::string schema_line() {
+  std::error_code none;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
+  for (const char* place : {"../share/photic/scenes", "../../scenes"}) {
+    const fs::path schema = (folder / place / "scene.schema.json").lexically_normal();
+    if (fs::is_regular_file(schema, none)) return fmt::format("#:schema {}\n", schema.string());
+  }
+  return "";
+}
+
+std::string list_of_kinds() {
+  std::string out;
+  for (const auto& [kind, summary] : scene::starter_kinds())
+    out += fmt::format("{:<18}{}\n", kind, summary);
+  return out;
+}
+
+}  // namespace
 
 int run(const NewCommand& command) {
-  const std::string text = scene::starter_scene(command.kind);
+  if (command.list) {
+    print_out(list_of_kinds());
+    return done;
+  }
+  const std::string text = schema_line() + scene::starter_scene(command.kind);
   if (command.output.empty()) {
     print_out(text);
     return done;

@@ -6,7 +6,11 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
+
+#include "scene/annotate.hpp"
+#include "scene/units.hpp"
 
 namespace photic::scene {
 namespace {
@@ -27,7 +31,9 @@ std::optional<Refusal> read(const Node& table, Steps& steps) {
   for (const auto& [key, value] : keys) {
     const Node* node = table.find(key);
     if (!node) return Refusal{fmt::format("lacks '{}'", key), as_it_should_be};
-    if (auto refusal = check(positive, *node, *value)) {
+    const bool is_step = value == &steps.step;
+    if (auto refusal =
+            is_step ? check(positive, *node, *value) : check(Wavelength{}, *node, *value)) {
       refusal->reason = fmt::format("has a '{}' that {}", key, refusal->reason);
       return refusal;
     }
@@ -69,7 +75,7 @@ Node channel_at(const Node& channel, double nm) {
 }  // namespace
 
 std::optional<Refusal> check(const WavelengthOrSteps&, const Node& node, double& value) {
-  if (!node.as<Node::Table>()) return check(positive, node, value);
+  if (!node.as<Node::Table>()) return check(Wavelength{}, node, value);
   Steps steps;
   auto refusal = read(node, steps);
   value = steps.from;
@@ -80,10 +86,12 @@ Node schema_of(const WavelengthOrSteps&) {
   Node steps = empty_table();
   Node properties = empty_table();
   Node required{.value = Node::Array{}};
-  for (const auto& [key, meaning] :
-       {std::pair{"from", "the first centre in nm"}, std::pair{"to", "the last centre in nm"},
-        std::pair{"step", "how far the centres are apart in nm"}}) {
-    properties.add(key, schema_of(positive)).add("description", to_node(meaning));
+  for (auto [key, meaning, schema] :
+       {std::tuple{"from", "the first centre in nm", schema_of(Wavelength{})},
+        std::tuple{"to", "the last centre in nm", schema_of(Wavelength{})},
+        std::tuple{"step", "how far the centres are apart in nm", schema_of(positive)}}) {
+    annotate(schema, meaning, unit_of(centre_key), Level::basic);
+    properties.add(key, std::move(schema));
     required.as<Node::Array>()->push_back(to_node(key));
   }
   steps.add("type", to_node("object"));
@@ -91,7 +99,7 @@ Node schema_of(const WavelengthOrSteps&) {
   steps.add("required", std::move(required));
   steps.add("additionalProperties", to_node(false));
   Node either = empty_table();
-  either.add("anyOf", {.value = Node::Array{schema_of(positive), std::move(steps)}});
+  either.add("anyOf", {.value = Node::Array{schema_of(Wavelength{}), std::move(steps)}});
   return either;
 }
 

@@ -9,7 +9,7 @@
 
 namespace photic::scene {
 
-/// A wavelength above 0, or steps from one to another (a rule as those of rules.hpp).
+/// A wavelength, or steps from one to another (a rule as those of rules.hpp).
 struct WavelengthOrSteps {
   using Value = double;
 };

@@ -44,44 +44,56 @@ void describe(V& v, Gates& g) {
              w.required("step_ns", time.step, positive, "the duration of one gate in ns");
              w.once_read([&] { g.time_ns = time; });
            }));
-  v.optional("depth_cells", g.depth_cells, Count{0, 10000},
+  v.optional(expert("depth_cells"), g.depth_cells, Count{0, 10000},
              "how many cells of depth echo_by_depth has; 0: there is none");
 }
 
 template <class V>
 void describe(V& v, Importance& i) {
   v.required("depth_m", i.depth_m, positive, "from this depth on, in m");
-  v.required("value", i.value, Number{.low = 1 / most_importance, .high = most_importance},
+  v.required(expert("value"), i.value, Number{.low = 1 / most_importance, .high = most_importance},
              "how much a photon is worth there, against 1 at the surface");
 }
 
 template <class V>
 void describe(V& v, Tools& t) {
   v.optional(
-      "forced_collisions", t.forced_collisions, Count{0, 1'000'000},
+      expert("forced_collisions"), t.forced_collisions, Count{0, 1'000'000},
       "so many first flights of a photon end in the water, or reflected by its surface; what "
       "would leave it is taken from the weight");
-  v.optional("local_forced_collisions", t.local_forced_collisions, Choice{{"conversions", "all"}},
+  v.optional(expert("local_forced_collisions"), t.local_forced_collisions,
+             Choice{{{"conversions", "those that change the wavelength"},
+                     {"all", "those of scattered light too"}}},
              "which collisions are scored at points chosen in a telescope's view; the others are "
              "scored where they happen");
-  v.optional("weight_threshold", t.weight_threshold,
+  v.optional(expert("weight_threshold"), t.weight_threshold,
              Number{.low = 0.0, .high = 1.0, .low_open = true},
              "of the forward estimator: the weight, without what sampling does to it, below which "
              "at_threshold decides");
-  v.optional("at_threshold", t.at_threshold, Choice{{"roulette", "end", "analog-absorption"}},
-             "what becomes of light photons: Russian roulette; their end, which makes echoes low; "
-             "or a chance of being absorbed in place of further losses of weight");
-  v.sections("importance", t.importance, Need::optional,
+  v.optional(expert("at_threshold"), t.at_threshold,
+             Choice{{{"roulette", "they play Russian roulette"},
+                     {"end", "they end, which makes echoes low"},
+                     {"analog-absorption",
+                      "they may be absorbed by chance in place of losing more weight"}}},
+             "what becomes of photons of little weight");
+  v.sections(expert("importance"), t.importance, Need::optional,
              "photons are split on their way to where they are worth more, and play Russian "
              "roulette on their way to where they are worth less");
 }
 
 template <class V>
 void describe(V& v, Simulation& s) {
-  v.optional("estimator", s.estimator, Choice{{"auto", "bidirectional", "forward", "analog"}, {}},
-             "how echoes are estimated; auto compares bidirectional and forward in short pilot "
-             "runs; analog counts photons on the detector");
-  v.optional("estimator_reason", s.estimator_reason, Text{},
+  v.optional(
+      "estimator", s.estimator,
+      Choice{
+          {{"auto", "the better of bidirectional and forward, by short pilot runs"},
+           {"bidirectional",
+            "walks from the laser and from the telescopes, connected and made to meet"},
+           {"forward", "photons from the laser, scored at every collision"},
+           {"analog",
+            "photons followed by chance alone and counted on the detector, to verify the others"}}},
+      "how echoes are estimated");
+  v.optional(expert("estimator_reason"), s.estimator_reason, Text{},
              "why auto chose this estimator; written by a run");
   v.any_of([&](auto& w) {
     w.optional("photons", s.photons, Count{}, "end after this many photons");
@@ -89,45 +101,49 @@ void describe(V& v, Simulation& s) {
                "end when the gates have this relative standard error");
     w.optional("max_time_s", s.max_time_s, positive, "end after this many seconds");
   });
-  v.optional("max_order", s.max_order, Count{1, 1'000'000},
+  v.optional(expert("max_order"), s.max_order, Count{1, 1'000'000},
              "end a photon after this many scatterings; no limit by default");
   v.optional(
       "orders_kept", s.orders_kept, Count{1, 1000},
       "echoes are told apart by scattering order up to this one, which counts all above too");
-  v.optional("seed", s.seed, Count{.low = 0}, "the seed of the random numbers");
-  v.optional("reception", s.reception, Choice{{"ray", "overlap"}, {}},
-             "of the forward estimator: local estimates of single rays through the lens, which is "
-             "exact, or the mean over the lens as if light fell evenly on it");
-  v.optional("directed_fraction", s.directed_fraction,
+  v.optional(without_unit("seed"), s.seed, Count{.low = 0}, "the seed of the random numbers");
+  v.optional(expert("reception"), s.reception,
+             Choice{{{"ray", "single rays through the lens, which is exact"},
+                     {"overlap", "the mean over the lens as if light fell evenly on it"}}},
+             "of the forward estimator: how light reaches the detector");
+  v.optional(expert("directed_fraction"), s.directed_fraction,
              Number{.low = 0.0, .high = 1.0, .high_open = true},
              "the share of directions drawn towards a telescope; 0 turns that off");
-  v.optional("scored_points", s.scored_points, Count{1, 100},
+  v.optional(expert("scored_points"), s.scored_points, Count{1, 100},
              "of the forward estimator: at so many points of each flight, spread evenly over its "
              "free paths, collisions are scored; 1: only where photons collide");
   v.optional(
-      "conversion_probability", s.conversion_probability, between(0.0, 1.0),
+      expert("conversion_probability"), s.conversion_probability, between(0.0, 1.0),
       "the share of collisions followed into an inelastic process; in walks from telescopes, "
       "of free paths as long as the laser's light would have");
-  v.optional("walks", s.walks, Count{1, 100},
+  v.optional(expert("walks"), s.walks, Count{1, 100},
              "of the bidirectional estimator: walks from the laser, and from each telescope, that "
              "are all connected with each other");
-  v.optional("meetings", s.meetings, Number{.low = 0.0, .high = 1e5, .low_open = true},
+  v.optional(expert("meetings"), s.meetings, Number{.low = 0.0, .high = 1e5, .low_open = true},
              "of the bidirectional estimator: how often two rays are made to meet, over the range "
              "of the gates; an eighth and a quarter as often in paths of one vertex and of two");
   v.optional(
-      "connected_fraction", s.connected_fraction, Number{.low = 0.0, .high = 1.0, .low_open = true},
+      expert("connected_fraction"), s.connected_fraction,
+      Number{.low = 0.0, .high = 1.0, .low_open = true},
       "of the bidirectional estimator: the share of the telescopes' walks whose vertices are "
       "connected with those of a laser's walk; the others only meet it");
-  v.optional("walk_attenuation", s.walk_attenuation, between(0.0, 1.0),
+  v.optional(expert("walk_attenuation"), s.walk_attenuation, between(0.0, 1.0),
              "of the bidirectional estimator: the share of the water's attenuation that its free "
              "paths are drawn from; by default 0.6, or 0.9 in water that scatters more than two "
              "thirds of it");
-  v.optional(
-      "sampling", s.sampling, Choice{{"quasi-random", "random"}, {}},
-      "the photons or walks of a batch begin spread evenly, at scrambled Sobol' points, or "
-      "independently, as the forward estimator always does with environments or telescopes in "
-      "the water");
-  v.section("tools", s.tools, Need::optional, "variance reduction by the forward estimator");
+  v.optional(expert("sampling"), s.sampling,
+             Choice{{{"quasi-random", "spread evenly, at scrambled Sobol' points"},
+                     {"random",
+                      "independently, as the forward estimator always does with environments or "
+                      "telescopes in the water"}}},
+             "how the photons or walks of a batch begin");
+  v.section(expert("tools"), s.tools, Need::optional,
+            "variance reduction by the forward estimator");
 }
 
 template <class V>
@@ -142,7 +158,7 @@ void describe(V& v, Environment& e) {
 template <class V>
 void describe(V& v, Scene& s) {
   v.optional("title", s.title, Text{.may_be_empty = true}, "what is simulated, in one line");
-  v.optional("sensitivity", s.sensitivity, Parameters{},
+  v.optional(expert("sensitivity"), s.sensitivity, Parameters{},
              "the parameters of the water with respect to which echoes are derived, by their "
              "paths: those of --set that begin with sea. or optics.");
   v.section("source", s.source, Need::required, "the source of light");
@@ -153,9 +169,9 @@ void describe(V& v, Scene& s) {
   v.section("sea", s.sea, Need::optional, "the sea: its surface and its layers of water");
   v.section("gates", s.gates, Need::required, "the range gates");
   v.section("simulation", s.simulation, Need::required, "how long and how to simulate");
-  v.sections("environment", s.environment, Need::optional,
+  v.sections(expert("environment"), s.environment, Need::optional,
              "other water, whose echoes are computed from the same histories; any number of them");
-  v.expanded("environment_grid", Grid{},
+  v.expanded(expert("environment_grid"), Grid{},
              "more such environments: one for each choice of a value of each path");
   v.unavailable("bottom", "the sea bed is black in this version");
   v.unavailable("atmosphere", "the air is clear vacuum in this version");

@@ -39,16 +39,16 @@ struct ProfileModel {
 
 template <class V>
 void describe_beyond(V& v, BeyondPoints& b) {
-  v.optional("above", b.above, Choice{{"constant"}},
-             "constant: the uppermost value holds up to the top of the layer");
-  v.optional("below", b.below, Choice{{"constant"}},
-             "constant: the lowermost value holds down to the bottom of the layer");
+  v.optional("above", b.above, Choice{{{"constant", "the uppermost value"}}},
+             "what holds from the uppermost point up to the top of the layer");
+  v.optional("below", b.below, Choice{{{"constant", "the lowermost value"}}},
+             "what holds from the lowermost point down to the bottom of the layer");
 }
 
 template <class V>
 void describe(V& v, ProfilePoints& p) {
   v.required("depth_m", p.depth_m, Numbers{}, "depths in m, ascending");
-  v.required("value", p.value, Numbers{}, "the values there; linear between");
+  v.required(without_unit("value"), p.value, Numbers{}, "the values there; linear between");
   describe_beyond(v, p.beyond);
 }
 
@@ -61,20 +61,24 @@ void describe(V& v, ProfileFile& p) {
                   }),
            option(!p.variable.empty(), [&](auto& w) {
              w.required("variable", p.variable, Text{}, "the values' variable of a netCDF file");
-             w.optional("profile", p.profile, Count{.low = 0}, "which of its profiles, from 0");
+             w.optional(without_unit("profile"), p.profile, Count{.low = 0},
+                        "which of its profiles, from 0");
            }));
   v.required("depth", p.depth, Text{},
              "the column of depths in m, or the variable of depths or pressures");
-  v.optional("negative", p.negative, Choice{{"zero"}},
-             "zero: values below 0, as dark counts leave them, count as 0");
+  v.optional("negative", p.negative, Choice{{{"zero", "they count as 0"}}},
+             "what becomes of values below 0, as dark counts leave them; refused without it");
   describe_beyond(v, p.beyond);
 }
 
 template <class V>
 void describe(V& v, ProfileModel& p) {
-  v.required("model", p.model, Choice{{"gaussian"}}, "the shape: a maximum on a background");
-  v.required("background", p.background, not_negative, "the value far from the maximum");
-  v.required("maximum", p.maximum, not_negative, "the value at the maximum");
+  v.required("model", p.model,
+             Choice{{{"gaussian", "a Gaussian maximum on a constant background"}}},
+             "the shape: a maximum on a background");
+  v.required(without_unit("background"), p.background, not_negative,
+             "the value far from the maximum");
+  v.required(without_unit("maximum"), p.maximum, not_negative, "the value at the maximum");
   v.required("depth_m", p.depth_m, any_number, "the depth of the maximum in m");
   v.required("width_m", p.width_m, positive, "its standard deviation in m");
 }

@@ -11,20 +11,37 @@
 
 namespace photic::scene {
 
+/// What a constituent's particles may scatter by.
+inline std::vector<Word> particle_phases() {
+  return {{"fournier-forand", "Fournier and Forand's function, close to what is measured"},
+          {"petzold", "the average of Petzold's measurements in the sea"},
+          {"mie", "the paper's spheres by Mie theory"}};
+}
+
 template <class V>
 void describe(V& v, Optics& o) {
   v.optional("set", o.set, Choice{optics_sets()}, "fills in the choices below that are not given");
   v.once_read([&] { o = optics_of(o.set); });
-  v.optional("water_absorption", o.water_absorption,
-             Choice{{"mason-ioccg", "ioccg", "pope-fry", "smith-baker"}},
+  v.optional(expert("water_absorption"), o.water_absorption,
+             Choice{{{"mason-ioccg",
+                      "Mason, Cone & Fry 2016 up to 510 nm, the Water Optical Properties Processor "
+                      "3 above, IOCCG 2018 below 300 nm: 200 to 1100 nm"},
+                     {"ioccg", "IOCCG 2018, as recommended for pure water: 200 to 1000 nm"},
+                     {"pope-fry", "Pope & Fry 1997: 380 to 727.5 nm"},
+                     {"smith-baker", "Smith & Baker 1981: 200 to 800 nm"}}},
              "the absorption of pure sea water");
-  v.optional("water_scattering", o.water_scattering, Choice{{"zhang", "morel", "smith-baker"}},
+  v.optional(expert("water_scattering"), o.water_scattering,
+             Choice{{{"zhang", "Zhang, Hu & He 2009: 200 to 1100 nm"},
+                     {"morel", "Morel 1974: 200 to 800 nm"},
+                     {"smith-baker", "Smith & Baker 1981: 200 to 800 nm"}}},
              "the scattering of pure sea water");
   v.optional(
-      "water_depolarisation", o.water_depolarisation, from_to(0.0, 1.0),
+      expert("water_depolarisation"), o.water_depolarisation, from_to(0.0, 1.0),
       "the depolarisation ratio of natural light scattered by water, for its phase function");
   v.optional("phytoplankton", o.phytoplankton,
-             Choice{{"bricaud", "prieur-sathyendranath", "table"}},
+             Choice{{{"bricaud", "Bricaud et al. 1995 and 1998"},
+                     {"prieur-sathyendranath", "Prieur & Sathyendranath 1981"},
+                     {"table", "your own spectra: phytoplankton_file"}}},
              "the absorption and scattering of phytoplankton by chlorophyll");
   v.when("phytoplankton", o.phytoplankton, "table", [&](auto& w) {
     w.required("phytoplankton_file", o.phytoplankton_table,
@@ -37,56 +54,63 @@ void describe(V& v, Optics& o) {
                              true}}},
                "a CSV file of wavelength_nm, a_m2_per_mg, b_m2_per_mg, or a table of these");
   });
-  v.optional("phytoplankton_phase", o.phytoplankton_phase,
-             Choice{{"fournier-forand", "petzold", "mie"}},
-             "the phase function of phytoplankton; mie is that of the paper's spheres");
-  v.optional("minerals", o.minerals, Choice{{"power-law", "mie"}},
-             "the absorption and scattering of minerals; mie is that of the paper's spheres");
+  v.optional(expert("phytoplankton_phase"), o.phytoplankton_phase, Choice{particle_phases()},
+             "the phase function of phytoplankton");
+  v.optional(expert("minerals"), o.minerals,
+             Choice{{{"power-law", "by mass: the coefficients minerals_a_… and minerals_b_…"},
+                     {"mie", "the paper's spheres by Mie theory"}}},
+             "the absorption and scattering of minerals");
   auto& minerals = o.minerals_power_law;
-  v.optional("minerals_a_443_m2_per_g", minerals.a_443_m2_per_g, not_negative,
+  v.optional(expert("minerals_a_443_m2_per_g"), minerals.a_443_m2_per_g, not_negative,
              "power-law: the absorption of minerals at 443 nm in m2/g");
-  v.optional("minerals_a_slope_per_nm", minerals.a_slope_per_nm, not_negative,
+  v.optional(expert("minerals_a_slope_per_nm"), minerals.a_slope_per_nm, not_negative,
              "power-law: how fast the absorption of minerals falls, in 1/nm");
-  v.optional("minerals_b_555_m2_per_g", minerals.b_555_m2_per_g, not_negative,
+  v.optional(expert("minerals_b_555_m2_per_g"), minerals.b_555_m2_per_g, not_negative,
              "power-law: the scattering of minerals at 555 nm in m2/g");
-  v.optional("minerals_b_exponent", minerals.b_exponent, any_number,
+  v.optional(expert("minerals_b_exponent"), minerals.b_exponent, any_number,
              "power-law: the scattering of minerals goes as wavelength^-exponent");
-  v.optional("minerals_phase", o.minerals_phase, Choice{{"fournier-forand", "petzold", "mie"}},
-             "the phase function of minerals; mie is that of the paper's spheres");
-  v.optional("raman", o.raman, Choice{{"bartlett", "marshall-smith"}},
-             "the Raman scattering coefficient of water");
-  v.optional("emission", o.emission, Choice{{"spectra", "lines"}},
-             "whether Raman light and chlorophyll's have spectra, or one wavelength each; by "
-             "default spectra in set modern, unless a layer has iop or jerlov");
-  v.optional("chlorophyll_share_730", o.chlorophyll_share_730, from_to(0.0, 1.0),
+  v.optional(expert("minerals_phase"), o.minerals_phase, Choice{particle_phases()},
+             "the phase function of minerals");
+  v.optional(
+      expert("raman"), o.raman,
+      Choice{{{"bartlett", "Bartlett et al. 1998"}, {"marshall-smith", "Marshall & Smith 1990"}}},
+      "the Raman scattering coefficient of water");
+  v.optional(
+      expert("emission"), o.emission,
+      Choice{{{"spectra", "spread over their spectra"}, {"lines", "each at one wavelength"}}},
+      "whether Raman light and chlorophyll's have spectra, or one wavelength each; by "
+      "default spectra in set modern, unless a layer has iop or jerlov");
+  v.optional(expert("chlorophyll_share_730"), o.chlorophyll_share_730, from_to(0.0, 1.0),
              "the share of chlorophyll's light that is emitted about 730 nm");
-  v.optional("cdom_fluorescence", o.cdom_fluorescence, Choice{{"hawes", "table"}},
-             "how dissolved organic matter fluoresces");
+  v.optional(
+      expert("cdom_fluorescence"), o.cdom_fluorescence,
+      Choice{{{"hawes", "Hawes 1992"}, {"table", "your own matrix: cdom_fluorescence_file"}}},
+      "how dissolved organic matter fluoresces");
   v.when("cdom_fluorescence", o.cdom_fluorescence, "table", [&](auto& w) {
-    w.required("cdom_fluorescence_file", o.cdom_fluorescence_table,
+    w.required(expert("cdom_fluorescence_file"), o.cdom_fluorescence_table,
                TableOrFile{{{"excitation_nm", "ascending wavelengths in nm, for each emission"},
                             {"emission_nm", "wavelengths in nm, the same for every excitation"},
                             {"yield_per_nm", "photons per photon absorbed and nm"}}},
                "a CSV file of excitation_nm, emission_nm, yield_per_nm, or a table of these");
   });
-  v.optional("chlorophyll_lifetime_ns", o.chlorophyll_lifetime_ns, not_negative,
+  v.optional(expert("chlorophyll_lifetime_ns"), o.chlorophyll_lifetime_ns, not_negative,
              "the mean time from excitation to emission of chlorophyll's light in ns; 0: at once");
-  v.optional("cdom_lifetime_ns", o.cdom_lifetime_ns, not_negative,
+  v.optional(expert("cdom_lifetime_ns"), o.cdom_lifetime_ns, not_negative,
              "the same of the light of dissolved organic matter");
 }
 
 template <class V>
 void describe(V& v, IopEntry& i) {
-  v.required("wavelength_nm", i.wavelength_nm, positive, "the wavelength in nm");
+  v.required("wavelength_nm", i.wavelength_nm, Wavelength{}, "the wavelength in nm");
   v.required("a_per_m", i.a_per_m, not_negative,
              "the absorption coefficient in 1/m, water included");
   v.required("b_per_m", i.b_per_m, not_negative,
              "the scattering coefficient in 1/m, water included");
-  v.optional("a_phytoplankton_per_m", i.a_phytoplankton_per_m, not_negative,
+  v.optional(expert("a_phytoplankton_per_m"), i.a_phytoplankton_per_m, not_negative,
              "the share of a_per_m that excites chlorophyll fluorescence, in 1/m");
   v.optional("bb_per_m", i.bb_per_m, not_negative,
              "the backscattering coefficient in 1/m, water included; tells the phase function");
-  v.optional("a_cdom_per_m", i.a_cdom_per_m, not_negative,
+  v.optional(expert("a_cdom_per_m"), i.a_cdom_per_m, not_negative,
              "the share of a_per_m that excites the fluorescence of dissolved organic matter, in "
              "1/m");
 }
@@ -96,6 +120,7 @@ inline constexpr const char* phase_function_meaning =
     "the phase function of all scattering, water's included";
 /// How far constituents may depart from their mean in what a layer is cut into (cut.hpp).
 inline constexpr Number profile_tolerance_rule{.low = 0.0, .high = 1.0, .low_open = true};
+inline constexpr double default_profile_tolerance = 0.05;
 
 // Wider than the seas: the formulas behind were fitted to 0-40 PSU and 0-40 C (Millero 1980).
 inline constexpr Number salinity_rule = from_to(0.0, 45.0);
@@ -108,8 +133,15 @@ inline constexpr double salinity_scale_psu = 35.0, temperature_scale_c = 20.0;
 template <class V>
 void describe(V& v, PhaseFunction& p) {
   v.required(model_key, p.model,
-             Choice{{"henyey-greenstein", "fournier-forand", "petzold", "rayleigh", "isotropic",
-                     "table", "mie", "mixture"}},
+             Choice{{{"henyey-greenstein", "Henyey and Greenstein's of a mean cosine g"},
+                     {"fournier-forand",
+                      "Fournier and Forand's of particles with a hyperbolic size distribution"},
+                     {"petzold", "the average of Petzold's measurements in the sea"},
+                     {"rayleigh", "that of molecules"},
+                     {"isotropic", "the same in all directions"},
+                     {"table", "your own, by angle: file"},
+                     {"mie", "spheres by Mie theory"},
+                     {"mixture", "several of these by their shares: components"}}},
              "the model of the phase function");
   v.when(model_key, p.model, "henyey-greenstein", [&](auto& w) {
     w.required("g", p.g,
@@ -134,15 +166,15 @@ void describe(V& v, PhaseFunction& p) {
                "a CSV file of angle_deg, phase_function_per_sr, or a table of these");
   });
   v.when(model_key, p.model, "mie", [&](auto& w) {
-    w.optional("relative_index", p.particles.relative_index, from_to(0.5, 3.0),
+    w.optional(expert("relative_index"), p.particles.relative_index, from_to(0.5, 3.0),
                "the spheres' real refractive index relative to water");
-    w.optional("absorption_index", p.particles.absorption_index, from_to(0.0, 3.0),
+    w.optional(expert("absorption_index"), p.particles.absorption_index, from_to(0.0, 3.0),
                "how much they absorb: k of their index n - ik relative to water");
-    w.optional("junge_slope", p.particles.junge_slope, from_to(0.0, 10.0),
+    w.optional(expert("junge_slope"), p.particles.junge_slope, from_to(0.0, 10.0),
                "the exponent of their Junge distribution: numbers per radius go as radius^-slope");
-    w.optional("min_radius_um", p.particles.min_radius_um, from_to(0.001, 20.0),
+    w.optional(expert("min_radius_um"), p.particles.min_radius_um, from_to(0.001, 20.0),
                "the smallest radius in um");
-    w.optional("max_radius_um", p.particles.max_radius_um, from_to(0.001, 20.0),
+    w.optional(expert("max_radius_um"), p.particles.max_radius_um, from_to(0.001, 20.0),
                "the largest radius in um");
   });
   v.when(model_key, p.model, "mixture", [&](auto& w) {
@@ -192,16 +224,23 @@ void describe(V& v, Layer& l) {
                                     "the phase function of all scattering, water's included");
                   }),
            option(!l.jerlov.empty(), [&](auto& w) {
-             w.required("jerlov", l.jerlov, Choice{{"IB", "II", "III", "1C", "3C", "5C"}},
+             w.required("jerlov", l.jerlov,
+                        Choice{{{"IB", "clear ocean water"},
+                                {"II", "ocean water less clear"},
+                                {"III", "turbid ocean water"},
+                                {"1C", "clear coastal water"},
+                                {"3C", "coastal water less clear"},
+                                {"5C", "turbid coastal water"}}},
                         "Jerlov's type of water, which tells all absorption and scattering");
            }));
-  v.optional("chlorophyll_yield", l.chlorophyll_yield, from_to(0.0, 1.0),
+  v.optional(expert("chlorophyll_yield"), l.chlorophyll_yield, from_to(0.0, 1.0),
              "fluorescence photons per photon absorbed by phytoplankton");
 }
 
 template <class V>
 void describe(V& v, Surface& s) {
-  v.optional("model", s.model, Choice{{"flat"}, {"cox-munk", "slick", "paper"}},
+  v.optional("model", s.model,
+             Choice{{{"flat", "a level surface without waves"}}, {"cox-munk", "slick", "paper"}},
              "the shape of the sea surface");
   v.unavailable("wind_speed_m_s", "the sea surface is flat in this version");
   v.unavailable("wind_direction_deg", "the sea surface is flat in this version");
@@ -211,18 +250,19 @@ template <class V>
 void describe(V& v, Sea& s) {
   v.optional("salinity_psu", s.salinity_psu, salinity_rule, "the salinity in PSU");
   v.optional("temperature_c", s.temperature_c, temperature_rule, "the temperature in C");
-  v.optional("refractive_index", s.refractive_index, from_to(1.0, 2.0),
+  v.optional(expert("refractive_index"), s.refractive_index, from_to(1.0, 2.0),
              "replaces the refractive index from salinity and temperature, at all wavelengths");
-  v.optional("group_index", s.group_index, from_to(1.0, 2.0),
+  v.optional(expert("group_index"), s.group_index, from_to(1.0, 2.0),
              "replaces the group index from salinity and temperature, at all wavelengths");
   v.table("surface", s.surface, "the sea surface");
   v.sections("layer", s.layer, Need::required, "the layers of water from the surface down");
   v.in_place_of("iop_table", "layer", IopTableKey{},
                 "a file of optical properties by depth and wavelength, instead of layers");
-  v.expanded("profile_tolerance", profile_tolerance_rule,
+  v.expanded(expert("profile_tolerance"), profile_tolerance_rule,
              "how far constituents may depart from their mean in the layers that profiles are cut "
              "into, against their greatest value, temperatures against 20 C, salinities against "
-             "35 PSU; 0.05 by default");
+             "35 PSU",
+             default_profile_tolerance);
 }
 
 }  // namespace photic::scene

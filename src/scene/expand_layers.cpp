@@ -186,11 +186,9 @@ class LayerExpander {
   std::vector<std::size_t> origin_;  ///< the layer that each of `out` comes from
 };
 
-constexpr double default_tolerance = 0.05;
-
 double tolerance_of(const Node& sea, Findings& findings) {
   const Node* given = sea.find("profile_tolerance");
-  double tolerance = default_tolerance;
+  double tolerance = default_profile_tolerance;
   if (!given) return tolerance;
   if (const auto refusal = check(profile_tolerance_rule, *given, tolerance))
     findings.add("sea.profile_tolerance", given->place, "'profile_tolerance' " + refusal->reason,

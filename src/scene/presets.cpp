@@ -40,10 +40,9 @@ const std::array<Optics, 2>& presets() {
 
 }  // namespace
 
-std::vector<std::string> optics_sets() {
-  std::vector<std::string> names;
-  for (const Optics& preset : presets()) names.push_back(preset.set);
-  return names;
+std::vector<Word> optics_sets() {
+  return {{"modern", "the best data and models of today"},
+          {"paper", "those of the PREMAR-2F paper, to compare with it"}};
 }
 
 Optics optics_of(const std::string& set) {

@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "scene/rules.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::scene {
 
-std::vector<std::string> optics_sets();
+std::vector<Word> optics_sets();
 
 /// All choices of a set that optics_sets() names.
 Optics optics_of(const std::string& set);

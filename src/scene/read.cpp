@@ -1,5 +1,7 @@
 #include "scene/read.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -37,16 +39,44 @@ void fill_names(std::vector<Named>& all, const std::string& stem) {
     if (all[i].name.empty()) all[i].name = stem + std::to_string(i);
 }
 
+[[noreturn]] void refuse_file(const std::string& path, const std::string& reason,
+                              const std::string& suggestion) {
+  throw InputError({{path, 0, 0, reason, suggestion}});
+}
+
+/// Whether the first bytes are those of netCDF: HDF5, or CDF in version 1, 2 or 5.
+bool is_netcdf(const std::string& bytes) {
+  return bytes.starts_with("\x89HDF\r\n\x1a\n") || bytes.starts_with("CDF\x01") ||
+         bytes.starts_with("CDF\x02") || bytes.starts_with("CDF\x05");
+}
+
+/// Throws InputError for what is no text.
+void expect_text(const std::string& path, const std::string& bytes) {
+  if (is_netcdf(bytes))
+    refuse_file(path, "this is a netCDF file, as photic run writes them, and not a scene",
+                fmt::format("of a result, photic show {0} prints the scene and photic run "
+                            "--continue {0} goes on",
+                            path));
+  if (bytes.find('\0') != std::string::npos)
+    refuse_file(path, "this is not a text in UTF-8, and so not a scene",
+                "scenes are TOML files: photic new ship prints one");
+}
+
 std::string text_of(const std::string& path) {
   std::error_code unknown;
+  const auto status = std::filesystem::status(path, unknown);
+  if (status.type() == std::filesystem::file_type::not_found)
+    refuse_file(path, "there is no such file", "photic new ship -o FILE writes a scene");
+  if (std::filesystem::is_directory(status))
+    refuse_file(path, "this is a folder and not a scene", "name a scene file in it");
   const auto fail = [&](const std::string& why) {
     throw EnvironmentError("cannot read the scene " + path + ": " + why);
   };
-  if (std::filesystem::is_directory(path, unknown)) fail("it is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(std::generic_category().message(errno));
   std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (file.bad()) fail("reading failed");
+  expect_text(path, text);
   return text;
 }
 

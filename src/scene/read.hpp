@@ -28,8 +28,8 @@ struct Reading {
 using Check = std::function<void(const Scene&, Findings&)>;
 
 /// Reads and checks a scene file. Throws InputError with every problem (a TOML syntax error stands
-/// alone), EnvironmentError if the file cannot be read. Files the scene names are relative to the
-/// scene file.
+/// alone) and for what is no text file, EnvironmentError if the file cannot be read. Files the
+/// scene names are relative to the scene file.
 Reading read_scene(const std::string& path, const std::vector<Override>& overrides = {},
                    const Check& check = {}, const NetcdfFiles& netcdf = {});
 
@@ -43,12 +43,21 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
 /// last bit.
 std::string write_scene(const Scene& scene);
 
-/// The same as JSON, and the JSON Schema (draft 2020-12) of scene files for editors.
+/// The same as JSON.
 std::string write_scene_json(const Scene& scene);
-std::string scene_schema();
+
+/// The JSON Schema (draft 2020-12) of scene files for editors, of a version of the program. Besides
+/// what the draft knows, keys have `x-unit` and `x-level` (annotate.hpp).
+std::string scene_schema(const std::string& version);
 
 /// A commented starter scene. Throws InputError naming the kinds there are if `kind` is none of
 /// them.
 std::string starter_scene(const std::string& kind);
+
+/// The kinds there are, each with the first line of its scene: one sentence.
+struct StarterKind {
+  std::string kind, summary;
+};
+std::vector<StarterKind> starter_kinds();
 
 }  // namespace photic::scene

@@ -107,8 +107,8 @@ class Reader : public TableReader {
     check_any(Names(keys));
   }
 
-  template <class Rule>
-  void expanded(const char* key, const Rule&, const char*) {
+  template <class Rule, class... Default>
+  void expanded(const char* key, const Rule&, const char*, const Default&...) {
     look(key);
   }
   template <class Rule>
@@ -131,6 +131,12 @@ class Reader : public TableReader {
       problem = check(rule, node, plain, shared_.folder);
     else
       problem = check(rule, node, plain);
+    if constexpr (std::is_same_v<typename Rule::Value, double>)
+      if (problem && problem->suggestion.empty())
+        problem->suggestion = other_unit(key, node, [&rule](const Node& meant) {
+          double ignored = 0;
+          return !check(rule, meant, ignored);
+        });
     if (problem)
       refuse(key, node, *problem);
     else

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "core/vec3.hpp"
@@ -35,6 +36,13 @@ constexpr Number between(double low, double high) {
   return {.low = low, .high = high, .low_open = true, .high_open = true};
 }
 
+/// A wavelength of light in nm: no optics are known of shorter ones, and whoever gives one means
+/// another unit.
+struct Wavelength {
+  using Value = double;
+  static constexpr double shortest_nm = 100;
+};
+
 /// A whole number between bounds; 1e7 serves as well.
 struct Count {
   using Value = std::int64_t;
@@ -47,10 +55,15 @@ struct Numbers {
   using Value = std::vector<double>;
 };
 
+/// A word to choose, and what it stands for.
+struct Word {
+  std::string word, meaning;
+};
+
 /// One of some words; `later` are those the format knows and this version cannot do.
 struct Choice {
   using Value = std::string;
-  std::vector<std::string> words;
+  std::vector<Word> words;
   std::vector<std::string> later = {};
 };
 
@@ -86,9 +99,18 @@ struct Direction {
   using Value = Vec3<double>;
 };
 
+/// Whether the values of a rule are numbers, which have a unit.
+template <class Rule>
+inline constexpr bool is_quantity = requires {
+  requires std::is_arithmetic_v<typename Rule::Value> ||
+               std::is_same_v<typename Rule::Value, std::vector<double>> ||
+               std::is_same_v<typename Rule::Value, Vec3<double>>;
+};
+
 /// Checks a value and stores it if it passes. `folder` is where relative files lie; without one no
 /// file may be named.
 std::optional<Refusal> check(const Number& rule, const Node& node, double& value);
+std::optional<Refusal> check(const Wavelength& rule, const Node& node, double& value);
 std::optional<Refusal> check(const Count& rule, const Node& node, std::int64_t& value);
 std::optional<Refusal> check(const Numbers& rule, const Node& node, std::vector<double>& value);
 std::optional<Refusal> check(const Choice& rule, const Node& node, std::string& value);
@@ -100,6 +122,7 @@ std::optional<Refusal> check(const Direction& rule, const Node& node, Vec3<doubl
 
 /// The rule as JSON Schema.
 Node schema_of(const Number& rule);
+Node schema_of(const Wavelength& rule);
 Node schema_of(const Count& rule);
 Node schema_of(const Numbers& rule);
 Node schema_of(const Choice& rule);

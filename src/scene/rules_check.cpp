@@ -74,6 +74,14 @@ std::optional<Refusal> check(const Number& rule, const Node& node, double& value
   return std::nullopt;
 }
 
+std::optional<Refusal> check(const Wavelength&, const Node& node, double& value) {
+  if (auto problem = check(positive, node, value)) return problem;
+  if (value >= Wavelength::shortest_nm) return std::nullopt;
+  return Refusal{fmt::format("must be at least {} nm, not {}",
+                             plain_number(Wavelength::shortest_nm), found_text(node)),
+                 ""};
+}
+
 std::optional<Refusal> check(const Count& rule, const Node& node, std::int64_t& value) {
   const auto n = whole_number(node);
   if (!n || *n < rule.low || *n > rule.high) return refusal(requirement_of(rule), node);
@@ -93,17 +101,19 @@ std::optional<Refusal> check(const Numbers&, const Node& node, std::vector<doubl
 
 std::optional<Refusal> check(const Choice& rule, const Node& node, std::string& value) {
   const auto* word = node.as<std::string>();
+  std::vector<std::string> known;
+  for (const Word& w : rule.words) known.push_back(w.word);
   const auto among = [&](const std::vector<std::string>& words) {
     return word && std::find(words.begin(), words.end(), *word) != words.end();
   };
   if (among(rule.later))
     return Refusal{fmt::format("= {} is not available yet", quoted(*word)),
-                   fmt::format("available: {}", joined(rule.words, "and"))};
-  if (!among(rule.words)) {
+                   fmt::format("available: {}", joined(known, "and"))};
+  if (!among(known)) {
     std::vector<std::string> words;
-    for (const std::string& w : rule.words) words.push_back(quoted(w));
+    for (const std::string& w : known) words.push_back(quoted(w));
     return refusal(joined(words, "or"), node,
-                   word ? suggestion_for(*word, rule.words, "choose from") : "");
+                   word ? suggestion_for(*word, known, "choose from") : "");
   }
   value = *word;
   return std::nullopt;

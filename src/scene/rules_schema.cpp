@@ -1,6 +1,8 @@
 #include <cmath>
 
+#include "scene/annotate.hpp"
 #include "scene/rules.hpp"
+#include "scene/units.hpp"
 
 namespace photic::scene {
 namespace {
@@ -30,6 +32,8 @@ Node schema_of(const Number& rule) {
   return schema;
 }
 
+Node schema_of(const Wavelength&) { return schema_of(Number{.low = Wavelength::shortest_nm}); }
+
 Node schema_of(const Count& rule) {
   Node schema = typed("integer");
   schema.add("minimum", to_node(rule.low));
@@ -45,8 +49,14 @@ Node schema_of(const Numbers&) {
 }
 
 Node schema_of(const Choice& rule) {
-  Node schema = empty_table();
-  schema.add("enum", to_node(rule.words));
+  Node::Array words;
+  for (const Word& one : rule.words) {
+    Node& word = words.emplace_back(empty_table());
+    word.add("const", to_node(one.word));
+    word.add("description", to_node(one.meaning));
+  }
+  Node schema = typed("string");
+  schema.add("oneOf", {.value = std::move(words)});
   return schema;
 }
 
@@ -63,7 +73,7 @@ Node schema_of(const TableOrFile& rule) {
   std::vector<std::string> needed;
   for (const TableOrFile::Column& column : rule.columns) {
     Node schema = schema_of(Numbers{});
-    schema.add("description", to_node(column.meaning));
+    annotate(schema, column.meaning, unit_of(column.name), Level::basic);
     columns.add(column.name, std::move(schema));
     if (!column.may_lack) needed.emplace_back(column.name);
   }

@@ -1,5 +1,9 @@
 #include "scene/schema_builder.hpp"
 
+#include <algorithm>
+
+#include "core/error.hpp"
+
 namespace photic::scene {
 namespace {
 
@@ -29,9 +33,10 @@ Node SchemaBuilder::take() {
   return schema;
 }
 
-Node& SchemaBuilder::property(const char* key, Node schema, const char* meaning) {
-  schema.add("description", to_node(meaning));
-  return properties_.emplace_back(Entry{key, {}, std::move(schema)}).value;
+Node& SchemaBuilder::property(const Key& key, Node schema, const char* meaning,
+                              const std::string& unit) {
+  annotate(schema, meaning, unit, key.level);
+  return properties_.emplace_back(Entry{key.name, {}, std::move(schema)}).value;
 }
 
 Node SchemaBuilder::reference(const char* definition) {
@@ -45,15 +50,27 @@ Node SchemaBuilder::array_of(Node element) {
   return schema;
 }
 
-Node SchemaBuilder::word_or(Node schema) {
-  return keyed("anyOf", array({keyed("type", to_node("string")), std::move(schema)}));
+Node SchemaBuilder::either_of(Node one, Node other) {
+  return keyed("anyOf", array({std::move(one), std::move(other)}));
+}
+
+Node SchemaBuilder::sufficient_words(const std::string& word_key) const {
+  const auto choice =
+      std::ranges::find_if(properties_, [&](const Entry& entry) { return entry.key == word_key; });
+  expect(choice != properties_.end(), "the word is a key of the table");
+  Node words = keyed("oneOf", *choice->value.find("oneOf"));
+  std::erase_if(*words.find("oneOf")->as<Node::Array>(), [&](const Node& word) {
+    return std::ranges::count(demanding_, *word.find("const")->as<std::string>()) > 0;
+  });
+  return words;
 }
 
 Node SchemaBuilder::or_profile(Node schema) {
-  return keyed("anyOf", array({std::move(schema), reference(profile_name)}));
+  return either_of(std::move(schema), reference(profile_name));
 }
 
 void SchemaBuilder::conditional(const char* selector, const char* choice, const Names& keys) {
+  if (!keys.needed().empty()) demanding_.emplace_back(choice);
   Node chosen = keyed("properties", keyed(selector, keyed("const", to_node(choice))));
   chosen.add("required", to_node(std::vector<std::string>{selector}));
   Node condition = keyed("if", std::move(chosen));

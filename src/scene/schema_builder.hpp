@@ -6,8 +6,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "scene/annotate.hpp"
 #include "scene/rules.hpp"
 #include "scene/scene.hpp"
+#include "scene/units.hpp"
 #include "scene/visitor.hpp"
 
 namespace photic::scene {
@@ -15,34 +17,33 @@ namespace photic::scene {
 class SchemaBuilder {
  public:
   template <class T, class Rule>
-  void required(const char* key, const T&, const Rule& rule, const char* meaning) {
-    property(key, schema_of(rule), meaning);
-    required_.push_back(key);
+  void required(const Key& key, const T&, const Rule& rule, const char* meaning) {
+    property(key, schema_of(rule), meaning, unit_for<Rule>(key));
+    required_.emplace_back(key.name);
   }
   template <class T, class Rule>
-  void optional(const char* key, const T& value, const Rule& rule, const char* meaning) {
-    add_default(property(key, schema_of(rule), meaning), value);
+  void optional(const Key& key, const T& value, const Rule& rule, const char* meaning) {
+    add_default(property(key, schema_of(rule), meaning, unit_for<Rule>(key)), value);
   }
 
   template <class T, class Rule>
-  void profiled(const char* key, const T& value, const Rule& rule, const char* meaning,
-                double = 0) {
-    add_default(property(key, or_profile(schema_of(rule)), meaning), value);
+  void profiled(const Key& key, const T& value, const Rule& rule, const char* meaning, double = 0) {
+    add_default(property(key, or_profile(schema_of(rule)), meaning, unit_for<Rule>(key)), value);
   }
 
   /// A section with keys that must be given is required itself.
   template <class T>
-  void section(const char* key, T& value, Need need, const char* meaning) {
-    if (table(key, value, meaning) || need == Need::required) required_.push_back(key);
+  void section(const Key& key, T& value, Need need, const char* meaning) {
+    if (table(key, value, meaning) || need == Need::required) required_.emplace_back(key.name);
   }
   template <class T>
-  void sections(const char* key, std::vector<T>& values, Need need, const char* meaning) {
+  void sections(const Key& key, std::vector<T>& values, Need need, const char* meaning) {
     tables(key, values, meaning, [](auto& child, T& value) { describe(child, value); });
     if (need == Need::optional) required_.pop_back();
   }
   /// Returns whether any of its keys must be given.
   template <class T>
-  bool table(const char* key, T& value, const char* meaning) {
+  bool table(const Key& key, T& value, const char* meaning) {
     SchemaBuilder child;
     describe(child, value);
     const bool needed = !child.required_.empty() || child.needs_one_;
@@ -50,7 +51,7 @@ class SchemaBuilder {
     return needed;
   }
   template <class T, class Keys>
-  void tables(const char* key, std::vector<T>&, const char* meaning, const Keys& keys) {
+  void tables(const Key& key, std::vector<T>&, const char* meaning, const Keys& keys) {
     Node element;
     if constexpr (std::is_same_v<T, PhaseFunction>) {
       element =
@@ -62,12 +63,16 @@ class SchemaBuilder {
       element = child.take();
     }
     property(key, array_of(std::move(element)), meaning);
-    required_.push_back(key);
+    required_.emplace_back(key.name);
   }
   template <class T>
-  void table_or_word(const char* key, std::optional<T>&, const char*, const char* meaning) {
+  void table_or_word(const Key& key, std::optional<T>&, const char* word_key, const char* meaning) {
     static_assert(std::is_same_v<T, PhaseFunction>);
-    property(key, word_or(reference(phase_function_name)), meaning);
+    SchemaBuilder table;
+    T value{};
+    describe(table, value);
+    property(key, either_of(table.sufficient_words(word_key), reference(phase_function_name)),
+             meaning);
   }
 
   template <class Keys>
@@ -85,12 +90,13 @@ class SchemaBuilder {
     keys(*this);
     at_least_one(Names(keys));
   }
-  template <class Rule>
-  void expanded(const char* key, const Rule& rule, const char* meaning) {
-    property(key, schema_of(rule), meaning);
+  template <class Rule, class... Default>
+  void expanded(const Key& key, const Rule& rule, const char* meaning, const Default&... value) {
+    Node& schema = property(key, schema_of(rule), meaning, unit_for<Rule>(key));
+    (add_default(schema, value), ...);
   }
   template <class Rule>
-  void in_place_of(const char* key, const char* other, const Rule& rule, const char* meaning) {
+  void in_place_of(const Key& key, const char* other, const Rule& rule, const char* meaning) {
     property(key, schema_of(rule), meaning);
     either(key, other);
   }
@@ -106,10 +112,17 @@ class SchemaBuilder {
   static constexpr const char* component_name = "mixture_component";
 
  private:
-  Node& property(const char* key, Node schema, const char* meaning);
+  Node& property(const Key& key, Node schema, const char* meaning, const std::string& unit = "");
+  /// That of the key's values; "" if they are no quantities.
+  template <class Rule>
+  static std::string unit_for(const Key& key) {
+    return is_quantity<Rule> && key.has_unit ? unit_of(key.name) : "";
+  }
   static Node reference(const char* definition);
   static Node array_of(Node element);
-  static Node word_or(Node schema);
+  static Node either_of(Node one, Node other);
+  /// The words of a key that alone can stand for the table: those that ask for no other key.
+  [[nodiscard]] Node sufficient_words(const std::string& word_key) const;
   static Node or_profile(Node schema);
   /// The keys of a group as properties, none of them required everywhere.
   template <class Keys>
@@ -136,8 +149,9 @@ class SchemaBuilder {
 
   Node::Table properties_;
   std::vector<std::string> required_;
-  bool needs_one_ = false;  ///< of two keys
-  Node::Array conditions_;  ///< schemas that must hold as well
+  std::vector<std::string> demanding_;  ///< choices that ask for other keys
+  bool needs_one_ = false;              ///< of two keys
+  Node::Array conditions_;              ///< schemas that must hold as well
 };
 
 }  // namespace photic::scene

@@ -17,4 +17,14 @@ std::string starter_scene(const std::string& kind) {
                      suggestion_for(kind, kinds, "choose from")}});
 }
 
+std::vector<StarterKind> starter_kinds() {
+  std::vector<StarterKind> kinds;
+  for (const StarterScene& starter : starter_scenes()) {
+    const std::string line = starter.text.substr(0, starter.text.find('\n'));
+    expect(line.starts_with("# "), "a starter scene begins with a comment");
+    kinds.push_back({starter.kind, line.substr(2)});
+  }
+  return kinds;
+}
+
 }  // namespace photic::scene

@@ -4,7 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <set>
+
+#include "scene/units.hpp"
 
 namespace photic::scene {
 namespace {
@@ -26,29 +31,142 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return d[a.size()][b.size()];
 }
 
-std::optional<std::string> closest(const std::string& word, const std::vector<std::string>& known) {
-  constexpr std::size_t longest_key =
-      100;  // nobody mistypes a key into that; keeps the table small
-  if (word.size() > longest_key) return std::nullopt;
-  std::optional<std::string> best;
+/// A word in lower case, with one joint between its parts: "half_divergence_mrad".
+std::string folded(const std::string& word) {
+  std::string out;
+  for (const char c : word) {
+    const bool upper = c >= 'A' && c <= 'Z';
+    out += upper ? static_cast<char>(c - 'A' + 'a') : (c == '-' || c == ' ' ? '_' : c);
+  }
+  return out;
+}
+
+std::vector<std::string> parts_of(const std::string& word) {
+  std::vector<std::string> parts{""};
+  for (const char c : folded(word)) {
+    if (c == '_')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+/// What units in the names of keys are made of, those of scenes and those that people would write.
+bool is_unit_part(const std::string& part) {
+  static const std::set<std::string> all{
+      "per", "nm", "um", "mm",  "cm",  "m",       "km",      "m2",   "m3",  "l",   "ml",
+      "ng",  "ug", "mg", "g",   "kg",  "rad",     "mrad",    "urad", "deg", "sr",  "s",
+      "ms",  "us", "ns", "psu", "ppt", "degrees", "percent", "c",    "k",   "degc"};
+  return all.count(part) > 0;
+}
+
+/// A word without its unit, and that unit's parts.
+struct Named {
+  explicit Named(const std::string& word) : stem(parts_of(word)) {
+    while (stem.size() > 1 && is_unit_part(stem.back())) {
+      unit.insert(unit.begin(), stem.back());
+      stem.pop_back();
+    }
+  }
+
+  std::vector<std::string> stem, unit;
+};
+
+using Test = std::function<bool(const std::string& candidate)>;
+
+std::vector<std::string> those(const std::vector<std::string>& known, const Test& test) {
+  std::vector<std::string> out;
+  std::copy_if(known.begin(), known.end(), std::back_inserter(out), test);
+  return out;
+}
+
+bool holds(const std::vector<std::string>& parts, const std::vector<std::string>& some) {
+  return std::search(parts.begin(), parts.end(), some.begin(), some.end()) != parts.end();
+}
+
+/// Those that are spelt much like the word.
+std::vector<std::string> misspelt(const std::string& word, const std::vector<std::string>& known) {
+  const std::string plain = folded(word);
+  std::vector<std::string> best;
   std::size_t best_distance =
       std::max<std::size_t>(1, std::min<std::size_t>(4, word.size() / 3)) + 1;
   for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(word, candidate);
+    const std::size_t distance = edit_distance(plain, folded(candidate));
     if (distance < best_distance) {
-      best = candidate;
+      best = {candidate};
       best_distance = distance;
     }
   }
   return best;
 }
 
+/// Those whose name holds the word's, as few parts longer as there are. What has a unit is not
+/// meant for what has none.
+std::vector<std::string> longer(const Named& word, const std::vector<std::string>& known) {
+  const auto parts = [](const std::string& candidate) { return Named(candidate).stem.size(); };
+  if (word.stem.size() == 1 && word.stem.front().size() < 4) return {};
+  const auto all = those(known, [&](const std::string& c) {
+    const Named candidate(c);
+    return holds(candidate.stem, word.stem) && (word.unit.empty() || !candidate.unit.empty());
+  });
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  for (const std::string& candidate : all) fewest = std::min(fewest, parts(candidate));
+  return those(all, [&](const std::string& c) { return parts(c) == fewest; });
+}
+
+/// Those that are the word but for case, or else but for their unit.
+std::vector<std::string> alike(const std::string& word, const std::vector<std::string>& known) {
+  const Named named(word);
+  auto found = those(known, [&](const std::string& c) { return folded(c) == folded(word); });
+  if (found.empty())
+    found = those(known, [&](const std::string& c) { return Named(c).stem == named.stem; });
+  return found;
+}
+
+std::vector<std::string> closest(const std::string& word, const std::vector<std::string>& known) {
+  constexpr std::size_t longest_key =
+      100;  // nobody mistypes a key into that; keeps the table small
+  if (word.empty() || word.size() > longest_key) return {};
+  auto found = alike(word, known);
+  if (found.empty()) found = misspelt(word, known);
+  if (found.empty()) found = longer(Named(word), known);
+  constexpr std::size_t most = 4;
+  return found.size() <= most ? found : std::vector<std::string>{};
+}
+
+/// What the word that is meant says and the word that was written does not.
+std::string difference(const Named& written, const std::string& meant) {
+  const Named named(meant);
+  const auto has = [](const Named& n, const char* part) {
+    return std::find(n.stem.begin(), n.stem.end(), part) != n.stem.end();
+  };
+  std::string out;
+  if (has(named, "half") && !has(written, "half")) out = " it is half of the full angle";
+  if (!written.unit.empty() && !named.unit.empty() && written.unit != named.unit)
+    out += fmt::format("{} in {}", out.empty() ? " it is" : ",", unit_of(meant));
+  return out;
+}
+
+std::string question(const std::string& word, const std::vector<std::string>& meant) {
+  std::vector<std::string> names;
+  for (const std::string& name : meant) names.push_back(fmt::format("'{}'", name));
+  return fmt::format("did you mean {}?{}", joined(names, "or"),
+                     meant.size() == 1 ? difference(Named(word), meant.front()) : "");
+}
+
 }  // namespace
+
+std::optional<std::string> same_word(const std::string& word,
+                                     const std::vector<std::string>& known) {
+  const auto same = alike(word, known);
+  return same.size() == 1 ? std::optional(question(word, same)) : std::nullopt;
+}
 
 std::string suggestion_for(const std::string& word, const std::vector<std::string>& known,
                            const std::string& lead) {
-  if (const auto near = closest(word, known)) return fmt::format("did you mean '{}'?", *near);
-  return fmt::format("{}: {}", lead, fmt::join(known, ", "));
+  const auto near = closest(word, known);
+  return near.empty() ? fmt::format("{}: {}", lead, fmt::join(known, ", ")) : question(word, near);
 }
 
 std::string joined(const std::vector<std::string>& words, const std::string& last_joint) {

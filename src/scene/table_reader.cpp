@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "scene/place_of_key.hpp"
 #include "scene/suggest.hpp"
+#include "scene/units.hpp"
 
 namespace photic::scene {
 namespace {
@@ -52,6 +54,19 @@ void TableReader::refuse(const std::string& key, const Node& node, const Refusal
                        problem.suggestion);
 }
 
+std::string TableReader::other_unit(const std::string& key, const Node& node,
+                                    const std::function<bool(const Node&)>& is_good) {
+  double given = 0;
+  if (check(any_number, node, given)) return "";
+  for (const OtherUnit& unit : other_units_of(key)) {
+    // Rounded: 5.32e-7 m are 532 nm.
+    const std::string meant = fmt::format("{:.9g}", unit(given));
+    if (unit(given) <= unit.most && is_good(to_node(std::stod(meant))))
+      return fmt::format("did you mean {}? {} would be {}", meant, found_text(node), unit.name);
+  }
+  return "";
+}
+
 bool TableReader::is_table(const std::string& key, const Node& node, const TableName& name) {
   if (node.as<Node::Table>()) return true;
   refuse(key, node,
@@ -80,6 +95,13 @@ void TableReader::unavailable(const char* key, const char* instead) {
   refused_.push_back(key);
 }
 
+/// What to write in place of a key that is not known here.
+std::string TableReader::instead_of(const std::string& key) const {
+  if (const auto same = same_word(key, known_)) return *same;
+  if (const auto place = place_of_key(key, name_.path.empty())) return *place;
+  return suggestion_for(key, known_, "known here");
+}
+
 void TableReader::finish() {
   for (const Entry& entry : *table_.as<Node::Table>()) {
     const auto in = [&](const std::vector<std::string>& keys) {
@@ -88,7 +110,7 @@ void TableReader::finish() {
     if (in(known_) || in(refused_)) continue;
     shared_.findings.add_at(entry.place,
                             fmt::format("unknown key '{}' in {}", entry.key, name_.label),
-                            suggestion_for(entry.key, known_, "known here"));
+                            instead_of(entry.key));
   }
 }
 

@@ -1,6 +1,7 @@
 // One table of a scene file: which keys were asked for, and the messages about the others.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,9 @@ class TableReader {
   void missing(const std::string& key, const char* meaning);
   void section_missing(const TableName& section, const char* meaning);
   void refuse(const std::string& key, const Node& node, const Refusal& problem);
+  /// "did you mean …?" of a number that is refused, and would not be in another unit; else "".
+  static std::string other_unit(const std::string& key, const Node& node,
+                                const std::function<bool(const Node&)>& is_good);
   /// Refuses and returns false unless it is a table, or an array of at least one table.
   bool is_table(const std::string& key, const Node& node, const TableName& name);
   bool is_tables(const std::string& key, const Node& node, const TableName& name);
@@ -68,6 +72,7 @@ class TableReader {
  private:
   void nothing_given(const std::vector<Names>& groups);
   void needs(const std::vector<std::string>& ways);
+  [[nodiscard]] std::string instead_of(const std::string& key) const;
 
   std::vector<std::string> known_, refused_;
 };

@@ -11,23 +11,35 @@
 namespace photic::scene {
 namespace {
 
-/// Of the keys whose units are products of others, by the ends of their names.
+/// What the end of a key's name tells of its unit, the longer ends first. Files may give those that
+/// have a `unit`, a product of others, in other units of the same kind.
 struct KeyUnit {
   const char* ending;
-  Unit unit;
   const char* text;
-  const char* understood;
+  std::optional<Unit> unit = {};
+  const char* understood = "";
 };
 
 constexpr const char* masses =
     "units of mass per volume are understood, as \"mg m-3\" and \"ug/l\"";
 constexpr const char* lengths = "units of length are understood, as \"m\"";
 constexpr std::array key_units{
-    KeyUnit{"_mg_m3", {-3, 1, -3, 0}, "mg/m3", masses},
-    KeyUnit{"_g_m3", {0, 1, -3, 0}, "g/m3", masses},
-    KeyUnit{"_per_m", {0, 0, -1, 0}, "1/m", "units of 1/length are understood, as \"m-1\""},
-    KeyUnit{"_nm", {-9, 0, 1, 0}, "nm", "units of length are understood, as \"nm\" and \"um\""},
-    KeyUnit{"_m", {0, 0, 1, 0}, "m", lengths}};
+    KeyUnit{"_m2_per_mg", "m2/mg"},
+    KeyUnit{"_m2_per_g", "m2/g"},
+    KeyUnit{"_per_nm", "1/nm"},
+    KeyUnit{"_per_sr", "1/sr"},
+    KeyUnit{"_per_m", "1/m", Unit{0, 0, -1, 0}, "units of 1/length are understood, as \"m-1\""},
+    KeyUnit{"_mg_m3", "mg/m3", Unit{-3, 1, -3, 0}, masses},
+    KeyUnit{"_g_m3", "g/m3", Unit{0, 1, -3, 0}, masses},
+    KeyUnit{"_mrad", "mrad"},
+    KeyUnit{"_deg", "deg"},
+    KeyUnit{"_psu", "PSU"},
+    KeyUnit{"_nm", "nm", Unit{-9, 0, 1, 0}, "units of length are understood, as \"nm\" and \"um\""},
+    KeyUnit{"_um", "um"},
+    KeyUnit{"_ns", "ns"},
+    KeyUnit{"_c", "degrees Celsius"},
+    KeyUnit{"_m", "m", Unit{0, 0, 1, 0}, lengths},
+    KeyUnit{"_s", "s"}};
 
 const KeyUnit* key_unit(const std::string& key) {
   const auto found = std::find_if(key_units.begin(), key_units.end(),
@@ -97,15 +109,22 @@ std::optional<Conversion> conversion_to(const std::string& key, const std::strin
   if (is_temperature(key)) return to_celsius(units);
   if (is_salinity(key)) return to_practical(units, standard_name);
   const KeyUnit* unit = key_unit(key);
-  expect(unit != nullptr, "keys end in their units");
+  expect(unit && unit->unit, "keys of files end in their units");
   const auto called = unit_called(units);
-  return called ? conversion(*called, unit->unit) : std::nullopt;
+  return called ? conversion(*called, *unit->unit) : std::nullopt;
 }
 
 std::string unit_of(const std::string& key) {
-  if (is_temperature(key)) return "degrees Celsius";
-  if (is_salinity(key)) return "PSU";
-  return key_unit(key)->text;
+  const KeyUnit* unit = key_unit(key);
+  return unit ? unit->text : "1";
+}
+
+std::vector<OtherUnit> other_units_of(const std::string& key) {
+  constexpr double longest_nm = 2e4;
+  if (key.ends_with("_nm")) return {{"in um", 1e3, 0, longest_nm}, {"in m", 1e9, 0, longest_nm}};
+  if (is_temperature(key)) return {{"in K", 1, -273.15}};
+  if (key.ends_with("relative_error")) return {{"per cent", 0.01}};
+  return {};
 }
 
 std::string understood_for(const std::string& key) {

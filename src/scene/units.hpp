@@ -1,8 +1,10 @@
 // What makes of numbers in a file's units those that a key of a scene means.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/unit_text.hpp"
 
@@ -26,8 +28,20 @@ struct Conversion {
                                                       const std::string& units,
                                                       const std::string& standard_name);
 
-/// The unit that the name of a key ends in, as people write it.
+/// The unit that the name of a key ends in, as people write it; "1" if it ends in none.
 [[nodiscard]] std::string unit_of(const std::string& key);
+
+/// A unit that people may give a key in that is in another.
+struct OtherUnit {
+  const char* name;  ///< "in um"
+  double factor = 1, offset = 0;
+  double most = std::numeric_limits<double>::infinity();  ///< that people would mean by it
+
+  [[nodiscard]] double operator()(double x) const { return x * factor + offset; }
+};
+
+/// Those worth a guess where a value of the key is refused.
+[[nodiscard]] std::vector<OtherUnit> other_units_of(const std::string& key);
 
 /// "… are understood": what a file may call units of this key.
 [[nodiscard]] std::string understood_for(const std::string& key);

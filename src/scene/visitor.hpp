@@ -9,7 +9,7 @@
 //   one_of(option…), any_of(keys)                    exactly one of some groups of keys; at least
 //                                                    one key
 //   once_read(action)                                done when the keys before have been read
-//   expanded(name, rule, …)                          a key that stands for others, and has become
+//   expanded(name, rule, meaning[, default])         a key that stands for others, and has become
 //                                                    them before anything is read
 //   in_place_of(name, other, rule, meaning)      the same, where it and the other exclude each
 //                                                    other
@@ -24,6 +24,31 @@
 namespace photic::scene {
 
 enum class Need { required, optional };
+
+/// Whom a key is for: who writes a first scene, or who knows what the key changes.
+enum class Level { basic, expert };
+
+/// The name of a key, and what else editors should know of it. A plain name is one for everybody
+/// whose unit is at its end (units.hpp).
+struct Key {
+  Key(const char* plain) : name(plain) {}        // NOLINT(google-explicit-constructor)
+  operator const char*() const { return name; }  // NOLINT(google-explicit-constructor)
+
+  const char* name;
+  Level level = Level::basic;
+  bool has_unit = true;
+};
+
+inline Key expert(Key key) {
+  key.level = Level::expert;
+  return key;
+}
+
+/// Of a number that is no quantity, as a seed, or that has the unit of another key.
+inline Key without_unit(Key key) {
+  key.has_unit = false;
+  return key;
+}
 
 /// A group of keys of which a scene uses one: `active` says whether the scene at hand uses it.
 template <class Keys>

@@ -45,7 +45,7 @@ std::string write_scene(const Scene& scene) { return format_toml(tree_of(scene))
 
 std::string write_scene_json(const Scene& scene) { return format_json(tree_of(scene)); }
 
-std::string scene_schema() {
+std::string scene_schema(const std::string& version) {
   Scene defaults;
   defaults.optics = optics_of(defaults.optics.set);
   SchemaBuilder builder;
@@ -53,7 +53,12 @@ std::string scene_schema() {
 
   Node schema = empty_table();
   schema.add("$schema", to_node("https://json-schema.org/draft/2020-12/schema"));
+  schema.add("$id", to_node("urn:photic:scene:" + version));
   schema.add("title", to_node("Photic scene"));
+  schema.add("description",
+             to_node("What a lidar over or in the sea is, what water it looks at, and how that is "
+                     "simulated. Units are at the end of the keys' names; those of directions and "
+                     "ratios are 1."));
   Node root = builder.take();
   for (Entry& entry : std::get<Node::Table>(root.value))
     schema.add(entry.key, std::move(entry.value));

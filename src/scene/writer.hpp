@@ -72,8 +72,8 @@ class Writer {
   void any_of(const Keys& keys) {
     keys(*this);
   }
-  template <class Rule>
-  void expanded(const char*, const Rule&, const char*) {}
+  template <class... Rest>
+  void expanded(const char*, const Rest&...) {}
   template <class Rule>
   void in_place_of(const char*, const char*, const Rule&, const char*) {}
   template <class Action>

@@ -1,14 +1,45 @@
-"""photic new and photic schema."""
+"""photic new."""
 
-import json
+import shutil
+import subprocess
+
+import pytest
+from conftest import SOURCE
+
+KINDS = sorted(path.stem for path in (SOURCE / "scenes").glob("*.toml"))
 
 
-def test_a_starter_scene_is_a_good_scene(photic, tmp_path):
-    done = photic("new", "ship")
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_scene_is_a_starter_and_a_good_one(photic, tmp_path, kind):
+    done = photic("new", kind)
     assert (done.returncode, done.stderr) == (0, "")
     (tmp_path / "mine.toml").write_text(done.stdout)
     check = photic("check", "mine.toml")
     assert (check.returncode, check.stdout, check.stderr) == (0, "mine.toml: no problems\n", "")
+    first, rest = done.stdout.split("\n", 1)
+    assert rest == (SOURCE / f"scenes/{kind}.toml").read_text()
+    # The build has a schema, beside its copies of the scenes.
+    assert first.startswith("#:schema /") and first.endswith("/scenes/scene.schema.json")
+    with open(first.removeprefix("#:schema "), encoding="utf-8") as schema:
+        assert schema.read() == photic("schema").stdout
+
+
+def test_the_list(photic):
+    done = photic("new", "--list")
+    assert (done.returncode, done.stderr) == (0, "")
+    lines = dict(line.split(maxsplit=1) for line in done.stdout.splitlines())
+    assert sorted(lines) == KINDS
+    assert done.stdout.startswith("ship ")
+    assert lines["submerged"].startswith("A lidar on a remotely operated vehicle 5 m below the surface")
+
+
+def test_a_program_alone_writes_no_line_for_editors(program, tmp_path):
+    # Seen red: with the line without a look at the file.
+    alone = tmp_path / "deep/er/alone"
+    alone.parent.mkdir(parents=True)
+    shutil.copy(program, alone)
+    done = subprocess.run([alone, "new", "ship"], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, (SOURCE / "scenes/ship.toml").read_text())
 
 
 def test_a_starter_scene_goes_to_a_file(photic, tmp_path, program):
@@ -44,13 +75,5 @@ def test_a_folder_that_is_missing(photic):
 def test_a_kind_that_does_not_exist(photic, tmp_path):
     done = photic("new", "shp", "-o", "mine.toml")
     assert done.returncode == 2
-    assert "ship" in done.stderr
+    assert done.stderr == "there is no starter scene 'shp' (did you mean 'ship'?)\n"
     assert not (tmp_path / "mine.toml").exists()
-
-
-def test_the_schema_is_json(photic):
-    done = photic("schema")
-    assert (done.returncode, done.stderr) == (0, "")
-    schema = json.loads(done.stdout)
-    assert schema["$schema"] == "https://json-schema.org/draft/2020-12/schema"
-    assert "simulation" in schema["properties"]

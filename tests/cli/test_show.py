@@ -41,9 +41,9 @@ def test_problems_as_json(photic, scene):
 @pytest.mark.parametrize("subcommand", ["run", "check", "show"])
 def test_a_scene_that_is_missing(photic, subcommand):
     done = photic(subcommand, "nowhere.toml")
-    assert done.returncode == 1
+    assert done.returncode == 2
     assert done.stdout == ""
-    assert done.stderr.startswith("photic: cannot read the scene nowhere.toml")
+    assert done.stderr.startswith("nowhere.toml: there is no such file")
 
 
 def test_set_problems_name_the_flag(photic, scene):

@@ -230,7 +230,7 @@ TEST(Environment, NamesTwiceAndKeysAmiss) {
           R"(scene.toml:32:7: 'set' must be a table, not 5 (write { "sea.layer.0.chlorophyll_mg_m3" = 0.5 }))"}));
   EXPECT_EQ(
       told("[[environment]]\nset = {}\nchannel = 1"),
-      (Texts{"scene.toml:33:1: unknown key 'channel' in [[environment]] (known here: name, set)"}));
+      (Texts{"scene.toml:33:1: unknown key 'channel' in [[environment]] (write [[channel]])"}));
   EXPECT_EQ(diagnostics_of("environment = []\n" + edited({})),
             (Texts{"scene.toml:1:15: 'environment' must be one or more tables, not [] (write "
                    "[[environment]])"}));

@@ -284,8 +284,8 @@ INSTANTIATE_TEST_SUITE_P(
         chlorophyll("Misspelt", "{ depth = [0, 20], value = [0.1, 0.2] }",
                     {"scene.toml:22:21: 'depth_m' is missing in 'chlorophyll_mg_m3' (add it: "
                      "depths in m, ascending)",
-                     "scene.toml:22:23: unknown key 'depth' in 'chlorophyll_mg_m3' (known here: "
-                     "depth_m, value, above, below)"}),
+                     "scene.toml:22:23: unknown key 'depth' in 'chlorophyll_mg_m3' (did you mean "
+                     "'depth_m'?)"}),
         chlorophyll(
             "MaximumBelowBackground",
             "{ model = 'gaussian', background = 1, maximum = 0.5, depth_m = 1, width_m = 1 }",

@@ -73,9 +73,49 @@ TEST(Read, AFileOfPhytoplanktonIsRelativeToTheScene) {
   std::filesystem::remove_all(folder);
 }
 
-TEST(Read, AMissingSceneIsAFailureOfTheEnvironment) {
-  EXPECT_THROW(read_scene("/no/such/scene.toml"), EnvironmentError);
-  EXPECT_THROW(read_scene(PHOTIC_SOURCE_DIR), EnvironmentError);
+std::string refusal_of_file(const std::string& path) {
+  try {
+    read_scene(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+// Seen red: with an EnvironmentError.
+TEST(Read, WhatIsNoFileIsBadInput) {
+  EXPECT_EQ(refusal_of_file("/no/such/scene.toml"),
+            "/no/such/scene.toml: there is no such file (photic new ship -o FILE writes a scene)");
+  EXPECT_EQ(refusal_of_file("/dev/null/scene.toml"),
+            "/dev/null/scene.toml: there is no such file (photic new ship -o FILE writes a scene)");
+  EXPECT_EQ(refusal_of_file(PHOTIC_SOURCE_DIR),
+            PHOTIC_SOURCE_DIR ": this is a folder and not a scene (name a scene file in it)");
+}
+
+// Seen red: with CDF version 2 not recognised.
+TEST(Read, WhatIsNoTextIsToldInOneLine) {
+  const auto folder = std::filesystem::temp_directory_path() / "photic_no_text";
+  std::filesystem::create_directories(folder);
+  const std::string path = (folder / "my.nc").string();
+  const auto refusal = [&](const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+    return refusal_of_file(path);
+  };
+  const std::string netcdf =
+      path +
+      ": this is a netCDF file, as photic run writes them, and not a scene (of a result, photic "
+      "show " +
+      path + " prints the scene and photic run --continue " + path + " goes on)";
+  for (const std::string start : {"\x89HDF\r\n\x1a\n", "CDF\x01", "CDF\x02", "CDF\x05"})
+    EXPECT_EQ(refusal(start + std::string("\0abc", 4)), netcdf);
+  EXPECT_EQ(refusal(std::string("\x7f"
+                                "ELF\0\0\n",
+                                7)),
+            path +
+                ": this is not a text in UTF-8, and so not a scene (scenes are TOML files: photic "
+                "new ship prints one)");
+  EXPECT_NE(refusal("CDF = 1").find("unknown key 'CDF'"), std::string::npos);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Read, RemarksOnWhatIsNotWrong) {

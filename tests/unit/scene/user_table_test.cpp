@@ -119,8 +119,8 @@ TEST_F(UserTableTest, WhatIsWrongIsToldAtItsPlace) {
   EXPECT_EQ(files_.problems(phase("{ angle = [0, 180], phase_function_per_sr = [1] }")),
             (Texts{"scene.toml:25:44: 'angle_deg' is missing in 'file' (add it: scattering angles "
                    "in degrees, ascending to 180)",
-                   "scene.toml:25:46: unknown key 'angle' in 'file' (known here: "
-                   "angle_deg, phase_function_per_sr)",
+                   "scene.toml:25:46: unknown key 'angle' in 'file' (did you mean "
+                   "'angle_deg'?)",
                    "scene.toml:25:88: 'phase_function_per_sr' must be two or more finite numbers "
                    "[a, b, …], not [1]"}));
   EXPECT_EQ(files_.problems(phase("{ angle_deg = [0, 9, 180], phase_function_per_sr = [1, nan] }")),

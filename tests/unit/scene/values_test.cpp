@@ -29,6 +29,30 @@ const std::vector<Case>& values_cases() {
       {"Infinite",
        {{12, 12, "diameter_m = inf"}},
        {"scene.toml:12:14: 'diameter_m' must be a finite number, greater than 0, not inf"}},
+      {"WavelengthInMicrometres",
+       {{3, 3, "wavelength_nm = 0.532"}},
+       {"scene.toml:3:17: 'wavelength_nm' must be at least 100 nm, not 0.532 (did you mean 532? "
+        "0.532 would be in um)"}},
+      {"WavelengthInMetres",
+       {{3, 3, "wavelength_nm = 5.32e-7"}},
+       {"scene.toml:3:17: 'wavelength_nm' must be at least 100 nm, not 5.32e-07 (did you mean 532? "
+        "5.32e-07 would be in m)"}},
+      {"WavelengthInNoUnit",
+       {{3, 3, "wavelength_nm = 0.01"}},
+       {"scene.toml:3:17: 'wavelength_nm' must be at least 100 nm, not 0.01"}},
+      {"CentreInMicrometres",
+       {{17, 17, "centre_nm = 0.65\nfwhm_nm = 3"}},
+       {"scene.toml:17:13: 'centre_nm' must be at least 100 nm, not 0.65 (did you mean 650? 0.65 "
+        "would be in um)"}},
+      {"TemperatureInKelvin",
+       {{19, 19, "[sea]\ntemperature_c = 288.15"}},
+       {"scene.toml:20:17: 'temperature_c' must be a finite number, at least -2 and at most 45, "
+        "not "
+        "288.15 (did you mean 15? 288.15 would be in K)"}},
+      {"TargetInPerCent",
+       {{30, 30, "target_relative_error = 2"}},
+       {"scene.toml:30:25: 'target_relative_error' must be a finite number, greater than 0 and "
+        "less than 1, not 2 (did you mean 0.02? 2 would be per cent)"}},
       {"NegativeLength",
        {{12, 12, "diameter_m = -0.4"}},
        {"scene.toml:12:14: 'diameter_m' must be a finite number, greater than 0, not -0.4"}},
@@ -104,7 +128,7 @@ orders_kept = 1001)"}},
       {"TargetOutOfRange",
        {{30, 30, "target_relative_error = 1"}},
        {"scene.toml:30:25: 'target_relative_error' must be a finite number, greater than 0 and "
-        "less than 1, not 1"}},
+        "less than 1, not 1 (did you mean 0.01? 1 would be per cent)"}},
       {"TimeOutOfRange",
        {{30, 30, "max_time_s = 0"}},
        {"scene.toml:30:14: 'max_time_s' must be a finite number, greater than 0, not 0"}},

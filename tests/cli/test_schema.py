@@ -1,0 +1,101 @@
+"""photic schema: good JSON Schema, which takes the scenes that photic takes and refuses what it refuses."""
+
+import json
+import tomllib
+
+import jsonschema
+import pytest
+from conftest import QUICK_SCENE, SOURCE
+
+
+@pytest.fixture
+def validator(photic):
+    done = photic("schema")
+    assert (done.returncode, done.stderr) == (0, "")
+    schema = json.loads(done.stdout)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def test_its_name_tells_the_version(photic, validator):
+    version = photic("--version").stdout.split()[1]
+    assert validator.schema["$id"] == f"urn:photic:scene:{version}"
+    assert validator.schema["$schema"] == "https://json-schema.org/draft/2020-12/schema"
+
+
+def test_shipped_scenes_are_valid(photic, validator):
+    # Seen red: with shortest_nm = 600.
+    scenes = sorted((SOURCE / "scenes").glob("*.toml"))
+    assert len(scenes) >= 6
+    for path in scenes:
+        validator.validate(tomllib.loads(path.read_text()))
+        effective = json.loads(photic("show", path, "--json").stdout)
+        validator.validate(effective)
+
+
+# What replaces what in the quick scene.
+GOOD = {
+    "steps": ('process = "elastic"', "centre_nm = { from = 500, to = 600, step = 50 }\nfwhm_nm = 3"),
+    "profile": (
+        "chlorophyll_mg_m3 = 0.1",
+        'chlorophyll_mg_m3 = { depth_m = [0, 5], value = [1, 2], above = "constant" }',
+    ),
+    "word": (
+        "chlorophyll_mg_m3 = 0.1",
+        'iop = [{ wavelength_nm = 400, a_per_m = 1, b_per_m = 1 }, { wavelength_nm = 800, a_per_m = 1, b_per_m = 1 }]\n'
+        'phase_function = "petzold"',
+    ),
+    "float": ("photons = 20000", "photons = 1e7"),
+}
+FAULTY = {
+    "unknown key": ("diameter_m = 0.04", "diameter_m = 0.04\ndiametre_m = 0.04"),
+    "missing key": ("diameter_m = 0.04", ""),
+    "text for a number": ("diameter_m = 0.04", 'diameter_m = "4 cm"'),
+    "below 0": ("diameter_m = 0.04", "diameter_m = -0.04"),
+    "wavelength in um": ("wavelength_nm = 532.0", "wavelength_nm = 0.532"),
+    "angle too wide": ("half_divergence_mrad = 5.0", "half_divergence_mrad = 1571"),
+    "vector of two": ("position_m = [0.0, 0.0, 12.0]", "position_m = [0.0, 12.0]"),
+    "unknown choice": ('process = "elastic"', 'process = "ELASTIC"'),
+    "choice of later": ('process = "elastic"', 'process = "oil"'),
+    "unknown word": (
+        "chlorophyll_mg_m3 = 0.1",
+        'iop = [{ wavelength_nm = 532, a_per_m = 1, b_per_m = 1 }]\nphase_function = "petzhold"',
+    ),
+    "word that needs more": (
+        "chlorophyll_mg_m3 = 0.1",
+        'iop = [{ wavelength_nm = 532, a_per_m = 1, b_per_m = 1 }]\nphase_function = "rayleigh"',
+    ),
+    "two that exclude each other": ("photons = 20000", "photons = 20000\n[sea]\nsurface = { model = 'waves' }"),
+    "both fields of view": ("detector_diameter_m = 0.04", "detector_diameter_m = 0.04\nhalf_field_of_view_mrad = 10"),
+    "gates of two kinds": ("depth_step_m = 1.0", "depth_step_m = 1.0\nrange_min_m = 3"),
+    "no end": ("photons = 20000", ""),
+    "a share above 1": ("photons = 20000", "target_relative_error = 2"),
+    "half a photon": ("photons = 20000", "photons = 0.5"),
+    "key of another section": ("photons = 20000", "photons = 20000\ndepth_step_m = 1"),
+    "no section": ("[simulation]", "[simulations]"),
+    "profile of one depth": (
+        "chlorophyll_mg_m3 = 0.1", "chlorophyll_mg_m3 = { depth_m = [0], value = [1], above = 'constant' }"),
+    "file without its choice": ("[gates]", '[optics]\nphytoplankton_file = "a.csv"\n[gates]'),
+}
+
+
+def edited(old, new):
+    assert old in QUICK_SCENE
+    return QUICK_SCENE.replace(old, new, 1)
+
+
+@pytest.mark.parametrize("what", GOOD)
+def test_what_photic_takes_is_valid(photic, scene, validator, what):
+    text = edited(*GOOD[what])
+    scene.write_text(text)
+    assert photic("check", scene).stdout.endswith("no problems\n")
+    validator.validate(tomllib.loads(text))
+
+
+@pytest.mark.parametrize("what", FAULTY)
+def test_what_photic_refuses_is_not_valid(photic, scene, validator, what):
+    # Seen red: with all words for a phase function, those that need parameters, too.
+    text = edited(*FAULTY[what])
+    scene.write_text(text)
+    assert photic("check", scene).returncode == 2
+    assert not validator.is_valid(tomllib.loads(text))
