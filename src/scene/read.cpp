@@ -45,14 +45,14 @@ void fill_names(std::vector<Named>& all, const std::string& stem) {
 }
 
 /// Whether the first bytes are those of netCDF: HDF5, or CDF in version 1, 2 or 5.
-bool is_netcdf(const std::string& bytes) {
+bool begins_as_netcdf(const std::string& bytes) {
   return bytes.starts_with("\x89HDF\r\n\x1a\n") || bytes.starts_with("CDF\x01") ||
          bytes.starts_with("CDF\x02") || bytes.starts_with("CDF\x05");
 }
 
 /// Throws InputError for what is no text.
 void expect_text(const std::string& path, const std::string& bytes) {
-  if (is_netcdf(bytes))
+  if (begins_as_netcdf(bytes))
     refuse_file(path, "this is a netCDF file, as photic run writes them, and not a scene",
                 fmt::format("of a result, photic show {0} prints the scene and photic run "
                             "--continue {0} goes on",

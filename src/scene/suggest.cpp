@@ -62,8 +62,8 @@ bool is_unit_part(const std::string& part) {
 }
 
 /// A word without its unit, and that unit's parts.
-struct Named {
-  explicit Named(const std::string& word) : stem(parts_of(word)) {
+struct StemAndUnit {
+  explicit StemAndUnit(const std::string& word) : stem(parts_of(word)) {
     while (stem.size() > 1 && is_unit_part(stem.back())) {
       unit.insert(unit.begin(), stem.back());
       stem.pop_back();
@@ -73,9 +73,9 @@ struct Named {
   std::vector<std::string> stem, unit;
 };
 
-using Test = std::function<bool(const std::string& candidate)>;
+using OfCandidate = std::function<bool(const std::string& candidate)>;
 
-std::vector<std::string> those(const std::vector<std::string>& known, const Test& test) {
+std::vector<std::string> those(const std::vector<std::string>& known, const OfCandidate& test) {
   std::vector<std::string> out;
   std::copy_if(known.begin(), known.end(), std::back_inserter(out), test);
   return out;
@@ -103,11 +103,13 @@ std::vector<std::string> misspelt(const std::string& word, const std::vector<std
 
 /// Those whose name holds the word's, as few parts longer as there are. What has a unit is not
 /// meant for what has none.
-std::vector<std::string> longer(const Named& word, const std::vector<std::string>& known) {
-  const auto parts = [](const std::string& candidate) { return Named(candidate).stem.size(); };
+std::vector<std::string> longer(const StemAndUnit& word, const std::vector<std::string>& known) {
+  const auto parts = [](const std::string& candidate) {
+    return StemAndUnit(candidate).stem.size();
+  };
   if (word.stem.size() == 1 && word.stem.front().size() < 4) return {};
   const auto all = those(known, [&](const std::string& c) {
-    const Named candidate(c);
+    const StemAndUnit candidate(c);
     return holds(candidate.stem, word.stem) && (word.unit.empty() || !candidate.unit.empty());
   });
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
@@ -117,10 +119,10 @@ std::vector<std::string> longer(const Named& word, const std::vector<std::string
 
 /// Those that are the word but for case, or else but for their unit.
 std::vector<std::string> alike(const std::string& word, const std::vector<std::string>& known) {
-  const Named named(word);
+  const StemAndUnit named(word);
   auto found = those(known, [&](const std::string& c) { return folded(c) == folded(word); });
   if (found.empty())
-    found = those(known, [&](const std::string& c) { return Named(c).stem == named.stem; });
+    found = those(known, [&](const std::string& c) { return StemAndUnit(c).stem == named.stem; });
   return found;
 }
 
@@ -130,15 +132,15 @@ std::vector<std::string> closest(const std::string& word, const std::vector<std:
   if (word.empty() || word.size() > longest_key) return {};
   auto found = alike(word, known);
   if (found.empty()) found = misspelt(word, known);
-  if (found.empty()) found = longer(Named(word), known);
+  if (found.empty()) found = longer(StemAndUnit(word), known);
   constexpr std::size_t most = 4;
   return found.size() <= most ? found : std::vector<std::string>{};
 }
 
 /// What the word that is meant says and the word that was written does not.
-std::string difference(const Named& written, const std::string& meant) {
-  const Named named(meant);
-  const auto has = [](const Named& n, const char* part) {
+std::string difference(const StemAndUnit& written, const std::string& meant) {
+  const StemAndUnit named(meant);
+  const auto has = [](const StemAndUnit& n, const char* part) {
     return std::find(n.stem.begin(), n.stem.end(), part) != n.stem.end();
   };
   std::string out;
@@ -152,7 +154,7 @@ std::string question(const std::string& word, const std::vector<std::string>& me
   std::vector<std::string> names;
   for (const std::string& name : meant) names.push_back(fmt::format("'{}'", name));
   return fmt::format("did you mean {}?{}", joined(names, "or"),
-                     meant.size() == 1 ? difference(Named(word), meant.front()) : "");
+                     meant.size() == 1 ? difference(StemAndUnit(word), meant.front()) : "");
 }
 
 }  // namespace
