@@ -110,7 +110,7 @@ function(photic_test_headers)
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp CONTENT "")
   add_library(test_headers STATIC ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
   target_link_libraries(test_headers PRIVATE photic_core GTest::gtest_main photic_flags)
-  target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <fmt/format.h> <Random123/philox.h>
+  target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <fmt/format.h>
                             <boost/math/distributions/chi_squared.hpp> <boost/math/distributions/normal.hpp>
                             <algorithm> <cmath> <filesystem> <functional> <map> <optional> <random> <string> <vector>)
 endfunction()

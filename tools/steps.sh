@@ -7,11 +7,34 @@ if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache 
 step() { printf '\n== %s\n' "$*"; }
 
 # quietly LOG COMMAND…: the command's output goes to the log, and is shown only if it fails.
-quietly() {
-  local log=$1 start code=0
-  shift
+quietly() { logged drain "$@"; }
+drain() { cat >/dev/null; }
+
+# building LOG COMMAND…: as quietly, and tells how far ninja is.
+building() { NINJA_STATUS='[%f/%t] ' logged progress "$@"; }
+
+# Reads what ninja says: one line that moves on a terminal; elsewhere a line for each quarter.
+progress() {
+  local line built all quarters=0
+  while IFS= read -r line; do
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\  ]] || continue
+    built=${BASH_REMATCH[1]} all=${BASH_REMATCH[2]}
+    if [[ -t 1 ]]; then
+      printf '\r\033[Kbuilding %d of %d files' "$built" "$all"
+    elif ((4 * built / all > quarters)); then
+      quarters=$((4 * built / all))
+      echo "built $built of $all files"
+    fi
+  done
+  [[ ! -t 1 ]] || printf '\r\033[K'
+}
+
+# logged READER LOG COMMAND…: the command's output goes to the log and to a function that reads it; all of it is shown if it fails.
+logged() {
+  local reader=$1 log=$2 start code=0
+  shift 2
   start=$(wc -c <"$log")
-  "$@" >>"$log" 2>&1 </dev/null || code=$?
+  "$@" 2>&1 </dev/null | tee -a "$log" | "$reader" || code=${PIPESTATUS[0]}
   [[ $code -eq 0 ]] || { tail -c "+$((start + 1))" "$log" >&2; echo "failed ($code): $*" >&2; }
-  return $code
+  return "$code"
 }

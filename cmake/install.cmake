@@ -1,0 +1,29 @@
+# What `cmake --install` puts under a prefix. The program finds its data, and `photic plot` the Python package, relative to itself.
+# apps/photic installs the program and its manual.
+
+set(share ${CMAKE_INSTALL_DATADIR}/photic)
+install(DIRECTORY data/ DESTINATION ${share}/data FILES_MATCHING PATTERN "*.csv" PATTERN "README.md" PATTERN "reference" EXCLUDE)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/scenes/ DESTINATION ${share}/scenes)
+
+# Debian's path of Python packages under the prefix /usr. The metadata tell Python the version, of which project() in CMakeLists.txt is
+# the one place.
+set(packages lib/python3/dist-packages)
+set(metadata photic-${PROJECT_VERSION}.dist-info)
+install(DIRECTORY python/photic DESTINATION ${packages} FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)
+configure_file(cmake/METADATA.in ${PROJECT_BINARY_DIR}/${metadata}/METADATA @ONLY)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${metadata}/INSTALLER CONTENT "cmake\n")
+install(DIRECTORY ${PROJECT_BINARY_DIR}/${metadata} DESTINATION ${packages})
+
+# Where each shell looks; zsh of Debian packages has another place (cmake/debian/finish.cmake).
+install(FILES completions/photic.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME photic)
+install(FILES completions/_photic DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES completions/photic.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+# Laid out as in the source tree, so that links from page to page lead somewhere; those into the source do not.
+install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/linked)
+foreach(folder data scenes)
+  file(CREATE_LINK ../../photic/${folder} ${PROJECT_BINARY_DIR}/linked/${folder} SYMBOLIC)
+  install(FILES ${PROJECT_BINARY_DIR}/linked/${folder} DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endforeach()
