@@ -23,7 +23,9 @@ OptionManual manual_of(const CLI::Option& option, const Notes& notes) {
   out.value.resize(std::min(out.value.size(), out.value.find(':')));
   out.meaning = option.get_description();
   out.required = option.get_required();
-  out.repeated = option.get_expected_max() > 1;
+  const bool several = option.get_expected_max() > 1;
+  out.repeated = several && (out.positional || option.get_allow_extra_args());
+  out.again = several && !out.repeated;
   if (const auto choices = notes.choices.find(&option); choices != notes.choices.end())
     out.choices = choices->second;
   return out;
@@ -120,6 +122,10 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   const CommandManual manual = manual_of(app, notes);
   if (call.words.empty()) return {HelpCommand{"", manual}, done};
   if (call.words == std::vector<std::string>{"--version"}) return {VersionCommand{}, done};
+  // For shells and for packages, so that no help tells of them.
+  if (call.words == std::vector<std::string>{"manual"}) return {ManualCommand{manual}, done};
+  if (call.words.size() > 2 && call.words[0] == "complete" && call.words[1] == "--")
+    return {CompleteCommand{{call.words.begin() + 2, call.words.end()}, manual}, done};
   try {
     if (!call.words.front().starts_with("-")) expect_known_command(manual, call.words.front());
     app.parse(argc, argv);

@@ -100,11 +100,23 @@ struct HelpCommand {
   CommandManual program;
 };
 
+/// photic manual: prints the page photic(1).
+struct ManualCommand {
+  CommandManual program;
+};
+
+/// photic complete -- WORD...: prints what may stand in the place of the last word, for shells.
+struct CompleteCommand {
+  std::vector<std::string> words;  ///< at least one, which may be empty
+  CommandManual program;
+};
+
 /// photic --version
 struct VersionCommand {};
 
 using Command = std::variant<RunCommand, PlotCommand, BenchCommand, CheckCommand, ShowCommand,
-                             OpticsCommand, NewCommand, SchemaCommand, HelpCommand, VersionCommand>;
+                             OpticsCommand, NewCommand, SchemaCommand, HelpCommand, ManualCommand,
+                             CompleteCommand, VersionCommand>;
 
 int run(const RunCommand& command);
 int run(const PlotCommand& command);
@@ -115,6 +127,8 @@ int run(const OpticsCommand& command);
 int run(const NewCommand& command);
 int run(const SchemaCommand& command);
 int run(const HelpCommand& command);
+int run(const ManualCommand& command);
+int run(const CompleteCommand& command);
 int run(const VersionCommand& command);
 
 }  // namespace photic::app

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "io/table_parts.hpp"
 
@@ -84,6 +85,13 @@ std::string examples(const CommandManual& command, int width) {
 }
 
 }  // namespace
+
+std::vector<std::string> names_of(const OptionManual& option) {
+  std::vector<std::string> names;
+  std::istringstream list(option.names);
+  for (std::string name; std::getline(list, name, ',');) names.push_back(name);
+  return names;
+}
 
 const std::vector<ExitCode>& exit_codes() {
   static const std::vector<ExitCode> all{{0, "done"},

@@ -15,7 +15,11 @@ struct OptionManual {
   bool positional = false;
   bool required = false;
   bool repeated = false;  ///< takes several values
+  bool again = false;     ///< may be given several times, with a value each
 };
+
+/// "-o" and "--output" of "-o,--output".
+std::vector<std::string> names_of(const OptionManual& option);
 
 struct Example {
   std::string command, meaning;

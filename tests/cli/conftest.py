@@ -65,6 +65,26 @@ def photic(program, tmp_path):
     return call
 
 
+@pytest.fixture(scope="session")
+def prefix(tmp_path_factory):
+    """A folder into which this build has been installed."""
+    folder = tmp_path_factory.mktemp("prefix")
+    command = ["cmake", "--install", os.environ["PHOTIC_BUILD"], "--prefix", folder]
+    subprocess.run(command, check=True, capture_output=True, stdin=subprocess.DEVNULL)
+    return folder
+
+
+def environment_without_build(program_folder):
+    """Nothing of the build or of the source tree in it: PATH alone leads to Photic."""
+    kept = {key: value for key, value in os.environ.items() if not key.startswith(("PHOTIC", "PYTHONPATH"))}
+    return kept | {"PATH": f"{program_folder}:/usr/bin:/bin"}
+
+
+@pytest.fixture
+def installed_environment(prefix):
+    return environment_without_build(prefix / "bin")
+
+
 def pytest_sessionfinish(session):
     """A skipped test is a failed one: nothing here may go unseen."""
     reporter = session.config.pluginmanager.get_plugin("terminalreporter")

@@ -1,76 +1,107 @@
 """What cmake --install puts under a prefix works there: the program, its data, the Python package."""
 
-import os
+import importlib.metadata
+import re
 import shutil
 import subprocess
 import sys
 
 import pytest
+from conftest import SOURCE
 
-
-@pytest.fixture(scope="module")
-def prefix(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("prefix")
-    subprocess.run(
-        ["cmake", "--install", os.environ["PHOTIC_BUILD"], "--prefix", folder],
-        check=True, capture_output=True, stdin=subprocess.DEVNULL,
-    )
-    return folder
+PACKAGES = "lib/python3/dist-packages"
 
 
 @pytest.fixture
-def clean_environment(prefix):
-    """Nothing of the build in it; only the prefix."""
-    kept = {k: v for k, v in os.environ.items() if not k.startswith(("PHOTIC", "PYTHONPATH"))}
-    return kept | {
-        "PATH": f"{prefix / 'bin'}:/usr/bin:/bin",
-        "PYTHONPATH": str(prefix / "lib/python3/dist-packages"),
-    }
+def call(tmp_path, installed_environment):
+    def call(*command, **environment):
+        return subprocess.run(
+            command, cwd=tmp_path, env=installed_environment | environment, capture_output=True, text=True, check=False
+        )
+
+    return call
 
 
-def test_the_program_works_wherever_it_was_put_and_reads_its_own_data(prefix, scene, tmp_path, clean_environment):
+def test_the_program_works_wherever_it_was_put_and_reads_its_own_data(prefix, scene, tmp_path, call):
     # Seen red: with a program that looks into the source tree alone.
     moved = tmp_path / "moved"
     shutil.copytree(prefix, moved)
-    command = [moved / "bin/photic", "run", scene]
-    call = {"cwd": tmp_path, "env": clean_environment, "capture_output": True, "text": True, "check": False}
-    done = subprocess.run(command, **call)
+    done = call(moved / "bin/photic", "run", scene)
     assert done.returncode == 0, done.stderr
     # The source tree's tables are still there: only a program that reads its own notices these.
     for table in (moved / "share/photic/data").glob("*.csv"):
         table.write_text("spoilt")
-    done = subprocess.run(command, **call)
+    done = call(moved / "bin/photic", "run", scene)
     assert done.returncode == 1
     assert str(moved) in done.stderr
 
 
-def test_the_package_runs_the_program(prefix, scene, tmp_path, clean_environment):
+def test_the_package_runs_the_program(prefix, scene, call):
     script = (
         "import photic, sys\n"
         f"assert photic.__file__.startswith({str(prefix)!r}), photic.__file__\n"
         f"result = photic.run({str(scene)!r}, set={{'simulation.seed': 4}})\n"
         "assert result.echo.sel(channel='raman').sum() > 0\n"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", script], cwd=tmp_path, env=clean_environment, capture_output=True, text=True, check=False
-    )
+    done = call(sys.executable, "-c", script, PYTHONPATH=str(prefix / PACKAGES))
     assert done.returncode == 0, done.stderr
 
 
-def test_editors_find_the_schema(prefix, clean_environment, tmp_path):
+def test_editors_find_the_schema(prefix, tmp_path, call):
     """From the scenes that came along, and from those that the program writes elsewhere."""
     # Seen red: with the schema left out of the installation; with the source's scenes.
-    call = {"env": clean_environment, "cwd": tmp_path, "capture_output": True, "text": True, "check": True}
     schema = prefix / "share/photic/scenes/scene.schema.json"
-    assert schema.read_text() == subprocess.run([prefix / "bin/photic", "schema"], **call).stdout
+    assert schema.read_text() == call("photic", "schema").stdout
     scenes = sorted(schema.parent.glob("*.toml"))
     assert "ship" in [scene.stem for scene in scenes]
     for scene in scenes:
         assert scene.read_text().startswith("#:schema ./scene.schema.json\n# ")
-    subprocess.run([prefix / "bin/photic", "new", "ship", "-o", "my.toml"], **call)
+    assert call("photic", "new", "ship", "-o", "my.toml").returncode == 0
     assert (tmp_path / "my.toml").read_text().startswith(f"#:schema {schema}\n# The ship lidar")
 
 
-def test_licence_and_scenes_come_along(prefix):
-    assert (prefix / "share/photic/scenes/ship.toml").is_file()
-    assert (prefix / "share/doc/photic/LICENSE").is_file()
+def test_the_program_draws_with_the_package_beside_it(prefix, scene, tmp_path, call):
+    # Seen red: with the package's folder taken away, and with one that has been spoilt.
+    assert call("photic", "run", scene, "-o", "out.nc").returncode == 0
+    done = call("photic", "plot", "out.nc", "-o", "out.png")
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "out.png").read_bytes().startswith(b"\x89PNG")
+    moved = tmp_path / "moved"
+    shutil.copytree(prefix, moved)
+    (moved / PACKAGES / "photic/plot.py").write_text("raise ImportError('spoilt')")
+    done = call(moved / "bin/photic", "plot", "out.nc", "-o", "out.png")
+    assert done.returncode == 1 and "spoilt" in done.stderr
+
+
+def test_python_and_the_program_know_one_version(prefix, call):
+    # Seen red: with another number in METADATA.in, and in CITATION.cff.
+    version = call("photic", "--version").stdout.split()[1]
+    [package] = importlib.metadata.distributions(path=[str(prefix / PACKAGES)])
+    assert (package.metadata["Name"], package.version) == ("photic", version)
+    assert re.search(r"^version: (.+)$", (SOURCE / "CITATION.cff").read_text(), re.MULTILINE)[1] == version
+
+
+def test_what_else_is_there(prefix):
+    for file in [
+        "share/photic/scenes/ship.toml", "share/photic/data/README.md", "share/doc/photic/LICENSE",
+        "share/bash-completion/completions/photic", "share/zsh/site-functions/_photic",
+        "share/fish/vendor_completions.d/photic.fish", "share/man/man1/photic.1",
+    ]:
+        assert (prefix / file).is_file(), file
+    assert not list(prefix.rglob("*.pyc"))
+
+
+def test_links_of_the_pages_lead_somewhere(prefix):
+    # Seen red: without docs/images, and without the link to the data.
+    pages = prefix / "share/doc/photic"
+    missing, seen = [], 0
+    for page in [pages / "README.md", *pages.glob("docs/*.md")]:
+        for target in re.findall(r"\]\(([^)#]+)", page.read_text()):
+            # The source stays in the repository.
+            if re.match(r"https?:|(\.\./)*(src|apps|tests|tools|benchmarks|experiments)(/|$)", target):
+                continue
+            seen += 1
+            if not (page.parent / target).exists():
+                missing.append(f"{page.name}: {target}")
+    assert not missing
+    assert seen > 20

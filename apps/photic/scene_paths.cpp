@@ -1,0 +1,40 @@
+#include "photic/scene_paths.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "scene/read.hpp"
+
+namespace photic::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> choices_of(const Json& schema) {
+  std::vector<std::string> choices;
+  if (schema.value("type", "") == "boolean") choices = {"true", "false"};
+  for (const Json& choice : schema.value("enum", Json::array()))
+    choices.push_back(choice.is_string() ? choice.get<std::string>() : choice.dump());
+  return choices;
+}
+
+void collect(const Json& table, const std::string& prefix, std::vector<ScenePath>& paths) {
+  for (const auto& [key, schema] : table.at("properties").items()) {
+    const std::string path = prefix + key;
+    if (schema.contains("properties"))
+      collect(schema, path + '.', paths);
+    else if (schema.contains("items") && schema["items"].contains("properties"))
+      collect(schema["items"], path + ".*.", paths);
+    else
+      paths.push_back({path, schema.value("description", ""), choices_of(schema)});
+  }
+}
+
+}  // namespace
+
+std::vector<ScenePath> scene_paths() {
+  std::vector<ScenePath> paths;
+  collect(Json::parse(scene::scene_schema()), "", paths);
+  return paths;
+}
+
+}  // namespace photic::app

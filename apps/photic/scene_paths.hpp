@@ -1,0 +1,19 @@
+// Where a scene has values, for --set.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace photic::app {
+
+/// One value of a scene.
+struct ScenePath {
+  std::string path;                  ///< sea.layer.*.chlorophyll_mg_m3; *: a number or a name
+  std::string description;           ///< may be empty
+  std::vector<std::string> choices;  ///< the only values that it takes; empty: others
+};
+
+/// All values that a scene may have, as its schema tells them.
+std::vector<ScenePath> scene_paths();
+
+}  // namespace photic::app

@@ -1,0 +1,54 @@
+"""What README and the guide say to type works as written, with an installed Photic and from any folder."""
+
+import pytest
+from conftest import SOURCE
+from documented import commands_to_run, run_all
+
+PAGE = """\
+Text.
+```sh
+echo "one of $PWD" >out
+```
+```
+what it prints
+```
+```sh (not run: needs root)
+sudo something
+```
+```sh
+cat out   # and a remark
+```
+"""
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/guide.md"])
+def test_commands_of(page, tmp_path, installed_environment):
+    # Seen red: with `photic new ships` in each page, and without `photic plot`.
+    assert commands_to_run(SOURCE / page), f"{page}: no block is tagged ```sh"
+    done = run_all(SOURCE / page, tmp_path, installed_environment)
+    assert done.returncode == 0, done.stderr
+
+
+def test_commands_are_taken_from_pages_in_order_and_run_in_one_folder(tmp_path, installed_environment):
+    page = tmp_path / "page.md"
+    page.write_text(PAGE)
+    assert [commands.line for commands in commands_to_run(page)] == [3, 12]
+    done = run_all(page, tmp_path, installed_environment)
+    assert (done.returncode, done.stdout) == (0, f"one of {tmp_path}\n")
+
+
+def test_a_command_that_fails_is_told_with_its_place(tmp_path, installed_environment):
+    page = tmp_path / "page.md"
+    page.write_text(PAGE.replace("cat out", "false | cat; echo on"))
+    done = run_all(page, tmp_path, installed_environment)
+    assert done.returncode == 1
+    assert done.stderr.endswith("+ : page.md:12\n+ false\n+ cat\n")
+    assert done.stdout == ""
+
+
+@pytest.mark.parametrize("tag", ["", "console", "bash", "sh (not run)", "sh (not run: )"])
+def test_commands_that_no_tag_tells_of_are_refused(tmp_path, tag):
+    page = tmp_path / "page.md"
+    page.write_text(f"```{tag}\nphotic new ship\n```\n")
+    with pytest.raises(ValueError, match=r"page.md:2: commands in a block tagged"):
+        commands_to_run(page)
