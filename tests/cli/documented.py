@@ -5,8 +5,7 @@ import subprocess
 from dataclasses import dataclass
 
 BLOCK = re.compile(r"^```(?P<tag>.*)\n(?P<text>(?:.*\n)*?)```$", re.MULTILINE)
-NOT_RUN = re.compile(r"sh \(not run: .+\)")
-COMMAND = re.compile(r"^(?:\$ |\./|sudo |cmake |photic |python3? )", re.MULTILINE)
+NOT_RUN = re.compile(r"(sh|console) \(not run: .+\)")
 
 
 @dataclass
@@ -16,17 +15,18 @@ class Commands:
 
 
 def commands_to_run(page):
-    """The blocks tagged `sh`. Commands in a block whose tag says nothing about them are an error: nobody would see them rot."""
+    """The blocks tagged `sh`, and the lines of those tagged `console` that begin with "$ "."""
     source = page.read_text()
-    found, unmarked = [], []
+    found = []
     for block in BLOCK.finditer(source):
+        tag, text = block["tag"], block["text"]
         line = source.count("\n", 0, block.start("text")) + 1
-        if block["tag"] == "sh":
-            found.append(Commands(line, block["text"]))
-        elif not NOT_RUN.fullmatch(block["tag"]) and (block["tag"].startswith("sh") or COMMAND.search(block["text"])):
-            unmarked.append(f"{page.name}:{line}: commands in a block tagged '{block['tag']}'")
-    if unmarked:
-        raise ValueError("\n".join([*unmarked, "Write ```sh, and they are run, or ```sh (not run: reason)"]))
+        if tag == "console":
+            text = "".join(re.findall(r"^\$ (.*\n)", text, re.MULTILINE))
+        if tag in ("sh", "console"):
+            found.append(Commands(line, text))
+        elif tag.startswith(("sh", "bash", "console")) and not NOT_RUN.fullmatch(tag):
+            raise ValueError(f"{page.name}:{line}: '{tag}' (write ```sh, or ```sh (not run: reason))")
     return found
 
 
