@@ -11,10 +11,10 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
-    "Photic simulates what a lidar over or in the sea will see: echoes resolved by
-range, elastic, Raman-shifted and fluorescent, with multiple scattering and a
-real telescope, and an error bar on every number. Scenes are TOML files, results
-netCDF files; the Python package photic runs, reads and draws them.")
+    "Photic simulates what a lidar over or in the sea will see: echoes resolved
+by range, elastic, Raman-shifted and fluorescent, with multiple scattering
+and a real telescope, and an error bar on every number. Scenes are TOML files,
+results netCDF files; the Python package photic runs, reads and draws them.")
 # The libraries of the program by dpkg-shlibdeps. `import photic` must work where the package is; only drawing needs matplotlib.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, python3-netcdf4, python3-numpy, python3-xarray")

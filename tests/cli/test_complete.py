@@ -46,17 +46,21 @@ def candidates(photic):
         (("optics", "--water", "chlorophyll_mg_m3=0.5", "--las"), ["--laser"]),
         (("run", "my.toml", "--set", "sea.layer.12.chlorophyll_m"), ["sea.layer.12.chlorophyll_mg_m3="]),
         (("run", "my.toml", "--set", "telescope.ship.obs"), ["telescope.ship.obstruction_diameter_m="]),
-        (("run", "my.toml", "--set", "sea.lay"), None),
         (("run", "my.toml", "--set", "simulation.estimator=f"), ["simulation.estimator=forward"]),
+        (("plot", "my.nc", ""), ["*.nc"]),
+        (("plot", "--telescope", "a", "--telescope", "b", "--tel"), ["--telescope"]),
+        (("help", "op"), ["optics"]),
         (("schema", "x"), []),
         (("nothing", "x"), []),
     ],
 )
 def test_candidates(candidates, words, expected):
-    if expected is None:
-        assert "sea.layer.0.chlorophyll_mg_m3=" in candidates(*words)
-    else:
-        assert candidates(*words) == expected
+    assert candidates(*words) == expected
+
+
+def test_what_may_follow_whatever_was_typed(candidates):
+    assert candidates("run", "my.toml", "") == candidates("run", "my.toml", "-")  # no second scene
+    assert {"sea.layer.0.chlorophyll_mg_m3=", "sea.salinity_psu="} <= set(candidates("run", "my.toml", "--set", ""))
 
 
 def test_every_subcommand_and_option_is_told_with_what_it_does(photic, candidates):

@@ -24,7 +24,7 @@ what it prints
 
 @pytest.mark.parametrize("page", ["README.md", "docs/guide.md"])
 def test_commands_of(page, tmp_path, installed_environment):
-    # Seen red: with `photic new ships` in each page, and without `photic plot`.
+    # Seen red: with `photic new ships` in README, and `photic --versions` in the guide.
     assert commands_to_run(SOURCE / page), f"{page}: no block is tagged ```sh"
     done = run_all(SOURCE / page, tmp_path, installed_environment)
     assert done.returncode == 0, done.stderr
