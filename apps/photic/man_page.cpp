@@ -44,19 +44,20 @@ std::string roff_options(const CommandManual& command) {
   return out;
 }
 
-std::string roff_commands(const CommandManual& program) {
-  std::string out = ".SH COMMANDS\n";
-  for (const CommandManual& command : program.commands)
-    out += fmt::format(".SS photic {}\n{}.\n{}", command.name, roff_text(command.meaning),
-                       roff_options(command));
-  return out;
-}
-
 std::string roff_examples(const CommandManual& command) {
   std::string out;
   for (const auto& [example, meaning] : command.examples)
     out += roff_entry(roff_bold(example), meaning);
-  for (const CommandManual& sub : command.commands) out += roff_examples(sub);
+  return out;
+}
+
+std::string roff_commands(const CommandManual& program) {
+  std::string out = ".SH COMMANDS\n";
+  for (const CommandManual& command : program.commands) {
+    out += fmt::format(".SS photic {}\n{}.\n{}", command.name, roff_text(command.meaning),
+                       roff_options(command));
+    if (!command.examples.empty()) out += ".PP\nExamples:\n" + roff_examples(command);
+  }
   return out;
 }
 

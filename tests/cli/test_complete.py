@@ -126,7 +126,7 @@ LINES = [
     ("photic run -o ot", ["photic", "run", "-o", "other.txt"]),
     ("photic run my.nc --engine=l", ["photic", "run", "my.nc", "--engine=lanes"]),
     ("photic run --set simulation.estimator=fo", ["photic", "run", "--set", "simulation.estimator=forward"]),
-    ("photic run --set sea.salin", ["photic", "run", "--set", "sea.salinity_psu="]),
+    ("photic run --set sea.salin\t35", ["photic", "run", "--set", "sea.salinity_psu=35"]),
     ("photic optics --wavelengths 400:700:10 my", ["photic", "optics", "--wavelengths", "400:700:10", "my scene.toml"]),
 ]
 
