@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 
 import pytest
@@ -79,11 +80,18 @@ def test_its_scripts_are_sound(package, tmp_path):
 
 
 def test_from_its_root_the_program_runs_and_draws(root, scene, tmp_path):
-    # Seen red: with the Python package at another place.
     environment = environment_without_build(root / "usr/bin")
     output_of("photic", "run", scene, "-o", "out.nc", cwd=tmp_path, env=environment)
     output_of("photic", "plot", "out.nc", "-o", "out.png", cwd=tmp_path, env=environment)
     assert (tmp_path / "out.png").read_bytes().startswith(b"\x89PNG")
+    # By the package beside it, and not by that of the source tree. Seen red: with the package at another place.
+    shutil.copytree(root, tmp_path / "spoilt")
+    (tmp_path / "spoilt" / PACKAGES / "photic/__init__.py").write_text("raise ImportError('spoilt')")
+    done = subprocess.run(
+        [tmp_path / "spoilt/usr/bin/photic", "plot", "out.nc", "-o", "out.png"],
+        cwd=tmp_path, env=environment, capture_output=True, text=True, check=False,
+    )
+    assert done.returncode != 0 and "spoilt" in done.stderr
 
 
 def test_python_finds_the_package_and_its_version(root, tmp_path, control):
