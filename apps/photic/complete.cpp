@@ -3,7 +3,6 @@
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
 #include "photic/scene_paths.hpp"
-#include "scene/starter_scenes.hpp"
 
 namespace photic::app {
 namespace {
@@ -80,9 +79,9 @@ std::vector<Candidate> settings_of(const std::string& prefix, const std::string&
   for (const ScenePath& value : scene_paths()) {
     if (!value.path.starts_with(prefix)) continue;
     const std::string key = filled_path(value.path, prefix + word).substr(prefix.size()) + '=';
-    if (!word.starts_with(key)) found.push_back({key, value.description});
+    if (!word.starts_with(key)) found.push_back({key, value.meaning});
     if (word.starts_with(key))
-      for (const std::string& choice : value.choices) found.push_back({key + choice, ""});
+      for (const auto& [choice, meaning] : value.choices) found.push_back({key + choice, meaning});
   }
   return found;
 }
@@ -98,8 +97,7 @@ std::vector<Candidate> candidates_by_name(const std::string& name, const std::st
     for (const CommandManual& command : photic.commands)
       found.push_back({command.name, command.meaning});
   if (name == "KIND")
-    for (const scene::StarterScene& starter : scene::starter_scenes())
-      found.push_back({starter.kind, ""});
+    for (const auto& [kind, summary] : scene::starter_kinds()) found.push_back({kind, summary});
   if (name.starts_with("FILE")) found.push_back({"*", ""});
   if (const auto dot = name.rfind('.'); dot != std::string::npos)
     found.push_back({"*" + name.substr(dot), ""});

@@ -9,11 +9,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<std::string> choices_of(const Json& schema) {
-  std::vector<std::string> choices;
-  if (schema.value("type", "") == "boolean") choices = {"true", "false"};
-  for (const Json& choice : schema.value("enum", Json::array()))
-    choices.push_back(choice.is_string() ? choice.get<std::string>() : choice.dump());
+std::vector<SceneChoice> choices_of(const Json& schema) {
+  if (schema.value("type", "") == "boolean") return {{"true", ""}, {"false", ""}};
+  std::vector<SceneChoice> choices;
+  for (const Json& choice : schema.value("oneOf", Json::array()))
+    if (choice.contains("const"))
+      choices.push_back({choice["const"].get<std::string>(), choice.value("description", "")});
   return choices;
 }
 
@@ -33,7 +34,7 @@ void collect(const Json& table, const std::string& prefix, std::vector<ScenePath
 
 std::vector<ScenePath> scene_paths() {
   std::vector<ScenePath> paths;
-  collect(Json::parse(scene::scene_schema()), "", paths);
+  collect(Json::parse(scene::scene_schema(PHOTIC_VERSION)), "", paths);
   return paths;
 }
 

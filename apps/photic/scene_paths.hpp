@@ -6,11 +6,15 @@
 
 namespace photic::app {
 
+struct SceneChoice {
+  std::string word, meaning;
+};
+
 /// One value of a scene.
 struct ScenePath {
   std::string path;                  ///< sea.layer.*.chlorophyll_mg_m3; *: a number or a name
-  std::string description;           ///< may be empty
-  std::vector<std::string> choices;  ///< the only values that it takes; empty: others
+  std::string meaning;               ///< may be empty
+  std::vector<SceneChoice> choices;  ///< the only values that it takes; empty: others
 };
 
 /// All values that a scene may have, as its schema tells them.
