@@ -15,7 +15,7 @@ HOMES = {  # the head of a third-party include -> the folders that may use it
     "toml++/": ["scene"],
     "netcdf": ["io"],
     "CLI/": ["apps"],
-    "nlohmann/": ["io", "apps"],
+    "nlohmann/": ["scene", "io", "apps"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 

@@ -24,7 +24,7 @@ PLANTED = {
     ("src/io/x.cpp", '#include "csv.hpp"'): '"csv.hpp" must be named from src/, as "io/..."',
     ("src/io/x.cpp", '#include "photic/output.hpp"'): '"photic/output.hpp" must be named from src/, as "io/..."',
     ("src/io/x.cpp", "#include <toml++/toml.h>"): "<toml++/toml.h> belongs to scene alone",
-    ("src/scene/x.cpp", "#include <nlohmann/json.hpp>"): "<nlohmann/json.hpp> belongs to io and apps alone",
+    ("src/tally/x.cpp", "#include <nlohmann/json.hpp>"): "<nlohmann/json.hpp> belongs to scene and io and apps alone",
     ("apps/photic/x.cpp", "#include <netcdf.h>"): "<netcdf.h> belongs to io alone",
     ("apps/photic/x.cpp", '#include "output.hpp"'): '"output.hpp" is in no floor of src/',
 }

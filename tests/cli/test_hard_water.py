@@ -36,7 +36,7 @@ def test_the_error_of_one_batch_is_not_known(photic, scene, tmp_path):
     # Seen red: with an error of 0 of a single batch.
     run = ("run", "quick.toml", "--photons", "8000", "-o")
     table = photic(*run, "one.nc").stdout
-    shallow = next(line for line in table.splitlines() if line.startswith("      0.50"))
+    shallow = next(line for line in table.splitlines() if line.startswith("        0.50"))
     assert shallow.split()[2:4] == ["-", "*"]
     with netCDF4.Dataset(tmp_path / "one.nc") as file:
         file.set_auto_mask(False)
