@@ -2,8 +2,11 @@
 
 #include <filesystem>
 
+#include "core/program.hpp"
+#include "io/table_parts.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
+#include "photic/terminal.hpp"
 
 namespace photic::app {
 namespace {
@@ -14,18 +17,20 @@ namespace fs = std::filesystem;
 /// program: that of an installation, or of the build.
 std::string schema_line() {
   std::error_code none;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
-  for (const char* place : {"../share/photic/scenes", "../../scenes"}) {
-    const fs::path schema = (folder / place / "scene.schema.json").lexically_normal();
+  // Under a prefix, or in a build folder, where the program is in apps/photic.
+  for (const char* place : {"share/photic/scenes", "../scenes"}) {
+    const fs::path schema = (program_prefix() / place / "scene.schema.json").lexically_normal();
     if (fs::is_regular_file(schema, none)) return fmt::format("#:schema {}\n", schema.string());
   }
   return "";
 }
 
 std::string list_of_kinds() {
+  constexpr int no_terminal = 200;  // a line each
+  const auto width = static_cast<std::size_t>(columns(Stream::out, no_terminal));
   std::string out;
   for (const auto& [kind, summary] : scene::starter_kinds())
-    out += fmt::format("{:<18}{}\n", kind, summary);
+    out += io::paragraph(fmt::format("{}: {}", kind, summary), width);
   return out;
 }
 

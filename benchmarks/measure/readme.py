@@ -106,13 +106,14 @@ def speed_table(results):
     for name, summary in SPEED:
         raw = raw_of(results, name)
         what, measured = (name, "not measured") if raw is None else summary(raw)
-        lines.append([what, measured, run_only(name)])
+        lines.append([what, measured])
     stamp = results["stamp"]
     machine = (
         f"On {stamp['processor']}, {stamp['cores']} cores, {stamp['instruction_sets'][-1]}, {stamp['compiler']}, "
-        f"commit {stamp['commit']}, {stamp['date']}. Other machines differ by two and more.\n\n"
+        f"commit {stamp['commit']}, {stamp['date']}. Other machines differ by two and more. "
+        "Made by `benchmarks/measure.py run`.\n\n"
     )
-    return remark(results) + machine + rows(["what", "measured", "command"], lines)
+    return remark(results) + machine + rows(["what", "measured"], lines)
 
 
 def remark(results):

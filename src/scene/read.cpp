@@ -53,7 +53,7 @@ bool begins_as_netcdf(const std::string& bytes) {
 /// Throws InputError for what is no text.
 void expect_text(const std::string& path, const std::string& bytes) {
   if (begins_as_netcdf(bytes))
-    refuse_file(path, "this is a netCDF file, as photic run writes them, and not a scene",
+    refuse_file(path, "this is a result, or another netCDF file, and not a scene",
                 fmt::format("of a result, photic show {0} prints the scene and photic run "
                             "--continue {0} goes on",
                             path));

@@ -27,9 +27,9 @@ def test_every_scene_is_a_starter_and_a_good_one(photic, tmp_path, kind):
 def test_the_list(photic):
     done = photic("new", "--list")
     assert (done.returncode, done.stderr) == (0, "")
-    lines = dict(line.split(maxsplit=1) for line in done.stdout.splitlines())
+    lines = dict(line.split(": ", 1) for line in done.stdout.splitlines())
     assert sorted(lines) == KINDS
-    assert done.stdout.startswith("ship ")
+    assert done.stdout.startswith("ship: ")
     assert lines["submerged"].startswith("A lidar on a remotely operated vehicle 5 m below the surface")
 
 

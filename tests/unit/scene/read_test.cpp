@@ -103,7 +103,7 @@ TEST(Read, WhatIsNoTextIsToldInOneLine) {
   };
   const std::string netcdf =
       path +
-      ": this is a netCDF file, as photic run writes them, and not a scene (of a result, photic "
+      ": this is a result, or another netCDF file, and not a scene (of a result, photic "
       "show " +
       path + " prints the scene and photic run --continue " + path + " goes on)";
   for (const std::string start : {"\x89HDF\r\n\x1a\n", "CDF\x01", "CDF\x02", "CDF\x05"})
