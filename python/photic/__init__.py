@@ -5,7 +5,7 @@
     ds.echo.sel(telescope="ship", channel="raman")
 
 run(scene) computes, open(path) reads a result file; both return an xarray.Dataset whose
-telescopes, channels and processes go by their names. `python3 -m photic plot out.nc -o out.png`
+telescopes, channels and processes go by their names. `photic plot out.nc -o out.png`
 draws one.
 """
 

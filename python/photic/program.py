@@ -49,7 +49,7 @@ def run(
     """
     with tempfile.TemporaryDirectory(prefix="photic-") as folder:
         result = os.fspath(output) if output is not None else os.path.join(folder, "out.nc")
-        if not result.endswith(".nc"):
+        if not result.lower().endswith(".nc"):
             raise Error(f"{result}: the output is a netCDF file; give it a name that ends in .nc")
         command = [find_program(program), "run", os.fspath(scene), "-o", result]
         for path, value in (set or {}).items():
