@@ -2,9 +2,11 @@
 sizes are in inches but those of letters, in points."""
 
 import textwrap
+from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, lru_cache, partial
+from itertools import accumulate
 
 import numpy
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -52,7 +54,7 @@ def page(width_mm, free_width):
     return Page(width_mm / MM_PER_INCH, dpi=300, **sizes, **letters)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Legend:
     handles: list
     title: str | None = None
@@ -145,7 +147,8 @@ def as_many_as_fit(page, most, draw):
     gives rows, and notes of what has no place."""
     for count in range(most, 0, -1):
         rows, notes = draw(count)
-        if sum(sum(_heights(page, row)) for row in rows) <= page.longest:
+        so_far = accumulate(height for row in rows for height in _heights(page, row))
+        if all(height <= page.longest for height in so_far):
             break
     return rows, notes
 
@@ -220,21 +223,27 @@ def _strip(page, row):
     for k, following in zip(own, own[1:] + [row.columns]):
         legend, width = row.cells[k].legend, (begins[following] - begins[k]) * page.width - 0.1
         names = [handle.get_label() for handle in legend.handles]
-        names = [text(folded(name, width - 0.6, page.legend)) for name in names]
+        names = tuple(text(folded(name, width - 0.6, page.legend)) for name in names)
         begin = begins[k] + 0.06 / page.width
         strip.append((begin, legend, names, *_fit(page, legend, names, width)))
     return strip
 
 
+@lru_cache(maxsize=256)  # measured for the choice of rows, for their heights, and to draw them
 def _fit(page, legend, names, width):
     """As many columns as have room in the width, and the height that they then take."""
     part = Figure(dpi=100)
     renderer = FigureCanvasAgg(part).get_renderer()
-    for count in range(len(names), 0, -1):
-        drawn = _legend(page, part, legend, names, count, 0.0).get_window_extent(renderer)
-        if drawn.width <= width * 100:
-            break
-    return count, drawn.height / 100 + 0.08
+
+    @cache
+    def size(count):
+        box = _legend(page, part, legend, names, count, 0.0).get_window_extent(renderer)
+        return box.width / 100, box.height / 100
+
+    room = len(names)
+    if size(room)[0] > width:
+        room = max(1, bisect_right(range(1, room), width, key=lambda count: size(count)[0]))
+    return room, size(room)[1] + 0.08
 
 
 def _legend(page, part, legend, names, count, begin):

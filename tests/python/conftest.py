@@ -3,9 +3,12 @@ them tests fail."""
 
 import os
 import subprocess
+import warnings
 from pathlib import Path
 
 import pytest
+
+from photic.__main__ import main
 
 
 @pytest.fixture(scope="session")
@@ -26,6 +29,27 @@ def sample_with_parameters(tmp_path_factory):
     """The same with derivatives, and one environment."""
     parameters = ["sea.layer.0.chlorophyll_mg_m3", "sea.$_x_"]
     return made(tmp_path_factory.mktemp("sample") / "sample.nc", "bloom", "--", *parameters)
+
+
+@pytest.fixture
+def command(capsys):
+    """`python3 -m photic` in this process, which need not begin anew: its exit code, and what it says.
+    A warning, which the program would show, fails."""
+
+    def run(*arguments):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            # As Python and numpy have it by themselves.
+            for kind in (DeprecationWarning, PendingDeprecationWarning):
+                warnings.simplefilter("ignore", kind)
+            warnings.filterwarnings("ignore", message="numpy.ndarray size changed")
+            try:
+                code = main([str(each) for each in arguments])
+            except SystemExit as end:
+                code = end.code
+        return code, capsys.readouterr().err
+
+    return run
 
 
 def made(path, *environments):

@@ -1,8 +1,7 @@
 """Figures as pages: what stands where, and how much of a result they show."""
 
 import itertools
-import subprocess
-import sys
+from functools import cache
 
 import matplotlib.image
 import numpy
@@ -40,6 +39,11 @@ def with_channels(ds, count):
     return many
 
 
+def two_dark(ds):
+    ds.echo.loc[{"channel": ["f_400", "f_405"]}] = 0
+    return ds
+
+
 def overlap(one, other, slack):
     across = min(one.x1, other.x1) - max(one.x0, other.x0)
     along = min(one.y1, other.y1) - max(one.y0, other.y0)
@@ -49,7 +53,6 @@ def overlap(one, other, slack):
 def check_page(drawing):
     """Nothing is cut, and no legend, panel, title or caption lies over another."""
     renderer = FigureCanvasAgg(drawing).get_renderer()
-    drawing.draw_without_rendering()
     things = {f"panel {k}": each.get_tightbbox(renderer) for k, each in enumerate(drawing.axes)}
     things |= {f"legend {k}": each.get_window_extent() for k, each in enumerate(legends(drawing))}
     things["caption"] = drawing._supxlabel.get_window_extent()
@@ -68,32 +71,57 @@ FIGURES = {
     "one": lambda ds, **look: plot.figure([ds], ["one"], **look),
     "one telescope": lambda ds, **look: plot.figure([ds], ["one"], telescopes=["wide"], **look),
     "three": lambda ds, **look: plot.figure([ds] * 3, ["a", "b", "a long name of a result"], **look),
-    "33": lambda ds, **look: plot.figure([with_channels(ds, 33)], ["33"], ["wide"], **look),
+    "33": lambda ds, **look: plot.figure([two_dark(with_channels(ds, 33))], ["33"], ["wide"], **look),
+    "64": lambda ds, **look: plot.figure([with_channels(ds, 64)], ["64"], ["wide"], **look),
     "64, twice": lambda ds, **look: plot.figure([with_channels(ds, 64)] * 2, ["a", "b"], **look),
 }
 
 
+PAGES = {
+    "one": [None, 84, 174],
+    "one telescope": [None],
+    "three": [None, 84],
+    "33": [None, 174],
+    "64": [84],
+    "64, twice": [174],
+}
+
+
+@pytest.fixture(scope="module")
+def drawn(sample):
+    """Figures that several tests look at, each drawn once."""
+
+    @cache
+    def draw(name, width_mm=None):
+        drawing = FIGURES[name](photic.open(sample), width_mm=width_mm)
+        drawing.draw_without_rendering()
+        return drawing
+
+    return draw
+
+
 # Seen red: with legends that reach into the panels; with titles that are not folded; with all lines of
-# a legend side by side.
-@pytest.mark.parametrize("width_mm", [None, 84, 174])
-@pytest.mark.parametrize("name", FIGURES)
-def test_nothing_is_covered_or_cut(sample, name, width_mm):
-    drawing = FIGURES[name](photic.open(sample), width_mm=width_mm)
+# a legend side by side; "64": with as many rows as there are groups.
+@pytest.mark.parametrize("name, width_mm", [(name, width) for name in PAGES for width in PAGES[name]])
+def test_nothing_is_covered_or_cut(drawn, name, width_mm):
+    drawing = drawn(name, width_mm)
     check_page(drawing)
     if width_mm is not None:
         assert drawing.get_size_inches()[0] == pytest.approx(width_mm / 25.4, abs=1e-9)
+    if name in ("33", "64") and width_mm is not None:
+        assert drawing.get_size_inches()[1] < 270 / 25.4
 
 
-@pytest.mark.parametrize("width_mm", [None, 84, 174])
-def test_nothing_of_environments_and_sensitivities_is_covered(sample_with_parameters, width_mm):
-    ds = photic.open(sample_with_parameters)
-    check_page(plot.figure([ds], ["one"], width_mm=width_mm))
+@pytest.mark.parametrize("telescopes, width_mm", [(["wide"], None), ([], 84)])
+def test_nothing_of_environments_and_sensitivities_is_covered(sample_with_parameters, telescopes, width_mm):
+    drawing = plot.figure([photic.open(sample_with_parameters)], ["one"], telescopes, width_mm=width_mm)
+    drawing.draw_without_rendering()
+    check_page(drawing)
 
 
 # Seen red: with the sizes of a free page.
-def test_letters_of_a_column_are_of_7_to_9_points(sample):
-    drawing = plot.figure([photic.open(sample)], ["one"], width_mm=84)
-    drawing.draw_without_rendering()
+def test_letters_of_a_column_are_of_7_to_9_points(drawn):
+    drawing = drawn("one", 84)
     words = [drawing._suptitle, drawing._supxlabel]
     for panel in drawing.axes:
         words += [panel.xaxis.label, panel.yaxis.label, panel._left_title]
@@ -105,17 +133,19 @@ def test_letters_of_a_column_are_of_7_to_9_points(sample):
 
 
 # Seen red: with a figure wider by a thousandth.
-@pytest.mark.parametrize("width_mm", [84, 174])
-def test_pictures_have_the_width_asked_for(sample, tmp_path, width_mm):
-    for ending in ("png", "pdf", "svg"):
-        line = [sys.executable, "-m", "photic", "plot", sample, "-o", tmp_path / f"out.{ending}"]
-        subprocess.run([*map(str, line), "--width-mm", str(width_mm)], check=True)
-    assert matplotlib.image.imread(tmp_path / "out.png").shape[1] == int(width_mm / 25.4 * 300)
-    points = width_mm / 25.4 * 72
-    box = (tmp_path / "out.pdf").read_bytes().split(b"/MediaBox [")[1].split(b"]")[0].split()
-    assert float(box[2]) == pytest.approx(points, abs=0.01)
-    width = (tmp_path / "out.svg").read_text().split('width="')[1].split('pt"')[0]
-    assert float(width) == pytest.approx(points, abs=0.01)
+@pytest.mark.parametrize("ending, width_mm", [("png", 84), ("png", 174), ("pdf", 174), ("svg", 84)])
+def test_pictures_have_the_width_asked_for(command, sample, tmp_path, ending, width_mm):
+    path = tmp_path / f"out.{ending}"
+    chosen = ["--telescope", "wide", "--channel", "raman", "--width-mm", width_mm]
+    assert command("plot", sample, "-o", path, *chosen) == (0, "")
+    if ending == "png":
+        assert matplotlib.image.imread(path).shape[1] == int(width_mm / 25.4 * 300)
+    elif ending == "pdf":
+        box = path.read_bytes().split(b"/MediaBox [")[1].split(b"]")[0].split()
+        assert float(box[2]) == pytest.approx(width_mm / 25.4 * 72, abs=0.01)
+    else:
+        width = path.read_text().split('width="')[1].split('pt"')[0]
+        assert float(width) == pytest.approx(width_mm / 25.4 * 72, abs=0.01)
 
 
 def drawn_at(collections, depth):
@@ -150,9 +180,9 @@ def test_what_has_not_converged_is_faded(sample):
 
 
 # Seen red: with the echoes of the first for all.
-def test_all_telescopes_are_drawn_or_those_asked_for(sample):
+def test_all_telescopes_are_drawn_or_those_asked_for(sample, drawn):
     ds = photic.open(sample)
-    drawing = plot.figure([ds], ["one"])
+    drawing = drawn("one")
     of_each = ["{}: Echo by channel (one process each)", "{}: elastic echo by order of scattering"]
     of_each.append("{}: raman echo by order of scattering")
     assert titles(drawing) == [words.format(name) for name in ("narrow", "wide") for words in of_each]
@@ -161,7 +191,7 @@ def test_all_telescopes_are_drawn_or_those_asked_for(sample):
         thin = panel.get_lines()[1]
         assert thin.get_xdata()[0] == elastic.echo[0] and thin.get_ydata()[0] == elastic.gate_depth[0]
     assert drawing.axes[0].get_ylim() != drawing.axes[3].get_ylim()
-    wide = plot.figure([ds], ["one"], telescopes=["wide"])
+    wide = drawn("one telescope")
     assert titles(wide) == [words.format("wide").removeprefix("wide: ") for words in of_each]
     assert "telescope wide" in caption(wide)
     both = plot.figure([ds], ["one"], telescopes=["wide", "narrow"])
@@ -181,16 +211,15 @@ def test_depths_and_times_are_not_mixed_on_an_axis(sample):
     up = ds.copy()
     for name in ("gate_depth", "gate_depth_bounds"):
         up[name] = up[name] * numpy.nan
-    panel = plot.figure([ds, up], ["down", "up"]).axes[0]
+    panel = plot.figure([ds, up], ["down", "up"], channels=["elastic"]).axes[0]
     assert panel.get_ylabel() == "time [ns]"
     assert all(panel.get_lines()[k].get_ydata()[0] == ds.gate_time[0] for k in (1, 4))
 
 
 # Seen red: with all channels in one panel; with those drawn that have no light.
-def test_many_channels_have_panels_of_seven(sample):
-    ds = with_channels(photic.open(sample), 33)
-    ds.echo.loc[{"channel": ["f_400", "f_405"]}] = 0
-    drawing = plot.figure([ds], ["33"], telescopes=["wide"])
+def test_many_channels_have_panels_of_seven(sample, drawn):
+    channels = with_channels(photic.open(sample), 33).channel.values
+    drawing = drawn("33")
     groups = [panel for panel, title in zip(drawing.axes, titles(drawing)) if title.startswith("Echo: ")]
     assert [len(panel.get_lines()) // 3 for panel in groups] == [7, 6, 6, 6, 6]
     assert titles(drawing)[0] == "Echo: f_410 to f_440"
@@ -198,27 +227,19 @@ def test_many_channels_have_panels_of_seven(sample):
     assert "No light in any gate: f_400, f_405." in caption(drawing)
     assert "Orders of scattering are of 2 of 33 channels: --channel NAME" in caption(drawing)
     named = [text.get_text().split()[0] for each in legends(drawing)[:5] for text in each.get_texts()]
-    assert [name for name in named if name != "faded:"] == list(ds.channel.values[2:])
+    assert [name for name in named if name != "faded:"] == list(channels[2:])
 
 
 def test_what_has_no_room_is_told(sample):
-    ds = with_channels(photic.open(sample), 200)
-    drawing = plot.figure([ds], ["200"])
-    assert "Drawn are 56 of 200 channels: --channel NAME, which may be repeated, chooses others." in caption(drawing)
+    ds = with_channels(photic.open(sample), 80)
+    drawing = plot.figure([ds], ["80"])
+    assert "Drawn are 56 of 80 channels: --channel NAME, which may be repeated, chooses others." in caption(drawing)
     assert drawing.get_size_inches()[1] < 30
-    chosen = plot.figure([ds], ["200"], telescopes=["wide"], channels=["f_500", "f_450"])
+    chosen = plot.figure([ds], ["80"], telescopes=["wide"], channels=["f_500", "f_450"])
     texts = [text.get_text() for text in legends(chosen)[0].get_texts()]
     assert [words.split()[0] for words in texts[:2]] == ["f_500", "f_450"]
-    with pytest.raises(Error, match=r"no channel 'g'; there are: f_400, .* and 188 more"):
-        plot.figure([ds], ["200"], channels=["g"])
-
-
-# Seen red: with as many rows as there are groups.
-@pytest.mark.parametrize("width_mm", [84, 174])
-def test_many_channels_stay_on_a_page(sample, width_mm):
-    ds = with_channels(photic.open(sample), 64)
-    drawing = plot.figure([ds], ["64"], telescopes=["wide"], width_mm=width_mm)
-    assert drawing.get_size_inches()[1] < 270 / 25.4
+    with pytest.raises(Error, match=r"no channel 'g'; there are: f_400, .* and 68 more"):
+        plot.figure([ds], ["80"], channels=["g"])
 
 
 # Seen red: with all of them named.
