@@ -2,7 +2,7 @@
 against angle, and emitted light; a row for each layer. Air emits nothing: the lowest layer is at the
 bottom. Spectra of an oil and transmittances have a panel for each unit."""
 
-from functools import partial
+from functools import cache, partial
 
 import numpy
 from matplotlib import colormaps
@@ -36,26 +36,28 @@ def figure(optics, title=None, width_mm=None):
     width_mm: of the figure."""
     across = 4 if "process" in optics.sizes else 3
     sheet = page(width_mm, WIDE * across)
-    out, drawn = as_many_as_fit(sheet, MOST_LAYERS, partial(_rows, sheet, optics, across))
+    cells = cache(partial(_cells, optics, across))  # more than one number of layers is tried
+    out, drawn = as_many_as_fit(sheet, MOST_LAYERS, partial(_rows, sheet, optics, cells))
     caption = [_caption(optics, drawn), caution(optics)]
     title = optics.attrs["title"] if title is None else title
     return build(sheet, out, title, "\n".join(filter(None, caption)))
 
 
-def _rows(sheet, optics, across, most):
+def _rows(sheet, optics, cells, most):
     """Those of so many layers, or of all if there are fewer, and how many these are."""
     axis, out = _axis(optics), []
     layers = spread(optics.sizes[axis], most)
     for layer in layers[::-1] if axis == "altitude" else layers:
-        one = optics.isel({axis: layer})
-        # Air thins out by more than an axis can show.
-        limits = optics if axis == "depth" else one
-        out += rows(sheet, _cells(one, limits, across), HIGH, sharey=False)
+        out += rows(sheet, cells(int(layer)), HIGH, sharey=False)
     return out, len(layers)
 
 
-def _cells(layer, limits, across):
-    """The panels of a layer; limits: optics that hold all that is drawn on the same axes."""
+def _cells(optics, across, number):
+    """The panels of a layer. limits: optics that hold all that is drawn on the same axes."""
+    axis = _axis(optics)
+    layer = optics.isel({axis: number})
+    # Air thins out by more than an axis can show.
+    limits = optics if axis == "depth" else layer
     totals = [("b_per_m", "all", "-"), ("bb_per_m", "all, backwards", "--")]
     draws = [
         ("absorption", partial(_spectra, layer, limits, [("a_per_m", "all", "-")], "absorption by ")),

@@ -95,7 +95,7 @@ def test_only_converged_gates_are_drawn_thick(sample, drawn):
 CHANNELS = ["elastic", "raman", "chlorophyll"]
 
 
-def test_environments_have_a_row_for_each_channel(command, drawn, sample_in_other_water, tmp_path):
+def test_environments_have_a_row_for_each_channel(drawn):
     drawing = drawn("in other water", "narrow")
     without = titles(drawn("sample", "narrow"))
     rows = [[f"{name} echo in the environments", f"{name} echo against the scene's"] for name in CHANNELS]
@@ -103,7 +103,6 @@ def test_environments_have_a_row_for_each_channel(command, drawn, sample_in_othe
     names = ["the scene", "more algae", "no \\$ _CDOM_", "bloom", FADED]
     assert legends(drawing)[2:] == [names]
     assert drawing.axes[3].get_ylim() == drawing.axes[4].get_ylim()
-    assert command("plot", sample_in_other_water, "-o", tmp_path / "out.png", *SMALL) == (0, "")
 
 
 def curves(panel, count):
@@ -186,7 +185,7 @@ def test_environments_without_light(sample_in_other_water):
 
 
 # Seen red: with 1.96 standard errors; with the scene's convergence; with the first parameter for all.
-def test_sensitivities_have_a_panel_for_each_channel(command, sample_with_parameters, tmp_path):
+def test_sensitivities_have_a_panel_for_each_channel(sample_with_parameters):
     ds = photic.open(sample_with_parameters)
     drawing = plot.figure([ds], ["sample"], telescopes=["wide"])
     last = drawing.axes[-3:]
@@ -206,7 +205,6 @@ def test_sensitivities_have_a_panel_for_each_channel(command, sample_with_parame
         width = 2 * 1.96 * float(first.logarithmic_sensitivity_standard_error)
         assert at_first.max() - at_first.min() == pytest.approx(width, rel=1e-9)
     assert "Bands: 95 % intervals" in drawing._supxlabel.get_text()
-    assert command("plot", sample_with_parameters, "-o", tmp_path / "out.png", *SMALL) == (0, "")
 
 
 def test_several_results_say_what_they_leave_out(sample, sample_with_parameters, sample_in_other_water):
