@@ -20,6 +20,7 @@ SECTIONS = {
 }
 # Elsewhere: where the guide tells of what has no table of its own.
 DEFINITIONS = {"phase_function": "`[sea]` and `[[sea.layer]]`", "profile": "`[sea]` and `[[sea.layer]]`"}
+LONGEST_LINE = 100
 TOP = ["title", "sensitivity", "environment_grid"]
 
 
@@ -88,6 +89,22 @@ def literal(text):
 
 def test_the_headings_are_there(guide):
     assert set(SECTIONS) <= set(guide)
+
+
+def test_no_line_of_the_guide_is_longer_than_a_screen():
+    # Seen red: with two lines of a paragraph joined.
+    lines = enumerate((SOURCE / "docs/guide.md").read_text().splitlines(), start=1)
+    assert [(number, len(line)) for number, line in lines if len(line) > LONGEST_LINE] == []
+
+
+def test_every_link_within_the_guide_leads_to_a_heading():
+    # Seen red: with `#flag` for `#flags`.
+    text = re.sub(r"^```.*?^```$", "", (SOURCE / "docs/guide.md").read_text(), flags=re.MULTILINE | re.DOTALL)
+    headings = [re.sub(r"[^\w\- ]", "", line).lower() for line in re.findall(r"^#+ (.*)$", text, flags=re.MULTILINE)]
+    anchors = {heading.replace(" ", "-") for heading in headings}
+    links = re.findall(r"\]\(#([^)]*)\)", text)
+    assert links
+    assert [link for link in links if link not in anchors] == []
 
 
 @pytest.mark.parametrize("heading", SECTIONS)
