@@ -68,17 +68,40 @@ std::vector<std::string> names_of_commands(const CommandManual& program) {
   return out;
 }
 
+/// A word that is no command, and why: files have commands of their own.
+std::string command_for(const std::string& word, const std::vector<std::string>& known) {
+  if (word.ends_with(".toml")) return fmt::format("did you mean: photic run {}?", word);
+  if (word.ends_with(".nc")) return fmt::format("did you mean: photic plot {}?", word);
+  return scene::suggestion_for(word, known, "there are");
+}
+
 /// CLI11 would only say that a subcommand is required.
 void expect_known_command(const CommandManual& program, const std::string& word) {
   const auto known = names_of_commands(program);
   if (std::ranges::find(known, word) != known.end()) return;
-  const std::string suggestion = scene::suggestion_for(word, known, "there are");
-  throw CLI::ExtrasError("there is no subcommand '" + word + "' (" + suggestion + ")",
+  throw CLI::ExtrasError("there is no subcommand '" + word + "' (" + command_for(word, known) + ")",
                          CLI::ExitCodes::ExtrasError);
+}
+
+/// "did you mean '--photons'?" for what looks like an option and is none of the command's.
+std::string option_for(const CLI::App& app, const std::vector<std::string>& left) {
+  std::vector<std::string> known;
+  for (const CLI::App* sub : app.get_subcommands())
+    for (const CLI::Option* option : sub->get_options({}))
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (const std::string& word : left)
+    if (word.starts_with("--"))
+      return word + ": " +
+             scene::suggestion_for(word.substr(0, word.find('=')), known, "there are");
+  return "";
 }
 
 /// What a subcommand needs, and CLI11 cannot know.
 void expect_complete(const CLI::App& app, const Commands& commands) {
+  for (const CLI::App* sub : app.get_subcommands())
+    for (const CLI::Option* option : sub->get_options({}))
+      if (option->check_lname("output") && option->count() > 0 && option->as<std::string>().empty())
+        throw CLI::ValidationError("--output", "a name is empty");
   if (app.got_subcommand("run") && commands.run.scene.empty() && commands.run.earlier.empty())
     throw CLI::RequiredError("scene");
   if (app.got_subcommand("new") && commands.starter.kind.empty() && !commands.starter.list)
@@ -121,7 +144,7 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   const Call call = call_of(argc, argv);
   const CommandManual manual = manual_of(app, notes);
   if (call.words.empty()) return {HelpCommand{"", manual}, done};
-  if (call.words == std::vector<std::string>{"--version"}) return {VersionCommand{}, done};
+  if (call.words.front() == "--version") return {VersionCommand{}, done};
   // For shells and for packages, so that no help tells of them.
   if (call.words == std::vector<std::string>{"manual"}) return {ManualCommand{manual}, done};
   if (call.words.size() > 2 && call.words[0] == "complete" && call.words[1] == "--")
@@ -133,7 +156,10 @@ Parsed parse_command_line(int argc, const char* const* argv) {
     commands.help.program = manual;
     if (!commands.help.command.empty()) expect_known_command(manual, commands.help.command);
   } catch (const CLI::ParseError& end) {
-    return {std::nullopt, app.exit(end) == 0 ? done : bad_input};
+    const bool asked = app.exit(end) == 0;
+    if (const std::string hint = option_for(app, app.remaining(true)); !asked && !hint.empty())
+      print_error(hint + '\n');
+    return {std::nullopt, asked ? done : bad_input};
   }
   return {chosen(app, commands, call), done};
 }

@@ -87,12 +87,12 @@ std::optional<Format> format_of(const std::string& file) {
   return std::nullopt;
 }
 
-namespace {
-
 bool is_folder(const std::string& output) {
   std::error_code none;
   return output.ends_with('/') || fs::is_directory(output, none);
 }
+
+namespace {
 
 void make_folder(const std::string& folder) {
   std::error_code error;
@@ -113,7 +113,7 @@ std::string result_path(const RunCommand& command) {
   const std::string& output = command.output;
   const std::string named_after =
       command.scene.empty() ? without_checkpoint(command.earlier) : command.scene;
-  const std::string name = fs::path(named_after).filename().replace_extension(".nc").string();
+  std::string name = fs::path(named_after).filename().replace_extension(".nc").string();
   if (output.empty()) return name;
   if (is_folder(output)) {
     make_folder(output);
@@ -160,13 +160,13 @@ bool holds(const std::string& path, std::string_view text) {
 }  // namespace
 
 std::string go_on_command(const Call& call, const std::string& earlier, const std::string& output) {
-  return call.command({"run", "--continue", earlier, "-o", output});
+  return call.command({"run", "--continue", as_file(earlier), "-o", as_file(output)});
 }
 
 std::string plot_hint(const Call& call, const std::string& file) {
   if (format_of(file) != Format::netcdf) return "";
   const std::string picture = fs::path(file).replace_extension(".png").string();
-  return "Plot it:  " + call.command({"plot", file, "-o", picture}) + '\n';
+  return "Plot it:  " + call.command({"plot", as_file(file), "-o", as_file(picture)}) + '\n';
 }
 
 bool write_new_file(const std::string& path, std::string_view text) {

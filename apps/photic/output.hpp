@@ -40,6 +40,9 @@ void print_out(std::string_view text);
 enum class Format { netcdf, csv, text };
 std::optional<Format> format_of(const std::string& file);
 
+/// Whether an output is a folder: by its name, or because one is there.
+bool is_folder(const std::string& output);
+
 /// The output of a run: the one given, or the scene's name with .nc, in the folder that is given,
 /// which is made if it is not there, or in the current one; where no scene is given, the name of
 /// the earlier result. Throws UsageError unless it has a Format and is another file than the scene,

@@ -35,7 +35,8 @@ fs::path package() {
 /// Tells the first module that a Python lacks, of those that plots need.
 constexpr const char* tell_missing =
     "import importlib.util as u; "
-    "print(*[m for m in ('numpy', 'xarray', 'netCDF4', 'matplotlib') if not u.find_spec(m)])";
+    "print('lacks:', "
+    "*[m for m in ('numpy', 'xarray', 'netCDF4', 'matplotlib') if not u.find_spec(m)])";
 
 /// Runs the package without its folder among the places where Python looks for modules: what lies
 /// beside it (all of Debian's packages) may be for another Python.
@@ -60,9 +61,12 @@ Python look_at(const std::string& program) {
   std::array<char, 256> part{};
   while (const std::size_t count = std::fread(part.data(), 1, part.size(), pipe))
     missing.append(part.data(), count);
-  if (pclose(pipe) != 0) return {program, "is not there, or does not start"};
-  missing.erase(missing.find_last_not_of('\n') + 1);
-  return {program, missing.empty() ? "" : "lacks " + missing};
+  const std::string head = "lacks:";
+  if (pclose(pipe) != 0 || !missing.starts_with(head))
+    return {program, "is not there, or does not start"};
+  missing = missing.substr(head.size());
+  missing.erase(missing.find_last_not_of("\n ") + 1);
+  return {program, missing.empty() ? "" : "lacks" + missing};
 }
 
 /// The one that the user names, else the first that can draw plots: Debian's, whose packages
@@ -91,7 +95,7 @@ std::string picture_of(const PlotCommand& command) {
 }
 
 std::vector<std::string> words_of(const PlotCommand& command) {
-  std::vector<std::string> words{"plot", "-o", picture_of(command)};
+  std::vector<std::string> words{"plot", "-o", as_file(picture_of(command))};
   const auto add = [&words](const char* flag, const std::string& value) {
     if (!value.empty()) words.push_back(fmt::format("{}={}", flag, value));
   };

@@ -18,6 +18,8 @@ std::string quoted(const std::string& word) {
   return out + '\'';
 }
 
+std::string as_file(const std::string& name) { return name.starts_with('-') ? "./" + name : name; }
+
 std::string Call::command(const std::vector<std::string>& arguments) const {
   return joined(quoted(program), arguments);
 }

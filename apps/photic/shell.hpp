@@ -9,6 +9,9 @@ namespace photic::app {
 /// A word that a shell takes as it is: in quotes where it must be ("'my scene.toml'").
 std::string quoted(const std::string& word);
 
+/// A file's name that no program takes for an option: "./-my.nc".
+std::string as_file(const std::string& name);
+
 /// How the program was called.
 struct Call {
   std::string program = "photic";  ///< as typed: what starts it again from the same place

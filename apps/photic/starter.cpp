@@ -46,9 +46,12 @@ int run(const NewCommand& command) {
     print_out(text);
     return done;
   }
-  const bool written = write_new_file(command.output, text);
-  print_out(command.output + (written ? ": written" : ": is there already") +
-            "; check it with: " + command.call.command({"check", command.output}) + '\n');
+  const std::string output = is_folder(command.output)
+                                 ? (fs::path(command.output) / (command.kind + ".toml")).string()
+                                 : command.output;
+  const bool written = write_new_file(output, text);
+  print_out(output + (written ? ": written" : ": is there already") +
+            "; check it with: " + command.call.command({"check", as_file(output)}) + '\n');
   return done;
 }
 

@@ -96,7 +96,7 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& value
              "The echoes on the terminal: short (26 gates at most), full (all gates, all "
              "environments) or none [default: short]",
              notes);
-  sub.add_flag("-q,--quiet", run.quiet, "Print nothing but warnings and errors");
+  sub.add_flag("-q,--quiet", run.quiet, "Print nothing but remarks, warnings and errors");
   sub.add_flag("--json", run.json, "Print the table of echoes as JSON");
   add_threads(sub, run.threads,
               "Number of threads [default: all cores]; the result does not depend on it");
@@ -132,7 +132,7 @@ void add_plot(CLI::App& app, PlotCommand& plot, Notes& notes) {
   sub.add_option("-o,--output", plot.output,
                  "The picture: .png, .pdf or .svg [default: the first result's name, .png]")
       ->type_name("FILE");
-  sub.add_option("--title", plot.title, "[default: the scene's title]")->type_name("TEXT");
+  sub.add_option("--title", plot.title, "A title [default: the scene's]")->type_name("TEXT");
   sub.add_option("--telescope", plot.telescopes, "Only this one; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);

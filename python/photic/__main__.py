@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+import warnings
 
 from photic.errors import Error
 from photic.result import is_optics, is_spectra
@@ -11,7 +12,7 @@ from photic.result import open as open_result
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(
-        prog="python3 -m photic", description="Shows results of Photic."
+        prog="photic", description="Shows results of Photic."
     )
     commands = parser.add_subparsers(dest="command", required=True)
     plot = commands.add_parser(
@@ -33,11 +34,22 @@ def main(arguments=None):
     add("--width-mm", type=float, metavar="W", help="width of the picture, as for a journal's column")
     options = parser.parse_args(arguments)
     try:
-        draw(options)
+        with warnings.catch_warnings(record=True) as remarks:
+            draw(options)
     except Error as error:
         print(error, file=sys.stderr)
         return error.exit_code
+    for remark in _told(remarks):
+        print(remark, file=sys.stderr)
     return 0
+
+
+def _told(remarks):
+    """Each warning in a line; letters that the font lacks once for all."""
+    texts = [str(remark.message).replace("\n", " ") for remark in remarks]
+    lacking = any(text.startswith("Glyph ") for text in texts)
+    told = list(dict.fromkeys(text for text in texts if not text.startswith("Glyph ")))
+    return told + ["letters that the font of plots lacks are drawn as boxes"] * lacking
 
 
 def draw(options):

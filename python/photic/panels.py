@@ -51,10 +51,18 @@ def _curve(panel, depth, middle, ends, settled, colour):
     where = there.repeat(2) & rest
     panel.fill_betweenx(*twice, where=where, alpha=FADED_BAND, **look)
     thick = numpy.where(settled, middle, numpy.nan)
-    panel.plot(thick, depth, color=colour, linewidth=1.8)
+    alone = list(numpy.flatnonzero(_alone(settled)))  # a line needs two neighbours
+    dots = {"marker": "o", "markersize": 3, "markevery": alone}
+    panel.plot(thick, depth, color=colour, linewidth=1.8, **dots)
     panel.plot(middle, depth, color=colour, linewidth=0.8, alpha=FADED)
     marked = thinned(~settled, -(-len(depth) // MARKERS_PER_LINE))
     panel.plot(middle[marked], depth[marked], color=colour, **_circles())
+
+
+def _alone(settled):
+    """Those that have converged, between gates that have not."""
+    around = numpy.concatenate([[False], settled, [False]])
+    return settled & ~around[:-2] & ~around[2:]
 
 
 def _circles():
@@ -155,7 +163,9 @@ def changes(panel, part, colours):
         middle, width = ratio.sel(this).values, half_width.sel(this).values
         # An error that is not known, of a single batch, hides no curve.
         good, narrow = settled.sel(this).values, ~(width >= NARROW * middle)
-        ends = _ends(middle, width) if factors else (middle - width, middle + width)
+        seen = numpy.where(good | narrow, width, numpy.nan)  # wild bands would hide the others
+        lower = numpy.maximum(middle - seen, 0)  # no echo is below 0
+        ends = _ends(middle, seen) if factors else (lower, middle + seen)
         if not factors:
             middle, *ends = (100 * (each - 1) for each in (middle, *ends))
         _curve(panel, part.gate_depth.values, middle, ends, good, colour)

@@ -104,4 +104,4 @@ def _load(path):
     except PermissionError as error:
         raise Error(f"{path}: {error.strerror}", exit_code=1) from error
     except (OSError, ValueError, RuntimeError) as error:
-        raise Error(f"{path}: not a netCDF file, or a damaged one") from error
+        raise Error(f"{path}: not a netCDF file, or a damaged one (results end in .nc)") from error

@@ -11,7 +11,7 @@
 namespace photic::io {
 namespace {
 
-constexpr std::size_t cell_width = 15;  // "-0.8123±0.0012*"
+constexpr std::size_t ratio_width = 15;  // "-0.8123±0.0012*"
 
 using Rows = std::vector<EchoRow>;
 
@@ -40,7 +40,7 @@ std::string block(const tally::Result& result, const Columns& columns, const Sho
     out.push_back({column_letters(c) + ' ', {}});
     for (std::size_t i = first; i < first + result.gates(); i += step) {
       const EchoRow &scene = shown.scene[i], &row = shown.columns[c][i];
-      out.back().cells.push_back(fmt::format("{:>{}}{}", columns.text(scene, row), cell_width - 1,
+      out.back().cells.push_back(fmt::format("{:>{}}{}", columns.text(scene, row), ratio_width - 1,
                                              scene.converged() && row.converged() ? ' ' : '*'));
     }
   }
@@ -90,7 +90,7 @@ std::string columns_table(const tally::Result& result, const Columns& columns, s
                           const TableLayout& layout) {
   if (columns.meanings.empty()) return "";
   const std::size_t width = std::max(layout.width, least_width);
-  const std::size_t abreast = (width - 1 - place_width) / (1 + cell_width);
+  const std::size_t abreast = (width - 1 - place_width) / (1 + ratio_width);
   const std::size_t all = columns.meanings.size();
   const Shown shown =
       first_columns(result, columns, layout.all_columns ? all : std::min(all, abreast));

@@ -27,8 +27,9 @@ int open_file(const std::string& path, const std::string& wanted) {
   // Asked of the file system first: netCDF would take some paths for addresses on the network.
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
-    const std::string reason = error ? error.message() : "it is not a regular file";
-    throw EnvironmentError(fmt::format("{}: cannot read the file: {}", path, reason));
+    if (error && error != std::errc::no_such_file_or_directory)
+      throw EnvironmentError(fmt::format("{}: cannot read the file: {}", path, error.message()));
+    refuse_file(path, fs::exists(path, error) ? "not a file" : "there is no such file", wanted);
   }
   int file = -1;
   const int status = nc_open(path.c_str(), NC_NOWRITE, &file);

@@ -103,6 +103,8 @@ class KeyPlaces {
 }  // namespace
 
 std::optional<std::string> place_of_key(const std::string& key, bool at_top) {
+  // [source] of every scene has it: elsewhere it is meant for a band of a channel.
+  if (key == "wavelength_nm") return std::nullopt;
   KeyPlaces places;
   Scene scene;
   describe(places, scene);

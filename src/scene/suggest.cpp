@@ -87,6 +87,8 @@ bool holds(const std::vector<std::string>& parts, const std::vector<std::string>
 
 /// Those that are spelt much like the word.
 std::vector<std::string> misspelt(const std::string& word, const std::vector<std::string>& known) {
+  constexpr std::size_t shortest = 3;  // letters: of fewer, one that is wrong leaves too little
+  if (word.size() < shortest) return {};
   const std::string plain = folded(word);
   std::vector<std::string> best;
   std::size_t best_distance =
@@ -145,7 +147,9 @@ std::string difference(const StemAndUnit& written, const std::string& meant) {
   };
   std::string out;
   if (has(named, "half") && !has(written, "half")) out = " it is half of the full angle";
-  if (!written.unit.empty() && !named.unit.empty() && written.unit != named.unit)
+  // "min" is no part of a unit: it is in depth_min_m, too.
+  const bool other_time = has(written, "min") && named.unit == std::vector<std::string>{"s"};
+  if (other_time || (!written.unit.empty() && !named.unit.empty() && written.unit != named.unit))
     out += fmt::format("{} in {}", out.empty() ? " it is" : ",", unit_of(meant));
   return out;
 }

@@ -54,6 +54,10 @@ def test_help_of_a_subcommand(photic, command):
 
 
 REFUSED = {
+    ("quick.toml",): "there is no subcommand 'quick.toml' (did you mean: photic run quick.toml?)",
+    ("run", "quick.toml", "--photns", "5"): "--photns: did you mean '--photons'?",
+    ("run", "quick.toml", "-o", ""): "--output: a name is empty",
+    ("run", "--continue", "nowhere.nc"): "nowhere.nc: there is no such file",
     ("help", "runn"): "there is no subcommand 'runn' (did you mean 'run'?)",
     ("rnu", "quick.toml"): "there is no subcommand 'rnu' (did you mean 'run'?)",
     ("simulate", "quick.toml"): "there is no subcommand 'simulate' (there are: run, plot, new, check, "

@@ -52,3 +52,19 @@ def test_what_is_missing_is_told(photic, result, tmp_path):
     done = photic("plot", "quick.nc", env=without_python_path(PHOTIC_PYTHON=str(bare)))
     assert done.returncode == 1
     assert f"{bare} lacks numpy xarray netCDF4 matplotlib (PHOTIC_PYTHON names it)" in done.stderr
+
+
+def test_a_program_that_is_no_python(photic, result):
+    # Seen red: with the exit code alone.
+    done = photic("plot", "quick.nc", env=without_python_path(PHOTIC_PYTHON="/bin/true"))
+    assert done.returncode == 1
+    assert "/bin/true is not there, or does not start" in done.stderr
+
+
+def test_names_that_begin_like_options(photic, program, scene, tmp_path):
+    # Seen red: with the names as they are in the hint, and in the default name of the picture.
+    done = photic("run", "quick.toml", "--photons", "8000", "--table", "none", "-o", "./-w.nc")
+    assert f"Plot it:  {program} plot ./-w.nc -o ./-w.png\n" in done.stdout
+    done = photic("plot", "./-w.nc", env=without_python_path())
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / "-w.png").exists()

@@ -380,3 +380,14 @@ def test_each_telescope_has_its_own_depths(sample, drawn):
     for name in ("narrow", "wide"):
         first = drawn("sample", name).axes[0].get_lines()[0]
         assert first.get_ydata()[0] == ds.gate_depth.sel(telescope=name, channel="elastic").values[0]
+
+
+def test_a_gate_that_has_converged_alone_is_seen():
+    # Seen red: as part of a line, which needs two gates.
+    from matplotlib.figure import Figure
+
+    panel = Figure().add_subplot()
+    settled = numpy.array([True, False, True, False, False, True, True])
+    depth, middle = numpy.arange(7.0), numpy.linspace(2, 1, 7)
+    panels._curve(panel, depth, middle, (middle - 0.1, middle + 0.1), settled, "black")
+    assert panel.lines[0].get_marker() == "o" and panel.lines[0].get_markevery() == [0, 2]

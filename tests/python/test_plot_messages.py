@@ -1,5 +1,8 @@
 """What `python3 -m photic plot` says of input that it cannot draw."""
 
+import subprocess
+import sys
+
 import matplotlib.image
 import netCDF4
 import pytest
@@ -59,7 +62,7 @@ def test_files_that_are_no_results(command, sample, tmp_path):
     path = tmp_path / "other.nc"
     path.write_bytes(b"")
     code, error = command("plot", path, "-o", tmp_path / "out.png")
-    assert (code, error) == (2, f"{path}: not a netCDF file, or a damaged one\n")
+    assert (code, error) == (2, f"{path}: not a netCDF file, or a damaged one (results end in .nc)\n")
     with netCDF4.Dataset(path, "w") as file:
         file.title = "no result"
     code, error = command("plot", path, "-o", tmp_path / "out.png")
@@ -92,3 +95,10 @@ def test_results_without_what_is_asked_for(command, sample, tmp_path):
     photic.open(sample).isel(telescope=[1]).to_netcdf(path)
     code, error = command("plot", sample, path, "-o", tmp_path / "out.png", "--telescope", "narrow")
     assert (code, error) == (2, "wide: has no telescope of those asked for; there are: wide\n")
+
+
+def test_letters_that_the_font_lacks_are_told_once(sample, tmp_path):
+    # Seen red: with Matplotlib's own warnings, one for each time that a letter is measured.
+    call = [sys.executable, "-m", "photic", "plot", sample, "-o", tmp_path / "p.png", "--title", "油油 and 膜"]
+    done = subprocess.run([*call, "--channel", "raman"], capture_output=True, text=True, check=True)
+    assert done.stderr == "letters that the font of plots lacks are drawn as boxes\n"

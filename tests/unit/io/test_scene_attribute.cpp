@@ -40,14 +40,16 @@ TEST(ReadScene, ReturnsTheText) {
 TEST(ReadScene, MissingFile) {
   const TemporaryFolder folder;
   const std::string path = folder.file("none.nc");
-  EXPECT_EQ(error_of<EnvironmentError>(path),
-            path + ": cannot read the file: No such file or directory");
+  EXPECT_EQ(
+      error_of<InputError>(path),
+      path + ": there is no such file (a result is what `photic run SCENE -o out.nc` writes)");
 }
 
 TEST(ReadScene, Directory) {
   const TemporaryFolder folder;
-  EXPECT_EQ(error_of<EnvironmentError>(folder.file(".")),
-            folder.file(".") + ": cannot read the file: it is not a regular file");
+  EXPECT_EQ(
+      error_of<InputError>(folder.file(".")),
+      folder.file(".") + ": not a file (a result is what `photic run SCENE -o out.nc` writes)");
 }
 
 TEST(ReadScene, NotNetcdf) {

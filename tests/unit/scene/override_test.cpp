@@ -45,8 +45,8 @@ const std::vector<SetCase>& override_cases() {
         "99999999999999999999 in 'layer' (it has 2, counted from 0)"}},
       {"NoSuchName",
        {"telescope.tt.diameter_m=1"},
-       {"--set telescope.tt.diameter_m: nothing in 'telescope' is called 'tt' (did you mean "
-        "'t'?)"}},
+       {"--set telescope.tt.diameter_m: nothing in 'telescope' is called 'tt' (its names and "
+        "numbers: t)"}},
       {"NoSuchNameFar",
        {"telescope.coaxial.diameter_m=1"},
        {"--set telescope.coaxial.diameter_m: nothing in 'telescope' is called 'coaxial' (its names "

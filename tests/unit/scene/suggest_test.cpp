@@ -39,6 +39,16 @@ TEST(Suggest, WhatIsAlikeButForCaseUnitOrWords) {
 }
 
 // Seen red: with `longer` for words of one letter; with as many misspelt letters as a word has.
+// One letter of two is half of the word: type IA of Jerlov is no misspelt IB.
+TEST(Suggest, NothingForShortWords) {
+  EXPECT_EQ(suggestion_for("IA", {"IB", "II", "III"}, "there are"), "there are: IB, II, III");
+}
+
+TEST(Suggest, OtherTimes) {
+  EXPECT_EQ(suggestion_for("max_time_min", {"max_time_s", "seed"}, "there are"),
+            "did you mean 'max_time_s'? it is in s");
+}
+
 TEST(Suggest, NothingThatIsFar) {
   for (const std::string word : {"", "m", "nm", "of", "banana", "photons", "temperature_c",
                                  "chlorophyll_lifetime_ns", "a_per_m", "satellite"})
