@@ -62,7 +62,7 @@ def test_the_table(photic, shallow):
     taken = what_auto_takes(photic, shallow)
     done = bench_until_compared(photic, "2 of 2 gates compared", "--threads", "2")
     for name in CANDIDATES:
-        assert len(re.findall(rf"^{re.escape(name)}  +[0-9]", done.stdout, re.M)) == 2, "by depth and over all gates"
+        assert len(re.findall(rf"^ *{re.escape(name)}  +[0-9]", done.stdout, re.M)) == 2, "by depth and over all gates"
     assert "channel elastic, telescope telescope0" in done.stdout
     assert "A figure of merit from 12 repeats is uncertain by about 41 %." in done.stdout
     name, lines = re.search(r"^recommended: (.*), by these lines .*\n((?:  .*\n)+)", done.stdout, re.M).groups()

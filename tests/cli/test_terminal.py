@@ -42,6 +42,11 @@ def test_progress_stands_still_and_tells_the_worst_gate(program, scene, tmp_path
         assert len({line.index(field) for line in drawn}) == 1, field
     assert all("(target 0.3 %)" in line for line in drawn)
     assert all(re.search(r"\d+/20 gates", line) for line in drawn)
+    # Other times left have other widths: "2 s left", "41 d left".
+    long = ["timeout", "--foreground", "-s", "INT", "1", program, "run", "quick.toml", "--photons", "1e12", "-o", "long.nc"]
+    _, told = on_a_terminal(long, 120, cwd=tmp_path)
+    longs = [line for line in lines_shown(told) if "worst gate" in line]
+    assert {line.index("worst gate") for line in longs} == {drawn[0].index("worst gate")}
     code, told = on_a_terminal([*command, "-o", "narrow.nc"], 60, cwd=tmp_path)
     narrow = [line for line in lines_shown(told) if " left" in line]
     assert narrow and all("worst" in line and len(line) < 60 for line in narrow)
