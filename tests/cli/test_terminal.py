@@ -19,8 +19,8 @@ def test_nothing_is_wider_than_the_terminal(program, scene, tmp_path, columns):
     # Seen red: with tables and help for 100 columns; with the longest bar at any width.
     scene.write_text(scene.read_text() + GRID)
     for arguments in (
-        ["run", "quick.toml", "-o", f"{columns}.nc", "--photons", "400000"],
-        ["run", "quick.toml", "-o", f"{columns}.nc", "--photons", "400000", "--table", "full", "--target", "5%"],
+        ["run", "quick.toml", "-o", f"{columns}.nc", "--photons", "50000"],
+        ["run", "quick.toml", "-o", f"{columns}.nc", "--photons", "50000", "--table", "full", "--target", "5%"],
         ["help"],
         ["help", "run"],
         ["help", "optics"],
