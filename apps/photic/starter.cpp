@@ -25,6 +25,18 @@ std::string schema_line() {
   return "";
 }
 
+/// The commands in a scene's comments name its file: "photic run my.toml" for "photic run
+/// ship.toml".
+void call_by_name(std::string& text, const std::string& kind, const fs::path& file) {
+  for (const char* ending : {".toml", ".nc"}) {
+    const std::string before = kind + ending;
+    const std::string name = quoted(as_file(fs::path(file).replace_extension(ending).string()));
+    for (auto at = text.find(before); at != std::string::npos;
+         at = text.find(before, at + name.size()))
+      text.replace(at, before.size(), name);
+  }
+}
+
 std::string list_of_kinds() {
   constexpr int no_terminal = 200;  // a line each
   const auto width = static_cast<std::size_t>(columns(Stream::out, no_terminal));
@@ -41,7 +53,7 @@ int run(const NewCommand& command) {
     print_out(list_of_kinds());
     return done;
   }
-  const std::string text = schema_line() + scene::starter_scene(command.kind);
+  std::string text = schema_line() + scene::starter_scene(command.kind);
   if (command.output.empty()) {
     print_out(text);
     return done;
@@ -49,6 +61,7 @@ int run(const NewCommand& command) {
   const std::string output = is_folder(command.output)
                                  ? (fs::path(command.output) / (command.kind + ".toml")).string()
                                  : command.output;
+  call_by_name(text, command.kind, fs::path(output).filename());
   const bool written = write_new_file(output, text);
   print_out(output + (written ? ": written" : ": is there already") +
             "; check it with: " + command.call.command({"check", as_file(output)}) + '\n');
