@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "core/program.hpp"
@@ -25,9 +27,11 @@ std::string schema_line() {
   return "";
 }
 
-/// The commands in a scene's comments name its file: "photic run my.toml" for "photic run
-/// ship.toml".
+/// The commands in a scene's comments name its file, "photic run my.toml" for "photic run
+/// ship.toml"; but no name that would not stay in its line.
 void call_by_name(std::string& text, const std::string& kind, const fs::path& file) {
+  const auto breaks_lines = [](unsigned char c) { return std::iscntrl(c) != 0; };
+  if (std::ranges::any_of(file.string(), breaks_lines)) return;
   for (const char* ending : {".toml", ".nc"}) {
     const std::string before = kind + ending;
     const std::string name = quoted(as_file(fs::path(file).replace_extension(ending).string()));

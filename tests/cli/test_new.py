@@ -53,6 +53,12 @@ def test_a_starter_scene_goes_to_a_file(photic, tmp_path, program):
     assert (tmp_path / "mine.toml").read_text() == text
 
 
+def test_a_name_of_two_lines_leaves_a_good_scene(photic, tmp_path):
+    # Seen red: with the name in the comments, whose second line is no comment.
+    assert photic("new", "ship", "-o", "a\nb.toml").returncode == 0
+    assert photic("check", "a\nb.toml").returncode == 0
+
+
 def test_the_same_file_may_be_asked_for_again(photic, tmp_path, program):
     # Seen red: refused, as before.
     photic("new", "ship", "-o", "mine.toml")
