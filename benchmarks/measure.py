@@ -51,10 +51,17 @@ def read(path):
         raise Failed(f"{path}: {error}") from error
 
 
+def in_lines(results):
+    """JSON with a line for the stamp and one for each measurement."""
+    lines = [f"{json.dumps(name)}: {json.dumps(record)}" for name, record in results["measurements"].items()]
+    rest = {key: value for key, value in results.items() if key != "measurements"}
+    return json.dumps(rest)[:-1] + ', "measurements": {\n' + ",\n".join(lines) + "\n}}\n"
+
+
 def keep(results, path):
     """Whole or not at all."""
     partial = path.with_name(path.name + ".partial")
-    partial.write_text(json.dumps(results, indent=0) + "\n")
+    partial.write_text(in_lines(results))
     os.replace(partial, path)
 
 

@@ -10,14 +10,13 @@
 namespace photic::app {
 namespace {
 
-constexpr int least_width = 40;
 constexpr int widest = 100;      // longer lines are hard to read
 constexpr int narrow = 72;       // meanings stand below names
 constexpr int name_column = 26;  // of options
 constexpr int command_column = 12;
 constexpr int example_column = 46;
 
-int usable(int width) { return std::clamp(width, least_width, widest); }
+int usable(int width) { return std::clamp(width, static_cast<int>(io::least_width), widest); }
 
 /// A name and its meaning beside it, or below where the name or the terminal leaves no room.
 std::string entry(const std::string& name, const std::string& meaning, int column, int width) {
@@ -52,13 +51,6 @@ std::string usage(const CommandManual& command) {
     out += option.required ? ' ' + name : " [" + name + ']';
   }
   return out + " [OPTIONS]\n";
-}
-
-std::string paragraph(const std::string& text, int width) {
-  std::string out;
-  for (const std::string& line : io::wrapped(text, static_cast<std::size_t>(width)))
-    out += line + '\n';
-  return out;
 }
 
 std::string options(const CommandManual& command, bool positional, int width) {
@@ -113,7 +105,8 @@ const std::vector<Variable>& variables() {
 
 std::string help(const CommandManual& command, int terminal_width) {
   const int width = usable(terminal_width);
-  std::string out = paragraph(command.meaning, width) + "\nUsage: " + usage(command);
+  std::string out = io::paragraph(command.meaning, static_cast<std::size_t>(width), 0) +
+                    "\nUsage: " + usage(command);
   out += options(command, true, width) + commands(command, width) + options(command, false, width) +
          examples(command, width);
   if (command.commands.empty()) return out;
@@ -127,9 +120,11 @@ std::string help(const CommandManual& command, int terminal_width) {
 
 std::string short_help(const CommandManual& program, int terminal_width) {
   const int width = usable(terminal_width);
-  std::string out = paragraph(program.meaning, width) + "\nUsage: " + usage(program);
+  std::string out = io::paragraph(program.meaning, static_cast<std::size_t>(width), 0) +
+                    "\nUsage: " + usage(program);
   out += commands(program, width) + examples(program, width) + '\n';
-  return out + paragraph("photic help COMMAND tells all of a command.", width);
+  return out + io::paragraph("photic help COMMAND tells all of a command.",
+                             static_cast<std::size_t>(width), 0);
 }
 
 }  // namespace photic::app

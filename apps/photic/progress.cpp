@@ -63,7 +63,9 @@ std::string time_left(std::optional<double> seconds) {
 
 std::string percent(double share) {
   if (!std::isfinite(share)) return "?";
-  return share >= 9.995 ? ">999 %" : fmt::format("{:.{}f} %", 100 * share, share < 0.0995 ? 1 : 0);
+  if (share >= 9.995) return ">999 %";
+  return share < 0.01 ? fmt::format("{:.2g} %", 100 * share)
+                      : fmt::format("{:.{}f} %", 100 * share, share < 0.0995 ? 1 : 0);
 }
 
 /// "worst gate 12 % (target 2.0 %)"

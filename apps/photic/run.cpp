@@ -45,8 +45,7 @@ std::string where_it_is(const tally::Result& result, const Call& call, const std
 }
 
 /// What the terminal shows of the echoes.
-std::string echoes(const tally::Result& result, const RunCommand& command) {
-  if (command.json) return io::echo_json(result);
+std::string table(const tally::Result& result, const RunCommand& command) {
   constexpr int no_terminal = 100;
   const auto width = static_cast<std::size_t>(columns(Stream::out, no_terminal));
   if (command.table == "none") return io::run_summary(result, width);
@@ -55,14 +54,18 @@ std::string echoes(const tally::Result& result, const RunCommand& command) {
   return io::echo_table(result, layout);
 }
 
+void print_echoes(const tally::Result& result, const RunCommand& command) {
+  command.json ? print_out(io::echo_json(result)) : print_table(table(result, command));
+}
+
 /// Prints what a run came to; where it is goes to standard error if the rest is for a program.
 void tell(const tally::Result& result, const RunCommand& command, const std::string& place) {
   if (command.quiet) {
     for (const std::string& warning : result.warnings) print_warning(warning + '\n');
-    if (command.json) print_out(io::echo_json(result));
+    if (command.json) print_echoes(result, command);
     return;
   }
-  print_table(echoes(result, command));
+  print_echoes(result, command);
   command.json ? print_error(place) : print_out(place);
 }
 
@@ -185,7 +188,7 @@ int run(const RunCommand& command) {
   try {
     path = write(result, destination, plan);
   } catch (const std::exception&) {
-    print_table(echoes(result, command));  // all that is left of the run, but for its checkpoint
+    print_echoes(result, command);  // all that is left of the run, but for its checkpoint
     print_error(checkpoint.leftover(0));
     throw;
   }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 
+#include "scene/unit_text.hpp"
 #include "scene/units.hpp"
 
 namespace photic::scene {
@@ -33,11 +34,9 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 
 /// A word in lower case, with one joint between its parts: "half_divergence_mrad".
 std::string folded(const std::string& word) {
-  std::string out;
-  for (const char c : word) {
-    const bool upper = c >= 'A' && c <= 'Z';
-    out += upper ? static_cast<char>(c - 'A' + 'a') : (c == '-' || c == ' ' ? '_' : c);
-  }
+  std::string out = lower_case(word);
+  std::ranges::replace_if(
+      out, [](char c) { return c == '-' || c == ' '; }, '_');
   return out;
 }
 

@@ -92,7 +92,7 @@ def test_the_headings_are_there(guide):
 
 
 def test_no_line_of_the_guide_is_longer_than_a_screen():
-    # Seen red: with two lines of a paragraph joined.
+    # Seen red: with a line made too long.
     lines = enumerate((SOURCE / "docs/guide.md").read_text().splitlines(), start=1)
     assert [(number, len(line)) for number, line in lines if len(line) > LONGEST_LINE] == []
 

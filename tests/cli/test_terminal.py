@@ -16,7 +16,7 @@ GRID = """\
 
 @pytest.mark.parametrize("columns", [60, 80, 200])
 def test_nothing_is_wider_than_the_terminal(program, scene, tmp_path, columns):
-    # Seen red: with tables and help for 100 columns; with the longest bar at any width.
+    # Seen red: with tables for 100 columns; with an example in the help that is longer.
     scene.write_text(scene.read_text() + GRID)
     for arguments in (
         ["run", "quick.toml", "-o", f"{columns}.nc", "--photons", "50000"],
@@ -118,7 +118,7 @@ def test_text_is_the_table_as_printed(photic, scene, tmp_path):
 
 @pytest.mark.parametrize("output", ["out/", "deep/er/", "there", "there/"])
 def test_a_folder_as_the_output(photic, scene, tmp_path, output):
-    # Seen red: with folders made where the name does not end in '/'.
+    # Seen red: without a look whether the folder is there.
     (tmp_path / "there").mkdir()
     done = photic("run", "quick.toml", "--photons", "8000", "-o", output)
     assert done.returncode == 0, done.stderr
