@@ -16,7 +16,7 @@ struct OctaveTables {
 extern const OctaveTables octave_tables;
 inline constexpr double ln2 = 0.69314718055994530942;
 
-/// exp(-y) for y >= 0, to a few units of rounding; 0 beyond the smallest normal number.
+/// exp(-y) for y >= -80, to a few units of rounding; 0 beyond the smallest normal number.
 template <class T>
 T exp_minus(const T& y) {
   const T limit(sizeof(Element<T>) == sizeof(double) ? 700

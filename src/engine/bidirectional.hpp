@@ -45,6 +45,8 @@ struct FromLaser : WalkDraws<T> {
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return engine::in_time(world, photon);
   }
+  void keep_unshifted(const Walks<T>&, const Index<T>&, const Mask<T>&,
+                      transport::Vertex<T>&) const {}
 };
 
 /// How a telescope's walks begin.
@@ -78,6 +80,10 @@ struct FromTelescope : WalkDraws<T> {
   /// Whether light can still come from the laser within the last gate.
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return receiver.deadline.is_met(photon, world.least_group_index);
+  }
+  void keep_unshifted(const Walks<T>& walks, const Index<T>& walk, const Mask<T>& first,
+                      transport::Vertex<T>& vertex) const {
+    walks.keep_unshifted(world.telescopes[receiver.telescope], walk, first, vertex);
   }
 };
 

@@ -50,8 +50,10 @@ PHOTIC_APART void Connections<T>::complete_between(const Ends<T>& ends, const In
 
 /// By a meeting of a laser's ray and a telescope's.
 template <class T>
-PHOTIC_APART void Connections<T>::complete_by_meeting(const Ray& out, const Ray& home,
+PHOTIC_APART void Connections<T>::complete_by_meeting(const Pair<T>& pair, const Moved<T>& moved,
                                                       const T& depth, const Index<T>& layer) {
+  const Ray& out = pair.out;
+  const Ray& home = moved.ray;
   const auto pass = [&](const Ray& ray) {
     const Mask<T> reflected = ray.is_reflected();
     transport::WalkPoint<T> left = ray;
@@ -66,6 +68,10 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const Ray& out, const Ray&
   completion_.clear();
   pass(out);
   pass(home);
+  if (telescope_.submerged && !telescope_.upright) {
+    const Index<T>& at = receiver_.layer;
+    completion_.pass(sea_, {back_.line(pair.ends.back), at, T(0), at, T(0), moved.longer});
+  }
   completion_.collide(sea_, {out.line, layer, home.line > Index<T>(0), home.line,
                              one_minus_cos(out.direction, -home.direction)});
 }

@@ -43,7 +43,7 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
       Line home;
       lines_.each(home, [m](T& member, const auto* column) { member = T(column[m]); });
       const Mask<T> in_time =
-          mask & in_order(i + Index<T>(m + 1)) & (out.start + home.start < receiver_.last_path);
+          mask & in_order(i + Index<T>(m + 1)) & (out.start + home.start < receiver_.longest);
       if (!any(in_time)) break;
       const Ends<T> ends{laser, i, Index<T>(back), Index<T>(m)};
       const bool home_rises = all(home.rise > T(0));
@@ -68,10 +68,10 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
   if (!shifts && !turns) return;
   const auto axis = back_.axis(Index<T>(back));
   const Index<T> pivot(back_.pivot_vertex(back));
+  const auto start = at_lens(outset, back_.line(Index<T>(back)));
   each_pair(first_laser, walks, back,
             [&](const auto& ends, const auto& mask, const Line& out, const Line& home) {
-              if (shifts)
-                shift(ends, mask & transport::turns_back(out, home), out, home, outset.lens);
+              if (shifts) shift(ends, mask & transport::turns_back(out, home), out, home, start);
               if (turns) turn(ends, mask & (ends.m > pivot), out, home, axis);
             });
 }
@@ -79,12 +79,91 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
 /// Rays that meet where the telescope's walk comes through the lens, at depths that lie on a grid.
 template <class T>
 void Connections<T>::shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
-                           const Line& home, const instrument::PlanePoint<T>& lens) {
+                           const Line& home, const transport::AtLens<T>& start) {
   if (!any(mask)) return;
-  const auto chord = transport::chord(out, home, telescope_, lens, receiver_.last_path);
+  const auto chord =
+      transport::chord(out, shiftable(home, ends.m), telescope_, start, receiver_.last_path);
   const Mask<T> meet = mask & chord.exists;
   if (any(meet))
     chords_.admit(meet, ends, [this](const auto& e, const auto& all) { serve_chords(e, all); });
+}
+
+/// A telescope's walk that is shifted to meet a ray at a depth, and comes through the lens there.
+template <class T>
+Moved<T> Connections<T>::shifted(const Pair<T>& pair, const instrument::PlanePoint<T>& lens,
+                                 const T& depth) const {
+  Moved<T> moved{pair.back, pair.axis()};
+  Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, pair.outset.lens);
+  if (!telescope_.upright) {
+    const T longer = pair.lens.longer_at(depth);
+    shift = shift + longer * pair.outset.outward;
+    lengthen(pair, longer, moved);
+  }
+  moved.axis.x = moved.axis.x + shift.x;
+  moved.axis.y = moved.axis.y + shift.y;
+  return moved;
+}
+
+/// Whether a telescope's ray that has been shifted goes through a depth; later ones only in walks
+/// that all points of the lens can begin.
+template <class T>
+Mask<T> Connections<T>::can_meet(const Pair<T>& pair, const Ray& moved, const T& depth) const {
+  if (!is_aslant(telescope_)) return Mask<T>(true);
+  const Mask<T> ahead = (-moved.position.z - depth) * moved.direction.z > T(0);
+  return ahead &
+         ((pair.ends.m == Index<T>(0)) | all_points_reach(telescope_, last_depth(pair.ends.back)));
+}
+
+template <class T>
+HomeWay<T> Connections<T>::home_way(const Outset<T>& outset, const Index<T>& back) const {
+  using std::abs;
+  const Vertex v = back_.vertex(back, Index<T>(0));
+  T from(0);
+  if (telescope_.submerged) {
+    const T lens = in_space(telescope_, outset.lens).z;
+    from = select(outset.outward.z * v.direction.z < T(0), T(-lens), lens);  // or its image
+  }
+  const T steep = abs(v.direction.z);
+  return {abs(v.position.z - from) / steep, steep};
+}
+
+/// The way from a tilted lens becomes longer, or shorter. That changes when light is there; in the
+/// water also how much of it is, and how likely walks go so far; and n h / g of connecting this way
+/// and of meeting at its end, which rays behind it keep. In the water a first ray itself begins
+/// elsewhere.
+template <class T>
+void Connections<T>::lengthen(const Pair<T>& pair, T longer, Moved<T>& moved) const {
+  const auto& ends = pair.ends;
+  const Index<T> line = back_.line(ends.back);
+  const Index<T> here = sea_.at(line, receiver_.layer);
+  const Mask<T> first = ends.m == Index<T>(0);
+  T growth(1);  // of what walks draw along it
+  if (telescope_.submerged) {
+    const T begins = select(first, longer, T(0));
+    longer = longer - begins;
+    moved.ray.position = pair.back.position - begins * pair.back.direction;
+    moved.gain = exp_minus(longer * gather<T>(sea_.c.first, here));
+    growth = exp_minus(-longer / gather<T>(sea_.walk_mean_path, here));
+  }
+  moved.longer = longer;
+  moved.ray.path = pair.back.path + longer * at_lens(pair.outset, line).index;
+  if (all(first)) return;
+  const HomeWay<T> way = home_way(pair.outset, ends.back);
+  const auto area = [&](const T& more) {
+    auto spread = pair.outset.spread;
+    spread.through_surface = !telescope_.submerged;
+    spread.before = spread.before + more;
+    return area_per_solid_angle(sea_, spread, line, way.length, way.steep);
+  };
+  const auto in_path = usable(ends.order());
+  const T shifts_here = shifts(in_path.order, pair.outset.shift_area);
+  const auto near = back_.near_first(ends.back, ends.m, in_path, shifts_here);
+  const T of_edge = growth * area(longer) / area(T(0)) - T(1);
+  const T of_meeting = growth - T(1);
+  moved.behind = select(first, T(0), of_edge * near.home_edge + of_meeting * near.meeting);
+  moved.meeting = select(
+      (ends.m == Index<T>(1)) & in_path.meeting(in_path.order),
+      of_meeting * shifts_here * transport::turning(pair.back.meeting, pair.back.left_z()), T(0));
 }
 
 /// Rays that meet where both are as far from an axis.
@@ -125,8 +204,9 @@ template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const Mask<T>& mask) {
   const auto& grid = samples_.grid;
   Pair<T> pairs = pair_of(ends);
-  const auto chord = transport::chord(line_of(pairs.out), line_of(pairs.back), telescope_,
-                                      pairs.outset.lens, receiver_.last_path);
+  const auto chord =
+      transport::chord(line_of(pairs.out), shiftable(line_of(pairs.back), ends.m), telescope_,
+                       at_lens(pairs.outset, back_.line(ends.back)), receiver_.last_path);
   pairs.lens = chord.lens;
   const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
     const auto& pair = of_lanes<T>(pairs, lane);
@@ -135,11 +215,8 @@ PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const M
     const Mask<T> passes = points & open_at(telescope_, lens) &
                            sight(telescope_, lens, -pair.outset.outward).on_detector;
     if (!any(passes)) return;
-    const Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, pair.outset.lens);
-    Moved<T> moved{pair.back, pair.axis()};
-    moved.axis.x = moved.axis.x + shift.x;
-    moved.axis.y = moved.axis.y + shift.y;
-    meet_at(pair, passes, moved, depth);
+    const auto moved = shifted(pair, lens, depth);
+    meet_at(pair, passes & can_meet(pair, moved.ray, depth), moved, depth);
   };
   each_number(mask, grid.number(chord.from, ends.order()) - pairs.outset.grid_offset,
               grid.number(chord.to, ends.order()) - pairs.outset.grid_offset, meet_on_grid);
@@ -150,8 +227,9 @@ PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Crossing<T>& crossing,
                                                     const Mask<T>& mask) {
   Pair<T> pair = pair_of(crossing);
   const auto turn = transport::turn_to_meet(pair.out, pair.back, pair.axis(), crossing.depth);
-  const auto [gain, near_pivot] = turn_pivot(pair, turn);
-  Moved<T> moved{pair.back, pair.axis(), gain, near_pivot};
+  const auto [gain, behind] = turn_pivot(pair, turn);
+  Moved<T> moved{pair.back, pair.axis(), gain};
+  moved.behind = behind;
   moved.ray.position = turn.of_place(pair.back.position);
   moved.ray.direction = turn.of_direction(pair.back.direction);
   meet_at(pair, mask, moved, crossing.depth);
@@ -178,8 +256,9 @@ std::array<T, 2> Connections<T>::turn_pivot(Pair<T>& pair,
   pair.back.per_p = of_ray * pair.back.per_p;
   pair.back.meeting = of_ray * pair.back.meeting;
   const auto in_path = usable(ends.order());
-  return {gain, (gained - T(1)) * back_.near_first(ends.back, ends.m, in_path,
-                                                   shifts(in_path.order, pair.outset.shift_area))};
+  const auto near =
+      back_.near_first(ends.back, ends.m, in_path, shifts(in_path.order, pair.outset.shift_area));
+  return {gain, (gained - T(1)) * (near.home_edge + near.meeting + near.next_edge)};
 }
 
 template <class T>
@@ -193,23 +272,26 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Mov
   if (!any(emitting)) return;
   const T reach = (-out.position.z - depth) / out.direction.z;
   const auto in_path = usable(ends.order());
-  const transport::Freedom<T> freedom{
-      shifts(in_path.order, outset.shift_area),
-      select(is_pivot(moved.ray.line, ends.m),
-             axis_at(out.position + reach * out.direction, moved.ray.direction, out.direction),
-             moved.axis)};
-  auto home = back_.side(pair.back, outset.spread, ends.back, ends.m, in_path,
-                         {freedom.shifts, pair.axis()});
+  const T last = select(ends.m > Index<T>(0), last_depth(ends.back), depth);
+  const T shifts_last = shifts(in_path.order, outset.shift_area);
+  const T shifts = shifts_before(last, shifts_last);
+  transport::Freedom<T> freedom{shifts, select(is_pivot(moved.ray.line, ends.m),
+                                               axis_at(out.position + reach * out.direction,
+                                                       moved.ray.direction, out.direction),
+                                               moved.axis)};
+  const auto laser = laser_.side(out, pair.spread, ends.laser, ends.i, in_path, freedom);
+  auto home =
+      back_.side(pair.back, outset.spread, ends.back, ends.m, in_path, {shifts_last, pair.axis()});
   home.ray = moved.ray;
-  home.behind = home.behind + moved.near_pivot;
-  const auto meeting =
-      meet(sea_, laser_.side(out, pair.spread, ends.laser, ends.i, in_path, freedom), home, depth,
-           layer, freedom, world_.reversal, samples_);
+  home.spread.before = home.spread.before + moved.longer;
+  home.behind = home.behind + moved.behind;
+  home.last = home.last + moved.meeting;
+  freedom.shifts = select(ends.m > Index<T>(0), shifts, shifts_last);
+  const auto meeting = meet(sea_, laser, home, depth, layer, freedom, world_.reversal, samples_);
   if (world_.compares) [[unlikely]]
-    complete_by_meeting(out, moved.ray, depth, layer);
+    complete_by_meeting(pair, moved, depth, layer);
   score(pair.ends, Walked::both, emitting & (meeting.path < receiver_.last_path),
-        moved.gain * meeting.value, meeting.path,
-        select(ends.m > Index<T>(0), last_depth(ends.back), depth), in_path.order);
+        moved.gain * meeting.value, meeting.path, last, in_path.order);
 }
 
 }  // namespace photic::engine

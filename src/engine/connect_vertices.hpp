@@ -57,7 +57,7 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
   const transport::Freedom<T> freedom{
       shifts(in_path.order, instrument::shift_area(telescope_, way.arriving)),
       axis_at(v.position, way.direction, v.direction)};
-  const T behind = behind_laser_vertex(ends, v, in_path, freedom);
+  const T behind = behind_laser_vertex(ends, v, in_path, freedom_before(depth, freedom));
   const Joint from =
       all(line == Index<T>(0))
           ? scattering_from_laser(sea_, v, behind, way.direction, world_.reversal, T(1), freedom)
@@ -163,21 +163,24 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
   const T length = photic::length(there);
   const Vec3<T> direction = (T(1) / length) * there;
   const T shifted = shifts(in_path.order, back_.outset(ends.back).shift_area);
+  const T last = last_depth(ends.back);
   const Mask<T> inelastic = w.line > Index<T>(0);
   const Mask<T> arrives = mask & emits(w.line, w.layer);
   if (any(arrives)) {
     const transport::Freedom<T> freedom{
         shifted, select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, direction),
                         back_.axis(ends.back))};
-    const T behind = behind_laser_vertex(ends, v, in_path, freedom);
+    const auto before = freedom_before(last, freedom);
+    const T behind = behind_laser_vertex(ends, v, in_path, before);
     const Joint to = arrival_from_laser(sea_, w, -direction, world_.reversal, freedom);
     along(ends, arrives, Index<T>(0),
-          scattering_from_laser(sea_, v, behind, direction, world_.reversal, to.goes_on, freedom),
+          scattering_from_laser(sea_, v, behind, direction, world_.reversal, to.goes_on, before),
           to, v, w, length, in_path);
   }
   const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
   if (any(converts)) {
-    const transport::Freedom<T> freedom{shifted, axis_at(v.position, w.direction, v.direction)};
+    const auto freedom = freedom_before(
+        last, transport::Freedom<T>{shifted, axis_at(v.position, w.direction, v.direction)});
     const T behind = behind_laser_vertex(ends, v, in_path, freedom);
     const T goes_on = T(1) - world_.reversal.chance(sea_, w.line, w.layer);
     along(ends, converts, w.line,

@@ -87,8 +87,8 @@ struct Pair {
     return {turns == Index<T>(1), axis_x, axis_y};
   }
 
-  static constexpr std::size_t members =
-      2 * Ray::members + 3 + Outset<T>::members + 3 + RayEnds<T>::integers + 4;
+  static constexpr std::size_t members = 2 * Ray::members + 3 + Outset<T>::members + 3 +
+                                         RayEnds<T>::integers + transport::LensLine<T>::members;
   template <class F>
   void each_member(F f) {
     out.each_member(f);
@@ -97,7 +97,7 @@ struct Pair {
     outset.each_member(f);
     f(turns), f(axis_x), f(axis_y);
     ends.each_member(f);
-    f(lens.at_surface.x), f(lens.at_surface.y), f(lens.per_depth.x), f(lens.per_depth.y);
+    lens.each_member(f);
   }
 };
 
@@ -106,8 +106,17 @@ template <class T>
 struct Moved {
   transport::Ray<T> ray;
   transport::Vertical<T> axis;
-  T gain{1};        ///< of the phase function at the pivot
-  T near_pivot{0};  ///< what n h / g of all strategies gain by the pivot's angle having changed
+  T gain{1};    ///< of the sample
+  T longer{};   ///< so much longer is its way from the lens [m]
+  T behind{};   ///< what n h / g of all strategies behind the ray gain
+  T meeting{};  ///< and that of meeting where the ray begins, but for P and the edge beyond
+};
+
+/// A telescope's walk's first way in the water.
+template <class T>
+struct HomeWay {
+  T length{};  ///< [m]
+  T steep{};   ///< cosine to the vertical
 };
 
 /// The walks that a path is made of.
@@ -156,7 +165,7 @@ class Connections {
   void each_pair(std::size_t first_laser, std::size_t walks, std::size_t back, Act act);
   std::int32_t list_laser_rays(std::size_t first, std::size_t walks);
   void shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
-             const instrument::PlanePoint<T>& lens);
+             const transport::AtLens<T>& start);
   void turn(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
             const transport::Vertical<T>& axis);
 
@@ -175,6 +184,11 @@ class Connections {
              const Joint& to, const Vertex& v, const Vertex& w, const T& length,
              const Usable<T>& usable);
   Pair<T> pair_of(const RayEnds<T>& ends) const;
+  Moved<T> shifted(const Pair<T>& pair, const instrument::PlanePoint<T>& lens,
+                   const T& depth) const;
+  [[nodiscard]] Mask<T> can_meet(const Pair<T>& pair, const Ray& moved, const T& depth) const;
+  void lengthen(const Pair<T>& pair, T longer, Moved<T>& moved) const;
+  [[nodiscard]] HomeWay<T> home_way(const Outset<T>& outset, const Index<T>& back) const;
   std::array<T, 2> turn_pivot(Pair<T>& pair, const transport::Rotation<T>& turn) const;
   void meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);
 
@@ -184,6 +198,20 @@ class Connections {
   /// n A of meetings by a walk that may be shifted over A, in paths of an order [m].
   [[nodiscard]] T shifts(const Index<T>& order, const T& shift_area) const {
     return samples_.meetings(order) * shift_area;
+  }
+  /// The same of meetings before the last vertex of a path, which is at a depth.
+  [[nodiscard]] T shifts_before(const T& last, const T& shifts) const {
+    if (!is_aslant(telescope_)) return shifts;
+    return select(all_points_reach(telescope_, last), shifts, T(0));
+  }
+  [[nodiscard]] transport::Freedom<T> freedom_before(const T& last,
+                                                     const transport::Freedom<T>& freedom) const {
+    return {shifts_before(last, freedom.shifts), freedom.axis};
+  }
+  /// `outset`: of a walk that detects a line.
+  [[nodiscard]] transport::AtLens<T> at_lens(const Outset<T>& outset, const Index<T>& line) const {
+    return {outset.lens, outset.outward,
+            telescope_.submerged ? gather<T>(sea_.group_index, line) : T(1)};
   }
   /// Whether light of the laser's line can leave a layer as light of a line.
   [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {
@@ -198,6 +226,15 @@ class Connections {
                        laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis));
   }
   [[nodiscard]] Line line_of(const Ray& ray) const { return depth_line(sea_, ray, world_.deepest); }
+  /// Of a telescope's ray m that may be shifted: a first one may then begin elsewhere.
+  [[nodiscard]] Line shiftable(Line line, const Index<T>& m) const {
+    if (!is_aslant(telescope_)) return line;
+    const T most = select(m == Index<T>(0), T(2) * telescope_.lens_rise, T(0));
+    const T from = line.from - most, to = line.to + most;
+    line.from = select(from > T(0), from, T(0));
+    line.to = select(to < world_.deepest, to, world_.deepest);
+    return line;
+  }
   /// Whether paths of an order can still be scored.
   [[nodiscard]] Mask<T> in_order(const Index<T>& order) const {
     return order <= Index<T>(world_.last_order > 0 ? world_.last_order
@@ -228,7 +265,8 @@ class Connections {
                          const T& length, bool mirrored);
   void complete_between(const Ends<T>& ends, const Index<T>& line, const Vertex& v, const Vertex& w,
                         const T& length);
-  void complete_by_meeting(const Ray& out, const Ray& home, const T& depth, const Index<T>& layer);
+  void complete_by_meeting(const Pair<T>& pair, const Moved<T>& moved, const T& depth,
+                           const Index<T>& layer);
   void score_in_environments(const Ends<T>& ends, Walked walked, const Mask<T>& mask,
                              const T& value, const T& path, const T& last, const Index<T>& order);
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/vec3.hpp"
+#include "instrument/telescope.hpp"
 #include "instrument/way_ahead.hpp"
 #include "scene/scene.hpp"
 #include "transport/photon.hpp"
@@ -57,17 +58,20 @@ struct Deadline {
 };
 
 /// Of the laser's light, of which it has to meet one; `last_path`: the end of the last gate [m].
+/// Points of a tilted lens may be nearer than its centre.
 template <class T>
-std::vector<Deadline<T>> deadlines_at_telescopes(const scene::Scene& scene, double last_path) {
+std::vector<Deadline<T>> deadlines_at_telescopes(const scene::Scene& scene, double last_path,
+                                                 double greatest_index) {
   const double path = last_path - way_ahead(scene.source);
   std::vector<Deadline<T>> deadlines;
   std::optional<double> lowest_in_air;
   for (const auto& t : scene.telescope) {
+    const double rise = instrument::lens_rise(t);
     const double z = t.position_m.z;
-    if (z < 0) deadlines.push_back(Deadline<T>::to(z, path));
-    if (z >= 0) lowest_in_air = std::min(z, lowest_in_air.value_or(z));
+    if (z < 0) deadlines.push_back(Deadline<T>::to(z, path + greatest_index * rise));
+    if (z >= 0) lowest_in_air = std::min(z - rise, lowest_in_air.value_or(z - rise));
   }
-  if (lowest_in_air) deadlines.push_back(Deadline<T>::to(*lowest_in_air, path));
+  if (lowest_in_air) deadlines.push_back(Deadline<T>::to(std::max(0.0, *lowest_in_air), path));
   return deadlines;
 }
 

@@ -139,19 +139,28 @@ class Walks {
     vertex_.put(mask, slot(walk, i), vertex);
     scatter(mask, walk, i + Index<T>(1), vertices_.data());
   }
+  /// Walks from a telescope come to a vertex, their `first` or a later one: at that they meet no
+  /// others, being shifted, if not all points of the lens can begin such a walk.
+  void keep_unshifted(const instrument::Telescope<T>& telescope, const Index<T>& walk,
+                      const Mask<T>& first, Vertex& vertex) const {
+    if (!is_aslant(telescope) || all(first)) return;
+    const T depth = -this->vertex(walk, Index<T>(0)).position.z;
+    vertex.meeting = select(first | all_points_reach(telescope, depth), vertex.meeting, T(0));
+  }
   /// Telescopes' walks leave vertex i by a ray: what they keep for being turned about it, if they
   /// may be. `of_elastic_light`: also where they scatter the laser's light first. Tells who may.
   Mask<T> pivot(const medium::MediumView& sea, const Mask<T>& mask, const Index<T>& walk,
                 const Index<T>& i, const Vertex& vertex, const Ray& ray, bool of_elastic_light) {
     const Mask<T> first = i == Index<T>(0);
-    const Mask<T> near_first = mask & (i < Index<T>(2)) & (vertex.line == Index<T>(0));
+    const Mask<T> near_first = mask & (i < Index<T>(2)) & (first | (vertex.line == Index<T>(0)));
     if (any(near_first)) {
       near_first_.put(near_first, walk,
                       {select(first, ray.last_edge, vertex.last.edges), vertex.last.meetings,
                        select(first, T(0), ray.last_edge)});
     }
     const Mask<T> converts = mask & (vertex.line > ray.line);
-    const Mask<T> scatters = near_first & first & Mask<T>(of_elastic_light) &
+    const Mask<T> scatters = mask & first & (vertex.line == Index<T>(0)) &
+                             Mask<T>(of_elastic_light) &
                              transport::leads_aside(vertex.direction, ray.direction);
     const Mask<T> pivots = converts | scatters;
     if (any(pivots)) {
@@ -218,15 +227,16 @@ class Walks {
     const Pivot<T> at = pivot(walk);
     return {exists, at.x, at.y};
   }
-  /// Those of what NearFirst tells that lie behind ray m, beyond the first vertex.
-  [[nodiscard]] T near_first(const Index<T>& walk, const Index<T>& m, const Usable<T>& usable,
-                             const T& shifts) const {
+  /// Those of what NearFirst tells that lie behind ray m, beyond the first vertex; of meeting times
+  /// `shifts`.
+  [[nodiscard]] NearFirst<T> near_first(const Index<T>& walk, const Index<T>& m,
+                                        const Usable<T>& usable, const T& shifts) const {
     const NearFirst<T> near = near_first_.at(walk);
     const Index<T> order = usable.order;
     const Mask<T> beyond = m > Index<T>(1);
-    return select(usable.connecting(order), near.home_edge, T(0)) +
-           select(beyond & usable.meeting(order), shifts * near.meeting, T(0)) +
-           select(beyond & usable.connecting(order - Index<T>(1)), near.next_edge, T(0));
+    return {select(usable.connecting(order), near.home_edge, T(0)),
+            select(beyond & usable.meeting(order), shifts * near.meeting, T(0)),
+            select(beyond & usable.connecting(order - Index<T>(1)), near.next_edge, T(0))};
   }
 
   /// Vertex i as it is in a path of which perhaps not all strategies can be used.

@@ -158,8 +158,9 @@ class WalkTaker {
     tally_.collisions += count(colliding);
     const Mask<T> first = colliding & (walker_.vertices == Index<T>(0));
     const Spread<T> spread = any(first) ? walks_.outset(walker_.walk).spread : Spread<T>{};
-    const Vertex<T> vertex =
+    Vertex<T> vertex =
         vertex_on(sea_, walker_.ray, first, spread, photon, walker_.leg, walker_.axis, samples_);
+    source_.keep_unshifted(walks_, walker_.walk, first, vertex);
     walks_.add(colliding, walker_.walk, walker_.vertices, vertex);
     walker_.vertices = walker_.vertices + select(colliding, Index<T>(1), Index<T>(0));
 

@@ -11,6 +11,7 @@
 #include "engine/origin.hpp"
 #include "engine/problem.hpp"
 #include "instrument/laser.hpp"
+#include "instrument/lens.hpp"
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
 #include "scene/scene.hpp"
@@ -93,6 +94,7 @@ struct Receiver {
   Index<T> line{};         ///< 0, or the first of the band
   std::int32_t band = -1;  ///< of the medium's, if it is one
   T last_path{};           ///< of both walks together, at the end of the last gate [m]
+  T longest{};             ///< the same of walks that have not been shifted yet [m]
   Deadline<T> deadline{};  ///< of its walks' light, to be at the laser
 };
 
@@ -210,7 +212,8 @@ inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium,
   const double source = scene.source.position_m.z;
   Reach reach{0, 0};
   for (const auto& t : scene.telescope) {
-    const double in_water = gates.last_path() - above(source) - above(t.position_m.z);
+    const double in_water =
+        gates.last_path() - above(source) - above(t.position_m.z) + instrument::lens_rise(t);
     const double higher = std::min(depth(source), depth(t.position_m.z));
     const double lower = std::max(depth(source), depth(t.position_m.z));
     const double deepest = std::max(lower, (in_water / least_group_index + higher + lower) / 2);
@@ -282,7 +285,11 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
     if (converts) world.views.push_back(view);
   }
   double least = medium.line.front().group_index;
-  for (const auto& line : medium.line) least = std::min(least, line.group_index);
+  double greatest = least;
+  for (const auto& line : medium.line) {
+    least = std::min(least, line.group_index);
+    greatest = std::max(greatest, line.group_index);
+  }
   world.least_group_index = T(least);
   const Reach reach = reach_of(scene, medium, gates, least);
   world.deepest = T(reach.deepest);
@@ -298,7 +305,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.reversal = {T(reversal_probability(scene.simulation.conversion_probability)),
                     T(directed_reversal), vec3_cast<T>(beam), Index<T>(medium.beam_lobe),
                     T(converts ? directed_scattering : 0.0)};
-  world.turns = beam.x == 0 && beam.y == 0;
+  // Only what is drawn about the beam depends on the direction that a turn changes.
+  world.turns = !converts || (beam.x == 0 && beam.y == 0);
   // What environments make of the angle that a turn changes is not known apart.
   world.turns_scattered = world.turns && !world.compares;
   const bool one_way = world.telescopes.size() == 1 && !world.telescopes.front().submerged;
@@ -307,11 +315,15 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.most_vertices = most_vertices;
   add_receivers(medium, world);
   for (Receiver<T>& receiver : world.receivers) {
+    const auto& telescope = scene.telescope[receiver.telescope];
     const double both = gates.last_path() - world.path_to_origin[receiver.telescope];
+    const double longest =
+        both + instrument::most_longer(telescope) * (telescope.position_m.z < 0 ? greatest : 1.0);
     receiver.last_path = T(both);
-    receiver.deadline = deadline_at_laser<T>(scene, both);
+    receiver.longest = T(longest);
+    receiver.deadline = deadline_at_laser<T>(scene, longest);
   }
-  world.deadlines = deadlines_at_telescopes<T>(scene, gates.last_path());
+  world.deadlines = deadlines_at_telescopes<T>(scene, gates.last_path(), greatest);
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
   world.key = scene.simulation.seed;

@@ -93,21 +93,65 @@ T detector_solid_angle(const Telescope<T>& telescope, const T& cos_off_axis) {
   return T(pi) * ratio * ratio * cos_off_axis * cos_off_axis * cos_off_axis;
 }
 
+/// Rays of a tilted lens that are flatter, by their cosine to the vertical, are not shifted: their
+/// ways would become longer by many of its radii.
+inline constexpr double flattest_shifted = 0.2;
+
 /// How far a ray from the lens may be shifted sideways, as an area: with directions chosen as
 /// outward() does for even points of lens and detector, and the lens' points evenly, rays of this
-/// direction are as dense on a horizontal plane as 1 over this [m^2]. 0 where the lens is tilted,
-/// since a shift would then change a ray's length too. `direction`: of the ray, either way; of
-/// narrow views its cosine to the axis has too few digits.
+/// direction are as dense on a horizontal plane as 1 over this [m^2]. `direction`: of the ray,
+/// either way; of narrow views its cosine to the axis has too few digits.
 template <class T>
 T shift_area(const Telescope<T>& telescope, const Vec3<T>& direction) {
   using std::abs;
   using std::sqrt;
-  if (!telescope.upright) return T(0);
   const T x = dot(direction, telescope.across);
   const T y = dot(direction, telescope.up);
   const T cosine = abs(dot(direction, telescope.axis));
   const T tangent = sqrt(x * x + y * y) / select(cosine > T(0), cosine, T(1));
-  return telescope.area() * telescope.overlap(T(0), tangent);
+  const T across_ray = telescope.area() * telescope.overlap(T(0), tangent);
+  if (telescope.upright) return across_ray;
+  const T steep = abs(direction.z);
+  const Mask<T> shifts = steep >= T(flattest_shifted);
+  return select(shifts, across_ray * cosine / select(shifts, steep, T(1)), T(0));
+}
+
+/// How a ray comes through the lens if all of its light's way beyond is shifted sideways: so far
+/// from where it did before; and how much longer its way from there is, along the ray.
+template <class T>
+struct LensShift {
+  PlanePoint<T> aside{};  ///< [m]
+  T longer{};             ///< [m]; 0 of an upright lens
+};
+/// `outward`: the ray's direction; the shift is by (x, y).
+template <class T>
+LensShift<T> lens_shift(const Telescope<T>& telescope, const Vec3<T>& outward, const T& x,
+                        const T& y) {
+  Vec3<T> shift{x, y, T(0)};
+  T longer(0);
+  if (!telescope.upright) {
+    longer = dot(shift, telescope.axis) / dot(outward, telescope.axis);
+    shift = shift - longer * outward;
+  }
+  return {{dot(shift, telescope.across), dot(shift, telescope.up)}, longer};
+}
+/// No shift makes a way longer or shorter by more than this [m].
+inline double most_longer(const scene::Telescope& telescope) {
+  return 2 / flattest_shifted * lens_rise(telescope);
+}
+
+/// Whether points of the lens are at several depths in the water.
+template <class T>
+bool is_aslant(const Telescope<T>& telescope) {
+  return telescope.submerged && !telescope.upright;
+}
+/// Whether walks from all points of the lens come to a depth, so that those which collide there
+/// first may be shifted.
+template <class T>
+Mask<T> all_points_reach(const Telescope<T>& telescope, const T& depth) {
+  using std::abs;
+  if (!is_aslant(telescope)) return Mask<T>(true);
+  return abs(depth + telescope.position.z) >= telescope.lens_rise;
 }
 
 /// Light that arrives at a point of the lens in a direction.

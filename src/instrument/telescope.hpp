@@ -35,6 +35,7 @@ struct Telescope {
   Vec3<T> across;    ///< with `up` the directions of the lens' plane: unit vectors, at right angles
   Vec3<T> up;
   T lens_radius{};  ///< [m]
+  T lens_rise{};    ///< by which its rim lies above and below its centre [m]
   T obstruction_radius{};
   T per_sharp_range{};  ///< 1 over the range that is seen sharp: 1 / f - 1 / x_d [1/m]
   T detector_radius{};
@@ -113,6 +114,12 @@ inline double widest_view(const scene::Telescope& s) {
   return cosine > 0.5 ? std::acos(cosine) : pi;
 }
 
+/// By how much the rim of its lens lies above and below the centre [m].
+inline double lens_rise(const scene::Telescope& s) {
+  const Vec3<double> axis = normalised(s.direction);
+  return s.diameter_m / 2 * std::hypot(axis.x, axis.y);
+}
+
 /// See ViewReach. At an angle v to the vertical the rise is at least cos v times the paraxial one,
 /// since 1 / sqrt(n^2 + (n^2 - 1) tan^2 v) >= cos v / n; the range along the axis is the rise times
 /// cos w / cos v, w being the angle to the axis.
@@ -155,6 +162,7 @@ Telescope<T> make_telescope(const scene::Telescope& s) {
   t.across = vec3_cast<T>(turned(axis, 1.0, 1.0, 0.0));
   t.up = vec3_cast<T>(turned(axis, 1.0, 0.0, 1.0));
   t.lens_radius = T(s.diameter_m / 2);
+  t.lens_rise = T(lens_rise(s));
   t.obstruction_radius = T(s.obstruction_diameter_m / 2);
   t.per_sharp_range = T(per_sharp_range(s));
   t.detector_radius = T(s.effective_detector_diameter_m() / 2);

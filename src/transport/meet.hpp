@@ -103,14 +103,24 @@ Span<T> common_span(const DepthLine<T>& laser, const DepthLine<T>& back, const T
   return {Mask<T>(to > from), from, to};
 }
 
-/// Where a telescope's walk comes through the lens if it is shifted to meet a ray at a depth.
+/// Where a telescope's walk comes through the lens if it is shifted to meet a ray at a depth, and
+/// how much longer its way becomes.
 template <class T>
 struct LensLine {
-  instrument::PlanePoint<T> at_surface{};  ///< for a meeting at the surface's level
-  instrument::PlanePoint<T> per_depth{};   ///< and how that moves per metre of depth
+  instrument::LensShift<T> at_surface;  ///< for a meeting at the surface's level
+  instrument::LensShift<T> per_depth;   ///< and how that changes per metre of depth
 
   instrument::PlanePoint<T> at(const T& depth) const {
-    return {at_surface.x + depth * per_depth.x, at_surface.y + depth * per_depth.y};
+    return {at_surface.aside.x + depth * per_depth.aside.x,
+            at_surface.aside.y + depth * per_depth.aside.y};
+  }
+  T longer_at(const T& depth) const { return at_surface.longer + depth * per_depth.longer; }
+
+  static constexpr std::size_t members = 6;
+  template <class F>
+  void each_member(F f) {
+    f(at_surface.aside.x), f(at_surface.aside.y), f(at_surface.longer);
+    f(per_depth.aside.x), f(per_depth.aside.y), f(per_depth.longer);
   }
 };
 
@@ -132,21 +142,32 @@ struct Chord {
   LensLine<T> lens;
 };
 
-/// `lens`: where the walk came through the lens; `last_path`: of both walks together [m].
+/// A telescope's walk at its lens.
 template <class T>
-Chord<T> chord(const DepthLine<T>& laser, const DepthLine<T>& back,
-               const instrument::Telescope<T>& telescope, const instrument::PlanePoint<T>& lens,
+struct AtLens {
+  instrument::PlanePoint<T> lens;  ///< where it came through
+  Vec3<T> outward;                 ///< in this direction
+  T index{1};                      ///< group index of what is before the lens
+};
+
+/// `last_path`: of both walks together [m].
+template <class T>
+Chord<T> chord(const DepthLine<T>& laser, DepthLine<T> back,
+               const instrument::Telescope<T>& telescope, const AtLens<T>& start,
                const T& last_path) {
   using std::sqrt;
-  const Vec3<T> slope{laser.x_per_depth - back.x_per_depth, laser.y_per_depth - back.y_per_depth,
-                      T(0)};
-  const Vec3<T> at_surface{laser.x - back.x, laser.y - back.y, T(0)};
-  const Span<T> span = common_span(laser, back, last_path);
   Chord<T> c;
-  const instrument::PlanePoint<T> at{lens.x + dot(at_surface, telescope.across),
-                                     lens.y + dot(at_surface, telescope.up)};
-  const instrument::PlanePoint<T> per_depth{dot(slope, telescope.across), dot(slope, telescope.up)};
-  c.lens = {at, per_depth};
+  c.lens = {lens_shift(telescope, start.outward, T(laser.x - back.x), T(laser.y - back.y)),
+            lens_shift(telescope, start.outward, T(laser.x_per_depth - back.x_per_depth),
+                       T(laser.y_per_depth - back.y_per_depth))};
+  c.lens.at_surface.aside = start.lens + c.lens.at_surface.aside;
+  if (!telescope.upright) {
+    back.path = back.path + start.index * c.lens.at_surface.longer;
+    back.path_per_depth = back.path_per_depth + start.index * c.lens.per_depth.longer;
+  }
+  const Span<T> span = common_span(laser, back, last_path);
+  const auto& at = c.lens.at_surface.aside;
+  const auto& per_depth = c.lens.per_depth.aside;
   const T squared = per_depth.x * per_depth.x + per_depth.y * per_depth.y;
   const Mask<T> moves = squared > T(1e-18);
   const T per_square = T(1) / select(moves, squared, T(1));

@@ -67,6 +67,28 @@ half_field_of_view_mrad = 10.0
           {shape(optics::henyey_greenstein(0.6))}, {forward_in_short, bidirectional});
 }
 
+/// A ship's lidar tilted by so many degrees.
+std::string tilted_ship(double degrees) {
+  const double angle = degrees * pi / 180;
+  const auto direction =
+      fmt::format("direction = [{}, 0.0, {}]\n", std::sin(angle), -std::cos(angle));
+  return "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, 12.0]\n" + direction +
+         "diameter_m = 0.04\nhalf_divergence_mrad = 2.0\n[[telescope]]\nposition_m = [0.0, 0.3, "
+         "12.0]\n" +
+         direction + "diameter_m = 0.40\nfocal_length_m = 2.0\nhalf_field_of_view_mrad = 30.0\n" +
+         channel("elastic") + water(0.03, 0.03, "{ model = \"henyey-greenstein\", g = 0.6 }") +
+         depth_gates(24, 2);
+}
+
+// Hardly tilted, as a pilot flies, and far more. Seen red: with the level area of the lens for that
+// across the ray, at 45 degrees.
+TEST(FirstOrder, ShiftsUnderALensTiltedBy0_01And15And45Degrees) {
+  for (const double degrees : {0.01, 15.0, 45.0}) {
+    SCOPED_TRACE(degrees);
+    compare(tilted_ship(degrees), {shape(optics::henyey_greenstein(0.6))}, {bidirectional});
+  }
+}
+
 // A beam that goes down at 45 degrees, seen from its side, from higher up at 20 degrees, and from
 // straight above: what a gate is called differs by metres. Seen red: with the depths of the first
 // telescope for all.

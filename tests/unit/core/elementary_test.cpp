@@ -18,6 +18,7 @@ TEST(ExpMinus, IsThatOfTheMathematicsLibrary) {
     ASSERT_NEAR(exp_minus(y) / exact, 1, 5e-16) << y;
     const auto f = static_cast<float>(std::min(y, 79.0));
     ASSERT_NEAR(exp_minus(f) / std::exp(-f), 1, 5e-7) << y;
+    ASSERT_NEAR(exp_minus(-f) / std::exp(f), 1, 5e-7) << -y;
   }
 }
 

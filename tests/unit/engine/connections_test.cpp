@@ -80,8 +80,22 @@ Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_v
     ++counts.connected;
   }
   for (std::int32_t i = 1; i <= path.order(); ++i) {
-    if (expected.meeting(i) == 0) continue;
-    EXPECT_NEAR(scores.meeting(i) / value, 1, 1e-10) << "meeting at " << i;
+    const Path other =
+        shifted_sideways(sea.world, path, {0.1 * std::sin(i), 0.1 * std::cos(3 * i), 0});
+    if (expected.meeting(i) == 0) {
+      if (most == most_vertices) {
+        EXPECT_EQ(scores.meeting(i, other), 0) << "meeting at " << i;
+      }
+      continue;
+    }
+    // Of a tilted lens in the water it comes as far as its first vertex so often, and counts so
+    // little.
+    const double drawn =
+        i == path.order()
+            ? 1
+            : expected.drawn_to_last_vertex() /
+                  Strategies(sea.world, sea.medium, samples, other, most).drawn_to_last_vertex();
+    EXPECT_NEAR(scores.meeting(i, other) / (drawn * value), 1, 1e-10) << "meeting at " << i;
     ++counts.met;
   }
   for (std::int32_t i = 1; i < path.pivot(); ++i) {
@@ -110,15 +124,14 @@ struct Place {
   const char* what;
   scene::Source source;
   scene::Telescope telescope;
-  bool shifts = true;  ///< the telescope is upright
   bool mirrored_out = false, mirrored_home = false;
 };
 
 std::vector<Place> above_water() {
   const V down{0, 0, -1};
-  return {{"upright", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, 10}, down)},
-          {"tilted", laser_at({0.5, 0, 8}, {0.1, 0, -1}), telescope_at({0, 0, 10}, {0.1, 0.2, -1}),
-           false}};
+  return {
+      {"upright", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, 10}, down)},
+      {"tilted", laser_at({0.5, 0, 8}, {0.1, 0, -1}), telescope_at({0, 0, 10}, {0.1, 0.2, -1})}};
 }
 
 /// In the water at 4 or 10 m, above or below the vertices; or one of both above it.
@@ -130,21 +143,18 @@ std::vector<Place> submerged() {
           {"laser up, telescope down", laser_at({0.5, 0, -10}, up), telescope_at({0, 0, -4}, down)},
           {"laser alone", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, 10}, down)},
           {"telescope alone", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, -4}, down)},
-          {"tilted", laser_at({0.5, 0, -4}, {0.1, 0, -1}), telescope_at({0, 0, -4}, {0, 0.1, -1}),
-           false}};
+          {"tilted", laser_at({0.5, 0, -4}, {0.1, 0, -1}), telescope_at({0, 0, -4}, {0, 0.1, -1})}};
 }
 
 /// The first edge, or the last, or both by way of the surface.
 std::vector<Place> looking_at_the_surface() {
   const V down{0, 0, -1};
   const V up{0, 0, 1};
-  return {
-      {"both", laser_at({0.5, 0, -4}, up), telescope_at({0, 0, -4.5}, up), true, true, true},
-      {"laser", laser_at({0.5, 0, -4}, up), telescope_at({0, 0, -4.5}, down), true, true, false},
-      {"telescope", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, -4.5}, up), true, false,
-       true},
-      {"tilted", laser_at({0.5, 0, -4}, {0.1, 0, 1}), telescope_at({0, 0, -4}, {0, 0.1, 1}), false,
-       true, true}};
+  return {{"both", laser_at({0.5, 0, -4}, up), telescope_at({0, 0, -4.5}, up), true, true},
+          {"laser", laser_at({0.5, 0, -4}, up), telescope_at({0, 0, -4.5}, down), true, false},
+          {"telescope", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, -4.5}, up), false, true},
+          {"tilted", laser_at({0.5, 0, -4}, {0.1, 0, 1}), telescope_at({0, 0, -4}, {0, 0.1, 1}),
+           true, true}};
 }
 
 // Of so many are lanes permuted. Seen red: with one less.
@@ -161,7 +171,8 @@ TEST(PairsOfRays, KnowHowManyMembersTheyHave) {
 // that are turned: without either edge or the meeting near the pivot, or what a turn does to them;
 // without the phase function's gain; with the pivot forgotten where a walk has one vertex alone;
 // with leaving for arriving in what leads aside. With the number of meetings in paths of one vertex
-// more, at each of the places that know it.
+// more, at each of the places that know it. And of tilted lenses: with the way from the lens as
+// long as before a shift, in time, in the spread of a first ray, in the edge behind a later one.
 TEST(Strategies, OfElasticLightAgree) {
   Random random(101);
   int met = 0, turns = 0;
@@ -172,16 +183,33 @@ TEST(Strategies, OfElasticLightAgree) {
       SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
       const auto counts = expect_same_of_all(sea, path);
       EXPECT_EQ(counts.connected, path.order() + 1);
-      EXPECT_TRUE(place.shifts || counts.met == 0);
       met += counts.met;
       turns += counts.turned;
     }
   }
-  EXPECT_GT(met, 100);
+  EXPECT_GT(met, 200);
   EXPECT_GT(turns, 50);
 }
 
-// Seen red: with the way from the fictitious vertex to the disc left out of the laser's spread.
+// Where nothing is drawn about the beam, walks are turned that look for a tilted one, too.
+TEST(Strategies, OfATiltedLaserInWaterThatConvertsNothingAgree) {
+  Random random(109);
+  int turns = 0;
+  const Place place = above_water()[1];
+  Sea sea(place.source, place.telescope);
+  sea.world.reversal.scattered = 0;
+  sea.world.turns_scattered = true;
+  for (int n = 0; n < 300; ++n) {
+    const auto path = random_path(random, 1 + n % 3, 1, n % 2 == 0 ? 4.9 : 25);
+    SCOPED_TRACE("path " + std::to_string(n));
+    turns += expect_same_of_all(sea, path).turned;
+  }
+  EXPECT_GT(turns, 30);
+}
+
+// Seen red: with the way from the fictitious vertex to the disc left out of the laser's spread. And
+// of tilted lenses: with a first ray that begins where it did before a shift; with the light as it
+// was; without what walks draw of the way, in edges, in meetings at its end or behind it.
 TEST(Strategies, InTheWaterAgree) {
   Random random(102);
   int met = 0;
@@ -200,7 +228,9 @@ TEST(Strategies, InTheWaterAgree) {
 
 // Connections need a straight edge or an instrument, meetings do not. Seen red: without the
 // meetings behind a mirrored way to an instrument; without those at such a way's vertex; with a
-// mirrored leg taken for a straight one; with no connection of a mirrored first edge.
+// mirrored leg taken for a straight one; with no connection of a mirrored first edge; with shifts
+// to last vertices between the levels of a tilted lens' points, at each of the places that know
+// them.
 TEST(Strategies, ByWayOfTheSurfaceAgree) {
   Random random(103);
   int met = 0;
@@ -210,6 +240,7 @@ TEST(Strategies, ByWayOfTheSurfaceAgree) {
       auto path = random_path(random, 3, 6, 20);
       path.mirrored[0] = place.mirrored_out;
       path.mirrored[3] = place.mirrored_home;
+      if (place.mirrored_home && n % 4 == 0) path.vertex[2].z = -4 + random.between(-0.02, 0.02);
       if (n % 2 == 1 && path.x(1 + n / 2 % 3).z > -12) {
         path.converted = 1 + n / 2 % 3;
         path.line = 1 + n / 6 % 2;

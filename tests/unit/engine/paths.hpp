@@ -69,6 +69,20 @@ inline transport::Way<double> way_to_lens(const World<double>& world, const Path
                 path.is_mirrored(path.order()));
 }
 
+/// The path shifted sideways, with the point of the lens' plane by which its last ray then comes.
+inline Path shifted_sideways(const World<double>& world, const Path& path, const V& shift) {
+  const auto& telescope = world.telescopes[0];
+  const V outward = -way_to_lens(world, path).arriving;
+  const V on_ray = in_space(telescope, path.lens) + shift;
+  const V at = on_ray + dot(telescope.position - on_ray, telescope.axis) /
+                            dot(outward, telescope.axis) * outward;
+  Path other = path;
+  for (V& x : other.vertex) x = x + shift;
+  other.lens = {dot(at - telescope.position, telescope.across),
+                dot(at - telescope.position, telescope.up)};
+  return other;
+}
+
 /// Writes a walk along given places as a WalkTaker would have drawn it.
 class Writer {
  public:
@@ -96,6 +110,8 @@ class Writer {
     photon_.weight *= world_.sea.collision_gain[here()];
     vertex_ = transport::vertex_on(world_.sea, ray_, walks.vertices(0) == 0, spread_, photon_, leg,
                                    walks.axis(0), samples_);
+    if (walks.from_telescope())
+      walks.keep_unshifted(world_.telescopes[0], 0, walks.vertices(0) == 0, vertex_);
     walks.add(true, 0, walks.vertices(0), vertex_);
   }
 

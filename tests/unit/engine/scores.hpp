@@ -44,7 +44,7 @@ class Scores {
         path_(path),
         window_(medium, length),
         tally_(window_.shape, window_.gates) {
-    receiver_ = {0, 0, world.telescope_layer[0], path.line, -1, 1e4};
+    receiver_ = {0, 0, world.telescope_layer[0], path.line, -1, 1e4, 1e4};
   }
 
   double connecting(std::int32_t edge) {
@@ -69,10 +69,11 @@ class Scores {
     return taken();
   }
 
-  double meeting(std::int32_t i) {
+  /// The telescope's walk is that of another path, which is shifted sideways.
+  double meeting(std::int32_t i, const Path& other) {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
     const double number = grid.number(-path_.x(i).z, path_.order());
-    const auto back = telescope_walk(world_, samples_, path_, path_.order() - i, true,
+    const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true,
                                      number - std::floor(number));
     Connections<double>(world_, receiver_, samples_, laser, back, tally_)
         .meetings(0, 1, 0, Moves::shifts);

@@ -52,7 +52,9 @@ struct Strategies {
   /// The same of meeting at vertex i.
   [[nodiscard]] double meeting(std::int32_t i) const {
     const double steep = -at(i - 1).arriving.z * at(i).leaving.z;
-    if (steep <= 0) return 0;
+    const double last = -path.x(path.order()).z;
+    const bool shifts = i == path.order() || all_points_reach(world.telescopes[0], last);
+    if (steep <= 0 || !shifts) return 0;
     return samples.meetings(path.order()) * shift_area * steep * drawn_but(i);
   }
   /// Whether telescopes' walks may be turned about the pivot.
@@ -77,6 +79,9 @@ struct Strategies {
     const std::int32_t k = path.order();
     return path.line > 0 ? 1 : (1 - share) * phase(k) + share * lobe(k);
   }
+  /// The density with which a telescope's walk in the water comes as far as its first vertex, but
+  /// for what no shift changes.
+  [[nodiscard]] double drawn_to_last_vertex() const { return std::exp(-edge.back().walk_tau); }
   /// What each strategy gives.
   [[nodiscard]] double value() const {
     double sum = 0;

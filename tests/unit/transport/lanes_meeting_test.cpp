@@ -208,13 +208,16 @@ TEST(LanesOf, ChordAndMeet) {
       depth[i] = random.between(0, 39);
       layer[i] = sea.layer_at(depth[i]);
     }
-    const auto lens =
-        four([&] { return lens_point(telescope, random.uniform(), random.uniform()); });
+    const auto start = four([&] {
+      const auto slope = instrument::ring_point(0.0, 0.5, random.uniform(), random.uniform());
+      return AtLens<double>{lens_point(telescope, random.uniform(), random.uniform()),
+                            outward(telescope, slope), random.between(1, 1.4)};
+    });
     const auto laser4 = pack_fields<Ray>(laser);
     const auto back4 = pack_fields<Ray>(back);
-    const auto chord4 = chord(
-        depth_line(sea.view(), laser4, Lanes4(40)), depth_line(sea.view(), back4, Lanes4(40)),
-        instrument::make_telescope<Lanes4>(scene), pack_fields<PlanePoint>(lens), Lanes4(250));
+    const auto chord4 =
+        chord(depth_line(sea.view(), laser4, Lanes4(40)), depth_line(sea.view(), back4, Lanes4(40)),
+              instrument::make_telescope<Lanes4>(scene), pack_fields<AtLens>(start), Lanes4(250));
     const auto first = four([&] { return random.chance(0.5); });
     const auto last = four([&] { return random.chance(0.5); });
     const auto spread = four([&] {
@@ -231,7 +234,7 @@ TEST(LanesOf, ChordAndMeet) {
         pack_fields<Freedom>(freedom), in_all_lanes(reversal), in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto c = chord(depth_line(sea.view(), laser[i], 40.0),
-                           depth_line(sea.view(), back[i], 40.0), telescope, lens[i], 250.0);
+                           depth_line(sea.view(), back[i], 40.0), telescope, start[i], 250.0);
       expect_same_fields(chord4, i, c);
       exists += c.exists;
       // A meeting is promised ahead of both rays alone, none of them level.

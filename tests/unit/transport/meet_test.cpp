@@ -95,14 +95,26 @@ TEST(DepthLines, AreTheRays) {
   EXPECT_GT(images, 300);
 }
 
+/// Where the telescope's walk comes through the lens' plane if it is shifted to meet the other at a
+/// depth, and how much longer its way from there is.
+instrument::LensShift<double> shifted_to(const Pair& pair,
+                                         const instrument::Telescope<double>& telescope,
+                                         const AtLens<double>& start, double depth) {
+  V shift = pair.laser.position + reach(pair.laser, depth) * pair.laser.direction -
+            pair.back.position - reach(pair.back, depth) * pair.back.direction;
+  shift.z = 0;  // but for rounding
+  const V ray_through = in_space(telescope, start.lens) + shift;
+  // Along the ray to the plane (x - centre) . axis = 0.
+  const double along =
+      dot(telescope.position - ray_through, telescope.axis) / dot(start.outward, telescope.axis);
+  const V from_centre = ray_through + along * start.outward - telescope.position;
+  return {{dot(from_centre, telescope.across), dot(from_centre, telescope.up)}, -along};
+}
+
 /// Whether light turns back up or down where rays meet at a depth if the telescope's walk is
-/// shifted so that it still comes through the lens' rim; and where it does.
+/// shifted so that it still comes through the lens' rim.
 bool can_meet(const Pair& pair, const instrument::Telescope<double>& telescope,
-              const instrument::PlanePoint<double>& lens, double depth,
-              instrument::PlanePoint<double>& shifted) {
-  const V shift = pair.laser.position + reach(pair.laser, depth) * pair.laser.direction -
-                  pair.back.position - reach(pair.back, depth) * pair.back.direction;
-  shifted = {lens.x + dot(shift, telescope.across), lens.y + dot(shift, telescope.up)};
+              const instrument::PlanePoint<double>& shifted, double depth) {
   return pair.laser.direction.z * pair.back.direction.z > 0 && reach(pair.laser, depth) > 0 &&
          reach(pair.back, depth) > 0 && std::hypot(shifted.x, shifted.y) < telescope.lens_radius;
 }
@@ -110,18 +122,21 @@ bool can_meet(const Pair& pair, const instrument::Telescope<double>& telescope,
 // Seen red: with images of the laser's rays that meet others above the surface; with rays that go
 // different ways; with rays beyond the upper one's beginning; with
 // depths above the lower; with the middle mirrored in the surface; with one division by the square
-// missing; with the lens' rim asked of parallel rays.
+// missing; with the lens' rim asked of parallel rays; and of tilted lenses with the way as long as
+// before, with its group index left out, with the shift taken for one within the lens' plane.
 TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
   Random random(502);
-  int exists = 0, inside = 0, outside = 0, parallel = 0, late = 0;
+  int exists = 0, inside = 0, outside = 0, parallel = 0, late = 0, tilted = 0;
   for (int n = 0; n < 20000; ++n) {
     auto scene = instrument::random_telescope(random);
-    scene.direction = {0, 0, random.chance(0.5) ? 1.0 : -1.0};
+    if (random.chance(0.5)) scene.direction = {0, 0, random.chance(0.5) ? 1.0 : -1.0};
     const auto telescope = instrument::make_telescope<double>(scene);
-    const auto lens = lens_point(telescope, random.uniform(), random.uniform());
+    const auto slope = instrument::ring_point(0.0, 0.5, random.uniform(), random.uniform());
+    const AtLens<double> start{lens_point(telescope, random.uniform(), random.uniform()),
+                               outward(telescope, slope), random.between(1, 1.4)};
     const Pair pair = random_pair(telescope, random);
     const double last_path = random.between(20, 160);
-    const auto c = chord(line_of(pair.laser), line_of(pair.back), telescope, lens, last_path);
+    const auto c = chord(line_of(pair.laser), line_of(pair.back), telescope, start, last_path);
     const bool may = turns_back(pair.laser, pair.back);
     exists += may && c.exists;
     if (c.exists) {
@@ -134,9 +149,9 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
                                                   : random.between(0, deepest);
       if (depth < 0 || depth > deepest) continue;
       if (std::abs(depth - c.from) < 1e-8 || std::abs(depth - c.to) < 1e-8) continue;
-      instrument::PlanePoint<double> shifted{};
-      const bool can = can_meet(pair, telescope, lens, depth, shifted);
-      const bool meets = can && path_to(pair, depth) < last_path;
+      const auto [shifted, longer] = shifted_to(pair, telescope, start, depth);
+      const bool can = can_meet(pair, telescope, shifted, depth);
+      const bool meets = can && path_to(pair, depth) + start.index * longer < last_path;
       late += can && !meets;
       ASSERT_EQ(meets, may && c.exists && depth > c.from && depth < c.to) << n << " " << depth;
       if (!meets) {
@@ -146,6 +161,8 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
       ++inside;
       ASSERT_NEAR(c.lens.at(depth).x, shifted.x, 1e-7);
       ASSERT_NEAR(c.lens.at(depth).y, shifted.y, 1e-7);
+      ASSERT_NEAR(c.lens.longer_at(depth), longer, 1e-7);
+      tilted += !telescope.upright;
     }
   }
   EXPECT_GT(exists, 2000);
@@ -153,6 +170,7 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
   EXPECT_GT(late, 2000);
   EXPECT_GT(inside, 10000);
   EXPECT_GT(outside, 10000);
+  EXPECT_GT(tilted, 3000);
 }
 
 /// How far a ray's place at a depth is from a vertical, squared.
