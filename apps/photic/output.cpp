@@ -169,12 +169,12 @@ std::string plot_hint(const Call& call, const std::string& file) {
   return "Plot it:  " + call.command({"plot", as_file(file), "-o", as_file(picture)}) + '\n';
 }
 
-bool write_new_file(const std::string& path, std::string_view text) {
+bool write_new_file(const std::string& path, std::string_view text, std::string_view advice) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wx"),
                                                              &std::fclose);
   if (!file && errno == EEXIST) {
     if (holds(path, text)) return false;
-    throw UsageError(path + ": exists already and was left as it is (choose another name with -o)");
+    throw UsageError(fmt::format("{}: exists already and was left as it is ({})", path, advice));
   }
   if (!file) fail("cannot write " + path);
   const bool written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();

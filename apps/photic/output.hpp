@@ -63,7 +63,7 @@ std::string go_on_command(const Call& call, const std::string& earlier, const st
 std::string plot_hint(const Call& call, const std::string& file);
 
 /// Writes a file that must not exist yet; false if it does, with this very text. Throws UsageError
-/// if it holds anything else, EnvironmentError on failure.
-bool write_new_file(const std::string& path, std::string_view text);
+/// if it holds anything else, with what to do about it, EnvironmentError on failure.
+bool write_new_file(const std::string& path, std::string_view text, std::string_view advice);
 
 }  // namespace photic::app

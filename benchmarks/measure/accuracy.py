@@ -10,7 +10,7 @@ from measure.kinds import Measurement, Row, number, percent, within
 from measure.program import ROOT, Failed
 
 BOTH = ("forward", "bidirectional")
-SCENES = ("ship", "tilted", "submerged", "three-layers")
+SCENES = ("ship", "ship-tilted", "rov", "three-layers")
 
 
 def estimator(name):
@@ -57,7 +57,7 @@ def rows_lidar_equation(raw):
 
 # --- the two estimators against each other ---
 
-PHOTONS = {"ship": (4e6, 2e5), "tilted": (4e6, 4e5), "submerged": (8e6, 8e5), "three-layers": (2e6, 1e5)}
+PHOTONS = {"ship": (4e6, 2e5), "ship-tilted": (4e6, 4e5), "rov": (8e6, 4e5), "three-layers": (2e6, 1e5)}
 RMS = (0.75, 1.25)
 
 

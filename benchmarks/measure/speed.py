@@ -29,8 +29,8 @@ TARGETS = {
     "ship lidar, three channels": (SHIP, *TO_40_M),
     "peaked water": (PEAKED, *TO_40_M),
     "Henyey-Greenstein water": ("scenes/benchmark-hg.toml", *TO_40_M),
-    "tilted by 30 degrees": ("scenes/tilted.toml",),
-    "submerged": ("scenes/submerged.toml",),
+    "ship-tilted": ("scenes/ship-tilted.toml",),
+    "rov": ("scenes/rov.toml",),
     "three layers, two telescopes": ("scenes/three-layers.toml", *TO_40_M),
     "peaked water, tilted by 15 degrees": (PEAKED, *TO_40_M, *TILTED),
 }
@@ -246,8 +246,8 @@ def rows_files(raw):
 SAME_PHOTONS = "CPU time of whole runs of the same photons on one thread, the least of several in turn."
 MEASUREMENTS = [
     Measurement(
-        "time-to-target", "Time to 2 %", "How long until every gate to 40 m is known to 2 % (tilted by 30 degrees: to the last "
-        "of the scene's own gates).",
+        "time-to-target", "Time to 2 %", "How long until every gate to 40 m is known to 2 % (ship-tilted and rov: to the last "
+        "of their own gates).",
         "The whole command on all cores, estimator chosen by itself. A run that its limit of time ends tells how many gates were known "
         "by then, of those that light reaches.",
         measure_target, rows_target,

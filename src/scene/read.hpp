@@ -54,6 +54,12 @@ std::string scene_schema(const std::string& version);
 /// them.
 std::string starter_scene(const std::string& kind);
 
+/// A file that a starter scene reads from its own folder.
+struct StarterFile {
+  std::string name, text;
+};
+std::vector<StarterFile> starter_files(const std::string& kind);
+
 /// The kinds there are, each with the first line of its scene: one sentence.
 struct StarterKind {
   std::string kind, summary;

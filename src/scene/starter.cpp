@@ -17,6 +17,13 @@ std::string starter_scene(const std::string& kind) {
                      suggestion_for(kind, kinds, "choose from")}});
 }
 
+std::vector<StarterFile> starter_files(const std::string& kind) {
+  std::vector<StarterFile> files;
+  const auto [first, last] = all_starter_files().equal_range(kind);
+  for (auto it = first; it != last; ++it) files.push_back(it->second);
+  return files;
+}
+
 std::vector<StarterKind> starter_kinds() {
   std::vector<StarterKind> kinds;
   for (const StarterScene& starter : starter_scenes()) {

@@ -1,8 +1,11 @@
-// The commented scenes that are built into the program.
+// The commented scenes that are built into the program, and the files that they read.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
+
+#include "scene/read.hpp"
 
 namespace photic::scene {
 
@@ -12,5 +15,8 @@ struct StarterScene {
 };
 
 const std::vector<StarterScene>& starter_scenes();
+
+/// By the kind of the scene that reads them.
+const std::multimap<std::string, StarterFile>& all_starter_files();
 
 }  // namespace photic::scene

@@ -1,21 +1,24 @@
 """photic new."""
 
+import re
 import shutil
 import subprocess
 
+import netCDF4
 import pytest
 from conftest import SOURCE
 
 KINDS = sorted(path.stem for path in (SOURCE / "scenes").glob("*.toml"))
+PROFILE = (SOURCE / "scenes/argo-profile.csv").read_text()
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_scene_is_a_starter_and_a_good_one(photic, tmp_path, kind):
-    done = photic("new", kind)
-    assert (done.returncode, done.stderr) == (0, "")
-    (tmp_path / "mine.toml").write_text(done.stdout)
+    assert photic("new", kind, "-o", "mine.toml").returncode == 0
     check = photic("check", "mine.toml")
     assert (check.returncode, check.stdout, check.stderr) == (0, "mine.toml: no problems\n", "")
+    done = photic("new", kind)
+    assert done.returncode == 0
     first, rest = done.stdout.split("\n", 1)
     assert rest == (SOURCE / f"scenes/{kind}.toml").read_text()
     # The build has a schema, beside its copies of the scenes.
@@ -24,13 +27,59 @@ def test_every_scene_is_a_starter_and_a_good_one(photic, tmp_path, kind):
         assert schema.read() == photic("schema").stdout
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_scene_runs_as_its_comments_say(photic, tmp_path, kind):
+    """For two seconds: experiments/instruments.py runs them whole."""
+    # Seen red: with 'rov.nc' in the comment of airborne.toml; with the profile's path wrong in argo.toml.
+    assert photic("new", kind, "-o", f"{kind}.toml").returncode == 0
+    commands = re.findall(r"^#   photic (\w+) (\S+) ", (tmp_path / f"{kind}.toml").read_text(), re.MULTILINE)
+    assert kind.startswith("benchmark") or {word for word, _ in commands} >= {"run"}
+    assert all(name == f"{kind}.toml" for _, name in commands), commands
+    done = photic("run", f"{kind}.toml", "--max-time", "2s", "--photons", "1e9", "--target", "50%")
+    assert (done.returncode, done.stderr) == (0, "")
+    with netCDF4.Dataset(tmp_path / f"{kind}.nc") as result:
+        assert result["echo"][:].sum(axis=-1).min() > 0, "a channel that no light reaches"
+    echoes_go_to = re.findall(r"the echoes go to (\S+)", (tmp_path / f"{kind}.toml").read_text())
+    assert echoes_go_to in ([], [f"{kind}.nc"])
+
+
+def test_a_file_that_a_scene_reads_comes_along(photic, tmp_path, program):
+    # Seen red: with the files written to the current folder.
+    (tmp_path / "there").mkdir()
+    done = photic("new", "argo", "-o", "there/mine.toml")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == (
+        "there/argo-profile.csv: written\n"
+        f"there/mine.toml: written; check it with: {program} check there/mine.toml\n"
+    )
+    assert (tmp_path / "there/argo-profile.csv").read_text() == PROFILE
+    assert photic("new", "argo", "-o", "there/mine.toml").stdout.startswith("there/argo-profile.csv: is there already\n")
+
+
+def test_a_file_of_that_name_stays_as_it_is(photic, tmp_path):
+    # Seen red: with the scene written first.
+    (tmp_path / "argo-profile.csv").write_text("precious")
+    done = photic("new", "argo", "-o", "mine.toml")
+    assert done.returncode == 2
+    assert done.stderr == "argo-profile.csv: exists already and was left as it is (choose another folder with -o)\n"
+    assert (tmp_path / "argo-profile.csv").read_text() == "precious"
+    assert not (tmp_path / "mine.toml").exists()
+
+
+def test_a_scene_on_standard_output_tells_of_the_file_that_it_reads(photic, tmp_path):
+    done = photic("new", "argo")
+    assert done.stderr == "the scene reads argo-profile.csv: photic new argo -o FILE writes both\n"
+    assert photic("new", "ship").stderr == ""
+    assert not list(tmp_path.iterdir())
+
+
 def test_the_list(photic):
     done = photic("new", "--list")
     assert (done.returncode, done.stderr) == (0, "")
     lines = dict(line.split(": ", 1) for line in done.stdout.splitlines())
     assert sorted(lines) == KINDS
     assert done.stdout.startswith("ship: ")
-    assert lines["submerged"].startswith("A lidar on a remotely operated vehicle 5 m below the surface")
+    assert lines["rov"].startswith("A lidar on a remotely operated vehicle 3 m below the surface")
 
 
 def test_a_program_alone_writes_no_line_for_editors(program, tmp_path):
