@@ -83,7 +83,7 @@ def test_python_and_the_program_know_one_version(prefix, call):
 
 def test_what_else_is_there(prefix):
     for file in [
-        "share/photic/scenes/ship.toml", "share/photic/data/README.md", "share/doc/photic/LICENSE",
+        "share/photic/scenes/ship.toml", "share/photic/scenes/argo-profile.csv", "share/photic/data/README.md", "share/doc/photic/LICENSE",
         "share/bash-completion/completions/photic", "share/zsh/site-functions/_photic",
         "share/fish/vendor_completions.d/photic.fish", "share/man/man1/photic.1",
     ]:
