@@ -4,6 +4,7 @@ import math
 import os
 
 from measure.accuracy import BOTH, estimator, isas_here
+from measure.instruments import TARGET, gates_of
 from measure.kinds import Measurement, Row, number
 from measure.program import Failed
 
@@ -21,7 +22,6 @@ def least_of(runner, rounds, key, runs):
 
 # --- how long until an echo is known ---
 
-TARGET = 0.02
 TO_40_M = ("--set", "gates.depth_max_m=40")
 AXIS = "[0.25881904510252074, 0.0, -0.9659258262890683]"
 TILTED = ("--set", f"source.direction={AXIS}", "--set", f"telescope.0.direction={AXIS}")
@@ -41,10 +41,8 @@ def measure_target(runner):
     out = {"limit": limit}
     for name, scene in TARGETS.items():
         result = runner.timed("run", *scene, "--target", "2%", "--photons", "1e9", "--max-time", limit)
-        lit = [row for row in result["echoes"] if row["reasons"] != ["no_score"]]
-        known = [row for row in lit if row["converged"] and row["relative_error"] <= TARGET]
         kept = {key: result[key] for key in ("wall_s", "cpu_s", "stopped_by", "estimator", "photons")}
-        out[name] = kept | {"gates": len(lit), "known": len(known)}
+        out[name] = kept | gates_of(result, TARGET)
     return out
 
 

@@ -15,7 +15,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks"))
 
-from measure import accuracy, coverage, intervals, pages, program, speed, stamp  # noqa: E402
+from measure import accuracy, coverage, instruments, intervals, pages, program, speed, stamp  # noqa: E402
 
 RESULTS = json.loads((ROOT / "benchmarks/measured.json").read_text())
 README = (ROOT / "README.md").read_text()
@@ -161,6 +161,40 @@ def test_the_slowest_scene():
 
     assert speed.slowest({"limit": "60s", "a": one(10, 3.0), "b": one(10, 9.0), "c": one(10, 5.0)})[0] == "b"
     assert speed.slowest({"limit": "60s", "a": one(10, 3.0), "b": one(8, 60.0), "c": one(3, 60.0)})[0] == "c"
+
+
+def test_scenes_in_multiples_of_a_yardstick():
+    # Seen red: with the mean for the median; with runs that time ended counted as reached.
+    def runs(*times):
+        ends = {True: {"stopped_by": "target", "known": 8}, False: {"stopped_by": "time", "known": 7}}
+        return [{"cpu_s": abs(t), "estimator": "forward", "gates": 9, **ends[t > 0]} for t in times]
+
+    raw = {"yardstick": runs(1, 2, 6), "scenes": {"a": runs(8, 1, 40), "b": runs(-80, 6, 7), "c": runs(-80, 6, -80)}}
+    told = {row.what: row.measured for row in instruments.rows_costs(raw)}
+    assert told["a"] == "4 R (0.5, 4, 20); 8 of 9 gates; forward"
+    assert told["b"] == "3.5 R (3, 3.5, not reached); 7 of 9 gates; forward"
+    assert told["c"] == "not reached; 7 of 9 gates; forward"
+    assert told["R"] == "2.00 s of CPU, the median of 3 runs from 1.00 to 6.00 s"
+
+
+def test_scenes_are_measured_each_after_the_yardstick():
+    # Seen red: with the yardstick measured once; without the cut at 40 m; with gates counted that light does not reach.
+    runner = program.Runner(program.find_program(), reduced=True)
+    raw = instruments.measure_costs(runner, ["minimal"])
+    peaked, minimal = ([c for c in runner.commands if f"scenes/{scene}.toml" in c] for scene in ("benchmark-peaked", "minimal"))
+    assert runner.commands == [command for pair in zip(peaked, minimal) for command in pair]
+    assert len(peaked) == 3 and all("gates.depth_max_m=40 " in command for command in peaked)
+    assert not any("depth_max_m" in command for command in minimal)
+    assert [one["stopped_by"] for one in raw["scenes"]["minimal"]] == ["target"] * 3
+    assert [row.what for row in instruments.rows_costs(raw)] == ["R", "minimal"]
+
+    [row] = instruments.rows_first_runs(instruments.measure_first_runs(runner, ["minimal"]))
+    told = r"\d+\.\d s, by (target|time); \d+ of 15 gates converged, \d+ at the target; flags: .*; (forward|bidirectional)"
+    assert re.fullmatch(told, row.measured)
+
+    known = {"reasons": [], "converged": True, "relative_error": 0.01}
+    dark = {"reasons": ["no_score"], "converged": False, "relative_error": 0}
+    assert instruments.gates_of({"echoes": [known, dark]}, 0.02) == {"gates": 1, "known": 1}
 
 
 def test_commands_of_many_seeds_are_one_line():
