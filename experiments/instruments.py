@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """What the scenes of scenes/ cost in multiples of R, the CPU time of peaked water to 40 m.
 
-    experiments/instruments.py                        # all of them: most of an hour on an idle machine
+    experiments/instruments.py                        # all of them
     experiments/instruments.py rov spaceborne         # some
     experiments/instruments.py --whole                # each as it is, on two threads: time, gates, flags
     experiments/instruments.py -o instruments.json    # the raw numbers as well
