@@ -25,10 +25,13 @@ from measure.stamp import stamp  # noqa: E402
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scene", nargs="*", choices=[*instruments.scenes(), []], metavar="SCENE", help="default: all")
+    parser.add_argument("scene", nargs="*", metavar="SCENE", help=f"default: all ({', '.join(instruments.scenes())})")
     parser.add_argument("--whole", action="store_true", help="as a user runs it: two threads, its own target and limit")
     parser.add_argument("-o", "--output", type=Path, help="a JSON file for the raw numbers")
     asked = parser.parse_args()
+    for scene in asked.scene:
+        if scene not in instruments.scenes():
+            parser.error(f"there is no scenes/{scene}.toml (choose from: {', '.join(instruments.scenes())})")
     costs, first_runs = instruments.MEASUREMENTS
     measurement = first_runs if asked.whole else costs
     try:
