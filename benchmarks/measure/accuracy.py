@@ -57,7 +57,7 @@ def rows_lidar_equation(raw):
 
 # --- the two estimators against each other ---
 
-PHOTONS = {"ship": (4e6, 2e5), "ship-tilted": (4e6, 4e5), "rov": (8e6, 4e5), "three-layers": (2e6, 1e5)}
+PHOTONS = {"ship": (4e6, 2e5), "ship-tilted": (4e6, 4e5), "rov": (3e7, 4e5), "three-layers": (2e6, 1e5)}
 RMS = (0.75, 1.25)
 
 
