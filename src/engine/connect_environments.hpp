@@ -70,7 +70,8 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const Pair<T>& pair, const
   pass(home);
   if (telescope_.submerged && !telescope_.upright) {
     const Index<T>& at = receiver_.layer;
-    completion_.pass(sea_, {back_.line(pair.ends.back), at, T(0), at, T(0), moved.longer});
+    const T longer = select(pair.ends.m == Index<T>(0), T(0), moved.longer);
+    completion_.pass(sea_, {back_.line(pair.ends.back), at, T(0), at, T(0), longer});
   }
   completion_.collide(sea_, {out.line, layer, home.line > Index<T>(0), home.line,
                              one_minus_cos(out.direction, -home.direction)});

@@ -81,23 +81,29 @@ template <class T>
 void Connections<T>::shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
                            const Line& home, const transport::AtLens<T>& start) {
   if (!any(mask)) return;
+  const T& last_path = receiver_.last_path;
   const auto chord =
-      transport::chord(out, shiftable(home, ends.m), telescope_, start, receiver_.last_path);
+      is_aslant(telescope_)
+          ? transport::chord(out, shiftable(home, ends.m), telescope_, start, last_path)
+          : transport::chord(out, home, telescope_, start, last_path);
   const Mask<T> meet = mask & chord.exists;
   if (any(meet))
     chords_.admit(meet, ends, [this](const auto& e, const auto& all) { serve_chords(e, all); });
 }
 
-/// A telescope's walk that is shifted to meet a ray at a depth, and comes through the lens there.
+/// A telescope's walk that is shifted so that it comes through another point of the lens.
 template <class T>
-Moved<T> Connections<T>::shifted(const Pair<T>& pair, const instrument::PlanePoint<T>& lens,
-                                 const T& depth) const {
+Moved<T> Connections<T>::shifted(const Pair<T>& pair, const instrument::PlanePoint<T>& lens) const {
   Moved<T> moved{pair.back, pair.axis()};
-  Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, pair.outset.lens);
+  const auto& outset = pair.outset;
+  Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, outset.lens);
   if (!telescope_.upright) {
-    const T longer = pair.lens.longer_at(depth);
-    shift = shift + longer * pair.outset.outward;
-    lengthen(pair, longer, moved);
+    moved.longer = longer_by_shift(telescope_, outset.outward, lens + T(-1) * outset.lens);
+    shift = shift + moved.longer * outset.outward;
+    if (telescope_.submerged) {  // there a first ray begins at the lens
+      const T begins = select(pair.ends.m == Index<T>(0), moved.longer, T(0));
+      moved.ray.position = pair.back.position - begins * pair.back.direction;
+    }
   }
   moved.axis.x = moved.axis.x + shift.x;
   moved.axis.y = moved.axis.y + shift.y;
@@ -129,25 +135,24 @@ HomeWay<T> Connections<T>::home_way(const Outset<T>& outset, const Index<T>& bac
 
 /// The way from a tilted lens becomes longer, or shorter. That changes when light is there; in the
 /// water also how much of it is, and how likely walks go so far; and n h / g of connecting this way
-/// and of meeting at its end, which rays behind it keep. In the water a first ray itself begins
-/// elsewhere.
+/// and of meeting at its end, which rays behind it keep.
 template <class T>
-void Connections<T>::lengthen(const Pair<T>& pair, T longer, Moved<T>& moved) const {
+PHOTIC_APART HomeSide<T> Connections<T>::lengthened(const Pair<T>& pair, T longer,
+                                                    transport::Side<T> side) const {
   const auto& ends = pair.ends;
   const Index<T> line = back_.line(ends.back);
   const Index<T> here = sea_.at(line, receiver_.layer);
   const Mask<T> first = ends.m == Index<T>(0);
+  HomeSide<T> home{side};
   T growth(1);  // of what walks draw along it
   if (telescope_.submerged) {
-    const T begins = select(first, longer, T(0));
-    longer = longer - begins;
-    moved.ray.position = pair.back.position - begins * pair.back.direction;
-    moved.gain = exp_minus(longer * gather<T>(sea_.c.first, here));
+    longer = select(first, T(0), longer);  // first rays have been moved
+    home.gain = exp_minus(longer * gather<T>(sea_.c.first, here));
     growth = exp_minus(-longer / gather<T>(sea_.walk_mean_path, here));
   }
-  moved.longer = longer;
-  moved.ray.path = pair.back.path + longer * at_lens(pair.outset, line).index;
-  if (all(first)) return;
+  home.side.ray.path = side.ray.path + longer * at_lens(pair.outset, line).index;
+  home.side.spread.before = side.spread.before + longer;
+  if (all(first)) return home;
   const HomeWay<T> way = home_way(pair.outset, ends.back);
   const auto area = [&](const T& more) {
     auto spread = pair.outset.spread;
@@ -160,10 +165,13 @@ void Connections<T>::lengthen(const Pair<T>& pair, T longer, Moved<T>& moved) co
   const auto near = back_.near_first(ends.back, ends.m, in_path, shifts_here);
   const T of_edge = growth * area(longer) / area(T(0)) - T(1);
   const T of_meeting = growth - T(1);
-  moved.behind = select(first, T(0), of_edge * near.home_edge + of_meeting * near.meeting);
-  moved.meeting = select(
-      (ends.m == Index<T>(1)) & in_path.meeting(in_path.order),
-      of_meeting * shifts_here * transport::turning(pair.back.meeting, pair.back.left_z()), T(0));
+  const T behind = of_edge * near.home_edge + of_meeting * near.meeting;
+  home.side.behind = side.behind + select(first, T(0), behind);
+  const Mask<T> leaves_first = (ends.m == Index<T>(1)) & in_path.meeting(in_path.order);
+  const T meeting =
+      of_meeting * shifts_here * transport::turning(pair.back.meeting, pair.back.left_z());
+  home.side.last = side.last + select(leaves_first, meeting, T(0));
+  return home;
 }
 
 /// Rays that meet where both are as far from an axis.
@@ -215,7 +223,7 @@ PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const M
     const Mask<T> passes = points & open_at(telescope_, lens) &
                            sight(telescope_, lens, -pair.outset.outward).on_detector;
     if (!any(passes)) return;
-    const auto moved = shifted(pair, lens, depth);
+    const auto moved = shifted(pair, lens);
     meet_at(pair, passes & can_meet(pair, moved.ray, depth), moved, depth);
   };
   each_number(mask, grid.number(chord.from, ends.order()) - pairs.outset.grid_offset,
@@ -227,9 +235,8 @@ PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Crossing<T>& crossing,
                                                     const Mask<T>& mask) {
   Pair<T> pair = pair_of(crossing);
   const auto turn = transport::turn_to_meet(pair.out, pair.back, pair.axis(), crossing.depth);
-  const auto [gain, behind] = turn_pivot(pair, turn);
-  Moved<T> moved{pair.back, pair.axis(), gain};
-  moved.behind = behind;
+  const auto [gain, near_pivot] = turn_pivot(pair, turn);
+  Moved<T> moved{pair.back, pair.axis(), gain, near_pivot};
   moved.ray.position = turn.of_place(pair.back.position);
   moved.ray.direction = turn.of_direction(pair.back.direction);
   meet_at(pair, mask, moved, crossing.depth);
@@ -272,26 +279,27 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Mov
   if (!any(emitting)) return;
   const T reach = (-out.position.z - depth) / out.direction.z;
   const auto in_path = usable(ends.order());
-  const T last = select(ends.m > Index<T>(0), last_depth(ends.back), depth);
   const T shifts_last = shifts(in_path.order, outset.shift_area);
-  const T shifts = shifts_before(last, shifts_last);
-  transport::Freedom<T> freedom{shifts, select(is_pivot(moved.ray.line, ends.m),
-                                               axis_at(out.position + reach * out.direction,
-                                                       moved.ray.direction, out.direction),
-                                               moved.axis)};
+  transport::Freedom<T> freedom{shifts_last, select(is_pivot(moved.ray.line, ends.m),
+                                                    axis_at(out.position + reach * out.direction,
+                                                            moved.ray.direction, out.direction),
+                                                    moved.axis)};
+  const auto last = [&] { return select(ends.m > Index<T>(0), last_depth(ends.back), depth); };
+  const bool aslant = is_aslant(telescope_);
+  if (aslant) freedom = freedom_before(last(), freedom);
   const auto laser = laser_.side(out, pair.spread, ends.laser, ends.i, in_path, freedom);
-  auto home =
-      back_.side(pair.back, outset.spread, ends.back, ends.m, in_path, {shifts_last, pair.axis()});
-  home.ray = moved.ray;
-  home.spread.before = home.spread.before + moved.longer;
-  home.behind = home.behind + moved.behind;
-  home.last = home.last + moved.meeting;
-  freedom.shifts = select(ends.m > Index<T>(0), shifts, shifts_last);
-  const auto meeting = meet(sea_, laser, home, depth, layer, freedom, world_.reversal, samples_);
+  HomeSide<T> home{
+      back_.side(pair.back, outset.spread, ends.back, ends.m, in_path, {shifts_last, pair.axis()})};
+  home.side.ray = moved.ray;
+  home.side.behind = home.side.behind + moved.near_pivot;
+  if (!telescope_.upright) home = lengthened(pair, moved.longer, home.side);
+  if (aslant) freedom.shifts = select(ends.m > Index<T>(0), freedom.shifts, shifts_last);
+  const auto meeting =
+      meet(sea_, laser, home.side, depth, layer, freedom, world_.reversal, samples_);
   if (world_.compares) [[unlikely]]
     complete_by_meeting(pair, moved, depth, layer);
   score(pair.ends, Walked::both, emitting & (meeting.path < receiver_.last_path),
-        moved.gain * meeting.value, meeting.path, last, in_path.order);
+        moved.gain * home.gain * meeting.value, meeting.path, last(), in_path.order);
 }
 
 }  // namespace photic::engine

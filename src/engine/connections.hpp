@@ -87,8 +87,8 @@ struct Pair {
     return {turns == Index<T>(1), axis_x, axis_y};
   }
 
-  static constexpr std::size_t members = 2 * Ray::members + 3 + Outset<T>::members + 3 +
-                                         RayEnds<T>::integers + transport::LensLine<T>::members;
+  static constexpr std::size_t members =
+      2 * Ray::members + 3 + Outset<T>::members + 3 + RayEnds<T>::integers + 4;
   template <class F>
   void each_member(F f) {
     out.each_member(f);
@@ -97,7 +97,7 @@ struct Pair {
     outset.each_member(f);
     f(turns), f(axis_x), f(axis_y);
     ends.each_member(f);
-    lens.each_member(f);
+    f(lens.at_surface.x), f(lens.at_surface.y), f(lens.per_depth.x), f(lens.per_depth.y);
   }
 };
 
@@ -106,10 +106,16 @@ template <class T>
 struct Moved {
   transport::Ray<T> ray;
   transport::Vertical<T> axis;
-  T gain{1};    ///< of the sample
-  T longer{};   ///< so much longer is its way from the lens [m]
-  T behind{};   ///< what n h / g of all strategies behind the ray gain
-  T meeting{};  ///< and that of meeting where the ray begins, but for P and the edge beyond
+  T gain{1};        ///< of the phase function at the pivot
+  T near_pivot{0};  ///< what n h / g of all strategies gain by the pivot's angle having changed
+  T longer{0};      ///< so much longer is its way from the lens [m]
+};
+
+/// A telescope's side of a meeting, and what its sample gains.
+template <class T>
+struct HomeSide {
+  transport::Side<T> side;
+  T gain{1};
 };
 
 /// A telescope's walk's first way in the water.
@@ -184,10 +190,9 @@ class Connections {
              const Joint& to, const Vertex& v, const Vertex& w, const T& length,
              const Usable<T>& usable);
   Pair<T> pair_of(const RayEnds<T>& ends) const;
-  Moved<T> shifted(const Pair<T>& pair, const instrument::PlanePoint<T>& lens,
-                   const T& depth) const;
+  Moved<T> shifted(const Pair<T>& pair, const instrument::PlanePoint<T>& lens) const;
   [[nodiscard]] Mask<T> can_meet(const Pair<T>& pair, const Ray& moved, const T& depth) const;
-  void lengthen(const Pair<T>& pair, T longer, Moved<T>& moved) const;
+  HomeSide<T> lengthened(const Pair<T>& pair, T longer, transport::Side<T> side) const;
   [[nodiscard]] HomeWay<T> home_way(const Outset<T>& outset, const Index<T>& back) const;
   std::array<T, 2> turn_pivot(Pair<T>& pair, const transport::Rotation<T>& turn) const;
   void meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);

@@ -50,6 +50,11 @@ template <class T>
 Vec3<T> in_plane(const Telescope<T>& telescope, const PlanePoint<T>& p) {
   return p.x * telescope.across + p.y * telescope.up;
 }
+/// What of a vector lies along a telescope's directions.
+template <class T>
+PlanePoint<T> parts_in_plane(const Telescope<T>& telescope, const Vec3<T>& v) {
+  return {dot(v, telescope.across), dot(v, telescope.up)};
+}
 /// Where a point of the lens is.
 template <class T>
 Vec3<T> in_space(const Telescope<T>& telescope, const PlanePoint<T>& p) {
@@ -123,17 +128,18 @@ struct LensShift {
   PlanePoint<T> aside{};  ///< [m]
   T longer{};             ///< [m]; 0 of an upright lens
 };
-/// `outward`: the ray's direction; the shift is by (x, y).
+/// `outward`: the ray's direction; `shift`: level.
 template <class T>
-LensShift<T> lens_shift(const Telescope<T>& telescope, const Vec3<T>& outward, const T& x,
-                        const T& y) {
-  Vec3<T> shift{x, y, T(0)};
-  T longer(0);
-  if (!telescope.upright) {
-    longer = dot(shift, telescope.axis) / dot(outward, telescope.axis);
-    shift = shift - longer * outward;
-  }
-  return {{dot(shift, telescope.across), dot(shift, telescope.up)}, longer};
+LensShift<T> lens_shift(const Telescope<T>& telescope, const Vec3<T>& outward,
+                        const Vec3<T>& shift) {
+  const T longer = dot(shift, telescope.axis) / dot(outward, telescope.axis);
+  return {parts_in_plane(telescope, shift - longer * outward), longer};
+}
+/// How much longer a ray's way becomes if it comes through the lens so far from where it did [m].
+template <class T>
+T longer_by_shift(const Telescope<T>& telescope, const Vec3<T>& outward,
+                  const PlanePoint<T>& aside) {
+  return T(0) - in_plane(telescope, aside).z / outward.z;
 }
 /// No shift makes a way longer or shorter by more than this [m].
 inline double most_longer(const scene::Telescope& telescope) {

@@ -103,24 +103,14 @@ Span<T> common_span(const DepthLine<T>& laser, const DepthLine<T>& back, const T
   return {Mask<T>(to > from), from, to};
 }
 
-/// Where a telescope's walk comes through the lens if it is shifted to meet a ray at a depth, and
-/// how much longer its way becomes.
+/// Where a telescope's walk comes through the lens if it is shifted to meet a ray at a depth.
 template <class T>
 struct LensLine {
-  instrument::LensShift<T> at_surface;  ///< for a meeting at the surface's level
-  instrument::LensShift<T> per_depth;   ///< and how that changes per metre of depth
+  instrument::PlanePoint<T> at_surface{};  ///< for a meeting at the surface's level
+  instrument::PlanePoint<T> per_depth{};   ///< and how that moves per metre of depth
 
   instrument::PlanePoint<T> at(const T& depth) const {
-    return {at_surface.aside.x + depth * per_depth.aside.x,
-            at_surface.aside.y + depth * per_depth.aside.y};
-  }
-  T longer_at(const T& depth) const { return at_surface.longer + depth * per_depth.longer; }
-
-  static constexpr std::size_t members = 6;
-  template <class F>
-  void each_member(F f) {
-    f(at_surface.aside.x), f(at_surface.aside.y), f(at_surface.longer);
-    f(per_depth.aside.x), f(per_depth.aside.y), f(per_depth.longer);
+    return {at_surface.x + depth * per_depth.x, at_surface.y + depth * per_depth.y};
   }
 };
 
@@ -150,30 +140,18 @@ struct AtLens {
   T index{1};                      ///< group index of what is before the lens
 };
 
-/// `last_path`: of both walks together [m].
+/// The part of a span in which a line over depth lies within the lens' rim.
 template <class T>
-Chord<T> chord(const DepthLine<T>& laser, DepthLine<T> back,
-               const instrument::Telescope<T>& telescope, const AtLens<T>& start,
-               const T& last_path) {
+Chord<T> within_rim(const LensLine<T>& line, const T& radius, const Span<T>& span) {
   using std::sqrt;
+  const auto& [at, per_depth] = line;
   Chord<T> c;
-  c.lens = {lens_shift(telescope, start.outward, T(laser.x - back.x), T(laser.y - back.y)),
-            lens_shift(telescope, start.outward, T(laser.x_per_depth - back.x_per_depth),
-                       T(laser.y_per_depth - back.y_per_depth))};
-  c.lens.at_surface.aside = start.lens + c.lens.at_surface.aside;
-  if (!telescope.upright) {
-    back.path = back.path + start.index * c.lens.at_surface.longer;
-    back.path_per_depth = back.path_per_depth + start.index * c.lens.per_depth.longer;
-  }
-  const Span<T> span = common_span(laser, back, last_path);
-  const auto& at = c.lens.at_surface.aside;
-  const auto& per_depth = c.lens.per_depth.aside;
+  c.lens = line;
   const T squared = per_depth.x * per_depth.x + per_depth.y * per_depth.y;
   const Mask<T> moves = squared > T(1e-18);
   const T per_square = T(1) / select(moves, squared, T(1));
   const T middle = -(at.x * per_depth.x + at.y * per_depth.y) * per_square;
   const T x = at.x * per_depth.y - at.y * per_depth.x;
-  const T radius = telescope.lens_radius;
   const T half = (radius * radius * squared - x * x) * per_square * per_square;
   const Mask<T> inside = at.x * at.x + at.y * at.y < radius * radius;
   const T reach = select(moves, sqrt(select(half > T(0), half, T(0))), span.to);
@@ -184,6 +162,28 @@ Chord<T> chord(const DepthLine<T>& laser, DepthLine<T> back,
   c.to = select(c.to < span.to, c.to, span.to);
   c.exists = span.exists & select(moves, half > T(0), inside) & (c.to > c.from);
   return c;
+}
+
+/// `last_path`: of both walks together [m].
+template <class T>
+Chord<T> chord(const DepthLine<T>& laser, const DepthLine<T>& back,
+               const instrument::Telescope<T>& telescope, const AtLens<T>& start,
+               const T& last_path) {
+  const Vec3<T> at_surface{laser.x - back.x, laser.y - back.y, T(0)};
+  const Vec3<T> slope{laser.x_per_depth - back.x_per_depth, laser.y_per_depth - back.y_per_depth,
+                      T(0)};
+  if (telescope.upright) {
+    return within_rim<T>(
+        {start.lens + parts_in_plane(telescope, at_surface), parts_in_plane(telescope, slope)},
+        telescope.lens_radius, common_span(laser, back, last_path));
+  }
+  const auto there = lens_shift(telescope, start.outward, at_surface);
+  const auto per_depth = lens_shift(telescope, start.outward, slope);
+  DepthLine<T> longer = back;
+  longer.path = back.path + start.index * there.longer;
+  longer.path_per_depth = back.path_per_depth + start.index * per_depth.longer;
+  return within_rim<T>({start.lens + there.aside, per_depth.aside}, telescope.lens_radius,
+                       common_span(laser, longer, last_path));
 }
 
 /// The depths, at most two, at which a telescope's ray meets a laser's if it is turned about a

@@ -236,7 +236,7 @@ TEST(LensShift, IsAPointOfTheSameRay) {
         instrument::outward(t, ring_point(0.0, 0.3, random.uniform(), random.uniform()));
     const Point p = random_lens_point(t, random);
     const V by{random.between(-1, 1), random.between(-1, 1), 0};
-    const auto shift = lens_shift(t, outward, by.x, by.y);
+    const auto shift = lens_shift(t, outward, by);
     const Point q = p + shift.aside;
     const V apart = in_space(t, q) + shift.longer * outward - (in_space(t, p) + by);
     ASSERT_LT(length(apart), 1e-12 * t.distance);

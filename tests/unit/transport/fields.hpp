@@ -211,10 +211,8 @@ void fields(P& a, S& b, F f) {
   f(a.exists, b.exists, "exists");
   f(a.from, b.from, "from");
   f(a.to, b.to, "to");
-  fields(a.lens.at_surface.aside, b.lens.at_surface.aside, f);
-  fields(a.lens.per_depth.aside, b.lens.per_depth.aside, f);
-  f(a.lens.at_surface.longer, b.lens.at_surface.longer, "longer");
-  f(a.lens.per_depth.longer, b.lens.per_depth.longer, "longer per depth");
+  fields(a.lens.at_surface, b.lens.at_surface, f);
+  fields(a.lens.per_depth, b.lens.per_depth, f);
 }
 template <class P, class S, class F>
   requires is_packed<P, AtLens>
