@@ -23,7 +23,11 @@ constexpr std::size_t most_columns = 6;
 
 /// The lines of [simulation] that set an estimator and the options that candidates differ in.
 Json settings_of(const scene::Simulation& s) {
-  if (s.estimator == "forward") return {{"estimator", s.estimator}, {"reception", s.reception}};
+  if (s.estimator == "forward")
+    return {{"estimator", s.estimator},
+            {"reception", s.reception},
+            {"directed_fraction", s.directed_fraction.value()},
+            {"scored_points", s.scored_points.value()}};
   return {{"estimator", s.estimator},
           {"walk_attenuation", s.walk_attenuation.value()},
           {"walks", s.walks},
@@ -90,8 +94,8 @@ std::string block(const engine::Comparison& comparison, std::size_t telescope,
                                            compared + static_cast<std::ptrdiff_t>(end), true),
                                 end - begin));
     for (const engine::Candidate& candidate : comparison.candidates)
-      cells.push_back(
-          merit_text(engine::mean_merit(comparison, candidate, first + begin, first + end)));
+      cells.push_back(merit_text(engine::merit_in(comparison, candidate, first + begin, first + end,
+                                                  engine::Aim::all_gates)));
   }
   return fmt::format("\nchannel {}, telescope {}\n", result.channel_name[channel],
                      result.telescope_name[telescope]) +
@@ -115,18 +119,22 @@ GateCounts count_gates(const engine::Comparison& comparison) {
   return out;
 }
 
-std::optional<double> mean_over_all(const engine::Comparison& comparison,
-                                    const engine::Candidate& candidate) {
-  return engine::mean_merit(comparison, candidate, 0, comparison.compared.size());
+std::optional<double> merit_of_all(const engine::Comparison& comparison,
+                                   const engine::Candidate& candidate, engine::Aim aim) {
+  return engine::merit_in(comparison, candidate, 0, comparison.compared.size(), aim);
 }
 
 std::string summary(const engine::Comparison& comparison) {
-  std::vector<io::TextColumn> columns{
-      names(comparison, {""}), {"all gates", {}}, {"photons", {}}, {"CPU s", {}}};
+  std::vector<io::TextColumn> columns{names(comparison, {""}),
+                                      {"all gates", {}},
+                                      {"worst fifth", {}},
+                                      {"photons", {}},
+                                      {"CPU s", {}}};
   for (const engine::Candidate& c : comparison.candidates) {
-    columns[1].cells.push_back(merit_text(mean_over_all(comparison, c)));
-    columns[2].cells.push_back(fmt::format("{}", c.photons));
-    columns[3].cells.push_back(fmt::format("{:.3g}", c.cpu_s));
+    columns[1].cells.push_back(merit_text(merit_of_all(comparison, c, engine::Aim::all_gates)));
+    columns[2].cells.push_back(merit_text(merit_of_all(comparison, c, engine::Aim::worst_gates)));
+    columns[3].cells.push_back(fmt::format("{}", c.photons));
+    columns[4].cells.push_back(fmt::format("{:.3g}", c.cpu_s));
   }
   std::string out = '\n' + io::side_by_side(columns);
   const GateCounts gates = count_gates(comparison);
@@ -141,8 +149,11 @@ std::string summary(const engine::Comparison& comparison) {
 std::string recommendation(const engine::Comparison& comparison) {
   std::string out = "\nrecommended: ";
   if (const engine::Candidate* best = engine::best_of(comparison)) {
-    out +=
-        best->name + ", by these lines of [simulation]\n" + as_toml(settings_of(best->simulation));
+    out += best->name + ", by these lines of [simulation]\n" +
+           as_toml(settings_of(best->simulation)) +
+           (comparison.aim == engine::Aim::worst_gates
+                ? "  since all gates are to meet a target: by the worst fifth of them\n"
+                : "  since no target is set: by all gates\n");
   } else {
     out += "nothing, since no gate can be compared (give more --time)\n";
   }
@@ -199,15 +210,18 @@ std::string json(const engine::Comparison& comparison, const std::string& scene)
         {"compared", gates.compared}}},
       {"candidates", Json::array()},
       {"recommended", nullptr},
+      {"recommended_by", comparison.aim == engine::Aim::worst_gates ? "worst fifth" : "all gates"},
       {"auto", settings_of(chosen)}};
   for (const engine::Candidate& c : comparison.candidates) {
-    const auto mean = mean_over_all(comparison, c);
+    const auto mean = merit_of_all(comparison, c, engine::Aim::all_gates);
+    const auto worst = merit_of_all(comparison, c, engine::Aim::worst_gates);
     out["candidates"].push_back({{"name", c.name},
                                  {"exact", c.exact},
                                  {"settings", settings_of(c.simulation)},
                                  {"photons", c.photons},
                                  {"cpu_s", c.cpu_s},
                                  {"figure_of_merit_per_s", mean ? Json(*mean) : Json()},
+                                 {"worst_fifth_per_s", worst ? Json(*worst) : Json()},
                                  {"gates", gates_json(comparison, c)}});
   }
   if (const engine::Candidate* best = engine::best_of(comparison))

@@ -23,6 +23,9 @@ scene::Scene as_chosen(scene::Scene now, const scene::Scene& then) {
   now.simulation.estimator_reason = then.simulation.estimator_reason;
   if (!now.simulation.walk_attenuation)
     now.simulation.walk_attenuation = then.simulation.walk_attenuation;
+  if (!now.simulation.directed_fraction)
+    now.simulation.directed_fraction = then.simulation.directed_fraction;
+  if (!now.simulation.scored_points) now.simulation.scored_points = then.simulation.scored_points;
   return now;
 }
 

@@ -35,13 +35,17 @@ struct Ending {
 /// Decides after each batch whether the run goes on, tells of its progress, has checkpoints made.
 class Conductor {
  public:
-  Conductor(const scene::Simulation& asked, const RunOptions& options);
-  Conductor(const scene::Simulation& asked, RunOptions&& options) = delete;  ///< it keeps them
+  /// `photons_each`: of a batch, if it is to have fewer than begin evenly spread, so that a short
+  /// run has batches enough to tell its errors.
+  Conductor(const scene::Simulation& asked, const RunOptions& options,
+            std::optional<std::uint64_t> photons_each = {});
+  Conductor(const scene::Simulation& asked, RunOptions&& options,
+            std::optional<std::uint64_t> photons_each = {}) = delete;  ///< it keeps them
 
   /// Batches that the photons asked for make; no limit if none were asked for.
   [[nodiscard]] std::uint64_t batches() const { return batches_; }
   [[nodiscard]] std::uint64_t first_photon_of(std::uint64_t batch) const {
-    return batch * batch_photons_;
+    return batch * spread_photons_;
   }
   [[nodiscard]] std::uint64_t photons_of(std::uint64_t batch) const;
   /// Whether a batch has as many photons as all but a last one.
@@ -83,7 +87,7 @@ class Conductor {
 
   scene::Simulation asked_;
   const RunOptions& options_;
-  std::uint64_t batch_photons_, batches_ = 0;
+  std::uint64_t spread_photons_, batch_photons_, batches_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   double told_s_ = -1, next_checkpoint_s_;
 };

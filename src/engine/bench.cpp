@@ -14,6 +14,7 @@
 #include "engine/engines.hpp"
 #include "engine/problem.hpp"
 #include "medium/walk_attenuation.hpp"
+#include "scene/forward_settings.hpp"
 
 namespace photic::engine {
 namespace {
@@ -44,7 +45,12 @@ Candidate candidate(const scene::Scene& scene, const std::string& estimator,
   s.connected_fraction = defaults.connected_fraction;
   s.walk_attenuation.reset();
   s.sampling = defaults.sampling;
-  if (estimator != "forward") s.tools = defaults.tools;
+  if (estimator == "forward") {
+    s.directed_fraction = scene::directed_fraction_in(scene);
+    s.scored_points = scene::scored_points_in(scene);
+  } else {
+    s.tools = defaults.tools;
+  }
   return c;
 }
 
@@ -60,6 +66,18 @@ Candidate bidirectional(const scene::Scene& scene, double walk_attenuation,
 std::vector<Candidate> candidates(const scene::Scene& scene, double highest_albedo) {
   std::vector<Candidate> out;
   out.push_back(candidate(scene, "forward", "forward, ray"));
+  const scene::Simulation& usual_forward = out.front().simulation;
+  for (const auto& [directed_fraction, scored_points] : scene::forward_settings(scene)) {
+    if (directed_fraction == usual_forward.directed_fraction &&
+        scored_points == usual_forward.scored_points)
+      continue;
+    Candidate c = candidate(
+        scene, "forward",
+        fmt::format("forward, ray, {} directed, points {}", directed_fraction, scored_points));
+    c.simulation.directed_fraction = directed_fraction;
+    c.simulation.scored_points = scored_points;
+    out.push_back(std::move(c));
+  }
   out.push_back(candidate(scene, "forward", "forward, overlap"));
   out.back().simulation.reception = "overlap";
   out.back().exact = false;
@@ -190,6 +208,7 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   };
   Comparison out;
   out.repeats = repeat_count;
+  out.aim = aim_of(scene.simulation);
   tell("the reference");
   const double albedo = medium::highest_albedo(make_problem(scene).medium);
   const Candidate best_known = bidirectional(scene, medium::usual_walk_attenuation(albedo));
@@ -216,7 +235,7 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   RunOptions pilots;
   pilots.threads = options.threads;
   pilots.interrupt = options.interrupt;
-  out.chosen_by_auto = choose_estimator(open, pilots).simulation;
+  out.chosen_by_auto = make_problem(choose_estimator(open, pilots)).scene.simulation;
   if (options.interrupt != nullptr && options.interrupt->load()) throw Interrupted{};
   return out;
 }
@@ -239,26 +258,22 @@ Merit merit_of(const std::vector<double>& repeats, const ReferenceEcho& referenc
 
 double relative_uncertainty(int repeats) { return std::sqrt(2.0 / repeats); }
 
-std::optional<double> mean_merit(const Comparison& comparison, const Candidate& candidate,
-                                 std::size_t first, std::size_t last) {
-  double sum = 0;
-  double gates = 0;
-  for (std::size_t cell = first; cell < last; ++cell) {
-    if (!comparison.compared[cell]) continue;
-    sum += std::log(candidate.merit[cell].figure_of_merit);
-    gates += 1;
-  }
-  if (gates == 0) return std::nullopt;
-  return std::exp(sum / gates);
+std::optional<double> merit_in(const Comparison& comparison, const Candidate& candidate,
+                               std::size_t first, std::size_t last, Aim aim) {
+  std::vector<double> work;
+  for (std::size_t cell = first; cell < last; ++cell)
+    if (comparison.compared[cell]) work.push_back(1 / candidate.merit[cell].figure_of_merit);
+  if (work.empty()) return std::nullopt;
+  return std::exp(-log_work(std::move(work), aim));
 }
 
 const Candidate* best_of(const Comparison& comparison) {
   const Candidate* best = nullptr;
   double largest = 0;
   for (const Candidate& c : comparison.candidates) {
-    const auto mean = mean_merit(comparison, c, 0, comparison.compared.size());
-    if (!c.exact || !mean || *mean <= largest) continue;
-    largest = *mean;
+    const auto merit = merit_in(comparison, c, 0, comparison.compared.size(), comparison.aim);
+    if (!c.exact || !merit || *merit <= largest) continue;
+    largest = *merit;
     best = &c;
   }
   return best;

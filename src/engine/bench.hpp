@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/isa.hpp"
+#include "engine/rule.hpp"
 #include "scene/scene.hpp"
 #include "tally/result.hpp"
 
@@ -53,16 +54,17 @@ struct Comparison {
   int repeats = 0;  ///< of each candidate
   std::vector<Candidate> candidates;
   std::vector<bool> compared;  ///< gates converged in the reference and known of all candidates
+  Aim aim = Aim::all_gates;    ///< of the scene, by which one is recommended
   scene::Simulation chosen_by_auto{};  ///< what estimator = "auto" takes, and why
 };
 
-/// Geometric mean [1/s] of a candidate's figures of merit over the compared gates [first, last) of
-/// the flat cells; none if there is none.
-std::optional<double> mean_merit(const Comparison& comparison, const Candidate& candidate,
-                                 std::size_t first, std::size_t last);
+/// A candidate's figure of merit [1/s] over the compared gates [first, last) of the flat cells, by
+/// the rule for this aim (rule.hpp); none if there are no such gates.
+std::optional<double> merit_in(const Comparison& comparison, const Candidate& candidate,
+                               std::size_t first, std::size_t last, Aim aim);
 
-/// The exact candidate of the largest mean over all compared gates; none if there are no such
-/// gates.
+/// The exact candidate of the largest one over all compared gates, by the aim of the comparison;
+/// none if there are no such gates.
 const Candidate* best_of(const Comparison& comparison);
 
 struct BenchOptions {

@@ -19,10 +19,12 @@ constexpr double seconds_between_tellings = 0.2;
 
 }  // namespace
 
-Conductor::Conductor(const scene::Simulation& asked, const RunOptions& options)
+Conductor::Conductor(const scene::Simulation& asked, const RunOptions& options,
+                     std::optional<std::uint64_t> photons_each)
     : asked_(asked),
       options_(options),
-      batch_photons_(batch_photons(asked)),
+      spread_photons_(batch_photons(asked)),
+      batch_photons_(photons_each.value_or(spread_photons_)),
       next_checkpoint_s_(options.checkpoints.first_s) {
   constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
   batches_ = asked.photons ? (*asked.photons + batch_photons_ - 1) / batch_photons_ : unlimited;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/rule.hpp"
 #include "tally/result.hpp"
 
 namespace photic::engine {
@@ -18,14 +19,17 @@ struct Pilot {
 
 Pilot pilot_of(const tally::Result& result, double cost);
 
-/// Gates that light reaches: those that any of them saw.
-std::vector<bool> gates_seen(const std::vector<Pilot>& pilots);
+/// Gates that pilots, which simulated alike, are compared by: those that light reaches, since any
+/// of them saw it; of these the ones that the best of them knows to this squared error, if there
+/// are any. In others luck decides: all estimators' scores are rare there.
+std::vector<bool> gates_compared(const std::vector<Pilot>& pilots, double known_to);
 
-/// Mean over the gates that count of the logarithm of the squared error times the cost.
-double badness(const Pilot& pilot, const std::vector<bool>& counts);
+/// Logarithm of the work (rule.hpp) in the gates that are compared; at least one is.
+double badness(const Pilot& pilot, const std::vector<bool>& compared, Aim aim);
 
 /// Which saw light in most channels of telescopes, and of several such the one of least badness;
 /// none if none saw any.
-std::optional<std::size_t> best_of(const std::vector<Pilot>& pilots);
+std::optional<std::size_t> best_of(const std::vector<Pilot>& pilots,
+                                   const std::vector<bool>& compared, Aim aim);
 
 }  // namespace photic::engine

@@ -11,6 +11,7 @@
 #include "medium/environments.hpp"
 #include "medium/walk_attenuation.hpp"
 #include "optics/data_folder.hpp"
+#include "scene/forward_settings.hpp"
 
 namespace photic::engine {
 namespace {
@@ -110,6 +111,10 @@ Problem make_problem(const scene::Scene& scene) {
   scene::Scene effective = scene;
   if (scene.simulation.estimator == "bidirectional")
     effective.simulation.walk_attenuation = medium::walk_attenuation_in(medium, scene.simulation);
+  if (scene.simulation.estimator == "forward") {
+    effective.simulation.directed_fraction = scene::directed_fraction_in(scene);
+    effective.simulation.scored_points = scene::scored_points_in(scene);
+  }
   return {std::move(effective), std::move(medium), std::move(gates), std::move(shape)};
 }
 

@@ -30,7 +30,7 @@ std::string about_weights(const scene::Simulation& s) {
   if (s.estimator == "bidirectional")
     return "weights that grow from vertex to vertex, since walk_attenuation is small for water "
            "that scatters so much: leave it out, or raise it";
-  if (s.directed_fraction > 0)
+  if (s.directed_fraction.value_or(0) > 0)
     return "directed sampling, which doubles weights at each scattering: set directed_fraction = "
            "0, or take estimator = \"bidirectional\"";
   return "tools or conversions: more photons are needed, or estimator = \"bidirectional\"";

@@ -14,6 +14,7 @@
 #include "instrument/lens.hpp"
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
+#include "scene/forward_settings.hpp"
 #include "scene/scene.hpp"
 #include "tally/gates.hpp"
 #include "tally/shape.hpp"
@@ -275,7 +276,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.compares = scene.compares();
   world.special = world.analog || world.compares || tools.any();
   if (!world.tools.scores_on_the_way)
-    world.scored_points = static_cast<std::int32_t>(scene.simulation.scored_points);
+    world.scored_points = static_cast<std::int32_t>(scene::scored_points_in(scene));
   for (std::size_t t = 0;
        (converts || world.tools.scores_on_the_way) && t < world.telescopes.size(); ++t) {
     const View<T> view =
@@ -295,8 +296,8 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.deepest = T(reach.deepest);
   world.connected = T(scene.simulation.connected_fraction);
   world.meeting_grid = {T(scene.simulation.meetings / reach.range)};
-  world.directed = T(scene.simulation.directed_fraction);
-  world.directs = scene.simulation.directed_fraction > 0;
+  world.directed = T(scene::directed_fraction_in(scene));
+  world.directs = scene::directed_fraction_in(scene) > 0;
   world.flies_on = world.directs && !world.special && world.cones.empty();
   world.single_rays = scene.simulation.reception == "ray" && !world.analog;
   world.conversion = T(scene.simulation.conversion_probability);

@@ -86,7 +86,9 @@ void describe(V& v, Simulation& s) {
   v.optional(
       "estimator", s.estimator,
       Choice{
-          {{"auto", "the better of bidirectional and forward, by short pilot runs"},
+          {{"auto",
+            "the better of bidirectional and forward, by short pilot runs: with a target, until "
+            "all gates meet it; else by the error of all gates at equal cost"},
            {"bidirectional",
             "walks from the laser and from the telescopes, connected and made to meet"},
            {"forward", "photons from the laser, scored at every collision"},
@@ -113,10 +115,12 @@ void describe(V& v, Simulation& s) {
              "of the forward estimator: how light reaches the detector");
   v.optional(expert("directed_fraction"), s.directed_fraction,
              Number{.low = 0.0, .high = 1.0, .high_open = true},
-             "the share of directions drawn towards a telescope; 0 turns that off");
+             "of the forward estimator: the share of directions drawn towards a telescope; 0 turns "
+             "that off; by default 0.5, or 0.25 where all telescopes are 200 m above the sea");
   v.optional(expert("scored_points"), s.scored_points, Count{1, 100},
              "of the forward estimator: at so many points of each flight, spread evenly over its "
-             "free paths, collisions are scored; 1: only where photons collide");
+             "free paths, collisions are scored; 1: only where photons collide; by default 4, or 1 "
+             "where all telescopes are 200 m above the sea");
   v.optional(
       expert("conversion_probability"), s.conversion_probability, between(0.0, 1.0),
       "the share of collisions followed into an inelastic process; in walks from telescopes, "

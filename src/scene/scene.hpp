@@ -186,9 +186,10 @@ struct Simulation {
   std::int64_t orders_kept = 6;
   std::uint64_t seed = 1;
   std::string reception = "ray";  ///< forward: ray | overlap
-  double directed_fraction =
-      0.5;  ///< share of directions drawn towards a telescope; 0 turns it off
-  std::int64_t scored_points = 4;       ///< forward: of each flight; 1: where photons collide only
+  /// Forward: share of directions drawn towards a telescope; 0 turns that off.
+  std::optional<double> directed_fraction;
+  /// Forward: of each flight; 1: where photons collide only. None of the two: forward_settings.hpp.
+  std::optional<std::int64_t> scored_points;
   double conversion_probability = 0.3;  ///< of a branch into an inelastic process, per collision
   std::int64_t walks = 2;  ///< bidirectional: of the laser, and of each telescope, in a set
   double meetings = 100;   ///< bidirectional: of two rays, if all depths of the gates let them meet

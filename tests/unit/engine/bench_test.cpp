@@ -45,32 +45,51 @@ TEST(Merit, OfTwelveRepeatsIsUncertainByFortyPercent) {
   EXPECT_NEAR(relative_uncertainty(12), 0.41, 0.005);
 }
 
-TEST(MeanMerit, IsGeometricOverTheComparedGates) {
+TEST(MeritIn, IsTheGeometricMeanOverTheComparedGates) {
   // Seen red: with the arithmetic mean; with gates that are not compared.
   Candidate candidate;
   for (const double f : {1.0, 100.0, 1e6}) candidate.merit.push_back({1.0, f, true});
   Comparison comparison;
   comparison.compared = {true, true, false};
-  EXPECT_NEAR(mean_merit(comparison, candidate, 0, 3).value(), 10.0, 1e-12);
-  EXPECT_NEAR(mean_merit(comparison, candidate, 1, 3).value(), 100.0, 1e-12);
-  EXPECT_FALSE(mean_merit(comparison, candidate, 2, 3).has_value());
+  const auto merit = [&](std::size_t first, Aim aim) {
+    return merit_in(comparison, candidate, first, 3, aim);
+  };
+  EXPECT_NEAR(merit(0, Aim::all_gates).value(), 10.0, 1e-12);
+  EXPECT_NEAR(merit(1, Aim::all_gates).value(), 100.0, 1e-12);
+  EXPECT_FALSE(merit(2, Aim::all_gates).has_value());
+  EXPECT_NEAR(merit(0, Aim::worst_gates).value(), 1.0, 1e-12);
 }
 
-TEST(BestOf, IsExactAndHasTheLargestMean) {
+/// Two gates, of which the first one is compared if so told.
+class BestOf : public testing::Test {
+ protected:
+  void enter(const char* name, bool exact, double first, double second) {
+    comparison_.candidates.push_back({.name = name, .exact = exact, .simulation = {}});
+    comparison_.candidates.back().merit = {{1.0, first, true}, {1.0, second, true}};
+  }
+  Comparison comparison_;
+};
+
+TEST_F(BestOf, IsExactAndHasTheLargestMean) {
   // Seen red: with the approximate one; with the least mean.
-  Comparison comparison;
-  comparison.compared = {false, true};
-  const auto enter = [&](const char* name, bool exact, double figure_of_merit) {
-    comparison.candidates.push_back({.name = name, .exact = exact, .simulation = {}});
-    comparison.candidates.back().merit = {{1.0, 1e9, true}, {1.0, figure_of_merit, true}};
-  };
-  enter("slow", true, 1.0);
-  enter("fast", true, 3.0);
-  enter("approximate", false, 9.0);
-  enter("medium", true, 2.0);
-  EXPECT_EQ(best_of(comparison)->name, "fast");
-  comparison.compared = {false, false};
-  EXPECT_EQ(best_of(comparison), nullptr);
+  comparison_.compared = {false, true};
+  enter("slow", true, 1e9, 1.0);
+  enter("fast", true, 1e9, 3.0);
+  enter("approximate", false, 1e9, 9.0);
+  enter("medium", true, 1e9, 2.0);
+  EXPECT_EQ(best_of(comparison_)->name, "fast");
+  comparison_.compared = {false, false};
+  EXPECT_EQ(best_of(comparison_), nullptr);
+}
+
+TEST_F(BestOf, IsByTheWorstGatesIfThereIsATarget) {
+  // The rule of `auto`. Seen red: by all gates.
+  comparison_.compared = {true, true};
+  enter("mostly", true, 1e6, 1.0);
+  enter("evenly", true, 1e3, 10.0);
+  EXPECT_EQ(best_of(comparison_)->name, "mostly");
+  comparison_.aim = Aim::worst_gates;
+  EXPECT_EQ(best_of(comparison_)->name, "evenly");
 }
 
 }  // namespace

@@ -68,6 +68,8 @@ TEST(Choose, ChangesNothingElse) {
   chosen.simulation.estimator = asked.simulation.estimator;
   chosen.simulation.estimator_reason.reset();
   chosen.simulation.walk_attenuation = asked.simulation.walk_attenuation;
+  chosen.simulation.directed_fraction = asked.simulation.directed_fraction;
+  chosen.simulation.scored_points = asked.simulation.scored_points;
   EXPECT_EQ(chosen, asked);
 }
 
@@ -76,16 +78,17 @@ TEST(Choose, LeavesAChoiceThatIsMade) {
     EXPECT_EQ(choose_estimator(scene_of(estimator), {}), scene_of(estimator));
 }
 
-// Seen red: with pilots of as many photons as the run.
-TEST(Choose, DoesNotDependOnHowLongTheRunIs) {
-  scene::Scene longer = scene_of("auto");
-  longer.simulation.photons.reset();
-  longer.simulation.max_time_s = 1000;
-  const auto a = choose_estimator(scene_of("auto"), {}).simulation;
-  const auto b = choose_estimator(longer, {}).simulation;
-  EXPECT_EQ(a.estimator, b.estimator);
-  EXPECT_EQ(a.estimator_reason, b.estimator_reason);
-  EXPECT_EQ(a.walk_attenuation, b.walk_attenuation);
+// A clock is never looked at, nor is how long one may run by it. Seen red: with a pilot that ends
+// by max_time_s.
+TEST(Choose, DoesNotDependOnTheTimeLimit) {
+  scene::Scene one = scene_of("auto");
+  one.simulation.photons.reset();
+  one.simulation.max_time_s = 1e-6;
+  scene::Scene other = one;
+  other.simulation.max_time_s = 1000;
+  scene::Scene chosen = choose_estimator(one, {});
+  chosen.simulation.max_time_s = 1000;
+  EXPECT_EQ(chosen, choose_estimator(other, {}));
 }
 
 /// Seen by a telescope over water of so much absorption, and as much scattering.
@@ -115,13 +118,27 @@ TEST(Choose, SaysThatNothingWasSeen) {
   EXPECT_NE(run(asked).warnings.back().find("saw no light at all"), std::string::npos);
 }
 
+// Settings of the forward estimator that the scene names stay. Seen red: with all candidates.
+TEST(Choose, LeavesForwardSettingsThatAreGiven) {
+  scene::Scene asked = scene_of("auto");
+  asked.simulation.directed_fraction = 0.4;
+  EXPECT_EQ(choose_estimator(asked, {}).simulation.directed_fraction, 0.4);
+  asked.simulation.scored_points = 3;
+  const auto chosen = choose_estimator(asked, {}).simulation;
+  EXPECT_EQ(chosen.scored_points, 3);
+  const std::string given = "forward with directed_fraction = 0.4 and scored_points = 3";
+  const std::size_t at = chosen.estimator_reason->find(given);
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_EQ(chosen.estimator_reason->find("forward", at + 1), std::string::npos);
+}
+
 // Seen red: with all candidates.
 TEST(Choose, LeavesAWalkAttenuationThatIsGiven) {
   scene::Scene asked = scene_of("auto");
   asked.simulation.walk_attenuation = 0.7;
   const auto chosen = choose_estimator(asked, {}).simulation;
   EXPECT_EQ(chosen.walk_attenuation, 0.7);
-  EXPECT_EQ(chosen.estimator_reason->find("0.6"), std::string::npos);
+  EXPECT_EQ(chosen.estimator_reason->find("walk_attenuation = 0.6"), std::string::npos);
 }
 
 // docs/decisions/0010 has the measurement. Longer free paths look better to a short run than they
@@ -148,8 +165,21 @@ TEST(Choose, NeverLetsWeightsGrow) {
                                   test::depth_gates(30, 3) + test::simulation(5000, 3, "", "auto"));
     const auto chosen = choose_estimator(scene, {}).simulation;
     EXPECT_GE(chosen.walk_attenuation, 0.9 * 0.1 / (lower + 0.1));
-    EXPECT_EQ(chosen.estimator_reason->find("0.35"), std::string::npos);
+    EXPECT_EQ(chosen.estimator_reason->find("walk_attenuation = 0.35"), std::string::npos);
   }
+}
+
+// What is made small is told. Seen red: with the aim of a scene without a target.
+TEST(Choose, SaysWhatItMakesSmall) {
+  scene::Scene asked = scene_of("auto");
+  const auto has = [](const scene::Scene& chosen, const char* words) {
+    return chosen.simulation.estimator_reason->find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(has(choose_estimator(asked, {}), "squared error at equal cost, geometric mean over"));
+  asked.simulation.target_relative_error = 0.05;
+  EXPECT_TRUE(has(choose_estimator(asked, {}),
+                  "until the worst fifth of 10 gates has a relative "
+                  "error of 0.05"));
 }
 
 // Seen red: with "auto" left in the scene.
