@@ -149,11 +149,11 @@ std::string summary(const engine::Comparison& comparison) {
 std::string recommendation(const engine::Comparison& comparison) {
   std::string out = "\nrecommended: ";
   if (const engine::Candidate* best = engine::best_of(comparison)) {
-    out += best->name + ", by these lines of [simulation]\n" +
-           as_toml(settings_of(best->simulation)) +
-           (comparison.aim == engine::Aim::worst_gates
-                ? "  since all gates are to meet a target: by the worst fifth of them\n"
-                : "  since no target is set: by all gates\n");
+    const char* over = comparison.aim == engine::Aim::worst_gates
+                           ? "in the worst fifth of the gates, since all are to meet a target"
+                           : "over all gates, since there is no target";
+    out += fmt::format("{}, by these lines of [simulation] (best {})\n{}", best->name, over,
+                       as_toml(settings_of(best->simulation)));
   } else {
     out += "nothing, since no gate can be compared (give more --time)\n";
   }

@@ -22,7 +22,7 @@ std::vector<Contender> contenders(const Problem& problem) {
   if (asked.walk_attenuation) shares = {*asked.walk_attenuation};
   std::vector<Contender> out;
   for (const double share : shares) {
-    out.push_back({fmt::format("bidirectional with walk_attenuation = {}", share), asked});
+    out.push_back({fmt::format("bidirectional with walk_attenuation = {:.3g}", share), asked});
     out.back().simulation.estimator = "bidirectional";
     out.back().simulation.walk_attenuation = share;
   }

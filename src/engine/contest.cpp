@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "engine/batches.hpp"
+#include "medium/build.hpp"
+#include "scene/tally_memory.hpp"
 
 namespace photic::engine {
 namespace {
@@ -33,6 +35,9 @@ constexpr double clearly_worse = 8;
 /// Pilots for a run that ends by the clock alone have so many batches.
 constexpr std::uint64_t usual_batches = 64;
 
+/// Sums that take more begin anew in each stage: those of several contenders are kept at once.
+constexpr double most_kept_bytes = 1e8;
+
 /// What a photon costs, in units of a collision, whatever becomes of it: all there is in water that
 /// hardly scatters, where the forward estimator takes 0.09 us for one; a collision and what is
 /// scored of it take 0.24 us.
@@ -56,6 +61,7 @@ Problem problem_of(const Problem& open, const Contender& contender) {
   s.seed ^= pilot_stream;
   s.target_relative_error.reset();
   s.max_time_s.reset();
+  medium::finish_for(s, out.medium);
   return out;
 }
 
@@ -65,7 +71,8 @@ class Trial {
   Trial(const Problem& open, const Contender& contender, std::uint64_t in_batch)
       : problem_(problem_of(open, contender)),
         forward_(problem_.scene.simulation.estimator == "forward"),
-        in_batch_(in_batch * (forward_ ? forward_factor : 1)) {}
+        in_batch_(in_batch * (forward_ ? forward_factor : 1)),
+        keeps_(scene::tally_memory(open.scene).bytes() < most_kept_bytes) {}
 
   void go_on_to(std::uint64_t batches, const RunOptions& options) {
     problem_.scene.simulation.photons = photons_ = batches * in_batch_;
@@ -80,14 +87,19 @@ class Trial {
     totals.fill(result);
     const double per_collision =
         forward_ ? static_cast<double>(problem_.scene.telescope.size()) : 1.0;
+    const double before = keeps_ ? pilot_.cost : 0;
     pilot_ = pilot_of(result, cost_of_photon * static_cast<double>(result.photons) +
                                   per_collision * static_cast<double>(result.collisions) +
                                   cost_of_score * static_cast<double>(totals.scores()));
-    so_far_ = Start{.state = std::move(totals).state(), .wall_time_s = 0, .file = "a pilot run"};
+    operations_ += pilot_.cost - before;
+    if (keeps_)
+      so_far_ = Start{.state = std::move(totals).state(), .wall_time_s = 0, .file = "a pilot run"};
   }
 
   [[nodiscard]] const Pilot& pilot() const { return pilot_; }
   [[nodiscard]] std::uint64_t photons() const { return photons_; }
+  /// Of all stages.
+  [[nodiscard]] double operations() const { return operations_; }
   [[nodiscard]] double cost_per_photon() const {
     return pilot_.cost / static_cast<double>(photons_);
   }
@@ -96,7 +108,9 @@ class Trial {
   Problem problem_;
   bool forward_;
   std::uint64_t in_batch_, photons_ = 0;
+  bool keeps_;
   std::optional<Start> so_far_;
+  double operations_ = 0;
   Pilot pilot_;
 };
 
@@ -136,11 +150,11 @@ class Contest {
 
   void stage(std::uint64_t batches) {
     for (const std::size_t i : staying_) {
-      out_.operations -= trials_[i].pilot().cost;
       trials_[i].go_on_to(batches, options_);
-      out_.operations += trials_[i].pilot().cost;
       out_.standing[i].photons = trials_[i].photons();
     }
+    out_.operations = 0;
+    for (const Trial& trial : trials_) out_.operations += trial.operations();
     const std::vector<Pilot> now = pilots();
     const std::vector<bool> compared = gates_compared(
         now, known_at_last * static_cast<double>(most_batches) / static_cast<double>(batches));

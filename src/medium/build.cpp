@@ -74,14 +74,17 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   if (medium.line.size() > 1)
     medium.beam_lobe = medium.add_phase(optics::PhaseTable(optics::henyey_greenstein(beam_lobe_g)));
   add_environments(scene, library, medium);
-  const scene::Simulation& simulation = scene.simulation;
+  finish_for(scene.simulation, medium);
+  return medium;
+}
+
+void finish_for(const scene::Simulation& simulation, Medium& medium) {
   if (simulation.estimator == "bidirectional")
     medium.finish(walk_attenuation_in(medium, simulation));
   else if (simulation.estimator == "analog")
     medium.finish(Medium::analog_share);
   else
     medium.finish();
-  return medium;
 }
 
 }  // namespace photic::medium

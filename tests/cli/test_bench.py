@@ -99,8 +99,20 @@ def test_as_json(photic, shallow):
         lines = [f"--set=simulation.{key}={json.dumps(value)}" for key, value in candidate["settings"].items()]
         assert photic("check", "quick.toml", *lines).returncode == 0
     best = max((c for c in candidates if c["exact"]), key=lambda c: c["figure_of_merit_per_s"])
-    assert out["recommended"] == best["settings"]
+    assert (out["recommended"], out["recommended_by"]) == (best["settings"], "all gates")
     assert out["auto"]["estimator"] == what_auto_takes(photic, shallow, "--seed", "3")
+
+
+def test_with_a_target_the_worst_gates_decide(photic, shallow):
+    # Seen red: with all gates whatever the aim.
+    done = bench_until_compared(photic, '"compared": 2\n', "--set", "simulation.target_relative_error=0.02", "--json")
+    out = json.loads(done.stdout)
+    for candidate in out["candidates"]:
+        worst = min(gate["figure_of_merit_per_s"] for gate in candidate["gates"] if gate["compared"])
+        assert candidate["worst_fifth_per_s"] == pytest.approx(worst)
+    best = max((c for c in out["candidates"] if c["exact"]), key=lambda c: c["worst_fifth_per_s"])
+    assert (out["recommended"], out["recommended_by"]) == (best["settings"], "worst fifth")
+    assert "the worst fifth of 2 gates has a relative error of 0.02" in out["auto_reason"]
 
 
 def test_gates_that_no_light_comes_from(photic, shallow):

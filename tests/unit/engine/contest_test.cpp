@@ -66,6 +66,14 @@ TEST(Contest, GivesUpWhatIsClearlyWorse) {
   EXPECT_EQ(outcome.standing[0].photons, 10240U);
 }
 
+// Each in a medium made for its own walks. Seen red: with the medium of the open scene for all.
+TEST(Contest, TriesEachWithItsOwnWalks) {
+  Contender other = contender("bidirectional");
+  other.simulation.walk_attenuation = 0.9;
+  const Outcome outcome = contend(problem_of(1000), {contender("bidirectional"), other}, {});
+  EXPECT_NE(outcome.standing[0].times_the_work, outcome.standing[1].times_the_work);
+}
+
 // Seen red: with one more stage for a second thread.
 TEST(Contest, IsTheSameOnTwoThreads) {
   const Problem problem = problem_of(0, 0.01);
