@@ -8,7 +8,7 @@ namespace {
 
 /// A short run of a heavy-tailed estimator looks better than it is: its error is made of few large
 /// scores, and larger ones have not come yet. No single score is taken to carry more than this
-/// share of the squared error (docs/decisions/0037).
+/// share of the squared error (docs/decisions/0038).
 constexpr double largest_share_of_squared_error = 0.05;
 /// Where nothing was scored, as where one score is all: who saw that one is no worse.
 constexpr double unknown_squared_error = 1 / largest_share_of_squared_error;

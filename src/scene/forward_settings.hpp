@@ -19,7 +19,7 @@ struct ForwardSettings {
 std::vector<ForwardSettings> forward_settings(const Scene& scene);
 
 /// What a scene of the forward estimator gets: by how high above the sea its telescopes are
-/// (docs/decisions/0037).
+/// (docs/decisions/0038).
 double directed_fraction_in(const Scene& scene);
 std::int64_t scored_points_in(const Scene& scene);
 

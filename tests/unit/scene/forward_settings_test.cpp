@@ -13,7 +13,7 @@ Scene at_height(double z_m) {
   return scene;
 }
 
-// docs/decisions/0037 has the measurement. Seen red: with one value for all heights; with the
+// docs/decisions/0038 has the measurement. Seen red: with one value for all heights; with the
 // highest telescope.
 TEST(ForwardSettings, GoByTheHeightOfTheLowestTelescope) {
   Scene scene = at_height(12);

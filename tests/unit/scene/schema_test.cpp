@@ -48,7 +48,8 @@ std::set<std::string> keys_of_scenes() {
   for (const std::vector<Override>& overrides : std::vector<std::vector<Override>>{
            {"sea={ refractive_index = 1.3, group_index = 1.4, layer = [{ bottom_depth_m = 60 }] }",
             "simulation={ photons = 1, target_relative_error = 0.1, max_time_s = 1, max_order = 1, "
-            "estimator_reason = \"why\", walk_attenuation = 0.9, tools = { importance = [{ depth_m "
+            "estimator_reason = \"why\", walk_attenuation = 0.9, directed_fraction = 0.5, "
+            "scored_points = 4, tools = { importance = [{ depth_m "
             "= 1, value = 2 }] } }"},
            {"telescope.0={ position_m = [0, 0, 12], direction = [0, 0, -1], diameter_m = 0.4, "
             "focal_length_m = 2, half_field_of_view_mrad = 10 }",
