@@ -76,38 +76,59 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
             });
 }
 
+template <class T>
+transport::Chord<T> Connections<T>::chord_of(const Line& out, const Line& home, const Index<T>& m,
+                                             const transport::AtLens<T>& start) const {
+  if (!telescope_.upright) return tilted_chord(out, home, m, start);
+  return transport::chord(out, home, telescope_, start.lens, receiver_.last_path);
+}
+template <class T>
+PHOTIC_APART transport::Chord<T> Connections<T>::tilted_chord(Line out, Line home, Index<T> m,
+                                                              transport::AtLens<T> start) const {
+  return transport::chord(out, shiftable(home, m), telescope_, start, receiver_.last_path);
+}
+
 /// Rays that meet where the telescope's walk comes through the lens, at depths that lie on a grid.
 template <class T>
 void Connections<T>::shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
                            const Line& home, const transport::AtLens<T>& start) {
   if (!any(mask)) return;
-  const T& last_path = receiver_.last_path;
-  const auto chord =
-      is_aslant(telescope_)
-          ? transport::chord(out, shiftable(home, ends.m), telescope_, start, last_path)
-          : transport::chord(out, home, telescope_, start, last_path);
+  const auto chord = chord_of(out, home, ends.m, start);
   const Mask<T> meet = mask & chord.exists;
   if (any(meet))
     chords_.admit(meet, ends, [this](const auto& e, const auto& all) { serve_chords(e, all); });
 }
 
-/// A telescope's walk that is shifted so that it comes through another point of the lens.
+/// A telescope's walk that is shifted sideways.
 template <class T>
-Moved<T> Connections<T>::shifted(const Pair<T>& pair, const instrument::PlanePoint<T>& lens) const {
+Moved<T> Connections<T>::shifted(const Pair<T>& pair, const Vec3<T>& shift) const {
   Moved<T> moved{pair.back, pair.axis()};
-  const auto& outset = pair.outset;
-  Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, outset.lens);
-  if (!telescope_.upright) {
-    moved.longer = longer_by_shift(telescope_, outset.outward, lens + T(-1) * outset.lens);
-    shift = shift + moved.longer * outset.outward;
-    if (telescope_.submerged) {  // there a first ray begins at the lens
-      const T begins = select(pair.ends.m == Index<T>(0), moved.longer, T(0));
-      moved.ray.position = pair.back.position - begins * pair.back.direction;
-    }
-  }
   moved.axis.x = moved.axis.x + shift.x;
   moved.axis.y = moved.axis.y + shift.y;
   return moved;
+}
+
+/// Rays that meet at a depth, where the telescope's walk comes through a point of a tilted lens.
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const Pair<T>& pair, Mask<T> mask,
+                                                             instrument::PlanePoint<T> lens,
+                                                             T depth) {
+  const Vec3<T>& outward = pair.outset.outward;
+  const auto aside = lens + T(-1) * pair.outset.lens;
+  const T longer = longer_by_shift(telescope_, outward, aside);
+  auto moved = shifted(pair, in_plane(telescope_, aside) + longer * outward);
+  moved.longer = longer;
+  if (telescope_.submerged) {  // there a first ray begins at the lens
+    const T begins = select(pair.ends.m == Index<T>(0), longer, T(0));
+    moved.ray.position = pair.back.position - begins * pair.back.direction;
+  }
+  meet_at<false>(pair, mask & can_meet(pair, moved.ray, depth), moved, depth);
+}
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_under_tilted(const Pair<T>& pair,
+                                                                   Mask<T> mask, Moved<T> moved,
+                                                                   T depth) {
+  meet_at<false>(pair, mask, moved, depth);
 }
 
 /// Whether a telescope's ray that has been shifted goes through a depth; later ones only in walks
@@ -137,22 +158,21 @@ HomeWay<T> Connections<T>::home_way(const Outset<T>& outset, const Index<T>& bac
 /// water also how much of it is, and how likely walks go so far; and n h / g of connecting this way
 /// and of meeting at its end, which rays behind it keep.
 template <class T>
-PHOTIC_APART HomeSide<T> Connections<T>::lengthened(const Pair<T>& pair, T longer,
-                                                    transport::Side<T> side) const {
+PHOTIC_APART Longer<T> Connections<T>::lengthened(const Pair<T>& pair, T length) const {
   const auto& ends = pair.ends;
   const Index<T> line = back_.line(ends.back);
   const Index<T> here = sea_.at(line, receiver_.layer);
   const Mask<T> first = ends.m == Index<T>(0);
-  HomeSide<T> home{side};
+  Longer<T> longer;
   T growth(1);  // of what walks draw along it
   if (telescope_.submerged) {
-    longer = select(first, T(0), longer);  // first rays have been moved
-    home.gain = exp_minus(longer * gather<T>(sea_.c.first, here));
-    growth = exp_minus(-longer / gather<T>(sea_.walk_mean_path, here));
+    length = select(first, T(0), length);  // first rays have been moved
+    longer.gain = exp_minus(length * gather<T>(sea_.c.first, here));
+    growth = exp_minus(-length / gather<T>(sea_.walk_mean_path, here));
   }
-  home.side.ray.path = side.ray.path + longer * at_lens(pair.outset, line).index;
-  home.side.spread.before = side.spread.before + longer;
-  if (all(first)) return home;
+  longer.length = length;
+  longer.path = length * at_lens(pair.outset, line).index;
+  if (all(first)) return longer;
   const HomeWay<T> way = home_way(pair.outset, ends.back);
   const auto area = [&](const T& more) {
     auto spread = pair.outset.spread;
@@ -163,15 +183,13 @@ PHOTIC_APART HomeSide<T> Connections<T>::lengthened(const Pair<T>& pair, T longe
   const auto in_path = usable(ends.order());
   const T shifts_here = shifts(in_path.order, pair.outset.shift_area);
   const auto near = back_.near_first(ends.back, ends.m, in_path, shifts_here);
-  const T of_edge = growth * area(longer) / area(T(0)) - T(1);
+  const T of_edge = growth * area(length) / area(T(0)) - T(1);
   const T of_meeting = growth - T(1);
-  const T behind = of_edge * near.home_edge + of_meeting * near.meeting;
-  home.side.behind = side.behind + select(first, T(0), behind);
-  const Mask<T> leaves_first = (ends.m == Index<T>(1)) & in_path.meeting(in_path.order);
-  const T meeting =
-      of_meeting * shifts_here * transport::turning(pair.back.meeting, pair.back.left_z());
-  home.side.last = side.last + select(leaves_first, meeting, T(0));
-  return home;
+  longer.behind = select(first, T(0), of_edge * near.home_edge + of_meeting * near.meeting);
+  longer.last = select(
+      (ends.m == Index<T>(1)) & in_path.meeting(in_path.order),
+      of_meeting * shifts_here * transport::turning(pair.back.meeting, pair.back.left_z()), T(0));
+  return longer;
 }
 
 /// Rays that meet where both are as far from an axis.
@@ -212,9 +230,8 @@ template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const Mask<T>& mask) {
   const auto& grid = samples_.grid;
   Pair<T> pairs = pair_of(ends);
-  const auto chord =
-      transport::chord(line_of(pairs.out), shiftable(line_of(pairs.back), ends.m), telescope_,
-                       at_lens(pairs.outset, back_.line(ends.back)), receiver_.last_path);
+  const auto chord = chord_of(line_of(pairs.out), line_of(pairs.back), ends.m,
+                              at_lens(pairs.outset, back_.line(ends.back)));
   pairs.lens = chord.lens;
   const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
     const auto& pair = of_lanes<T>(pairs, lane);
@@ -223,8 +240,9 @@ PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const M
     const Mask<T> passes = points & open_at(telescope_, lens) &
                            sight(telescope_, lens, -pair.outset.outward).on_detector;
     if (!any(passes)) return;
-    const auto moved = shifted(pair, lens);
-    meet_at(pair, passes & can_meet(pair, moved.ray, depth), moved, depth);
+    if (!telescope_.upright) return meet_tilted(pair, passes, lens, depth);
+    const Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, pair.outset.lens);
+    meet_at<true>(pair, passes, shifted(pair, shift), depth);
   };
   each_number(mask, grid.number(chord.from, ends.order()) - pairs.outset.grid_offset,
               grid.number(chord.to, ends.order()) - pairs.outset.grid_offset, meet_on_grid);
@@ -239,7 +257,8 @@ PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Crossing<T>& crossing,
   Moved<T> moved{pair.back, pair.axis(), gain, near_pivot};
   moved.ray.position = turn.of_place(pair.back.position);
   moved.ray.direction = turn.of_direction(pair.back.direction);
-  meet_at(pair, mask, moved, crossing.depth);
+  if (!telescope_.upright) return meet_under_tilted(pair, mask, moved, crossing.depth);
+  meet_at<true>(pair, mask, moved, crossing.depth);
 }
 
 /// A turn changes the angle at the pivot, and with it the phase function's value there; tells what
@@ -269,6 +288,7 @@ std::array<T, 2> Connections<T>::turn_pivot(Pair<T>& pair,
 }
 
 template <class T>
+template <bool upright>
 void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved,
                              const T& depth) {
   const Ray& out = pair.out;
@@ -285,21 +305,28 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Mov
                                                             moved.ray.direction, out.direction),
                                                     moved.axis)};
   const auto last = [&] { return select(ends.m > Index<T>(0), last_depth(ends.back), depth); };
-  const bool aslant = is_aslant(telescope_);
+  const bool aslant = !upright && is_aslant(telescope_);
   if (aslant) freedom = freedom_before(last(), freedom);
   const auto laser = laser_.side(out, pair.spread, ends.laser, ends.i, in_path, freedom);
-  HomeSide<T> home{
-      back_.side(pair.back, outset.spread, ends.back, ends.m, in_path, {shifts_last, pair.axis()})};
-  home.side.ray = moved.ray;
-  home.side.behind = home.side.behind + moved.near_pivot;
-  if (!telescope_.upright) home = lengthened(pair, moved.longer, home.side);
+  auto home =
+      back_.side(pair.back, outset.spread, ends.back, ends.m, in_path, {shifts_last, pair.axis()});
+  home.ray = moved.ray;
+  home.behind = home.behind + moved.near_pivot;
+  T gain = moved.gain;
+  if (!upright) {
+    const Longer<T> longer = lengthened(pair, moved.longer);
+    gain = gain * longer.gain;
+    home.ray.path = home.ray.path + longer.path;
+    home.spread.before = home.spread.before + longer.length;
+    home.behind = home.behind + longer.behind;
+    home.last = home.last + longer.last;
+  }
   if (aslant) freedom.shifts = select(ends.m > Index<T>(0), freedom.shifts, shifts_last);
-  const auto meeting =
-      meet(sea_, laser, home.side, depth, layer, freedom, world_.reversal, samples_);
+  const auto meeting = meet(sea_, laser, home, depth, layer, freedom, world_.reversal, samples_);
   if (world_.compares) [[unlikely]]
     complete_by_meeting(pair, moved, depth, layer);
   score(pair.ends, Walked::both, emitting & (meeting.path < receiver_.last_path),
-        moved.gain * home.gain * meeting.value, meeting.path, last(), in_path.order);
+        gain * meeting.value, meeting.path, last(), in_path.order);
 }
 
 }  // namespace photic::engine

@@ -111,11 +111,14 @@ struct Moved {
   T longer{0};      ///< so much longer is its way from the lens [m]
 };
 
-/// A telescope's side of a meeting, and what its sample gains.
+/// What a longer way from the lens makes of a telescope's side of a meeting.
 template <class T>
-struct HomeSide {
-  transport::Side<T> side;
-  T gain{1};
+struct Longer {
+  T gain{1};   ///< of the sample
+  T path{};    ///< more of it [m]
+  T length{};  ///< of the way, more of it [m]
+  T behind{};  ///< what n h / g of all strategies behind the ray gains
+  T last{};    ///< and that of meeting where it begins, but for P and the edge beyond
 };
 
 /// A telescope's walk's first way in the water.
@@ -172,6 +175,10 @@ class Connections {
   std::int32_t list_laser_rays(std::size_t first, std::size_t walks);
   void shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
              const transport::AtLens<T>& start);
+  transport::Chord<T> chord_of(const Line& out, const Line& home, const Index<T>& m,
+                               const transport::AtLens<T>& start) const;
+  transport::Chord<T> tilted_chord(Line out, Line home, Index<T> m,
+                                   transport::AtLens<T> start) const;
   void turn(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
             const transport::Vertical<T>& axis);
 
@@ -190,11 +197,14 @@ class Connections {
              const Joint& to, const Vertex& v, const Vertex& w, const T& length,
              const Usable<T>& usable);
   Pair<T> pair_of(const RayEnds<T>& ends) const;
-  Moved<T> shifted(const Pair<T>& pair, const instrument::PlanePoint<T>& lens) const;
+  Moved<T> shifted(const Pair<T>& pair, const Vec3<T>& shift) const;
+  void meet_tilted(const Pair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens, T depth);
+  void meet_under_tilted(const Pair<T>& pair, Mask<T> mask, Moved<T> moved, T depth);
   [[nodiscard]] Mask<T> can_meet(const Pair<T>& pair, const Ray& moved, const T& depth) const;
-  HomeSide<T> lengthened(const Pair<T>& pair, T longer, transport::Side<T> side) const;
+  Longer<T> lengthened(const Pair<T>& pair, T length) const;
   [[nodiscard]] HomeWay<T> home_way(const Outset<T>& outset, const Index<T>& back) const;
   std::array<T, 2> turn_pivot(Pair<T>& pair, const transport::Rotation<T>& turn) const;
+  template <bool upright>
   void meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);
 
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {

@@ -164,26 +164,37 @@ Chord<T> within_rim(const LensLine<T>& line, const T& radius, const Span<T>& spa
   return c;
 }
 
-/// `last_path`: of both walks together [m].
+/// From a telescope's ray to a laser's, at the surface's level and per metre of depth.
+template <class T>
+std::array<Vec3<T>, 2> level_way(const DepthLine<T>& back, const DepthLine<T>& laser) {
+  return {
+      Vec3<T>{laser.x - back.x, laser.y - back.y, T(0)},
+      Vec3<T>{laser.x_per_depth - back.x_per_depth, laser.y_per_depth - back.y_per_depth, T(0)}};
+}
+
+/// Under an upright lens. `lens`: where the walk came through it; `last_path`: of both walks
+/// together [m].
 template <class T>
 Chord<T> chord(const DepthLine<T>& laser, const DepthLine<T>& back,
+               const instrument::Telescope<T>& telescope, const instrument::PlanePoint<T>& lens,
+               const T& last_path) {
+  const auto [at_surface, per_depth] = level_way(back, laser);
+  return within_rim<T>(
+      {lens + parts_in_plane(telescope, at_surface), parts_in_plane(telescope, per_depth)},
+      telescope.lens_radius, common_span(laser, back, last_path));
+}
+/// Under any lens.
+template <class T>
+Chord<T> chord(const DepthLine<T>& laser, DepthLine<T> back,
                const instrument::Telescope<T>& telescope, const AtLens<T>& start,
                const T& last_path) {
-  const Vec3<T> at_surface{laser.x - back.x, laser.y - back.y, T(0)};
-  const Vec3<T> slope{laser.x_per_depth - back.x_per_depth, laser.y_per_depth - back.y_per_depth,
-                      T(0)};
-  if (telescope.upright) {
-    return within_rim<T>(
-        {start.lens + parts_in_plane(telescope, at_surface), parts_in_plane(telescope, slope)},
-        telescope.lens_radius, common_span(laser, back, last_path));
-  }
+  const auto [at_surface, per_depth] = level_way(back, laser);
   const auto there = lens_shift(telescope, start.outward, at_surface);
-  const auto per_depth = lens_shift(telescope, start.outward, slope);
-  DepthLine<T> longer = back;
-  longer.path = back.path + start.index * there.longer;
-  longer.path_per_depth = back.path_per_depth + start.index * per_depth.longer;
-  return within_rim<T>({start.lens + there.aside, per_depth.aside}, telescope.lens_radius,
-                       common_span(laser, longer, last_path));
+  const auto slope = lens_shift(telescope, start.outward, per_depth);
+  back.path = back.path + start.index * there.longer;
+  back.path_per_depth = back.path_per_depth + start.index * slope.longer;
+  return within_rim<T>({start.lens + there.aside, slope.aside}, telescope.lens_radius,
+                       common_span(laser, back, last_path));
 }
 
 /// The depths, at most two, at which a telescope's ray meets a laser's if it is turned about a

@@ -137,6 +137,13 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
     const Pair pair = random_pair(telescope, random);
     const double last_path = random.between(20, 160);
     const auto c = chord(line_of(pair.laser), line_of(pair.back), telescope, start, last_path);
+    if (telescope.upright) {
+      const auto of_upright =
+          chord(line_of(pair.laser), line_of(pair.back), telescope, start.lens, last_path);
+      ASSERT_EQ(of_upright.exists, c.exists) << n;
+      ASSERT_EQ(of_upright.from, c.from) << n;
+      ASSERT_EQ(of_upright.to, c.to) << n;
+    }
     const bool may = turns_back(pair.laser, pair.back);
     exists += may && c.exists;
     if (c.exists) {
