@@ -335,4 +335,5 @@ void Connections<T>::close() {
 
 #include "engine/connect_environments.hpp"  // IWYU pragma: export
 #include "engine/connect_rays.hpp"          // IWYU pragma: export
+#include "engine/connect_tilted.hpp"        // IWYU pragma: export
 #include "engine/connect_vertices.hpp"      // IWYU pragma: export
