@@ -6,9 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "engine/batches.hpp"
-#include "engine/problem.hpp"
-#include "engine/scalar.hpp"
+#include "support/changed_world.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
@@ -229,20 +227,6 @@ TEST(Bidirectional, EvenlySpreadWalksDoNotMatter) {
 }
 TEST(Bidirectional, ConversionProbabilityDoesNotMatter) {
   expect_same_echo("conversion_probability = 0.05", "conversion_probability = 0.6");
-}
-
-/// A run in a world that is `change`d.
-template <class Change>
-tally::Result simulate_in(const std::string& scene, Change change) {
-  const auto problem = engine::make_problem(read(scene));
-  auto world = engine::make_world<double>(problem.scene, problem.medium, problem.gates);
-  change(world);
-  const engine::RunOptions options;
-  engine::Conductor conductor(problem.scene.simulation, options);
-  tally::Result result = engine::describe(problem);
-  const engine::ScalarSimulator<double> simulator(world);
-  engine::BatchRunner(problem, simulator, conductor).run().fill(result);
-  return result;
 }
 
 // Deep inelastic echoes with walks turned about where they convert and without. Seen red: with half

@@ -82,31 +82,56 @@ tally::Result run_with(const Setup& s, const std::string& water, const std::stri
   return s.lanes ? run_in_lanes(out) : engine::run(out);
 }
 
+/// Echoes in water with so much more absorption everywhere fade by the length of their path, which
+/// a gate tells. Tells how many gates there are light in.
+std::size_t expect_fading(const tally::Result& result, double more_a, bool submerged) {
+  const std::size_t gates = result.gates();
+  // In the air light may go a little askew.
+  const double slack = submerged ? 1e-4 : 0.02;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < result.echo.mean.size(); ++i) {
+    if (result.echo.mean[i] == 0) continue;
+    const double ratio = result.environment_echo.mean[i] / result.echo.mean[i];
+    const auto water = [&](std::size_t edge, double less) {
+      const double path = metre_per_nanosecond * result.gate_time_edge_ns[edge];
+      return std::max(0.0, path - (submerged ? 0 : in_air_m) - less) / group_index;
+    };
+    EXPECT_LE(ratio, std::exp(-more_a * water(i % gates, slack)) * (1 + 1e-4)) << i;
+    EXPECT_GE(ratio, std::exp(-more_a * water(i % gates + 1, 0)) * (1 - 1e-4)) << i;
+    ++seen;
+  }
+  return seen;
+}
+
 class EnvironmentPaths : public testing::TestWithParam<Setup> {};
 
-// In water with more absorption everywhere light fades by the length of its path, which a gate
-// tells. Seen red, each with its estimators: without the way from the last vertex, without the edge
+// Seen red, each with its estimators: without the way from the last vertex, without the edge
 // between two walks, without either ray to a meeting, with reflected legs as if they were straight,
 // with reflected rays to a meeting so; with the walks' own depths left out.
 TEST_P(EnvironmentPaths, FadeByTheirLength) {
   const double more_a = 0.3;
   const auto result = run_with(GetParam(), three_waters(0), three_waters(more_a));
-  const std::size_t gates = result.gates();
-  std::size_t seen = 0;
-  for (std::size_t i = 0; i < result.echo.mean.size(); ++i) {
-    if (result.echo.mean[i] == 0) continue;
-    const double ratio = result.environment_echo.mean[i] / result.echo.mean[i];
-    const auto water = [&](std::size_t edge, double slack) {
-      const double path = metre_per_nanosecond * result.gate_time_edge_ns[edge];
-      return std::max(0.0, path - (GetParam().submerged ? 0 : in_air_m) - slack) / group_index;
-    };
-    // In the air light may go a little askew.
-    const double slack = GetParam().submerged ? 1e-4 : 0.02;
-    EXPECT_LE(ratio, std::exp(-more_a * water(i % gates, slack)) * (1 + 1e-4)) << i;
-    EXPECT_GE(ratio, std::exp(-more_a * water(i % gates + 1, 0)) * (1 - 1e-4)) << i;
-    ++seen;
-  }
-  EXPECT_GT(seen, 3 * 40U);
+  EXPECT_GT(expect_fading(result, more_a, GetParam().submerged), 3 * 40U);
+}
+
+// Ways from a lens of 1 m that is tilted by 45 degrees become longer or shorter by up to some
+// metres if a walk is shifted; gates of 2 cm tell how long they are. Seen red: with ways as long as
+// before; with the first rays' longer by that once more, which begin at the lens.
+TEST(PathsFromATiltedLens, FadeByTheirLength) {
+  const double more_a = 0.3;
+  const std::string lidar =
+      "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, -2.0]\ndirection = [0.0, 0.0, "
+      "-1.0]\ndiameter_m = 0.02\nhalf_divergence_mrad = 100.0\n[[telescope]]\nposition_m = "
+      "[0.0, 0.5, -2.0]\ndirection = [0.0, 0.7, -0.7]\ndiameter_m = 1.0\nfocal_length_m = 1.0\n"
+      "half_field_of_view_mrad = 900.0\n";
+  const auto scene = [&](double more) {
+    return read(lidar + channel("elastic") + three_waters(more) +
+                "[gates]\nstart_ns = 0.0\nstop_ns = 40.0\nstep_ns = 0.2\n" +
+                simulation(10'000, 74, "", "bidirectional"));
+  };
+  auto both = scene(0);
+  both.environment.push_back({"other", {}, scene(more_a).optics, scene(more_a).sea});
+  EXPECT_GT(expect_fading(run_in_lanes(both), more_a, true), 100U);
 }
 
 // Light that is scattered k times by water that scatters more. Seen red: with only one of the

@@ -6,60 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "support/random.hpp"
+#include "unit/engine/lidars.hpp"
 #include "unit/engine/scores.hpp"
-#include "unit/transport/sea.hpp"
 
 namespace photic::engine {
 namespace {
 
 using test::Random;
-
-struct Sea {
-  World<double> world;
-  medium::Medium medium = transport::make_sea(40);
-
-  Sea(const scene::Source& source, const scene::Telescope& telescope) {
-    world.sea = medium.view();
-    world.laser = instrument::make_laser<double>(source);
-    world.laser_layer = medium.layer_at(std::max(0.0, -source.position_m.z));
-    world.telescopes = {instrument::make_telescope<double>(telescope)};
-    world.telescope_layer = {medium.layer_at(std::max(0.0, -telescope.position_m.z))};
-    world.reversal = {
-        0.3, 0.5,
-        axis_in_water(world.laser.axis, world.laser.submerged, medium.line[0].refractive_index), 1,
-        0.2};
-    world.path_to_origin = {path_to_origin(source, telescope)};
-    world.deepest = 40;
-    world.most_vertices = most_vertices;
-    world.turns_scattered = world.reversal.beam.x == 0 && world.reversal.beam.y == 0;
-  }
-  Sea(const Sea&) = delete;  // the world looks into the medium
-  Sea& operator=(const Sea&) = delete;
-};
-
-/// Also of walks that may be turned: as many as of those that may be shifted.
-const transport::Samples<double> shifted{1, 0.3, 2, 0, grid}, turned{1, 0.3, 2, 2, grid};
-
-scene::Source laser_at(const V& position, const V& direction) {
-  scene::Source source;
-  source.position_m = position;
-  source.direction = direction;
-  source.diameter_m = 0.02;
-  source.half_divergence_mrad = 1200;
-  return source;
-}
-
-/// It sees 65 degrees about its axis.
-scene::Telescope telescope_at(const V& position, const V& direction) {
-  scene::Telescope t;
-  t.position_m = position;
-  t.direction = direction;
-  t.diameter_m = 0.3;
-  t.obstruction_diameter_m = 0.1;
-  t.focal_length_m = 0.5;
-  t.detector_diameter_m = 2.2;
-  return t;
-}
 
 struct Counts {
   int connected = 0, met = 0, turned = 0;
@@ -131,19 +84,22 @@ std::vector<Place> above_water() {
   const V down{0, 0, -1};
   return {
       {"upright", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, 10}, down)},
-      {"tilted", laser_at({0.5, 0, 8}, {0.1, 0, -1}), telescope_at({0, 0, 10}, {0.1, 0.2, -1})}};
+      {"tilted", laser_at({0.5, 0, 8}, {0.1, 0, -1}), telescope_at({0, 0, 10}, {0.1, 0.2, -1})},
+      {"tilted telescope", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, 10}, {0.2, 0, -1})}};
 }
 
 /// In the water at 4 or 10 m, above or below the vertices; or one of both above it.
 std::vector<Place> submerged() {
   const V down{0, 0, -1};
   const V up{0, 0, 1};
-  return {{"down", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, -4.5}, down)},
-          {"up", laser_at({0.5, 0, -10}, up), telescope_at({0, 0, -9}, up)},
-          {"laser up, telescope down", laser_at({0.5, 0, -10}, up), telescope_at({0, 0, -4}, down)},
-          {"laser alone", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, 10}, down)},
-          {"telescope alone", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, -4}, down)},
-          {"tilted", laser_at({0.5, 0, -4}, {0.1, 0, -1}), telescope_at({0, 0, -4}, {0, 0.1, -1})}};
+  return {
+      {"down", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, -4.5}, down)},
+      {"up", laser_at({0.5, 0, -10}, up), telescope_at({0, 0, -9}, up)},
+      {"laser up, telescope down", laser_at({0.5, 0, -10}, up), telescope_at({0, 0, -4}, down)},
+      {"laser alone", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, 10}, down)},
+      {"telescope alone", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, -4}, down)},
+      {"tilted", laser_at({0.5, 0, -4}, {0.1, 0, -1}), telescope_at({0, 0, -4}, {0, 0.1, -1})},
+      {"tilted telescope", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, -4}, {0.1, 0.2, -1})}};
 }
 
 /// The first edge, or the last, or both by way of the surface.
@@ -154,6 +110,8 @@ std::vector<Place> looking_at_the_surface() {
           {"laser", laser_at({0.5, 0, -4}, up), telescope_at({0, 0, -4.5}, down), true, false},
           {"telescope", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, -4.5}, up), false, true},
           {"tilted", laser_at({0.5, 0, -4}, {0.1, 0, 1}), telescope_at({0, 0, -4}, {0, 0.1, 1}),
+           true, true},
+          {"tilted telescope", laser_at({0.5, 0, -4}, up), telescope_at({0, 0, -4}, {0, 0.1, 1}),
            true, true}};
 }
 
@@ -241,6 +199,7 @@ TEST(Strategies, ByWayOfTheSurfaceAgree) {
       path.mirrored[0] = place.mirrored_out;
       path.mirrored[3] = place.mirrored_home;
       if (place.mirrored_home && n % 4 == 0) path.vertex[2].z = -4 + random.between(-0.02, 0.02);
+      if (n % 8 == 0) path.vertex[1].z = -random.between(1, 3);  // then light turns back at both
       if (n % 2 == 1 && path.x(1 + n / 2 % 3).z > -12) {
         path.converted = 1 + n / 2 % 3;
         path.line = 1 + n / 6 % 2;
@@ -330,11 +289,13 @@ TEST(Strategies, OfConvertedLightAgree) {
 TEST(Strategies, OfWalksThatEndEarlyAgree) {
   Random random(105);
   int met = 0;
-  for (const Place& place : above_water()) {
+  std::vector<Place> places = above_water();
+  places.push_back(submerged().back());
+  for (const Place& place : places) {
     Sea sea(place.source, place.telescope);
     for (int n = 0; n < 200; ++n) {
       const std::int32_t order = 3 + n % 3;
-      auto path = random_path(random, order, 0.5, 11.9);
+      auto path = random_path(random, order, place.telescope.position_m.z < 0 ? 6 : 0.5, 11.9);
       path.line = n / 3 % 2;
       if (path.line > 0) path.converted = 1 + n / 6 % order;
       const std::int32_t most = 2 + n / 2 % 2;

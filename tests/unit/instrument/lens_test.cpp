@@ -245,6 +245,32 @@ TEST(LensShift, IsAPointOfTheSameRay) {
   }
 }
 
+// Lenses in the water. Seen red: with twice the rise; with none.
+TEST(AllPointsReach, WhereNoPointOfTheLensIsAsDeep) {
+  Random random(70);
+  for (int n = 0; n < 500; ++n) {
+    scene::Telescope scene;
+    random_telescope(random, scene);
+    scene.position_m.z = -random.between(1, 20);
+    const auto t = make_telescope<double>(scene);
+    double highest = -1e9, lowest = 1e9;
+    for (int turn = 0; turn < 100; ++turn) {
+      const double angle = 2 * pi * turn / 100;
+      const Point p{t.lens_radius * std::cos(angle), t.lens_radius * std::sin(angle)};
+      highest = std::max(highest, in_space(t, p).z);
+      lowest = std::min(lowest, in_space(t, p).z);
+    }
+    const double most = 0.001 * (highest - lowest);  // by which the points miss the rim's ends
+    for (const double z : {highest + most + 1e-9, lowest - most - 1e-9}) {
+      ASSERT_TRUE(all_points_reach(t, -z));
+    }
+    if (highest - lowest < 1e-6) continue;
+    for (const double z : {highest - most, lowest + most, t.position.z}) {
+      ASSERT_FALSE(all_points_reach(t, -z));
+    }
+  }
+}
+
 // The view of a telescope that looks at infinity ends sharply. Seen red: with the sine from
 // 1 - cos^2.
 TEST(ShiftArea, EndsWhereTheViewDoesInFloat) {
