@@ -261,7 +261,8 @@ TEST(Strategies, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
 // scattering of converted light; without the ratio of walk coefficients in a connection, in a
 // meeting behind it; without the telescope's chance, or where it turns conversions back; with the
 // last scattering of converted light taken for certain; with shifted rays where light goes on;
-// without what has been passed in last turns.
+// without what has been passed in last turns; with what lies behind a tilted lens' first vertex
+// kept only of the laser's light.
 TEST(Strategies, OfConvertedLightAgree) {
   Random random(104);
   int met = 0;
@@ -285,7 +286,8 @@ TEST(Strategies, OfConvertedLightAgree) {
 
 // Seen red: with a walk that sets out from its last vertex; with edges that no two walks reach;
 // with the last vertex' densities left out; with unusable meetings beside a connection, beside a
-// meeting; with unusable edges or meetings near the pivot of a walk that is turned.
+// meeting; with unusable edges or meetings near the pivot of a walk that is turned; with an
+// unusable meeting at the end of a longer way from a tilted lens.
 TEST(Strategies, OfWalksThatEndEarlyAgree) {
   Random random(105);
   int met = 0;

@@ -1,7 +1,10 @@
-// Meetings right before a tilted lens in the water, of which some points are deeper than others.
+// Meetings right before a tilted lens in the water, of which some points are deeper than others;
+// and turns under tilted lasers.
 #include <gtest/gtest.h>
 
+#include "engine/problem.hpp"
 #include "support/random.hpp"
+#include "support/scenes.hpp"
 #include "unit/engine/lidars.hpp"
 #include "unit/engine/scores.hpp"
 
@@ -42,6 +45,24 @@ TEST(Strategies, BesideATiltedLensInTheWaterAgree) {
   }
   EXPECT_GT(met, 200);
   EXPECT_GT(behind, 100);
+}
+
+// What walks draw about a tilted beam after a conversion changes if they are turned. Seen red: with
+// turns wherever the laser looks.
+TEST(Turns, AreForNoTiltedLaserInWaterThatConverts) {
+  const auto turns = [](const std::string& direction, const std::string& channels) {
+    auto scene = test::read(
+        test::ship_instrument + channels + test::water(0.06, 0.1, test::henyey_greenstein_phase) +
+        test::depth_gates(16, 2) + test::simulation(1000, 1, "", "bidirectional"));
+    if (direction == "tilted") scene.source.direction = {0.1, 0, -1};
+    const Problem problem = make_problem(scene);
+    return make_world<double>(problem.scene, problem.medium, problem.gates).turns;
+  };
+  const std::string elastic = test::channel("elastic");
+  EXPECT_TRUE(turns("upright", elastic));
+  EXPECT_TRUE(turns("tilted", elastic));
+  EXPECT_TRUE(turns("upright", elastic + test::channel("raman")));
+  EXPECT_FALSE(turns("tilted", elastic + test::channel("raman")));
 }
 
 }  // namespace
