@@ -213,7 +213,8 @@ TEST(Bidirectional, MeetingsDoNotMatter) {
   expect_same_echo("meetings = 100.0\nconnected_fraction = 0.1",
                    "meetings = 2.0\nconnected_fraction = 1.0");
 }
-// Seen red: with later rays shifted that not all points of the lens can begin (z of 5).
+// Seen red: with the lens' area across a ray for the level one, and with the inverse of how they
+// differ; with a way as long as before where time ends; without first rays' meetings near the lens.
 TEST(Bidirectional, ShiftsUnderATiltedLensInTheWaterDoNotMatter) {
   expect_same_echo("meetings = 40.0", "meetings = 1e-3", tilted_in_water);
 }

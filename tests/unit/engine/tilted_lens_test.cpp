@@ -51,9 +51,9 @@ TEST(Strategies, BesideATiltedLensInTheWaterAgree) {
 // turns wherever the laser looks.
 TEST(Turns, AreForNoTiltedLaserInWaterThatConverts) {
   const auto turns = [](const std::string& direction, const std::string& channels) {
-    auto scene = test::read(
-        test::ship_instrument + channels + test::water(0.06, 0.1, test::henyey_greenstein_phase) +
-        test::depth_gates(16, 2) + test::simulation(1000, 1, "", "bidirectional"));
+    auto scene =
+        test::read(test::ship_instrument + channels + "[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n" +
+                   test::depth_gates(16, 2) + test::simulation(1000, 1, "", "bidirectional"));
     if (direction == "tilted") scene.source.direction = {0.1, 0, -1};
     const Problem problem = make_problem(scene);
     return make_world<double>(problem.scene, problem.medium, problem.gates).turns;
