@@ -84,7 +84,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(
     const T& last, const Index<T>& order) {
   const auto out = each_lane(Walks<T>::slot(ends.laser, ends.i));
   const auto home = each_lane(Walks<T>::slot(ends.back, ends.m));
-  each_score(tally_, mask, scores_of(ends, value, path, last, order),
+  each_score(tally_, mask, scores_of(ends, walked, value, path, last, order),
              [&](std::size_t lane, const tally::Score& score, const auto& at) {
                const auto of_walks = [&](std::int32_t e) {
                  const auto of_laser = [&] { return laser_.ratios().at(out[lane], e); };

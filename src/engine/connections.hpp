@@ -128,8 +128,7 @@ struct HomeWay {
   T steep{};   ///< cosine to the vertical
 };
 
-/// The walks that a path is made of.
-enum class Walked : std::int8_t { laser, telescope, both };
+using tally::Walked;
 
 template <class T>
 class Connections {
@@ -290,17 +289,18 @@ class Connections {
              const T& last, const Index<T>& order) {
     if (world_.compares) [[unlikely]]
       return score_in_environments(ends, walked, mask, value, path, last, order);
-    scores_.admit(mask, scores_of(ends, value, path, last, order), tally_);
+    scores_.admit(mask, scores_of(ends, walked, value, path, last, order), tally_);
   }
-  [[nodiscard]] LaneScores<T> scores_of(const Ends<T>& ends, const T& value, const T& path,
-                                        const T& last, const Index<T>& order) const {
+  [[nodiscard]] LaneScores<T> scores_of(const Ends<T>& ends, Walked walked, const T& value,
+                                        const T& path, const T& last, const Index<T>& order) const {
     return {receiver_.telescope,
             world_.path_to_origin[receiver_.telescope],
             back_.line(ends.back),
             order,
             last,
             path,
-            value};
+            value,
+            walked};
   }
 
   const World<T>& world_;

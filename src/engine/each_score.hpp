@@ -1,6 +1,7 @@
 // The scores of the lanes of packs, one after the other.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +19,7 @@ struct LaneScores {
   double path_to_origin = 0;  ///< what the paths are short of (engine/world.hpp) [m]
   Index<T> line{}, order{};
   T depth{}, path{}, value{};
+  tally::Walked walked = tally::Walked::laser;
 };
 
 /// Their whole paths, in double.
@@ -39,7 +41,9 @@ void each_score(const tally::BatchTally& tally, const Mask<T>& mask, const LaneS
              values = each_lane(to_double(scores.value));
   for_each_lane(mask, [&](int lane) {
     const auto i = static_cast<std::size_t>(lane);
-    act(i, tally::Score{scores.telescope, lines[i], orders[i], depths[i], paths[i], values[i]},
+    act(i,
+        tally::Score{scores.telescope, lines[i], orders[i], depths[i], paths[i], values[i],
+                     scores.walked},
         tally::Places<std::int32_t>{gates[i], cells[i]});
   });
 }
@@ -58,7 +62,8 @@ class ScoreRoom {
     const auto places = tally.places(path, to_double(scores.depth));
     if constexpr (lanes == 1) {
       if (mask)
-        tally.score({telescope_, scores.line, scores.order, scores.depth, path, scores.value},
+        tally.score({telescope_, scores.line, scores.order, scores.depth, path, scores.value,
+                     scores.walked},
                     places);
     } else {
       const std::size_t at = waiting_;
@@ -69,16 +74,18 @@ class ScoreRoom {
       compress(mask, scores.value, &value_[at]);
       compress(mask, places.gate, &gate_[at]);
       compress(mask, places.depth, &cell_[at]);
-      waiting_ = at + count(mask);
+      const std::size_t more = count(mask);
+      std::fill_n(&walked_[at], more, scores.walked);
+      waiting_ = at + more;
       if (waiting_ > seats) close(tally);
     }
   }
   /// Hands over those who wait.
   void close(tally::BatchTally& tally) {
     for (std::size_t i = 0; i < waiting_; ++i)
-      tally.score(
-          {telescope_, line_[i], order_[i], depth_[i], path_to_origin_ + path_[i], value_[i]},
-          {gate_[i], cell_[i]});
+      tally.score({telescope_, line_[i], order_[i], depth_[i], path_to_origin_ + path_[i],
+                   value_[i], walked_[i]},
+                  {gate_[i], cell_[i]});
     waiting_ = 0;
   }
 
@@ -91,6 +98,7 @@ class ScoreRoom {
   std::size_t telescope_;
   double path_to_origin_;
   Column<std::int32_t> line_{}, order_{}, gate_{}, cell_{};
+  Column<tally::Walked> walked_{};
   Column<Element<T>> depth_{}, path_{}, value_{};
   std::size_t waiting_ = 0;
 };

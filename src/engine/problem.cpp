@@ -40,6 +40,7 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
     shape.per_depth_step = static_cast<double>(shape.depths) / (depth.back() - depth.front());
   }
   shape.max_order = static_cast<std::int32_t>(scene.simulation.max_order.value_or(0));
+  if (scene.simulation.estimator == "bidirectional") shape.walked = tally::kinds_of_walked;
   shape.environments = scene.environment.size() + scene.sensitivity.size();
   for (const auto& line : medium.line) {
     std::vector<tally::Counting> counted_by;

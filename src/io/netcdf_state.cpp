@@ -92,8 +92,9 @@ void describe(Visitor& v, State& s) {
             "echo by depth of the last scattering" + of_sums);
   v.array("order_cut_sum", cell, s.cut_order, itself, "first order cut off: sum of the scores");
   v.array("largest_score", cell, s.largest, itself, "largest single score");
-  v.array("score_octaves", in_cell({"octave"}), s.octaves, octaves,
-          "number of scores by octave of their size, 2^-128 to 1");
+  v.array("score_octaves", in_cell({"walked", "octave"}), s.octaves, octaves,
+          "number of scores by octave of their size, 2^-128 to 1; of paths of the laser's walks "
+          "alone, the telescope's, and both");
   if (!s.environment.empty())
     v.array("environment_sums", in_cell({"other_water", "environment_sum"}), s.environment,
             environment_sums,
@@ -179,6 +180,7 @@ void add_state(NetcdfImage& file, const tally::TotalsState& state) {
   file.add_dimension("sum", 2);
   file.add_dimension("row_count", 4);
   file.add_dimension("tail_sum", 8);
+  file.add_dimension("walked", state.octaves.size() / state.echo.size());
   file.add_dimension("octave", tally::score_octaves);
   if (!state.environment.empty()) {
     file.add_dimension("other_water", state.environment.size() / state.echo.size());
@@ -210,6 +212,7 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
                                   {"sum", 2},
                                   {"row_count", 4},
                                   {"tail_sum", 8},
+                                  {"walked", shape.walked},
                                   {"octave", tally::score_octaves},
                                   {"other_water", shape.environments},
                                   {"environment_sum", environment_fields},

@@ -33,13 +33,14 @@ struct CellScores {
   double largest = 0;    ///< single score
   double cut_order = 0;  ///< first order beyond max_order
   std::uint64_t scores = 0;
-  std::array<std::uint32_t, score_octaves> count{};  ///< of them, in an octave
+  /// Of them, by the walks that they are of, in an octave.
+  std::array<std::array<std::uint32_t, score_octaves>, kinds_of_walked> count{};
 
   [[nodiscard]] bool touched() const { return largest > 0 || cut_order > 0; }
-  void add(double value) {
+  void add(double value, Walked walked) {
     largest = std::max(largest, value);
     ++scores;
-    ++count[static_cast<std::size_t>(score_octave(value))];
+    ++count[static_cast<std::size_t>(walked)][static_cast<std::size_t>(score_octave(value))];
   }
 };
 
@@ -51,6 +52,7 @@ struct Score {
   double path = 0;   ///< group path from the laser's disc to the aperture [m], as if emitters
                      ///< gave light back at once
   double value = 0;  ///< expected photons
+  Walked walked = Walked::laser;
 };
 
 /// Where scores belong: the gate, if their light is emitted at once, and the cell of depth; -1:
@@ -196,7 +198,7 @@ inline bool BatchTally::add(const Score& s, std::int32_t depth, std::size_t cell
     here.cut_order += value;
     return false;
   }
-  here.add(value);
+  here.add(value, s.walked);
   by_order[cell * orders_ + std::min(static_cast<std::size_t>(s.order), orders_) - 1] += value;
   by_process[cell * processes_ + light_[static_cast<std::size_t>(s.line)].process] += value;
   if (depth >= 0) {

@@ -49,7 +49,9 @@ bool heavy(const Powers& p) { return p.fourth > largest_fourth_share * p.square 
 
 bool Totals::heavy_tail(std::size_t cell) const {
   const double error = error_of_sum(state_.echo[cell].low, counted(cell));
-  return unseen_sum(state_.octaves[cell]) > largest_unseen * error;
+  for (std::size_t k = cell * shape_->walked; k < (cell + 1) * shape_->walked; ++k)
+    if (unseen_sum(state_.octaves[k]) > largest_unseen * error) return true;
+  return false;
 }
 
 Totals::Health Totals::health_of(const TailSums& s, double largest, const Counted& n) {

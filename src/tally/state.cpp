@@ -33,7 +33,7 @@ TotalsState::TotalsState(const Shape& shape)
       by_depth(shape.cells() * shape.depths),
       cut_order(shape.cells()),
       largest(shape.cells()),
-      octaves(shape.cells()),
+      octaves(shape.cells() * shape.walked),
       environment(shape.cells() * shape.environments) {}
 
 std::size_t snapshots_at(std::uint64_t batches) {

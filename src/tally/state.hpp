@@ -92,7 +92,13 @@ struct Row {
   friend bool operator==(const Row&, const Row&) = default;
 };
 
-/// Scores are also counted by octave of their size: what shows a heavy tail.
+/// The walks that a scored path is made of: the laser's alone, which is all there is but for the
+/// bidirectional estimator, the telescope's alone, or both.
+enum class Walked : std::int8_t { laser, telescope, both };
+inline constexpr std::size_t kinds_of_walked = 3;
+
+/// Scores are also counted by octave of their size, those of each Walked for themselves: what shows
+/// a heavy tail.
 inline constexpr int score_octaves = 128;  ///< 2^-128 … 1
 
 /// The whole state of Totals. Two of the same scene that are equal go on alike to the last bit.
@@ -113,7 +119,7 @@ struct TotalsState {
   ZeroedVector<Sums> by_depth;    ///< [cell][depth]
   std::vector<double> cut_order;  ///< [cell] first order beyond max_order
   std::vector<double> largest;    ///< [cell] largest single score
-  ZeroedVector<std::array<std::uint64_t, score_octaves>> octaves;  ///< [cell]
+  ZeroedVector<std::array<std::uint64_t, score_octaves>> octaves;  ///< [cell][walked]
   ZeroedVector<EnvironmentSums> environment;                       ///< [cell][environment]
   // The echo when there were 2^k batches, one snapshot after the other.
   std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot][row]

@@ -22,7 +22,7 @@ bool fits(const TotalsState& state, const Shape& shape) {
          state.by_order.size() == cells * shape.orders &&
          state.by_process.size() == cells * shape.processes &&
          state.by_depth.size() == cells * shape.depths && state.cut_order.size() == cells &&
-         state.largest.size() == cells && state.octaves.size() == cells &&
+         state.largest.size() == cells && state.octaves.size() == cells * shape.walked &&
          state.environment.size() == cells * shape.environments &&
          state.snapshot_photons.size() == snapshots * shape.rows() &&
          state.snapshot_batches.size() == snapshots * shape.rows() &&
@@ -53,8 +53,10 @@ void Totals::merge(const BatchTally& batch) {
     state_.largest[cell] = std::max(state_.largest[cell], scores.largest);
     std::uint64_t rest = scores.scores;
     for (auto k = static_cast<std::size_t>(score_octave(scores.largest)); rest > 0; --k) {
-      state_.octaves[cell][k] += scores.count[k];
-      rest -= scores.count[k];
+      for (std::size_t w = 0; w < shape_->walked; ++w) {
+        state_.octaves[cell * shape_->walked + w][k] += scores.count[w][k];
+        rest -= scores.count[w][k];
+      }
     }
     merge_environments(batch, cell, echo);
   }

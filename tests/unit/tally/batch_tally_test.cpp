@@ -117,7 +117,8 @@ TEST(BatchTally, IsAsNewWhenCleared) {
     EXPECT_EQ(sum(*table), 0);
   for (const CellScores& cell : t.batch.cells) {
     EXPECT_FALSE(cell.touched());
-    EXPECT_EQ(std::accumulate(cell.count.begin(), cell.count.end(), 0U), 0U);
+    for (const auto& count : cell.count)
+      EXPECT_EQ(std::accumulate(count.begin(), count.end(), 0U), 0U);
   }
   EXPECT_TRUE(t.batch.touched_cells.empty() && t.batch.touched_depths.empty());
   EXPECT_EQ(t.batch.ledger.absorbed, 0);

@@ -177,6 +177,34 @@ TEST(Flags, HeavyTailOfFewScores) {
   EXPECT_EQ(flags(t) & heavy_tail, heavy_tail);
 }
 
+/// A quiet gate, made of the laser's walks, and smaller scores of both walks with such a tail.
+std::int32_t flags_beside_quiet_scores(double index, test::Random& random) {
+  Tallies t(0, 0, kinds_of_walked);
+  for (int b = 0; b < 64; ++b) {
+    for (int k = 0; k < 100; ++k) {
+      t.score(0, 1e-4, Walked::laser);
+      t.score(0, 1e-8, Walked::telescope);
+      t.score(0, std::min(0.5, 1e-8 * std::pow(random.uniform(), -1 / index)), Walked::both);
+    }
+    t.end_batch(1000);
+  }
+  return flags(t);
+}
+
+// The largest scores of a gate may be those of walks that tell nothing of what others are to find.
+// Seen red: with the octaves of all walks in one row; with those of the laser's alone looked at.
+TEST(Flags, HeavyTailOfSomeWalksIsNotHiddenByOthers) {
+  test::Random random(13);
+  int heavy = 0, light = 0;
+  constexpr int runs = 50;
+  for (int run = 0; run < runs; ++run) {
+    heavy += (flags_beside_quiet_scores(1.3, random) & heavy_tail) != 0;
+    light += (flags_beside_quiet_scores(4, random) & heavy_tail) != 0;
+  }
+  EXPECT_GE(heavy, 0.9 * runs);
+  EXPECT_LE(light, 0.05 * runs);
+}
+
 // Calm batches, then ones that scatter ten times as much. Seen red: with the error not scaled by
 // the photons; with the last snapshot; with the division by no error.
 TEST(Flags, ErrorGrowth) {

@@ -12,8 +12,8 @@ namespace photic::tally {
 /// Two telescopes; channel 0 counts line 0, channel 1 line 1, channel 2 lines 1 and 2; four gates
 /// of 5 m; three orders kept.
 struct Tallies {
-  explicit Tallies(std::int32_t max_order = 0, std::size_t environments = 0)
-      : shape(make_shape(max_order, environments)),
+  explicit Tallies(std::int32_t max_order = 0, std::size_t environments = 0, std::size_t walked = 1)
+      : shape(make_shape(max_order, environments, walked)),
         gates(scene(), lines()),
         batch(shape, gates),
         totals(shape) {}
@@ -26,8 +26,9 @@ struct Tallies {
     return scene;
   }
 
-  static Shape make_shape(std::int32_t max_order, std::size_t environments) {
+  static Shape make_shape(std::int32_t max_order, std::size_t environments, std::size_t walked) {
     Shape shape;
+    shape.walked = walked;
     shape.environments = environments;
     shape.telescopes = 2;
     shape.channels = 3;
@@ -52,6 +53,10 @@ struct Tallies {
   void score(std::int32_t gate, double value, std::int32_t order = 1, std::int32_t line = 0,
              std::size_t telescope = 0) {
     batch.score({telescope, line, order, 5.0 * gate + 2.5, path_in(gate), value});
+  }
+  /// The same, of a path that is made of such walks.
+  void score(std::int32_t gate, double value, Walked walked) {
+    batch.score({0, 0, 1, 5.0 * gate + 2.5, path_in(gate), value, walked});
   }
 
   void end_batch(std::uint64_t photons) {
