@@ -1,7 +1,11 @@
 // Whether the totals' error bars can be relied on, and which rows need no more photons.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "tally/totals.hpp"
@@ -19,16 +23,30 @@ constexpr double largest_variance_of_variance =
 constexpr double tail_scores = 100;  // at least, that tell how the largest ones are distributed
 constexpr double least_tail_index = 1.05;  // tails have a mean
 constexpr double largest_unseen = 0.5;     // of scores beyond those expected, in standard errors
+/// Of one kind of walks, before its largest ones are taken for a tail by themselves.
+constexpr std::uint64_t scores_of_kind = 1000;
+/// Of telescopes' walks: with fewer they have hardly ever come near the beam, and what only they
+/// can find has not been seen (decision 39).
+constexpr std::uint64_t scores_from_telescope = 300;
 /// Of environments scores are not counted by octave: their second moment stands in no fewer scores
 /// than 30, as sums of fourth powers tell.
 constexpr double largest_fourth_share = 1.0 / 30;
+
+using Octaves = std::array<std::uint64_t, score_octaves>;
+
+std::uint64_t scores_in(const Octaves& octaves) {
+  return std::accumulate(octaves.begin(), octaves.end(), std::uint64_t{0});
+}
+void add(const Octaves& octaves, Octaves& sum) {
+  std::ranges::transform(octaves, sum, sum.begin(), std::plus());
+}
 
 /// What is to be expected of scores larger than any expected so far, if the largest ones follow a
 /// Pareto distribution: its index by maximum likelihood from the octaves that hold the top of all
 /// scores (Hill's estimator, Ann. Stat. 3, 1163 (1975), of geometrically distributed octaves). It
 /// hardly depends on whether the very largest have come, as it must not: flags that do pick runs
 /// that lack them. Infinite of too few scores.
-double unseen_sum(const std::array<std::uint64_t, score_octaves>& octaves) {
+double unseen_sum(const Octaves& octaves) {
   double top = 0;    // scores in the octaves seen so far, from the largest down
   double above = 0;  // octaves between each of them and the present one, all together
   for (int k = score_octaves - 1; k >= 0; --k) {
@@ -49,9 +67,20 @@ bool heavy(const Powers& p) { return p.fourth > largest_fourth_share * p.square 
 
 bool Totals::heavy_tail(std::size_t cell) const {
   const double error = error_of_sum(state_.echo[cell].low, counted(cell));
-  for (std::size_t k = cell * shape_->walked; k < (cell + 1) * shape_->walked; ++k)
-    if (unseen_sum(state_.octaves[k]) > largest_unseen * error) return true;
-  return false;
+  const auto too_much = [error](const Octaves& octaves) {
+    return unseen_sum(octaves) > largest_unseen * error;
+  };
+  Octaves all{}, found_from_telescope{};
+  for (std::size_t w = 0; w < shape_->walked; ++w) {
+    const Octaves& octaves = state_.octaves[cell * shape_->walked + w];
+    add(octaves, all);
+    if (w != static_cast<std::size_t>(Walked::laser)) add(octaves, found_from_telescope);
+    if (scores_in(octaves) >= scores_of_kind && too_much(octaves)) return true;
+  }
+  if (shape_->walked > 1 && shape_->max_order != 1 &&
+      (scores_in(found_from_telescope) < scores_from_telescope || too_much(found_from_telescope)))
+    return true;
+  return too_much(all);
 }
 
 Totals::Health Totals::health_of(const TailSums& s, double largest, const Counted& n) {

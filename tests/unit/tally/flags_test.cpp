@@ -177,32 +177,42 @@ TEST(Flags, HeavyTailOfFewScores) {
   EXPECT_EQ(flags(t) & heavy_tail, heavy_tail);
 }
 
-/// A quiet gate, made of the laser's walks, and smaller scores of both walks with such a tail.
-std::int32_t flags_beside_quiet_scores(double index, test::Random& random) {
-  Tallies t(0, 0, kinds_of_walked);
+/// Whether a quiet gate, made of the laser's walks, is flagged for so many smaller scores a batch
+/// of both walks whose tail has such an index.
+bool heavy_beside_quiet_scores(double index, int scores, test::Random& random,
+                               std::int32_t max_order = 0) {
+  Tallies t(max_order, 0, kinds_of_walked);
   for (int b = 0; b < 64; ++b) {
-    for (int k = 0; k < 100; ++k) {
-      t.score(0, 1e-4, Walked::laser);
-      t.score(0, 1e-8, Walked::telescope);
-      t.score(0, std::min(0.5, 1e-8 * std::pow(random.uniform(), -1 / index)), Walked::both);
-    }
+    for (int k = 0; k < 100; ++k) t.score(0, 1e-4 * random.between(0.9, 1.1), Walked::laser);
+    for (int k = 0; k < scores; ++k)
+      t.score(0, std::min(0.5, 1e-7 * std::pow(random.uniform(), -1 / index)), Walked::both);
     t.end_batch(1000);
   }
-  return flags(t);
+  return (flags(t) & heavy_tail) != 0;
 }
 
 // The largest scores of a gate may be those of walks that tell nothing of what others are to find.
-// Seen red: with the octaves of all walks in one row; with those of the laser's alone looked at.
+// Seen red: with the octaves of all walks in one row.
 TEST(Flags, HeavyTailOfSomeWalksIsNotHiddenByOthers) {
   test::Random random(13);
   int heavy = 0, light = 0;
   constexpr int runs = 50;
   for (int run = 0; run < runs; ++run) {
-    heavy += (flags_beside_quiet_scores(1.3, random) & heavy_tail) != 0;
-    light += (flags_beside_quiet_scores(4, random) & heavy_tail) != 0;
+    heavy += heavy_beside_quiet_scores(1.2, 100, random);
+    light += heavy_beside_quiet_scores(4, 100, random);
   }
   EXPECT_GE(heavy, 0.9 * runs);
   EXPECT_LE(light, 0.05 * runs);
+}
+
+// Telescopes' walks that have hardly ever come near the beam, or never; there is nothing that only
+// they could find in light scattered once. Seen red: without the least number of scores.
+TEST(Flags, HeavyTailOfWalksThatHardlyFindTheBeam) {
+  test::Random random(14);
+  EXPECT_TRUE(heavy_beside_quiet_scores(4, 0, random));
+  EXPECT_TRUE(heavy_beside_quiet_scores(4, 4, random));
+  EXPECT_FALSE(heavy_beside_quiet_scores(4, 5, random));
+  EXPECT_FALSE(heavy_beside_quiet_scores(4, 0, random, 1));
 }
 
 // Calm batches, then ones that scatter ten times as much. Seen red: with the error not scaled by
