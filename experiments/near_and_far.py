@@ -18,7 +18,6 @@ for each scene, estimator, length and channel:
 
 import argparse
 import subprocess
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import netCDF4
@@ -27,6 +26,7 @@ import numpy as np
 SHIP = Path(__file__).parent.parent / "scenes" / "ship.toml"
 ESTIMATORS = {"forward": (1_000_000, 8_000_000), "bidirectional": (100_000, 500_000)}  # photons of short and long runs
 
+UNLIMITED = ["simulation.target_relative_error=1e-6", "simulation.max_time_s=1e5"]
 ELASTIC = "channel=[{ name = 'elastic', process = 'elastic' }]"
 HG = ["sea.layer.0={ iop = [{ wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.10 }],"
       " phase_function = { model = 'henyey-greenstein', g = 0.924 } }", ELASTIC]
@@ -77,14 +77,14 @@ def run(program, folder, seeds, names):
         out = path_of(folder, *job)
         if out.exists():
             return
-        settings = [f"simulation.estimator={estimator}", f"simulation.seed={seed}", *SCENES[name]]
+        settings = [f"simulation.estimator={estimator}", f"simulation.seed={seed}", *UNLIMITED, *SCENES[name]]
         command = [program, "run", SHIP, "-o", out, "--threads", "1", "--photons", str(photons), "--table", "none"]
         subprocess.run([*command, *(w for s in settings for w in ("--set", s))], check=True, stdout=subprocess.DEVNULL)
 
     jobs = [(name, estimator, photons, seed) for name in names for length in (0, 1)
             for estimator, lengths in ESTIMATORS.items() for photons in (lengths[length],) for seed in range(1, (seeds + 1 if length == 0 else seeds // 2 + 1))]
-    with ThreadPoolExecutor(1) as pool:
-        list(pool.map(one, jobs))
+    for job in jobs:
+        one(job)
 
 
 def read(path):

@@ -94,7 +94,7 @@ void describe(Visitor& v, State& s) {
   v.array("largest_score", cell, s.largest, itself, "largest single score");
   v.array("score_octaves", in_cell({"walked", "octave"}), s.octaves, octaves,
           "number of scores by octave of their size, 2^-128 to 1; of paths of the laser's walks "
-          "alone, the telescope's, and both");
+          "alone, and with the telescope's");
   if (!s.environment.empty())
     v.array("environment_sums", in_cell({"other_water", "environment_sum"}), s.environment,
             environment_sums,

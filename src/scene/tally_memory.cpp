@@ -9,10 +9,10 @@ namespace {
 // file; the number in two batches, or mean and error in the result.
 constexpr double per_sum = 16.0 + 16.0 + 16.0;
 constexpr double per_sum_of_batch = 8.0;
-/// Of a cell by itself: counts of its scores by 128 octaves, of 8 bytes twice, and of 4 in two
-/// batches; sums, snapshots of them, flags, diagnostics.
-constexpr double per_cell = 2 * 1024.0 + 2 * 536.0 + 500.0;
-constexpr double per_cell_of_batch = 536.0;
+/// Of a cell by itself: counts of its scores by 128 octaves and two kinds, of 8 bytes twice, and of
+/// 4 in two batches; sums, snapshots of them, flags, diagnostics.
+constexpr double per_cell = 2 * 2048.0 + 2 * 1048.0 + 500.0;
+constexpr double per_cell_of_batch = 1048.0;
 /// Of a cell in other water: tally::EnvironmentSums as sums above, and four numbers of the result.
 constexpr double per_water = 2 * 168.0 + 2 * 56.0 + 32.0;
 constexpr double per_water_of_batch = 56.0;

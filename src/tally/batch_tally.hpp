@@ -40,7 +40,7 @@ struct CellScores {
   void add(double value, Walked walked) {
     largest = std::max(largest, value);
     ++scores;
-    ++count[static_cast<std::size_t>(walked)][static_cast<std::size_t>(score_octave(value))];
+    ++count[kind_of(walked)][static_cast<std::size_t>(score_octave(value))];
   }
 };
 

@@ -23,22 +23,22 @@ constexpr double largest_variance_of_variance =
 constexpr double tail_scores = 100;  // at least, that tell how the largest ones are distributed
 constexpr double least_tail_index = 1.05;  // tails have a mean
 constexpr double largest_unseen = 0.5;     // of scores beyond those expected, in standard errors
-/// Of one kind of walks, before its largest ones are taken for a tail by themselves.
-constexpr std::uint64_t scores_of_kind = 1000;
-/// Of telescopes' walks: with fewer they have hardly ever come near the beam, and what only they
-/// can find has not been seen (decision 39).
-constexpr std::uint64_t scores_from_telescope = 300;
+/// Of telescopes' walks, at least: with fewer they have hardly ever come near the beam, and what
+/// only they can find has not been seen (decision 39).
+constexpr double least_scores_with_telescope = 300;
 /// Of environments scores are not counted by octave: their second moment stands in no fewer scores
 /// than 30, as sums of fourth powers tell.
 constexpr double largest_fourth_share = 1.0 / 30;
 
 using Octaves = std::array<std::uint64_t, score_octaves>;
 
-std::uint64_t scores_in(const Octaves& octaves) {
-  return std::accumulate(octaves.begin(), octaves.end(), std::uint64_t{0});
+double scores_in(const Octaves& octaves) {
+  return static_cast<double>(std::accumulate(octaves.begin(), octaves.end(), std::uint64_t{0}));
 }
-void add(const Octaves& octaves, Octaves& sum) {
-  std::ranges::transform(octaves, sum, sum.begin(), std::plus());
+Octaves sum(const Octaves& a, const Octaves& b) {
+  Octaves out{};
+  std::ranges::transform(a, b, out.begin(), std::plus());
+  return out;
 }
 
 /// What is to be expected of scores larger than any expected so far, if the largest ones follow a
@@ -70,17 +70,21 @@ bool Totals::heavy_tail(std::size_t cell) const {
   const auto too_much = [error](const Octaves& octaves) {
     return unseen_sum(octaves) > largest_unseen * error;
   };
-  Octaves all{}, found_from_telescope{};
-  for (std::size_t w = 0; w < shape_->walked; ++w) {
-    const Octaves& octaves = state_.octaves[cell * shape_->walked + w];
-    add(octaves, all);
-    if (w != static_cast<std::size_t>(Walked::laser)) add(octaves, found_from_telescope);
-    if (scores_in(octaves) >= scores_of_kind && too_much(octaves)) return true;
-  }
-  if (shape_->walked > 1 && shape_->max_order != 1 &&
-      (scores_in(found_from_telescope) < scores_from_telescope || too_much(found_from_telescope)))
-    return true;
-  return too_much(all);
+  const Octaves* kinds = &state_.octaves[cell * shape_->walked];
+  if (shape_->walked == 1) return too_much(kinds[0]);
+  return std::any_of(kinds, kinds + kinds_of_walked,
+                     [&](const Octaves& kind) {
+                       return scores_in(kind) >= tail_scores && too_much(kind);
+                     }) ||
+         too_much(sum(kinds[0], kinds[1]));
+}
+
+bool Totals::beam_missed(std::size_t cell) const {
+  if (shape_->walked == 1) return false;
+  // Light scattered once the laser's walks find alone, all of it.
+  if (shape_->max_order == 1) return false;
+  return scores_in(state_.octaves[cell * shape_->walked + kind_of(Walked::both)]) <
+         least_scores_with_telescope;
 }
 
 Totals::Health Totals::health_of(const TailSums& s, double largest, const Counted& n) {
@@ -98,6 +102,7 @@ Totals::Health Totals::health(std::size_t cell) const {
   Health health = health_of(state_.echo[cell], state_.largest[cell], counted(cell));
   if ((health.flags & no_score) != 0) return health;
   health.raise(heavy_tail(cell), ConvergenceFlag::heavy_tail);
+  health.raise(beam_missed(cell), ConvergenceFlag::beam_missed);
   return health;
 }
 

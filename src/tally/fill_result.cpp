@@ -64,7 +64,8 @@ void Totals::fill_environment(std::size_t environment, Result& result) const {
     estimate(s.difference.low, cell, result.environment_difference);
     result.environment_convergence_flags.push_back(
         environment_flags(cell, environment) |
-        (result.convergence_flags[cell] & ConvergenceFlag::heavy_tail));
+        (result.convergence_flags[cell] &
+         (ConvergenceFlag::heavy_tail | ConvergenceFlag::beam_missed)));
   }
   flag_among_flagged(first, shape_->gates, result.environment_convergence_flags);
 }

@@ -13,6 +13,8 @@ const std::vector<FlagMeaning>& flag_meanings() {
       {heavy_tail, "heavy_tail",
        "scores too rare to have been seen may carry more than half the error"},
       {among_flagged, "among_flagged", "most of the gates around it are flagged"},
+      {beam_missed, "beam_missed",
+       "the telescope's walks hardly found the laser's light: take the forward estimator"},
   };
   return meanings;
 }

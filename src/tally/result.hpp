@@ -27,6 +27,7 @@ enum ConvergenceFlag : std::int32_t {
   uncertain_variance = 16,  ///< of an environment: the variance of the variance is above 0.1
   heavy_tail = 32,          ///< scores too rare to have been seen may carry too much
   among_flagged = 128,      ///< most of the gates around are flagged
+  beam_missed = 256,        ///< the telescope's walks hardly came near the laser's light
 };
 struct FlagMeaning {
   ConvergenceFlag flag;

@@ -19,7 +19,7 @@ struct Counting {
 struct Shape {
   std::size_t telescopes = 0, channels = 0, processes = 0, orders = 0, gates = 0, depths = 0,
               environments = 0;
-  std::size_t walked = 1;                               ///< of Walked from its first on
+  std::size_t walked = 1;  ///< kinds of walks that scores are counted apart for: 1 or 2
   std::vector<std::vector<Counting>> channels_of_line;  ///< that count a line's light
   std::vector<std::int32_t> process_of_line;            ///< index in the result's process axis
   std::vector<Decay> decay_of_line;                     ///< empty if all lines are emitted at once

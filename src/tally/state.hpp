@@ -95,10 +95,11 @@ struct Row {
 /// The walks that a scored path is made of: the laser's alone, which is all there is but for the
 /// bidirectional estimator, the telescope's alone, or both.
 enum class Walked : std::int8_t { laser, telescope, both };
-inline constexpr std::size_t kinds_of_walked = 3;
+/// Kinds that scores are counted apart for: of the laser's walks alone, and with a telescope's.
+inline constexpr std::size_t kinds_of_walked = 2;
+inline std::size_t kind_of(Walked walked) { return walked == Walked::laser ? 0 : 1; }
 
-/// Scores are also counted by octave of their size, those of each Walked for themselves: what shows
-/// a heavy tail.
+/// Scores are also counted by octave of their size: what shows a heavy tail.
 inline constexpr int score_octaves = 128;  ///< 2^-128 … 1
 
 /// The whole state of Totals. Two of the same scene that are equal go on alike to the last bit.
@@ -119,7 +120,7 @@ struct TotalsState {
   ZeroedVector<Sums> by_depth;    ///< [cell][depth]
   std::vector<double> cut_order;  ///< [cell] first order beyond max_order
   std::vector<double> largest;    ///< [cell] largest single score
-  ZeroedVector<std::array<std::uint64_t, score_octaves>> octaves;  ///< [cell][walked]
+  ZeroedVector<std::array<std::uint64_t, score_octaves>> octaves;  ///< [cell][kind]
   ZeroedVector<EnvironmentSums> environment;                       ///< [cell][environment]
   // The echo when there were 2^k batches, one snapshot after the other.
   std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot][row]

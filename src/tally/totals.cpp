@@ -53,10 +53,10 @@ void Totals::merge(const BatchTally& batch) {
     state_.largest[cell] = std::max(state_.largest[cell], scores.largest);
     std::uint64_t rest = scores.scores;
     for (auto k = static_cast<std::size_t>(score_octave(scores.largest)); rest > 0; --k) {
-      for (std::size_t w = 0; w < kinds_of_walked; ++w) {
-        const std::size_t counted = std::min(w, shape_->walked - 1);
-        state_.octaves[cell * shape_->walked + counted][k] += scores.count[w][k];
-        rest -= scores.count[w][k];
+      for (std::size_t kind = 0; kind < kinds_of_walked; ++kind) {
+        const std::size_t row = std::min(kind, shape_->walked - 1);
+        state_.octaves[cell * shape_->walked + row][k] += scores.count[kind][k];
+        rest -= scores.count[kind][k];
       }
     }
     merge_environments(batch, cell, echo);

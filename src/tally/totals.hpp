@@ -78,6 +78,7 @@ class Totals {
   /// Of a parameter's value in the scene; `tangent` counts from the first environment.
   void fill_sensitivity(std::size_t tangent, double value, Result& result) const;
   [[nodiscard]] bool heavy_tail(std::size_t cell) const;
+  [[nodiscard]] bool beam_missed(std::size_t cell) const;
   /// Of the error times the root of the photons, over the last factor of four to eight in them.
   [[nodiscard]] double error_growth(std::size_t cell) const;
 
