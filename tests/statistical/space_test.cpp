@@ -48,7 +48,7 @@ Counts count(const std::string& lidar, const std::vector<std::uint64_t>& seeds) 
 }
 
 // A spot of 350 m in a view of 7 km: what is scattered after its conversion only one in 400 of the
-// telescope's walks can find.
+// telescope's walks can find. Seen red: with the scores of all walks in one row of octaves.
 TEST(LidarInSpace, WhatTelescopesWalksHardlyFindIsFlagged) {
   EXPECT_EQ(count(from_space(5, 0.25), {3, 5, 7}).wrong, 0);
 }
@@ -56,7 +56,7 @@ TEST(LidarInSpace, WhatTelescopesWalksHardlyFindIsFlagged) {
 // A spot of 70 m in a view of 92 m, which they do find.
 TEST(LidarInSpace, WhatTheyFindIsNotAlwaysFlagged) {
   const auto [converged, wrong] = count(from_space(0.065, 0.05), {1, 2});
-  EXPECT_GT(converged, 15);
+  EXPECT_GT(converged, 8);
   EXPECT_EQ(wrong, 0);
 }
 

@@ -251,6 +251,7 @@ tally::Shape sample_shape(std::size_t environments) {
   shape.gates = gates;
   shape.depths = gates;
   shape.environments = environments;
+  shape.walked = tally::kinds_of_walked;
   return shape;
 }
 
