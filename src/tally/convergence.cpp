@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "tally/totals.hpp"
@@ -17,66 +19,81 @@ namespace {
 // bars").
 constexpr double least_batches = 30;
 constexpr double largest_relative_error = 0.10;
-constexpr double largest_single_share = 0.02;
-constexpr double largest_variance_of_variance =
-    0.1;                             // as MCNP asks for: X-5 Monte Carlo Team, LA-UR-03-1987 (2003)
 constexpr double tail_scores = 100;  // at least, that tell how the largest ones are distributed
+/// Scores like 1 / d^2, of points a distance d away, exceed x with a chance as x^-1.5: taken to be
+/// known as well as tail_scores scores would tell.
+constexpr double expected_index = 1.5;
 constexpr double least_tail_index = 1.05;  // tails have a mean
-constexpr double largest_unseen = 0.5;     // of scores beyond those expected, in standard errors
+constexpr double largest_unseen = 1;       // in standard errors of the batches
 /// Of telescopes' walks, at least: with fewer they have hardly ever come near the beam, and what
 /// only they can find has not been seen (decision 39).
 constexpr double least_scores_with_telescope = 300;
-/// Of environments scores are not counted by octave: their second moment stands in no fewer scores
-/// than 30, as sums of fourth powers tell.
-constexpr double largest_fourth_share = 1.0 / 30;
-
-using Octaves = std::array<std::uint64_t, score_octaves>;
+// Of an environment or a difference, the second moment of whose scores stands in fewer than two of
+// them, or the variance in fewer than two batches.
+constexpr double largest_fourth_share = 0.5;
+constexpr double largest_variance_of_variance = 0.5;
 
 double scores_in(const Octaves& octaves) {
   return static_cast<double>(std::accumulate(octaves.begin(), octaves.end(), std::uint64_t{0}));
 }
-Octaves sum(const Octaves& a, const Octaves& b) {
-  Octaves out{};
-  std::ranges::transform(a, b, out.begin(), std::plus());
-  return out;
-}
 
-/// What is to be expected of scores larger than any expected so far, if the largest ones follow a
-/// Pareto distribution: its index by maximum likelihood from the octaves that hold the top of all
-/// scores (Hill's estimator, Ann. Stat. 3, 1163 (1975), of geometrically distributed octaves). It
-/// hardly depends on whether the very largest have come, as it must not: flags that do pick runs
-/// that lack them. Infinite of too few scores.
+/// The sum to be expected of scores larger than any expected so far, if the largest ones follow a
+/// Pareto distribution: its index from the octaves that hold the top of all scores (Hill's
+/// estimator, Ann. Stat. 3, 1163 (1975), of geometrically distributed octaves), with scores of the
+/// expected index added to them. It hardly depends on whether the very largest have come, as it
+/// must not: flags that do pick runs that lack them. Infinite of too few scores.
 double unseen_sum(const Octaves& octaves) {
+  const double above_expected = tail_scores / (std::exp2(expected_index) - 1);
   double top = 0;    // scores in the octaves seen so far, from the largest down
   double above = 0;  // octaves between each of them and the present one, all together
   for (int k = score_octaves - 1; k >= 0; --k) {
     above += top;
     top += static_cast<double>(octaves[static_cast<std::size_t>(k)]);
     if (top < tail_scores) continue;
-    const double index = std::max(least_tail_index, std::log2(1 + top / above));
+    const double index =
+        std::max(least_tail_index, std::log2(1 + (top + tail_scores) / (above + above_expected)));
     const double exceeded_once = std::ldexp(std::pow(top, 1 / index), k - score_octaves);
     return exceeded_once / (1 - 1 / index);
   }
   return std::numeric_limits<double>::infinity();
 }
 
-/// Whether few scores carry the second moment.
+/// Sum of the scores' fourth powers: the largest one's, and the others taken to be spread evenly
+/// over their octaves.
+double fourth_powers(const Octaves& octaves, double largest) {
+  double sum = 0;
+  for (int k = 0; k < score_octaves; ++k) {
+    const auto others = octaves[static_cast<std::size_t>(k)] - (k == score_octave(largest) ? 1 : 0);
+    sum += std::ldexp(static_cast<double>(others), 4 * (k - score_octaves));
+  }
+  return std::pow(largest, 4) + sum * 15 / (4 * std::numbers::ln2);
+}
+
+/// Whether a single score carries the second moment.
 bool heavy(const Powers& p) { return p.fourth > largest_fourth_share * p.square * p.square; }
 
 }  // namespace
 
-bool Totals::heavy_tail(std::size_t cell) const {
-  const double error = error_of_sum(state_.echo[cell].low, counted(cell));
-  const auto too_much = [error](const Octaves& octaves) {
-    return unseen_sum(octaves) > largest_unseen * error;
-  };
-  const Octaves* kinds = &state_.octaves[cell * shape_->walked];
-  if (shape_->walked == 1) return too_much(kinds[0]);
-  return std::any_of(kinds, kinds + kinds_of_walked,
-                     [&](const Octaves& kind) {
-                       return scores_in(kind) >= tail_scores && too_much(kind);
-                     }) ||
-         too_much(sum(kinds[0], kinds[1]));
+Octaves Totals::octaves(std::size_t cell) const {
+  Octaves sum{};
+  for (std::size_t k = cell * shape_->walked; k < (cell + 1) * shape_->walked; ++k)
+    std::ranges::transform(sum, state_.octaves[k], sum.begin(), std::plus());
+  return sum;
+}
+
+double Totals::unseen(std::size_t cell) const {
+  const auto kinds = std::span(state_.octaves).subspan(cell * shape_->walked, shape_->walked);
+  const auto few = [](const Octaves& kind) { return scores_in(kind) < tail_scores; };
+  if (std::ranges::any_of(kinds, few)) return unseen_sum(octaves(cell));
+  double sum = 0;
+  for (const Octaves& kind : kinds) sum += unseen_sum(kind);
+  return sum;
+}
+
+double Totals::unseen_of(std::size_t cell, const Powers& scores) const {
+  if (scores.fourth == 0) return 0;
+  const double of_echo = fourth_powers(octaves(cell), state_.largest[cell]);
+  return unseen(cell) * std::pow(scores.fourth / of_echo, 0.25);
 }
 
 bool Totals::beam_missed(std::size_t cell) const {
@@ -87,51 +104,50 @@ bool Totals::beam_missed(std::size_t cell) const {
          least_scores_with_telescope;
 }
 
-Totals::Health Totals::health_of(const TailSums& s, double largest, const Counted& n) {
+double Totals::told_error(const Sums& sums, const Counted& n, double unseen) {
+  return with_unseen(standard_error(sums, n), unseen / n.photons);
+}
+
+Totals::Health Totals::health_of(const TailSums& s, const Counted& n, double unseen) {
   if (s.low.x == 0) return {no_score, 0, 0};
   Health health;
   health.variance_of_variance = variance_of_variance(s, n);
-  health.largest_score_share = largest / s.low.x;
+  health.relative_error = told_error(s.low, n, unseen) / mean(s.low, n);
   health.raise(n.batches < least_batches, few_batches);
-  health.raise(standard_error(s.low, n) > largest_relative_error * mean(s.low, n), large_error);
-  health.raise(health.largest_score_share > largest_single_share, large_score);
+  health.raise(health.relative_error > largest_relative_error, large_error);
+  health.raise(unseen > largest_unseen * error_of_sum(s.low, n), heavy_tail);
   return health;
 }
 
 Totals::Health Totals::health(std::size_t cell) const {
-  Health health = health_of(state_.echo[cell], state_.largest[cell], counted(cell));
+  Health health = health_of(state_.echo[cell], counted(cell), unseen(cell));
   if ((health.flags & no_score) != 0) return health;
-  health.raise(heavy_tail(cell), ConvergenceFlag::heavy_tail);
   health.raise(beam_missed(cell), ConvergenceFlag::beam_missed);
   return health;
 }
 
-std::int32_t Totals::difference_flags(const EnvironmentSums& s, const Counted& n) {
+std::int32_t Totals::difference_flags(std::size_t cell, const EnvironmentSums& s) const {
+  const double error = error_of_sum(s.difference.low, counted(cell));
   Health own;
-  own.raise(variance_of_variance(s.difference, n) > largest_variance_of_variance,
+  own.raise(unseen_of(cell, s.of_differences) > largest_unseen * error, heavy_tail);
+  own.raise(heavy(s.of_differences), heavy_tail);
+  own.raise(variance_of_variance(s.difference, counted(cell)) > largest_variance_of_variance,
             uncertain_variance);
-  own.raise(heavy(s.of_differences), ConvergenceFlag::heavy_tail);
   return own.flags;
 }
 
-std::int32_t Totals::environment_flags(std::size_t cell, std::size_t environment) const {
-  const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
-  Health own = health_of(s.echo, s.largest, counted(cell));
-  own.raise(heavy(s.of_scores), ConvergenceFlag::heavy_tail);
+std::int32_t Totals::environment_flags(std::size_t cell, const EnvironmentSums& s) const {
+  Health own = health_of(s.echo, counted(cell), unseen_of(cell, s.of_scores));
+  own.raise(heavy(s.of_scores), heavy_tail);
   own.raise(own.variance_of_variance > largest_variance_of_variance, uncertain_variance);
-  return own.flags | difference_flags(s, counted(cell));
-}
-
-std::int32_t Totals::tangent_flags(std::size_t cell, std::size_t tangent) const {
-  return difference_flags(state_.environment[cell * shape_->environments + tangent], counted(cell));
+  return own.flags | difference_flags(cell, s);
 }
 
 bool Totals::row_converged(std::size_t row, double relative_error) const {
   for (std::size_t cell = row * shape_->gates; cell < (row + 1) * shape_->gates; ++cell) {
-    const Sums& s = state_.echo[cell].low;
-    if (s.x == 0) continue;
-    const Counted n = counted(cell);
-    if (standard_error(s, n) > relative_error * mean(s, n) || health(cell).flags != 0) return false;
+    const Health h = health(cell);
+    if ((h.flags & no_score) != 0) continue;
+    if (h.relative_error > relative_error || h.flags != 0) return false;
   }
   return true;
 }
@@ -157,9 +173,7 @@ std::size_t Totals::scored_cells() const {
 double Totals::worst_error() const {
   double worst = 0;
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
-    const Sums& s = state_.echo[cell].low;
-    if (s.x == 0) continue;
-    const double error = standard_error(s, counted(cell)) / mean(s, counted(cell));
+    const double error = health(cell).relative_error;
     if (!(error <= worst)) worst = error;
   }
   return worst;

@@ -17,6 +17,10 @@ double error_of_sum(const Sums& s, const Counted& n) {
   return std::sqrt(spread / (n.batches - 1) * n.photons);
 }
 
+double with_unseen(double error, double unseen) {
+  return std::isfinite(unseen) ? std::hypot(error, unseen) : error;
+}
+
 double variance_of_variance(const TailSums& s, const Counted& n) {
   if (n.batches < 2) return not_known;
   const auto [second, fourth] = s.central(n.photons);

@@ -22,6 +22,9 @@ inline double standard_error(const Sums& s, const Counted& n) {
   return error_of_sum(s, n) / n.photons;
 }
 
+/// An error with what is expected of scores not seen yet, which is not taken if it is infinite.
+double with_unseen(double error, double unseen);
+
 /// Of the variance of the mean, over its square; NaN of a single batch.
 double variance_of_variance(const TailSums& s, const Counted& n);
 

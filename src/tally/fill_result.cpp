@@ -50,22 +50,22 @@ double Totals::error_growth(std::size_t cell) const {
   return nan;
 }
 
-void Totals::estimate(const Sums& sums, std::size_t cell, Estimates& out) const {
+void Totals::estimate(const Sums& sums, std::size_t cell, double unseen, Estimates& out) const {
   const Counted n = counted(cell);
   out.mean.push_back(mean(sums, n));
-  out.standard_error.push_back(standard_error(sums, n));
+  out.standard_error.push_back(told_error(sums, n, unseen));
 }
 
 void Totals::fill_environment(std::size_t environment, Result& result) const {
   const std::size_t first = result.environment_convergence_flags.size();
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
     const EnvironmentSums& s = state_.environment[cell * shape_->environments + environment];
-    estimate(s.echo.low, cell, result.environment_echo);
-    estimate(s.difference.low, cell, result.environment_difference);
+    estimate(s.echo.low, cell, unseen_of(cell, s.of_scores), result.environment_echo);
+    estimate(s.difference.low, cell, unseen_of(cell, s.of_differences),
+             result.environment_difference);
     result.environment_convergence_flags.push_back(
-        environment_flags(cell, environment) |
-        (result.convergence_flags[cell] &
-         (ConvergenceFlag::heavy_tail | ConvergenceFlag::beam_missed)));
+        environment_flags(cell, s) |
+        (result.convergence_flags[cell] & (heavy_tail | ConvergenceFlag::beam_missed)));
   }
   flag_among_flagged(first, shape_->gates, result.environment_convergence_flags);
 }
@@ -78,31 +78,34 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
     const Counted n = counted(cell);
     const double echo = mean(scene, n);
     const double change = mean(s.difference.low, n);  // p d echo / d p
-    const double error = standard_error(s.difference.low, n);
+    const double unseen = unseen_of(cell, s.of_differences);
     result.sensitivity.mean.push_back(change / value);
-    result.sensitivity.standard_error.push_back(error / std::abs(value));
+    result.sensitivity.standard_error.push_back(told_error(s.difference.low, n, unseen) /
+                                                std::abs(value));
+    const double of_ratio = error_of_ratio(change / echo, echo, standard_error(s.difference.low, n),
+                                           standard_error(scene, n), standard_error(s.echo.low, n));
     Estimates& logarithmic = result.logarithmic_sensitivity;
     logarithmic.mean.push_back(echo > 0 ? change / echo : nan);
-    logarithmic.standard_error.push_back(echo > 0 ? error_of_ratio(change / echo, echo, error,
-                                                                   standard_error(scene, n),
-                                                                   standard_error(s.echo.low, n))
-                                                  : nan);
+    logarithmic.standard_error.push_back(
+        echo > 0 ? with_unseen(of_ratio, unseen / (n.photons * echo)) : nan);
     result.sensitivity_convergence_flags.push_back(result.convergence_flags[cell] |
-                                                   tangent_flags(cell, tangent));
+                                                   difference_flags(cell, s));
   }
   flag_among_flagged(first, shape_->gates, result.sensitivity_convergence_flags);
 }
 
 void Totals::fill(Result& result) const {
   const auto gates = shape_->gates;
+  std::vector<double> unseen_share;  // of an echo, and so of its parts
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
-    estimate(state_.echo[cell].low, cell, result.echo);
+    const double x = state_.echo[cell].low.x;
+    unseen_share.push_back(x > 0 ? unseen(cell) / x : 0);
+    estimate(state_.echo[cell].low, cell, unseen(cell), result.echo);
     const Health h = health(cell);
     result.convergence_flags.push_back(h.flags);
     result.variance_of_variance.push_back(h.variance_of_variance);
     result.error_growth.push_back(error_growth(cell));
-    result.largest_score_share.push_back(h.largest_score_share);
-    const double x = state_.echo[cell].low.x;
+    result.largest_score_share.push_back(x > 0 ? state_.largest[cell] / x : 0.0);
     result.order_cut_share.push_back(x > 0 ? state_.cut_order[cell] / x : 0.0);
   }
   // The result has gates last but for the depths.
@@ -111,20 +114,25 @@ void Totals::fill(Result& result) const {
     for (std::size_t p = 0; p < shape_->processes; ++p) {
       for (std::size_t g = 0; g < gates; ++g) {
         const std::size_t cell = tc * gates + g;
-        estimate(state_.by_process[cell * shape_->processes + p], cell, result.echo_by_process);
+        const Sums& part = state_.by_process[cell * shape_->processes + p];
+        estimate(part, cell, unseen_share[cell] * part.x, result.echo_by_process);
       }
     }
     for (std::size_t o = 0; o < shape_->orders; ++o) {
       for (std::size_t g = 0; g < gates; ++g) {
         const std::size_t cell = tc * gates + g;
-        estimate(state_.by_order[cell * shape_->orders + o], cell, result.echo_by_order);
+        const Sums& part = state_.by_order[cell * shape_->orders + o];
+        estimate(part, cell, unseen_share[cell] * part.x, result.echo_by_order);
       }
     }
   }
   result.echo_by_depth.mean.reserve(state_.by_depth.size());
   result.echo_by_depth.standard_error.reserve(state_.by_depth.size());
-  for (std::size_t k = 0; k < state_.by_depth.size(); ++k)
-    estimate(state_.by_depth[k], k / shape_->depths, result.echo_by_depth);
+  for (std::size_t k = 0; k < state_.by_depth.size(); ++k) {
+    const std::size_t cell = k / shape_->depths;
+    estimate(state_.by_depth[k], cell, unseen_share[cell] * state_.by_depth[k].x,
+             result.echo_by_depth);
+  }
   const std::size_t parameters = result.parameter_value.size();
   expect(parameters <= shape_->environments, "every parameter has a tangent");
   const std::size_t environments = shape_->environments - parameters;

@@ -101,6 +101,7 @@ inline std::size_t kind_of(Walked walked) { return walked == Walked::laser ? 0 :
 
 /// Scores are also counted by octave of their size: what shows a heavy tail.
 inline constexpr int score_octaves = 128;  ///< 2^-128 … 1
+using Octaves = std::array<std::uint64_t, score_octaves>;
 
 /// The whole state of Totals. Two of the same scene that are equal go on alike to the last bit.
 struct TotalsState {
@@ -120,8 +121,8 @@ struct TotalsState {
   ZeroedVector<Sums> by_depth;    ///< [cell][depth]
   std::vector<double> cut_order;  ///< [cell] first order beyond max_order
   std::vector<double> largest;    ///< [cell] largest single score
-  ZeroedVector<std::array<std::uint64_t, score_octaves>> octaves;  ///< [cell][kind]
-  ZeroedVector<EnvironmentSums> environment;                       ///< [cell][environment]
+  ZeroedVector<Octaves> octaves;  ///< [cell][kind]
+  ZeroedVector<EnvironmentSums> environment;  ///< [cell][environment]
   // The echo when there were 2^k batches, one snapshot after the other.
   std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot][row]
   std::vector<Sums> snapshot_echo;                         ///< [snapshot][cell]

@@ -33,11 +33,11 @@ class Totals {
 
   [[nodiscard]] Counted counted(std::size_t cell) const;
 
-  /// Bits of ConvergenceFlag of an echo cell, the variance of its variance, its largest score's
-  /// share.
+  /// Bits of ConvergenceFlag of an echo cell, the variance of its variance, and the relative error
+  /// that is told of it; 0 if nothing was scored.
   struct Health {
     std::int32_t flags = 0;
-    double variance_of_variance = 0, largest_score_share = 0;
+    double variance_of_variance = 0, relative_error = 0;
     void raise(bool condition, ConvergenceFlag flag) { flags |= condition ? flag : 0; }
   };
   [[nodiscard]] Health health(std::size_t cell) const;
@@ -64,20 +64,27 @@ class Totals {
   void merge_environments(const BatchTally& batch, std::size_t cell, double echo);
   /// As all_converged, of a row's cells.
   [[nodiscard]] bool row_converged(std::size_t row, double relative_error) const;
-  void estimate(const Sums& sums, std::size_t cell, Estimates& out) const;
-  /// As far as sums over batches and the largest score tell.
-  [[nodiscard]] static Health health_of(const TailSums& s, double largest, const Counted& n);
+  /// Of sums in a cell with what has not been seen of them.
+  void estimate(const Sums& sums, std::size_t cell, double unseen, Estimates& out) const;
+  /// Of scores of either kind, together.
+  [[nodiscard]] Octaves octaves(std::size_t cell) const;
+  /// The sum expected of scores too rare to have been seen, of both kinds (docs/theory.md, eq. 76);
+  /// infinite of too few scores to tell.
+  [[nodiscard]] double unseen(std::size_t cell) const;
+  /// The same of scores that go with those of the echo, in an environment or a difference.
+  [[nodiscard]] double unseen_of(std::size_t cell, const Powers& scores) const;
+  /// Standard error of the mean per photon, with what has not been seen; without it if that cannot
+  /// be told.
+  [[nodiscard]] static double told_error(const Sums& sums, const Counted& n, double unseen);
+  [[nodiscard]] static Health health_of(const TailSums& s, const Counted& n, double unseen);
   /// Bits of ConvergenceFlag of an environment's echo and difference by themselves: a difference
   /// can have a heavier tail than either echo.
-  [[nodiscard]] std::int32_t environment_flags(std::size_t cell, std::size_t environment) const;
-  /// Of a tangent's difference alone: its echo is a line through the scene's, and no echo.
-  [[nodiscard]] std::int32_t tangent_flags(std::size_t cell, std::size_t tangent) const;
-  /// What environments and differences have in common: the shape of the difference's distribution.
-  [[nodiscard]] static std::int32_t difference_flags(const EnvironmentSums& s, const Counted& n);
+  [[nodiscard]] std::int32_t environment_flags(std::size_t cell, const EnvironmentSums& s) const;
+  /// Of a difference alone, as tangents are: their echo is a line through the scene's, and no echo.
+  [[nodiscard]] std::int32_t difference_flags(std::size_t cell, const EnvironmentSums& s) const;
   void fill_environment(std::size_t environment, Result& result) const;
   /// Of a parameter's value in the scene; `tangent` counts from the first environment.
   void fill_sensitivity(std::size_t tangent, double value, Result& result) const;
-  [[nodiscard]] bool heavy_tail(std::size_t cell) const;
   [[nodiscard]] bool beam_missed(std::size_t cell) const;
   /// Of the error times the root of the photons, over the last factor of four to eight in them.
   [[nodiscard]] double error_growth(std::size_t cell) const;

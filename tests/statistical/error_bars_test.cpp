@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <vector>
 
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
@@ -85,6 +88,64 @@ TEST(ErrorBars, OfANaiveRunAreFlaggedBelow10m) {
                         simulation(2e7, 1, "directed_fraction = 0.0\nreception = \"overlap\"")));
   for (std::size_t g = static_cast<std::size_t>(10 / gate_step); g < run.gates(); ++g)
     EXPECT_NE(run.convergence_flags[g], 0) << "gate " << g;
+}
+
+/// A scene of the tree that ends in [simulation], with that of a run of its own.
+std::string scene_of_tree(const std::string& path, const std::string& run) {
+  std::ifstream file(std::string(PHOTIC_SOURCE_DIR "/") + path);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  return text.substr(0, text.rfind("[simulation]")) + run;
+}
+
+/// Of many runs, whose mean is the truth.
+struct Spread {
+  double unflagged = 0;  ///< share of all gates
+  double covered = 0;    ///< of 95 % intervals of these
+  double rms = 0;        ///< of their errors, over those that are claimed
+};
+Spread spread(const std::string& path, double count, int runs, const std::string& estimator) {
+  std::vector<tally::Result> results;
+  for (int seed = 1; seed <= runs; ++seed) {
+    const auto run = simulation(count, static_cast<std::uint64_t>(seed), "", estimator);
+    results.push_back(run_in_lanes(read(scene_of_tree(path, run))));
+  }
+  double cells = 0, known = 0, covered = 0, squares = 0;
+  for (std::size_t cell = 0; cell < results[0].convergence_flags.size(); ++cell) {
+    double truth = 0;
+    for (const auto& result : results) truth += result.echo.mean[cell] / runs;
+    for (const auto& result : results) {
+      cells += 1;
+      if (result.convergence_flags[cell] != 0) continue;
+      const double z = (result.echo.mean[cell] - truth) / std::sqrt(1 - 1.0 / runs) /
+                       result.echo.standard_error[cell];
+      known += 1;
+      covered += std::abs(z) < 1.96;
+      squares += z * z;
+    }
+  }
+  std::printf("%s: %.3f of %.0f gates are not flagged, %.3f covered, rms %.3f\n", path.c_str(),
+              known / cells, cells, covered / known, std::sqrt(squares / known));
+  return {known / cells, covered / known, std::sqrt(squares / known)};
+}
+
+// Where scores fall off so slowly that their variance is infinite: errors tell what has not been
+// seen, rather than gates being flagged. Coverages scatter by 0.007 and 0.011 (one sigma, from seed
+// to seed); what is asked for is three of these below what 60 and 100 seeds gave. Seen red: without
+// the unseen in the errors (0.85 and 1.4; 0.88 and 1.4). Flags for unseen scores above half an
+// error would leave 0.1 and 0.5 of the gates.
+TEST(ErrorBars, HoldOfALidarInTheWater) {
+  const Spread s = spread("experiments/hard-submerged.toml", 5e5, 40, "forward");
+  EXPECT_GT(s.unflagged, 0.75);
+  EXPECT_GT(s.covered, 0.917);
+  EXPECT_LT(s.covered, 0.98);
+  EXPECT_LT(s.rms, 1.1);
+}
+TEST(ErrorBars, HoldInTurbidLayersUnderATiltedTelescope) {
+  const Spread s = spread("experiments/hard-turbid.toml", 1.2e5, 20, "bidirectional");
+  EXPECT_GT(s.unflagged, 0.75);
+  EXPECT_GT(s.covered, 0.90);
+  EXPECT_LT(s.covered, 0.98);
+  EXPECT_LT(s.rms, 1.18);
 }
 
 }  // namespace

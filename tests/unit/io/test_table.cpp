@@ -74,7 +74,7 @@ telescope ship
 * not converged, because
   no_score, 1 gate: no light was ever scored in the gate
   large_error, 2 gates: the standard error is above 10 % of the echo
-  heavy_tail, 1 gate: scores too rare to have been seen may carry more than half the error
+  heavy_tail, 1 gate: scores too rare to have been seen may add up to more than the error
 
 converged: raman 2 of 5 gates
 1.23 M photons in 2 s on 1 thread: 617 k photons/s, 4.50 M collisions/s
@@ -169,7 +169,8 @@ tally::Result small_result_in(const std::vector<std::string>& names) {
       result.environment_echo.standard_error.push_back(0.1 * echo);
       result.environment_difference.mean.push_back((ratios[i] - 1) * echo);
       result.environment_difference.standard_error.push_back(errors[i] * echo);
-      result.environment_convergence_flags.push_back(i == 1 || i == 4 ? tally::large_score : 0);
+      result.environment_convergence_flags.push_back(i == 1 || i == 4 ? tally::uncertain_variance
+                                                                      : 0);
     }
   return result;
 }
@@ -198,7 +199,7 @@ telescope ship, channel raman
       4.50              -*              -*
 
 * not converged, because
-  large_score, 4 gates: a single score carries more than 2 % of the echo
+  uncertain_variance, 4 gates: of environments: one batch carries much of the variance
 )");
   EXPECT_EQ(section_of_environments(small_result()), "none");
 }
@@ -217,7 +218,8 @@ tally::Result small_result_to(const std::vector<std::string>& parameters) {
       result.logarithmic_sensitivity.standard_error.push_back(errors[i]);
       result.sensitivity.mean.push_back(0);
       result.sensitivity.standard_error.push_back(0);
-      result.sensitivity_convergence_flags.push_back(i == 1 || i == 4 ? tally::large_score : 0);
+      result.sensitivity_convergence_flags.push_back(i == 1 || i == 4 ? tally::uncertain_variance
+                                                                      : 0);
     }
   }
   return result;
@@ -242,7 +244,7 @@ telescope ship, channel raman
       4.50              -*              -*
 
 * not converged, because
-  large_score, 4 gates: a single score carries more than 2 % of the echo
+  uncertain_variance, 4 gates: of environments: one batch carries much of the variance
 )");
   EXPECT_EQ(echo_table(small_result()).find("Sensitivities"), std::string::npos);
 }

@@ -1,6 +1,7 @@
 // What a batch scores in environments.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "unit/tally/tallies.hpp"
@@ -21,6 +22,29 @@ TEST(EnvironmentScores, AreAddedEachByItsRatio) {
   EXPECT_EQ(sums.fourths[1], 1312);
   EXPECT_EQ(sums.squares_of_differences[1], 10);
   EXPECT_EQ(sums.fourths_of_differences[1], 82);
+}
+
+// What has not been seen goes with the scores: errors of an environment and of its difference are
+// those of the echo times what the scores are. Seen red: with the unseen of the echo itself in
+// both; with none.
+TEST(EnvironmentScores, HaveTheirShareOfWhatHasNotBeenSeen) {
+  Tallies t(0, 1);
+  test::Random random(33);
+  std::array<double, EnvironmentScores::size> ratio{};
+  ratio.fill(1.2);
+  for (int batch = 0; batch < 40; ++batch) {
+    for (int k = 0; k < 100; ++k) {
+      const double value = 1e-6 * std::pow(random.uniform(), -1 / 1.5);
+      const Score score{0, 0, 1, 2.5, t.path_in(0), value};
+      t.batch.score(score, t.batch.places(score.path, score.depth), ratio.data());
+    }
+    t.end_batch(2000);
+  }
+  const Result r = t.result();
+  const double error = r.echo.standard_error[0];
+  EXPECT_GT(error, 1.2 * standard_error(t.totals.state().echo[0].low, t.totals.counted(0)));
+  EXPECT_NEAR(r.environment_echo.standard_error[0] / error, 1.2, 0.12);
+  EXPECT_NEAR(r.environment_difference.standard_error[0] / error, 0.2, 0.02);
 }
 
 /// The flags of an environment in four gates, all with steady echoes, but for some where once it

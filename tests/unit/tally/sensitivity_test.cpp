@@ -65,7 +65,7 @@ TEST(Sensitivity, AndItsErrorAreThoseOfTheResiduals) {
   Tangent t(-0.2);
   double echo = 0, change = 0, photons = 0;
   for (const ChangedSample& s : batches) {
-    for (int k = 0; k < 10; ++k) t.add(s.echo / 10, s.change / 10);
+    t.add(s.echo, s.change);  // too few in all to tell what has not been seen
     t.end_batch(static_cast<std::uint64_t>(s.photons));
     echo += s.echo;
     change += s.change;
@@ -133,7 +133,8 @@ std::int32_t flags_of_steady_echo(const Change& change) {
   Tangent t(0.5);
   test::Random random(9);
   for (int batch = 0; batch < 64; ++batch) {
-    for (int k = 0; k < 50; ++k) t.add(1e-5 * random.between(0.9, 1.1), change(batch, k));
+    for (int k = 0; k < 50; ++k)
+      t.add(1e-5 * random.between(0.9, 1.1), change(batch, k) * random.between(0.5, 1.5));
     t.end_batch(1000);
   }
   const Result r = t.result();
@@ -164,13 +165,15 @@ TEST(Sensitivity, IsFlaggedForItsOwnTail) {
 // Seen red: with the tangent's own flags alone.
 TEST(Sensitivity, IsFlaggedWhereTheEchoIs) {
   Tangent t(0.5);
+  test::Random random(10);
   for (int batch = 0; batch < 64; ++batch) {
-    for (int k = 0; k < 50; ++k) t.add(batch == 20 && k == 0 ? 1e-2 : 1e-5, 1e-6);
+    for (int k = 0; k < 50; ++k)
+      t.add(batch == 20 && k == 0 ? 1e-2 : 1e-5, 1e-6 * random.between(0.5, 1.5));
     t.end_batch(1000);
   }
   const Result r = t.result();
   EXPECT_NE(r.convergence_flags[0], 0);
-  EXPECT_EQ(r.sensitivity_convergence_flags[0], r.convergence_flags[0] | uncertain_variance);
+  EXPECT_EQ(r.sensitivity_convergence_flags[0], r.convergence_flags[0]);
 }
 
 }  // namespace

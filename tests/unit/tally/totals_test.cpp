@@ -56,7 +56,7 @@ TEST(Totals, HaveTheMeansAndErrorsOfTheirBatches) {
     const auto batches = random_batches(57, last);
     Tallies t;
     for (const Sample& b : batches) {
-      for (int k = 0; k < 10; ++k) t.score(2, b.score / 10);
+      t.score(2, b.score);  // too few in all to tell what has not been seen
       t.end_batch(b.photons);
     }
     const Result r = t.result();
@@ -110,7 +110,7 @@ TEST(Totals, OfOneBatchKnowNoError) {
     EXPECT_TRUE(unknown(of->standard_error));
   EXPECT_TRUE(std::isnan(r.variance_of_variance[0]));
   EXPECT_TRUE(std::isnan(r.ledger_standard_error));
-  EXPECT_EQ(r.convergence_flags[0], few_batches | large_score);
+  EXPECT_EQ(r.convergence_flags[0], few_batches);
   EXPECT_EQ(r.convergence_flags[1], no_score);
   EXPECT_FALSE(t.totals.all_converged(0.99));
 }
