@@ -6,11 +6,11 @@
 namespace photic::tally {
 namespace {
 
-/// Row 0 in every batch, with a steady score; rows 1 and 2 with one that scatters.
+/// Row 0 in every batch, with many scores; rows 1 and 2 with one that scatters.
 void add_batches(Tallies& t, int count, test::Random& random) {
   t.batch.rests = t.totals.resting(false);
   for (int b = 0; b < count; ++b) {
-    for (int k = 0; k < 10; ++k) t.score(1, 1e-4 * random.between(0.9, 1.1));
+    for (int k = 0; k < 50; ++k) t.score(1, 1e-4 * random.between(0.5, 1.5));
     for (int k = 0; k < 10; ++k) t.score(2, 1e-4 * random.between(0, 2), 1, 1);
     t.end_batch(1000);
   }
