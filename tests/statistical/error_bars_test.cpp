@@ -129,20 +129,18 @@ Spread spread(const std::string& path, double count, int runs, const std::string
 }
 
 // Where scores fall off so slowly that their variance is infinite: errors tell what has not been
-// seen, rather than gates being flagged. Coverages scatter by 0.007 and 0.011 (one sigma, from seed
-// to seed); what is asked for is three of these below what 60 and 100 seeds gave. Seen red: without
-// the unseen in the errors (0.85 and 1.4; 0.88 and 1.4). Flags for unseen scores above half an
-// error would leave 0.1 and 0.5 of the gates.
+// seen, rather than gates being flagged. Coverages scatter by 0.008 and 0.011 (one sigma, from seed
+// to seed); what is asked for is three of these below what 40 and 100 seeds gave.
 TEST(ErrorBars, HoldOfALidarInTheWater) {
   const Spread s = spread("experiments/hard-submerged.toml", 5e5, 40, "forward");
-  EXPECT_GT(s.unflagged, 0.75);
+  EXPECT_GT(s.unflagged, 0.4);
   EXPECT_GT(s.covered, 0.917);
   EXPECT_LT(s.covered, 0.98);
   EXPECT_LT(s.rms, 1.1);
 }
 TEST(ErrorBars, HoldInTurbidLayersUnderATiltedTelescope) {
   const Spread s = spread("experiments/hard-turbid.toml", 1.2e5, 20, "bidirectional");
-  EXPECT_GT(s.unflagged, 0.75);
+  EXPECT_GT(s.unflagged, 0.55);
   EXPECT_GT(s.covered, 0.90);
   EXPECT_LT(s.covered, 0.98);
   EXPECT_LT(s.rms, 1.18);
