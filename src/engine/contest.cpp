@@ -9,6 +9,8 @@
 #include "engine/batches.hpp"
 #include "medium/build.hpp"
 #include "scene/tally_memory.hpp"
+#include "tally/error_bars.hpp"
+#include "tally/totals.hpp"
 
 namespace photic::engine {
 namespace {
@@ -85,6 +87,10 @@ class Trial {
     if (options.interrupt != nullptr && options.interrupt->load()) throw InterruptedPilots();
     tally::Result result = describe(problem_);
     totals.fill(result);
+    // By batches alone: what a pilot has not seen does not fall off as 1 / sqrt(photons).
+    for (std::size_t cell = 0; cell < result.echo.mean.size(); ++cell)
+      result.echo.standard_error[cell] =
+          tally::standard_error(totals.state().echo[cell].low, totals.counted(cell));
     const double per_collision =
         forward_ ? static_cast<double>(problem_.scene.telescope.size()) : 1.0;
     const double before = keeps_ ? pilot_.cost : 0;
