@@ -74,10 +74,10 @@ void check(const std::string& phase, double depth) {
 }
 
 // Seen red: with errors 1.2 or 1.5 times too small; with errors 1.5 times too large; with no flags
-// at all; without the flag of a heavy tail; with a largest score of 0.05 % enough for a flag.
+// at all; without the flag of a heavy tail.
 TEST(ErrorBars, HoldOnHenyeyGreensteinWaterTo20m) { check(henyey_greenstein_phase, 20); }
 // Seen red: with errors 1.2 or 1.5 times too small; with errors 1.3 times too large; with no flags
-// at all; with a largest score of 0.05 % enough for a flag.
+// at all.
 TEST(ErrorBars, HoldOnPeakedWaterTo10m) { check(peaked_phase, 10); }
 
 // A plain walk on peaked water, whose deep gates live on scores that it has hardly seen, says so.

@@ -176,9 +176,8 @@ TEST(Flags, HeavyTailAboveOneError) {
   EXPECT_EQ(flags(less), 0);
 }
 
-// A run is no better for lacking the scores that are to come. Seen red: with the variance of the
-// variance or the share of the thirty largest scores in all squares looked at instead, which both
-// tell whether they have come; and with the changes named above.
+// A run is no better for lacking the scores that are to come. Seen red: with 0.5 for 1 error; with
+// the index of the tail less by 0.5.
 TEST(Flags, HeavyTailDoesNotPickRunsThatLackLargeScores) {
   test::Random random(12);
   constexpr double index = 1.8, mean = 0.1 * 1e-6 * index / (index - 1);
