@@ -48,7 +48,8 @@ Counts count(const std::string& lidar, const std::vector<std::uint64_t>& seeds) 
 }
 
 // A spot of 350 m in a view of 7 km: what is scattered after its conversion only one in 400 of the
-// telescope's walks can find. Seen red: with the scores of all walks in one row of octaves.
+// telescope's walks can find. Seen red: with the tail of all scores together and no flag
+// beam_missed.
 TEST(LidarInSpace, WhatTelescopesWalksHardlyFindIsFlagged) {
   EXPECT_EQ(count(from_space(5, 0.25), {3, 5, 7}).wrong, 0);
 }
