@@ -28,10 +28,12 @@ constexpr double largest_unseen = 1;       // in standard errors of the batches
 /// Of telescopes' walks, at least: with fewer they have hardly ever come near the beam, and what
 /// only they can find has not been seen (decision 39).
 constexpr double least_scores_with_telescope = 300;
-// Of an environment or a difference, the second moment of whose scores stands in fewer than two of
-// them, or the variance in fewer than two batches.
-constexpr double largest_fourth_share = 0.5;
-constexpr double largest_variance_of_variance = 0.5;
+// Scores of environments and differences are not counted by octave, and ratios of the waters give
+// them tails of their own: their second moment stands in no fewer scores than 30, as sums of fourth
+// powers tell, and their variance is known as MCNP asks for (X-5 Monte Carlo Team, LA-UR-03-1987
+// (2003)).
+constexpr double largest_fourth_share = 1.0 / 30;
+constexpr double largest_variance_of_variance = 0.1;
 
 double scores_in(const Octaves& octaves) {
   return static_cast<double>(std::accumulate(octaves.begin(), octaves.end(), std::uint64_t{0}));
@@ -69,7 +71,7 @@ double fourth_powers(const Octaves& octaves, double largest) {
   return std::pow(largest, 4) + sum * 15 / (4 * std::numbers::ln2);
 }
 
-/// Whether a single score carries the second moment.
+/// Whether few scores carry the second moment.
 bool heavy(const Powers& p) { return p.fourth > largest_fourth_share * p.square * p.square; }
 
 }  // namespace

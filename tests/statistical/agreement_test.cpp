@@ -24,7 +24,8 @@ std::string ship(const std::string& layers, const std::string& channels, double 
   return ship_instrument + channels + layers + depth_gates(20, 1) + simulation(photons, 5, more);
 }
 
-// On a broad phase function the plain walk converges too. Seen red: with 1 - e left out of the
+// On a broad phase function the plain walk converges too, to where its rare scores widen the errors
+// told. Seen red: with 1 - e left out of the
 // mixture of a direction; with one target too many in the count.
 TEST(Agreement, DirectedSamplingAndPlainWalk) {
   const auto layers = water(0.1, 0.2, broad_phase);
@@ -32,7 +33,7 @@ TEST(Agreement, DirectedSamplingAndPlainWalk) {
       engine::run(read(ship(layers, channel("elastic"), 2e6, "directed_fraction = 0.5")));
   auto plain_scene = read(ship(layers, channel("elastic"), 8e6, "directed_fraction = 0.0"));
   plain_scene.simulation.seed = 6;
-  compare(directed, engine::run(plain_scene), 15);
+  compare(directed, engine::run(plain_scene), 13);
 }
 
 // Inelastic echoes do not depend on how often light is converted or directed, or whether it is
