@@ -33,7 +33,7 @@ TEST(Agreement, DirectedSamplingAndPlainWalk) {
       engine::run(read(ship(layers, channel("elastic"), 2e6, "directed_fraction = 0.5")));
   auto plain_scene = read(ship(layers, channel("elastic"), 8e6, "directed_fraction = 0.0"));
   plain_scene.simulation.seed = 6;
-  compare(directed, engine::run(plain_scene), 13);
+  compare(directed, engine::run(plain_scene), 14);
 }
 
 // Inelastic echoes do not depend on how often light is converted or directed, or whether it is

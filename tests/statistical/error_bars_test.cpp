@@ -130,7 +130,7 @@ Spread spread(const std::string& path, double count, int runs, const std::string
 
 // Where scores fall off so slowly that their variance is infinite: errors tell what has not been
 // seen, rather than gates being flagged. Coverages scatter by 0.008 and 0.016 (one sigma, from seed
-// to seed); what is asked for is three of these below what 40 and 100 seeds gave.
+// to seed); what is asked for is two and more of these below what 40 and 100 seeds gave.
 TEST(ErrorBars, HoldOfALidarInTheWater) {
   const Spread s = spread("experiments/hard-submerged.toml", 5e5, 40, "forward");
   EXPECT_GT(s.unflagged, 0.4);
@@ -141,9 +141,9 @@ TEST(ErrorBars, HoldOfALidarInTheWater) {
 TEST(ErrorBars, HoldInTurbidLayersUnderATiltedTelescope) {
   const Spread s = spread("experiments/hard-turbid.toml", 1.2e5, 10, "bidirectional");
   EXPECT_GT(s.unflagged, 0.9);
-  EXPECT_GT(s.covered, 0.885);
+  EXPECT_GT(s.covered, 0.90);
   EXPECT_LT(s.covered, 0.98);
-  EXPECT_LT(s.rms, 1.23);
+  EXPECT_LT(s.rms, 1.18);
 }
 
 }  // namespace
