@@ -2,7 +2,7 @@
 
 import re
 
-from measure import accuracy, intervals, speed
+from measure import accuracy, instruments, intervals, speed
 from measure.kinds import Row
 from measure.program import Failed
 from measure.readme import speed_table, trust_table
@@ -16,11 +16,11 @@ PAGES = {
     "docs/benchmarks.md": (
         "Benchmarks",
         "How long things take. Compare ratios, not seconds: processors differ by two and more.",
-        speed.MEASUREMENTS,
+        speed.MEASUREMENTS + instruments.MEASUREMENTS,
     ),
 }
 RESULTS = "benchmarks/measured.json"
-ALL = accuracy.MEASUREMENTS + intervals.MEASUREMENTS + speed.MEASUREMENTS
+ALL = accuracy.MEASUREMENTS + intervals.MEASUREMENTS + speed.MEASUREMENTS + instruments.MEASUREMENTS
 
 
 def documents(results):
