@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Measures what Photic claims, and writes the pages that tell it.
 
-    benchmarks/measure.py run -o benchmarks/measured.json     # all of it: some 12 minutes on two idle cores
+    benchmarks/measure.py run -o benchmarks/measured.json     # all of it: some 40 minutes on two idle cores
     benchmarks/measure.py run --only coverage --only slabs    # some of it, into measured.json here
     benchmarks/measure.py write benchmarks/measured.json      # docs/accuracy.md, docs/benchmarks.md, README's tables
 

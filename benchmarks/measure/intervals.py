@@ -143,7 +143,7 @@ MEASUREMENTS = [
     ),
     Measurement(
         "coverage-hard", "Error bars in hard water", "In forty layers of random chlorophyll, seen by a tilted and a wide telescope, "
-        "elastic and Raman. **The bidirectional estimator's intervals are known to cover less often here than they claim.**",
+        "elastic and Raman.",
         "As above, but for the long run, which is the forward estimator's: it converges in more of the gates. The bound is that of "
         "other water.",
         measure_hard, rows_hard,
