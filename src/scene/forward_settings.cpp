@@ -25,6 +25,9 @@ ForwardSettings usual_in(const Scene& scene) {
 
 std::vector<ForwardSettings> forward_settings(const Scene& scene) {
   std::vector<ForwardSettings> out{as_named(scene, near_the_sea)};
+  const bool in_water =
+      std::ranges::any_of(scene.telescope, [](const Telescope& t) { return t.position_m.z < 0; });
+  if (in_water) return out;
   if (const auto other = as_named(scene, far_above); other != out.front()) out.push_back(other);
   return out;
 }

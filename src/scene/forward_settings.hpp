@@ -15,7 +15,8 @@ struct ForwardSettings {
   friend bool operator==(const ForwardSettings&, const ForwardSettings&) = default;
 };
 
-/// Those worth a try, each with what the scene names; at least one.
+/// Those worth a try, each with what the scene names; at least one. Beside a telescope in the water
+/// few directions to it and few points miss light that comes from nearby.
 std::vector<ForwardSettings> forward_settings(const Scene& scene);
 
 /// What a scene of the forward estimator gets: by how high above the sea its telescopes are

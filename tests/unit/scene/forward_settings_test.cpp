@@ -38,5 +38,12 @@ TEST(ForwardSettings, AreThoseThatTheSceneNames) {
   EXPECT_EQ(forward_settings(scene), (std::vector<ForwardSettings>{{0, 2}}));
 }
 
+// Seen red: as above the sea.
+TEST(ForwardSettings, InTheWaterAreThoseThatDirectMore) {
+  Scene scene = at_height(705e3);
+  scene.telescope.push_back(at_height(-5).telescope.front());
+  EXPECT_EQ(forward_settings(scene), (std::vector<ForwardSettings>{{0.5, 4}}));
+}
+
 }  // namespace
 }  // namespace photic::scene
