@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "core/random.hpp"
-#include "engine/problem.hpp"
-#include "engine/world.hpp"
+#include "estimator/problem.hpp"
+#include "estimator/world.hpp"
 #include "optics/mie.hpp"
 #include "scene/read.hpp"
 #include "transport/connect.hpp"
@@ -15,10 +15,10 @@ namespace {
 
 /// The benchmark scene and a photon 10 m deep, a little aside, going down.
 struct Setting {
-  engine::Problem problem =
-      engine::make_problem(scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene);
-  engine::World<double> world =
-      engine::make_world<double>(problem.scene, problem.medium, problem.gates);
+  estimator::Problem problem = estimator::make_problem(
+      scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene);
+  estimator::World<double> world =
+      estimator::make_world<double>(problem.scene, problem.medium, problem.gates);
   transport::Photon<double> photon;
   RandomPlace<double> place{1, 0, 0};
 

@@ -6,11 +6,11 @@
 #include <array>
 
 #include "core/pack.hpp"
-#include "engine/history.hpp"
-#include "engine/problem.hpp"
+#include "estimator/forward/history.hpp"
+#include "estimator/problem.hpp"
 #include "scene/read.hpp"
 
-namespace photic::engine {
+namespace photic::estimator {
 namespace {
 
 using Lanes = Pack<float, native::float_lanes>;
@@ -87,10 +87,10 @@ void register_parts() {
 }
 
 }  // namespace
-}  // namespace photic::engine
+}  // namespace photic::estimator
 
 int main(int argc, char** argv) {
-  photic::engine::register_parts();
+  photic::estimator::register_parts();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

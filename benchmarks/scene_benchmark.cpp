@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/run.hpp"
+#include "run/run.hpp"
 #include "scene/read.hpp"
 
 namespace {
@@ -36,7 +36,7 @@ int benchmark(int argc, char** argv) {
                    argv[1], std::vector<std::string>(argv + std::min(argc, 4), argv + argc))
                    .scene;
   scene.simulation.photons = static_cast<std::uint64_t>(photons);
-  photic::engine::RunOptions options;
+  photic::run::RunOptions options;
   options.threads = threads;
 
   std::vector<photic::tally::Result> results;
@@ -44,7 +44,7 @@ int benchmark(int argc, char** argv) {
   const double cpu_before = cpu_seconds();
   for (std::uint64_t i = 0; i < repeats; ++i) {
     scene.simulation.seed = 100 + i;
-    results.push_back(photic::engine::run(scene, options));
+    results.push_back(photic::estimator::run(scene, options));
     wall += results.back().wall_time_s;
   }
   const double cpu = cpu_seconds() - cpu_before;

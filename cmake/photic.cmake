@@ -68,7 +68,7 @@ find_program(PHOTIC_SEALER NAMES ld.bfd ld REQUIRED)
 # object is sealed: a partial link resolves its groups of such functions, and then all its symbols but those that match
 # the entry are made local to it. Whatever it has inlined or instantiated is its own, at every level of optimisation and with
 # every standard library. What is left: nothing in such an object may run before main, on every processor. So headers
-# that it includes have no variables with constructors (tests/unit/engine/check_sealed.py looks for both).
+# that it includes have no variables with constructors (tests/unit/schedule/check_sealed.py looks for both).
 function(photic_for_each_isa target source entry)
   cmake_path(GET source STEM stem)
   cmake_parse_arguments(ARG "CONTRACTED" "" "WITHOUT" ${ARGN})

@@ -1,4 +1,4 @@
-#include "engine/bench.hpp"
+#include "run/bench.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/problem.hpp"
+#include "estimator/problem.hpp"
 #include "io/netcdf_variable.hpp"
 #include "io/table_parts.hpp"
 #include "photic/commands.hpp"
@@ -46,7 +46,7 @@ std::string merit_text(const std::optional<double>& merit) {
   return merit ? fmt::format("{:.3g}", *merit) : "-";
 }
 
-std::string name_of(const engine::Candidate& candidate) {
+std::string name_of(const run::Candidate& candidate) {
   return candidate.name + (candidate.exact ? "" : " (approximate)");
 }
 
@@ -64,16 +64,16 @@ std::vector<Column> columns(std::size_t gates) {
 }
 
 /// What candidates are called, below a heading for the place of gates.
-io::TextColumn names(const engine::Comparison& comparison, std::vector<std::string> heading) {
+io::TextColumn names(const run::Comparison& comparison, std::vector<std::string> heading) {
   io::TextColumn out{heading.front(), {}, true};
   out.cells.assign(heading.begin() + 1, heading.end());
-  for (const engine::Candidate& candidate : comparison.candidates)
+  for (const run::Candidate& candidate : comparison.candidates)
     out.cells.push_back(name_of(candidate));
   return out;
 }
 
 /// One telescope's and channel's gates: columns of depths, a row for each candidate.
-std::string block(const engine::Comparison& comparison, std::size_t telescope,
+std::string block(const run::Comparison& comparison, std::size_t telescope,
                   std::size_t channel) {
   const tally::Result& result = comparison.reference;
   const double depth_m = result.gate_depth_m(telescope, channel, 0);
@@ -93,9 +93,9 @@ std::string block(const engine::Comparison& comparison, std::size_t telescope,
                                 std::count(compared + static_cast<std::ptrdiff_t>(begin),
                                            compared + static_cast<std::ptrdiff_t>(end), true),
                                 end - begin));
-    for (const engine::Candidate& candidate : comparison.candidates)
-      cells.push_back(merit_text(engine::merit_in(comparison, candidate, first + begin, first + end,
-                                                  engine::Aim::all_gates)));
+    for (const run::Candidate& candidate : comparison.candidates)
+      cells.push_back(merit_text(run::merit_in(comparison, candidate, first + begin, first + end,
+                                                  run::Aim::all_gates)));
   }
   return fmt::format("\nchannel {}, telescope {}\n", result.channel_name[channel],
                      result.telescope_name[telescope]) +
@@ -108,7 +108,7 @@ struct GateCounts {
   [[nodiscard]] std::size_t uncertain() const { return all - not_converged - compared; }
 };
 
-GateCounts count_gates(const engine::Comparison& comparison) {
+GateCounts count_gates(const run::Comparison& comparison) {
   const auto& flags = comparison.reference.convergence_flags;
   GateCounts out;
   out.all = flags.size();
@@ -119,20 +119,20 @@ GateCounts count_gates(const engine::Comparison& comparison) {
   return out;
 }
 
-std::optional<double> merit_of_all(const engine::Comparison& comparison,
-                                   const engine::Candidate& candidate, engine::Aim aim) {
-  return engine::merit_in(comparison, candidate, 0, comparison.compared.size(), aim);
+std::optional<double> merit_of_all(const run::Comparison& comparison,
+                                   const run::Candidate& candidate, run::Aim aim) {
+  return run::merit_in(comparison, candidate, 0, comparison.compared.size(), aim);
 }
 
-std::string summary(const engine::Comparison& comparison) {
+std::string summary(const run::Comparison& comparison) {
   std::vector<io::TextColumn> columns{names(comparison, {""}),
                                       {"all gates", {}},
                                       {"worst fifth", {}},
                                       {"photons", {}},
                                       {"CPU s", {}}};
-  for (const engine::Candidate& c : comparison.candidates) {
-    columns[1].cells.push_back(merit_text(merit_of_all(comparison, c, engine::Aim::all_gates)));
-    columns[2].cells.push_back(merit_text(merit_of_all(comparison, c, engine::Aim::worst_gates)));
+  for (const run::Candidate& c : comparison.candidates) {
+    columns[1].cells.push_back(merit_text(merit_of_all(comparison, c, run::Aim::all_gates)));
+    columns[2].cells.push_back(merit_text(merit_of_all(comparison, c, run::Aim::worst_gates)));
     columns[3].cells.push_back(fmt::format("{}", c.photons));
     columns[4].cells.push_back(fmt::format("{:.3g}", c.cpu_s));
   }
@@ -142,14 +142,14 @@ std::string summary(const engine::Comparison& comparison) {
       "\n{} of {} gates compared; left out: {} not converged in the reference, {} where it is too "
       "uncertain\nA figure of merit from {} repeats is uncertain by about {:.0f} %.\n",
       gates.compared, gates.all, gates.not_converged, gates.uncertain(), comparison.repeats,
-      100 * engine::relative_uncertainty(comparison.repeats));
+      100 * run::relative_uncertainty(comparison.repeats));
   return out;
 }
 
-std::string recommendation(const engine::Comparison& comparison) {
+std::string recommendation(const run::Comparison& comparison) {
   std::string out = "\nrecommended: ";
-  if (const engine::Candidate* best = engine::best_of(comparison)) {
-    const char* over = comparison.aim == engine::Aim::worst_gates
+  if (const run::Candidate* best = run::best_of(comparison)) {
+    const char* over = comparison.aim == run::Aim::worst_gates
                            ? "in the worst fifth of the gates, since all are to meet a target"
                            : "over all gates, since there is no target";
     out += fmt::format("{}, by these lines of [simulation] (best {})\n{}", best->name, over,
@@ -162,7 +162,7 @@ std::string recommendation(const engine::Comparison& comparison) {
          "  because of " + chosen.estimator_reason.value_or("") + '\n';
 }
 
-std::string table(const engine::Comparison& comparison) {
+std::string table(const run::Comparison& comparison) {
   const tally::Result& reference = comparison.reference;
   std::string out = fmt::format(
       "Figure of merit: 1 / (relative variance * CPU time) [1/s], geometric means over gates;\n"
@@ -174,7 +174,7 @@ std::string table(const engine::Comparison& comparison) {
   return out + summary(comparison) + recommendation(comparison);
 }
 
-Json gates_json(const engine::Comparison& comparison, const engine::Candidate& candidate) {
+Json gates_json(const run::Comparison& comparison, const run::Candidate& candidate) {
   const tally::Result& result = comparison.reference;
   Json out = Json::array();
   for (std::size_t cell = 0; cell < candidate.merit.size(); ++cell) {
@@ -193,14 +193,14 @@ Json gates_json(const engine::Comparison& comparison, const engine::Candidate& c
   return out;
 }
 
-std::string json(const engine::Comparison& comparison, const std::string& scene) {
+std::string json(const run::Comparison& comparison, const std::string& scene) {
   const GateCounts gates = count_gates(comparison);
   const tally::Result& reference = comparison.reference;
   const scene::Simulation& chosen = comparison.chosen_by_auto;
   Json out = {
       {"scene", scene},
       {"repeats", comparison.repeats},
-      {"relative_uncertainty", engine::relative_uncertainty(comparison.repeats)},
+      {"relative_uncertainty", run::relative_uncertainty(comparison.repeats)},
       {"reference", {{"photons", reference.photons}, {"cpu_s", comparison.reference_cpu_s}}},
       {"depth_is_range", reference.gate_depth_is_range},
       {"gates",
@@ -210,11 +210,11 @@ std::string json(const engine::Comparison& comparison, const std::string& scene)
         {"compared", gates.compared}}},
       {"candidates", Json::array()},
       {"recommended", nullptr},
-      {"recommended_by", comparison.aim == engine::Aim::worst_gates ? "worst fifth" : "all gates"},
+      {"recommended_by", comparison.aim == run::Aim::worst_gates ? "worst fifth" : "all gates"},
       {"auto", settings_of(chosen)}};
-  for (const engine::Candidate& c : comparison.candidates) {
-    const auto mean = merit_of_all(comparison, c, engine::Aim::all_gates);
-    const auto worst = merit_of_all(comparison, c, engine::Aim::worst_gates);
+  for (const run::Candidate& c : comparison.candidates) {
+    const auto mean = merit_of_all(comparison, c, run::Aim::all_gates);
+    const auto worst = merit_of_all(comparison, c, run::Aim::worst_gates);
     out["candidates"].push_back({{"name", c.name},
                                  {"exact", c.exact},
                                  {"settings", settings_of(c.simulation)},
@@ -224,7 +224,7 @@ std::string json(const engine::Comparison& comparison, const std::string& scene)
                                  {"worst_fifth_per_s", worst ? Json(*worst) : Json()},
                                  {"gates", gates_json(comparison, c)}});
   }
-  if (const engine::Candidate* best = engine::best_of(comparison))
+  if (const run::Candidate* best = run::best_of(comparison))
     out["recommended"] = settings_of(best->simulation);
   out["auto_reason"] = chosen.estimator_reason.value_or("");
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
@@ -234,16 +234,16 @@ std::string json(const engine::Comparison& comparison, const std::string& scene)
 
 int run(const BenchCommand& command) {
   const scene::Reading reading = scene::read_scene(command.scene, command.overrides,
-                                                   engine::optics_check(), io::netcdf_files());
+                                                   estimator::optics_check(), io::netcdf_files());
   for (const std::string& remark : reading.remarks) print_warning(remark + '\n');
-  engine::BenchOptions options;
+  run::BenchOptions options;
   options.time_s = command.time_s;
   options.threads = command.threads;
   options.interrupt = &interrupted();
   if (is_terminal(Stream::error))
     options.tell = [](const std::string& line) { print_error("measuring " + line + '\n'); };
   listen_for_interrupts();
-  const auto comparison = engine::compare_estimators(reading.scene, options);
+  const auto comparison = run::compare_estimators(reading.scene, options);
   if (!comparison) return interrupt_exit_code();
   print_out(command.json ? json(*comparison, command.scene) : table(*comparison));
   return done;

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "engine/problem.hpp"
+#include "estimator/problem.hpp"
 #include "io/netcdf_variable.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
@@ -10,7 +10,7 @@ namespace photic::app {
 namespace {
 
 std::vector<std::string> remarks_on(const CheckCommand& command) {
-  return scene::read_scene(command.scene, command.overrides, engine::optics_check(),
+  return scene::read_scene(command.scene, command.overrides, estimator::optics_check(),
                            io::netcdf_files())
       .remarks;
 }

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
-#include "engine/problem.hpp"
+#include "estimator/problem.hpp"
 #include "io/netcdf_variable.hpp"
 #include "scene/compare.hpp"
 
@@ -39,7 +39,7 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
              .suggestion = fmt::format("go on with Photic {}, or start anew", run.version)}};
   }
   scene::Scene then = scene::read_scene_text(run.scene_toml, file, folder_of(file)).scene;
-  const scene::Scene now = engine::make_problem(as_chosen(asked, then)).scene;
+  const scene::Scene now = estimator::make_problem(as_chosen(asked, then)).scene;
   then.simulation.photons = now.simulation.photons;
   then.simulation.target_relative_error = now.simulation.target_relative_error;
   then.simulation.max_time_s = now.simulation.max_time_s;
@@ -61,7 +61,7 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
 scene::Reading read_scene_of(const RunCommand& command) {
   if (!command.scene.empty()) {
     scene::Reading reading = scene::read_scene(command.scene, command.overrides,
-                                               engine::optics_check(), io::netcdf_files());
+                                               estimator::optics_check(), io::netcdf_files());
     if (!command.earlier.empty()) {
       const auto text = io::read_run(command.earlier).scene_toml;
       const auto then =
@@ -72,7 +72,7 @@ scene::Reading read_scene_of(const RunCommand& command) {
   }
   return scene::read_scene_text(io::read_run(command.earlier).scene_toml, command.earlier,
                                 folder_of(command.earlier), command.overrides,
-                                engine::optics_check(), io::netcdf_files());
+                                estimator::optics_check(), io::netcdf_files());
 }
 
 Earlier take_up(const std::string& file, const scene::Scene& scene) {
@@ -87,10 +87,10 @@ Earlier take_up(const std::string& file, const scene::Scene& scene) {
          .suggestion = "--photons is the total, not what is added"});
   }
   if (!problems.empty()) throw InputError(problems);
-  return {.start = {.state = io::read_state(file, engine::make_problem(scene).shape),
+  return {.start = {.state = io::read_state(file, estimator::make_problem(scene).shape),
                     .wall_time_s = run.wall_time_s,
                     .file = file},
-          .lanes = engine::isa_of_engine(run.engine),
+          .lanes = schedule::isa_of_engine(run.engine),
           .photons = run.photons,
           .history = run.history,
           .scene_file = run.scene_file};

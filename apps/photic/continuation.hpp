@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/run.hpp"
+#include "run/run.hpp"
 #include "io/netcdf.hpp"
 #include "photic/commands.hpp"
 
@@ -16,7 +16,7 @@ scene::Reading read_scene_of(const RunCommand& command);
 
 /// A result taken up by a run of the same scene.
 struct Earlier {
-  engine::Start start;
+  run::Start start;
   std::optional<Isa> lanes;  ///< that it ran in; none: the scalar engine
   std::uint64_t photons = 0;
   std::string history;

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "engine/problem.hpp"
+#include "estimator/problem.hpp"
 #include "io/netcdf_variable.hpp"
 #include "medium/optical_table.hpp"
 #include "optics/data_folder.hpp"
@@ -24,7 +24,7 @@ scene::Reading read_water(const OpticsCommand& command) {
   overrides.push_back("title=" + title);
   overrides.insert(overrides.end(), command.overrides.begin(), command.overrides.end());
   return scene::read_scene_text(scene::starter_scene("ship"), "--water", "", overrides,
-                                engine::optics_check(), io::netcdf_files());
+                                estimator::optics_check(), io::netcdf_files());
 }
 
 scene::Scene read(const OpticsCommand& command) {
@@ -32,7 +32,7 @@ scene::Scene read(const OpticsCommand& command) {
   const scene::Reading reading =
       command.scene.empty() ? read_water(command)
                             : scene::read_scene(command.scene, command.overrides,
-                                                engine::optics_check(), io::netcdf_files());
+                                                estimator::optics_check(), io::netcdf_files());
   for (const std::string& remark : reading.remarks) print_error(remark + '\n');
   spare(reading.files, command.output);
   return reading.scene;

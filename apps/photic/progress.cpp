@@ -22,12 +22,12 @@ int digits(std::size_t number) { return static_cast<int>(fmt::format("{}", numbe
 
 double share(double part, double whole) { return whole > 0 ? std::min(1.0, part / whole) : 0.0; }
 
-double photons_per_second(const engine::Progress& p) {
+double photons_per_second(const run::Progress& p) {
   return p.elapsed_s > 0 ? static_cast<double>(p.photons - p.photons_before) / p.elapsed_s : 0.0;
 }
 
 /// How far towards the limit that is nearest; none when only the target can end the run.
-std::optional<double> share_of_limits(const engine::Progress& p) {
+std::optional<double> share_of_limits(const run::Progress& p) {
   std::optional<double> out;
   if (p.photons_asked)
     out = share(static_cast<double>(p.photons), static_cast<double>(*p.photons_asked));
@@ -36,13 +36,13 @@ std::optional<double> share_of_limits(const engine::Progress& p) {
 }
 
 /// Photons until the worst gate meets the target, if its error falls as the root of their number.
-double photons_to_target(const engine::Progress& p) {
+double photons_to_target(const run::Progress& p) {
   const double ratio = p.worst_error / *p.target;
   return static_cast<double>(p.photons) * std::max(0.0, ratio * ratio - 1);
 }
 
 /// Until the run is likely to end; none as long as nobody knows.
-std::optional<double> seconds_left(const engine::Progress& p) {
+std::optional<double> seconds_left(const run::Progress& p) {
   std::optional<double> out;
   const auto consider = [&out](double left) { out = std::min(out.value_or(left), left); };
   const double pace = photons_per_second(p);
@@ -69,7 +69,7 @@ std::string percent(double share) {
 }
 
 /// "worst gate 12 % (target 2.0 %)"
-std::string worst(const engine::Progress& p) {
+std::string worst(const run::Progress& p) {
   return fmt::format("worst gate {}{}", percent(p.worst_error),
                      p.target ? fmt::format(" (target {})", percent(*p.target)) : "");
 }
@@ -81,7 +81,7 @@ std::string bar(double done, int room) {
 
 }  // namespace
 
-std::string progress_line(const engine::Progress& p, int width) {
+std::string progress_line(const run::Progress& p, int width) {
   const double done = share_of_limits(p).value_or(
       share(static_cast<double>(p.gates_converged), static_cast<double>(p.gates)));
   // Fields keep their widths, so that they stand still; the first are the last to go.
@@ -100,7 +100,7 @@ std::string progress_line(const engine::Progress& p, int width) {
   return room < shortest_bar ? text : bar(done, room) + text;
 }
 
-void ProgressBar::draw(const engine::Progress& progress) {
+void ProgressBar::draw(const run::Progress& progress) {
   // A last column left free keeps terminals from wrapping.
   print_error(wipe_line + progress_line(progress, columns(Stream::error, 80) - 1));
   drawn_ = true;

@@ -1,4 +1,4 @@
-#include "engine/run.hpp"
+#include "run/run.hpp"
 
 #include <fmt/format.h>
 
@@ -25,13 +25,13 @@
 namespace photic::app {
 namespace {
 
-tally::Result simulate(const scene::Scene& scene, engine::RunOptions options, bool quiet,
+tally::Result simulate(const scene::Scene& scene, run::RunOptions options, bool quiet,
                        Checkpoint& checkpoint) {
   ProgressBar bar;
   if (is_terminal(Stream::error) && !quiet)
-    options.progress = [&bar](const engine::Progress& progress) { bar.draw(progress); };
+    options.progress = [&bar](const run::Progress& progress) { bar.draw(progress); };
   options.checkpoints.write = [&](const tally::Result& so_far) { checkpoint.write(so_far, bar); };
-  return engine::run(scene, options);
+  return estimator::run(scene, options);
 }
 
 std::string where_it_is(const tally::Result& result, const Call& call, const std::string& path,
@@ -75,7 +75,7 @@ struct Plan {
   std::string path;  ///< of the result, if nothing is there that took longer
   std::string history;
   std::optional<Isa> lanes;  ///< none: the scalar engine
-  std::optional<engine::Start> start;
+  std::optional<run::Start> start;
   std::uint64_t photons = 0;  ///< there already
 };
 
@@ -100,9 +100,9 @@ std::string write(const tally::Result& result, Destination& destination, const P
 }
 
 /// What the command says of the run besides its scene.
-engine::RunOptions options_of(const RunCommand& command, std::optional<Isa> lanes,
-                              std::optional<engine::Start> start) {
-  engine::RunOptions options;
+run::RunOptions options_of(const RunCommand& command, std::optional<Isa> lanes,
+                              std::optional<run::Start> start) {
+  run::RunOptions options;
   options.threads = command.threads;
   options.lanes = lanes;
   options.interrupt = &interrupted();
@@ -125,7 +125,7 @@ std::optional<Isa> lanes_going_on(const RunCommand& command, const std::optional
   if (before && !runs_here(*before)) {
     throw InputError({{.file = command.earlier,
                        .reason = fmt::format("ran in the engine {}, which does not run here",
-                                             engine::engine_name(before)),
+                                             schedule::engine_name(before)),
                        .suggestion = "go on where the processor has it, or run anew"}});
   }
   if (command.engine.empty() && command.isa.empty()) return before;
@@ -133,7 +133,7 @@ std::optional<Isa> lanes_going_on(const RunCommand& command, const std::optional
   if (now == before) return now;
   throw InputError({{.file = command.earlier,
                      .reason = fmt::format("ran in the engine {}, and is to go on in {}",
-                                           engine::engine_name(before), engine::engine_name(now)),
+                                           schedule::engine_name(before), schedule::engine_name(now)),
                      .suggestion = "leave out --engine and --isa"}});
 }
 
@@ -179,7 +179,7 @@ int run(const RunCommand& command) {
   try {
     result = simulate(plan.origin.scene, options_of(command, plan.lanes, std::move(plan.start)),
                       command.quiet, checkpoint);
-  } catch (const engine::InterruptedPilots&) {
+  } catch (const run::InterruptedPilots&) {
     print_error("interrupted while estimators were compared: there is no result yet\n");
     return interrupt_exit_code();
   }

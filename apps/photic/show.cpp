@@ -1,7 +1,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "engine/problem.hpp"
+#include "estimator/problem.hpp"
 #include "io/netcdf.hpp"
 #include "io/netcdf_variable.hpp"
 #include "io/table_parts.hpp"
@@ -13,19 +13,19 @@ namespace {
 
 scene::Reading read(const ShowCommand& command) {
   if (format_of(command.file) != Format::netcdf)
-    return scene::read_scene(command.file, command.overrides, engine::optics_check(),
+    return scene::read_scene(command.file, command.overrides, estimator::optics_check(),
                              io::netcdf_files());
   return scene::read_scene_text(io::read_scene_attribute(command.file), command.file,
                                 std::filesystem::path(command.file).parent_path().string(),
-                                command.overrides, engine::optics_check(), io::netcdf_files());
+                                command.overrides, estimator::optics_check(), io::netcdf_files());
 }
 
 constexpr std::size_t comment_width = 96;
 
 /// Where every number of the water comes from, as comments under the scene.
-std::string sources_of(const engine::Problem& problem) {
+std::string sources_of(const estimator::Problem& problem) {
   std::string out = "\n# The optics of this scene and their sources:\n";
-  for (const std::string& source : engine::describe(problem).sources) {
+  for (const std::string& source : estimator::describe(problem).sources) {
     std::string start = "#   ";
     for (const std::string& line : io::wrapped(source, comment_width)) {
       out += std::exchange(start, "#     ") + line + '\n';
@@ -37,7 +37,7 @@ std::string sources_of(const engine::Problem& problem) {
 }  // namespace
 
 int run(const ShowCommand& command) {
-  const engine::Problem problem = engine::make_problem(read(command).scene);
+  const estimator::Problem problem = estimator::make_problem(read(command).scene);
   print_out(command.json ? scene::write_scene_json(problem.scene) + '\n'
                          : scene::write_scene(problem.scene) + sources_of(problem));
   return done;

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/problem.hpp"
-#include "engine/run.hpp"
+#include "estimator/problem.hpp"
 #include "optics/phase_functions.hpp"
+#include "run/run.hpp"
 #include "support/lidar_equation.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
@@ -60,9 +60,9 @@ inline EquationWater water_of(const medium::Medium& medium, std::size_t line,
 
 /// Where the gates of a telescope and channel begin and end, as group path: that to the depths that
 /// the result tells of them, where there are any and the light is of one line.
-inline std::vector<double> edge_paths(const engine::Problem& problem, std::size_t telescope,
+inline std::vector<double> edge_paths(const estimator::Problem& problem, std::size_t telescope,
                                       std::size_t channel) {
-  const tally::Result told = engine::describe(problem);
+  const tally::Result told = estimator::describe(problem);
   const auto& lines = problem.medium.line;
   const auto counted = [&](const medium::Line& line) { return line.counted_by[channel] > 0; };
   const bool one_line = std::ranges::count_if(lines, counted) == 1;
@@ -81,7 +81,7 @@ inline std::vector<double> edge_paths(const engine::Problem& problem, std::size_
 }
 
 /// What a scene's first order should be in one channel and telescope: the light of all its lines.
-inline std::vector<double> expected(const engine::Problem& problem, std::size_t telescope,
+inline std::vector<double> expected(const estimator::Problem& problem, std::size_t telescope,
                                     std::size_t channel,
                                     const std::function<double(double)>& phase) {
   const std::vector<double> edges = edge_paths(problem, telescope, channel);
@@ -144,7 +144,7 @@ inline void compare(const std::string& toml,
     SCOPED_TRACE(precision.simulation);
     const auto scene = read(toml + precision.simulation);
     if (equations.empty()) {
-      const auto problem = engine::make_problem(scene);
+      const auto problem = estimator::make_problem(scene);
       for (std::size_t t = 0; t < scene.telescope.size(); ++t) {
         for (std::size_t c = 0; c < phase_of_channel.size(); ++c)
           equations.push_back(expected(problem, t, c, phase_of_channel[c]));

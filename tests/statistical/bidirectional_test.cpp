@@ -255,7 +255,7 @@ TEST(Bidirectional, TurningDoesNotMatter) {
 
 // Walks that end at their second vertex still draw all paths of up to four, with strategies that
 // they can use. At order four that is a single inner edge, whose variance is infinite: this is held
-// exactly by unit/engine, and the others here. Seen red: with the sum taken over all strategies.
+// exactly by unit/estimator, and the others here. Seen red: with the sum taken over all strategies.
 TEST(Bidirectional, WalksOfTwoVertices) {
   // Broad phase functions: so few strategies would not converge on peaks.
   const std::string scene = ship_instrument + three_channels +

@@ -9,8 +9,8 @@
 #include <ostream>
 
 #include "core/constants.hpp"
-#include "engine/engines.hpp"
-#include "engine/run.hpp"
+#include "run/run.hpp"
+#include "schedule/engines.hpp"
 #include "support/scenes.hpp"
 
 namespace photic::test {
@@ -80,12 +80,12 @@ TEST_P(Engines, Agree) {
     const auto scene =
         read(c.toml +
              simulation(forward ? c.photons_forward : c.photons_bidirectional, 31, "", estimator));
-    engine::RunOptions options;
-    const auto scalar = engine::run(scene, options);
+    run::RunOptions options;
+    const auto scalar = estimator::run(scene, options);
     for (const Isa isa : isas_here()) {
       SCOPED_TRACE(fmt::format("{}, {}", estimator, isa_name(isa)));
       options.lanes = isa;
-      const auto d = difference(engine::run(scene, options), scalar);
+      const auto d = difference(estimator::run(scene, options), scalar);
       std::printf("%s, %s: rms %.3f, largest %.3f standard errors in %zu gates\n",
                   estimator.c_str(), isa_name(isa), d.rms, d.largest, d.gates);
       EXPECT_GT(d.gates, 15U);

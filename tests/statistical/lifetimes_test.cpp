@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/isa.hpp"
-#include "engine/run.hpp"
+#include "run/run.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
 
@@ -34,9 +34,9 @@ scene::Scene lidar(const std::string& estimator, double start_ns, double gate_ns
 }
 
 tally::Result run_in(std::optional<Isa> lanes, const scene::Scene& scene) {
-  engine::RunOptions options;
+  run::RunOptions options;
   options.lanes = lanes;
-  return engine::run(scene, options);
+  return estimator::run(scene, options);
 }
 
 /// The share that has left the emitter after a time.

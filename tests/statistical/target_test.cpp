@@ -1,10 +1,10 @@
 // Channels that have met the target rest while others go on (docs/decisions/0025).
 #include <gtest/gtest.h>
 
-#include "engine/run.hpp"
+#include "run/run.hpp"
 #include "support/scenes.hpp"
 
-namespace photic::engine {
+namespace photic::run {
 namespace {
 
 /// Without a target, if it is 0.
@@ -62,4 +62,4 @@ TEST(Target, OfAChannelThatHasMetItEndsThere) {
 }
 
 }  // namespace
-}  // namespace photic::engine
+}  // namespace photic::run

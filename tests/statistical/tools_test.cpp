@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/run.hpp"
+#include "run/run.hpp"
 #include "support/agree.hpp"
 #include "support/ledger.hpp"
 #include "support/runs.hpp"

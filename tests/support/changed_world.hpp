@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "engine/batches.hpp"
-#include "engine/problem.hpp"
-#include "engine/scalar.hpp"
+#include "estimator/problem.hpp"
+#include "run/batches.hpp"
+#include "schedule/scalar.hpp"
 #include "support/scenes.hpp"
 
 namespace photic::test {
@@ -13,14 +13,14 @@ namespace photic::test {
 /// A run in a world that is `change`d, one photon after the other, in double.
 template <class Change>
 tally::Result simulate_in(const std::string& scene, Change change) {
-  const auto problem = engine::make_problem(read(scene));
-  auto world = engine::make_world<double>(problem.scene, problem.medium, problem.gates);
+  const auto problem = estimator::make_problem(read(scene));
+  auto world = estimator::make_world<double>(problem.scene, problem.medium, problem.gates);
   change(world);
-  const engine::RunOptions options;
-  engine::Conductor conductor(problem.scene.simulation, options);
-  tally::Result result = engine::describe(problem);
-  const engine::ScalarSimulator<double> simulator(world);
-  engine::BatchRunner(problem, simulator, conductor).run().fill(result);
+  const run::RunOptions options;
+  run::Conductor conductor(problem.scene.simulation, options);
+  tally::Result result = estimator::describe(problem);
+  const schedule::ScalarSimulator<double> simulator(world);
+  run::BatchRunner(problem, simulator, conductor).run().fill(result);
   return result;
 }
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "engine/run.hpp"
+#include "run/run.hpp"
 
 namespace photic::test {
 
@@ -27,9 +27,9 @@ inline std::uint64_t seeds_of_tests() {
 }
 
 inline tally::Result run_in_lanes(const scene::Scene& scene) {
-  engine::RunOptions options;
+  run::RunOptions options;
   options.lanes = isa_of_tests();
-  return engine::run(scene, options);
+  return estimator::run(scene, options);
 }
 
 }  // namespace photic::test

@@ -1,0 +1,171 @@
+// The bidirectional estimator: walks from the laser and from the telescopes, and all connections
+// between them (docs/theory.md, "The bidirectional estimator").
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "estimator/bidirectional/connections.hpp"
+#include "estimator/bidirectional/walk.hpp"
+#include "estimator/bidirectional/walker.hpp"
+#include "estimator/draws.hpp"
+#include "estimator/forward/history.hpp"
+
+namespace photic::estimator {
+
+inline const tally::Ledger& total(const tally::Ledger& ledger) { return ledger; }
+
+/// The random numbers of walks that go with photons of a batch from `first` on.
+template <class T>
+struct WalkDraws {
+  const Draws<T>& draws;
+  std::int32_t first;
+
+  [[nodiscard]] std::array<T, 4> draw(const Index<T>& walk, const Index<T>& event,
+                                      std::uint32_t block) const {
+    return draws(Index<T>(first) + walk, event, block);
+  }
+};
+
+/// How the laser's walks begin.
+template <class T, class Ledger>
+struct FromLaser : WalkDraws<T> {
+  const World<T>& world;
+  Ledger& ledger;
+
+  transport::Beginning<T> begin(const Index<T>& walk, const Mask<T>& exist, Outset<T>&) {
+    const auto u = this->draw(walk, Index<T>(0), 0);
+    auto begin = transport::begin_at_laser(world.sea, world.laser, world.laser_layer, u[0], u[1]);
+    book(ledger.escaped, exist, T(1) - select(begin.exists, begin.photon.weight, T(0)));
+    return begin;
+  }
+  [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
+    return estimator::in_time(world, photon);
+  }
+  void keep_unshifted(const Walks<T>&, const Index<T>&, const Mask<T>&,
+                      transport::Vertex<T>&) const {}
+};
+
+/// How a telescope's walks begin.
+template <class T, class Ledger>
+struct FromTelescope : WalkDraws<T> {
+  const World<T>& world;
+  const Receiver<T>& receiver;
+  Ledger ledger{};  ///< of no interest: the result's is the laser's light's
+
+  transport::Beginning<T> begin(const Index<T>& walk, const Mask<T>&, Outset<T>& outset) {
+    const auto& telescope = world.telescopes[receiver.telescope];
+    const auto u = this->draw(walk, Index<T>(0), 0);
+    outset.lens = lens_point(telescope, u[0], u[1]);
+    const auto slope =
+        outward_slope(telescope, outset.lens,
+                      instrument::ring_point(T(0), telescope.detector_radius, u[2], u[3]));
+    outset.outward = outward(telescope, slope);
+    outset.shift_area = shift_area(telescope, outset.outward);
+    const auto v = this->draw(walk, Index<T>(0), 1);
+    outset.grid_offset = v[0];
+    outset.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
+    outset.line = line_of(medium::hue_of(v[2]));
+    return transport::begin_at_telescope(world.sea, telescope, receiver.layer, outset.line,
+                                         outset.lens, slope);
+  }
+  /// The line that a walk of a hue detects.
+  [[nodiscard]] Index<T> line_of(const Index<T>& hue) const {
+    if (receiver.band < 0) return receiver.line;
+    return gather_index<T>(world.sea.line_of_hue, Index<T>(receiver.band * medium::hues) + hue);
+  }
+  /// Whether light can still come from the laser within the last gate.
+  [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
+    return receiver.deadline.is_met(photon, world.least_group_index);
+  }
+  void keep_unshifted(const Walks<T>& walks, const Index<T>& walk, const Mask<T>& first,
+                      transport::Vertex<T>& vertex) const {
+    walks.keep_unshifted(world.telescopes[receiver.telescope], walk, first, vertex);
+  }
+};
+
+/// Follows photons of the laser, some of them at once. Ledger: of one photon, or of lanes.
+template <class T, class Ledger>
+class Bidirectional {
+ public:
+  /// `at_once`: so many sets of walks.
+  Bidirectional(const World<T>& world, std::size_t at_once)
+      : world_(world),
+        at_once_(at_once * world.walks),
+        laser_(at_once_, false, !world.laser.submerged, world.sea.environments) {
+    for (const auto& telescope : world.telescopes)
+      back_.emplace_back(at_once_, true, !telescope.submerged, world.sea.environments);
+  }
+
+  /// Photons `first` … `first + count - 1`, the first of a batch and up.
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) {
+    const auto laser = draws_of_laser(world_, first);
+    std::vector<Home> back;
+    for (const Receiver<T>& receiver : world_.receivers)
+      if (is_wanted(receiver, tally)) back.push_back({receiver, draws_of(world_, receiver, first)});
+    Ledger ledger;
+    for (std::size_t done = 0; done < count;) {
+      // The last set may have fewer walks, and then fewer samples are made.
+      const std::size_t left = count - done;
+      const std::size_t walks = std::min(world_.walks, left);
+      const std::size_t now = std::min(at_once_, left / walks * walks);
+      follow(static_cast<std::int32_t>(done), now, walks, laser, back, ledger, tally);
+      done += now;
+    }
+    tally.ledger = tally.ledger + total(ledger);
+  }
+
+ private:
+  /// A receiver whose light is asked for, and the random numbers of its walks.
+  struct Home {
+    const Receiver<T>& receiver;
+    Draws<T> draws;
+  };
+  [[nodiscard]] bool is_wanted(const Receiver<T>& receiver, const tally::BatchTally& tally) const {
+    if (receiver.band < 0) return tally.wants(receiver.telescope, each_lane(receiver.line)[0]);
+    for (std::int32_t hue = 0; hue < medium::hues; ++hue) {
+      const std::int32_t line = world_.sea.line_of_hue[receiver.band * medium::hues + hue];
+      if (tally.wants(receiver.telescope, line)) return true;
+    }
+    return false;
+  }
+
+  void follow(std::int32_t first, std::size_t count, std::size_t walks, const Draws<T>& laser,
+              const std::vector<Home>& back, Ledger& ledger, tally::BatchTally& tally) {
+    // An echo is per photon emitted, and so are the samples.
+    const transport::Samples<T> samples{T(1), world_.connected, T(walks),
+                                        T(world_.turns ? walks : 0), world_.meeting_grid};
+    FromLaser<T, Ledger> out{{laser, first}, world_, ledger};
+    WalkTaker(world_, samples, out, laser_, tally).take(count);
+    for (const auto& [receiver, draws] : back) {
+      Walks<T>& walks_back = back_[receiver.telescope];
+      FromTelescope<T, Ledger> home{{draws, first}, world_, receiver};
+      WalkTaker(world_, samples, home, walks_back, tally).take(count);
+      connect(receiver, samples, walks_back, count, walks, tally);
+    }
+  }
+
+  void connect(const Receiver<T>& receiver, const transport::Samples<T>& samples,
+               const Walks<T>& back, std::size_t count, std::size_t walks,
+               tally::BatchTally& tally) {
+    Connections<T> connections(world_, receiver, samples, laser_, back, tally);
+    for (std::size_t g = 0; g < count; ++g) {
+      if (back.rays(g) == 0) continue;
+      connections.to_telescope(g);
+      connections.to_laser(g);
+      if (back.connected(g)) connections.between(g);
+      connections.meetings(g / walks * walks, walks, g);
+    }
+    connections.close();
+  }
+
+  const World<T>& world_;
+  std::size_t at_once_;
+  Walks<T> laser_;
+  std::vector<Walks<T>> back_;  ///< of each telescope, and one line after the other
+};
+
+}  // namespace photic::estimator

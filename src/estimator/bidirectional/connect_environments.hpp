@@ -1,0 +1,102 @@
+// Connections in environments: what the paths that they complete are there (a part of
+// connections.hpp).
+#pragma once
+
+#include "estimator/bidirectional/connections.hpp"
+
+namespace photic::estimator {
+
+template <class T>
+PHOTIC_APART void Connections<T>::complete_to_telescope(const Ends<T>& ends, const Vertex& v,
+                                                        const transport::Way<T>& way,
+                                                        bool mirrored) {
+  const Index<T> line = back_.line(ends.back);
+  completion_.clear();
+  transport::add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
+  transport::add_way(sea_, line, v.layer, T(-v.position.z), way.direction, way.length_water,
+                     telescope_.submerged, receiver_.layer, mirrored, completion_.ways);
+  completion_.collide(
+      sea_, {v.line, v.layer, line > Index<T>(0), line, one_minus_cos(v.direction, way.direction)});
+}
+
+/// `length`: in the water.
+template <class T>
+PHOTIC_APART void Connections<T>::complete_to_laser(const Ends<T>& ends, const Vertex& w,
+                                                    const transport::Way<T>& way, const T& length,
+                                                    bool mirrored) {
+  completion_.clear();
+  transport::add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);
+  transport::add_way(sea_, Index<T>(0), w.layer, T(-w.position.z), way.direction, length,
+                     world_.laser.submerged, world_.laser_layer, mirrored, completion_.ways);
+  completion_.collide(sea_, {w.line, w.layer, w.line > Index<T>(0), w.line,
+                             one_minus_cos(w.direction, way.direction)});
+}
+
+/// By an edge of light of a line.
+template <class T>
+PHOTIC_APART void Connections<T>::complete_between(const Ends<T>& ends, const Index<T>& line,
+                                                   const Vertex& v, const Vertex& w,
+                                                   const T& length) {
+  const Vec3<T> direction = (T(1) / length) * (w.position - v.position);
+  completion_.clear();
+  transport::add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
+  transport::add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);
+  completion_.pass(sea_, {line, v.layer, T(-v.position.z), w.layer, T(-w.position.z), length});
+  completion_.collide(
+      sea_, {v.line, v.layer, line > v.line, line, one_minus_cos(v.direction, direction)});
+  completion_.collide(
+      sea_, {w.line, w.layer, w.line > line, w.line, one_minus_cos(w.direction, -direction)});
+}
+
+/// By a meeting of a laser's ray and a telescope's.
+template <class T>
+PHOTIC_APART void Connections<T>::complete_by_meeting(const Pair<T>& pair, const Moved<T>& moved,
+                                                      const T& depth, const Index<T>& layer) {
+  const Ray& out = pair.out;
+  const Ray& home = moved.ray;
+  const auto pass = [&](const Ray& ray) {
+    const Mask<T> reflected = ray.is_reflected();
+    transport::WalkPoint<T> left = ray;
+    left.position.z = select(reflected, T(-ray.position.z), ray.position.z);
+    left.direction.z = ray.left_z();
+    const T reach = (-ray.position.z - depth) / ray.direction.z;
+    transport::WalkPoint<T> arrived = ray;
+    arrived.position = ray.position + reach * ray.direction;
+    arrived.layer = layer;
+    transport::add_leg(sea_, left, arrived, completion_.ways);
+  };
+  completion_.clear();
+  pass(out);
+  pass(home);
+  if (telescope_.submerged && !telescope_.upright) {
+    const Index<T>& at = receiver_.layer;
+    const T longer = select(pair.ends.m == Index<T>(0), T(0), moved.longer);
+    completion_.pass(sea_, {back_.line(pair.ends.back), at, T(0), at, T(0), longer});
+  }
+  completion_.collide(sea_, {out.line, layer, home.line > Index<T>(0), home.line,
+                             one_minus_cos(out.direction, -home.direction)});
+}
+
+/// Scores with the ratios of the completed paths.
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(
+    const Ends<T>& ends, Walked walked, const Mask<T>& mask, const T& value, const T& path,
+    const T& last, const Index<T>& order) {
+  const auto out = each_lane(Walks<T>::slot(ends.laser, ends.i));
+  const auto home = each_lane(Walks<T>::slot(ends.back, ends.m));
+  lanes::each_score(tally_, mask, scores_of(ends, walked, value, path, last, order),
+                    [&](std::size_t lane, const tally::Score& score, const auto& at) {
+                      const auto of_walks = [&](std::int32_t e) {
+                        const auto of_laser = [&] { return laser_.ratios().at(out[lane], e); };
+                        const auto of_telescope = [&] { return back_.ratios().at(home[lane], e); };
+                        if (walked == Walked::laser) return of_laser();
+                        if (walked == Walked::telescope) return of_telescope();
+                        return transport::joined(sea_.environments, e, of_laser(), of_telescope());
+                      };
+                      tally_.not_finite += transport::complete<T>(sea_.environments, completion_,
+                                                                  lane, of_walks, ratios_.data());
+                      tally_.score(score, at, ratios_.data());
+                    });
+}
+
+}  // namespace photic::estimator

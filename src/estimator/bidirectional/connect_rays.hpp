@@ -1,0 +1,244 @@
+// Rays that are made to meet: by shifting the telescope's walk, or by turning it (a part of
+// connections.hpp).
+#pragma once
+
+#include "estimator/bidirectional/connections.hpp"
+
+namespace photic::estimator {
+
+/// Lists all rays of so many walks of the laser; tells how many there are.
+template <class T>
+std::int32_t Connections<T>::list_laser_rays(std::size_t first, std::size_t walks) {
+  walk_of_.resize(walks * (most_vertices + 1) + lanes_of<T>);  // packs are read beyond the end
+  ray_of_.resize(walk_of_.size());
+  std::int32_t count = 0;
+  for (std::size_t walk = first; walk < first + walks; ++walk) {
+    for (std::int32_t i = 0; i < laser_.rays(walk); ++i, ++count) {
+      walk_of_[static_cast<std::size_t>(count)] = static_cast<std::int32_t>(walk);
+      ray_of_[static_cast<std::size_t>(count)] = i;
+    }
+  }
+  return count;
+}
+
+/// Calls act(ends, mask, line of ray i, line of ray m) for all rays i of so many of the laser's
+/// walks and m of the telescope's that may meet in time: as they are, and those that go up as the
+/// surface reflects them.
+template <class T>
+template <class Act>
+void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::size_t back,
+                               Act act) {
+  lanes::each_index<T>(back_.rays(back), [&](const Index<T>& m, const Mask<T>&) {
+    const auto first = static_cast<std::size_t>(each_lane(m)[0]);
+    Line line = line_of(back_.ray(Index<T>(back), m));
+    lines_.each(line, [first](const T& member, auto* column) { store(member, column + first); });
+  });
+  lanes::each_index<T>(
+      list_laser_rays(first_laser, walks), [&](const Index<T>& k, const Mask<T>& mask) {
+        const Index<T> laser = gather_index<T>(walk_of_.data(), k);
+        const Index<T> i = gather_index<T>(ray_of_.data(), k);
+        const auto out = line_of(laser_.ray(laser, i));
+        const auto image = transport::reflected(out, world_.deepest);
+        const Mask<T> rises = mask & (out.rise > T(0));
+        for (std::int32_t m = 0; m < back_.rays(back); ++m) {
+          Line home;
+          lines_.each(home, [m](T& member, const auto* column) { member = T(column[m]); });
+          const Mask<T> in_time =
+              mask & in_order(i + Index<T>(m + 1)) & (out.start + home.start < receiver_.longest);
+          if (!any(in_time)) break;
+          const Ends<T> ends{laser, i, Index<T>(back), Index<T>(m)};
+          const bool home_rises = all(home.rise > T(0));
+          const auto home_image = transport::reflected(home, world_.deepest);
+          for (std::int32_t which = 0; which < (home_rises ? 4 : 2); ++which) {
+            const Mask<T> some = which % 2 == 0 ? in_time : in_time & rises;
+            if (any(some))
+              act(RayEnds<T>{ends, Index<T>(which)}, some, which % 2 == 0 ? out : image,
+                  which < 2 ? home : home_image);
+          }
+        }
+      });
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_t walks,
+                                             std::size_t back, Moves moves) {
+  const auto outset = back_.outset_in_all_lanes(back);
+  const bool shifts = moves != Moves::turns && any(outset.shift_area > T(0));
+  const bool turns =
+      moves != Moves::shifts && any(samples_.turned > T(0)) && back_.pivot_vertex(back) >= 0;
+  if (!shifts && !turns) return;
+  const auto axis = back_.axis(Index<T>(back));
+  const Index<T> pivot(back_.pivot_vertex(back));
+  const auto start = at_lens(outset, back_.line(Index<T>(back)));
+  each_pair(first_laser, walks, back,
+            [&](const auto& ends, const auto& mask, const Line& out, const Line& home) {
+              if (shifts) shift(ends, mask & transport::turns_back(out, home), out, home, start);
+              if (turns) turn(ends, mask & (ends.m > pivot), out, home, axis);
+            });
+}
+
+/// Where a telescope's ray can meet a laser's so that its walk comes through the lens.
+template <class T>
+transport::Chord<T> Connections<T>::chord_of(const Line& out, const Line& home, const Index<T>& m,
+                                             const transport::AtLens<T>& start) const {
+  if (!telescope_.upright) return tilted_chord(out, home, m, start);
+  return transport::chord(out, home, telescope_, start.lens, receiver_.last_path);
+}
+/// Rays that meet where the telescope's walk comes through the lens, at depths that lie on a grid.
+template <class T>
+void Connections<T>::shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
+                           const Line& home, const transport::AtLens<T>& start) {
+  if (!any(mask)) return;
+  const auto chord = chord_of(out, home, ends.m, start);
+  const Mask<T> meet = mask & chord.exists;
+  if (any(meet))
+    chords_.admit(meet, ends, [this](const auto& e, const auto& all) { serve_chords(e, all); });
+}
+
+/// A telescope's walk that is shifted sideways.
+template <class T>
+Moved<T> Connections<T>::shifted(const Pair<T>& pair, const Vec3<T>& shift) const {
+  Moved<T> moved{pair.back, pair.axis()};
+  moved.axis.x = moved.axis.x + shift.x;
+  moved.axis.y = moved.axis.y + shift.y;
+  return moved;
+}
+
+/// Rays that meet where both are as far from an axis.
+template <class T>
+void Connections<T>::turn(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
+                          const Line& home, const transport::Vertical<T>& axis) {
+  if (!any(mask)) return;
+  const auto crossings = transport::crossings(out, home, axis, receiver_.last_path);
+  for (std::size_t n = 0; n < crossings.depth.size(); ++n) {
+    const Mask<T> meet = mask & crossings.exists[n];
+    if (any(meet))
+      crossings_.admit(meet, Crossing<T>{ends, crossings.depth[n]},
+                       [this](const auto& e, const auto& all) { serve_crossings(e, all); });
+  }
+}
+
+/// The rays again that each_pair had found.
+template <class T>
+Pair<T> Connections<T>::pair_of(const RayEnds<T>& ends) const {
+  const auto axis = back_.axis(ends.back);
+  Pair<T> pair{laser_.ray(ends.laser, ends.i),
+               back_.ray(ends.back, ends.m),
+               laser_.outset(ends.laser).spread,
+               back_.outset(ends.back),
+               select(axis.exists, Index<T>(1), Index<T>(0)),
+               axis.x,
+               axis.y,
+               ends,
+               {}};
+  const Mask<T> home = ends.reflected >= Index<T>(2);
+  const Mask<T> out = (ends.reflected == Index<T>(1)) | (ends.reflected == Index<T>(3));
+  if (any(out)) lanes::assign<T>(out, reflected(sea_, pair.out), pair.out);
+  if (any(home)) lanes::assign<T>(home, reflected(sea_, pair.back), pair.back);
+  return pair;
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const Mask<T>& mask) {
+  const auto& grid = samples_.grid;
+  Pair<T> pairs = pair_of(ends);
+  const auto chord = chord_of(line_of(pairs.out), line_of(pairs.back), ends.m,
+                              at_lens(pairs.outset, back_.line(ends.back)));
+  pairs.lens = chord.lens;
+  const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
+    const auto& pair = lanes::of_lanes<T>(pairs, lane);
+    const T depth = grid.depth(number + pair.outset.grid_offset, pair.ends.order());
+    const auto lens = pair.lens.at(depth);
+    const Mask<T> passes = points & open_at(telescope_, lens) &
+                           sight(telescope_, lens, -pair.outset.outward).on_detector;
+    if (!any(passes)) return;
+    if (!telescope_.upright) return meet_tilted(pair, passes, lens, depth);
+    const Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, pair.outset.lens);
+    meet_at<true>(pair, passes, shifted(pair, shift), depth);
+  };
+  lanes::each_number(mask, grid.number(chord.from, ends.order()) - pairs.outset.grid_offset,
+                     grid.number(chord.to, ends.order()) - pairs.outset.grid_offset, meet_on_grid);
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Crossing<T>& crossing,
+                                                    const Mask<T>& mask) {
+  Pair<T> pair = pair_of(crossing);
+  const auto turn = transport::turn_to_meet(pair.out, pair.back, pair.axis(), crossing.depth);
+  const auto [gain, near_pivot] = turn_pivot(pair, turn);
+  Moved<T> moved{pair.back, pair.axis(), gain, near_pivot};
+  moved.ray.position = turn.of_place(pair.back.position);
+  moved.ray.direction = turn.of_direction(pair.back.direction);
+  if (!telescope_.upright) return meet_under_tilted(pair, mask, moved, crossing.depth);
+  meet_at<true>(pair, mask, moved, crossing.depth);
+}
+
+/// A turn changes the angle at the pivot, and with it the phase function's value there; tells what
+/// that gains, and what the densities behind the telescope's ray do. A conversion's change all
+/// alike.
+template <class T>
+std::array<T, 2> Connections<T>::turn_pivot(Pair<T>& pair,
+                                            const transport::Rotation<T>& turn) const {
+  const auto& ends = pair.ends;
+  const Pivot<T> pivot = back_.pivot(ends.back);
+  const Vec3<T> turned = turn.of_direction(pivot.leaving);
+  const T p = sea_.phases.template value<T>(one_minus_cos(pivot.arriving, turned), pivot.phase);
+  const T gain = pivot.per_p * p;
+  if (any(receiver_.line > Index<T>(0))) return {gain, T(0)};
+  // The density of the walk's direction as it was drawn over that as it is now: strategies that do
+  // not draw it gain so much beside the others.
+  const auto& reversal = world_.reversal;
+  const T gained = reversal.scattered_over_phase(sea_, pivot.leaving, T(1) / pivot.per_p) /
+                   (gain * reversal.scattered_over_phase(sea_, turned, p));
+  const T of_ray = select(ends.m == Index<T>(1), gained, T(1));
+  pair.back.per_p = of_ray * pair.back.per_p;
+  pair.back.meeting = of_ray * pair.back.meeting;
+  const auto in_path = usable(ends.order());
+  const auto near =
+      back_.near_first(ends.back, ends.m, in_path, shifts(in_path.order, pair.outset.shift_area));
+  return {gain, (gained - T(1)) * (near.home_edge + near.meeting + near.next_edge)};
+}
+
+template <class T>
+template <bool upright>
+void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved,
+                             const T& depth) {
+  const Ray& out = pair.out;
+  const auto& outset = pair.outset;
+  const auto& ends = pair.ends;
+  const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
+  const Mask<T> emitting = mask & emits(moved.ray.line, layer);
+  if (!any(emitting)) return;
+  const T reach = (-out.position.z - depth) / out.direction.z;
+  const auto in_path = usable(ends.order());
+  const T shifts_last = shifts(in_path.order, outset.shift_area);
+  transport::Freedom<T> freedom{shifts_last, select(is_pivot(moved.ray.line, ends.m),
+                                                    axis_at(out.position + reach * out.direction,
+                                                            moved.ray.direction, out.direction),
+                                                    moved.axis)};
+  const auto last = [&] { return select(ends.m > Index<T>(0), last_depth(ends.back), depth); };
+  const bool aslant = !upright && is_aslant(telescope_);
+  if (aslant) freedom = freedom_before(last(), freedom);
+  const auto laser = laser_.side(out, pair.spread, ends.laser, ends.i, in_path, freedom);
+  auto home =
+      back_.side(pair.back, outset.spread, ends.back, ends.m, in_path, {shifts_last, pair.axis()});
+  home.ray = moved.ray;
+  home.behind = home.behind + moved.near_pivot;
+  T gain = moved.gain;
+  if (!upright) {
+    const Longer<T> longer = lengthened(pair, moved.longer);
+    gain = gain * longer.gain;
+    home.ray.path = home.ray.path + longer.path;
+    home.spread.before = home.spread.before + longer.length;
+    home.behind = home.behind + longer.behind;
+    home.last = home.last + longer.last;
+  }
+  if (aslant) freedom.shifts = select(ends.m > Index<T>(0), freedom.shifts, shifts_last);
+  const auto meeting = meet(sea_, laser, home, depth, layer, freedom, world_.reversal, samples_);
+  if (world_.compares) [[unlikely]]
+    complete_by_meeting(pair, moved, depth, layer);
+  score(pair.ends, Walked::both, emitting & (meeting.path < receiver_.last_path),
+        gain * meeting.value, meeting.path, last(), in_path.order);
+}
+
+}  // namespace photic::estimator

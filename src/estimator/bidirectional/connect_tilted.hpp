@@ -1,0 +1,100 @@
+// Meetings under tilted lenses: a shift makes the way from the lens longer or shorter (a part of
+// connections.hpp; docs/theory.md, eq. 80). They stand apart from those under upright lenses, whose
+// loops stay short.
+#pragma once
+
+#include "estimator/bidirectional/connections.hpp"
+
+namespace photic::estimator {
+
+template <class T>
+PHOTIC_APART transport::Chord<T> Connections<T>::tilted_chord(Line out, Line home, Index<T> m,
+                                                              transport::AtLens<T> start) const {
+  return transport::chord(out, shiftable(home, m), telescope_, start, receiver_.last_path);
+}
+
+/// Whether a telescope's ray that has been shifted goes through a depth; later ones only in walks
+/// that all points of the lens can begin.
+template <class T>
+Mask<T> Connections<T>::can_meet(const Pair<T>& pair, const Ray& moved, const T& depth) const {
+  if (!is_aslant(telescope_)) return Mask<T>(true);
+  const Mask<T> ahead = (-moved.position.z - depth) * moved.direction.z > T(0);
+  return ahead &
+         ((pair.ends.m == Index<T>(0)) | all_points_reach(telescope_, last_depth(pair.ends.back)));
+}
+
+template <class T>
+HomeWay<T> Connections<T>::home_way(const Outset<T>& outset, const Index<T>& back) const {
+  using std::abs;
+  const Vertex v = back_.vertex(back, Index<T>(0));
+  T from(0);
+  if (telescope_.submerged) {
+    const T lens = in_space(telescope_, outset.lens).z;
+    from = select(outset.outward.z * v.direction.z < T(0), T(-lens), lens);  // or its image
+  }
+  const T steep = abs(v.direction.z);
+  return {abs(v.position.z - from) / steep, steep};
+}
+
+/// The way from a tilted lens becomes longer, or shorter. That changes when light is there; in the
+/// water also how much of it is, and how likely walks go so far; and n h / g of connecting this way
+/// and of meeting at its end, which rays behind it keep.
+template <class T>
+PHOTIC_APART Longer<T> Connections<T>::lengthened(const Pair<T>& pair, T length) const {
+  const auto& ends = pair.ends;
+  const Index<T> line = back_.line(ends.back);
+  const Index<T> here = sea_.at(line, receiver_.layer);
+  const Mask<T> first = ends.m == Index<T>(0);
+  Longer<T> longer;
+  T growth(1);  // of what walks draw along it
+  if (telescope_.submerged) {
+    length = select(first, T(0), length);  // first rays have been moved
+    longer.gain = exp_minus(length * gather<T>(sea_.c.first, here));
+    growth = exp_minus(-length / gather<T>(sea_.walk_mean_path, here));
+  }
+  longer.length = length;
+  longer.path = length * at_lens(pair.outset, line).index;
+  if (all(first)) return longer;
+  const HomeWay<T> way = home_way(pair.outset, ends.back);
+  const auto area = [&](const T& more) {
+    auto spread = pair.outset.spread;
+    spread.through_surface = !telescope_.submerged;
+    spread.before = spread.before + more;
+    return area_per_solid_angle(sea_, spread, line, way.length, way.steep);
+  };
+  const auto in_path = usable(ends.order());
+  const T shifts_here = shifts(in_path.order, pair.outset.shift_area);
+  const auto near = back_.near_first(ends.back, ends.m, in_path, shifts_here);
+  const T of_edge = growth * area(length) / area(T(0)) - T(1);
+  const T of_meeting = growth - T(1);
+  longer.behind = select(first, T(0), of_edge * near.home_edge + of_meeting * near.meeting);
+  longer.last = select(
+      (ends.m == Index<T>(1)) & in_path.meeting(in_path.order),
+      of_meeting * shifts_here * transport::turning(pair.back.meeting, pair.back.left_z()), T(0));
+  return longer;
+}
+
+/// Rays that meet at a depth, where the telescope's walk comes through a point of a tilted lens.
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const Pair<T>& pair, Mask<T> mask,
+                                                             instrument::PlanePoint<T> lens,
+                                                             T depth) {
+  const Vec3<T>& outward = pair.outset.outward;
+  const auto aside = lens + T(-1) * pair.outset.lens;
+  const T longer = longer_by_shift(telescope_, outward, aside);
+  auto moved = shifted(pair, in_plane(telescope_, aside) + longer * outward);
+  moved.longer = longer;
+  if (telescope_.submerged) {  // there a first ray begins at the lens
+    const T begins = select(pair.ends.m == Index<T>(0), longer, T(0));
+    moved.ray.position = pair.back.position - begins * pair.back.direction;
+  }
+  meet_at<false>(pair, mask & can_meet(pair, moved.ray, depth), moved, depth);
+}
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_under_tilted(const Pair<T>& pair,
+                                                                   Mask<T> mask, Moved<T> moved,
+                                                                   T depth) {
+  meet_at<false>(pair, mask, moved, depth);
+}
+
+}  // namespace photic::estimator

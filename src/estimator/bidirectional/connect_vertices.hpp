@@ -1,0 +1,213 @@
+// Connections of vertices: with the telescope, with the laser, with each other (a part of
+// connections.hpp).
+#pragma once
+
+#include "estimator/bidirectional/connections.hpp"
+
+namespace photic::estimator {
+
+template <class T>
+void Connections<T>::to_telescope(std::size_t walk) {
+  lanes::each_index<T>(laser_.vertices(walk), [&](const Index<T>& i, const Mask<T>& mask) {
+    to_telescope_.admit(mask, ends_of<T>(walk, i, walk, Index<T>(0)),
+                        [this](const auto& e, const auto& all) { serve_to_telescope(e, all); });
+  });
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Ends<T>& ends, const Mask<T>& mask) {
+  const Index<T> line = back_.line(ends.back);
+  const auto outset = back_.outset(ends.back);
+  const Vec3<T> at = in_space(telescope_, outset.lens);
+  const auto in_path = usable(ends.i + Index<T>(1));
+  const Vertex v = laser_.in_path(ends.laser, ends.i, in_path);
+  const Mask<T> wanted = mask & emits(line, v.layer);
+  if (telescope_.submerged) {
+    for (const bool mirrored : {false, true})
+      by_way(ends, wanted, v, outset, transport::way_in_water(sea_, v.position, line, at, mirrored),
+             mirrored);
+    return;
+  }
+  const Mask<T> near_view =
+      wanted & transport::may_see(sea_, telescope_, v.position, line, outset.lens);
+  if (!any(near_view)) return;
+  by_way(ends, near_view, v, outset,
+         transport::way_through_surface(sea_, v.position, line, at, near_view), false);
+}
+
+template <class T>
+void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
+                            const Outset<T>& outset, const transport::Way<T>& way, bool mirrored) {
+  const Index<T> line = back_.line(ends.back);
+  const auto sight = instrument::sight(telescope_, outset.lens, way.arriving);
+  const T air = telescope_.submerged
+                    ? T(0)
+                    : longer_way(telescope_, way.crossing, outset.lens, way.length_air);
+  const T path = v.path + air + way.length_water * gather<T>(sea_.group_index, line);
+  const Mask<T> seen = mask & way.exists & sight.on_detector & (path < receiver_.last_path);
+  if (!any(seen)) return;
+  const T depth = -v.position.z;
+  const auto tau = telescope_.submerged
+                       ? depths_in_water(sea_, way, line, v.layer, depth, receiver_.layer,
+                                         way.length_water, mirrored)
+                       : depths_through_surface(sea_, way, line, v.layer, depth);
+  const T solid_angle = detector_solid_angle(telescope_, sight.cos_off_axis);
+  const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
+  const auto in_path = usable(ends.i + Index<T>(1));
+  const transport::Freedom<T> freedom{
+      shifts(in_path.order, instrument::shift_area(telescope_, way.arriving)),
+      axis_at(v.position, way.direction, v.direction)};
+  const T behind = behind_laser_vertex(ends, v, in_path, freedom_before(depth, freedom));
+  const Joint from =
+      all(line == Index<T>(0))
+          ? scattering_from_laser(sea_, v, behind, way.direction, world_.reversal, T(1), freedom)
+          : conversion_from_laser(sea_, v, behind, way.direction, line, world_.reversal, T(1), T(1),
+                                  freedom);
+  const T area = samples_.to_instrument * from.share * solid_angle * way.area_per_solid_angle /
+                     way.index_squared +
+                 from.meeting;
+  if (world_.compares) [[unlikely]]
+    complete_to_telescope(ends, v, way, mirrored);
+  score(ends, Walked::laser, seen,
+        from.weight * way.passed * etendue *
+            transport::balance(area, tau.all, tau.walk, from.end, transport::End<T>{}),
+        path, depth, in_path.order);
+}
+
+template <class T>
+void Connections<T>::to_laser(std::size_t walk) {
+  lanes::each_index<T>(back_.vertices(walk), [&](const Index<T>& m, const Mask<T>& mask) {
+    to_laser_.admit(mask, ends_of<T>(walk, Index<T>(0), walk, m),
+                    [this](const auto& e, const auto& all) { serve_to_laser(e, all); });
+  });
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Ends<T>& ends, const Mask<T>& mask) {
+  const auto& laser = world_.laser;
+  if (!any(transport::connectable_solid_angle(laser) > T(0))) return;
+  const Vec3<T> vertex = fictitious_vertex(laser);
+  const Vertex w = back_.in_path(ends.back, ends.m, usable(ends.m + Index<T>(1)));
+  const Mask<T> wanted = mask & emits(w.line, w.layer);
+  const Index<T> line(0);
+  if (!laser.submerged) {
+    by_way_to_laser(ends, wanted, w,
+                    transport::way_through_surface(sea_, w.position, line, vertex, wanted), false);
+    return;
+  }
+  for (const bool mirrored : {false, true})
+    by_way_to_laser(ends, wanted, w,
+                    transport::way_in_water(sea_, w.position, line, vertex, mirrored), mirrored);
+}
+
+template <class T>
+void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, const Vertex& w,
+                                     const transport::Way<T>& way, bool mirrored) {
+  const auto& laser = world_.laser;
+  const Vec3<T> leaving = -way.arriving;
+  const T x = one_minus_cos(leaving, laser.axis);
+  const Mask<T> in_cone = x < laser.one_minus_cos_divergence;
+  Mask<T> lit = mask & way.exists & in_cone;
+  if (!any(lit)) return;
+  // The way from the disc on; the fictitious vertex lies behind it.
+  const T hidden = laser.vertex_distance / (T(1) - x);
+  const Vec3<T> vertex = fictitious_vertex(laser);
+  const T longer = longer_by(vertex, -way.crossing, length(vertex) + way.length_air);
+  const T air = laser.submerged ? T(0) : longer + laser.vertex_detour - x * hidden;
+  const T water = laser.submerged ? way.length_water - hidden : way.length_water;
+  const Index<T> line(0);
+  const T path = w.path + air + water * gather<T>(sea_.group_index, line);
+  lit = lit & (water > T(0)) & (path < receiver_.last_path);
+  if (!any(lit)) return;
+  const T depth = -w.position.z;
+  const auto tau = laser.submerged ? depths_in_water(sea_, way, line, w.layer, depth,
+                                                     world_.laser_layer, water, mirrored)
+                                   : depths_through_surface(sea_, way, line, w.layer, depth);
+  const transport::Freedom<T> freedom{
+      shifts(ends.m + Index<T>(1), back_.outset(ends.back).shift_area),
+      select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, way.direction),
+             back_.axis(ends.back))};
+  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, freedom);
+  const T solid_angle = transport::connectable_solid_angle(laser);
+  const T area = samples_.to_instrument * to.share * solid_angle * way.area_per_solid_angle /
+                     way.index_squared +
+                 to.meeting;
+  if (world_.compares) [[unlikely]]
+    complete_to_laser(ends, w, way, water, mirrored);
+  score(ends, Walked::telescope, lit,
+        to.weight * way.passed *
+            transport::balance(area, tau.all, tau.walk, transport::End<T>{}, to.end),
+        path, last_depth(ends.back), ends.m + Index<T>(1));
+}
+
+template <class T>
+void Connections<T>::between(std::size_t walk) {
+  lanes::each_index<T>(laser_.vertices(walk), [&](const Index<T>& i, const Mask<T>& mask) {
+    const T path = laser_.vertex(Index<T>(walk), i).path;
+    for (std::int32_t m = 0; m < back_.vertices(walk); ++m) {
+      const Mask<T> may = mask & in_order(i + Index<T>(m + 2)) &
+                          (path + back_.vertex_in_all_lanes(walk, m).path < receiver_.last_path);
+      if (!any(may)) break;
+      between_.admit(may, ends_of<T>(walk, i, walk, Index<T>(m)),
+                     [this](const auto& e, const auto& all) { serve_between(e, all); });
+    }
+  });
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mask<T>& mask) {
+  const auto in_path = usable(ends.i + ends.m + Index<T>(2));
+  const Vertex v = laser_.in_path(ends.laser, ends.i, in_path);
+  const Vertex w = back_.in_path(ends.back, ends.m, in_path);
+  const Vec3<T> there = w.position - v.position;
+  const T length = photic::length(there);
+  const Vec3<T> direction = (T(1) / length) * there;
+  const T shifted = shifts(in_path.order, back_.outset(ends.back).shift_area);
+  const T last = last_depth(ends.back);
+  const Mask<T> inelastic = w.line > Index<T>(0);
+  const Mask<T> arrives = mask & emits(w.line, w.layer);
+  if (any(arrives)) {
+    const transport::Freedom<T> freedom{
+        shifted, select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, direction),
+                        back_.axis(ends.back))};
+    const auto before = freedom_before(last, freedom);
+    const T behind = behind_laser_vertex(ends, v, in_path, before);
+    const Joint to = arrival_from_laser(sea_, w, -direction, world_.reversal, freedom);
+    along(ends, arrives, Index<T>(0),
+          scattering_from_laser(sea_, v, behind, direction, world_.reversal, to.goes_on, before),
+          to, v, w, length, in_path);
+  }
+  const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
+  if (any(converts)) {
+    const auto freedom = freedom_before(
+        last, transport::Freedom<T>{shifted, axis_at(v.position, w.direction, v.direction)});
+    const T behind = behind_laser_vertex(ends, v, in_path, freedom);
+    const T goes_on = T(1) - world_.reversal.chance(sea_, w.line, w.layer);
+    along(ends, converts, w.line,
+          conversion_from_laser(sea_, v, behind, direction, w.line, world_.reversal, w.chance,
+                                w.chance * goes_on, freedom),
+          scattering_of_converted(sea_, w, -direction), v, w, length, in_path);
+  }
+}
+
+template <class T>
+void Connections<T>::along(const Ends<T>& ends, const Mask<T>& mask, const Index<T>& line,
+                           const Joint& from, const Joint& to, const Vertex& v, const Vertex& w,
+                           const T& length, const Usable<T>& usable) {
+  const T path = v.path + w.path + length * gather<T>(sea_.group_index, line);
+  const Mask<T> in_time = mask & (path < receiver_.last_path);
+  if (!any(in_time)) return;
+  const auto tau =
+      transport::depths_between(sea_, line, level_of(sea_, v), level_of(sea_, w), length);
+  const Index<T> edge = ends.i + Index<T>(1);
+  const T meeting = select(usable.meeting(edge), from.meeting * to.end.p, T(0)) +
+                    select(usable.meeting(edge + Index<T>(1)), to.meeting * from.end.p, T(0));
+  const T area = samples_.between * from.share * to.share * length * length + meeting;
+  if (world_.compares) [[unlikely]]
+    complete_between(ends, line, v, w, length);
+  score(ends, Walked::both, in_time,
+        from.weight * to.weight * balance(area, tau.all, tau.walk, from.end, to.end), path,
+        last_depth(ends.back), usable.order);
+}
+
+}  // namespace photic::estimator

@@ -1,0 +1,340 @@
+// The connections of telescopes' walks: with the laser, with the laser's walks, and of those with
+// the telescope (docs/theory.md, "The bidirectional estimator").
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/flatten.hpp"
+#include "estimator/bidirectional/walk.hpp"
+#include "lanes/each_score.hpp"
+#include "lanes/give_out.hpp"
+#include "lanes/lane_columns.hpp"
+#include "lanes/waiting_room.hpp"
+#include "tally/batch_tally.hpp"
+#include "transport/joint.hpp"
+#include "transport/meet.hpp"
+#include "transport/way.hpp"
+
+namespace photic::estimator {
+
+/// What may be connected: vertex or ray i of a laser's walk and m of a telescope's.
+template <class T>
+struct Ends {
+  Index<T> laser{}, i{}, back{}, m{};
+
+  template <class F>
+  void each_member(F f) {
+    f(laser), f(i), f(back), f(m);
+  }
+  static constexpr std::size_t reals = 0, integers = 4;
+};
+
+template <class T>
+Ends<T> ends_of(std::size_t laser, const Index<T>& i, std::size_t back, const Index<T>& m) {
+  return {Index<T>(laser), i, Index<T>(back), m};
+}
+
+/// Rays i and m that may be made to meet, as they are or as the surface has reflected them.
+template <class T>
+struct RayEnds : Ends<T> {
+  Index<T> reflected{};  ///< 1: the laser's, 2: the telescope's, 3: both
+
+  /// Vertices of the path that they make.
+  [[nodiscard]] Index<T> order() const { return Ends<T>::i + Ends<T>::m + Index<T>(1); }
+  template <class F>
+  void each_member(F f) {
+    Ends<T>::each_member(f);
+    f(reflected);
+  }
+  static constexpr std::size_t reals = 0, integers = 5;
+};
+
+/// Rays that meet at a depth if the telescope's walk is turned.
+template <class T>
+struct Crossing : RayEnds<T> {
+  T depth{};  ///< [m]
+
+  template <class F>
+  void each_member(F f) {
+    RayEnds<T>::each_member(f);
+    f(depth);
+  }
+  static constexpr std::size_t reals = 1, integers = 5;
+};
+
+/// How telescopes' walks are moved to meet others: sideways so that they still come through the
+/// lens, or turned beyond their pivots.
+enum class Moves : std::int8_t { shifts, turns, all };
+
+/// Two rays that may be made to meet.
+template <class T>
+struct Pair {
+  using Ray = transport::Ray<T>;
+  Ray out, back;
+  transport::Spread<T> spread;  ///< of the laser's walk
+  Outset<T> outset;             ///< of the telescope's walk
+  Index<T> turns{};             ///< 1: it may be turned about the vertical at ...
+  T axis_x{}, axis_y{};
+  RayEnds<T> ends;
+  transport::LensLine<T> lens;  ///< where it comes through, if it is shifted
+
+  /// About which the telescope's walk may be turned.
+  [[nodiscard]] transport::Vertical<T> axis() const {
+    return {turns == Index<T>(1), axis_x, axis_y};
+  }
+
+  static constexpr std::size_t members =
+      2 * Ray::members + 3 + Outset<T>::members + 3 + RayEnds<T>::integers + 4;
+  template <class F>
+  void each_member(F f) {
+    out.each_member(f);
+    back.each_member(f);
+    spread.each_member(f);
+    outset.each_member(f);
+    f(turns), f(axis_x), f(axis_y);
+    ends.each_member(f);
+    f(lens.at_surface.x), f(lens.at_surface.y), f(lens.per_depth.x), f(lens.per_depth.y);
+  }
+};
+
+/// A telescope's ray, and the vertical of its walk, as it has been moved to meet another.
+template <class T>
+struct Moved {
+  transport::Ray<T> ray;
+  transport::Vertical<T> axis;
+  T gain{1};        ///< of the phase function at the pivot
+  T near_pivot{0};  ///< what n h / g of all strategies gain by the pivot's angle having changed
+  T longer{0};      ///< so much longer is its way from the lens [m]
+};
+
+/// What a longer way from the lens makes of a telescope's side of a meeting.
+template <class T>
+struct Longer {
+  T gain{1};   ///< of the sample
+  T path{};    ///< more of it [m]
+  T length{};  ///< of the way, more of it [m]
+  T behind{};  ///< what n h / g of all strategies behind the ray gains
+  T last{};    ///< and that of meeting where it begins, but for P and the edge beyond
+};
+
+/// A telescope's walk's first way in the water.
+template <class T>
+struct HomeWay {
+  T length{};  ///< [m]
+  T steep{};   ///< cosine to the vertical
+};
+
+using tally::Walked;
+
+template <class T>
+class Connections {
+ public:
+  Connections(const World<T>& world, const Receiver<T>& receiver,
+              const transport::Samples<T>& samples, const Walks<T>& from_laser,
+              const Walks<T>& from_telescope, tally::BatchTally& tally)
+      : world_(world),
+        sea_(world.sea),
+        telescope_(world.telescopes[receiver.telescope]),
+        receiver_(receiver),
+        samples_(samples),
+        laser_(from_laser),
+        back_(from_telescope),
+        tally_(tally),
+        scores_(receiver.telescope, world.path_to_origin[receiver.telescope]),
+        ratios_(static_cast<std::size_t>(world.sea.environments.stride)) {}
+
+  /// The laser's walk with the point of the lens of the telescope's that goes with it: the local
+  /// estimate of a single ray.
+  void to_telescope(std::size_t walk);
+  /// The telescope's walk with the laser.
+  void to_laser(std::size_t walk);
+  /// Every vertex of the laser's walk with every vertex of the telescope's.
+  void between(std::size_t walk);
+  /// Every ray of so many walks of the laser with every ray of a telescope's, which is moved so
+  /// that they meet.
+  void meetings(std::size_t first_laser, std::size_t walks, std::size_t back,
+                Moves moves = Moves::all);
+  /// What still waits for others to fill a pack.
+  void close();
+
+ private:
+  using Vertex = transport::Vertex<T>;
+  using Ray = transport::Ray<T>;
+  using Line = transport::DepthLine<T>;
+  using Joint = transport::Joint<T>;
+  using Room = lanes::WaitingRoom<T, Ends<T>>;
+  using RayRoom = lanes::WaitingRoom<T, RayEnds<T>>;
+
+  template <class Act>
+  void each_pair(std::size_t first_laser, std::size_t walks, std::size_t back, Act act);
+  std::int32_t list_laser_rays(std::size_t first, std::size_t walks);
+  void shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
+             const transport::AtLens<T>& start);
+  transport::Chord<T> chord_of(const Line& out, const Line& home, const Index<T>& m,
+                               const transport::AtLens<T>& start) const;
+  transport::Chord<T> tilted_chord(Line out, Line home, Index<T> m,
+                                   transport::AtLens<T> start) const;
+  void turn(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
+            const transport::Vertical<T>& axis);
+
+  // What is done with the ends of a mask once they fill a pack.
+  void serve_to_telescope(const Ends<T>& ends, const Mask<T>& mask);
+  void serve_to_laser(const Ends<T>& ends, const Mask<T>& mask);
+  void serve_between(const Ends<T>& ends, const Mask<T>& mask);
+  void serve_chords(const RayEnds<T>& ends, const Mask<T>& mask);
+  void serve_crossings(const Crossing<T>& crossing, const Mask<T>& mask);
+
+  void by_way(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v, const Outset<T>& outset,
+              const transport::Way<T>& way, bool mirrored);
+  void by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, const Vertex& w,
+                       const transport::Way<T>& way, bool mirrored);
+  void along(const Ends<T>& ends, const Mask<T>& mask, const Index<T>& line, const Joint& from,
+             const Joint& to, const Vertex& v, const Vertex& w, const T& length,
+             const Usable<T>& usable);
+  Pair<T> pair_of(const RayEnds<T>& ends) const;
+  Moved<T> shifted(const Pair<T>& pair, const Vec3<T>& shift) const;
+  void meet_tilted(const Pair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens, T depth);
+  void meet_under_tilted(const Pair<T>& pair, Mask<T> mask, Moved<T> moved, T depth);
+  [[nodiscard]] Mask<T> can_meet(const Pair<T>& pair, const Ray& moved, const T& depth) const;
+  Longer<T> lengthened(const Pair<T>& pair, T length) const;
+  [[nodiscard]] HomeWay<T> home_way(const Outset<T>& outset, const Index<T>& back) const;
+  std::array<T, 2> turn_pivot(Pair<T>& pair, const transport::Rotation<T>& turn) const;
+  template <bool upright>
+  void meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);
+
+  [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
+    return {order, world_.most_vertices};
+  }
+  /// n A of meetings by a walk that may be shifted over A, in paths of an order [m].
+  [[nodiscard]] T shifts(const Index<T>& order, const T& shift_area) const {
+    return samples_.meetings(order) * shift_area;
+  }
+  /// The same of meetings before the last vertex of a path, which is at a depth.
+  [[nodiscard]] T shifts_before(const T& last, const T& shifts) const {
+    if (!is_aslant(telescope_)) return shifts;
+    return select(all_points_reach(telescope_, last), shifts, T(0));
+  }
+  [[nodiscard]] transport::Freedom<T> freedom_before(const T& last,
+                                                     const transport::Freedom<T>& freedom) const {
+    return {shifts_before(last, freedom.shifts), freedom.axis};
+  }
+  /// `outset`: of a walk that detects a line.
+  [[nodiscard]] transport::AtLens<T> at_lens(const Outset<T>& outset, const Index<T>& line) const {
+    return {outset.lens, outset.outward,
+            telescope_.submerged ? gather<T>(sea_.group_index, line) : T(1)};
+  }
+  /// Whether light of the laser's line can leave a layer as light of a line.
+  [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {
+    return (line == Index<T>(0)) | (gather<T>(sea_.conversion, sea_.at(line, layer)) > T(0));
+  }
+  /// The densities behind a vertex of the laser's walk, in a path in which the telescope's walk may
+  /// be moved so.
+  [[nodiscard]] T behind_laser_vertex(const Ends<T>& ends, const Vertex& v,
+                                      const Usable<T>& in_path,
+                                      const transport::Freedom<T>& freedom) const {
+    return v.passed * (v.behind.all(freedom.shifts) +
+                       laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis));
+  }
+  [[nodiscard]] Line line_of(const Ray& ray) const { return depth_line(sea_, ray, world_.deepest); }
+  /// Of a telescope's ray m that may be shifted: a first one may then begin elsewhere.
+  [[nodiscard]] Line shiftable(Line line, const Index<T>& m) const {
+    if (!is_aslant(telescope_)) return line;
+    const T most = select(m == Index<T>(0), T(2) * telescope_.lens_rise, T(0));
+    const T from = line.from - most, to = line.to + most;
+    line.from = select(from > T(0), from, T(0));
+    line.to = select(to < world_.deepest, to, world_.deepest);
+    return line;
+  }
+  /// Whether paths of an order can still be scored.
+  [[nodiscard]] Mask<T> in_order(const Index<T>& order) const {
+    return order <= Index<T>(world_.last_order > 0 ? world_.last_order
+                                                   : std::numeric_limits<std::int32_t>::max());
+  }
+  /// Where the light of a telescope's walk was last scattered.
+  [[nodiscard]] T last_depth(const Index<T>& back) const {
+    return -back_.vertex(back, Index<T>(0)).position.z;
+  }
+  /// How a telescope's walk may be turned in paths that convert at a place, or of which that is the
+  /// last vertex. `home`, `on`: directions of the edges there, to the telescope and to the laser.
+  [[nodiscard]] transport::Vertical<T> axis_at(const Vec3<T>& place, const Vec3<T>& home,
+                                               const Vec3<T>& on) const {
+    const Mask<T> scatters =
+        world_.turns_scattered ? transport::leads_aside(home, on) : Mask<T>(false);
+    return {Mask<T>((receiver_.line > Index<T>(0)) | scatters), place.x, place.y};
+  }
+  /// Whether a path's pivot is where light comes upon its telescope's walk of so many vertices, as
+  /// of a line there: an emitted line's is converted there, the laser's scattered for the last time
+  /// if the walk has no vertex before.
+  [[nodiscard]] static Mask<T> is_pivot(const Index<T>& line, const Index<T>& m) {
+    return (line > Index<T>(0)) | (m == Index<T>(0));
+  }
+  // What the ends of paths, made one, do in environments.
+  void complete_to_telescope(const Ends<T>& ends, const Vertex& v, const transport::Way<T>& way,
+                             bool mirrored);
+  void complete_to_laser(const Ends<T>& ends, const Vertex& w, const transport::Way<T>& way,
+                         const T& length, bool mirrored);
+  void complete_between(const Ends<T>& ends, const Index<T>& line, const Vertex& v, const Vertex& w,
+                        const T& length);
+  void complete_by_meeting(const Pair<T>& pair, const Moved<T>& moved, const T& depth,
+                           const Index<T>& layer);
+  void score_in_environments(const Ends<T>& ends, Walked walked, const Mask<T>& mask,
+                             const T& value, const T& path, const T& last, const Index<T>& order);
+
+  /// `last`: the depth at which light was last scattered.
+  void score(const Ends<T>& ends, Walked walked, const Mask<T>& mask, const T& value, const T& path,
+             const T& last, const Index<T>& order) {
+    if (world_.compares) [[unlikely]]
+      return score_in_environments(ends, walked, mask, value, path, last, order);
+    scores_.admit(mask, scores_of(ends, walked, value, path, last, order), tally_);
+  }
+  [[nodiscard]] lanes::LaneScores<T> scores_of(const Ends<T>& ends, Walked walked, const T& value,
+                                               const T& path, const T& last,
+                                               const Index<T>& order) const {
+    return {receiver_.telescope,
+            world_.path_to_origin[receiver_.telescope],
+            back_.line(ends.back),
+            order,
+            last,
+            path,
+            value,
+            walked};
+  }
+
+  const World<T>& world_;
+  const medium::MediumView& sea_;
+  const instrument::Telescope<T>& telescope_;
+  const Receiver<T>& receiver_;
+  const transport::Samples<T>& samples_;
+  const Walks<T>& laser_;
+  const Walks<T>& back_;
+  tally::BatchTally& tally_;
+  Room to_telescope_, to_laser_, between_;
+  RayRoom chords_;
+  lanes::WaitingRoom<T, Crossing<T>> crossings_;
+  std::vector<std::int32_t> walk_of_, ray_of_;  ///< the laser's rays that may meet a telescope's
+  lanes::LaneColumns<T, Line, most_vertices + 1 + lanes_of<T>> lines_;  ///< of a telescope's walk
+  lanes::ScoreRoom<T> scores_;
+  transport::Completion<T> completion_;
+  std::vector<Element<T>> ratios_;  ///< of one lane, [environment]
+};
+
+template <class T>
+void Connections<T>::close() {
+  to_telescope_.close([this](const auto& e, const auto& mask) { serve_to_telescope(e, mask); });
+  to_laser_.close([this](const auto& e, const auto& mask) { serve_to_laser(e, mask); });
+  between_.close([this](const auto& e, const auto& mask) { serve_between(e, mask); });
+  chords_.close([this](const auto& e, const auto& mask) { serve_chords(e, mask); });
+  crossings_.close([this](const auto& e, const auto& mask) { serve_crossings(e, mask); });
+  scores_.close(tally_);
+}
+
+}  // namespace photic::estimator
+
+#include "estimator/bidirectional/connect_environments.hpp"  // IWYU pragma: export
+#include "estimator/bidirectional/connect_rays.hpp"          // IWYU pragma: export
+#include "estimator/bidirectional/connect_tilted.hpp"        // IWYU pragma: export
+#include "estimator/bidirectional/connect_vertices.hpp"      // IWYU pragma: export

@@ -1,0 +1,328 @@
+// The walks of the bidirectional estimator, kept until they are connected.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "estimator/world.hpp"
+#include "lanes/records.hpp"
+#include "transport/environments.hpp"
+#include "transport/meet.hpp"
+#include "transport/receive.hpp"
+#include "transport/vertex.hpp"
+
+namespace photic::estimator {
+
+/// Which strategies can be used for a path of `order` vertices by walks of at most `most`.
+template <class T>
+struct Usable {
+  Index<T> order, most;
+  Usable(const Index<T>& vertices, std::int32_t most_of_a_walk)
+      : order(vertices), most(most_of_a_walk) {}
+  [[nodiscard]] Mask<T> all() const { return order <= most; }
+  [[nodiscard]] Mask<T> connecting(const Index<T>& edge) const {
+    return (edge <= most) & (order - edge <= most);
+  }
+  /// A walk that has all the vertices it may have does not set out from the last one.
+  [[nodiscard]] Mask<T> meeting(const Index<T>& vertex) const {
+    return (vertex <= most) & (order - vertex < most);
+  }
+};
+
+/// Where a walk left its instrument; the lens, outwards and what follows of a telescope's walk.
+template <class T>
+struct Outset {
+  transport::Spread<T> spread;
+  instrument::PlanePoint<T> lens{};
+  Vec3<T> outward{};
+  T shift_area{};         ///< [m^2]
+  T grid_offset{};        ///< of the depths where it meets others, 0 to 1 of a step
+  Index<T> connected{1};  ///< with the vertices of a laser's walk: 1 or 0
+  Index<T> line{};        ///< of the light that comes back
+
+  static constexpr std::size_t members = 10;
+  template <class F>
+  void each_member(F f) {
+    spread.each_member(f);
+    f(lens.x), f(lens.y), f(outward.x), f(outward.y), f(outward.z);
+    f(shift_area), f(grid_offset);
+  }
+};
+
+/// The vertex about which a telescope's walk may be turned, and how the walk came and left.
+template <class T>
+struct Pivot {
+  T x{}, y{};  ///< [m]
+  Vec3<T> arriving{}, leaving{};
+  T per_p{};         ///< 1 over the phase function's value [sr]
+  Index<T> phase{};  ///< its table
+
+  static constexpr std::size_t members = 10;
+  template <class F>
+  void each_member(F f) {
+    f(x), f(y), f(arriving.x), f(arriving.y), f(arriving.z);
+    f(leaving.x), f(leaving.y), f(leaving.z), f(per_p), f(phase);
+  }
+};
+
+/// `ray`: leaves the vertex, where light is converted if it comes in another line than the laser's.
+template <class T>
+Pivot<T> pivot_at(const medium::MediumView& sea, const transport::Vertex<T>& vertex,
+                  const transport::Ray<T>& ray) {
+  return {vertex.position.x,
+          vertex.position.y,
+          vertex.direction,
+          ray.direction,
+          ray.per_p,
+          select(vertex.line > Index<T>(0), gather_index<T>(sea.conversion_phase, vertex.line),
+                 gather_index<T>(sea.elastic_phase, sea.at(vertex.line, vertex.layer)))};
+}
+
+/// Of the densities behind the rays of a telescope's walk those of strategies that do not draw how
+/// it leaves its first vertex: connecting the edges there, and meeting there.
+template <class T>
+struct NearFirst {
+  T home_edge{}, meeting{}, next_edge{};
+
+  static constexpr std::size_t members = 3;
+  template <class F>
+  void each_member(F f) {
+    f(home_edge), f(meeting), f(next_edge);
+  }
+};
+
+/// The rays and vertices of walks from one instrument: ray m leads to vertex m, and ray 0 from the
+/// instrument.
+template <class T>
+class Walks {
+ public:
+  using Ray = transport::Ray<T>;
+  using Vertex = transport::Vertex<T>;
+
+  /// `through_surface`: the instrument is in the air.
+  Walks(std::size_t walks, bool from_telescope, bool through_surface,
+        const medium::EnvironmentsView& environments)
+      : from_telescope_(from_telescope),
+        through_surface_(through_surface),
+        outset_(walks),
+        ray_(walks * stride),
+        vertex_(walks * stride),
+        pivot_(walks),
+        near_first_(walks),
+        rays_(walks),
+        vertices_(walks),
+        pivot_vertex_(walks),
+        connected_(walks),
+        line_(walks),
+        ratios_(environments, walks * stride) {}
+
+  // Written by walkers, in the lanes of a mask.
+  void begin(const Mask<T>& mask, const Index<T>& walk, const Outset<T>& outset, const Ray& first) {
+    outset_.put(mask, walk, outset);
+    scatter(mask, walk, outset.connected, connected_.data());
+    scatter(mask, walk, outset.line, line_.data());
+    scatter(mask, walk, Index<T>(0), vertices_.data());
+    scatter(mask, walk, Index<T>(-1), pivot_vertex_.data());
+    add(mask, walk, Index<T>(0), first);
+  }
+  /// No walk sets out.
+  void leave_out(const Mask<T>& mask, const Index<T>& walk) {
+    scatter(mask, walk, Index<T>(0), rays_.data());
+    scatter(mask, walk, Index<T>(0), vertices_.data());
+  }
+  void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& m, const Ray& ray) {
+    ray_.put(mask, slot(walk, m), ray);
+    scatter(mask, walk, m + Index<T>(1), rays_.data());
+  }
+  void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i, const Vertex& vertex) {
+    vertex_.put(mask, slot(walk, i), vertex);
+    scatter(mask, walk, i + Index<T>(1), vertices_.data());
+  }
+  /// Walks from a telescope come to a vertex, their `first` or a later one: at that they meet no
+  /// others, being shifted, if not all points of the lens can begin such a walk.
+  void keep_unshifted(const instrument::Telescope<T>& telescope, const Index<T>& walk,
+                      const Mask<T>& first, Vertex& vertex) const {
+    if (!is_aslant(telescope) || all(first)) return;
+    const T depth = -this->vertex(walk, Index<T>(0)).position.z;
+    vertex.meeting = select(first | all_points_reach(telescope, depth), vertex.meeting, T(0));
+  }
+  /// Telescopes' walks leave vertex i by a ray: what they keep for being turned about it, if they
+  /// may be. `of_elastic_light`: also where they scatter the laser's light first. Tells who may.
+  Mask<T> pivot(const medium::MediumView& sea, const Mask<T>& mask, const Index<T>& walk,
+                const Index<T>& i, const Vertex& vertex, const Ray& ray, bool of_elastic_light) {
+    const Mask<T> first = i == Index<T>(0);
+    const Mask<T> near_first = mask & (i < Index<T>(2)) & (first | (vertex.line == Index<T>(0)));
+    if (any(near_first)) {
+      near_first_.put(near_first, walk,
+                      {select(first, ray.last_edge, vertex.last.edges), vertex.last.meetings,
+                       select(first, T(0), ray.last_edge)});
+    }
+    const Mask<T> converts = mask & (vertex.line > ray.line);
+    const Mask<T> scatters = mask & first & (vertex.line == Index<T>(0)) &
+                             Mask<T>(of_elastic_light) &
+                             transport::leads_aside(vertex.direction, ray.direction);
+    const Mask<T> pivots = converts | scatters;
+    if (any(pivots)) {
+      scatter(pivots, walk, i, pivot_vertex_.data());
+      pivot_.put(pivots, walk, pivot_at(sea, vertex, ray));
+    }
+    return pivots;
+  }
+
+  /// Of the weights with which walks leave by their rays, in environments.
+  [[nodiscard]] transport::PathRatios<T>& ratios() { return ratios_; }
+  [[nodiscard]] const transport::PathRatios<T>& ratios() const { return ratios_; }
+  /// Where ray or vertex i of a walk is kept.
+  static Index<T> slot(const Index<T>& walk, const Index<T>& i) {
+    return walk * Index<T>(stride) + i;
+  }
+  /// So many bytes does a walk take in environments.
+  static std::size_t size(const medium::EnvironmentsView& environments) {
+    return stride * transport::PathRatios<T>::size(environments);
+  }
+
+  [[nodiscard]] bool from_telescope() const { return from_telescope_; }
+
+  // Of one walk.
+  [[nodiscard]] std::int32_t rays(std::size_t walk) const { return rays_[walk]; }
+  [[nodiscard]] std::int32_t vertices(std::size_t walk) const { return vertices_[walk]; }
+  /// The vertex about which a telescope's walk may be turned, or -1.
+  [[nodiscard]] std::int32_t pivot_vertex(std::size_t walk) const { return pivot_vertex_[walk]; }
+  [[nodiscard]] bool connected(std::size_t walk) const { return connected_[walk] != 0; }
+
+  // Of one walk, in all lanes.
+  [[nodiscard]] Outset<T> outset_in_all_lanes(std::size_t walk) const {
+    return outset_.in_all_lanes(walk);
+  }
+  [[nodiscard]] Ray ray_in_all_lanes(std::size_t walk, std::int32_t m) const {
+    return ray_.in_all_lanes(walk * stride + static_cast<std::size_t>(m));
+  }
+  [[nodiscard]] Vertex vertex_in_all_lanes(std::size_t walk, std::int32_t i) const {
+    return vertex_.in_all_lanes(walk * stride + static_cast<std::size_t>(i));
+  }
+
+  // Of one walk in each lane.
+  [[nodiscard]] Outset<T> outset(const Index<T>& walk) const {
+    Outset<T> outset = outset_.at(walk);
+    outset.spread.through_surface = through_surface_;
+    return outset;
+  }
+  [[nodiscard]] Ray ray(const Index<T>& walk, const Index<T>& m) const {
+    return ray_.at(slot(walk, m));
+  }
+  [[nodiscard]] Vertex vertex(const Index<T>& walk, const Index<T>& i) const {
+    return vertex_.at(slot(walk, i));
+  }
+  /// The line of the light that a telescope's walk detects.
+  [[nodiscard]] Index<T> line(const Index<T>& walk) const {
+    return gather_index<T>(line_.data(), walk);
+  }
+  /// About which a telescope's walk may be turned.
+  [[nodiscard]] Pivot<T> pivot(const Index<T>& walk) const { return pivot_.at(walk); }
+  /// The vertical through that.
+  [[nodiscard]] transport::Vertical<T> axis(const Index<T>& walk) const {
+    const Mask<T> exists = gather_index<T>(pivot_vertex_.data(), walk) >= Index<T>(0);
+    if (!any(exists)) return {};
+    const Pivot<T> at = pivot(walk);
+    return {exists, at.x, at.y};
+  }
+  /// Those of what NearFirst tells that lie behind ray m, beyond the first vertex; of meeting times
+  /// `shifts`.
+  [[nodiscard]] NearFirst<T> near_first(const Index<T>& walk, const Index<T>& m,
+                                        const Usable<T>& usable, const T& shifts) const {
+    const NearFirst<T> near = near_first_.at(walk);
+    const Index<T> order = usable.order;
+    const Mask<T> beyond = m > Index<T>(1);
+    return {select(usable.connecting(order), near.home_edge, T(0)),
+            select(beyond & usable.meeting(order), shifts * near.meeting, T(0)),
+            select(beyond & usable.connecting(order - Index<T>(1)), near.next_edge, T(0))};
+  }
+
+  /// Vertex i as it is in a path of which perhaps not all strategies can be used.
+  [[nodiscard]] Vertex in_path(const Index<T>& walk, const Index<T>& i,
+                               const Usable<T>& usable) const {
+    Vertex v = vertex(walk, i);
+    const Mask<T> whole = usable.all();
+    if (all(whole)) return v;
+    transport::Densities<T> sum;
+    for (Index<T> k(1); any(k <= i); k = k + Index<T>(1))
+      add_last(k <= i, vertex(walk, select(k <= i, k, i)), k, usable, sum);
+    v.behind = select(whole, v.behind, sum);
+    const Mask<T> open = usable.connecting(from_telescope_ ? usable.order - i : i);
+    v.open = select(whole | open, v.open, T(0));
+    return v;
+  }
+  /// The densities of turning a telescope's walk about an axis so that it meets this walk of the
+  /// laser at a vertex before vertex i, over what has been passed.
+  [[nodiscard]] T turned_before(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
+                                const transport::Vertical<T>& axis) const {
+    T sum(0);
+    if (!any(axis.exists)) return sum;
+    for (Index<T> k(1);; k = k + Index<T>(1)) {
+      const Mask<T> before = k <= i;
+      if (!any(before)) return sum;
+      const T density = vertex(walk, select(before, k, Index<T>(0))).last_turn.about(axis);
+      sum = sum + select(before & usable.meeting(k), density, T(0));
+    }
+  }
+  /// Ray m as one side of a meeting. `spread`: of the walk's first ray, but for what is the same of
+  /// all walks; `freedom`: of the telescope's walk, as this walk sees it.
+  [[nodiscard]] transport::Side<T> side(const Ray& ray, const transport::Spread<T>& spread,
+                                        const Index<T>& walk, const Index<T>& m,
+                                        const Usable<T>& usable,
+                                        const transport::Freedom<T>& freedom) const {
+    transport::Side<T> side{ray, m == Index<T>(0), spread};
+    side.spread.through_surface = through_surface_;
+    side.behind = behind(ray, walk, m, usable).all(freedom.shifts);
+    if (!from_telescope_)
+      side.behind = side.behind + turned_before(walk, m - Index<T>(1), usable, freedom.axis);
+    side.behind = ray.passed * side.behind;
+    side.last = select(usable.meeting(passed(m, usable)),
+                       freedom.shifts * transport::turning(ray.meeting, ray.left_z()) +
+                           ray.turn.about(freedom.axis),
+                       T(0));
+    return side;
+  }
+
+ private:
+  /// From one walk to the next: odd, or the first vertices of all would want the same few places of
+  /// a cache.
+  static constexpr std::size_t stride = most_vertices + 1;
+
+  [[nodiscard]] transport::Densities<T> behind(const Ray& ray, const Index<T>& walk,
+                                               const Index<T>& m, const Usable<T>& usable) const {
+    const Mask<T> first = m == Index<T>(0);
+    const Mask<T> whole = usable.all() | first;
+    if (all(whole)) return ray.behind;
+    auto sum = in_path(walk, select(first, m, m - Index<T>(1)), usable).behind;
+    const Mask<T> connecting =
+        usable.connecting(passed(m, usable) - Index<T>(from_telescope_ ? 0 : 1));
+    sum.edges = sum.edges + select(connecting, ray.last_edge, T(0));
+    return select(whole, ray.behind, sum);
+  }
+  /// The path's number of the vertex that ray m leaves.
+  [[nodiscard]] Index<T> passed(const Index<T>& m, const Usable<T>& usable) const {
+    return from_telescope_ ? usable.order + Index<T>(1) - m : m;
+  }
+  void add_last(const Mask<T>& mask, const Vertex& v, const Index<T>& m, const Usable<T>& usable,
+                transport::Densities<T>& sum) const {
+    const Index<T> x = passed(m, usable);
+    const Mask<T> connecting = mask & usable.connecting(x - Index<T>(from_telescope_ ? 0 : 1));
+    const Mask<T> meeting = mask & usable.meeting(x);
+    sum.edges = sum.edges + select(connecting, v.last.edges, T(0));
+    sum.meetings = sum.meetings + select(meeting, v.last.meetings, T(0));
+    sum.turned = sum.turned + select(meeting, v.last.turned, T(0));
+  }
+
+  bool from_telescope_, through_surface_;
+  lanes::Records<T, Outset<T>> outset_;
+  lanes::Records<T, Ray> ray_;
+  lanes::Records<T, Vertex> vertex_;
+  lanes::Records<T, Pivot<T>> pivot_;
+  lanes::Records<T, NearFirst<T>> near_first_;
+  std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, line_;  ///< of each walk
+  transport::PathRatios<T> ratios_;                                              ///< of each ray
+};
+
+}  // namespace photic::estimator

@@ -1,0 +1,95 @@
+// What telescopes expect of a photon's next collision before it flies: of further points of its
+// free paths, and of conversions in the telescopes' views. Its history is not changed by it.
+#pragma once
+
+#include "estimator/ends.hpp"
+#include "estimator/forward/estimate.hpp"
+#include "transport/flight.hpp"
+#include "transport/forced.hpp"
+
+namespace photic::estimator {
+
+/// Light that is scored ahead of photons, where they may get to on their flight: its ratios.
+template <bool special, class T>
+void look_ahead(const World<T>& world, const Travellers<T>& from, const transport::Photon<T>& at,
+                Estimates<T>& estimates) {
+  if (!compares<special>(world)) return;
+  const transport::Photon<T>& before = from.photon;
+  estimates.kept = from.ratios.kept;
+  estimates.first = from.ratios.first;
+  estimates.ahead.clear();
+  add_passage(world.sea,
+              {at.line, before.layer, T(-before.position.z), at.layer, T(-at.position.z),
+               (at.path - before.path) / gather<T>(world.sea.group_index, at.line)},
+              estimates.ahead);
+}
+
+/// The number that a flight's free path is drawn by. A free path -ln(u) leaves the water where u is
+/// below the chance of that.
+template <bool special, class T>
+T path_number(const Travellers<T>& travellers, const T& u) {
+  if constexpr (special) {
+    return select(travellers.stays == T(1), u, T(1) - (T(1) - u) * travellers.stays);
+  } else {
+    return u;
+  }
+}
+
+/// Scores what the telescopes expect of photons' next collision, where it might be as well: at
+/// further points that are as far apart as can be among the free paths, the flight's own being the
+/// last of them (docs/theory.md, eq. 77).
+template <bool special, class T>
+void score_further_points(const World<T>& world, const Travellers<T>& travellers,
+                          Estimates<T>& estimates, tally::BatchTally& tally) {
+  if (!any(travellers.on)) return;
+  const auto from = transport::flight_start(world.sea, travellers.photon);
+  for (std::int32_t k = 1; k < world.scored_points; ++k) {
+    const T rest = T(static_cast<double>(k) / world.scored_points);
+    const T& u = travellers.u[0];
+    const T turned = select(u > rest, u - rest, u + (T(1) - rest));
+    transport::Photon<T> at = travellers.photon;
+    const T free_path = minus_log(path_number<special>(travellers, turned));
+    auto end = transport::fly(world.sea, at, from, free_path);
+    if (!special && world.flies_on) {
+      transport::fly_on(world.sea, at, end, [&](const Mask<T>&, transport::Photon<T>& down) {
+        transport::reflect_down(world.sea, down);
+      });
+    }
+    const Mask<T> scored = travellers.on & !(end.surface | end.sea_bed) & in_time(world, at);
+    if (!any(scored)) continue;
+    look_ahead<special>(world, travellers, at, estimates);
+    score_light<special>(world, at, weight_at_point(world, at), travellers.lens, scored, at.line,
+                         estimates, tally);
+  }
+}
+
+/// Scores what the telescopes expect of the conversions on photons' way to their next collision; of
+/// all their collisions, if these are not scored where they happen.
+template <bool special, class T>
+PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const Travellers<T>& from,
+                                                  const Mask<T>& travelling,
+                                                  Estimates<T>& estimates,
+                                                  tally::BatchTally& tally) {
+  const medium::MediumView& sea = world.sea;
+  const Mask<T> convertible = travelling & (from.photon.line == Index<T>(0));
+  const bool all_collisions = special && world.tools.scores_on_the_way;
+  const Mask<T> wanted = all_collisions ? travelling : convertible;
+  if (!any(wanted)) return;
+  const auto& u = from.forced;
+  transport::Photon<T> at = from.photon;
+  const Mask<T> reached =
+      wanted & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
+  look_ahead<special>(world, from, at, estimates);
+  if (all_collisions)
+    score_light<special>(world, at, at.weight, from.lens, reached, at.line, estimates, tally);
+  const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
+  const Mask<T> converting = reached & convertible;
+  Index<T> i(0);
+  for (Mask<T> on = converting & (i < count); any(on); on = converting & (i < count)) {
+    const Index<T> line = sea.emitted_line<T>(at.layer, select(on, i, Index<T>(0)), from.hue);
+    score_light<special>(world, at, at.weight, from.lens, on, line, estimates, tally);
+    i = i + Index<T>(1);
+  }
+}
+
+}  // namespace photic::estimator

@@ -1,0 +1,355 @@
+// The local estimate: what every telescope is expected to detect of a collision.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/random.hpp"
+#include "estimator/world.hpp"
+#include "lanes/each_score.hpp"
+#include "lanes/waiting_room.hpp"
+#include "tally/batch_tally.hpp"
+#include "transport/aim.hpp"
+#include "transport/collide.hpp"
+#include "transport/connect_ray.hpp"
+#include "transport/environments.hpp"
+#include "transport/scatter.hpp"
+
+namespace photic::estimator {
+
+/// Directed sampling aims at no more ways than this; telescopes beyond have to do with the light of
+/// the others.
+inline constexpr int target_capacity = 16;
+template <class T>
+using Targets = transport::Targets<T, target_capacity>;
+
+/// Photons on their way, one in each lane, and the event that they are in.
+template <class T>
+struct Travellers {
+  explicit Travellers(const World<T>& world)
+      : place{world.key, {}, {}}, lens(world.single_rays ? world.telescopes.size() : 0) {}
+
+  transport::Photon<T> photon;
+  RandomPlace<T> place;
+  Index<T> hue{};                               ///< in which lines it emits
+  std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
+                                                ///< part in local estimates of single rays
+  transport::Ratios<T> ratios;                  ///< of their weights in environments
+
+  Mask<T> on{};  ///< who is on the way
+  // Of the event:
+  std::array<T, 4> u{}, choices{}, forced{};  ///< numbers: of all events, and where they are asked
+                                              ///< for, of choices and of forced collisions
+  Mask<T> colliding{};                        ///< whose flight ends so
+  T free_path{};                              ///< of the flight, an optical depth
+  transport::Branch<T> branch;                ///< what the collision made of them
+  Targets<T> targets;                         ///< of the directions that they may take next
+  transport::Deflection<T> deflection;        ///< by the collision
+  Vec3<T> old_direction;                      ///< before it
+  T stays{1};                              ///< chance that a forced flight has to end in the water
+  T analog_before{}, importance_before{};  ///< the flight, for tools that ask
+  Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
+
+  /// The numbers of a block of the event.
+  std::array<T, 4>& numbers(std::uint32_t block) {
+    return block == 0 ? u : (block == 1 ? choices : forced);
+  }
+};
+
+/// What differs between the sources of a scene's scores at all.
+struct SourcesDiffer {
+  bool lines = true, layers = true, points = true;
+
+  /// Calls f(member) for what does of a source's photon, its weight, line, and point of the lens.
+  template <class Photon, class T, class Line, class Point, class F>
+  void each(Photon& photon, T& weight, Line& line, Point& lens, F f) const {
+    f(photon.position.x), f(photon.position.y), f(photon.position.z);
+    f(photon.direction.x), f(photon.direction.y), f(photon.direction.z);
+    f(weight), f(photon.path), f(photon.order);
+    if (points) f(lens.x), f(lens.y);
+    if (layers) f(photon.layer);
+    if (lines) f(photon.line), f(line);
+  }
+};
+template <class T>
+SourcesDiffer sources_differ(const World<T>& world) {
+  return {world.sea.lines > 1, world.sea.layers > 1, world.single_rays};
+}
+
+/// Light of one line that leaves collisions, one in each lane: scattered, or converted from another
+/// line.
+template <class T>
+struct Sources {
+  transport::Photon<T> photon{};  ///< before the collision
+  Index<T> line{};
+  instrument::PlanePoint<T> lens{};
+  SourcesDiffer differ;
+
+  template <class F>
+  void each_member(F f) {
+    differ.each(photon, photon.weight, line, lens, f);
+  }
+  static constexpr std::size_t reals = 10, integers = 4;
+};
+/// The same, where it stands.
+template <class T>
+struct SourcesOf {
+  const transport::Photon<T>& photon;
+  const T weight;
+  const Index<T>& line;
+  const instrument::PlanePoint<T>& lens;
+  SourcesDiffer differ;
+
+  template <class F>
+  void each_member(F f) const {
+    differ.each(photon, weight, line, lens, f);
+  }
+  explicit operator Sources<T>() const {
+    Sources<T> out{photon, line, lens, differ};
+    out.photon.weight = weight;
+    return out;
+  }
+};
+
+/// What a process makes of a collision: its share, and its phase function.
+template <class T>
+struct Emission {
+  T share;
+  Index<T> phase;
+};
+template <class T>
+Emission<T> emission(const medium::MediumView& sea, const Sources<T>& from) {
+  const Index<T> here = sea.at(from.line, from.photon.layer);
+  const Emission<T> scattered{gather<T>(sea.albedo, here),
+                              gather_index<T>(sea.elastic_phase, here)};
+  if (!from.differ.lines) return scattered;
+  const Mask<T> same = from.line == from.photon.line;
+  return {select(same, scattered.share, gather<T>(sea.conversion, here)),
+          select(same, scattered.phase, gather_index<T>(sea.conversion_phase, from.line))};
+}
+
+/// What local estimates need besides the photons: a pool's, or one photon's.
+template <class T>
+struct Estimates {
+  explicit Estimates(const World<T>& world)
+      : waiting(world.telescopes.size(),
+                lanes::WaitingRoom<T, Sources<T>>({.differ = sources_differ(world)})),
+        ratios(static_cast<std::size_t>(world.sea.environments.stride)) {
+    for (std::size_t t = 0; t < world.telescopes.size(); ++t)
+      scores.emplace_back(t, world.path_to_origin[t]);
+  }
+
+  std::vector<lanes::WaitingRoom<T, Sources<T>>> waiting;  ///< of each telescope
+  std::vector<lanes::ScoreRoom<T>> scores;                 ///< in each telescope
+
+  // Of the light that is scored, in environments.
+  transport::PathRatios<T>* kept = nullptr;
+  std::size_t first = 0;      ///< path of the first lane
+  transport::Terms<T> ahead;  ///< of ways that the photons have not gone, but the light has
+  transport::Completion<T> completion;
+  std::vector<Element<T>> ratios;  ///< of one lane, [environment]
+};
+
+/// Scores in a telescope of light that leaves collisions.
+template <class T>
+lanes::LaneScores<T> scores_of(const World<T>& world, std::size_t telescope, const Sources<T>& from,
+                               const T& path_back, const T& value) {
+  return {telescope,
+          world.path_to_origin[telescope],
+          from.line,
+          from.photon.order + Index<T>(1),
+          -from.photon.position.z,
+          from.photon.path + path_back,
+          value};
+}
+
+/// Scores the lanes of a mask in environments, too: light that leaves a collision and goes straight
+/// to a telescope.
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, std::size_t t,
+                                                       Mask<T> seen, Sources<T> from,
+                                                       transport::Connection<T> way, bool mirrored,
+                                                       T value, Estimates<T>& estimates,
+                                                       tally::BatchTally& tally) {
+  const medium::MediumView& sea = world.sea;
+  const transport::Photon<T>& photon = from.photon;
+  auto& completion = estimates.completion;
+  completion.clear();
+  completion.ways = estimates.ahead;
+  add_way(sea, from.line, photon.layer, T(-photon.position.z), way.direction, way.length_water,
+          world.telescopes[t].submerged, world.telescope_layer[t], mirrored, completion.ways);
+  completion.collide(sea, {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)),
+                           from.line, one_minus_cos(photon.direction, way.direction)});
+  lanes::each_score(tally, seen, scores_of(world, t, from, way.path, value),
+                    [&](std::size_t lane, const tally::Score& score, const auto& at) {
+                      const std::size_t path = estimates.first + lane;
+                      tally.not_finite += complete<T>(
+                          sea.environments, completion, lane,
+                          [&](std::int32_t e) { return estimates.kept->at(path, e); },
+                          estimates.ratios.data());
+                      tally.score(score, at, estimates.ratios.data());
+                    });
+}
+
+/// Scores light in one telescope: weight before the collision x share of the process x phase
+/// function x acceptance x exp(-optical depth back at the emitted wavelength) (docs/theory.md, "The
+/// local estimate").
+template <bool special, class T>
+void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, const Mask<T>& mask,
+              tally::BatchTally& tally, Estimates<T>& estimates) {
+  using namespace transport;
+  const Photon<T>& photon = from.photon;
+  const auto [share, phase] = emission(world.sea, from);
+  const auto score = [&](const Connection<T>& way, bool mirrored) {
+    const Mask<T> seen = mask & (way.acceptance > T(0));
+    if (!any(seen)) return;
+    const T p =
+        world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction), phase);
+    const T value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
+    if (compares<special>(world)) {
+      score_in_environments(world, t, seen, from, way, mirrored, value, estimates, tally);
+      return;
+    }
+    estimates.scores[t].admit(seen, scores_of(world, t, from, way.path, value), tally);
+  };
+  const auto& telescope = world.telescopes[t];
+  const auto& layer = world.telescope_layer[t];
+  for (const bool mirrored : {false, true}) {
+    if (mirrored && !telescope.submerged) continue;
+    if (world.single_rays) {
+      score(connect_ray(world.sea, telescope, layer, photon, from.line, from.lens, mirrored, mask),
+            mirrored);
+    } else if (telescope.submerged) {
+      score(connect_in_water(world.sea, telescope, layer, photon, from.line, mirrored), mirrored);
+    } else {
+      score(connect_through_surface(world.sea, telescope, photon, from.line, mask), mirrored);
+    }
+  }
+}
+
+/// Where a telescope may see a point, by the points of the lenses that take part in local estimates
+/// of single rays.
+template <class T>
+Mask<T> near_view(const World<T>& world, std::size_t t, const Vec3<T>& position,
+                  const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {
+  const auto& telescope = world.telescopes[t];
+  return world.single_rays ? transport::may_see(world.sea, telescope, position, line, lens[t])
+                           : transport::may_see(world.sea, telescope, position, line);
+}
+
+/// Scores light that has waited for company.
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_t t,
+                                               const Sources<T>& from, const Mask<T>& mask,
+                                               tally::BatchTally& tally, Estimates<T>& estimates) {
+  score_in<false>(world, t, from, mask, tally, estimates);
+}
+
+/// Scores light of a line, and so much of photons' weight, from the collisions of a mask in all
+/// telescopes that may see it; it waits for company, but for light that has ratios.
+template <bool special, class T>
+void score_light(const World<T>& world, const transport::Photon<T>& photon, const T& weight,
+                 const std::vector<instrument::PlanePoint<T>>& lens, const Mask<T>& colliding,
+                 const Index<T>& line, Estimates<T>& estimates, tally::BatchTally& tally) {
+  const instrument::PlanePoint<T> centre{};
+  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
+    const Mask<T> seen = colliding & near_view(world, t, photon.position, line, lens);
+    if (!any(seen)) continue;
+    const SourcesOf<T> from{photon, weight, line, world.single_rays ? lens[t] : centre,
+                            sources_differ(world)};
+    if (compares<special>(world)) {
+      score_in<special>(world, t, Sources<T>(from), seen, tally, estimates);
+      continue;
+    }
+    estimates.waiting[t].admit(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
+      score_waiting(world, t, full, mask, tally, estimates);
+    });
+  }
+}
+
+/// Scores what still waits.
+template <class T>
+void close_rooms(const World<T>& world, Estimates<T>& estimates, tally::BatchTally& tally) {
+  for (std::size_t t = 0; t < estimates.waiting.size(); ++t) {
+    estimates.waiting[t].close([&](const Sources<T>& rest, const Mask<T>& mask) {
+      score_waiting(world, t, rest, mask, tally, estimates);
+    });
+    estimates.scores[t].close(tally);
+  }
+}
+
+/// Adds the ways to the telescopes as targets.
+template <class T>
+void aim_at_telescopes(const World<T>& world, Travellers<T>& at) {
+  using namespace transport;
+  Targets<T>& targets = at.targets;
+  const Vec3<T>& from = at.photon.position;
+  const Index<T>& line = at.photon.line;
+  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
+    const auto& telescope = world.telescopes[t];
+    const Vec3<T> to = world.single_rays ? in_space(telescope, at.lens[t]) : telescope.position;
+    for (const bool mirrored : {false, true}) {
+      if ((mirrored && !telescope.submerged) || targets.count == target_capacity) continue;
+      const auto [direction, in_front] = aim(world.sea, telescope, from, line, to, mirrored,
+                                             near_view(world, t, from, line, at.lens));
+      targets.add(direction, T(0), select(in_front, T(1), T(0)));
+    }
+  }
+}
+
+/// Adds the views of the telescopes as targets for light that has yet to be converted: converted
+/// light leaves in all directions, so what counts is that the laser's light comes into view, at
+/// whatever angle. The cones hold the whole of a view's parts, or light from the side could enter
+/// it by a direction that is drawn too rarely.
+template <class T>
+void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Targets<T>& targets) {
+  using std::sqrt;
+  const Mask<T> convertible = photon.line == Index<T>(0);
+  if (!any(convertible)) return;
+  for (const auto& view : world.views) {
+    for (const auto& ball : view.part) {
+      if (targets.count == target_capacity) return;
+      const Vec3<T> there = ball.centre - photon.position;
+      const T squared = dot(there, there);
+      const Mask<T> apart = squared > T(0);
+      const T safe = select(apart, squared, T(1));
+      const T sine_squared = ball.radius * ball.radius / safe;
+      const T rest = T(1) - sine_squared;
+      const T cone = T(1) - sqrt(select(rest > T(0), rest, T(0)));
+      targets.add((T(1) / sqrt(safe)) * there, cone,
+                  select(convertible & apart, T(1.0 / view_parts), T(0)));
+    }
+  }
+}
+
+/// Fills in the targets of the direction that photons may take next, where they collide.
+template <class T>
+void aim_at_targets(const World<T>& world, Travellers<T>& at) {
+  if (!any(at.colliding)) return;
+  at.targets.clear();
+  aim_at_telescopes(world, at);
+  aim_at_views(world, at.photon, at.targets);
+}
+
+/// Of a photon's weight, what collides at one of the points of a flight that are scored.
+template <class T>
+T weight_at_point(const World<T>& world, const transport::Photon<T>& photon) {
+  return photon.weight * T(1.0 / world.scored_points);
+}
+
+/// Scores what the telescopes expect of photons of a mask that are scattered where they stand.
+template <bool special, class T>
+void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask<T>& scored,
+                      Estimates<T>& estimates, tally::BatchTally& tally) {
+  if (compares<special>(world)) {
+    estimates.kept = at.ratios.kept;
+    estimates.first = at.ratios.first;
+    estimates.ahead.clear();
+  }
+  score_light<special>(world, at.photon, weight_at_point(world, at.photon), at.lens, scored,
+                       at.photon.line, estimates, tally);
+}
+
+}  // namespace photic::estimator

@@ -1,0 +1,106 @@
+// What the forward estimator can do beyond the plain walk: forced collisions, splitting, what
+// becomes of light photons (docs/theory.md, "The paper's tools"). Each leaves the mean as it is,
+// but for AtThreshold::end.
+#pragma once
+
+#include <cstdint>
+
+#include "core/random.hpp"
+#include "estimator/ends.hpp"
+#include "estimator/forward/estimate.hpp"
+#include "transport/escape.hpp"
+
+namespace photic::estimator {
+
+/// Blocks of random numbers: of the number of copies, and, from here on, of the copies' own
+/// numbers.
+inline constexpr std::uint32_t split_block = 3;
+inline constexpr std::uint32_t copy_blocks = std::uint32_t{1} << 30;
+
+/// The number of copy 0, 1 … of a photon that was split at an event, which it draws its random
+/// numbers by. No photon of the laser has such a one; of two copies with probability 2^-63.
+inline std::uint64_t copy_number(const RandomKey& key, std::uint64_t photon, std::int32_t event,
+                                 std::int32_t copy) {
+  const auto word = philox_words(key, photon, static_cast<std::uint32_t>(event),
+                                 copy_blocks + static_cast<std::uint32_t>(copy));
+  return std::uint64_t{1} << 63 | std::uint64_t{word[1]} << 32 | word[0];
+}
+
+template <class T>
+T importance_at(const Tools<T>& tools, const T& depth) {
+  T value(1);
+  for (std::size_t i = 0; i < tools.importance.size(); ++i)
+    value = select(depth >= tools.importance_depth[i], tools.importance[i], value);
+  return value;
+}
+
+/// Which photons fly so that they do not leave the water.
+template <class T>
+Mask<T> are_forced(const World<T>& world, const RandomPlace<T>& place) {
+  return place.event <= world.tools.forced_flights;
+}
+
+/// Before the flight of photons that are `on` their way.
+template <class T, class Ledger>
+void begin_with_tools(const World<T>& world, Travellers<T>& travellers, const Mask<T>& on,
+                      Ledger& ledger) {
+  transport::Photon<T>& photon = travellers.photon;
+  travellers.analog_before = photon.analog_weight;
+  travellers.importance_before = importance_at(world.tools, -photon.position.z);
+  travellers.stays = T(1);
+  const Mask<T> forced = are_forced(world, travellers.place);
+  if (!any(forced)) return;
+  const auto away = transport::escape(world.sea, photon);
+  book(ledger.escaped, on & forced & away.surface, away.weight);
+  book(ledger.sea_bed, on & forced & !away.surface, away.weight);
+  const T& stays = travellers.stays = select(forced, T(1) - away.probability, T(1));
+  photon.weight = photon.weight * stays;
+  photon.analog_weight = photon.analog_weight * stays;
+}
+
+/// Splits photons on their way to where they are worth more, and kills some of those on their way
+/// to where they are worth less. Tells who goes on, and how many copies besides.
+template <class T, class Ledger>
+Mask<T> split(const World<T>& world, Travellers<T>& travellers, const Mask<T>& on, Ledger& ledger) {
+  transport::Photon<T>& photon = travellers.photon;
+  travellers.copies = Index<T>(0);
+  const T ratio = importance_at(world.tools, -photon.position.z) / travellers.importance_before;
+  const Mask<T> changes = on & !(ratio == T(1));
+  if (!any(changes)) return on;
+  const T u = uniforms(travellers.place, split_block)[0];
+  const Index<T> whole = floor_index(ratio);
+  const Index<T> all_of_them =
+      whole + select(u < ratio - to_real<T>(whole), Index<T>(1), Index<T>(0));
+  const T each = photon.weight / ratio;
+  book(ledger.roulette, changes, photon.weight - to_real<T>(all_of_them) * each);
+  photon.weight = select(changes, each, photon.weight);
+  travellers.copies =
+      select(changes & (all_of_them > Index<T>(1)), all_of_them - Index<T>(1), Index<T>(0));
+  return on & !(changes & (all_of_them == Index<T>(0)));
+}
+
+/// At the end of an event, in place of play_roulette.
+template <class T, class Ledger>
+Mask<T> end_with_tools(const World<T>& world, Travellers<T>& travellers, Mask<T> on, const T& u,
+                       Ledger& ledger) {
+  transport::Photon<T>& photon = travellers.photon;
+  const T& threshold = world.weight_threshold;
+  const T& before = travellers.analog_before;
+  switch (world.tools.at_threshold) {
+    case AtThreshold::roulette:
+      on = play_roulette(photon, threshold, u, on, ledger);
+      break;
+    case AtThreshold::analog_absorption:
+      // Below the threshold the weight stays what it was: what was lost of it is the chance that
+      // all is.
+      on = play_roulette(photon, select(before <= threshold, before, T(0)), u, on, ledger);
+      break;
+    case AtThreshold::end:
+      const Mask<T> low = photon.analog_weight < threshold;
+      book(ledger.cut_by_weight, on & low, photon.weight);
+      on = on & !low;
+  }
+  return split(world, travellers, on, ledger);
+}
+
+}  // namespace photic::estimator

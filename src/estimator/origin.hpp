@@ -1,0 +1,84 @@
+// Where places and paths in a World are told from: near where the light gets into the water, that
+// floats tell times to 0.01 ns even from space.
+//
+// The sea is the same everywhere, so places are told from a point of the surface, the origin. Paths
+// leave out the ways in the air between the instruments and the origin; scores add them, in double.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/vec3.hpp"
+#include "instrument/telescope.hpp"
+#include "instrument/way_ahead.hpp"
+#include "scene/scene.hpp"
+#include "transport/photon.hpp"
+
+namespace photic::estimator {
+
+inline double way_ahead(const scene::Source& source) {
+  return instrument::way_ahead(source.position_m, normalised(source.direction));
+}
+/// The point of the surface above or below the one where a laser's light starts.
+inline Vec3<double> origin_of(const scene::Source& source) {
+  const auto start = source.position_m + way_ahead(source) * normalised(source.direction);
+  return {start.x, start.y, 0};
+}
+/// An instrument of a scene, its place told from there.
+template <class Instrument>
+Instrument from_origin(Instrument instrument, const Vec3<double>& origin) {
+  instrument.position_m = instrument.position_m - origin;
+  return instrument;
+}
+
+/// What paths from the laser to a telescope, its place told from the origin, leave out [m].
+inline double path_to_origin(const scene::Source& source, const scene::Telescope& telescope) {
+  const bool submerged = telescope.position_m.z < 0;
+  return way_ahead(source) + (submerged ? 0 : length(telescope.position_m));
+}
+
+/// Until when light in the water has to be on its way to an instrument.
+template <class T>
+struct Deadline {
+  bool submerged = false;
+  T z{};     ///< of the instrument, if it is in the water [m]
+  T path{};  ///< of light that gets there, or else to the surface, by the end of the last gate [m]
+
+  /// `path`: of light that gets to the instrument then.
+  static Deadline to(double z, double path) { return {z < 0, T(z), T(path - std::max(0.0, z))}; }
+
+  /// The shortest way, at the least group index, is over in time.
+  Mask<T> is_met(const transport::Photon<T>& photon, const T& least_group_index) const {
+    using std::abs;
+    const T rest = submerged ? T(abs(z - photon.position.z)) : T(-photon.position.z);
+    return photon.path + least_group_index * rest < path;
+  }
+};
+
+/// Of the laser's light, of which it has to meet one; `last_path`: the end of the last gate [m].
+/// Points of a tilted lens may be nearer than its centre.
+template <class T>
+std::vector<Deadline<T>> deadlines_at_telescopes(const scene::Scene& scene, double last_path,
+                                                 double greatest_index) {
+  const double path = last_path - way_ahead(scene.source);
+  std::vector<Deadline<T>> deadlines;
+  std::optional<double> lowest_in_air;
+  for (const auto& t : scene.telescope) {
+    const double rise = instrument::lens_rise(t);
+    const double z = t.position_m.z;
+    if (z < 0) deadlines.push_back(Deadline<T>::to(z, path + greatest_index * rise));
+    if (z >= 0) lowest_in_air = std::min(z - rise, lowest_in_air.value_or(z - rise));
+  }
+  if (lowest_in_air) deadlines.push_back(Deadline<T>::to(std::max(0.0, *lowest_in_air), path));
+  return deadlines;
+}
+
+/// Of a telescope's walks; `last_path`: of both walks together, at the end of the last gate [m].
+template <class T>
+Deadline<T> deadline_at_laser(const scene::Scene& scene, double last_path) {
+  return Deadline<T>::to(scene.source.position_m.z, last_path + way_ahead(scene.source));
+}
+
+}  // namespace photic::estimator

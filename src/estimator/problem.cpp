@@ -1,0 +1,163 @@
+#include "estimator/problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "core/constants.hpp"
+#include "medium/build.hpp"
+#include "medium/check.hpp"
+#include "medium/environments.hpp"
+#include "medium/walk_attenuation.hpp"
+#include "optics/data_folder.hpp"
+#include "scene/forward_settings.hpp"
+
+namespace photic::estimator {
+namespace {
+
+/// The processes that the lines stand for, in the order of medium::Process, each once.
+std::vector<medium::Process> processes_of(const std::vector<medium::Line>& lines) {
+  std::vector<medium::Process> out;
+  for (const auto& line : lines) out.push_back(line.process);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
+                        const tally::Gates& gates) {
+  tally::Shape shape;
+  const auto processes = processes_of(medium.line);
+  shape.telescopes = scene.telescope.size();
+  shape.channels = scene.channel.size();
+  shape.processes = processes.size();
+  shape.orders = static_cast<std::size_t>(scene.simulation.orders_kept);
+  shape.gates = static_cast<std::size_t>(gates.count());
+  if (const auto depth = gates.depth_edges(scene.gates.depth_cells); !depth.empty()) {
+    shape.depths = depth.size() - 1;
+    shape.depth_min = depth.front();
+    shape.per_depth_step = static_cast<double>(shape.depths) / (depth.back() - depth.front());
+  }
+  shape.max_order = static_cast<std::int32_t>(scene.simulation.max_order.value_or(0));
+  if (scene.simulation.estimator == "bidirectional") shape.walked = tally::kinds_of_walked;
+  shape.environments = scene.environment.size() + scene.sensitivity.size();
+  for (const auto& line : medium.line) {
+    std::vector<tally::Counting> counted_by;
+    for (std::size_t c = 0; c < line.counted_by.size(); ++c) {
+      if (line.counted_by[c] > 0)
+        counted_by.push_back({static_cast<std::int32_t>(c), line.counted_by[c]});
+    }
+    shape.channels_of_line.push_back(std::move(counted_by));
+    const auto at = std::find(processes.begin(), processes.end(), line.process);
+    shape.process_of_line.push_back(static_cast<std::int32_t>(at - processes.begin()));
+  }
+  if (std::ranges::any_of(medium.line, [](const auto& line) { return line.lifetime_ns > 0; }))
+    for (const auto& line : medium.line) shape.decay_of_line.emplace_back(line.lifetime_ns, gates);
+  return shape;
+}
+
+/// The light channel number c stands for: the mean over the lines it counts, else the laser's or
+/// its filter's centre.
+medium::Line channel_line(const scene::Channel& channel, std::size_t c,
+                          const std::vector<medium::Line>& lines) {
+  medium::Line mean = lines.front();
+  double all = 0;
+  double wavelength = 0;
+  double refractive_index = 0, group_index = 0;
+  for (const auto& line : lines) {
+    const double counted = line.photons * line.counted_by[c];
+    all += counted;
+    wavelength += counted * line.wavelength_nm;
+    refractive_index += counted * line.refractive_index;
+    group_index += counted * line.group_index;
+  }
+  if (all > 0) {
+    mean.wavelength_nm = wavelength / all;
+    mean.refractive_index = refractive_index / all;
+    mean.group_index = group_index / all;
+  } else if (channel.centre_nm) {
+    mean.wavelength_nm = *channel.centre_nm;
+  }
+  return mean;
+}
+
+/// The values of an environment that its name does not tell: "sea.layer.0.chlorophyll_mg_m3 = 2".
+std::string values_untold(const scene::Environment& environment) {
+  std::string out;
+  for (const auto& [path, value] : environment.set) {
+    const std::string key = path.substr(path.find_last_of('.') + 1);
+    if (environment.name.find(fmt::format("{} = {}", key, value)) != std::string::npos) continue;
+    out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", path, value);
+  }
+  return out;
+}
+
+}  // namespace
+
+scene::Check optics_check() {
+  return [library = std::shared_ptr<const optics::Library>()](const scene::Scene& scene,
+                                                              scene::Findings& findings) mutable {
+    if (!library) library = std::make_shared<const optics::Library>(optics::find_data_folder());
+    medium::check_medium(scene, *library, findings);
+    medium::check_environments(scene, *library, findings);
+  };
+}
+
+Problem make_problem(const scene::Scene& scene) {
+  const optics::Library library(optics::find_data_folder());
+  auto medium = medium::build_medium(scene, library);
+  tally::Gates gates(scene, medium.line);
+  auto shape = make_shape(scene, medium, gates);
+  scene::Scene effective = scene;
+  if (scene.simulation.estimator == "bidirectional")
+    effective.simulation.walk_attenuation = medium::walk_attenuation_in(medium, scene.simulation);
+  if (scene.simulation.estimator == "forward") {
+    effective.simulation.directed_fraction = scene::directed_fraction_in(scene);
+    effective.simulation.scored_points = scene::scored_points_in(scene);
+  }
+  return {std::move(effective), std::move(medium), std::move(gates), std::move(shape)};
+}
+
+tally::Result describe(const Problem& problem) {
+  const auto& [scene, medium, gates, shape] = problem;
+  tally::Result result;
+  for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
+  for (const auto& e : scene.environment) {
+    result.environment_name.push_back(e.name);
+    result.environment_values.push_back(values_untold(e));
+  }
+  for (const auto& s : scene.sensitivity) {
+    result.parameter_name.push_back(s.path);
+    result.parameter_value.push_back(s.value);
+  }
+  for (const auto process : processes_of(medium.line))
+    result.process_name.emplace_back(process_name(process));
+  result.orders = static_cast<std::int64_t>(shape.orders);
+  result.gate_depth_is_range = gates.depth_is_range();
+  for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {
+    result.gate_time_edge_ns.push_back(gates.edge_path(edge) / metre_per_nanosecond);
+  }
+  for (std::size_t c = 0; c < scene.channel.size(); ++c) {
+    const auto line = channel_line(scene.channel[c], c, medium.line);
+    result.channel_name.push_back(scene.channel[c].name);
+    result.channel_wavelength_nm.push_back(line.wavelength_nm);
+  }
+  for (std::size_t t = 0; t < scene.telescope.size(); ++t) {
+    for (std::size_t c = 0; c < scene.channel.size(); ++c) {
+      const auto line = channel_line(scene.channel[c], c, medium.line);
+      for (std::int32_t edge = 0; edge <= gates.count(); ++edge)
+        result.gate_depth_edge_m.push_back(gates.depth(gates.edge_path(edge), t, line));
+    }
+  }
+  result.depth_edge_m = gates.depth_edges(scene.gates.depth_cells);
+  result.title = scene.title;
+  result.scene_toml = scene::write_scene(scene);
+  result.estimator = scene.simulation.estimator;
+  result.estimator_reason = scene.simulation.estimator_reason.value_or("");
+  result.seed = scene.simulation.seed;
+  for (const auto& source : medium.sources) result.sources.push_back(medium::source_line(source));
+  return result;
+}
+
+}  // namespace photic::estimator

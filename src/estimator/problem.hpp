@@ -1,0 +1,39 @@
+// A scene made ready to run: the medium, the gates and the shape of the tallies.
+#pragma once
+
+#include <cstdint>
+
+#include "medium/medium.hpp"
+#include "scene/read.hpp"
+#include "scene/scene.hpp"
+#include "tally/gates.hpp"
+#include "tally/result.hpp"
+#include "tally/shape.hpp"
+
+namespace photic::estimator {
+
+/// The photons of a batch (batches.hpp), such that to begin, end and merge it costs little of the
+/// time that it takes: fewer of the bidirectional estimator, of which each takes tens of times as
+/// long.
+inline std::uint64_t batch_photons(const scene::Simulation& simulation) {
+  return simulation.estimator == "bidirectional" ? 2000 : 8000;
+}
+
+struct Problem {
+  scene::Scene scene;  ///< with what it leaves to the water (walk_attenuation)
+  medium::Medium medium;
+  tally::Gates gates;
+  tally::Shape shape;
+};
+
+/// The check of a scene's optics, for scene::read_scene: whatever make_problem would refuse. The
+/// data files are read once, when it is asked first.
+scene::Check optics_check();
+
+/// Throws InputError for what optics_check finds, EnvironmentError for missing data files.
+Problem make_problem(const scene::Scene& scene);
+
+/// A result's axes, and what it says of the scene; the tallies are still to be filled in.
+tally::Result describe(const Problem& problem);
+
+}  // namespace photic::estimator

@@ -1,0 +1,336 @@
+// Everything a history needs, immutable and shared by all threads.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/random.hpp"
+#include "core/sobol.hpp"
+#include "estimator/origin.hpp"
+#include "estimator/problem.hpp"
+#include "instrument/laser.hpp"
+#include "instrument/lens.hpp"
+#include "instrument/telescope.hpp"
+#include "medium/medium.hpp"
+#include "scene/forward_settings.hpp"
+#include "scene/scene.hpp"
+#include "tally/gates.hpp"
+#include "tally/shape.hpp"
+#include "transport/depart.hpp"
+#include "transport/forced.hpp"
+#include "transport/vertex.hpp"
+
+namespace photic::estimator {
+
+inline constexpr int view_parts = 3;
+
+/// A ball in the water.
+template <class T>
+struct Ball {
+  Vec3<T> centre;
+  T radius{};
+};
+
+/// A telescope's view as seen by light that is still to be converted: a cone about its axis, and
+/// balls along it that hold the part of it that most of the converted light comes from.
+template <class T>
+struct View {
+  transport::ViewCone<T> cone;
+  std::array<Ball<T>, view_parts> part;
+};
+
+/// The axis of an instrument as it goes on in the water, of index n.
+inline Vec3<double> axis_in_water(const Vec3<double>& axis, bool submerged, double n) {
+  if (submerged || !(axis.z < 0)) return axis;
+  return normalised(
+      Vec3<double>{axis.x / n, axis.y / n, -std::sqrt(1 - (1 - axis.z * axis.z) / (n * n))});
+}
+
+template <class T>
+View<T> make_view(const instrument::Telescope<double>& telescope, const medium::Medium& medium,
+                  std::size_t layer) {
+  double c = 0;
+  for (std::size_t l = medium.line.size() > 1 ? 1 : 0; l < medium.line.size(); ++l) {
+    c = std::max(c, medium.c[l * static_cast<std::size_t>(medium.layers()) + layer]);
+  }
+  const double n = medium.line.front().refractive_index;
+  const Vec3<double>& axis = telescope.axis;
+  const Vec3<double>& lens = telescope.position;
+  Vec3<double> entry = lens;
+  const Vec3<double> onward = axis_in_water(axis, telescope.submerged, n);
+  double in_air = 0;
+  if (!telescope.submerged && axis.z < 0) {
+    in_air = lens.z / -axis.z;
+    entry = lens + in_air * axis;
+  }
+  // Lateral reach of the view: detector and blur, seen from the lens.
+  const auto reach = [&](double in_water) {
+    const double apparent = in_air + in_water / (telescope.submerged ? 1.0 : n);
+    const double blur = telescope.detector_distance * (1 - apparent * telescope.per_sharp_range);
+    return (apparent * telescope.detector_radius + telescope.lens_radius * std::abs(blur)) /
+           telescope.detector_distance;
+  };
+  const double widening = std::max(0.0, (reach(2 / c) - reach(0)) * c / 2);
+  View<T> view;
+  view.cone = {vec3_cast<T>(entry), vec3_cast<T>(onward), T(c),
+               T(std::max(reach(0), reach(2 / c) - widening * 2 / c)), T(widening)};
+  constexpr std::array edge{0.0, 0.5, 1.2, 2.5};  // in mean free paths of the converted light
+  for (std::size_t i = 0; i < view.part.size(); ++i) {
+    const double middle = (edge[i] + edge[i + 1]) / 2 / c;
+    view.part[i] = {vec3_cast<T>(entry + middle * onward),
+                    T(std::hypot(reach(middle), (edge[i + 1] - edge[i]) / 2 / c))};
+  }
+  return view;
+}
+
+/// A telescope as the bidirectional estimator's walks begin there: detecting the laser's line, or
+/// one band.
+template <class T>
+struct Receiver {
+  std::size_t number = 0;  ///< among the receivers
+  std::size_t telescope = 0;
+  Index<T> layer{};
+  Index<T> line{};         ///< 0, or the first of the band
+  std::int32_t band = -1;  ///< of the medium's, if it is one
+  T last_path{};           ///< of both walks together, at the end of the last gate [m]
+  T longest{};             ///< the same of walks that have not been shifted yet [m]
+  Deadline<T> deadline{};  ///< of its walks' light, to be at the laser
+};
+
+/// What becomes of photons below the weight threshold.
+enum class AtThreshold { roulette, end, analog_absorption };
+
+/// What the forward estimator does beyond the plain walk.
+template <class T>
+struct Tools {
+  Index<T> forced_flights{};
+  bool scores_on_the_way = false;  ///< collisions, at points chosen in views, not where they happen
+  AtThreshold at_threshold = AtThreshold::roulette;
+  std::vector<T> importance_depth, importance;
+};
+
+template <class T>
+Tools<T> make_tools(const scene::Tools& s) {
+  Tools<T> tools;
+  tools.forced_flights = Index<T>(static_cast<std::int32_t>(s.forced_collisions));
+  tools.scores_on_the_way = s.local_forced_collisions == "all";
+  if (s.at_threshold == "end") tools.at_threshold = AtThreshold::end;
+  if (s.at_threshold == "analog-absorption") tools.at_threshold = AtThreshold::analog_absorption;
+  for (const auto& [depth_m, value] : s.importance) {
+    tools.importance_depth.push_back(T(depth_m));
+    tools.importance.push_back(T(value));
+  }
+  return tools;
+}
+
+template <class T>
+struct World {
+  medium::MediumView sea;
+  instrument::Laser<T> laser;
+  Index<T> laser_layer{};
+  std::vector<instrument::Telescope<T>> telescopes;
+  std::vector<Index<T>> telescope_layer;
+  std::vector<View<T>> views;                 ///< of each telescope; none if nothing is converted
+  std::vector<transport::ViewCone<T>> cones;  ///< to choose points in that are scored
+  std::vector<double> path_to_origin;         ///< of each telescope, see path_to_origin()
+  std::vector<Deadline<T>> deadlines;         ///< one of which the laser's light has to meet
+  T least_group_index{};                      ///< of all lines
+  T directed{};                               ///< share of directions drawn towards a telescope
+  bool directs = false;                       ///< whether any are
+  bool compares = false;                      ///< there are environments
+  bool analog = false;                        ///< photons are followed and received by chance alone
+  transport::Reversal<T> reversal;            ///< of conversions, by walks from telescopes
+  T conversion{};              ///< probability of a branch into the inelastic processes
+  bool single_rays = false;    ///< local estimates take one point of the lens instead of its mean
+  bool makes_choices = false;  ///< whether collisions choose between lines or targets at all
+  std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
+  T deepest{};  ///< where light may turn back within the last gate, at most [m]
+  transport::MeetingGrid<T> meeting_grid;  ///< of the bidirectional estimator
+  bool turns = false;            ///< a telescope's walk may be turned about where it converts
+  bool turns_scattered = false;  ///< one of the laser's line also about its first vertex
+  T connected{1};         ///< share of the telescope's walks that are connected with a laser's walk
+  std::size_t walks = 0;  ///< of the laser in a set; 0: the forward estimator
+  std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
+  T weight_threshold{};
+  std::int32_t scored_points = 1;  ///< of each flight; 1: where photons collide only
+  Tools<T> tools;
+  bool special = false;  ///< it has tools, or is analog, or compares
+  /// Past the surface in one flight: where each part of it is scored alike, and where photons that
+  /// are sent there come there so often that it is worth the while.
+  bool flies_on = false;
+  std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
+  RandomKey key{0};
+  std::uint64_t batch_photons = 0;
+  SobolPoints points;  ///< of a batch; none: all numbers are drawn independently
+};
+
+/// Whether there are environments, in events that are compiled for special worlds or for others.
+template <bool special, class T>
+bool compares(const World<T>& world) {
+  if constexpr (special) {
+    return world.compares;
+  } else {
+    return false;
+  }
+}
+
+/// A walk that is to be connected is cut after so many vertices; what it carries then is counted as
+/// lost.
+inline constexpr std::int32_t most_vertices = 128;
+
+/// Such walks play Russian roulette below this weight: where light is converted, what a walk adds
+/// by its connections has little to do with its weight (docs/decisions/0027).
+inline constexpr double least_weight = 1e-8;
+
+/// The coordinates of a batch's points: four for each block of random numbers, of which an event of
+/// a photon has three, of the laser's walk one and of a telescope's two.
+inline constexpr std::uint32_t quasi_random_events = 3;
+inline constexpr std::uint32_t quasi_random_blocks = 3;
+inline constexpr std::uint32_t quasi_random_dimensions =
+    4 * quasi_random_blocks * quasi_random_events;
+
+/// Shares of the directions that walks from telescopes draw about the laser's beam: after a
+/// conversion, and where they scatter the laser's light in scenes with conversions.
+inline constexpr double directed_reversal = 0.6;
+inline constexpr double directed_scattering = 0.1;
+
+/// Of a vertex of a telescope's walk in emitted light: where that is hardly scattered, as many
+/// conversions are turned back as if its free paths were drawn like those of the laser's light.
+inline double reversal_probability(double conversion_probability) {
+  return 1 - std::pow(1 - conversion_probability, 1 / medium::emitted_walk_share);
+}
+
+/// How deep light can turn back within the last gate, and how far below the instruments that is.
+struct Reach {
+  double deepest, range;
+};
+inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium,
+                      const tally::Gates& gates, double least_group_index) {
+  const auto above = [](double z) { return std::max(0.0, z); };
+  const auto depth = [](double z) { return std::max(0.0, -z); };
+  const double source = scene.source.position_m.z;
+  Reach reach{0, 0};
+  for (const auto& t : scene.telescope) {
+    const double in_water =
+        gates.last_path() - above(source) - above(t.position_m.z) + instrument::lens_rise(t);
+    const double higher = std::min(depth(source), depth(t.position_m.z));
+    const double lower = std::max(depth(source), depth(t.position_m.z));
+    const double deepest = std::max(lower, (in_water / least_group_index + higher + lower) / 2);
+    reach = {std::max(reach.deepest, deepest), std::max(reach.range, deepest - higher)};
+  }
+  reach.deepest = std::min(reach.deepest, medium.top.back());
+  return reach;
+}
+
+/// One for each telescope and band that a channel counts light of.
+template <class T>
+void add_receivers(const medium::Medium& medium, World<T>& world) {
+  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
+    std::int32_t band = -1;
+    for (std::size_t l = 0; l < medium.line.size(); ++l) {
+      const auto& line = medium.line[l];
+      if (l > 0 && line.process == medium.line[l - 1].process) continue;
+      if (l > 0) ++band;
+      if (l > 0 || std::ranges::any_of(line.counted_by, [](double share) { return share > 0; }))
+        world.receivers.push_back({world.receivers.size(), t, world.telescope_layer[t],
+                                   Index<T>(static_cast<std::int32_t>(l)), band});
+    }
+  }
+}
+
+/// Whether a batch's photons or walks begin at points that fill all possibilities evenly. Not
+/// where tails of the forward estimator's scores, which that leaves as they are, may hold more of
+/// the echo than the flags can tell: in environments, and where a telescope in the water may be as
+/// close to a collision as can be (docs/decisions/0026).
+inline bool spreads_evenly(const scene::Scene& scene) {
+  const scene::Simulation& asked = scene.simulation;
+  const bool in_air =
+      std::ranges::all_of(scene.telescope, [](const auto& t) { return t.position_m.z >= 0; });
+  return asked.sampling == "quasi-random" &&
+         (asked.estimator == "bidirectional" ||
+          (asked.estimator == "forward" && !scene.compares() && in_air));
+}
+
+template <class T>
+World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
+                    const tally::Gates& gates) {
+  World<T> world;
+  world.sea = medium.view();
+  const Vec3<double> origin = origin_of(scene.source);
+  world.laser = instrument::make_laser<T>(from_origin(scene.source, origin));
+  const auto depth = [](const auto& instrument) { return std::max(0.0, -instrument.position_m.z); };
+  world.laser_layer = Index<T>(medium.layer_at(depth(scene.source)));
+  for (const auto& t : scene.telescope) {
+    world.telescopes.push_back(instrument::make_telescope<T>(from_origin(t, origin)));
+    world.path_to_origin.push_back(path_to_origin(scene.source, from_origin(t, origin)));
+    world.telescope_layer.push_back(Index<T>(medium.layer_at(depth(t))));
+  }
+  const bool converts = medium.line.size() > 1;
+  const scene::Tools& tools = scene.simulation.tools;
+  const bool connects = scene.simulation.estimator == "bidirectional";
+  world.weight_threshold = T(connects ? least_weight : tools.weight_threshold);
+  world.tools = make_tools<T>(tools);
+  world.analog = scene.simulation.estimator == "analog";
+  world.compares = scene.compares();
+  world.special = world.analog || world.compares || tools.any();
+  if (!world.tools.scores_on_the_way)
+    world.scored_points = static_cast<std::int32_t>(scene::scored_points_in(scene));
+  for (std::size_t t = 0;
+       (converts || world.tools.scores_on_the_way) && t < world.telescopes.size(); ++t) {
+    const View<T> view =
+        make_view<T>(instrument::make_telescope<double>(from_origin(scene.telescope[t], origin)),
+                     medium, static_cast<std::size_t>(medium.layer_at(depth(scene.telescope[t]))));
+    world.cones.push_back(view.cone);
+    if (converts) world.views.push_back(view);
+  }
+  double least = medium.line.front().group_index;
+  double greatest = least;
+  for (const auto& line : medium.line) {
+    least = std::min(least, line.group_index);
+    greatest = std::max(greatest, line.group_index);
+  }
+  world.least_group_index = T(least);
+  const Reach reach = reach_of(scene, medium, gates, least);
+  world.deepest = T(reach.deepest);
+  world.connected = T(scene.simulation.connected_fraction);
+  world.meeting_grid = {T(scene.simulation.meetings / reach.range)};
+  world.directed = T(scene::directed_fraction_in(scene));
+  world.directs = scene::directed_fraction_in(scene) > 0;
+  world.flies_on = world.directs && !world.special && world.cones.empty();
+  world.single_rays = scene.simulation.reception == "ray" && !world.analog;
+  world.conversion = T(scene.simulation.conversion_probability);
+  const Vec3<double> beam = axis_in_water(normalised(scene.source.direction), world.laser.submerged,
+                                          medium.line.front().refractive_index);
+  world.reversal = {T(reversal_probability(scene.simulation.conversion_probability)),
+                    T(directed_reversal), vec3_cast<T>(beam), Index<T>(medium.beam_lobe),
+                    T(converts ? directed_scattering : 0.0)};
+  // Only what is drawn about the beam depends on the direction that a turn changes.
+  world.turns = !converts || (beam.x == 0 && beam.y == 0);
+  // What environments make of the angle that a turn changes is not known apart.
+  world.turns_scattered = world.turns && !world.compares;
+  const bool one_way = world.telescopes.size() == 1 && !world.telescopes.front().submerged;
+  world.makes_choices = (world.directs && !one_way) || medium.line.size() > 1;
+  if (connects) world.walks = static_cast<std::size_t>(scene.simulation.walks);
+  world.most_vertices = most_vertices;
+  add_receivers(medium, world);
+  for (Receiver<T>& receiver : world.receivers) {
+    const auto& telescope = scene.telescope[receiver.telescope];
+    const double both = gates.last_path() - world.path_to_origin[receiver.telescope];
+    const double longest =
+        both + instrument::most_longer(telescope) * (telescope.position_m.z < 0 ? greatest : 1.0);
+    receiver.last_path = T(both);
+    receiver.longest = T(longest);
+    receiver.deadline = deadline_at_laser<T>(scene, longest);
+  }
+  world.deadlines = deadlines_at_telescopes<T>(scene, gates.last_path(), greatest);
+  world.last_order =
+      scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
+  world.key = scene.simulation.seed;
+  world.batch_photons = batch_photons(scene.simulation);
+  if (spreads_evenly(scene)) world.points = {world.batch_photons, quasi_random_dimensions};
+  return world;
+}
+
+}  // namespace photic::estimator

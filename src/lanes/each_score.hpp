@@ -1,0 +1,106 @@
+// The scores of the lanes of packs, one after the other.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "core/lanes.hpp"
+#include "tally/batch_tally.hpp"
+
+namespace photic::lanes {
+
+/// Scores in one telescope, one in each lane; as tally::Score.
+template <class T>
+struct LaneScores {
+  std::size_t telescope = 0;
+  double path_to_origin = 0;  ///< what the paths are short of (estimator/world.hpp) [m]
+  Index<T> line{}, order{};
+  T depth{}, path{}, value{};
+  tally::Walked walked = tally::Walked::laser;
+};
+
+/// Their whole paths, in double.
+template <class T>
+auto whole_path(const LaneScores<T>& scores) {
+  const auto wide = to_double(scores.path);
+  return wide + std::decay_t<decltype(wide)>(scores.path_to_origin);
+}
+
+/// Calls act(lane, score, where it belongs) for the lanes of a mask.
+template <class T, class Act>
+void each_score(const tally::BatchTally& tally, const Mask<T>& mask, const LaneScores<T>& scores,
+                Act act) {
+  const auto wide_path = whole_path(scores), wide_depth = to_double(scores.depth);
+  const auto places = tally.places(wide_path, wide_depth);
+  const auto gates = each_lane(places.gate), cells = each_lane(places.depth);
+  const auto lines = each_lane(scores.line), orders = each_lane(scores.order);
+  const auto depths = each_lane(wide_depth), paths = each_lane(wide_path),
+             values = each_lane(to_double(scores.value));
+  for_each_lane(mask, [&](int lane) {
+    const auto i = static_cast<std::size_t>(lane);
+    act(i,
+        tally::Score{scores.telescope, lines[i], orders[i], depths[i], paths[i], values[i],
+                     scores.walked},
+        tally::Places<std::int32_t>{gates[i], cells[i]});
+  });
+}
+
+/// Where scores in one telescope wait for each other: a tally takes many at once, one by one, and
+/// packs do not wait for it.
+template <class T>
+class ScoreRoom {
+ public:
+  ScoreRoom(std::size_t telescope, double path_to_origin)
+      : telescope_(telescope), path_to_origin_(path_to_origin) {}
+
+  /// Adds the lanes of a mask; hands all to the tally when the room is full.
+  void admit(const Mask<T>& mask, const LaneScores<T>& scores, tally::BatchTally& tally) {
+    const auto path = whole_path(scores);
+    const auto places = tally.places(path, to_double(scores.depth));
+    if constexpr (lanes == 1) {
+      if (mask)
+        tally.score({telescope_, scores.line, scores.order, scores.depth, path, scores.value,
+                     scores.walked},
+                    places);
+    } else {
+      const std::size_t at = waiting_;
+      compress(mask, scores.line, &line_[at]);
+      compress(mask, scores.order, &order_[at]);
+      compress(mask, scores.depth, &depth_[at]);
+      compress(mask, scores.path, &path_[at]);
+      compress(mask, scores.value, &value_[at]);
+      compress(mask, places.gate, &gate_[at]);
+      compress(mask, places.depth, &cell_[at]);
+      const std::size_t more = count(mask);
+      std::fill_n(&walked_[at], more, scores.walked);
+      waiting_ = at + more;
+      if (waiting_ > seats) close(tally);
+    }
+  }
+  /// Hands over those who wait.
+  void close(tally::BatchTally& tally) {
+    for (std::size_t i = 0; i < waiting_; ++i)
+      tally.score({telescope_, line_[i], order_[i], depth_[i], path_to_origin_ + path_[i],
+                   value_[i], walked_[i]},
+                  {gate_[i], cell_[i]});
+    waiting_ = 0;
+  }
+
+ private:
+  /// Rounds are long, for each of them throws the photons out of the first cache.
+  static constexpr std::size_t lanes = lanes_of<T>, seats = 128 * lanes;
+  template <class Number>
+  using Column = std::array<Number, seats + lanes>;
+
+  std::size_t telescope_;
+  double path_to_origin_;
+  Column<std::int32_t> line_{}, order_{}, gate_{}, cell_{};
+  Column<tally::Walked> walked_{};
+  Column<Element<T>> depth_{}, path_{}, value_{};
+  std::size_t waiting_ = 0;
+};
+
+}  // namespace photic::lanes

@@ -1,0 +1,204 @@
+// Runs histories in batches on threads. A batch is the unit of statistics, of parallelism and of
+// reproducibility: batch k holds the k-th lot of photons, whoever computes them, and
+// batches are merged in their order; what ends a run is looked at there too.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "estimator/problem.hpp"
+#include "run/run.hpp"
+#include "scene/tally_memory.hpp"
+#include "schedule/simulator.hpp"
+#include "tally/totals.hpp"
+
+namespace photic::run {
+
+/// How a run ended.
+struct Ending {
+  std::string stopped_by = "photons";  ///< photons | target | time | interrupt
+  double wall_time_s = 0;              ///< of this sitting
+  int threads = 0;
+  std::optional<tally::TotalsState> whole;  ///< before an incomplete batch, if the run had one
+};
+
+/// Decides after each batch whether the run goes on, tells of its progress, has checkpoints made.
+class Conductor {
+ public:
+  /// `photons_each`: of a batch, if it is to have fewer than begin evenly spread, so that a short
+  /// run has batches enough to tell its errors.
+  Conductor(const scene::Simulation& asked, const RunOptions& options,
+            std::optional<std::uint64_t> photons_each = {});
+  Conductor(const scene::Simulation& asked, RunOptions&& options,
+            std::optional<std::uint64_t> photons_each = {}) = delete;  ///< it keeps them
+
+  /// Batches that the photons asked for make; no limit if none were asked for.
+  [[nodiscard]] std::uint64_t batches() const { return batches_; }
+  [[nodiscard]] std::uint64_t first_photon_of(std::uint64_t batch) const {
+    return batch * spread_photons_;
+  }
+  [[nodiscard]] std::uint64_t photons_of(std::uint64_t batch) const;
+  /// Whether a batch has as many photons as all but a last one.
+  [[nodiscard]] bool is_whole(const tally::BatchTally& batch) const {
+    return batch.photons == batch_photons_;
+  }
+
+  /// What the run goes on from: nothing yet, or where an earlier one stood.
+  [[nodiscard]] tally::Totals begin(const tally::Shape& shape) const;
+  /// Throws InputError unless an earlier run began with the batch at hand, the first of this one.
+  void check_start(const tally::Shape& shape, const tally::BatchTally& first) const;
+
+  /// Batches below this one can begin: which rows rest in them is known.
+  [[nodiscard]] std::uint64_t known_until(std::uint64_t merged_batches) const;
+  /// Which rows rest in a batch that can begin.
+  [[nodiscard]] std::vector<bool> resting(const tally::Totals& totals, std::uint64_t batch,
+                                          std::uint64_t merged_batches) const;
+
+  /// Called before an incomplete batch is merged.
+  void keep_whole(const tally::Totals& totals) { ending.whole = totals.state(); }
+  /// Called after every merge: lets converged rows rest at looks at the target.
+  void look(tally::Totals& totals, std::uint64_t merged_batches) const;
+  /// Called after that; true ends the run, and Ending says why.
+  bool ends(const tally::Totals& totals, std::uint64_t merged_batches);
+
+  Ending ending;
+  std::function<void(const tally::Totals&)> checkpoint;  ///< called when one is due
+
+ private:
+  /// Whether rows rest that have met the target: where light that is not asked for is not walked.
+  [[nodiscard]] bool rests() const;
+  /// Whether the target is looked at after so many batches.
+  [[nodiscard]] bool is_look(std::uint64_t merged_batches) const;
+  [[nodiscard]] std::uint64_t batches_between_looks() const;
+  [[nodiscard]] tally::Totals goes_on_from(const tally::Shape& shape) const;
+  void tell(const tally::Totals& totals);
+  void checkpoint_if_due(const tally::Totals& totals);
+  [[nodiscard]] double elapsed_s() const;
+
+  scene::Simulation asked_;
+  const RunOptions& options_;
+  std::uint64_t spread_photons_, batch_photons_, batches_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double told_s_ = -1, next_checkpoint_s_;
+};
+
+/// The threads of one run.
+class BatchRunner {
+ public:
+  BatchRunner(const estimator::Problem& problem, const schedule::Simulator& simulator,
+              Conductor& conductor)
+      : shape_(problem.shape),
+        simulator_(simulator),
+        conductor_(conductor),
+        totals_(conductor.begin(problem.shape)),
+        next_batch_(totals_.state().batches),
+        merged_(next_batch_) {
+    for (int i = 0; i < tallies(problem.scene, conductor.ending.threads); ++i)
+      free_.push_back(std::make_unique<tally::BatchTally>(problem.shape, problem.gates));
+  }
+
+  tally::Totals run() {
+    if (merged_ > 0) take_up();
+    std::vector<std::jthread> workers;
+    for (int i = 0; i < conductor_.ending.threads; ++i) workers.emplace_back([this] { work(); });
+    workers.clear();
+    if (failure_) std::rethrow_exception(failure_);
+    return std::move(totals_);
+  }
+
+ private:
+  using Tally = std::unique_ptr<tally::BatchTally>;
+
+  /// Spare tallies let a fast thread run ahead of the one whose batch is due; where there is no
+  /// memory for more, threads wait for each other.
+  static int tallies(const scene::Scene& scene, int threads) {
+    const scene::TallyMemory memory = scene::tally_memory(scene);
+    const double room = (scene::most_tally_memory - memory.bytes()) / memory.batch;
+    return static_cast<int>(std::clamp(2 + room, 2.0, 2.0 * threads));
+  }
+
+  void work() {
+    try {
+      std::unique_lock lock(mutex_);
+      while (true) {
+        changed_.wait(lock, [this] { return ended_ || (!free_.empty() && is_known()); });
+        if (ended_ || next_batch_ == conductor_.batches()) return;
+        const std::uint64_t batch = next_batch_++;
+        Tally tally = std::move(free_.back());
+        free_.pop_back();
+        tally->rests = conductor_.resting(totals_, batch, merged_);
+        lock.unlock();
+        simulate(batch, *tally);
+        lock.lock();
+        done_.emplace(batch, std::move(tally));
+        merge_what_is_due();
+        changed_.notify_all();
+      }
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      failure_ = std::current_exception();
+      ended_ = true;
+      changed_.notify_all();
+    }
+  }
+
+  /// Goes on from an earlier run, which may have been as long as this one is to be.
+  void take_up() {
+    simulate(0, *free_.front());
+    conductor_.check_start(shape_, *free_.front());
+    free_.front()->clear();
+    ended_ = conductor_.ends(totals_, merged_);
+  }
+
+  [[nodiscard]] bool is_known() const { return next_batch_ < conductor_.known_until(merged_); }
+
+  void simulate(std::uint64_t batch, tally::BatchTally& tally) const {
+    tally.photons = conductor_.photons_of(batch);
+    simulator_.simulate(conductor_.first_photon_of(batch), tally.photons, tally);
+  }
+
+  void merge_what_is_due() {
+    for (auto due = done_.find(merged_); due != done_.end() && !ended_; due = done_.find(merged_)) {
+      Tally tally = std::move(due->second);
+      done_.erase(due);
+      if (!conductor_.is_whole(*tally)) {
+        free_.clear();  // it is the last one: none but this is needed any more
+        conductor_.keep_whole(totals_);
+      }
+      totals_.merge(*tally);
+      tally->clear();
+      free_.push_back(std::move(tally));
+      ++merged_;
+      conductor_.look(totals_, merged_);
+      ended_ = conductor_.ends(totals_, merged_);
+    }
+  }
+
+  const tally::Shape& shape_;
+  const schedule::Simulator& simulator_;
+  Conductor& conductor_;
+  tally::Totals totals_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<Tally> free_;
+  std::map<std::uint64_t, Tally> done_;
+  std::uint64_t next_batch_, merged_;
+  bool ended_ = false;
+  std::exception_ptr failure_;
+};
+
+/// Runs a problem in lanes, or by the scalar engine.
+tally::Totals run_batches(const estimator::Problem& problem, Conductor& conductor,
+                          const std::optional<Isa>& lanes);
+
+}  // namespace photic::run

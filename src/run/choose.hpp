@@ -1,0 +1,19 @@
+// estimator = "auto": which estimator, and with which settings, a scene is simulated with.
+#pragma once
+
+#include "run/run.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::run {
+
+/// The reason where no pilot run saw any light.
+inline constexpr const char* reason_unseen =
+    "no pilot run saw any light, so that nothing could be compared";
+
+/// The scene with an estimator and its settings in place of "auto", and the reason in
+/// Simulation::estimator_reason; any other scene as it is. Candidates are compared by pilot runs
+/// with random numbers of their own, by variances and counted operations, never by a clock: the
+/// same scene always gets the same answer, whatever engine is to run it. Throws what run() throws.
+scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options);
+
+}  // namespace photic::run

@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "core/error.hpp"
+#include "run/batches.hpp"
+
+namespace photic::run {
+namespace {
+
+constexpr std::uint64_t photons_between_looks = 200000;  // at the target
+constexpr double seconds_between_tellings = 0.2;
+
+[[noreturn]] void refuse(const Start& start, const std::string& reason,
+                         const std::string& suggestion) {
+  throw InputError({{.file = start.file, .reason = reason, .suggestion = suggestion}});
+}
+
+}  // namespace
+
+Conductor::Conductor(const scene::Simulation& asked, const RunOptions& options,
+                     std::optional<std::uint64_t> photons_each)
+    : asked_(asked),
+      options_(options),
+      spread_photons_(estimator::batch_photons(asked)),
+      batch_photons_(photons_each.value_or(spread_photons_)),
+      next_checkpoint_s_(options.checkpoints.first_s) {
+  constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
+  batches_ = asked.photons ? (*asked.photons + batch_photons_ - 1) / batch_photons_ : unlimited;
+  const auto cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  ending.threads = options.threads > 0 ? options.threads : cores;
+}
+
+std::uint64_t Conductor::photons_of(std::uint64_t batch) const {
+  return batch + 1 < batches_ ? batch_photons_ : *asked_.photons - batch * batch_photons_;
+}
+
+std::uint64_t Conductor::known_until(std::uint64_t merged_batches) const {
+  if (!rests()) return std::numeric_limits<std::uint64_t>::max();
+  return (merged_batches / batches_between_looks() + 2) * batches_between_looks();
+}
+
+std::vector<bool> Conductor::resting(const tally::Totals& totals, std::uint64_t batch,
+                                     std::uint64_t merged_batches) const {
+  return totals.resting(batch / batches_between_looks() > merged_batches / batches_between_looks());
+}
+
+std::uint64_t Conductor::batches_between_looks() const {
+  return photons_between_looks / batch_photons_;
+}
+
+bool Conductor::is_look(std::uint64_t merged_batches) const {
+  return merged_batches % batches_between_looks() == 0;
+}
+
+void Conductor::look(tally::Totals& totals, std::uint64_t merged_batches) const {
+  if (is_look(merged_batches)) totals.decide_rests();
+}
+
+bool Conductor::rests() const {
+  return asked_.target_relative_error && asked_.estimator == "bidirectional";
+}
+
+tally::Totals Conductor::begin(const tally::Shape& shape) const {
+  tally::Totals totals = goes_on_from(shape);
+  totals.let_rest_at(rests() ? *asked_.target_relative_error : 0.0);
+  return totals;
+}
+
+tally::Totals Conductor::goes_on_from(const tally::Shape& shape) const {
+  if (!options_.start) return tally::Totals(shape);
+  const tally::TotalsState& state = options_.start->state;
+  if (state.photons % batch_photons_ != 0 || state.photons / batch_photons_ != state.batches) {
+    refuse(*options_.start,
+           fmt::format("a damaged result, or one of another build: {} photons in {} batches",
+                       state.photons, state.batches),
+           "");
+  }
+  expect(state.batches <= batches_, "a run that goes on is not shorter than what it goes on from");
+  return {shape, state};
+}
+
+void Conductor::check_start(const tally::Shape& shape, const tally::BatchTally& first) const {
+  tally::Totals totals(shape);
+  totals.merge(first);
+  // Versions and scenes that read the same may still differ in what lies behind them: the build,
+  // the data tables. The echo of the first batch shows it.
+  const auto& echo = totals.state().snapshot_echo;
+  if (std::equal(echo.begin(), echo.end(), options_.start->state.snapshot_echo.begin())) return;
+  refuse(*options_.start,
+         "made by another build of Photic, or with other data tables: its first photons scored "
+         "differently",
+         "go on with those, or start anew");
+}
+
+bool Conductor::ends(const tally::Totals& totals, std::uint64_t merged_batches) {
+  ending.wall_time_s = elapsed_s();
+  tell(totals);
+  const auto because = [this](const char* reason) {
+    ending.stopped_by = reason;
+    return true;
+  };
+  if (merged_batches == batches_) return because("photons");
+  if (is_look(merged_batches) && asked_.target_relative_error &&
+      totals.all_converged(*asked_.target_relative_error)) {
+    return because("target");
+  }
+  if (asked_.max_time_s && ending.wall_time_s >= *asked_.max_time_s) return because("time");
+  if (options_.interrupt != nullptr && options_.interrupt->load()) return because("interrupt");
+  checkpoint_if_due(totals);
+  return false;
+}
+
+void Conductor::tell(const tally::Totals& totals) {
+  const double now = ending.wall_time_s;
+  if (!options_.progress || (told_s_ >= 0 && now - told_s_ < seconds_between_tellings)) return;
+  told_s_ = now;
+  Progress progress;
+  progress.photons = totals.photons();
+  progress.photons_before = options_.start ? options_.start->state.photons : 0;
+  progress.photons_asked = asked_.photons;
+  progress.elapsed_s = now;
+  progress.max_time_s = asked_.max_time_s;
+  progress.gates_converged = totals.converged_cells();
+  progress.gates = totals.scored_cells();
+  progress.worst_error = totals.worst_error();
+  progress.target = asked_.target_relative_error;
+  options_.progress(progress);
+}
+
+void Conductor::checkpoint_if_due(const tally::Totals& totals) {
+  if (!checkpoint || ending.wall_time_s < next_checkpoint_s_) return;
+  checkpoint(totals);
+  next_checkpoint_s_ = elapsed_s() + options_.checkpoints.every_s;
+}
+
+double Conductor::elapsed_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+}  // namespace photic::run

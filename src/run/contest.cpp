@@ -1,0 +1,220 @@
+#include "run/contest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "medium/build.hpp"
+#include "run/batches.hpp"
+#include "scene/tally_memory.hpp"
+#include "tally/error_bars.hpp"
+#include "tally/totals.hpp"
+
+namespace photic::run {
+namespace {
+
+/// Folded into the seed: pilots share no random number with the run.
+constexpr std::uint64_t pilot_stream = 0x1e3779b97f4a7c15;
+
+// Pilots have many small batches, which tell their errors: of the bidirectional estimator so many
+// photons each, fewer for a run of few.
+constexpr std::uint64_t least_in_batch = 16, most_in_batch = 64;
+/// Photons of the forward estimator cost so much less that its pilots have more of them.
+constexpr std::uint64_t forward_factor = 8;
+constexpr std::uint64_t first_batches = 16, most_batches = 160;
+
+/// The squared error that the best pilot knows a gate to, if it counts: 10 % after the last stage,
+/// in proportion before. The pilots of an estimator that misses rare large scores look best where
+/// none knows more.
+constexpr double known_at_last = 0.01;
+
+/// Of the operations of the run, which pilots take at most.
+constexpr double pilots_share = 0.1;
+/// Who needs so many times the work of the best after a stage does not come back.
+constexpr double clearly_worse = 8;
+/// Pilots for a run that ends by the clock alone have so many batches.
+constexpr std::uint64_t usual_batches = 64;
+
+/// Sums that take more begin anew in each stage: those of several contenders are kept at once.
+constexpr double most_kept_bytes = 1e8;
+
+/// What a photon costs, in units of a collision, whatever becomes of it: all there is in water that
+/// hardly scatters, where the forward estimator takes 0.09 us for one; a collision and what is
+/// scored of it take 0.24 us.
+constexpr double cost_of_photon = 1;
+
+/// What a score offered to the tallies costs, in units of a collision: of a walk that is to be
+/// connected, or of the forward estimator, there for each telescope. Fitted to CPU times, which it
+/// gives within a factor of 1.9 (docs/decisions/0009).
+constexpr double cost_of_score = 0.43;
+
+/// What pilots run in, whichever engine runs after them: that choices are the same, and soon made.
+/// Scores of lanes are the same by any instructions, and so but for rounding are their sums.
+Isa engine_of_pilots(const RunOptions& options) {
+  return options.lanes.value_or(isas_here().back());
+}
+
+estimator::Problem problem_of(const estimator::Problem& open, const Contender& contender) {
+  estimator::Problem out = open;
+  scene::Simulation& s = out.scene.simulation;
+  s = contender.simulation;
+  s.seed ^= pilot_stream;
+  s.target_relative_error.reset();
+  s.max_time_s.reset();
+  medium::finish_for(s, out.medium);
+  return out;
+}
+
+/// The pilot of one contender, which can go on.
+class Trial {
+ public:
+  Trial(const estimator::Problem& open, const Contender& contender, std::uint64_t in_batch)
+      : problem_(problem_of(open, contender)),
+        forward_(problem_.scene.simulation.estimator == "forward"),
+        in_batch_(in_batch * (forward_ ? forward_factor : 1)),
+        keeps_(scene::tally_memory(open.scene).bytes() < most_kept_bytes) {}
+
+  void go_on_to(std::uint64_t batches, const RunOptions& options) {
+    problem_.scene.simulation.photons = photons_ = batches * in_batch_;
+    RunOptions quiet;
+    quiet.threads = options.threads;
+    quiet.interrupt = options.interrupt;
+    quiet.start = std::move(so_far_);
+    Conductor conductor(problem_.scene.simulation, quiet, in_batch_);
+    tally::Totals totals = run_batches(problem_, conductor, engine_of_pilots(options));
+    if (options.interrupt != nullptr && options.interrupt->load()) throw InterruptedPilots();
+    tally::Result result = estimator::describe(problem_);
+    totals.fill(result);
+    // By batches alone: what a pilot has not seen does not fall off as 1 / sqrt(photons).
+    for (std::size_t cell = 0; cell < result.echo.mean.size(); ++cell)
+      result.echo.standard_error[cell] =
+          tally::standard_error(totals.state().echo[cell].low, totals.counted(cell));
+    const double per_collision =
+        forward_ ? static_cast<double>(problem_.scene.telescope.size()) : 1.0;
+    const double before = keeps_ ? pilot_.cost : 0;
+    pilot_ = pilot_of(result, cost_of_photon * static_cast<double>(result.photons) +
+                                  per_collision * static_cast<double>(result.collisions) +
+                                  cost_of_score * static_cast<double>(totals.scores()));
+    operations_ += pilot_.cost - before;
+    if (keeps_)
+      so_far_ = Start{.state = std::move(totals).state(), .wall_time_s = 0, .file = "a pilot run"};
+  }
+
+  [[nodiscard]] const Pilot& pilot() const { return pilot_; }
+  [[nodiscard]] std::uint64_t photons() const { return photons_; }
+  /// Of all stages.
+  [[nodiscard]] double operations() const { return operations_; }
+  [[nodiscard]] double cost_per_photon() const {
+    return pilot_.cost / static_cast<double>(photons_);
+  }
+
+ private:
+  estimator::Problem problem_;
+  bool forward_;
+  std::uint64_t in_batch_, photons_ = 0;
+  bool keeps_;
+  std::optional<Start> so_far_;
+  double operations_ = 0;
+  Pilot pilot_;
+};
+
+class Contest {
+ public:
+  Contest(const estimator::Problem& problem, const std::vector<Contender>& contenders,
+          const RunOptions& options)
+      : asked_(problem.scene.simulation), options_(options) {
+    const std::uint64_t in_batch =
+        std::clamp(asked_.photons.value_or(std::numeric_limits<std::uint64_t>::max()) /
+                       (first_batches * least_in_batch),
+                   least_in_batch, most_in_batch);
+    for (const Contender& c : contenders) trials_.emplace_back(problem, c, in_batch);
+    for (std::size_t i = 0; i < trials_.size(); ++i) staying_.push_back(i);
+    out_.standing.resize(trials_.size());
+    out_.aim = aim_of(asked_);
+  }
+
+  Outcome decide() {
+    std::uint64_t batches = first_batches;
+    for (stage(batches); goes_on(batches); stage(batches)) {
+      batches = next(batches);
+      for (Standing& standing : out_.standing) standing.given_up_early = true;
+      for (const std::size_t i : staying_) out_.standing[i].given_up_early = false;
+    }
+    return std::move(out_);
+  }
+
+ private:
+  static std::uint64_t next(std::uint64_t batches) { return std::min(2 * batches, most_batches); }
+
+  [[nodiscard]] std::vector<Pilot> pilots() const {
+    std::vector<Pilot> out;
+    for (const std::size_t i : staying_) out.push_back(trials_[i].pilot());
+    return out;
+  }
+
+  void stage(std::uint64_t batches) {
+    for (const std::size_t i : staying_) {
+      trials_[i].go_on_to(batches, options_);
+      out_.standing[i].photons = trials_[i].photons();
+    }
+    out_.operations = 0;
+    for (const Trial& trial : trials_) out_.operations += trial.operations();
+    const std::vector<Pilot> now = pilots();
+    const std::vector<bool> compared = gates_compared(
+        now, known_at_last * static_cast<double>(most_batches) / static_cast<double>(batches));
+    const auto best = best_of(now, compared, out_.aim);
+    if (!best) return;
+    out_.best = staying_[*best];
+    out_.gates = static_cast<std::size_t>(std::ranges::count(compared, true));
+    work_ = std::exp(badness(now[*best], compared, out_.aim));
+    std::vector<std::size_t> stay;
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      Standing& standing = out_.standing[staying_[k]];
+      standing.times_the_work = std::exp(badness(now[k], compared, out_.aim)) / work_;
+      standing.rows_unseen = now[*best].rows_seen - now[k].rows_seen;
+      if (k == *best || standing.times_the_work < clearly_worse) stay.push_back(staying_[k]);
+    }
+    staying_ = std::move(stay);
+  }
+
+  /// Operations of the run, by what the best pilot tells; none: it ends by the clock.
+  [[nodiscard]] std::optional<double> expected_operations() const {
+    std::optional<double> out;
+    if (asked_.photons) {
+      out = trials_[*out_.best].cost_per_photon() * static_cast<double>(*asked_.photons);
+    }
+    if (asked_.target_relative_error) {
+      const double to_target = work_ / std::pow(*asked_.target_relative_error, 2);
+      out = std::min(out.value_or(to_target), to_target);
+    }
+    return out;
+  }
+
+  [[nodiscard]] bool goes_on(std::uint64_t batches) const {
+    if (batches == most_batches || (out_.best && staying_.size() == 1)) return false;
+    const auto expected = out_.best ? expected_operations() : std::nullopt;
+    if (!expected) return next(batches) <= usual_batches;
+    const double factor = static_cast<double>(next(batches)) / static_cast<double>(batches);
+    double then = out_.operations;
+    for (const std::size_t i : staying_) then += (factor - 1) * trials_[i].pilot().cost;
+    return then <= pilots_share * *expected;
+  }
+
+  const scene::Simulation& asked_;
+  const RunOptions& options_;
+  std::vector<Trial> trials_;
+  std::vector<std::size_t> staying_;  ///< of the trials, ascending
+  double work_ = 0;                   ///< of the best one
+  Outcome out_;
+};
+
+}  // namespace
+
+Outcome contend(const estimator::Problem& problem, const std::vector<Contender>& contenders,
+                const RunOptions& options) {
+  return Contest(problem, contenders, options).decide();
+}
+
+}  // namespace photic::run

@@ -1,0 +1,44 @@
+// Pilot runs in stages: all that contend begin with few photons, and those that stay go on.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "estimator/problem.hpp"
+#include "run/pilots.hpp"
+#include "run/run.hpp"
+
+namespace photic::run {
+
+/// An estimator with its settings.
+struct Contender {
+  std::string name;
+  scene::Simulation simulation;
+};
+
+/// How one of them did.
+struct Standing {
+  double times_the_work = 1;    ///< against the best one of the last stage that it was in
+  std::uint64_t photons = 0;    ///< that it was tried with
+  std::size_t rows_unseen = 0;  ///< channels of telescopes that the best one saw light in
+  bool given_up_early = false;  ///< others went on
+};
+
+struct Outcome {
+  std::optional<std::size_t> best;  ///< none: no pilot saw any light
+  Aim aim = Aim::all_gates;
+  std::size_t gates = 0;           ///< that were compared in the last stage
+  std::vector<Standing> standing;  ///< of every contender
+  double operations = 0;           ///< that all pilots took, counted
+};
+
+/// Lets them contend for a simulation of a problem whose estimator is open. Pilots have random
+/// numbers of their own. They are judged by variances and counted operations, never by a clock, and
+/// take at most a tenth of the operations that the simulation is expected to take, but for a first
+/// stage; `max_time_s` is not looked at. Throws InterruptedPilots, and what run() throws.
+Outcome contend(const estimator::Problem& problem, const std::vector<Contender>& contenders,
+                const RunOptions& options);
+
+}  // namespace photic::run

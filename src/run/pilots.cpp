@@ -1,0 +1,74 @@
+#include "run/pilots.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace photic::run {
+namespace {
+
+/// A short run of a heavy-tailed estimator looks better than it is: its error is made of few large
+/// scores, and larger ones have not come yet. No single score is taken to carry more than this
+/// share of the squared error (docs/decisions/0038).
+constexpr double largest_share_of_squared_error = 0.05;
+/// Where nothing was scored, as where one score is all: who saw that one is no worse.
+constexpr double unknown_squared_error = 1 / largest_share_of_squared_error;
+/// No error is known to be smaller: they are differences of rounded sums.
+constexpr double least_squared_error = 1e-16;
+
+bool is_better(const Pilot& a, const Pilot& b, const std::vector<bool>& compared, Aim aim) {
+  if (a.rows_seen != b.rows_seen) return a.rows_seen > b.rows_seen;
+  return badness(a, compared, aim) < badness(b, compared, aim);
+}
+
+}  // namespace
+
+Pilot pilot_of(const tally::Result& result, double cost) {
+  Pilot out{.cost = cost};
+  bool row_seen = false;
+  for (std::size_t cell = 0; cell < result.echo.mean.size(); ++cell) {
+    row_seen = cell % result.gates() != 0 && row_seen;
+    std::optional<double>& squared_error = out.squared_error.emplace_back();
+    const double relative = result.echo.standard_error[cell] / result.echo.mean[cell];
+    if (!(relative >= 0)) continue;  // 0 / 0, or an error that is not known
+    out.rows_seen += row_seen ? 0 : 1;
+    row_seen = true;
+    const double largest = result.largest_score_share[cell];
+    squared_error = std::max({least_squared_error, relative * relative,
+                              largest * largest / largest_share_of_squared_error});
+  }
+  return out;
+}
+
+std::vector<bool> gates_compared(const std::vector<Pilot>& pilots, double known_to) {
+  const std::size_t cells = pilots.front().squared_error.size();
+  std::vector<bool> seen(cells), known(cells);
+  for (const Pilot& pilot : pilots) {
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+      const std::optional<double>& squared_error = pilot.squared_error[cell];
+      seen[cell] = seen[cell] || squared_error;
+      known[cell] = known[cell] || (squared_error && *squared_error <= known_to);
+    }
+  }
+  return std::ranges::find(known, true) != known.end() ? known : seen;
+}
+
+double badness(const Pilot& pilot, const std::vector<bool>& compared, Aim aim) {
+  std::vector<double> work;
+  for (std::size_t cell = 0; cell < compared.size(); ++cell) {
+    if (!compared[cell]) continue;
+    work.push_back(pilot.squared_error[cell].value_or(unknown_squared_error) * pilot.cost);
+  }
+  return log_work(std::move(work), aim);
+}
+
+std::optional<std::size_t> best_of(const std::vector<Pilot>& pilots,
+                                   const std::vector<bool>& compared, Aim aim) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < pilots.size(); ++i) {
+    if (pilots[i].rows_seen == 0) continue;
+    if (!best || is_better(pilots[i], pilots[*best], compared, aim)) best = i;
+  }
+  return best;
+}
+
+}  // namespace photic::run

@@ -1,0 +1,153 @@
+#include "run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/error.hpp"
+#include "estimator/problem.hpp"
+#include "estimator/world.hpp"
+#include "run/batches.hpp"
+#include "run/choose.hpp"
+
+namespace photic::run {
+namespace {
+
+constexpr double tolerated_cut = 1e-3;  // of a gate, by max_order
+
+// Of the ledger's sum: it may be off by so much, and, since it scatters, by so many of its standard
+// errors, which ten batches tell, but for rare large weights: far off is off all the same.
+constexpr double tolerated_excess = 0.02;
+constexpr double tolerated_errors = 4;
+constexpr double far_off = 0.10;
+constexpr std::uint64_t batches_of_ledger = 10;
+
+/// Why weights scatter, and what to do.
+std::string about_weights(const scene::Simulation& s) {
+  if (s.estimator == "bidirectional")
+    return "weights that grow from vertex to vertex, since walk_attenuation is small for water "
+           "that scatters so much: leave it out, or raise it";
+  if (s.directed_fraction.value_or(0) > 0)
+    return "directed sampling, which doubles weights at each scattering: set directed_fraction = "
+           "0, or take estimator = \"bidirectional\"";
+  return "tools or conversions: more photons are needed, or estimator = \"bidirectional\"";
+}
+
+/// In expectation the ledger sums to 1. Where it does not, photons that carry much weight are too
+/// rare to have come (docs/theory.md, section 5).
+void warn_of_ledger(tally::Result& result, const scene::Simulation& simulation) {
+  if (result.batches < batches_of_ledger) return;
+  const double excess = std::abs(result.ledger.sum() - 1);
+  const double scatter = tolerated_errors * result.ledger_standard_error;
+  if (excess <= std::max(tolerated_excess, std::min(scatter, far_off))) return;
+  result.warnings.push_back(fmt::format(
+      "the photons' weights add up to {:.2f}, not 1: most is carried by photons so rare that they "
+      "were not met, and echoes of light scattered many times are off, mostly low, even in gates "
+      "that seem converged. The reason is {}",
+      result.ledger.sum(), about_weights(simulation)));
+}
+
+void warn(tally::Result& result) {
+  const auto cut = std::count_if(result.order_cut_share.begin(), result.order_cut_share.end(),
+                                 [](double share) { return share > tolerated_cut; });
+  if (cut > 0) {
+    result.warnings.push_back(fmt::format(
+        "max_order cuts off more than 0.1 % of the echo in {} gates: raise it or leave it out",
+        cut));
+  }
+  if (result.ledger.cut_by_weight > 0) {
+    result.warnings.push_back(
+        fmt::format("at_threshold = \"end\" ended photons that carried {:.2g} of the launched "
+                    "weight: echoes are "
+                    "low",
+                    result.ledger.cut_by_weight));
+  }
+  if (result.lost_too_many_events > 0) {
+    result.warnings.push_back(
+        result.estimator == "bidirectional"
+            ? fmt::format("{} walks were cut after {} vertices ({:.2g} of all weight): echoes of "
+                          "light scattered so often are low",
+                          result.lost_too_many_events, estimator::most_vertices, result.ledger.lost)
+            : fmt::format("{} photons were lost after too many events ({:.2g} of all weight)",
+                          result.lost_too_many_events, result.ledger.lost));
+  }
+  if (result.lost_not_finite > 0) {
+    result.warnings.push_back(
+        fmt::format("{} numbers were not finite and were dropped", result.lost_not_finite));
+  }
+  for (std::size_t c = 0; c < result.channels(); ++c) {
+    double sum = 0;
+    for (std::size_t t = 0; t < result.telescopes(); ++t) {
+      const auto first = result.echo.mean.begin() +
+                         static_cast<std::ptrdiff_t>((t * result.channels() + c) * result.gates());
+      sum += std::accumulate(first, first + static_cast<std::ptrdiff_t>(result.gates()), 0.0);
+    }
+    if (sum == 0) {
+      result.warnings.push_back(
+          fmt::format("no light reaches channel \"{}\"", result.channel_name[c]));
+    }
+  }
+}
+
+/// The result of the totals so far but for their state; `stopped_by` says why they go no further.
+tally::Result result_of(const estimator::Problem& problem, const tally::Totals& totals,
+                        const Ending& ending, const std::string& stopped_by,
+                        const RunOptions& options) {
+  tally::Result result = estimator::describe(problem);
+  totals.fill(result);
+  result.engine = schedule::engine_name(options.lanes);
+  result.version = PHOTIC_VERSION;
+  result.stopped_by = stopped_by;
+  result.partial = stopped_by == "interrupt" || stopped_by == "checkpoint";
+  result.wall_time_s = ending.wall_time_s + (options.start ? options.start->wall_time_s : 0);
+  result.threads = ending.threads;
+  warn(result);
+  warn_of_ledger(result, problem.scene.simulation);
+  if (problem.scene.simulation.estimator_reason == reason_unseen) {
+    result.warnings.push_back(
+        "the pilot runs of estimator = \"auto\" saw no light at all: it took \"bidirectional\" "
+        "unseen; look whether telescopes and gates are where the light is, or name an estimator");
+  }
+  return result;
+}
+
+/// Throws InputError for lanes that do not run here.
+void check_lanes(Isa isa) {
+  if (!runs_here(isa)) {
+    throw InputError(
+        {{.file = fmt::format("--isa {}", isa_name(isa)),
+          .reason = "this processor, or this build of Photic, does not have it",
+          .suggestion = fmt::format("leave it out, or choose {}", isa_name(isas_here().back()))}});
+  }
+}
+
+}  // namespace
+
+tally::Totals run_batches(const estimator::Problem& problem, Conductor& conductor,
+                          const std::optional<Isa>& lanes) {
+  return BatchRunner(problem, *schedule::make_simulator(problem, lanes), conductor).run();
+}
+
+tally::Result run(const scene::Scene& asked, const RunOptions& options) {
+  if (options.lanes) check_lanes(*options.lanes);
+  const scene::Scene scene = choose_estimator(asked, options);
+  const estimator::Problem problem = estimator::make_problem(scene);
+  Conductor conductor(scene.simulation, options);
+  if (options.checkpoints.write) {
+    conductor.checkpoint = [&](const tally::Totals& totals) {
+      tally::Result result = result_of(problem, totals, conductor.ending, "checkpoint", options);
+      result.state = totals.state();
+      options.checkpoints.write(result);
+    };
+  }
+  tally::Totals totals = run_batches(problem, conductor, options.lanes);
+  Ending& ending = conductor.ending;
+  tally::Result result = result_of(problem, totals, ending, ending.stopped_by, options);
+  result.state = ending.whole ? std::move(*ending.whole) : std::move(totals).state();
+  return result;
+}
+
+}  // namespace photic::run

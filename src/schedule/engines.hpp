@@ -1,0 +1,29 @@
+// The engines: the same physics by one photon at a time in double, the scalar engine, or by many in
+// float, the lanes.
+//
+// Each is compiled once for each instruction set of x86 that is worth it; which one runs is chosen
+// when the program does.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/isa.hpp"
+#include "estimator/problem.hpp"
+#include "schedule/simulator.hpp"
+
+namespace photic::schedule {
+
+/// What a result calls its engine: "scalar", or "lanes (avx2)".
+std::string engine_name(const std::optional<Isa>& lanes);
+/// The instruction set in such a name; none for the scalar engine.
+std::optional<Isa> isa_of_engine(std::string_view engine);
+
+/// A problem in lanes of an instruction set, which the processor must have, or by the scalar
+/// engine, whose bits are the same by any. The problem must outlive what is returned.
+std::unique_ptr<Simulator> make_simulator(const estimator::Problem& problem,
+                                          const std::optional<Isa>& lanes);
+
+}  // namespace photic::schedule

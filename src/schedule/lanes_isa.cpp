@@ -1,0 +1,97 @@
+// Lanes, compiled once for each instruction set, as PHOTIC_ISA (cmake/photic.cmake).
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "core/pack.hpp"
+#include "estimator/bidirectional/bidirectional.hpp"
+#include "lanes/lane_ledger.hpp"
+#include "schedule/engines.hpp"
+#include "schedule/pool.hpp"
+
+namespace photic::schedule {
+namespace {
+
+using Lanes = Pack<float, native::float_lanes>;
+
+/// What each thread needs and is large: used again from batch to batch.
+template <class Tools>
+class Spares {
+ public:
+  /// Calls use(tools) with some that nobody else uses, made by make() if there are none.
+  template <class Make, class Use>
+  void lend(Make make, Use use) {
+    auto tools = take();
+    if (!tools) tools = make();
+    use(*tools);
+    const std::scoped_lock lock(mutex_);
+    spare_.push_back(std::move(tools));
+  }
+
+ private:
+  std::unique_ptr<Tools> take() {
+    const std::scoped_lock lock(mutex_);
+    if (spare_.empty()) return nullptr;
+    auto tools = std::move(spare_.back());
+    spare_.pop_back();
+    return tools;
+  }
+
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Tools>> spare_;
+};
+
+class ForwardLanes final : public Simulator {
+ public:
+  explicit ForwardLanes(const estimator::Problem& problem)
+      : world_(estimator::make_world<Lanes>(problem.scene, problem.medium, problem.gates)) {}
+
+  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
+    pools_.lend([&] { return std::make_unique<Pool<Lanes>>(world_); },
+                [&](auto& pool) { pool.run(first, count, tally, [](const auto&...) {}); });
+  }
+
+ private:
+  estimator::World<Lanes> world_;
+  mutable Spares<Pool<Lanes>> pools_;
+};
+
+class BidirectionalLanes final : public Simulator {
+ public:
+  explicit BidirectionalLanes(const estimator::Problem& problem)
+      : world_(estimator::make_world<Lanes>(problem.scene, problem.medium, problem.gates)) {}
+
+  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
+    walks_.lend([&] { return std::make_unique<Walks>(world_, at_once()); },
+                [&](auto& walks) { walks.run(first, count, tally); });
+  }
+
+ private:
+  using Walks = estimator::Bidirectional<Lanes, lanes::LaneLedger<Lanes>>;
+  /// Sets of walks at once: so many that few packs are partly empty, and all stay in the second
+  /// cache; fewer where many environments would take more memory than that.
+  [[nodiscard]] std::size_t at_once() const {
+    constexpr std::size_t wanted = 250;
+    constexpr std::size_t bytes = 16'000'000;
+    const std::size_t size = estimator::Walks<Lanes>::size(world_.sea.environments);
+    const std::size_t fit = size > 0 ? std::min(wanted, bytes / size) : wanted;
+    return std::max<std::size_t>(1, fit / world_.walks);
+  }
+
+  estimator::World<Lanes> world_;
+  mutable Spares<Walks> walks_;
+};
+
+}  // namespace
+
+namespace PHOTIC_ISA {
+std::unique_ptr<Simulator> make_lane_simulator(const estimator::Problem& problem);
+std::unique_ptr<Simulator> make_lane_simulator(const estimator::Problem& problem) {
+  if (problem.scene.simulation.estimator == "bidirectional")
+    return std::make_unique<BidirectionalLanes>(problem);
+  return std::make_unique<ForwardLanes>(problem);
+}
+}  // namespace PHOTIC_ISA
+
+}  // namespace photic::schedule

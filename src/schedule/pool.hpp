@@ -1,0 +1,228 @@
+// Many photons on their way at once, in packs.
+//
+// All packs go through a stage of an event before any goes through the next one: each stage is a
+// small loop, whose registers are its own. Then the lanes of those who have ended are given to
+// others, so that packs stay full. Who gets a lane, and the order in which packs are scored, follow
+// from the photons alone.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/flatten.hpp"
+#include "core/pack.hpp"
+#include "estimator/forward/history.hpp"
+#include "lanes/lane_ledger.hpp"
+#include "schedule/reserve.hpp"
+
+namespace photic::schedule {
+
+template <class T>
+class Pool {
+ public:
+  static constexpr std::size_t width = lanes_of<T>;
+  /// Such that all of it stays in the first cache, and few packs are partly empty.
+  static constexpr std::size_t slots = 128;
+  static constexpr std::size_t packs = slots / width;
+
+  explicit Pool(const estimator::World<T>& world)
+      : world_(world),
+        ratios_(world.sea.environments, 2 * slots),
+        pack_(packs, estimator::Travellers<T>(world)),
+        reserve_(world),
+        newborn_(packs, estimator::Travellers<T>(world)),
+        estimates_(world) {
+    for (std::size_t k = 0; k < packs; ++k) {
+      pack_[k].ratios.kept = newborn_[k].ratios.kept = &ratios_;
+      pack_[k].ratios.first = k * width;
+      newborn_[k].ratios.first = slots + k * width;
+    }
+  }
+
+  /// Follows photons `first` … `first + count - 1`, the first of a batch and up, to their ends.
+  /// `witness` is told of the packs at the end of each event, and who was on the way before.
+  template <class Witness>
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Witness witness) {
+    draws_.emplace(estimator::draws_of_laser(world_, first));
+    next_ = 0;
+    count_ = count;
+    if (world_.special)
+      run<true>(tally, witness);
+    else
+      run<false>(tally, witness);
+    estimator::close_rooms(world_, estimates_, tally);
+    tally.ledger = tally.ledger + total(ledger_);
+    ledger_ = {};
+  }
+
+ private:
+  template <bool special, class Witness>
+  void run(tally::BatchTally& tally, Witness& witness) {
+    const auto all = [this](auto stage) { each_of(pack_.data(), used_, stage); };
+    for (fill<special>(tally); used_ > 0; fill<special>(tally)) {
+      if constexpr (special) {
+        if (world_.analog) {
+          all([&](auto& t) { estimator::analog_event(world_, t, ledger_, tally); });
+          tell(witness);
+          continue;
+        }
+      }
+      estimator::end_flights<special>(world_, all, ledger_, tally, estimates_);
+      tell(witness);
+      if constexpr (special) keep_copies(tally);
+      estimator::go_on<special>(
+          world_, all, [this](std::uint32_t block) { draw(pack_.data(), used_, block); }, ledger_,
+          tally, estimates_);
+    }
+  }
+  template <class Stage>
+  PHOTIC_APART PHOTIC_FLATTEN static void each_of(estimator::Travellers<T>* pack, std::size_t count,
+                                                  Stage stage) {
+    for (std::size_t k = 0; k < count; ++k) stage(pack[k]);
+  }
+  /// Draws a block of random numbers for packs, two at once.
+  PHOTIC_APART PHOTIC_FLATTEN static void draw(estimator::Travellers<T>* pack, std::size_t count,
+                                               std::uint32_t block) {
+    for (; count >= 2; count -= 2, pack += 2) {
+      const auto [first, second] = uniforms(pack[0].place, pack[1].place, block);
+      pack[0].numbers(block) = first;
+      pack[1].numbers(block) = second;
+    }
+    if (count > 0) pack->numbers(block) = uniforms(pack->place, block);
+  }
+  template <class Witness>
+  void tell(Witness& witness) {
+    for (std::size_t k = 0; k < used_; ++k) witness(pack_[k], before_[k]);
+  }
+
+  /// Gives the lanes of those who have ended to those who wait, to new photons, or to the last
+  /// ones.
+  template <bool special>
+  PHOTIC_APART void fill(tally::BatchTally& tally) {
+    for (std::size_t k = 0; k < packs; ++k) {
+      const Mask<T> free = !pack_[k].on;
+      while (reserve_.size() < count(free) && fetch<special>(k + 1, tally)) {
+      }
+      if (reserve_.size() > 0) settle(pack_[k], free);
+      before_[k] = pack_[k].on;
+      if (any(pack_[k].on)) used_ = std::max(used_, k + 1);
+    }
+    while (used_ > 0 && !any(pack_[used_ - 1].on)) --used_;
+  }
+  /// Has more photons wait: new ones, or else those of the last pack from number `first` on. Tells
+  /// whether there were any.
+  template <bool special>
+  bool fetch(std::size_t first, tally::BatchTally& tally) {
+    if (next_ < count_) {
+      bear<special>(tally);
+      return true;
+    }
+    if (used_ <= first) return false;
+    estimator::Travellers<T>& last = pack_[--used_];
+    wait(last);
+    last.on = last.colliding = Mask<T>(false);
+    return true;
+  }
+  /// The next photons of the batch, to where their first flight ends.
+  template <bool special>
+  PHOTIC_APART void bear(tally::BatchTally& tally) {
+    const auto first = static_cast<std::int32_t>(next_);
+    const std::size_t born = std::min(packs, (count_ - next_ + width - 1) / width);
+    const auto all = [&](auto stage) { each_of(newborn_.data(), born, stage); };
+    const auto number_of = [&](const estimator::Travellers<T>& t) {
+      return first +
+             static_cast<std::int32_t>(width) * static_cast<std::int32_t>(&t - newborn_.data());
+    };
+    all([&](auto& t) {
+      const std::int32_t n = number_of(t);
+      estimator::set_out(world_, *draws_, n, first_lanes<T>(count_ - static_cast<std::uint64_t>(n)),
+                         t, ledger_);
+    });
+    next_ += born * width;
+    if (estimator::compares<special>(world_)) {
+      for (std::size_t i = 0; i < born * width; ++i)
+        ratios_.of(newborn_.front().ratios.first + i).begin(world_.sea.environments);
+    }
+    if (!(special && world_.analog))
+      estimator::go_on<special>(
+          world_, all,
+          [&](std::uint32_t block) {
+            all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });
+          },
+          ledger_, tally, estimates_);
+    all([&](auto& t) { wait(t); });
+  }
+  /// Who is on the way in a pack waits.
+  void wait(estimator::Travellers<T>& pack) {
+    if (world_.compares) [[unlikely]]
+      copy_ratios(pack.ratios.first, pack.on, false);
+    reserve_.push(pack.on, pack);
+  }
+  PHOTIC_APART PHOTIC_FLATTEN void settle(estimator::Travellers<T>& pack, const Mask<T>& free) {
+    const Mask<T> given = reserve_.settle(free, pack);
+    if (world_.compares) [[unlikely]]
+      copy_ratios(pack.ratios.first, given, true);
+    pack.on = pack.on | given;
+  }
+
+  /// The copies of photons that were split, each with random numbers of its own, fly and wait.
+  void keep_copies(tally::BatchTally& tally) {
+    for (std::size_t k = 0; k < used_; ++k) {
+      const estimator::Travellers<T>& pack = pack_[k];
+      std::int32_t i = 0;
+      for (Mask<T> more = pack.on & (pack.copies > Index<T>(i)); any(more);
+           more = pack.on & (pack.copies > Index<T>(++i)))
+        keep_copies(pack, more, i, tally);
+    }
+  }
+  PHOTIC_APART void keep_copies(const estimator::Travellers<T>& pack, const Mask<T>& mask,
+                                std::int32_t number, tally::BatchTally& tally) {
+    estimator::Travellers<T>& copies = newborn_.front();
+    const auto ratios = copies.ratios;
+    copies = pack;
+    copies.ratios = ratios;
+    copies.on = mask;
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      if (world_.compares)
+        ratios_.copy(world_.sea.environments, pack.ratios.first + i, ratios.first + i);
+      const auto own = pack.place.photon[i];
+      copies.place.photon.set(i,
+                              estimator::copy_number(world_.key, own, pack.place.event[i], number));
+    });
+    estimator::go_on<true>(
+        world_, [&](auto stage) { each_of(&copies, 1, stage); },
+        [&](std::uint32_t block) { draw(&copies, 1, block); }, ledger_, tally, estimates_);
+    wait(copies);
+  }
+
+  /// Of the lanes of a mask, of a pack whose paths begin with `first`, to those who come to wait
+  /// next, or back.
+  PHOTIC_APART void copy_ratios(std::size_t first, const Mask<T>& mask, bool to_lanes) {
+    std::size_t waiting = 2 * slots + reserve_.size();
+    for_each_lane(mask, [&](int lane) {
+      const std::size_t here = first + static_cast<std::size_t>(lane);
+      ratios_.copy(world_.sea.environments, to_lanes ? waiting : here, to_lanes ? here : waiting);
+      ++waiting;
+    });
+  }
+
+  const estimator::World<T>& world_;
+  transport::PathRatios<T> ratios_;  ///< of each slot, and of those who wait, in environments
+  std::vector<estimator::Travellers<T>> pack_;
+  std::size_t used_ = 0;                 ///< of the packs, the first ones
+  std::array<Mask<T>, packs> before_{};  ///< who was on the way when an event began
+
+  Reserve<T> reserve_;
+  std::vector<estimator::Travellers<T>> newborn_;  ///< on their first flight
+  std::optional<estimator::Draws<T>> draws_;       ///< of the batch
+  std::uint64_t next_ = 0, count_ = 0;             ///< its photons that have yet to set out
+  lanes::LaneLedger<T> ledger_;
+  estimator::Estimates<T> estimates_;
+};
+
+}  // namespace photic::schedule

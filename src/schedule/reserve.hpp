@@ -1,0 +1,99 @@
+// Photons that wait for a lane: new ones, copies, and those that make room.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/pack.hpp"
+#include "estimator/forward/estimate.hpp"
+
+namespace photic::schedule {
+
+/// A stack of photons at the end of a flight, word by word in columns: who came last goes first.
+template <class T>
+class Reserve {
+ public:
+  explicit Reserve(const estimator::World<T>& world) : world_(world) {}
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  /// Adds the lanes of a mask, in their order.
+  void push(const Mask<T>& mask, estimator::Travellers<T>& from) {
+    make_room(from);
+    std::int32_t* end = word_.data() + size_;
+    each_word(from, [&, column = column_](const Index<T>& word) {
+      compress(mask, word, end);
+      end += column;
+      return word;
+    });
+    size_ += count(mask);
+  }
+
+  /// Gives the lanes of a mask to those who wait, as far as they go. Tells which it gave.
+  Mask<T> settle(const Mask<T>& free, estimator::Travellers<T>& to) {
+    const Mask<T> given = size_ >= count(free) ? free : first_of(free, size_);
+    size_ -= count(given);
+    const std::int32_t* first = word_.data() + size_;
+    each_word(to, [&, column = column_](Index<T> word) {
+      expand(given, first, word);
+      first += column;
+      return word;
+    });
+    return given;
+  }
+
+ private:
+  /// word = f(word) for all that photons take along.
+  template <class F>
+  void each_word(estimator::Travellers<T>& t, F f) {
+    const auto member = [&]<class M>(M& m) { m = std::bit_cast<M>(f(std::bit_cast<Index<T>>(m))); };
+    const auto vector = [&](Vec3<T>& v) { member(v.x), member(v.y), member(v.z); };
+    vector(t.photon.position), vector(t.photon.direction);
+    member(t.photon.weight), member(t.photon.analog_weight), member(t.photon.path);
+    member(t.photon.order), member(t.place.event);
+    // What is the same for all of them stays where it is.
+    if (world_.sea.lines > 1) member(t.photon.line);
+    if (world_.sea.layers > 1) member(t.photon.layer);
+    if (world_.sea.bands > 0) member(t.hue);
+    for (auto& point : t.lens) member(point.x), member(point.y);
+    for (std::size_t i = 1; i < t.u.size(); ++i) member(t.u[i]);
+    if (world_.makes_choices)
+      for (auto& number : t.choices) member(number);
+    if (world_.special) member(t.analog_before), member(t.importance_before);
+    const Index<T> colliding = f(select(t.colliding, Index<T>(1), Index<T>(0)));
+    t.colliding = colliding == Index<T>(1);
+    const auto [lower, upper] = words_of<T>(t.place.photon);
+    const Index<T> word = f(lower);
+    t.place.photon = counter_of<T>(word, f(upper));
+  }
+  static Mask<T> first_of(const Mask<T>& mask, std::size_t n) {
+    std::uint32_t first = 0, left = lane_bits(mask);
+    for (; n > 0; --n, left &= left - 1) first |= left & -left;
+    return mask_of_bits<T>(first);
+  }
+  /// For as many more as there are lanes; whole packs are read and written.
+  void make_room(estimator::Travellers<T>& like) {
+    if (size_ + 2 * lanes_of<T> <= column_) return;
+    const std::size_t longer = 2 * size_ + 8 * lanes_of<T>;
+    std::size_t columns = 0;
+    each_word(like, [&](const Index<T>& word) {
+      ++columns;
+      return word;
+    });
+    std::vector<std::int32_t> word(columns * longer);
+    for (std::size_t k = 0; k * column_ < word_.size(); ++k)
+      std::copy_n(word_.data() + k * column_, size_, word.data() + k * longer);
+    column_ = longer;
+    word_ = std::move(word);
+  }
+
+  const estimator::World<T>& world_;
+  std::vector<std::int32_t> word_;  ///< [word][photon]
+  std::size_t column_ = 0, size_ = 0;
+};
+
+}  // namespace photic::schedule

@@ -1,0 +1,334 @@
+// Connections of walks: for one and the same path every strategy must give the same, its
+// contribution over the sum of all strategies' densities. Else the balance heuristic's weights do
+// not add up to 1.
+#include "estimator/bidirectional/connections.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/random.hpp"
+#include "unit/estimator/lidars.hpp"
+#include "unit/estimator/scores.hpp"
+
+namespace photic::estimator {
+namespace {
+
+using test::Random;
+
+struct Counts {
+  int connected = 0, met = 0, turned = 0;
+};
+
+/// Every strategy that draws the path with walks of at most `most` vertices gives what the direct
+/// sum says.
+Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_vertices) {
+  Counts counts;
+  sea.world.most_vertices = most;
+  const auto& samples = sea.world.turns_scattered ? turned : shifted;
+  const Strategies expected(sea.world, sea.medium, samples, path, most);
+  const double value = expected.value();
+  Scores scores(sea.world, samples, sea.medium, path, expected.group_path());
+  for (std::int32_t e = 0; e <= path.order(); ++e) {
+    if (expected.connecting(e) == 0) continue;
+    EXPECT_NEAR(scores.connecting(e) / value, 1, 1e-10) << "connecting edge " << e;
+    ++counts.connected;
+  }
+  for (std::int32_t i = 1; i <= path.order(); ++i) {
+    const Path other =
+        shifted_sideways(sea.world, path, {0.1 * std::sin(i), 0.1 * std::cos(3 * i), 0});
+    if (expected.meeting(i) == 0) {
+      if (most == most_vertices) {
+        EXPECT_EQ(scores.meeting(i, other), 0) << "meeting at " << i;
+      }
+      continue;
+    }
+    // Of a tilted lens in the water it comes as far as its first vertex so often, and counts so
+    // little.
+    const double drawn =
+        i == path.order()
+            ? 1
+            : expected.drawn_to_last_vertex() /
+                  Strategies(sea.world, sea.medium, samples, other, most).drawn_to_last_vertex();
+    EXPECT_NEAR(scores.meeting(i, other) / (drawn * value), 1, 1e-10) << "meeting at " << i;
+    ++counts.met;
+  }
+  for (std::int32_t i = 1; i < path.pivot(); ++i) {
+    if (expected.turning(i) == 0) continue;
+    const Path other = turned_before_pivot(path, 1.0 + i);
+    // It is drawn so often, and counts so little.
+    const double drawn = expected.drawn_at_pivot() /
+                         Strategies(sea.world, sea.medium, samples, other, most).drawn_at_pivot();
+    EXPECT_NEAR(scores.turning(i, other) / (drawn * value), 1, 1e-8) << "turning to meet at " << i;
+    ++counts.turned;
+  }
+  return counts;
+}
+
+/// Random vertices between two depths that the laser's cone and the telescope's view hold.
+Path random_path(Random& random, std::int32_t order, double upper, double lower) {
+  Path path;
+  for (std::int32_t i = 0; i < order; ++i)
+    path.vertex.push_back(
+        {random.between(-2, 2), random.between(-2, 2), -random.between(upper, lower)});
+  path.lens = instrument::ring_point(0.05, 0.15, random.uniform(), random.uniform());
+  return path;
+}
+
+struct Place {
+  const char* what;
+  scene::Source source;
+  scene::Telescope telescope;
+  bool mirrored_out = false, mirrored_home = false;
+};
+
+std::vector<Place> above_water() {
+  const V down{0, 0, -1};
+  return {
+      {"upright", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, 10}, down)},
+      {"tilted", laser_at({0.5, 0, 8}, {0.1, 0, -1}), telescope_at({0, 0, 10}, {0.1, 0.2, -1})},
+      {"tilted telescope", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, 10}, {0.2, 0, -1})}};
+}
+
+/// In the water at 4 or 10 m, above or below the vertices; or one of both above it.
+std::vector<Place> submerged() {
+  const V down{0, 0, -1};
+  const V up{0, 0, 1};
+  return {
+      {"down", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, -4.5}, down)},
+      {"up", laser_at({0.5, 0, -10}, up), telescope_at({0, 0, -9}, up)},
+      {"laser up, telescope down", laser_at({0.5, 0, -10}, up), telescope_at({0, 0, -4}, down)},
+      {"laser alone", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, 10}, down)},
+      {"telescope alone", laser_at({0.5, 0, 8}, down), telescope_at({0, 0, -4}, down)},
+      {"tilted", laser_at({0.5, 0, -4}, {0.1, 0, -1}), telescope_at({0, 0, -4}, {0, 0.1, -1})},
+      {"tilted telescope", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, -4}, {0.1, 0.2, -1})}};
+}
+
+/// The first edge, or the last, or both by way of the surface.
+std::vector<Place> looking_at_the_surface() {
+  const V down{0, 0, -1};
+  const V up{0, 0, 1};
+  return {{"both", laser_at({0.5, 0, -4}, up), telescope_at({0, 0, -4.5}, up), true, true},
+          {"laser", laser_at({0.5, 0, -4}, up), telescope_at({0, 0, -4.5}, down), true, false},
+          {"telescope", laser_at({0.5, 0, -4}, down), telescope_at({0, 0, -4.5}, up), false, true},
+          {"tilted", laser_at({0.5, 0, -4}, {0.1, 0, 1}), telescope_at({0, 0, -4}, {0, 0.1, 1}),
+           true, true},
+          {"tilted telescope", laser_at({0.5, 0, -4}, up), telescope_at({0, 0, -4}, {0, 0.1, 1}),
+           true, true}};
+}
+
+// Of so many are lanes permuted. Seen red: with one less.
+TEST(PairsOfRays, KnowHowManyMembersTheyHave) {
+  std::size_t members = 0;
+  Pair<double>().each_member([&](const auto&) { ++members; });
+  EXPECT_EQ(members, Pair<double>::members);
+}
+
+// In one layer and through all three. Seen red: with n for n^2 in the spread of a ray through the
+// surface; with the way in the air left out of it; with the sign in turning() lost. And of what
+// telescopes' walks draw about the beam: without it where a connection arrives, where it leaves, at
+// a meeting; without what has been passed, behind a ray, behind a vertex, in an edge. And of walks
+// that are turned: without either edge or the meeting near the pivot, or what a turn does to them;
+// without the phase function's gain; with the pivot forgotten where a walk has one vertex alone;
+// with leaving for arriving in what leads aside. With the number of meetings in paths of one vertex
+// more, at each of the places that know it. And of tilted lenses: with the way from the lens as
+// long as before a shift, in time, in the spread of a first ray, in the edge behind a later one.
+TEST(Strategies, OfElasticLightAgree) {
+  Random random(101);
+  int met = 0, turns = 0;
+  for (const Place& place : above_water()) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 300; ++n) {
+      const auto path = random_path(random, 1 + n % 3, 1, n % 2 == 0 ? 4.9 : 25);
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      const auto counts = expect_same_of_all(sea, path);
+      EXPECT_EQ(counts.connected, path.order() + 1);
+      met += counts.met;
+      turns += counts.turned;
+    }
+  }
+  EXPECT_GT(met, 200);
+  EXPECT_GT(turns, 50);
+}
+
+// Where nothing is drawn about the beam, walks are turned that look for a tilted one, too.
+TEST(Strategies, OfATiltedLaserInWaterThatConvertsNothingAgree) {
+  Random random(109);
+  int turns = 0;
+  const Place place = above_water()[1];
+  Sea sea(place.source, place.telescope);
+  sea.world.reversal.scattered = 0;
+  sea.world.turns_scattered = true;
+  for (int n = 0; n < 300; ++n) {
+    const auto path = random_path(random, 1 + n % 3, 1, n % 2 == 0 ? 4.9 : 25);
+    SCOPED_TRACE("path " + std::to_string(n));
+    turns += expect_same_of_all(sea, path).turned;
+  }
+  EXPECT_GT(turns, 30);
+}
+
+// Seen red: with the way from the fictitious vertex to the disc left out of the laser's spread. And
+// of tilted lenses: with a first ray that begins where it did before a shift; with the light as it
+// was; without what walks draw of the way, in edges, in meetings at its end or behind it.
+TEST(Strategies, InTheWaterAgree) {
+  Random random(102);
+  int met = 0;
+  for (const Place& place : submerged()) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 300; ++n) {
+      const auto path = random_path(random, 1 + n % 3, 6, 7.5);
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      const auto counts = expect_same_of_all(sea, path);
+      EXPECT_EQ(counts.connected, path.order() + 1);
+      met += counts.met;
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
+// Connections need a straight edge or an instrument, meetings do not. Seen red: without the
+// meetings behind a mirrored way to an instrument; without those at such a way's vertex; with a
+// mirrored leg taken for a straight one; with no connection of a mirrored first edge; with shifts
+// to last vertices between the levels of a tilted lens' points, at each of the places that know
+// them.
+TEST(Strategies, ByWayOfTheSurfaceAgree) {
+  Random random(103);
+  int met = 0;
+  for (const Place& place : looking_at_the_surface()) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 100; ++n) {
+      auto path = random_path(random, 3, 6, 20);
+      path.mirrored[0] = place.mirrored_out;
+      path.mirrored[3] = place.mirrored_home;
+      if (place.mirrored_home && n % 4 == 0) path.vertex[2].z = -4 + random.between(-0.02, 0.02);
+      if (n % 8 == 0) path.vertex[1].z = -random.between(1, 3);  // then light turns back at both
+      if (n % 2 == 1 && path.x(1 + n / 2 % 3).z > -12) {
+        path.converted = 1 + n / 2 % 3;
+        path.line = 1 + n / 6 % 2;
+      }
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      const auto counts = expect_same_of_all(sea, path);
+      EXPECT_EQ(counts.connected, path.line > 0 ? path.converted + 1 : 4);
+      met += counts.met;
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
+// No connection can meet parallel light.
+TEST(Strategies, OfACollimatedLaserAgree) {
+  Random random(107);
+  int met = 0;
+  auto source = laser_at({0.5, 0, 8}, {0, 0, -1});
+  source.half_divergence_mrad = 0;
+  Sea sea(source, telescope_at({0, 0, 10}, {0, 0, -1}));
+  for (int n = 0; n < 100; ++n) {
+    auto path = random_path(random, 3, 1, 20);
+    path.vertex[0].x = 0.5;
+    path.vertex[0].y = 0;
+    SCOPED_TRACE("path " + std::to_string(n));
+    const auto counts = expect_same_of_all(sea, path);
+    EXPECT_EQ(counts.connected, 3);
+    met += counts.met;
+  }
+  EXPECT_GT(met, 50);
+}
+
+// Seen red: with a mirrored leg taken for a straight one; without the reflectance of an image; with
+// its way taken for a straight one; with a meeting before a mirrored leg judged by the direction
+// behind it; with an edge by way of the surface connected beside a meeting.
+TEST(Strategies, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
+  Random random(106);
+  int met = 0, turns = 0;
+  for (const Place& place : above_water()) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 100; ++n) {
+      auto path = random_path(random, 4, 1, 20);
+      path.mirrored[static_cast<std::size_t>(1 + n % 3)] = true;
+      path.line = n / 2 % 2;
+      if (path.line > 0) path.converted = 1 + n / 4 % 4;
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      if (path.line > 0 && path.x(path.converted).z < -12) continue;
+      const auto counts = expect_same_of_all(sea, path);
+      met += counts.met;
+      turns += counts.turned;
+    }
+  }
+  EXPECT_GT(met, 100);
+  EXPECT_GT(turns, 20);
+}
+
+// Each vertex converts in turn. Seen red: without a departure's density; with the chance of a ray
+// for that of a walk that ends at its vertex, in edges and in meetings; with meetings behind a
+// scattering of converted light; without the ratio of walk coefficients in a connection, in a
+// meeting behind it; without the telescope's chance, or where it turns conversions back; with the
+// last scattering of converted light taken for certain; with shifted rays where light goes on;
+// without what has been passed in last turns; with what lies behind a tilted lens' first vertex
+// kept only of the laser's light.
+TEST(Strategies, OfConvertedLightAgree) {
+  Random random(104);
+  int met = 0;
+  for (const Place& place : above_water()) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 120; ++n) {
+      auto path = random_path(random, 3, n % 2 == 0 ? 5.1 : 0.5, 20);
+      path.line = 1 + n / 2 % 2;
+      path.converted = 1 + n / 4 % 3;
+      // Where the line is emitted: the first only there, in the second layer.
+      V& x = path.vertex[static_cast<std::size_t>(path.converted - 1)];
+      x.z = -random.between(path.line == 1 ? 0.5 : 5.1, 11.9);
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      const auto counts = expect_same_of_all(sea, path);
+      EXPECT_EQ(counts.connected, path.converted + 1);
+      met += counts.met;
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
+// Seen red: with a walk that sets out from its last vertex; with edges that no two walks reach;
+// with the last vertex' densities left out; with unusable meetings beside a connection, beside a
+// meeting; with unusable edges or meetings near the pivot of a walk that is turned; with an
+// unusable meeting at the end of a longer way from a tilted lens.
+TEST(Strategies, OfWalksThatEndEarlyAgree) {
+  Random random(105);
+  int met = 0;
+  std::vector<Place> places = above_water();
+  places.push_back(submerged().back());
+  for (const Place& place : places) {
+    Sea sea(place.source, place.telescope);
+    for (int n = 0; n < 200; ++n) {
+      const std::int32_t order = 3 + n % 3;
+      auto path = random_path(random, order, place.telescope.position_m.z < 0 ? 6 : 0.5, 11.9);
+      path.line = n / 3 % 2;
+      if (path.line > 0) path.converted = 1 + n / 6 % order;
+      const std::int32_t most = 2 + n / 2 % 2;
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      met += expect_same_of_all(sea, path, most).met;
+    }
+  }
+  EXPECT_GT(met, 30);
+}
+
+// What a walk does beyond a path's vertices is no part of the path. Seen red: with the vertical of
+// the telescope's walk for that of the path, where the laser's light arrives.
+TEST(Strategies, OfPathsThatAWalkGoesBeyondAgree) {
+  Random random(108);
+  const Place place = above_water()[0];
+  Sea sea(place.source, place.telescope);
+  for (int n = 0; n < 100; ++n) {
+    auto path = random_path(random, 2, 5.1, 11.9);
+    path.line = 2;
+    path.converted = 1 + n % 2;
+    auto longer = path;
+    const auto beyond = random_path(random, 2, 5.1, 11.9);
+    longer.vertex.insert(longer.vertex.begin(), beyond.vertex.begin(), beyond.vertex.end());
+    longer.converted = n % 2 == 0 ? 2 : 4;
+    SCOPED_TRACE("path " + std::to_string(n));
+    sea.world.most_vertices = most_vertices;
+    const Strategies expected(sea.world, sea.medium, turned, path, most_vertices);
+    Scores scores(sea.world, turned, sea.medium, path, expected.group_path());
+    EXPECT_NEAR(scores.connecting_first_of_a_longer(longer) / expected.value(), 1, 1e-10);
+  }
+}
+
+}  // namespace
+}  // namespace photic::estimator

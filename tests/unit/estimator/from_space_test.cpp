@@ -1,0 +1,140 @@
+// Times of light to and from instruments in space, in float: each against lengths of straight ways
+// in double. 0.01 ns are 3 mm of path.
+#include <gtest/gtest.h>
+
+#include "estimator/origin.hpp"
+#include "support/random.hpp"
+#include "transport/connect_ray.hpp"
+#include "transport/receive.hpp"
+#include "unit/transport/sea.hpp"
+
+namespace photic::transport {
+namespace {
+
+using test::Random;
+using V = Vec3<double>;
+
+constexpr double height = 705e3;
+constexpr double path_tolerance = 1e-3;   // [m]
+constexpr double place_tolerance = 2e-3;  // [m]
+constexpr int samples = 2000;
+
+/// A lidar that looks down, or aside by 30 degrees.
+struct Lidar {
+  scene::Source source;
+  scene::Telescope telescope;
+
+  Lidar(double half_divergence_mrad, bool tilted) {
+    source.wavelength_nm = 532;
+    source.position_m = {1000, -2000, height};
+    source.direction = tilted ? V{0.3, -0.4, -std::sqrt(0.75)} : V{0, 0, -1};
+    source.diameter_m = 0.8;
+    source.half_divergence_mrad = half_divergence_mrad;
+    telescope.position_m = source.position_m + V{1.5, 0.5, 0.25};
+    telescope.direction = source.direction;
+    telescope.diameter_m = 2;
+    telescope.focal_length_m = 4;
+    telescope.detector_diameter_m = 0.01;
+    const V origin = estimator::origin_of(source);
+    source = estimator::from_origin(source, origin);
+    telescope = estimator::from_origin(telescope, origin);
+  }
+};
+
+class FromSpace : public testing::TestWithParam<bool> {};
+
+/// A uniform that a float can hold.
+double uniform(Random& random) { return double(float(random.uniform())); }
+
+// Seen red: with the light emitted on the disc; with off_axis from the difference of directions.
+TEST_P(FromSpace, LaserLightGetsThereInTime) {
+  const auto sea = make_sea(60);
+  Random random(401);
+  for (const double mrad : {0.0, 0.01, 0.5}) {
+    const Lidar lidar(mrad, GetParam());
+    const auto in_float = instrument::make_laser<float>(lidar.source);
+    const auto laser = instrument::make_laser<double>(lidar.source);
+    for (int i = 0; i < samples; ++i) {
+      const double u = uniform(random), v = uniform(random);
+      auto photon = emit(in_float, 0, float(u), float(v));
+      ASSERT_TRUE(enter_water(sea.view(), photon));
+      // From the disc, in its plane, straight on.
+      const double x = u * laser.one_minus_cos_divergence;
+      const V aside = turned(laser.axis, 1.0, std::cos(2 * pi * v), std::sin(2 * pi * v));
+      const double tangent = std::sqrt(x * (2 - x)) / (1 - x);
+      const double from_centre =
+          mrad > 0 ? laser.vertex_distance * tangent : laser.radius * std::sqrt(u);
+      const V disc = lidar.source.position_m + from_centre * aside;
+      const V direction = normalised(laser.axis + (mrad > 0 ? tangent : 0.0) * aside);
+      const double length = disc.z / -direction.z;
+      const V place = disc + length * direction;
+      ASSERT_LT(photic::length(vec3_cast<double>(photon.position) - place), place_tolerance);
+      ASSERT_NEAR(photon.path, length - laser.ahead, path_tolerance);
+    }
+  }
+}
+
+// Seen red: with the difference of both lengths for longer_by(), in either.
+TEST_P(FromSpace, LightGetsBackInTime) {
+  const Lidar lidar(0.5, GetParam());
+  const auto sea = make_sea(60);
+  const auto in_float = instrument::make_telescope<float>(lidar.telescope);
+  const auto telescope = instrument::make_telescope<double>(lidar.telescope);
+  Random random(402);
+  int seen = 0;
+  for (int i = 0; i < samples; ++i) {
+    Photon<float> photon;
+    photon.position = {float(random.between(-400, 400)), float(random.between(-400, 400)),
+                       float(-random.scale(0.01, 50))};
+    photon.layer = sea.layer_at(-photon.position.z);
+    const std::int32_t line = random.below(3);
+    const auto expected = [&](const V& to) {
+      const V from = vec3_cast<double>(photon.position);
+      const auto way = way_through_surface(sea.view(), from, line, to, true);
+      const V surface = from + way.length_water * way.direction;
+      return length(to - surface) - length(telescope.position) +
+             way.length_water * sea.line[static_cast<std::size_t>(line)].group_index;
+    };
+    const auto whole = connect_through_surface(sea.view(), in_float, photon, line, true);
+    const instrument::PlanePoint<float> lens =
+        lens_point(in_float, float(random.uniform()), float(random.uniform()));
+    const auto ray = connect_ray(sea.view(), in_float, 0, photon, line, lens, false, true);
+    if (!(whole.acceptance > 0 && ray.acceptance > 0)) continue;
+    ++seen;
+    ASSERT_NEAR(whole.path, expected(telescope.position), path_tolerance);
+    const instrument::PlanePoint<double> point{lens.x, lens.y};
+    ASSERT_NEAR(ray.path, expected(in_space(telescope, point)), path_tolerance);
+  }
+  EXPECT_GT(seen, samples / 2);
+}
+
+// Seen red: with the path that enter_water() gives.
+TEST_P(FromSpace, WalksFromTelescopesAreTimed) {
+  const Lidar lidar(0.5, GetParam());
+  const auto sea = make_sea(60);
+  const auto in_float = instrument::make_telescope<float>(lidar.telescope);
+  const auto telescope = instrument::make_telescope<double>(lidar.telescope);
+  Random random(403);
+  for (int i = 0; i < samples; ++i) {
+    const auto lens = lens_point(in_float, float(random.uniform()), float(random.uniform()));
+    const auto detector = instrument::ring_point(0.0F, in_float.detector_radius,
+                                                 float(random.uniform()), float(random.uniform()));
+    const auto walk = begin_at_telescope(sea.view(), in_float, 0, 0, lens,
+                                         outward_slope(in_float, lens, detector));
+    ASSERT_TRUE(walk.exists);
+    const instrument::PlanePoint<double> at{lens.x, lens.y}, on_detector{detector.x, detector.y};
+    const V from = in_space(telescope, at);
+    const V direction = outward(telescope, outward_slope(telescope, at, on_detector));
+    const V place = from + (from.z / -direction.z) * direction;
+    const V here = vec3_cast<double>(walk.photon.position);
+    ASSERT_LT(length(here - place), place_tolerance);
+    ASSERT_NEAR(walk.photon.path, length(from - here) - length(telescope.position), path_tolerance);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lidars, FromSpace, testing::Bool(), [](const auto& tilted) {
+  return tilted.param ? "LooksAside" : "LooksDown";
+});
+
+}  // namespace
+}  // namespace photic::transport

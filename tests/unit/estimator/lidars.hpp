@@ -1,0 +1,57 @@
+// Lidars with wide views over and in a sea of three layers, in which walks are written by hand.
+#pragma once
+
+#include "estimator/world.hpp"
+#include "unit/estimator/scores.hpp"
+#include "unit/transport/sea.hpp"
+
+namespace photic::estimator {
+
+struct Sea {
+  World<double> world;
+  medium::Medium medium = transport::make_sea(40);
+
+  Sea(const scene::Source& source, const scene::Telescope& telescope) {
+    world.sea = medium.view();
+    world.laser = instrument::make_laser<double>(source);
+    world.laser_layer = medium.layer_at(std::max(0.0, -source.position_m.z));
+    world.telescopes = {instrument::make_telescope<double>(telescope)};
+    world.telescope_layer = {medium.layer_at(std::max(0.0, -telescope.position_m.z))};
+    world.reversal = {
+        0.3, 0.5,
+        axis_in_water(world.laser.axis, world.laser.submerged, medium.line[0].refractive_index), 1,
+        0.2};
+    world.path_to_origin = {path_to_origin(source, telescope)};
+    world.deepest = 40;
+    world.most_vertices = most_vertices;
+    world.turns_scattered = world.reversal.beam.x == 0 && world.reversal.beam.y == 0;
+  }
+  Sea(const Sea&) = delete;  // the world looks into the medium
+  Sea& operator=(const Sea&) = delete;
+};
+
+/// Also of walks that may be turned: as many as of those that may be shifted.
+inline const transport::Samples<double> shifted{1, 0.3, 2, 0, grid}, turned{1, 0.3, 2, 2, grid};
+
+inline scene::Source laser_at(const V& position, const V& direction) {
+  scene::Source source;
+  source.position_m = position;
+  source.direction = direction;
+  source.diameter_m = 0.02;
+  source.half_divergence_mrad = 1200;
+  return source;
+}
+
+/// It sees 65 degrees about its axis.
+inline scene::Telescope telescope_at(const V& position, const V& direction) {
+  scene::Telescope t;
+  t.position_m = position;
+  t.direction = direction;
+  t.diameter_m = 0.3;
+  t.obstruction_diameter_m = 0.1;
+  t.focal_length_m = 0.5;
+  t.detector_diameter_m = 2.2;
+  return t;
+}
+
+}  // namespace photic::estimator

@@ -1,0 +1,231 @@
+// Paths of light with given vertices, and the walks that would have drawn them.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "estimator/bidirectional/walk.hpp"
+#include "transport/flight.hpp"
+#include "transport/joint.hpp"
+#include "transport/way.hpp"
+
+namespace photic::estimator {
+
+using V = Vec3<double>;
+
+/// From the laser's fictitious vertex by x_1 … x_k to a point of telescope 0's lens.
+struct Path {
+  std::vector<V> vertex;
+  instrument::PlanePoint<double> lens;
+  std::int32_t line = 0;           ///< in which it is detected
+  std::int32_t converted = 0;      ///< the number of the vertex that converts; 0: none
+  std::array<bool, 8> mirrored{};  ///< edges by way of the surface
+
+  [[nodiscard]] std::int32_t order() const { return static_cast<std::int32_t>(vertex.size()); }
+  /// Vertex i of 1 … k.
+  [[nodiscard]] const V& x(std::int32_t i) const { return vertex[static_cast<std::size_t>(i - 1)]; }
+  /// The line of edge e of 0 … k.
+  [[nodiscard]] std::int32_t line_of(std::int32_t edge) const {
+    return edge < converted ? 0 : line;
+  }
+  /// The vertex about which telescopes' walks may be turned: where light is converted, else the
+  /// last.
+  [[nodiscard]] std::int32_t pivot() const { return line > 0 ? converted : order(); }
+  [[nodiscard]] bool is_mirrored(std::int32_t edge) const {
+    return mirrored[static_cast<std::size_t>(edge)];
+  }
+};
+
+/// The path with all that is drawn from the telescope beyond the pivot turned about the vertical
+/// through it.
+inline Path turned_before_pivot(const Path& path, double angle) {
+  Path turned = path;
+  const V& axis = path.x(path.pivot());
+  for (std::int32_t i = 1; i < path.pivot(); ++i) {
+    const V from = path.x(i) - axis;
+    V& to = turned.vertex[static_cast<std::size_t>(i - 1)];
+    to.x = axis.x + (std::cos(angle) * from.x - std::sin(angle) * from.y);
+    to.y = axis.y + (std::sin(angle) * from.x + std::cos(angle) * from.y);
+  }
+  return turned;
+}
+
+/// The direction from one place to another, by way of the surface if it is mirrored.
+inline V direction_to(const V& from, const V& to, bool mirrored) {
+  return normalised(V{to.x, to.y, mirrored ? -to.z : to.z} - from);
+}
+
+inline transport::Way<double> way_to(const World<double>& world, const V& from, std::int32_t line,
+                                     const V& to, bool mirrored) {
+  return to.z < 0 ? transport::way_in_water(world.sea, from, line, to, mirrored)
+                  : transport::way_through_surface(world.sea, from, line, to, true);
+}
+inline transport::Way<double> way_to_laser(const World<double>& world, const Path& path) {
+  return way_to(world, path.x(1), 0, fictitious_vertex(world.laser), path.is_mirrored(0));
+}
+inline transport::Way<double> way_to_lens(const World<double>& world, const Path& path) {
+  return way_to(world, path.x(path.order()), path.line, in_space(world.telescopes[0], path.lens),
+                path.is_mirrored(path.order()));
+}
+
+/// The path shifted sideways, with the point of the lens' plane by which its last ray then comes.
+inline Path shifted_sideways(const World<double>& world, const Path& path, const V& shift) {
+  const auto& telescope = world.telescopes[0];
+  const V outward = -way_to_lens(world, path).arriving;
+  const V on_ray = in_space(telescope, path.lens) + shift;
+  const V at = on_ray + dot(telescope.position - on_ray, telescope.axis) /
+                            dot(outward, telescope.axis) * outward;
+  Path other = path;
+  for (V& x : other.vertex) x = x + shift;
+  other.lens = {dot(at - telescope.position, telescope.across),
+                dot(at - telescope.position, telescope.up)};
+  return other;
+}
+
+/// Writes a walk along given places as a WalkTaker would have drawn it.
+class Writer {
+ public:
+  Writer(const World<double>& world, const transport::Samples<double>& samples,
+         const transport::Beginning<double>& begin, Outset<double> outset, bool from_telescope)
+      : walks(1, from_telescope, begin.spread.through_surface, world.sea.environments),
+        world_(world),
+        samples_(samples),
+        photon_(begin.photon),
+        spread_(begin.spread),
+        ray_{transport::walk_point(photon_)} {
+    outset.spread = begin.spread;
+    walks.begin(true, 0, outset, ray_);
+  }
+
+  void collide_at(const V& place, bool mirrored) {
+    transport::Leg<double> leg;
+    if (mirrored) {
+      const double rise = -photon_.position.z / photon_.direction.z;
+      fly_to(photon_.position + rise * photon_.direction, leg);
+      transport::reflect_down(world_.sea, photon_);
+      leg.mirrored = true;
+    }
+    fly_to(place, leg);
+    photon_.weight *= world_.sea.collision_gain[here()];
+    vertex_ = transport::vertex_on(world_.sea, ray_, walks.vertices(0) == 0, spread_, photon_, leg,
+                                   walks.axis(0), samples_);
+    if (walks.from_telescope())
+      walks.keep_unshifted(world_.telescopes[0], 0, walks.vertices(0) == 0, vertex_);
+    walks.add(true, 0, walks.vertices(0), vertex_);
+  }
+
+  /// Goes on towards the next place. Only a telescope's walk `converts`.
+  void leave_for(const V& next, bool mirrored, bool converts) {
+    const V old = photon_.direction;
+    photon_.direction = direction_to(photon_.position, next, mirrored);
+    transport::Departure<double> departure;
+    const double p = world_.sea.phases.value<double>(
+        one_minus_cos(old, photon_.direction),
+        converts ? world_.sea.conversion_phase[photon_.line] : world_.sea.elastic_phase[here()]);
+    const double chance = world_.reversal.chance(world_.sea, photon_.line, photon_.layer);
+    departure.p = p;
+    departure.chance = 1 - chance;
+    departure.density = photon_.line > 0 ? 0 : 1;
+    if (converts) {
+      departure.chance = chance * world_.reversal.over_phase(world_.sea, photon_.direction, p);
+      departure.density = transport::walk_c_ratio<double>(world_.sea, photon_.line, photon_.layer);
+      photon_.weight *=
+          transport::conversion_per_emitted_c<double>(world_.sea, photon_.line, photon_.layer);
+      photon_.line = 0;
+    } else {
+      photon_.weight *= world_.sea.albedo[here()];
+      const auto drawn = [&](const V& direction) {
+        return world_.reversal.scattered_over_phase(world_.sea, direction, p);
+      };
+      if (!walks.from_telescope()) departure.passed = drawn(-old);
+      if (walks.from_telescope() && photon_.line == 0) departure.chance *= drawn(photon_.direction);
+    }
+    ray_ = transport::next_ray(photon_, vertex_, departure);
+    walks.add(true, 0, walks.vertices(0), ray_);
+    if (walks.from_telescope())
+      walks.pivot(world_.sea, true, 0, walks.vertices(0) - 1, vertex_, ray_,
+                  world_.turns_scattered);
+  }
+
+  Walks<double> walks;
+
+ private:
+  [[nodiscard]] std::int32_t here() const { return world_.sea.at(photon_.line, photon_.layer); }
+
+  void fly_to(const V& place, transport::Leg<double>& leg) {
+    const auto before = photon_;
+    const double distance = length(place - before.position);
+    photon_.position = place;
+    photon_.layer = transport::layer_at(world_.sea, before.layer, -place.z);
+    photon_.path += distance * world_.sea.group_index[photon_.line];
+    const auto from = level_of(world_.sea, before);
+    photon_.weight *= std::exp(-world_.sea.continuous_slant_optical_depth(
+        photon_.line, from, world_.sea.continuous_column(photon_.line, from),
+        level_of(world_.sea, photon_), distance));
+    transport::add_flight(world_.sea, before, photon_, leg);
+  }
+
+  const World<double>& world_;
+  const transport::Samples<double>& samples_;
+  transport::Photon<double> photon_;
+  transport::Spread<double> spread_;
+  transport::Ray<double> ray_;
+  transport::Vertex<double> vertex_;
+};
+
+/// The laser's walk with the first vertices of a path, and on its way to the next if it `leaves`.
+inline Walks<double> laser_walk(const World<double>& world,
+                                const transport::Samples<double>& samples, const Path& path,
+                                std::int32_t vertices, bool leaves) {
+  const auto& laser = world.laser;
+  const V vertex = fictitious_vertex(laser);
+  transport::Photon<double> photon;
+  photon.direction = -way_to_laser(world, path).arriving;
+  photon.layer = world.laser_layer;
+  const double secant = 1 / dot(photon.direction, laser.axis);
+  const double before = (laser.vertex_distance + laser.ahead) * secant;
+  photon.position = vertex + before * photon.direction;
+  photon.path = laser.ahead * (secant - 1);
+  Writer writer(
+      world, samples,
+      transport::enter_if_above(world.sea, photon, transport::connectable_solid_angle(laser),
+                                before, laser.submerged),
+      {}, false);
+  for (std::int32_t i = 1; i <= vertices; ++i) {
+    writer.collide_at(path.x(i), path.is_mirrored(i - 1));
+    if (i < vertices || leaves) writer.leave_for(path.x(i + 1), path.is_mirrored(i), false);
+  }
+  return writer.walks;
+}
+
+/// The telescope's walk with the last vertices of a path, and on its way to the next; it meets
+/// others at a grid's depths from `grid_offset` on.
+inline Walks<double> telescope_walk(const World<double>& world,
+                                    const transport::Samples<double>& samples, const Path& path,
+                                    std::int32_t vertices, bool leaves, double grid_offset = 0) {
+  const auto& telescope = world.telescopes[0];
+  const V outward = -way_to_lens(world, path).arriving;
+  const double per_axis = 1 / dot(outward, telescope.axis);
+  const instrument::PlanePoint<double> slope{per_axis * dot(outward, telescope.across),
+                                             per_axis * dot(outward, telescope.up)};
+  Outset<double> outset;
+  outset.lens = path.lens;
+  outset.outward = outward;
+  outset.shift_area = shift_area(telescope, outward);
+  outset.grid_offset = grid_offset;
+  outset.line = path.line;
+  Writer writer(world, samples,
+                transport::begin_at_telescope(world.sea, telescope, world.telescope_layer[0],
+                                              path.line, path.lens, slope),
+                outset, true);
+  const std::int32_t k = path.order();
+  for (std::int32_t i = k; i > k - vertices; --i) {
+    writer.collide_at(path.x(i), path.is_mirrored(i));
+    if (i > k - vertices + 1 || leaves)
+      writer.leave_for(path.x(i - 1), path.is_mirrored(i - 1), i == path.converted);
+  }
+  return writer.walks;
+}
+
+}  // namespace photic::estimator

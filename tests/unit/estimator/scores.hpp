@@ -1,0 +1,107 @@
+// What the engine scores for one path, strategy by strategy.
+#pragma once
+
+#include <cmath>
+
+#include "estimator/bidirectional/connections.hpp"
+#include "support/ship_scene.hpp"
+#include "tally/batch_tally.hpp"
+#include "unit/estimator/strategies.hpp"
+
+namespace photic::estimator {
+
+/// Scores of one telescope whose group path is within a tenth of a millimetre of a path's: other
+/// connections of the same walks are left out, and wrong path lengths too.
+struct Window {
+  Window(const medium::Medium& medium, double path) : gates(scene(path), medium.line) {
+    shape.telescopes = shape.channels = shape.processes = shape.gates = shape.depths = 1;
+    shape.orders = 8;
+    for (std::size_t l = 0; l < medium.line.size(); ++l) {
+      shape.channels_of_line.push_back({tally::Counting{0}});
+      shape.process_of_line.push_back(0);
+    }
+  }
+  static scene::Scene scene(double path) {
+    auto scene = test::ship_scene();
+    scene.gates.depth_m.reset();
+    scene.gates.time_ns = {(path - 1e-4) / metre_per_nanosecond,
+                           (path + 1e-4) / metre_per_nanosecond, 2e-4 / metre_per_nanosecond};
+    return scene;
+  }
+  tally::Shape shape;
+  tally::Gates gates;
+};
+
+inline constexpr transport::MeetingGrid<double> grid{2};
+
+/// What the engine scores for a path by each strategy that draws it, by name.
+class Scores {
+ public:
+  Scores(const World<double>& world, const transport::Samples<double>& samples,
+         const medium::Medium& medium, const Path& path, double length)
+      : world_(world),
+        samples_(samples),
+        path_(path),
+        window_(medium, length),
+        tally_(window_.shape, window_.gates) {
+    receiver_ = {0, 0, world.telescope_layer[0], path.line, -1, 1e4, 1e4};
+  }
+
+  double connecting(std::int32_t edge) {
+    const std::int32_t k = path_.order();
+    const auto laser = laser_walk(world_, samples_, path_, edge, false);
+    const auto back = telescope_walk(world_, samples_, path_, k - edge, false);
+    Connections<double> connections(world_, receiver_, samples_, laser, back, tally_);
+    if (edge == 0) {
+      connections.to_laser(0);
+    } else if (edge == k) {
+      connections.to_telescope(0);
+    } else {
+      connections.between(0);
+    }
+    return taken();
+  }
+
+  /// Connecting edge 0 by a telescope's walk that goes on to other places and is converted there.
+  double connecting_first_of_a_longer(const Path& longer) {
+    const auto back = telescope_walk(world_, samples_, longer, longer.order(), false);
+    Connections<double>(world_, receiver_, samples_, back, back, tally_).to_laser(0);
+    return taken();
+  }
+
+  /// The telescope's walk is that of another path, which is shifted sideways.
+  double meeting(std::int32_t i, const Path& other) {
+    const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
+    const double number = grid.number(-path_.x(i).z, path_.order());
+    const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true,
+                                     number - std::floor(number));
+    Connections<double>(world_, receiver_, samples_, laser, back, tally_)
+        .meetings(0, 1, 0, Moves::shifts);
+    return taken();
+  }
+
+  /// The telescope's walk is that of another path, which is otherwise turned.
+  double turning(std::int32_t i, const Path& other) {
+    const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
+    const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true);
+    Connections<double>(world_, receiver_, samples_, laser, back, tally_)
+        .meetings(0, 1, 0, Moves::turns);
+    return taken();
+  }
+
+ private:
+  double taken() {
+    const double sum = tally_.by_order[static_cast<std::size_t>(path_.order() - 1)];
+    tally_.clear();
+    return sum;
+  }
+
+  const World<double>& world_;
+  const transport::Samples<double>& samples_;
+  const Path& path_;
+  Receiver<double> receiver_;
+  Window window_;
+  tally::BatchTally tally_;
+};
+
+}  // namespace photic::estimator

@@ -1,0 +1,240 @@
+// What every strategy must give for a path, from the sum over all of them as the head of
+// transport/vertex.hpp states it.
+#pragma once
+
+#include "unit/estimator/paths.hpp"
+#include "unit/transport/straight_ways.hpp"
+
+namespace photic::estimator {
+
+struct Edge {
+  V leaving, arriving;  ///< directions of the light at its ends in the water
+  double tau = 0, walk_tau = 0;
+  double path = 0;    ///< group path [m]
+  double spread = 0;  ///< d^2; at an instrument, its solid angle over that per area [m^2]
+  bool mirrored = false;
+};
+
+struct Strategies {
+  const World<double>& world;
+  const medium::Medium& medium;
+  const transport::Samples<double>& samples;
+  const Path& path;
+  double shift_area = 0;
+  std::vector<Edge> edge;  ///< 0 … k
+  double common = 1;       ///< n h / g of a strategy times what it gives if it is the only one
+  std::int32_t most;       ///< vertices of a walk: it does not set out from the last one
+
+  Strategies(const World<double>& world_, const medium::Medium& medium_,
+             const transport::Samples<double>& samples_, const Path& path_, std::int32_t most_)
+      : world(world_), medium(medium_), samples(samples_), path(path_), most(most_) {
+    add_first();
+    for (std::int32_t e = 1; e < path.order(); ++e) add_inner(e);
+    add_last();
+    for (const Edge& e : edge) common *= std::exp(e.walk_tau - e.tau);
+    for (std::int32_t i = 1; i <= path.order(); ++i) common *= coefficient(i) / walk_c(i);
+  }
+
+  [[nodiscard]] double group_path() const {
+    double sum = 0;
+    for (const Edge& e : edge) sum += e.path;
+    return sum;
+  }
+
+  /// n h / g of connecting edge e; 0 if that does not draw the path.
+  [[nodiscard]] double connecting(std::int32_t e) const {
+    const auto& [leaving, arriving, tau, walk_tau, length, spread, mirrored] = at(e);
+    if (e > most || path.order() - e > most) return 0;
+    if (mirrored && e > 0 && e < path.order()) return 0;
+    return spread * std::exp(walk_tau) * chance_of_connecting(e) /
+           ((e > 0 ? phase(e) : 1) * (e < path.order() ? phase(e + 1) : 1));
+  }
+  /// The same of meeting at vertex i.
+  [[nodiscard]] double meeting(std::int32_t i) const {
+    const double steep = -at(i - 1).arriving.z * at(i).leaving.z;
+    const double last = -path.x(path.order()).z;
+    const bool shifts = i == path.order() || all_points_reach(world.telescopes[0], last);
+    if (steep <= 0 || !shifts) return 0;
+    return samples.meetings(path.order()) * shift_area * steep * drawn_but(i);
+  }
+  /// Whether telescopes' walks may be turned about the pivot.
+  [[nodiscard]] bool turns() const {
+    if (path.line > 0) return true;
+    const V& home = at(path.order()).leaving;
+    const V& on = at(path.order() - 1).arriving;
+    return world.turns_scattered && std::hypot(on.x, on.y) > 3 * std::hypot(home.x, home.y);
+  }
+  /// The same of turning about the pivot so that rays meet at vertex i.
+  [[nodiscard]] double turning(std::int32_t i) const {
+    if (i >= path.pivot() || !turns()) return 0;
+    const V radius = path.x(i) - path.x(path.pivot());
+    const V around{-radius.y, radius.x, 0};
+    return samples.turned * 2 * pi *
+           std::abs(dot(around, cross(at(i - 1).arriving, at(i).leaving))) * drawn_but(i);
+  }
+  /// The density with which the direction is drawn in which a telescope's walk leaves the pivot,
+  /// but for what no turn changes [1/sr].
+  [[nodiscard]] double drawn_at_pivot() const {
+    const double share = world.reversal.scattered;
+    const std::int32_t k = path.order();
+    return path.line > 0 ? 1 : (1 - share) * phase(k) + share * lobe(k);
+  }
+  /// The density with which a telescope's walk in the water comes as far as its first vertex, but
+  /// for what no shift changes.
+  [[nodiscard]] double drawn_to_last_vertex() const { return std::exp(-edge.back().walk_tau); }
+  /// What each strategy gives.
+  [[nodiscard]] double value() const {
+    double sum = 0;
+    for (std::int32_t e = 0; e <= path.order(); ++e) sum += connecting(e);
+    for (std::int32_t i = 1; i <= path.order(); ++i) sum += meeting(i) + turning(i);
+    return common / sum;
+  }
+
+ private:
+  /// Where rays can meet at vertex i: 1 over what is not drawn of it.
+  [[nodiscard]] double drawn_but(std::int32_t i) const {
+    if (i > most || path.order() - i + 1 > most) return 0;
+    return std::exp(at(i - 1).walk_tau + at(i).walk_tau) * chance_of_meeting(i) /
+           (walk_c(i) * phase(i));
+  }
+  [[nodiscard]] const Edge& at(std::int32_t e) const { return edge[static_cast<std::size_t>(e)]; }
+  [[nodiscard]] std::int32_t layer(std::int32_t i) const { return medium.layer_at(-path.x(i).z); }
+  /// A value [line][layer] at a vertex.
+  [[nodiscard]] double of(const std::vector<double>& table, std::int32_t line,
+                          std::int32_t i) const {
+    return table[static_cast<std::size_t>(line * medium.layers() + layer(i))];
+  }
+  [[nodiscard]] double coefficient(std::int32_t i) const {
+    if (i == path.converted) return of(medium.conversion, path.line, i) * of(medium.c, 0, i);
+    return of(medium.albedo, path.line_of(i), i) * of(medium.c, path.line_of(i), i);
+  }
+  /// Of the line in which a telescope's walk comes to vertex i.
+  [[nodiscard]] double walk_c(std::int32_t i) const {
+    return of(transport::walk_coefficients(medium), path.line_of(i), i);
+  }
+  /// Of the laser's line over that of the detected one, at the conversion.
+  [[nodiscard]] double ratio() const {
+    return of(transport::walk_coefficients(medium), 0, path.converted) / walk_c(path.converted);
+  }
+  [[nodiscard]] double phase(std::int32_t i) const {
+    const double x = one_minus_cos(at(i - 1).arriving, at(i).leaving);
+    const auto l = static_cast<std::size_t>(path.line_of(i));
+    const auto here =
+        l * static_cast<std::size_t>(medium.layers()) + static_cast<std::size_t>(layer(i));
+    return world.sea.phases.value<double>(
+        x, i == path.converted ? medium.conversion_phase[l] : medium.elastic_phase[here]);
+  }
+  /// That a telescope's walk turns the detected light back into the laser's at vertex i.
+  [[nodiscard]] double reversal(std::int32_t i) const {
+    return path.line > 0 && of(medium.conversion, path.line, i) > 0 ? world.reversal.probability
+                                                                    : 0;
+  }
+  /// That it does not so at vertices `from` … k.
+  [[nodiscard]] double stays_converted(std::int32_t from) const {
+    double chance = 1;
+    for (std::int32_t i = from; i <= path.order(); ++i) chance *= 1 - reversal(i);
+    return chance;
+  }
+  /// That it does at the conversion and finds the path's direction, over the phase function.
+  [[nodiscard]] double turns_back() const {
+    const auto& r = world.reversal;
+    return reversal(path.converted) *
+           ((1 - r.directed) / (4 * pi) + r.directed * lobe(path.converted)) /
+           phase(path.converted);
+  }
+  /// Of the direction in which a telescope's walk leaves vertex i.
+  [[nodiscard]] double lobe(std::int32_t i) const {
+    return world.sea.phases.value<double>(one_minus_cos(world.reversal.beam, -at(i - 1).arriving),
+                                          world.reversal.lobe);
+  }
+  /// That it finds the path's directions where it scatters the laser's light from vertex `from` on,
+  /// over the phase functions.
+  [[nodiscard]] double scatters(std::int32_t from) const {
+    const double share = world.reversal.scattered;
+    double chance = 1;
+    for (std::int32_t i = from; i <= path.order(); ++i)
+      if (path.line_of(i) == 0) chance *= 1 - share + share * lobe(i) / phase(i);
+    return chance;
+  }
+  [[nodiscard]] double chance_of_connecting(std::int32_t e) const {
+    if (path.converted == 0) return scatters(e + 2);
+    if (e > path.converted) return 0;
+    if (e == path.converted) return ratio() * stays_converted(path.converted + 2);
+    return stays_converted(path.converted + 1) * (e < path.converted - 1 ? turns_back() : 1) *
+           scatters(e + 2);
+  }
+  [[nodiscard]] double chance_of_meeting(std::int32_t i) const {
+    if (path.converted == 0) return scatters(i + 1);
+    if (i > path.converted) return 0;
+    return stays_converted(path.converted + 1) * (i < path.converted ? turns_back() : 1) *
+           scatters(i + 1);
+  }
+
+  void add_water(Edge& e, std::int32_t line, const std::vector<V>& points) const {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      e.tau += transport::optical_depth_between(medium, line, points[i - 1], points[i]);
+      e.walk_tau += transport::integral_between(medium, transport::walk_coefficients(medium), line,
+                                                points[i - 1], points[i]);
+      e.path += length(points[i] - points[i - 1]) *
+                medium.line[static_cast<std::size_t>(line)].group_index;
+    }
+  }
+  /// The edge of an instrument at a point, seen from vertex x.
+  [[nodiscard]] Edge instrument_edge(const V& x, std::int32_t line,
+                                     const transport::Way<double>& way, const V& instrument,
+                                     bool mirrored, double solid_angle) const {
+    Edge e;
+    e.mirrored = mirrored;
+    e.spread = samples.to_instrument * solid_angle * way.area_per_solid_angle / way.index_squared;
+    const V surface = x + (-x.z / way.direction.z) * way.direction;
+    e.path = instrument.z < 0 ? 0 : length(instrument - surface);
+    if (instrument.z >= 0) {
+      add_water(e, line, {x, surface});
+    } else if (mirrored) {
+      add_water(e, line, {x, surface, instrument});
+    } else {
+      add_water(e, line, {x, instrument});
+    }
+    return e;
+  }
+  void add_inner(std::int32_t e) {
+    const V& from = path.x(e);
+    const V& to = path.x(e + 1);
+    const bool mirrored = path.is_mirrored(e);
+    const V way = direction_to(from, to, mirrored);
+    Edge inner{way, {way.x, way.y, mirrored ? -way.z : way.z}};
+    inner.mirrored = mirrored;
+    inner.spread = samples.between * dot(to - from, to - from);
+    if (mirrored) {
+      add_water(inner, path.line_of(e), {from, from + (-from.z / way.z) * way, to});
+      common *= optics::refract(world.sea.index[path.line_of(e)], 1.0, way.z).reflectance;
+    } else {
+      add_water(inner, path.line_of(e), {from, to});
+    }
+    edge.push_back(inner);
+  }
+  void add_first() {
+    const auto& laser = world.laser;
+    const auto way = way_to_laser(world, path);
+    const V vertex = fictitious_vertex(laser);
+    const double hidden = laser.vertex_distance / -dot(way.arriving, laser.axis);
+    edge.push_back(instrument_edge(path.x(1), 0, way, vertex - hidden * way.arriving,
+                                   path.is_mirrored(0), 2 * pi * laser.one_minus_cos_divergence));
+    edge.back().arriving = -way.direction;
+    common *= way.passed;
+  }
+  void add_last() {
+    const auto& telescope = world.telescopes[0];
+    const auto way = way_to_lens(world, path);
+    const double cosine = -dot(way.arriving, telescope.axis);
+    const double solid_angle = detector_solid_angle(telescope, cosine);
+    edge.push_back(instrument_edge(path.x(path.order()), path.line, way,
+                                   in_space(telescope, path.lens), path.is_mirrored(path.order()),
+                                   solid_angle));
+    edge.back().leaving = way.direction;
+    common *= way.passed * telescope.area() * cosine * solid_angle / way.index_squared;
+    shift_area = instrument::shift_area(telescope, way.arriving);
+  }
+};
+
+}  // namespace photic::estimator

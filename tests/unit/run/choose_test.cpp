@@ -1,0 +1,196 @@
+// What estimator = "auto" takes.
+#include "run/choose.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "scene/read.hpp"
+#include "support/scenes.hpp"
+
+namespace photic::run {
+namespace {
+
+scene::Scene scene_of(const std::string& estimator) {
+  return test::read(test::ship_instrument + test::channel("elastic") +
+                    test::water(0.06, 0.1, test::peaked_phase) + test::depth_gates(30, 3) +
+                    test::simulation(5000, 3, "", estimator));
+}
+
+RunOptions on_threads(int threads) {
+  RunOptions options;
+  options.threads = threads;
+  return options;
+}
+
+// Seen red: with the number of threads in the reason.
+TEST(Choose, IsTheSameOnAnyNumberOfThreads) {
+  const scene::Scene chosen = choose_estimator(scene_of("auto"), on_threads(1));
+  EXPECT_EQ(choose_estimator(scene_of("auto"), on_threads(3)), chosen);
+  EXPECT_NE(chosen.simulation.estimator, "auto");
+  EXPECT_TRUE(chosen.simulation.estimator_reason);
+}
+
+// Seen red: with the engine in the reason.
+TEST(Choose, IsTheSameByAnyEngine) {
+  const scene::Scene chosen = choose_estimator(scene_of("auto"), {});
+  for (const Isa isa : isas_here()) {
+    RunOptions options;
+    options.lanes = isa;
+    EXPECT_EQ(choose_estimator(scene_of("auto"), options), chosen) << isa_name(isa);
+  }
+}
+
+// Without pilots: the other estimator has no tools. Seen red: with tools overlooked.
+TEST(Choose, TakesTheForwardEstimatorForTools) {
+  scene::Scene asked = scene_of("auto");
+  asked.simulation.tools.forced_collisions = 1;
+  const scene::Scene chosen = choose_estimator(asked, {});
+  EXPECT_EQ(chosen.simulation.estimator, "forward");
+  EXPECT_EQ(chosen.simulation.estimator_reason,
+            "the only one that has the tools asked for in this version");
+}
+
+// Environments are had by either estimator, and stay. Seen red: with pilots that drop them.
+TEST(Choose, KeepsEnvironments) {
+  scene::Scene asked = scene_of("auto");
+  asked.environment.push_back({"clearer", {}, asked.optics, asked.sea});
+  asked.environment.back().sea.layer[0].iop[0].a_per_m = 0.03;
+  const scene::Scene chosen = choose_estimator(asked, {});
+  EXPECT_EQ(chosen.environment, asked.environment);
+  EXPECT_EQ(chosen.simulation.estimator, "bidirectional");
+  EXPECT_NE(chosen.simulation.estimator_reason->find("pilot runs"), std::string::npos);
+}
+
+// Seen red: with the pilots' seed.
+TEST(Choose, ChangesNothingElse) {
+  const scene::Scene asked = scene_of("auto");
+  scene::Scene chosen = choose_estimator(asked, {});
+  chosen.simulation.estimator = asked.simulation.estimator;
+  chosen.simulation.estimator_reason.reset();
+  chosen.simulation.walk_attenuation = asked.simulation.walk_attenuation;
+  chosen.simulation.directed_fraction = asked.simulation.directed_fraction;
+  chosen.simulation.scored_points = asked.simulation.scored_points;
+  EXPECT_EQ(chosen, asked);
+}
+
+TEST(Choose, LeavesAChoiceThatIsMade) {
+  for (const char* estimator : {"forward", "bidirectional"})
+    EXPECT_EQ(choose_estimator(scene_of(estimator), {}), scene_of(estimator));
+}
+
+// A clock is never looked at, nor is how long one may run by it. Seen red: with a pilot that ends
+// by max_time_s.
+TEST(Choose, DoesNotDependOnTheTimeLimit) {
+  scene::Scene one = scene_of("auto");
+  one.simulation.photons.reset();
+  one.simulation.max_time_s = 1e-6;
+  scene::Scene other = one;
+  other.simulation.max_time_s = 1000;
+  scene::Scene chosen = choose_estimator(one, {});
+  chosen.simulation.max_time_s = 1000;
+  EXPECT_EQ(chosen, choose_estimator(other, {}));
+}
+
+/// Seen by a telescope over water of so much absorption, and as much scattering.
+scene::Scene clear_scene(double per_m, const std::string& gates) {
+  return test::read(test::ship_instrument + test::channel("elastic") +
+                    test::water(per_m, per_m, test::henyey_greenstein_phase) + gates +
+                    test::simulation(5000, 3, "", "auto"));
+}
+
+// Seen red: as it was, with photons that cost nothing, 1 for the squared error of a gate without a
+// score, and a contest of those who saw nothing.
+TEST(Choose, NeverTakesWhatSawNothing) {
+  for (const double per_m : {1e-7, 1e-12}) {
+    const auto chosen = choose_estimator(clear_scene(per_m, test::depth_gates(50, 5)), {});
+    EXPECT_EQ(chosen.simulation.estimator, "bidirectional");
+  }
+}
+
+// The telescope looks away from the sea. Seen red: with the forward estimator.
+TEST(Choose, SaysThatNothingWasSeen) {
+  auto asked = clear_scene(0.1, "[gates]\nstart_ns = 80.0\nstop_ns = 120.0\nstep_ns = 10.0\n");
+  asked.telescope[0].direction = {0, 0, 1};
+  const auto chosen = choose_estimator(asked, {}).simulation;
+  EXPECT_EQ(chosen.estimator, "bidirectional");
+  EXPECT_EQ(chosen.walk_attenuation, 0.6);
+  EXPECT_EQ(chosen.estimator_reason, reason_unseen);
+  EXPECT_NE(run(asked).warnings.back().find("saw no light at all"), std::string::npos);
+}
+
+// Settings of the forward estimator that the scene names stay. Seen red: with all candidates.
+TEST(Choose, LeavesForwardSettingsThatAreGiven) {
+  scene::Scene asked = scene_of("auto");
+  asked.simulation.directed_fraction = 0.4;
+  EXPECT_EQ(choose_estimator(asked, {}).simulation.directed_fraction, 0.4);
+  asked.simulation.scored_points = 3;
+  const auto chosen = choose_estimator(asked, {}).simulation;
+  EXPECT_EQ(chosen.scored_points, 3);
+  const std::string given = "forward with directed_fraction = 0.4 and scored_points = 3";
+  const std::size_t at = chosen.estimator_reason->find(given);
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_EQ(chosen.estimator_reason->find("forward", at + 1), std::string::npos);
+}
+
+// Seen red: with all candidates.
+TEST(Choose, LeavesAWalkAttenuationThatIsGiven) {
+  scene::Scene asked = scene_of("auto");
+  asked.simulation.walk_attenuation = 0.7;
+  const auto chosen = choose_estimator(asked, {}).simulation;
+  EXPECT_EQ(chosen.walk_attenuation, 0.7);
+  EXPECT_EQ(chosen.estimator_reason->find("walk_attenuation = 0.6"), std::string::npos);
+}
+
+// docs/decisions/0010 has the measurement. Longer free paths look better to a short run than they
+// are. Seen red: without the weight of large scores.
+TEST(Choose, TakesWhatIsBestOnPeakedWater) {
+  const auto peaked = scene::read_scene(PHOTIC_SOURCE_DIR "/scenes/benchmark-peaked.toml").scene;
+  const auto chosen = choose_estimator(peaked, {}).simulation;
+  EXPECT_EQ(chosen.estimator, "bidirectional");
+  EXPECT_EQ(chosen.walk_attenuation, 0.6);
+}
+
+// A walk whose weight grows at every vertex looks good in a pilot. Seen red: without the limit
+// (0.35 is taken); with one for the first layer alone.
+TEST(Choose, NeverLetsWeightsGrow) {
+  for (const auto& [upper, lower] : {std::pair{0.06, 0.06}, std::pair{0.4, 0.01}}) {
+    const auto layer = [](double a, const std::string& bottom) {
+      return fmt::format(
+          "[[sea.layer]]\niop = [ {{ wavelength_nm = 532.0, a_per_m = {}, b_per_m = 0.1 }} ]\n"
+          "phase_function = {}\n{}",
+          a, test::peaked_phase, bottom);
+    };
+    const auto scene = test::read(test::ship_instrument + test::channel("elastic") +
+                                  layer(upper, "bottom_depth_m = 2.0\n") + layer(lower, "") +
+                                  test::depth_gates(30, 3) + test::simulation(5000, 3, "", "auto"));
+    const auto chosen = choose_estimator(scene, {}).simulation;
+    EXPECT_GE(chosen.walk_attenuation, 0.9 * 0.1 / (lower + 0.1));
+    EXPECT_EQ(chosen.estimator_reason->find("walk_attenuation = 0.35"), std::string::npos);
+  }
+}
+
+// What is made small is told. Seen red: with the aim of a scene without a target.
+TEST(Choose, SaysWhatItMakesSmall) {
+  scene::Scene asked = scene_of("auto");
+  const auto has = [](const scene::Scene& chosen, const char* words) {
+    return chosen.simulation.estimator_reason->find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(has(choose_estimator(asked, {}), "squared error at equal cost, geometric mean over"));
+  asked.simulation.target_relative_error = 0.05;
+  EXPECT_TRUE(has(choose_estimator(asked, {}),
+                  "until the worst fifth of 10 gates has a relative "
+                  "error of 0.05"));
+}
+
+// Seen red: with "auto" left in the scene.
+TEST(Choose, WritesASceneThatRepeatsTheRun) {
+  const tally::Result first = run(scene_of("auto"));
+  const auto effective = scene::read_scene_text(first.scene_toml, "effective.toml", ".").scene;
+  EXPECT_NE(effective.simulation.estimator, "auto");
+  const tally::Result again = run(effective);
+  EXPECT_EQ(again.scene_toml, first.scene_toml);
+  EXPECT_EQ(again.state, first.state);
+}
+
+}  // namespace
+}  // namespace photic::run

@@ -1,0 +1,202 @@
+// Runs in several sittings, and what is kept of them on the way.
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "run/run.hpp"
+#include "support/scenes.hpp"
+
+namespace photic::run {
+namespace {
+
+constexpr std::uint64_t whole_batch = 8000;  // of the forward estimator
+
+scene::Scene scene_of(std::uint64_t photons, const std::string& more = "",
+                      const std::string& estimator = "forward") {
+  return test::read(
+      test::ship_instrument + test::channel("elastic") + test::channel("raman") +
+      "[[sea.layer]]\nchlorophyll_mg_m3 = 0.5\n" + test::depth_gates(10, 2) +
+      test::simulation(static_cast<double>(photons), 5, "max_order = 3\n" + more, estimator));
+}
+
+tally::Result run_on(int threads, const scene::Scene& scene) {
+  RunOptions options;
+  options.threads = threads;
+  return run(scene, options);
+}
+
+/// As far as the application takes a result to be gone on from.
+Start start_of(const tally::Result& result) {
+  return {.state = result.state.value(), .wall_time_s = result.wall_time_s, .file = "old.nc"};
+}
+
+tally::Result go_on(const tally::Result& earlier, const scene::Scene& scene, int threads = 1) {
+  RunOptions options;
+  options.threads = threads;
+  options.start = start_of(earlier);
+  return run(scene, options);
+}
+
+void expect_same(const tally::Estimates& a, const tally::Estimates& b) {
+  EXPECT_EQ(a.mean, b.mean);
+  EXPECT_EQ(a.standard_error, b.standard_error);
+}
+
+/// Equal in all that is not of the sitting itself.
+void expect_same(const tally::Result& a, const tally::Result& b) {
+  expect_same(a.echo, b.echo);
+  expect_same(a.echo_by_process, b.echo_by_process);
+  expect_same(a.echo_by_order, b.echo_by_order);
+  expect_same(a.echo_by_depth, b.echo_by_depth);
+  EXPECT_EQ(a.convergence_flags, b.convergence_flags);
+  EXPECT_EQ(a.largest_score_share, b.largest_score_share);
+  EXPECT_EQ(a.variance_of_variance, b.variance_of_variance);
+  EXPECT_EQ(a.order_cut_share, b.order_cut_share);
+  EXPECT_EQ(a.photons, b.photons);
+  EXPECT_EQ(a.batches, b.batches);
+  EXPECT_EQ(a.collisions, b.collisions);
+  EXPECT_EQ(a.ledger, b.ledger);
+  EXPECT_EQ(a.stopped_by, b.stopped_by);
+  EXPECT_EQ(a.partial, b.partial);
+  EXPECT_EQ(a.warnings, b.warnings);
+  EXPECT_EQ(a.state, b.state);
+}
+
+// An incomplete batch at the end of the earlier run is done again, whole. Seen red: with the state
+// taken after that batch; with the first batch to do off by one; with the photons of the first
+// batch left in the tally they were checked in.
+TEST(Continued, EqualsOneLongRun) {
+  const scene::Scene long_scene = scene_of(362'700);
+  const tally::Result once = run_on(1, long_scene);
+  ASSERT_EQ(once.state->photons, 360'000U);
+  for (const std::uint64_t earlier :
+       {7'500U, 8'000U, 8'500U, 160'000U, 161'500U, 360'000U, 362'700U}) {
+    for (const int threads : {1, 3}) {
+      SCOPED_TRACE(fmt::format("{} photons, then {} threads", earlier, threads));
+      const tally::Result first = run_on(threads, scene_of(earlier));
+      EXPECT_EQ(first.photons, earlier);
+      EXPECT_EQ(first.state->photons, earlier / whole_batch * whole_batch);
+      expect_same(go_on(first, long_scene, threads), once);
+    }
+  }
+}
+
+// Whatever the estimator does within a batch.
+TEST(Continued, InManySittingsEqualsOneLongRun) {
+  struct Way {
+    std::string more, estimator;
+  };
+  for (const Way& way : {Way{"", "forward"}, Way{"walks = 3", "bidirectional"}}) {
+    const auto scene = [&](std::uint64_t photons) {
+      return scene_of(photons, way.more, way.estimator);
+    };
+    tally::Result result = run(scene(700));
+    for (std::uint64_t photons = 12'700; photons <= 36'700; photons += 12'000)
+      result = go_on(result, scene(photons), 2);
+    expect_same(result, run(scene(36'700)));
+  }
+}
+
+// Seen red: without the time of the earlier sittings.
+TEST(Continued, AddsUpTheTime) {
+  tally::Result earlier = run(scene_of(16'000));
+  earlier.wall_time_s = 1000;
+  const tally::Result result = go_on(earlier, scene_of(32'000, "max_time_s = 900.0"));
+  EXPECT_EQ(result.photons, 32'000U);
+  EXPECT_EQ(result.stopped_by, "photons");
+  EXPECT_GT(result.wall_time_s, 1000);
+  EXPECT_LT(result.wall_time_s, 1900);
+}
+
+// Seen red: without them.
+TEST(Continued, TellsThePhotonsOfEarlierSittings) {
+  std::vector<Progress> told;
+  RunOptions options;
+  options.start = start_of(run(scene_of(16'000)));
+  options.progress = [&](const Progress& progress) { told.push_back(progress); };
+  run(scene_of(80'000), options);
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.front().photons, 16'000U);
+  EXPECT_EQ(told.front().photons_before, 16'000U);
+}
+
+// The target is looked at before anything is added. Seen red: without that look.
+TEST(Continued, EndsWhereATargetIsMetAlready) {
+  const scene::Scene scene =
+      scene_of(100'000'000, "target_relative_error = 0.5\ndirected_fraction = 0.5");
+  const tally::Result once = run(scene);
+  ASSERT_EQ(once.stopped_by, "target");
+  expect_same(go_on(once, scene), once);
+}
+
+template <class Change>
+std::string refusal(const Change& change) {
+  RunOptions options;
+  options.start = start_of(run(scene_of(32'000)));
+  change(options.start->state);
+  try {
+    run(scene_of(64'000), options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+// Seen red: without the comparison of the first batch.
+TEST(Continued, FromOtherHistoriesIsRefused) {
+  const scene::Scene other = scene_of(32'000, "directed_fraction = 0.4");
+  EXPECT_EQ(refusal([&](tally::TotalsState& state) { state = *run(other).state; }),
+            "old.nc: made by another build of Photic, or with other data tables: its first photons "
+            "scored differently (go on with those, or start anew)");
+  EXPECT_EQ(refusal([](tally::TotalsState&) {}), "none");
+}
+
+// Seen red: without either half of the check.
+TEST(Continued, FromWhatIsNoNumberOfBatchesIsRefused) {
+  EXPECT_EQ(refusal([](tally::TotalsState& state) { ++state.photons; }),
+            "old.nc: a damaged result, or one of another build: 32001 photons in 4 batches");
+  EXPECT_EQ(refusal([](tally::TotalsState& state) { state.photons = 40'000; }),
+            "old.nc: a damaged result, or one of another build: 40000 photons in 4 batches");
+}
+
+TEST(Continued, ToLessIsABug) {
+  const tally::Result earlier = run(scene_of(32'000));
+  EXPECT_THROW(go_on(earlier, scene_of(16'000)), ContractViolation);
+}
+
+// Seen red: with checkpoints that are not partial; with one where the run ends.
+TEST(Checkpoints, AreResultsThatCanBeGoneOnFrom) {
+  const scene::Scene scene = scene_of(80'500);
+  std::vector<tally::Result> checkpoints;
+  RunOptions options;
+  options.threads = 3;
+  options.checkpoints = {.write = [&](const auto& so_far) { checkpoints.push_back(so_far); },
+                         .first_s = 0,
+                         .every_s = 0};
+  const tally::Result result = run(scene, options);
+  expect_same(result, run(scene));
+  ASSERT_EQ(checkpoints.size(), 10U);  // none where the run ends
+  for (std::size_t k = 0; k < checkpoints.size(); ++k) {
+    EXPECT_EQ(checkpoints[k].photons, (k + 1) * whole_batch);
+    EXPECT_EQ(checkpoints[k].stopped_by, "checkpoint");
+    EXPECT_TRUE(checkpoints[k].partial);
+    EXPECT_EQ(checkpoints[k].state, run(scene_of(checkpoints[k].photons)).state);
+  }
+  expect_same(go_on(checkpoints[4], scene), result);
+}
+
+// Seen red: with the interval in place of the time of the first one.
+TEST(Checkpoints, ComeWhenTheirTimeHasCome) {
+  const auto count = [](double first_s, double every_s) {
+    int checkpoints = 0;
+    RunOptions options;
+    options.checkpoints = {
+        .write = [&](const auto&) { ++checkpoints; }, .first_s = first_s, .every_s = every_s};
+    run(scene_of(80'000), options);
+    return checkpoints;
+  };
+  EXPECT_EQ(count(0, 1000), 1);
+  EXPECT_EQ(count(1000, 0), 0);
+}
+
+}  // namespace
+}  // namespace photic::run
