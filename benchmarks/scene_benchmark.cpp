@@ -44,7 +44,7 @@ int benchmark(int argc, char** argv) {
   const double cpu_before = cpu_seconds();
   for (std::uint64_t i = 0; i < repeats; ++i) {
     scene.simulation.seed = 100 + i;
-    results.push_back(photic::estimator::run(scene, options));
+    results.push_back(photic::run::run(scene, options));
     wall += results.back().wall_time_s;
   }
   const double cpu = cpu_seconds() - cpu_before;

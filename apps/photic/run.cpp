@@ -31,7 +31,7 @@ tally::Result simulate(const scene::Scene& scene, run::RunOptions options, bool 
   if (is_terminal(Stream::error) && !quiet)
     options.progress = [&bar](const run::Progress& progress) { bar.draw(progress); };
   options.checkpoints.write = [&](const tally::Result& so_far) { checkpoint.write(so_far, bar); };
-  return estimator::run(scene, options);
+  return run::run(scene, options);
 }
 
 std::string where_it_is(const tally::Result& result, const Call& call, const std::string& path,
@@ -101,7 +101,7 @@ std::string write(const tally::Result& result, Destination& destination, const P
 
 /// What the command says of the run besides its scene.
 run::RunOptions options_of(const RunCommand& command, std::optional<Isa> lanes,
-                              std::optional<run::Start> start) {
+                           std::optional<run::Start> start) {
   run::RunOptions options;
   options.threads = command.threads;
   options.lanes = lanes;
@@ -131,10 +131,11 @@ std::optional<Isa> lanes_going_on(const RunCommand& command, const std::optional
   if (command.engine.empty() && command.isa.empty()) return before;
   const auto now = lanes_asked(command);
   if (now == before) return now;
-  throw InputError({{.file = command.earlier,
-                     .reason = fmt::format("ran in the engine {}, and is to go on in {}",
-                                           schedule::engine_name(before), schedule::engine_name(now)),
-                     .suggestion = "leave out --engine and --isa"}});
+  throw InputError(
+      {{.file = command.earlier,
+        .reason = fmt::format("ran in the engine {}, and is to go on in {}",
+                              schedule::engine_name(before), schedule::engine_name(now)),
+        .suggestion = "leave out --engine and --isa"}});
 }
 
 Plan plan(const RunCommand& command) {

@@ -314,7 +314,7 @@ TEST(EnvironmentOf, WaterWithoutFluorescenceHasNoneToTheBit) {
 TEST(EnvironmentOf, LanesIsThatOfTheScalarEngine) {
   const auto scene = with(algae_scene(0.5, 45), {algae_scene(0.7, 1), algae_scene(0.3, 1)});
   const auto lanes = run_in_lanes(scene);
-  const auto scalar = estimator::run(scene);
+  const auto scalar = run::run(scene);
   std::size_t compared = 0;
   for (std::size_t i = 0; i < lanes.environment_difference.mean.size(); ++i) {
     const double error = scalar.environment_difference.standard_error[i];
@@ -335,13 +335,13 @@ TEST(EnvironmentOf, ThreadsAndSittingsDoNotMatter) {
   run::RunOptions options;
   options.threads = 3;
   options.lanes = isa_of_tests();
-  const auto once = estimator::run(scene, options);
+  const auto once = run::run(scene, options);
   auto shorter = scene;
   shorter.simulation.photons = 17'000;
-  const auto first = estimator::run(shorter, options);
+  const auto first = run::run(shorter, options);
   options.threads = 1;
   options.start = {.state = first.state.value(), .wall_time_s = 0, .file = "old.nc"};
-  const auto then = estimator::run(scene, options);
+  const auto then = run::run(scene, options);
   EXPECT_EQ(then.environment_echo.mean, once.environment_echo.mean);
   EXPECT_EQ(then.environment_difference.standard_error, once.environment_difference.standard_error);
   EXPECT_EQ(then.environment_convergence_flags, once.environment_convergence_flags);

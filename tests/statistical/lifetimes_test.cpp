@@ -36,7 +36,7 @@ scene::Scene lidar(const std::string& estimator, double start_ns, double gate_ns
 tally::Result run_in(std::optional<Isa> lanes, const scene::Scene& scene) {
   run::RunOptions options;
   options.lanes = lanes;
-  return estimator::run(scene, options);
+  return run::run(scene, options);
 }
 
 /// The share that has left the emitter after a time.

@@ -29,7 +29,7 @@ inline std::uint64_t seeds_of_tests() {
 inline tally::Result run_in_lanes(const scene::Scene& scene) {
   run::RunOptions options;
   options.lanes = isa_of_tests();
-  return estimator::run(scene, options);
+  return run::run(scene, options);
 }
 
 }  // namespace photic::test

@@ -12,7 +12,7 @@
 namespace photic::estimator {
 namespace {
 
-World<double> world_with(const std::string& tools) {
+World<double> world_with_tools(const std::string& tools) {
   const auto scene =
       test::read(test::ship_instrument + test::channel("elastic") +
                  test::water(0.06, 0.1, test::peaked_phase) + test::depth_gates(30, 3) +
@@ -25,7 +25,7 @@ World<double> world_with(const std::string& tools) {
 // From a depth on, and 1 above the first. Seen red: with > for >=; with the first value above.
 TEST(Importance, HoldsFromItsDepthOn) {
   const auto world =
-      world_with("importance = [ { depth_m = 2, value = 3 }, { depth_m = 5, value = 0.5 } ]");
+      world_with_tools("importance = [ { depth_m = 2, value = 3 }, { depth_m = 5, value = 0.5 } ]");
   EXPECT_EQ(importance_at(world.tools, 0.0), 1);
   EXPECT_EQ(importance_at(world.tools, 1.99), 1);
   EXPECT_EQ(importance_at(world.tools, 2.0), 3);
@@ -36,8 +36,8 @@ TEST(Importance, HoldsFromItsDepthOn) {
 // As many photons as the ratio of importances, in the mean; weight is kept with what is booked, to
 // rounding. Seen red: with the weight not divided; with the fraction rounded up always.
 TEST(Importance, SplitsAndKillsInItsRatio) {
-  const auto world =
-      world_with("importance = [ { depth_m = 2, value = 2.3 }, { depth_m = 5, value = 0.4 } ]");
+  const auto world = world_with_tools(
+      "importance = [ { depth_m = 2, value = 2.3 }, { depth_m = 5, value = 0.4 } ]");
   for (const auto& [before, after, ratio] :
        {std::tuple{1.0, 3.0, 2.3}, {3.0, 1.0, 1 / 2.3}, {3.0, 6.0, 0.4 / 2.3}, {3.0, 4.0, 1.0}}) {
     double photons = 0;

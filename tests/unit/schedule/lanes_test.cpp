@@ -184,7 +184,7 @@ tally::Result run_on(int threads, const scene::Scene& scene, Isa isa) {
   run::RunOptions options;
   options.threads = threads;
   options.lanes = isa;
-  return run(scene, options);
+  return run::run(scene, options);
 }
 
 /// The sum of differences, as a share of the sum.
