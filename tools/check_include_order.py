@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Holds the house to its floors: a folder of src/ includes only itself and the folders below it, and each
-third-party library stays in its own folder (docs/architecture.md).
+third-party library stays in its own folder (docs/architecture.md). Estimators, the folders of src/estimator/, do not know each
+other, and what stands beside their folders knows none of them.
 
 usage: check_include_order.py [ROOT]; prints every violation as file:line: reason; exit code 1 if there is any.
 """
@@ -37,6 +38,15 @@ def reason_against(folder: str, mark: str, header: str) -> str | None:
     return None
 
 
+def reason_against_estimator(folder: str, header: str) -> str | None:
+    """The same of estimators: `folder`, of a file under src/, and the header's are estimator or estimator/NAME."""
+    own, other = folder.split("/"), header.split("/")[:-1]
+    if own[0] != "estimator" or other[:1] != ["estimator"] or len(other) < 2 or own == other:
+        return None
+    whose = own[1] if len(own) > 1 else "what all estimators stand on"
+    return f"{whose} must not include {'/'.join(other)}"
+
+
 def violations(root: Path) -> tuple[list[str], int]:
     found, files = [], 0
     for top in ("src", "apps"):
@@ -51,7 +61,8 @@ def violations(root: Path) -> tuple[list[str], int]:
                 continue
             for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
                 match = INCLUDE.match(line)
-                reason = match and reason_against(folder, *match.groups())
+                reason = match and (reason_against(folder, *match.groups())
+                                    or reason_against_estimator(relative.parent.as_posix()[len("src/"):], match[2]))
                 if reason:
                     found.append(f"{relative}:{number}: {reason}")
     return found, files

@@ -99,6 +99,13 @@ struct Receiver {
   Deadline<T> deadline{};  ///< of its walks' light, to be at the laser
 };
 
+enum class Estimator { forward, bidirectional, analog };
+
+inline Estimator estimator_of(const scene::Scene& scene) {
+  if (scene.simulation.estimator == "bidirectional") return Estimator::bidirectional;
+  return scene.simulation.estimator == "analog" ? Estimator::analog : Estimator::forward;
+}
+
 /// What becomes of photons below the weight threshold.
 enum class AtThreshold { roulette, end, analog_absorption };
 
@@ -127,6 +134,7 @@ Tools<T> make_tools(const scene::Tools& s) {
 
 template <class T>
 struct World {
+  Estimator estimator = Estimator::forward;
   medium::MediumView sea;
   instrument::Laser<T> laser;
   Index<T> laser_layer{};
@@ -140,7 +148,6 @@ struct World {
   T directed{};                               ///< share of directions drawn towards a telescope
   bool directs = false;                       ///< whether any are
   bool compares = false;                      ///< there are environments
-  bool analog = false;                        ///< photons are followed and received by chance alone
   transport::Reversal<T> reversal;            ///< of conversions, by walks from telescopes
   T conversion{};              ///< probability of a branch into the inelastic processes
   bool single_rays = false;    ///< local estimates take one point of the lens instead of its mean
@@ -151,12 +158,12 @@ struct World {
   bool turns = false;            ///< a telescope's walk may be turned about where it converts
   bool turns_scattered = false;  ///< one of the laser's line also about its first vertex
   T connected{1};         ///< share of the telescope's walks that are connected with a laser's walk
-  std::size_t walks = 0;  ///< of the laser in a set; 0: the forward estimator
+  std::size_t walks = 0;  ///< of the laser in a set
   std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
   T weight_threshold{};
   std::int32_t scored_points = 1;  ///< of each flight; 1: where photons collide only
   Tools<T> tools;
-  bool special = false;  ///< it has tools, or is analog, or compares
+  bool special = false;  ///< it has tools, or compares
   /// Past the surface in one flight: where each part of it is scored alike, and where photons that
   /// are sent there come there so often that it is worth the while.
   bool flies_on = false;
@@ -257,6 +264,7 @@ template <class T>
 World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
                     const tally::Gates& gates) {
   World<T> world;
+  world.estimator = estimator_of(scene);
   world.sea = medium.view();
   const Vec3<double> origin = origin_of(scene.source);
   world.laser = instrument::make_laser<T>(from_origin(scene.source, origin));
@@ -269,12 +277,11 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   }
   const bool converts = medium.line.size() > 1;
   const scene::Tools& tools = scene.simulation.tools;
-  const bool connects = scene.simulation.estimator == "bidirectional";
+  const bool connects = world.estimator == Estimator::bidirectional;
   world.weight_threshold = T(connects ? least_weight : tools.weight_threshold);
   world.tools = make_tools<T>(tools);
-  world.analog = scene.simulation.estimator == "analog";
   world.compares = scene.compares();
-  world.special = world.analog || world.compares || tools.any();
+  world.special = world.compares || tools.any();
   if (!world.tools.scores_on_the_way)
     world.scored_points = static_cast<std::int32_t>(scene::scored_points_in(scene));
   for (std::size_t t = 0;
@@ -299,7 +306,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.directed = T(scene::directed_fraction_in(scene));
   world.directs = scene::directed_fraction_in(scene) > 0;
   world.flies_on = world.directs && !world.special && world.cones.empty();
-  world.single_rays = scene.simulation.reception == "ray" && !world.analog;
+  world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);
   const Vec3<double> beam = axis_in_water(normalised(scene.source.direction), world.laser.submerged,
                                           medium.line.front().refractive_index);

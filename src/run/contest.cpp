@@ -40,15 +40,13 @@ constexpr std::uint64_t usual_batches = 64;
 /// Sums that take more begin anew in each stage: those of several contenders are kept at once.
 constexpr double most_kept_bytes = 1e8;
 
-/// What a photon costs, in units of a collision, whatever becomes of it: all there is in water that
-/// hardly scatters, where the forward estimator takes 0.09 us for one; a collision and what is
-/// scored of it take 0.24 us.
-constexpr double cost_of_photon = 1;
-
-/// What a score offered to the tallies costs, in units of a collision: of a walk that is to be
-/// connected, or of the forward estimator, there for each telescope. Fitted to CPU times, which it
-/// gives within a factor of 1.9 (docs/decisions/0009).
-constexpr double cost_of_score = 0.43;
+/// What a run costs, in units of a forward photon's collision: a photon, whatever becomes of it,
+/// which is all there is in water that hardly scatters; a collision; a score offered to the
+/// tallies. Fitted to CPU times of lanes (docs/decisions/0038).
+struct Costs {
+  double photon, collision, score;
+};
+constexpr Costs forward_costs{1, 1, 1.4}, bidirectional_costs{1, 6.5, 1.8};
 
 /// What pilots run in, whichever engine runs after them: that choices are the same, and soon made.
 /// Scores of lanes are the same by any instructions, and so but for rounding are their sums.
@@ -91,12 +89,11 @@ class Trial {
     for (std::size_t cell = 0; cell < result.echo.mean.size(); ++cell)
       result.echo.standard_error[cell] =
           tally::standard_error(totals.state().echo[cell].low, totals.counted(cell));
-    const double per_collision =
-        forward_ ? static_cast<double>(problem_.scene.telescope.size()) : 1.0;
+    const Costs& costs = forward_ ? forward_costs : bidirectional_costs;
     const double before = keeps_ ? pilot_.cost : 0;
-    pilot_ = pilot_of(result, cost_of_photon * static_cast<double>(result.photons) +
-                                  per_collision * static_cast<double>(result.collisions) +
-                                  cost_of_score * static_cast<double>(totals.scores()));
+    pilot_ = pilot_of(result, costs.photon * static_cast<double>(result.photons) +
+                                  costs.collision * static_cast<double>(result.collisions) +
+                                  costs.score * static_cast<double>(totals.scores()));
     operations_ += pilot_.cost - before;
     if (keeps_)
       so_far_ = Start{.state = std::move(totals).state(), .wall_time_s = 0, .file = "a pilot run"};

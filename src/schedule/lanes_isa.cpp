@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/pack.hpp"
+#include "estimator/analog/analog.hpp"
 #include "estimator/bidirectional/bidirectional.hpp"
 #include "lanes/lane_ledger.hpp"
 #include "schedule/engines.hpp"
@@ -83,13 +84,33 @@ class BidirectionalLanes final : public Simulator {
   mutable Spares<Walks> walks_;
 };
 
+class AnalogLanes final : public Simulator {
+ public:
+  explicit AnalogLanes(const estimator::Problem& problem)
+      : world_(estimator::make_world<Lanes>(problem.scene, problem.medium, problem.gates)) {}
+
+  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
+    estimator::Analog<Lanes, lanes::LaneLedger<Lanes>>(world_).run(first, count, tally,
+                                                                   [](const auto&...) {});
+  }
+
+ private:
+  estimator::World<Lanes> world_;
+};
+
 }  // namespace
 
 namespace PHOTIC_ISA {
 std::unique_ptr<Simulator> make_lane_simulator(const estimator::Problem& problem);
 std::unique_ptr<Simulator> make_lane_simulator(const estimator::Problem& problem) {
-  if (problem.scene.simulation.estimator == "bidirectional")
-    return std::make_unique<BidirectionalLanes>(problem);
+  switch (estimator::estimator_of(problem.scene)) {
+    case estimator::Estimator::bidirectional:
+      return std::make_unique<BidirectionalLanes>(problem);
+    case estimator::Estimator::analog:
+      return std::make_unique<AnalogLanes>(problem);
+    case estimator::Estimator::forward:
+      break;
+  }
   return std::make_unique<ForwardLanes>(problem);
 }
 }  // namespace PHOTIC_ISA

@@ -64,13 +64,6 @@ class Pool {
   void run(tally::BatchTally& tally, Witness& witness) {
     const auto all = [this](auto stage) { each_of(pack_.data(), used_, stage); };
     for (fill<special>(tally); used_ > 0; fill<special>(tally)) {
-      if constexpr (special) {
-        if (world_.analog) {
-          all([&](auto& t) { estimator::analog_event(world_, t, ledger_, tally); });
-          tell(witness);
-          continue;
-        }
-      }
       estimator::end_flights<special>(world_, all, ledger_, tally, estimates_);
       tell(witness);
       if constexpr (special) keep_copies(tally);
@@ -147,13 +140,12 @@ class Pool {
       for (std::size_t i = 0; i < born * width; ++i)
         ratios_.of(newborn_.front().ratios.first + i).begin(world_.sea.environments);
     }
-    if (!(special && world_.analog))
-      estimator::go_on<special>(
-          world_, all,
-          [&](std::uint32_t block) {
-            all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });
-          },
-          ledger_, tally, estimates_);
+    estimator::go_on<special>(
+        world_, all,
+        [&](std::uint32_t block) {
+          all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });
+        },
+        ledger_, tally, estimates_);
     all([&](auto& t) { wait(t); });
   }
   /// Who is on the way in a pack waits.

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "estimator/analog/analog.hpp"
 #include "estimator/bidirectional/bidirectional.hpp"
 #include "estimator/forward/history.hpp"
 #include "estimator/problem.hpp"
@@ -20,27 +21,33 @@ class ScalarSimulator final : public Simulator {
       : world_(estimator::make_world<T>(problem.scene, problem.medium, problem.gates)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
-    if (world_.walks == 0) {
-      estimator::Travellers<T> photon(world_);
-      transport::PathRatios<T> kept(world_.sea.environments, 1);
-      photon.ratios.kept = &kept;
-      std::vector<estimator::Travellers<T>> copies;
-      estimator::Estimates<T> estimates(world_);
-      const estimator::Draws<T> draws = estimator::draws_of_laser(world_, first);
-      for (std::int32_t n = 0; n < static_cast<std::int32_t>(count); ++n) {
-        if (world_.special)
-          estimator::follow<true>(world_, draws, n, photon, copies, estimates, tally,
-                                  [](const auto&) {});
-        else
-          estimator::follow<false>(world_, draws, n, photon, copies, estimates, tally,
-                                   [](const auto&) {});
-      }
-      return;
+    switch (world_.estimator) {
+      case estimator::Estimator::forward:
+        return forward(first, count, tally);
+      case estimator::Estimator::bidirectional:
+        return estimator::Bidirectional<T, tally::Ledger>(world_, 1).run(first, count, tally);
+      case estimator::Estimator::analog:
+        return estimator::Analog<T, tally::Ledger>(world_).run(first, count, tally,
+                                                               [](const auto&...) {});
     }
-    estimator::Bidirectional<T, tally::Ledger>(world_, 1).run(first, count, tally);
   }
 
  private:
+  void forward(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const {
+    estimator::Travellers<T> photon(world_);
+    transport::PathRatios<T> kept(world_.sea.environments, 1);
+    photon.ratios.kept = &kept;
+    std::vector<estimator::Travellers<T>> copies;
+    estimator::Estimates<T> estimates(world_);
+    const estimator::Draws<T> draws = draws_of_laser(world_, first);
+    for (std::int32_t n = 0; n < static_cast<std::int32_t>(count); ++n) {
+      if (world_.special)
+        follow<true>(world_, draws, n, photon, copies, estimates, tally, [](const auto&) {});
+      else
+        follow<false>(world_, draws, n, photon, copies, estimates, tally, [](const auto&) {});
+    }
+  }
+
   estimator::World<T> world_;
 };
 

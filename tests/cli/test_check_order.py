@@ -26,6 +26,9 @@ PLANTED = {
     ("src/io/x.cpp", "#include <toml++/toml.h>"): "<toml++/toml.h> belongs to scene alone",
     ("src/tally/x.cpp", "#include <nlohmann/json.hpp>"): "<nlohmann/json.hpp> belongs to scene and io and apps alone",
     ("apps/photic/x.cpp", "#include <netcdf.h>"): "<netcdf.h> belongs to io alone",
+    ("src/estimator/analog/x.hpp", '#include "estimator/forward/history.hpp"'): "analog must not include estimator/forward",
+    ("src/estimator/x.hpp", '#include "estimator/analog/analog.hpp"'):
+        "what all estimators stand on must not include estimator/analog",
     ("apps/photic/x.cpp", '#include "output.hpp"'): '"output.hpp" is in no floor of src/',
 }
 

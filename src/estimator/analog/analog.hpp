@@ -2,16 +2,19 @@
 // photon falls on. As slow as nature, and as plain: what the other estimators are checked against.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "core/random.hpp"
 #include "estimator/book.hpp"
+#include "estimator/draws.hpp"
 #include "estimator/ends.hpp"
-#include "estimator/forward/estimate.hpp"
 #include "estimator/world.hpp"
 #include "instrument/lens.hpp"
+#include "lanes/each_score.hpp"
 #include "tally/batch_tally.hpp"
 #include "transport/collide_by_chance.hpp"
+#include "transport/emit.hpp"
 #include "transport/flight.hpp"
 
 namespace photic::estimator {
@@ -80,45 +83,98 @@ Mask<T> emerge(const World<T>& world, const transport::Photon<T>& photon, const 
   return leaves;
 }
 
-/// From one collision to the next, by way of the surface if need be.
-template <class T, class Ledger>
-void analog_event(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
-                  tally::BatchTally& tally) {
-  transport::Photon<T>& photon = travellers.photon;
-  Mask<T> on = travellers.on;
-  travellers.place.event = travellers.place.event + Index<T>(1);
-  const auto u = uniforms(travellers.place, 0), v = uniforms(travellers.place, 1);
-  const T depth = -photon.position.z;
-  auto end = fly_and_receive(world, photon, on, u[0], depth, tally);
-  const Mask<T> at_surface = on & end.surface;
-  if (any(at_surface)) {
-    const Mask<T> leaves = emerge(world, photon, at_surface, u[1], depth, tally);
-    book(ledger.escaped, leaves, photon.weight);
-    on = on & !leaves;
-    transport::Photon<T> down = photon;
-    down.direction.z = -down.direction.z;
-    const auto after = fly_and_receive(world, down, at_surface & on, u[2], depth, tally);
-    photon = select(at_surface, down, photon);
-    end.sea_bed = end.sea_bed | (at_surface & after.sea_bed);
-  }
-  book(ledger.sea_bed, on & end.sea_bed, photon.weight);
-  on = on & !end.sea_bed;
-  const Mask<T> late = on & !in_time(world, photon);
-  book(ledger.cut_by_time, late, photon.weight);
-  on = on & !late;
-  const Mask<T> last =
-      on & Mask<T>(world.last_order > 0) & (photon.order == Index<T>(world.last_order));
-  book(ledger.cut_by_order, last, photon.weight);
-  on = on & !last;
+/// Photons on their way, one in each lane.
+template <class T>
+struct AnalogPhotons {
+  transport::Photon<T> photon;
+  RandomPlace<T> place;
+  Index<T> hue{};  ///< in which lines it emits
+  Mask<T> on{};    ///< who is on the way
+};
 
-  tally.collisions += count(on);
-  const Mask<T> stays =
-      transport::collide_by_chance(world.sea, photon, travellers.hue, on, u[3], v[0], v[1]);
-  book(ledger.absorbed, on & !stays, photon.weight);
-  const Mask<T> worn = stays & (travellers.place.event >= Index<T>(most_events));
-  tally.too_many_events += count(worn);
-  book(ledger.lost, worn, photon.weight);
-  travellers.on = stays & !worn;
-}
+/// Follows photons of the laser until chance has decided what becomes of them. Ledger: of one
+/// photon, or of lanes.
+template <class T, class Ledger>
+class Analog {
+ public:
+  explicit Analog(const World<T>& world) : world_(world) {}
+
+  /// Photons `first` … `first + count - 1`, the first of a batch and up. `witness` is told of them
+  /// at the end of each event, and who was on the way before.
+  template <class Witness>
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Witness witness) {
+    const Draws<T> draws = draws_of_laser(world_, first);
+    for (std::uint64_t n = 0; n < count; n += lanes_of<T>) {
+      auto photons = birth(draws, static_cast<std::int32_t>(n), first_lanes<T>(count - n));
+      while (any(photons.on)) {
+        const Mask<T> before = photons.on;
+        event(photons, tally);
+        witness(photons, before);
+      }
+    }
+    tally.ledger = tally.ledger + total(ledger_);
+    ledger_ = {};
+  }
+
+ private:
+  /// A batch's photons n, n + 1, … of a mask on the laser's disc, and on into the water.
+  AnalogPhotons<T> birth(const Draws<T>& draws, std::int32_t n, const Mask<T>& exist) {
+    AnalogPhotons<T> photons{
+        {}, {world_.key, draws.photon(Index<T>(n) + lane_numbers<T>()), Index<T>(0)}};
+    const auto u = draws.together(n, 0, 0);
+    if (world_.sea.bands > 0) photons.hue = medium::hue_of(u[3]);
+    transport::Photon<T>& photon = photons.photon;
+    photon = transport::emit(world_.laser, world_.laser_layer, u[0], u[1]);
+    photons.on = exist;
+    if (world_.laser.submerged) return photons;
+    const T in_air = photon.weight;
+    const Mask<T> entered = transport::enter_water(world_.sea, photon);
+    book(ledger_.escaped, exist, select(entered, in_air - photon.weight, in_air));
+    photons.on = enter_by_chance(photon, exist & entered, u[2], ledger_);
+    return photons;
+  }
+
+  /// From one collision to the next, by way of the surface if need be.
+  void event(AnalogPhotons<T>& photons, tally::BatchTally& tally) {
+    transport::Photon<T>& photon = photons.photon;
+    Mask<T> on = photons.on;
+    photons.place.event = photons.place.event + Index<T>(1);
+    const auto u = uniforms(photons.place, 0), v = uniforms(photons.place, 1);
+    const T depth = -photon.position.z;
+    auto end = fly_and_receive(world_, photon, on, u[0], depth, tally);
+    const Mask<T> at_surface = on & end.surface;
+    if (any(at_surface)) {
+      const Mask<T> leaves = emerge(world_, photon, at_surface, u[1], depth, tally);
+      book(ledger_.escaped, leaves, photon.weight);
+      on = on & !leaves;
+      transport::Photon<T> down = photon;
+      down.direction.z = -down.direction.z;
+      const auto after = fly_and_receive(world_, down, at_surface & on, u[2], depth, tally);
+      photon = select(at_surface, down, photon);
+      end.sea_bed = end.sea_bed | (at_surface & after.sea_bed);
+    }
+    book(ledger_.sea_bed, on & end.sea_bed, photon.weight);
+    on = on & !end.sea_bed;
+    const Mask<T> late = on & !in_time(world_, photon);
+    book(ledger_.cut_by_time, late, photon.weight);
+    on = on & !late;
+    const Mask<T> last =
+        on & Mask<T>(world_.last_order > 0) & (photon.order == Index<T>(world_.last_order));
+    book(ledger_.cut_by_order, last, photon.weight);
+    on = on & !last;
+
+    tally.collisions += count(on);
+    const Mask<T> stays =
+        transport::collide_by_chance(world_.sea, photon, photons.hue, on, u[3], v[0], v[1]);
+    book(ledger_.absorbed, on & !stays, photon.weight);
+    const Mask<T> worn = stays & (photons.place.event >= Index<T>(most_events));
+    tally.too_many_events += count(worn);
+    book(ledger_.lost, worn, photon.weight);
+    photons.on = stays & !worn;
+  }
+
+  const World<T>& world_;
+  Ledger ledger_{};
+};
 
 }  // namespace photic::estimator

@@ -12,11 +12,9 @@
 #include "estimator/bidirectional/walk.hpp"
 #include "estimator/bidirectional/walker.hpp"
 #include "estimator/draws.hpp"
-#include "estimator/forward/history.hpp"
+#include "estimator/ends.hpp"
 
 namespace photic::estimator {
-
-inline const tally::Ledger& total(const tally::Ledger& ledger) { return ledger; }
 
 /// The random numbers of walks that go with photons of a batch from `first` on.
 template <class T>

@@ -8,7 +8,7 @@
 #include "core/flatten.hpp"
 #include "estimator/bidirectional/walk.hpp"
 #include "estimator/draws.hpp"
-#include "estimator/forward/history.hpp"
+#include "estimator/ends.hpp"
 #include "lanes/lane_columns.hpp"
 #include "transport/depart.hpp"
 #include "transport/flight.hpp"

@@ -8,7 +8,6 @@
 
 #include "core/flatten.hpp"
 #include "core/random.hpp"
-#include "estimator/analog/analog.hpp"
 #include "estimator/book.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/ends.hpp"
@@ -45,8 +44,6 @@ void set_out(const World<T>& world, const Draws<T>& draws, std::int32_t n, const
   const Mask<T> entered = enter_water(world.sea, photon);
   book(ledger.escaped, exist, select(entered, in_air - photon.weight, in_air));
   travellers.on = exist & entered;
-  if (world.analog) [[unlikely]]
-    travellers.on = enter_by_chance(photon, travellers.on, u[2], ledger);
 }
 
 // One event of photons that are on their way, stage by stage: a flight, and what stands at its end.
@@ -282,13 +279,6 @@ void follow(const World<T>& world, Travellers<T>& photon, std::vector<Travellers
             Estimates<T>& estimates, tally::BatchTally& tally, Witness& witness) {
   const auto each = [&](auto stage) { stage(photon); };
   while (photon.on) {
-    if constexpr (special) {
-      if (world.analog) {
-        analog_event(world, photon, tally.ledger, tally);
-        witness(photon);
-        continue;
-      }
-    }
     end_flights<special>(world, each, tally.ledger, tally, estimates);
     witness(photon);
     if (!photon.on) return;
@@ -305,7 +295,7 @@ PHOTIC_FLATTEN void follow(const World<T>& world, const Draws<T>& draws, std::in
                            Estimates<T>& estimates, tally::BatchTally& tally, Witness witness) {
   set_out(world, draws, n, true, photon, tally.ledger);
   if (compares<special>(world)) photon.ratios.kept->of(0).begin(world.sea.environments);
-  if (photon.on && !(special && world.analog)) {
+  if (photon.on) {
     go_on<special>(
         world, [&](auto stage) { stage(photon); },
         [&](std::uint32_t block) { photon.numbers(block) = draws.together(n, 1, block); },

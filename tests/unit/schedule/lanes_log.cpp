@@ -1,4 +1,7 @@
 // The events of a pool of lanes. Compiled for each instruction set.
+#include "core/pack.hpp"
+#include "estimator/analog/analog.hpp"
+#include "lanes/lane_ledger.hpp"
 #include "schedule/pool.hpp"
 #include "unit/schedule/event_log.hpp"
 
@@ -22,15 +25,20 @@ EventLog log_lanes(const estimator::Problem& problem, std::uint64_t photons) {
   const auto world = estimator::make_world<Lanes>(problem.scene, problem.medium, problem.gates);
   tally::BatchTally tally(problem.shape, problem.gates);
   EventLog log;
-  const auto witness = [&log](const estimator::Travellers<Lanes>& t, const Mask<Lanes>& before) {
+  const auto witness = [&log](const auto& t, const Mask<Lanes>& before) {
     for_each_lane(before, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
       LoggedEvent event = t.on[i] ? event_of(t.photon, i) : LoggedEvent{};
       log.emplace(std::pair(t.place.photon[i], t.place.event[i]), event);
     });
   };
-  for (std::uint64_t batch = 0; batch < photons; batch += world.batch_photons)
-    Pool<Lanes>(world).run(batch, world.batch_photons, tally, witness);
+  for (std::uint64_t batch = 0; batch < photons; batch += world.batch_photons) {
+    if (world.estimator == estimator::Estimator::analog)
+      estimator::Analog<Lanes, lanes::LaneLedger<Lanes>>(world).run(batch, world.batch_photons,
+                                                                    tally, witness);
+    else
+      Pool<Lanes>(world).run(batch, world.batch_photons, tally, witness);
+  }
   return log;
 }
 }  // namespace PHOTIC_ISA

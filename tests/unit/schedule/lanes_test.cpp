@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "estimator/analog/analog.hpp"
 #include "run/batches.hpp"
 #include "run/run.hpp"
 #include "schedule/scalar.hpp"
@@ -80,7 +81,7 @@ EventLog log_scalar(const estimator::Problem& problem, std::uint64_t photons) {
   estimator::Travellers<float> photon(world);
   std::vector<estimator::Travellers<float>> copies;
   estimator::Estimates<float> estimates(world);
-  const auto witness = [&log](const estimator::Travellers<float>& t) {
+  const auto witness = [&log](const auto& t, const auto&...) {
     const auto& p = t.photon;
     LoggedEvent event;
     if (t.on) {
@@ -92,6 +93,11 @@ EventLog log_scalar(const estimator::Problem& problem, std::uint64_t photons) {
     log.emplace(std::pair(t.place.photon, t.place.event), event);
   };
   for (std::uint64_t batch = 0; batch < photons; batch += world.batch_photons) {
+    if (world.estimator == estimator::Estimator::analog) {
+      estimator::Analog<float, tally::Ledger>(world).run(batch, world.batch_photons, tally,
+                                                         witness);
+      continue;
+    }
     const auto draws = estimator::draws_of_laser(world, batch);
     for (std::int32_t n = 0; n < static_cast<std::int32_t>(world.batch_photons); ++n) {
       if (world.special)
