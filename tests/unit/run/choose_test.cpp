@@ -150,8 +150,17 @@ TEST(Choose, TakesWhatIsBestOnPeakedWater) {
   EXPECT_EQ(chosen.walk_attenuation, 0.6);
 }
 
+/// The shares that contend, as the reason tells them.
+std::vector<double> walk_attenuations_in(const std::string& reason) {
+  const std::string name = "walk_attenuation = ";
+  std::vector<double> out;
+  for (auto at = reason.find(name); at != std::string::npos; at = reason.find(name, at + 1))
+    out.push_back(std::stod(reason.substr(at + name.size())));
+  return out;
+}
+
 // A walk whose weight grows at every vertex looks good in a pilot. Seen red: without the limit
-// (0.35 is taken); with one for the first layer alone.
+// (0.35 contends); with one for the first layer alone.
 TEST(Choose, NeverLetsWeightsGrow) {
   for (const auto& [upper, lower] : {std::pair{0.06, 0.06}, std::pair{0.4, 0.01}}) {
     const auto layer = [](double a, const std::string& bottom) {
@@ -163,9 +172,10 @@ TEST(Choose, NeverLetsWeightsGrow) {
     const auto scene = test::read(test::ship_instrument + test::channel("elastic") +
                                   layer(upper, "bottom_depth_m = 2.0\n") + layer(lower, "") +
                                   test::depth_gates(30, 3) + test::simulation(5000, 3, "", "auto"));
-    const auto chosen = choose_estimator(scene, {}).simulation;
-    EXPECT_GE(chosen.walk_attenuation, 0.9 * 0.1 / (lower + 0.1));
-    EXPECT_EQ(chosen.estimator_reason->find("walk_attenuation = 0.35"), std::string::npos);
+    const auto shares =
+        walk_attenuations_in(*choose_estimator(scene, {}).simulation.estimator_reason);
+    EXPECT_FALSE(shares.empty());
+    for (const double share : shares) EXPECT_GE(share, 0.9 * 0.1 / (lower + 0.1));
   }
 }
 
