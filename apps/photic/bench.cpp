@@ -73,8 +73,7 @@ io::TextColumn names(const run::Comparison& comparison, std::vector<std::string>
 }
 
 /// One telescope's and channel's gates: columns of depths, a row for each candidate.
-std::string block(const run::Comparison& comparison, std::size_t telescope,
-                  std::size_t channel) {
+std::string block(const run::Comparison& comparison, std::size_t telescope, std::size_t channel) {
   const tally::Result& result = comparison.reference;
   const double depth_m = result.gate_depth_m(telescope, channel, 0);
   const std::size_t first = (telescope * result.channels() + channel) * result.gates();
@@ -94,8 +93,8 @@ std::string block(const run::Comparison& comparison, std::size_t telescope,
                                            compared + static_cast<std::ptrdiff_t>(end), true),
                                 end - begin));
     for (const run::Candidate& candidate : comparison.candidates)
-      cells.push_back(merit_text(run::merit_in(comparison, candidate, first + begin, first + end,
-                                                  run::Aim::all_gates)));
+      cells.push_back(merit_text(
+          run::merit_in(comparison, candidate, first + begin, first + end, run::Aim::all_gates)));
   }
   return fmt::format("\nchannel {}, telescope {}\n", result.channel_name[channel],
                      result.telescope_name[telescope]) +

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string>
 
-#include "run/run.hpp"
 #include "io/netcdf.hpp"
 #include "photic/commands.hpp"
+#include "run/run.hpp"
 
 namespace photic::app {
 
