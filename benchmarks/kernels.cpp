@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/random.hpp"
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "estimator/world.hpp"
 #include "optics/mie.hpp"
 #include "scene/read.hpp"
@@ -15,10 +15,10 @@ namespace {
 
 /// The benchmark scene and a photon 10 m deep, a little aside, going down.
 struct Setting {
-  estimator::Problem problem = estimator::make_problem(
+  estimator::Model model = estimator::make_model(
       scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene);
   estimator::World<double> world =
-      estimator::make_world<double>(problem.scene, problem.medium, problem.gates);
+      estimator::make_world<double>(model.scene, model.medium, model.gates);
   transport::Photon<double> photon;
   RandomPlace<double> place{1, 0, 0};
 

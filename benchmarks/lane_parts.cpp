@@ -7,7 +7,7 @@
 
 #include "core/pack.hpp"
 #include "estimator/forward/history.hpp"
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "scene/read.hpp"
 
 namespace photic::estimator {
@@ -18,12 +18,12 @@ constexpr std::size_t packs = 8;
 
 /// The starter scene, and photons that go down in its water.
 struct Setting {
-  Problem problem = [] {
+  Model model = [] {
     auto scene = scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene;
     scene.simulation.estimator = "forward";
-    return make_problem(scene);
+    return make_model(scene);
   }();
-  World<Lanes> world = make_world<Lanes>(problem.scene, problem.medium, problem.gates);
+  World<Lanes> world = make_world<Lanes>(model.scene, model.medium, model.gates);
   const medium::MediumView& sea = world.sea;
   Draws<Lanes> draws = draws_of_laser(world, 0);
   std::array<Index<Lanes>, packs> n;

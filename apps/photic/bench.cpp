@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "io/netcdf_variable.hpp"
 #include "io/table_parts.hpp"
 #include "photic/commands.hpp"

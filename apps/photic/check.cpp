@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "io/netcdf_variable.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "io/netcdf_variable.hpp"
 #include "scene/compare.hpp"
 
@@ -39,7 +39,7 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
              .suggestion = fmt::format("go on with Photic {}, or start anew", run.version)}};
   }
   scene::Scene then = scene::read_scene_text(run.scene_toml, file, folder_of(file)).scene;
-  const scene::Scene now = estimator::make_problem(as_chosen(asked, then)).scene;
+  const scene::Scene now = estimator::make_model(as_chosen(asked, then)).scene;
   then.simulation.photons = now.simulation.photons;
   then.simulation.target_relative_error = now.simulation.target_relative_error;
   then.simulation.max_time_s = now.simulation.max_time_s;
@@ -87,7 +87,7 @@ Earlier take_up(const std::string& file, const scene::Scene& scene) {
          .suggestion = "--photons is the total, not what is added"});
   }
   if (!problems.empty()) throw InputError(problems);
-  return {.start = {.state = io::read_state(file, estimator::make_problem(scene).shape),
+  return {.start = {.state = io::read_state(file, estimator::make_model(scene).shape),
                     .wall_time_s = run.wall_time_s,
                     .file = file},
           .lanes = schedule::isa_of_engine(run.engine),

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "io/netcdf_variable.hpp"
 #include "medium/optical_table.hpp"
 #include "optics/data_folder.hpp"

@@ -1,7 +1,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "io/netcdf.hpp"
 #include "io/netcdf_variable.hpp"
 #include "io/table_parts.hpp"
@@ -23,9 +23,9 @@ scene::Reading read(const ShowCommand& command) {
 constexpr std::size_t comment_width = 96;
 
 /// Where every number of the water comes from, as comments under the scene.
-std::string sources_of(const estimator::Problem& problem) {
+std::string sources_of(const estimator::Model& model) {
   std::string out = "\n# The optics of this scene and their sources:\n";
-  for (const std::string& source : estimator::describe(problem).sources) {
+  for (const std::string& source : estimator::describe(model).sources) {
     std::string start = "#   ";
     for (const std::string& line : io::wrapped(source, comment_width)) {
       out += std::exchange(start, "#     ") + line + '\n';
@@ -37,9 +37,9 @@ std::string sources_of(const estimator::Problem& problem) {
 }  // namespace
 
 int run(const ShowCommand& command) {
-  const estimator::Problem problem = estimator::make_problem(read(command).scene);
-  print_out(command.json ? scene::write_scene_json(problem.scene) + '\n'
-                         : scene::write_scene(problem.scene) + sources_of(problem));
+  const estimator::Model model = estimator::make_model(read(command).scene);
+  print_out(command.json ? scene::write_scene_json(model.scene) + '\n'
+                         : scene::write_scene(model.scene) + sources_of(model));
   return done;
 }
 

@@ -8,8 +8,8 @@
 
 #include "core/random.hpp"
 #include "core/sobol.hpp"
+#include "estimator/model.hpp"
 #include "estimator/origin.hpp"
-#include "estimator/problem.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
 #include "instrument/telescope.hpp"
@@ -148,7 +148,7 @@ struct World {
   T directed{};                               ///< share of directions drawn towards a telescope
   bool directs = false;                       ///< whether any are
   bool compares = false;                      ///< there are environments
-  transport::Reversal<T> reversal;            ///< of conversions, by walks from telescopes
+  transport::InverseConversion<T> inverse_conversion;  ///< of conversions, by walks from telescopes
   T conversion{};              ///< probability of a branch into the inelastic processes
   bool single_rays = false;    ///< local estimates take one point of the lens instead of its mean
   bool makes_choices = false;  ///< whether collisions choose between lines or targets at all
@@ -200,12 +200,12 @@ inline constexpr std::uint32_t quasi_random_dimensions =
 
 /// Shares of the directions that walks from telescopes draw about the laser's beam: after a
 /// conversion, and where they scatter the laser's light in scenes with conversions.
-inline constexpr double directed_reversal = 0.6;
+inline constexpr double directed_inverse_conversion = 0.6;
 inline constexpr double directed_scattering = 0.1;
 
 /// Of a vertex of a telescope's walk in emitted light: where that is hardly scattered, as many
 /// conversions are turned back as if its free paths were drawn like those of the laser's light.
-inline double reversal_probability(double conversion_probability) {
+inline double inverse_conversion_probability(double conversion_probability) {
   return 1 - std::pow(1 - conversion_probability, 1 / medium::emitted_walk_share);
 }
 
@@ -310,9 +310,10 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.conversion = T(scene.simulation.conversion_probability);
   const Vec3<double> beam = axis_in_water(normalised(scene.source.direction), world.laser.submerged,
                                           medium.line.front().refractive_index);
-  world.reversal = {T(reversal_probability(scene.simulation.conversion_probability)),
-                    T(directed_reversal), vec3_cast<T>(beam), Index<T>(medium.beam_lobe),
-                    T(converts ? directed_scattering : 0.0)};
+  world.inverse_conversion = {
+      T(inverse_conversion_probability(scene.simulation.conversion_probability)),
+      T(directed_inverse_conversion), vec3_cast<T>(beam), Index<T>(medium.beam_lobe),
+      T(converts ? directed_scattering : 0.0)};
   // Only what is drawn about the beam depends on the direction that a turn changes.
   world.turns = !converts || (beam.x == 0 && beam.y == 0);
   // What environments make of the angle that a turn changes is not known apart.

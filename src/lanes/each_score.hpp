@@ -51,13 +51,13 @@ void each_score(const tally::BatchTally& tally, const Mask<T>& mask, const LaneS
 /// Where scores in one telescope wait for each other: a tally takes many at once, one by one, and
 /// packs do not wait for it.
 template <class T>
-class ScoreRoom {
+class ScoreQueue {
  public:
-  ScoreRoom(std::size_t telescope, double path_to_origin)
+  ScoreQueue(std::size_t telescope, double path_to_origin)
       : telescope_(telescope), path_to_origin_(path_to_origin) {}
 
-  /// Adds the lanes of a mask; hands all to the tally when the room is full.
-  void admit(const Mask<T>& mask, const LaneScores<T>& scores, tally::BatchTally& tally) {
+  /// Adds the lanes of a mask; hands all to the tally when the queue is full.
+  void push(const Mask<T>& mask, const LaneScores<T>& scores, tally::BatchTally& tally) {
     const auto path = whole_path(scores);
     const auto places = tally.places(path, to_double(scores.depth));
     if constexpr (lanes == 1) {
@@ -77,11 +77,11 @@ class ScoreRoom {
       const std::size_t more = count(mask);
       std::fill_n(&walked_[at], more, scores.walked);
       waiting_ = at + more;
-      if (waiting_ > seats) close(tally);
+      if (waiting_ > capacity) flush(tally);
     }
   }
   /// Hands over those who wait.
-  void close(tally::BatchTally& tally) {
+  void flush(tally::BatchTally& tally) {
     for (std::size_t i = 0; i < waiting_; ++i)
       tally.score({telescope_, line_[i], order_[i], depth_[i], path_to_origin_ + path_[i],
                    value_[i], walked_[i]},
@@ -91,9 +91,9 @@ class ScoreRoom {
 
  private:
   /// Rounds are long, for each of them throws the photons out of the first cache.
-  static constexpr std::size_t lanes = lanes_of<T>, seats = 128 * lanes;
+  static constexpr std::size_t lanes = lanes_of<T>, capacity = 128 * lanes;
   template <class Number>
-  using Column = std::array<Number, seats + lanes>;
+  using Column = std::array<Number, capacity + lanes>;
 
   std::size_t telescope_;
   double path_to_origin_;

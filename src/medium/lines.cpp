@@ -64,7 +64,7 @@ std::vector<BandLine> lines_of(const Emitter& emitter, const scene::Scene& scene
 }
 
 void check_number(const std::vector<BandLine>& lines, Process process) {
-  constexpr std::size_t most = hues / 2;
+  constexpr std::size_t most = spectral_bins / 2;
   if (lines.size() <= most) return;
   throw InputError({{"", 0, 0,
                      fmt::format("the channels' filters cut {} light into {} lines, more than {}",

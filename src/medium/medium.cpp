@@ -41,17 +41,17 @@ std::int32_t padded(std::int32_t environments) {
   return (environments + environment_padding - 1) / environment_padding * environment_padding;
 }
 
-/// Shares out the hues among the lines of a band: half of them by their photons, half of them
-/// evenly, for a channel's filter may let through one line alone.
+/// Shares out the spectral_bins among the lines of a band: half of them by their photons, half of
+/// them evenly, for a channel's filter may let through one line alone.
 std::vector<std::int32_t> hues_of(std::span<const Line> band) {
-  expect(2 * band.size() <= hues, "a band has no more lines than half the hues");
+  expect(2 * band.size() <= spectral_bins, "a band has no more lines than half the spectral_bins");
   double all = 0;
   for (const Line& line : band) all += line.photons;
   std::vector<std::int32_t> count;
   double due = 0;
   std::int32_t given = 0;
   for (const Line& line : band) {
-    due += hues * 0.5 * (line.photons / all + 1 / static_cast<double>(band.size()));
+    due += spectral_bins * 0.5 * (line.photons / all + 1 / static_cast<double>(band.size()));
     const auto upto = static_cast<std::int32_t>(std::lround(due));
     count.push_back(upto - given);
     given = upto;
@@ -204,17 +204,18 @@ void Medium::finish(std::optional<double> walk_share) {
 void Medium::finish_bands() {
   const auto n_layers = static_cast<std::size_t>(layers());
   std::vector<std::vector<std::int32_t>> convertible(n_layers);
-  std::vector<std::int32_t> line_of_hue;
+  std::vector<std::int32_t> line_of_spectral_bin;
   std::vector<double> emitted = conversion;
   bands_ = 0;
   for (std::size_t first = 1, end = 1; first < line.size(); first = end, ++bands_) {
     while (end < line.size() && line[end].process == line[first].process) ++end;
     const auto count = hues_of(std::span(line).subspan(first, end - first));
     for (std::size_t l = first; l < end; ++l) {
-      line_of_hue.insert(line_of_hue.end(), static_cast<std::size_t>(count[l - first]),
-                         static_cast<std::int32_t>(l));
+      line_of_spectral_bin.insert(line_of_spectral_bin.end(),
+                                  static_cast<std::size_t>(count[l - first]),
+                                  static_cast<std::int32_t>(l));
       for (std::size_t k = 0; k < n_layers; ++k)
-        emitted[l * n_layers + k] *= static_cast<double>(hues) / count[l - first];
+        emitted[l * n_layers + k] *= static_cast<double>(spectral_bins) / count[l - first];
     }
     for (std::size_t k = 0; k < n_layers; ++k) {
       const auto emits = [&](std::size_t l) { return conversion[l * n_layers + k] > 0; };
@@ -229,7 +230,7 @@ void Medium::finish_bands() {
     padded_lists.insert(padded_lists.end(), list.begin(), list.end());
   }
   conversion_ = TwinTable(emitted);
-  line_of_hue_ = IndexTableOwner(line_of_hue);
+  line_of_spectral_bin_ = IndexTableOwner(line_of_spectral_bin);
   convertible_ = IndexTableOwner(padded_lists);
   convertible_count_ = IndexTableOwner(list_lengths);
 }
@@ -253,7 +254,7 @@ MediumView Medium::view() const {
   v.absorption = absorption_.view();
   v.convertible = convertible_.view();
   v.convertible_count = convertible_count_.view();
-  v.line_of_hue = line_of_hue_.view();
+  v.line_of_spectral_bin = line_of_spectral_bin_.view();
   v.index = index_.view();
   v.inverse_index = inverse_index_.view();
   v.group_index = group_index_.view();

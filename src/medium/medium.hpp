@@ -44,13 +44,14 @@ struct EnvironmentsView {
 /// Rows are a multiple of this long: a whole number of packs, however wide.
 inline constexpr std::int32_t environment_padding = 16;
 
-/// The lines of a process are a band, between which photons are shared out: a photon has a hue, by
-/// which it is known beforehand in which line of each band its light is emitted, if it is.
-inline constexpr std::int32_t hues = 512;
+/// The lines of a process are a band, between which photons are shared out: a photon has a
+/// spectral_bin, by which it is known beforehand in which line of each band its light is emitted,
+/// if it is.
+inline constexpr std::int32_t spectral_bins = 512;
 
 template <class T>
-Index<T> hue_of(const T& u) {
-  return floor_index(u * T(hues));
+Index<T> spectral_bin_of(const T& u) {
+  return floor_index(u * T(spectral_bins));
 }
 
 /// A depth [m] in a layer.
@@ -82,16 +83,17 @@ struct MediumView {
   LayeringView by_depth;      ///< in one row, whose edges are `top`
   LayeringView by_walk_tau;   ///< in a row for each line, by the walk's optical depth
   ShortTable conversion;      ///< share of a collision at line 0 that emits at this line, over the
-                              ///< share of hues that may, [line][layer]
+                              ///< share of spectral_bins that may, [line][layer]
   ShortTable absorption;      ///< share of a collision that ends the photon, [line][layer]
   IndexTable convertible;     ///< the bands that a layer emits in, [layer][bands]
   IndexTable convertible_count;  ///< how many they are, [layer]
-  IndexTable line_of_hue;        ///< the line of a band that a photon emits in, [band][hue]
-  ShortTable index;              ///< refractive index against air, [line]
-  ShortTable inverse_index;      ///< 1 / index, [line]
-  ShortTable group_index;        ///< [line]
-  IndexTable elastic_phase;      ///< table in `phases`, [line][layer]
-  IndexTable conversion_phase;   ///< table in `phases`, [line]; of line 0 unused
+  IndexTable
+      line_of_spectral_bin;     ///< the line of a band that a photon emits in, [band][spectral_bin]
+  ShortTable index;             ///< refractive index against air, [line]
+  ShortTable inverse_index;     ///< 1 / index, [line]
+  ShortTable group_index;       ///< [line]
+  IndexTable elastic_phase;     ///< table in `phases`, [line][layer]
+  IndexTable conversion_phase;  ///< table in `phases`, [line]; of line 0 unused
   optics::PhaseView phases;
   EnvironmentsView environments;
 
@@ -100,11 +102,13 @@ struct MediumView {
     return line * I(layers) + layer;
   }
 
-  /// The line that a photon of a hue emits in, if it is the i-th band of its layer that it does.
+  /// The line that a photon of a spectral_bin emits in, if it is the i-th band of its layer that it
+  /// does.
   template <class T>
-  Index<T> emitted_line(const Index<T>& layer, const Index<T>& i, const Index<T>& hue) const {
+  Index<T> emitted_line(const Index<T>& layer, const Index<T>& i,
+                        const Index<T>& spectral_bin) const {
     const Index<T> band = gather_index<T>(convertible, layer * Index<T>(bands) + i);
-    return gather_index<T>(line_of_hue, band * Index<T>(hues) + hue);
+    return gather_index<T>(line_of_spectral_bin, band * Index<T>(spectral_bins) + spectral_bin);
   }
 
   template <class T>
@@ -267,8 +271,8 @@ class Medium {
   TwinTable top_, albedo_, conversion_, absorption_, bed_tau_, walk_mean_path_, walk_edges_,
       collision_gain_, index_, inverse_index_, group_index_, environment_rows_;
   TwinPairs c_, walk_c_, continuous_c_;
-  IndexTableOwner convertible_, convertible_count_, line_of_hue_, elastic_phase_, conversion_phase_,
-      part_phase_;
+  IndexTableOwner convertible_, convertible_count_, line_of_spectral_bin_, elastic_phase_,
+      conversion_phase_, part_phase_;
   Layering by_depth_, by_walk_tau_;
   std::int32_t bands_ = 0;
   TwinTable phase_lines_, phase_quantiles_,

@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "run/run.hpp"
 #include "scene/tally_memory.hpp"
 #include "schedule/simulator.hpp"
@@ -33,14 +33,14 @@ struct Ending {
 };
 
 /// Decides after each batch whether the run goes on, tells of its progress, has checkpoints made.
-class Conductor {
+class RunControl {
  public:
   /// `photons_each`: of a batch, if it is to have fewer than begin evenly spread, so that a short
   /// run has batches enough to tell its errors.
-  Conductor(const scene::Simulation& asked, const RunOptions& options,
-            std::optional<std::uint64_t> photons_each = {});
-  Conductor(const scene::Simulation& asked, RunOptions&& options,
-            std::optional<std::uint64_t> photons_each = {}) = delete;  ///< it keeps them
+  RunControl(const scene::Simulation& asked, const RunOptions& options,
+             std::optional<std::uint64_t> photons_each = {});
+  RunControl(const scene::Simulation& asked, RunOptions&& options,
+             std::optional<std::uint64_t> photons_each = {}) = delete;  ///< it keeps them
 
   /// Batches that the photons asked for make; no limit if none were asked for.
   [[nodiscard]] std::uint64_t batches() const { return batches_; }
@@ -95,16 +95,16 @@ class Conductor {
 /// The threads of one run.
 class BatchRunner {
  public:
-  BatchRunner(const estimator::Problem& problem, const schedule::Simulator& simulator,
-              Conductor& conductor)
-      : shape_(problem.shape),
+  BatchRunner(const estimator::Model& model, const schedule::Simulator& simulator,
+              RunControl& control)
+      : shape_(model.shape),
         simulator_(simulator),
-        conductor_(conductor),
-        totals_(conductor.begin(problem.shape)),
+        conductor_(control),
+        totals_(control.begin(model.shape)),
         next_batch_(totals_.state().batches),
         merged_(next_batch_) {
-    for (int i = 0; i < tallies(problem.scene, conductor.ending.threads); ++i)
-      free_.push_back(std::make_unique<tally::BatchTally>(problem.shape, problem.gates));
+    for (int i = 0; i < tallies(model.scene, control.ending.threads); ++i)
+      free_.push_back(std::make_unique<tally::BatchTally>(model.shape, model.gates));
   }
 
   tally::Totals run() {
@@ -186,7 +186,7 @@ class BatchRunner {
 
   const tally::Shape& shape_;
   const schedule::Simulator& simulator_;
-  Conductor& conductor_;
+  RunControl& conductor_;
   tally::Totals totals_;
   std::mutex mutex_;
   std::condition_variable changed_;
@@ -197,8 +197,8 @@ class BatchRunner {
   std::exception_ptr failure_;
 };
 
-/// Runs a problem in lanes, or by the scalar engine.
-tally::Totals run_batches(const estimator::Problem& problem, Conductor& conductor,
+/// Runs a model in lanes, or by the scalar engine.
+tally::Totals run_batches(const estimator::Model& model, RunControl& control,
                           const std::optional<Isa>& lanes);
 
 }  // namespace photic::run

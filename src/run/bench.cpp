@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "medium/walk_attenuation.hpp"
 #include "run/batches.hpp"
 #include "run/choose.hpp"
@@ -114,18 +114,18 @@ class Bench {
     scene.simulation = candidate.simulation;
     scene.environment.clear();  // not all estimators have them
     scene.sensitivity.clear();
-    problem_ = std::make_unique<estimator::Problem>(estimator::make_problem(scene));
+    model_ = std::make_unique<estimator::Model>(estimator::make_model(scene));
   }
 
   /// The photons of one.
   [[nodiscard]] std::uint64_t batch() const {
-    return estimator::batch_photons(problem_->scene.simulation);
+    return estimator::batch_photons(model_->scene.simulation);
   }
 
   /// Until the photons or the time of the simulation are used up.
   Timed run(std::uint64_t number, std::optional<std::uint64_t> photons,
             std::optional<double> max_time_s = {}) {
-    scene::Simulation& s = problem_->scene.simulation;
+    scene::Simulation& s = model_->scene.simulation;
     const std::uint64_t seed = s.seed;
     s.seed = (seed ^ bench_stream) + number;
     s.photons = photons;
@@ -133,9 +133,9 @@ class Bench {
     RunOptions quiet;
     quiet.threads = options_.threads;
     quiet.interrupt = options_.interrupt;
-    Conductor conductor(s, quiet);
+    RunControl control(s, quiet);
     const double begin = cpu_now_s();
-    Timed out{run_batches(*problem_, conductor, lanes_)};
+    Timed out{run_batches(*model_, control, lanes_)};
     out.cpu_s = cpu_now_s() - begin;
     s.seed = seed;
     if (options_.interrupt != nullptr && options_.interrupt->load()) throw Interrupted{};
@@ -144,7 +144,7 @@ class Bench {
 
   /// Of the totals of a run.
   [[nodiscard]] tally::Result result(const tally::Totals& totals) const {
-    tally::Result out = estimator::describe(*problem_);
+    tally::Result out = estimator::describe(*model_);
     totals.fill(out);
     return out;
   }
@@ -152,7 +152,7 @@ class Bench {
  private:
   const BenchOptions& options_;
   std::optional<Isa> lanes_;
-  std::unique_ptr<estimator::Problem> problem_;
+  std::unique_ptr<estimator::Model> model_;
 };
 
 /// How many photons take this CPU time, by trials that grow until they take long enough to tell.
@@ -212,7 +212,7 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   out.repeats = repeat_count;
   out.aim = aim_of(scene.simulation);
   tell("the reference");
-  const double albedo = medium::highest_albedo(estimator::make_problem(scene).medium);
+  const double albedo = medium::highest_albedo(estimator::make_model(scene).medium);
   const Candidate best_known = bidirectional(scene, medium::usual_walk_attenuation(albedo));
   out.reference_name = best_known.name;
   Bench bench(scene, best_known, options);
@@ -237,7 +237,7 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   RunOptions pilots;
   pilots.threads = options.threads;
   pilots.interrupt = options.interrupt;
-  out.chosen_by_auto = estimator::make_problem(choose_estimator(open, pilots)).scene.simulation;
+  out.chosen_by_auto = estimator::make_model(choose_estimator(open, pilots)).scene.simulation;
   if (options.interrupt != nullptr && options.interrupt->load()) throw Interrupted{};
   return out;
 }

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "medium/walk_attenuation.hpp"
 #include "run/contest.hpp"
 #include "scene/forward_settings.hpp"
@@ -16,9 +16,9 @@ namespace photic::run {
 namespace {
 
 /// What contends: those settings that the scene leaves open.
-std::vector<Contender> contenders(const estimator::Problem& problem) {
-  const scene::Simulation& asked = problem.scene.simulation;
-  std::vector<double> shares = medium::walk_attenuations(medium::highest_albedo(problem.medium));
+std::vector<Contender> contenders(const estimator::Model& model) {
+  const scene::Simulation& asked = model.scene.simulation;
+  std::vector<double> shares = medium::walk_attenuations(medium::highest_albedo(model.medium));
   if (asked.walk_attenuation) shares = {*asked.walk_attenuation};
   std::vector<Contender> out;
   for (const double share : shares) {
@@ -26,7 +26,7 @@ std::vector<Contender> contenders(const estimator::Problem& problem) {
     out.back().simulation.estimator = "bidirectional";
     out.back().simulation.walk_attenuation = share;
   }
-  for (const auto& [directed_fraction, scored_points] : scene::forward_settings(problem.scene)) {
+  for (const auto& [directed_fraction, scored_points] : scene::forward_settings(model.scene)) {
     out.push_back({fmt::format("forward with directed_fraction = {} and scored_points = {}",
                                directed_fraction, scored_points),
                    asked});
@@ -66,7 +66,7 @@ std::string reason(const std::vector<Contender>& all, const Outcome& outcome,
 /// this estimator alone.
 scene::Scene unseen(scene::Scene scene) {
   scene.simulation.estimator = "bidirectional";
-  scene::Scene out = estimator::make_problem(scene).scene;
+  scene::Scene out = estimator::make_model(scene).scene;
   out.simulation.estimator_reason = reason_unseen;
   return out;
 }
@@ -82,9 +82,9 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
     simulation.estimator_reason = "the only one that has the tools asked for in this version";
     return chosen;
   }
-  const estimator::Problem problem = estimator::make_problem(scene);
-  const std::vector<Contender> all = contenders(problem);
-  const Outcome outcome = contend(problem, all, options);
+  const estimator::Model model = estimator::make_model(scene);
+  const std::vector<Contender> all = contenders(model);
+  const Outcome outcome = contend(model, all, options);
   if (!outcome.best) return unseen(scene);
   simulation = all[*outcome.best].simulation;
   simulation.estimator_reason = reason(all, outcome, scene.simulation);

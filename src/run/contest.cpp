@@ -54,8 +54,8 @@ Isa engine_of_pilots(const RunOptions& options) {
   return options.lanes.value_or(isas_here().back());
 }
 
-estimator::Problem problem_of(const estimator::Problem& open, const Contender& contender) {
-  estimator::Problem out = open;
+estimator::Model model_of(const estimator::Model& open, const Contender& contender) {
+  estimator::Model out = open;
   scene::Simulation& s = out.scene.simulation;
   s = contender.simulation;
   s.seed ^= pilot_stream;
@@ -68,22 +68,22 @@ estimator::Problem problem_of(const estimator::Problem& open, const Contender& c
 /// The pilot of one contender, which can go on.
 class Trial {
  public:
-  Trial(const estimator::Problem& open, const Contender& contender, std::uint64_t in_batch)
-      : problem_(problem_of(open, contender)),
-        forward_(problem_.scene.simulation.estimator == "forward"),
+  Trial(const estimator::Model& open, const Contender& contender, std::uint64_t in_batch)
+      : model_(model_of(open, contender)),
+        forward_(model_.scene.simulation.estimator == "forward"),
         in_batch_(in_batch * (forward_ ? forward_factor : 1)),
         keeps_(scene::tally_memory(open.scene).bytes() < most_kept_bytes) {}
 
   void go_on_to(std::uint64_t batches, const RunOptions& options) {
-    problem_.scene.simulation.photons = photons_ = batches * in_batch_;
+    model_.scene.simulation.photons = photons_ = batches * in_batch_;
     RunOptions quiet;
     quiet.threads = options.threads;
     quiet.interrupt = options.interrupt;
     quiet.start = std::move(so_far_);
-    Conductor conductor(problem_.scene.simulation, quiet, in_batch_);
-    tally::Totals totals = run_batches(problem_, conductor, engine_of_pilots(options));
+    RunControl control(model_.scene.simulation, quiet, in_batch_);
+    tally::Totals totals = run_batches(model_, control, engine_of_pilots(options));
     if (options.interrupt != nullptr && options.interrupt->load()) throw InterruptedPilots();
-    tally::Result result = estimator::describe(problem_);
+    tally::Result result = estimator::describe(model_);
     totals.fill(result);
     // By batches alone: what a pilot has not seen does not fall off as 1 / sqrt(photons).
     for (std::size_t cell = 0; cell < result.echo.mean.size(); ++cell)
@@ -108,7 +108,7 @@ class Trial {
   }
 
  private:
-  estimator::Problem problem_;
+  estimator::Model model_;
   bool forward_;
   std::uint64_t in_batch_, photons_ = 0;
   bool keeps_;
@@ -119,14 +119,14 @@ class Trial {
 
 class Contest {
  public:
-  Contest(const estimator::Problem& problem, const std::vector<Contender>& contenders,
+  Contest(const estimator::Model& model, const std::vector<Contender>& contenders,
           const RunOptions& options)
-      : asked_(problem.scene.simulation), options_(options) {
+      : asked_(model.scene.simulation), options_(options) {
     const std::uint64_t in_batch =
         std::clamp(asked_.photons.value_or(std::numeric_limits<std::uint64_t>::max()) /
                        (first_batches * least_in_batch),
                    least_in_batch, most_in_batch);
-    for (const Contender& c : contenders) trials_.emplace_back(problem, c, in_batch);
+    for (const Contender& c : contenders) trials_.emplace_back(model, c, in_batch);
     for (std::size_t i = 0; i < trials_.size(); ++i) staying_.push_back(i);
     out_.standing.resize(trials_.size());
     out_.aim = aim_of(asked_);
@@ -209,9 +209,9 @@ class Contest {
 
 }  // namespace
 
-Outcome contend(const estimator::Problem& problem, const std::vector<Contender>& contenders,
+Outcome contend(const estimator::Model& model, const std::vector<Contender>& contenders,
                 const RunOptions& options) {
-  return Contest(problem, contenders, options).decide();
+  return Contest(model, contenders, options).decide();
 }
 
 }  // namespace photic::run

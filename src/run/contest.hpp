@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "run/pilots.hpp"
 #include "run/run.hpp"
 
@@ -34,11 +34,11 @@ struct Outcome {
   double operations = 0;           ///< that all pilots took, counted
 };
 
-/// Lets them contend for a simulation of a problem whose estimator is open. Pilots have random
+/// Lets them contend for a simulation of a model whose estimator is open. Pilots have random
 /// numbers of their own. They are judged by variances and counted operations, never by a clock, and
 /// take at most a tenth of the operations that the simulation is expected to take, but for a first
 /// stage; `max_time_s` is not looked at. Throws InterruptedPilots, and what run() throws.
-Outcome contend(const estimator::Problem& problem, const std::vector<Contender>& contenders,
+Outcome contend(const estimator::Model& model, const std::vector<Contender>& contenders,
                 const RunOptions& options);
 
 }  // namespace photic::run

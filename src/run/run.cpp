@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "estimator/world.hpp"
 #include "run/batches.hpp"
 #include "run/choose.hpp"
@@ -93,10 +93,10 @@ void warn(tally::Result& result) {
 }
 
 /// The result of the totals so far but for their state; `stopped_by` says why they go no further.
-tally::Result result_of(const estimator::Problem& problem, const tally::Totals& totals,
+tally::Result result_of(const estimator::Model& model, const tally::Totals& totals,
                         const Ending& ending, const std::string& stopped_by,
                         const RunOptions& options) {
-  tally::Result result = estimator::describe(problem);
+  tally::Result result = estimator::describe(model);
   totals.fill(result);
   result.engine = schedule::engine_name(options.lanes);
   result.version = PHOTIC_VERSION;
@@ -105,8 +105,8 @@ tally::Result result_of(const estimator::Problem& problem, const tally::Totals& 
   result.wall_time_s = ending.wall_time_s + (options.start ? options.start->wall_time_s : 0);
   result.threads = ending.threads;
   warn(result);
-  warn_of_ledger(result, problem.scene.simulation);
-  if (problem.scene.simulation.estimator_reason == reason_unseen) {
+  warn_of_ledger(result, model.scene.simulation);
+  if (model.scene.simulation.estimator_reason == reason_unseen) {
     result.warnings.push_back(
         "the pilot runs of estimator = \"auto\" saw no light at all: it took \"bidirectional\" "
         "unseen; look whether telescopes and gates are where the light is, or name an estimator");
@@ -126,26 +126,26 @@ void check_lanes(Isa isa) {
 
 }  // namespace
 
-tally::Totals run_batches(const estimator::Problem& problem, Conductor& conductor,
+tally::Totals run_batches(const estimator::Model& model, RunControl& control,
                           const std::optional<Isa>& lanes) {
-  return BatchRunner(problem, *schedule::make_simulator(problem, lanes), conductor).run();
+  return BatchRunner(model, *schedule::make_simulator(model, lanes), control).run();
 }
 
 tally::Result run(const scene::Scene& asked, const RunOptions& options) {
   if (options.lanes) check_lanes(*options.lanes);
   const scene::Scene scene = choose_estimator(asked, options);
-  const estimator::Problem problem = estimator::make_problem(scene);
-  Conductor conductor(scene.simulation, options);
+  const estimator::Model model = estimator::make_model(scene);
+  RunControl control(scene.simulation, options);
   if (options.checkpoints.write) {
-    conductor.checkpoint = [&](const tally::Totals& totals) {
-      tally::Result result = result_of(problem, totals, conductor.ending, "checkpoint", options);
+    control.checkpoint = [&](const tally::Totals& totals) {
+      tally::Result result = result_of(model, totals, control.ending, "checkpoint", options);
       result.state = totals.state();
       options.checkpoints.write(result);
     };
   }
-  tally::Totals totals = run_batches(problem, conductor, options.lanes);
-  Ending& ending = conductor.ending;
-  tally::Result result = result_of(problem, totals, ending, ending.stopped_by, options);
+  tally::Totals totals = run_batches(model, control, options.lanes);
+  Ending& ending = control.ending;
+  tally::Result result = result_of(model, totals, ending, ending.stopped_by, options);
   result.state = ending.whole ? std::move(*ending.whole) : std::move(totals).state();
   return result;
 }

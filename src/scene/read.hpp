@@ -22,7 +22,7 @@ struct Reading {
   std::vector<std::string> files;    ///< that the scene names, which nothing should replace
 };
 
-/// A check of the whole scene that this folder is too low for (estimator/problem.hpp has the one of
+/// A check of the whole scene that this folder is too low for (estimator/model.hpp has the one of
 /// the optics). What it finds is told with all else. It is asked about the scene, and then about
 /// the scene in each of its environments (scene_in), and for the scene with all of them known.
 using Check = std::function<void(const Scene&, Findings&)>;

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "core/isa.hpp"
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "schedule/simulator.hpp"
 
 namespace photic::schedule {
@@ -21,9 +21,9 @@ std::string engine_name(const std::optional<Isa>& lanes);
 /// The instruction set in such a name; none for the scalar engine.
 std::optional<Isa> isa_of_engine(std::string_view engine);
 
-/// A problem in lanes of an instruction set, which the processor must have, or by the scalar
-/// engine, whose bits are the same by any. The problem must outlive what is returned.
-std::unique_ptr<Simulator> make_simulator(const estimator::Problem& problem,
+/// A model in lanes of an instruction set, which the processor must have, or by the scalar
+/// engine, whose bits are the same by any. The model must outlive what is returned.
+std::unique_ptr<Simulator> make_simulator(const estimator::Model& model,
                                           const std::optional<Isa>& lanes);
 
 }  // namespace photic::schedule

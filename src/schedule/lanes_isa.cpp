@@ -45,8 +45,8 @@ class Spares {
 
 class ForwardLanes final : public Simulator {
  public:
-  explicit ForwardLanes(const estimator::Problem& problem)
-      : world_(estimator::make_world<Lanes>(problem.scene, problem.medium, problem.gates)) {}
+  explicit ForwardLanes(const estimator::Model& model)
+      : world_(estimator::make_world<Lanes>(model.scene, model.medium, model.gates)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     pools_.lend([&] { return std::make_unique<Pool<Lanes>>(world_); },
@@ -60,8 +60,8 @@ class ForwardLanes final : public Simulator {
 
 class BidirectionalLanes final : public Simulator {
  public:
-  explicit BidirectionalLanes(const estimator::Problem& problem)
-      : world_(estimator::make_world<Lanes>(problem.scene, problem.medium, problem.gates)) {}
+  explicit BidirectionalLanes(const estimator::Model& model)
+      : world_(estimator::make_world<Lanes>(model.scene, model.medium, model.gates)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     walks_.lend([&] { return std::make_unique<Walks>(world_, at_once()); },
@@ -86,8 +86,8 @@ class BidirectionalLanes final : public Simulator {
 
 class AnalogLanes final : public Simulator {
  public:
-  explicit AnalogLanes(const estimator::Problem& problem)
-      : world_(estimator::make_world<Lanes>(problem.scene, problem.medium, problem.gates)) {}
+  explicit AnalogLanes(const estimator::Model& model)
+      : world_(estimator::make_world<Lanes>(model.scene, model.medium, model.gates)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     estimator::Analog<Lanes, lanes::LaneLedger<Lanes>>(world_).run(first, count, tally,
@@ -101,17 +101,17 @@ class AnalogLanes final : public Simulator {
 }  // namespace
 
 namespace PHOTIC_ISA {
-std::unique_ptr<Simulator> make_lane_simulator(const estimator::Problem& problem);
-std::unique_ptr<Simulator> make_lane_simulator(const estimator::Problem& problem) {
-  switch (estimator::estimator_of(problem.scene)) {
+std::unique_ptr<Simulator> make_lane_simulator(const estimator::Model& model);
+std::unique_ptr<Simulator> make_lane_simulator(const estimator::Model& model) {
+  switch (estimator::estimator_of(model.scene)) {
     case estimator::Estimator::bidirectional:
-      return std::make_unique<BidirectionalLanes>(problem);
+      return std::make_unique<BidirectionalLanes>(model);
     case estimator::Estimator::analog:
-      return std::make_unique<AnalogLanes>(problem);
+      return std::make_unique<AnalogLanes>(model);
     case estimator::Estimator::forward:
       break;
   }
-  return std::make_unique<ForwardLanes>(problem);
+  return std::make_unique<ForwardLanes>(model);
 }
 }  // namespace PHOTIC_ISA
 

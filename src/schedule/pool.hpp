@@ -54,7 +54,7 @@ class Pool {
       run<true>(tally, witness);
     else
       run<false>(tally, witness);
-    estimator::close_rooms(world_, estimates_, tally);
+    estimator::flush_queues(world_, estimates_, tally);
     tally.ledger = tally.ledger + total(ledger_);
     ledger_ = {};
   }
@@ -100,7 +100,7 @@ class Pool {
       const Mask<T> free = !pack_[k].on;
       while (reserve_.size() < count(free) && fetch<special>(k + 1, tally)) {
       }
-      if (reserve_.size() > 0) settle(pack_[k], free);
+      if (reserve_.size() > 0) refill(pack_[k], free);
       before_[k] = pack_[k].on;
       if (any(pack_[k].on)) used_ = std::max(used_, k + 1);
     }
@@ -111,7 +111,7 @@ class Pool {
   template <bool special>
   bool fetch(std::size_t first, tally::BatchTally& tally) {
     if (next_ < count_) {
-      bear<special>(tally);
+      births<special>(tally);
       return true;
     }
     if (used_ <= first) return false;
@@ -122,7 +122,7 @@ class Pool {
   }
   /// The next photons of the batch, to where their first flight ends.
   template <bool special>
-  PHOTIC_APART void bear(tally::BatchTally& tally) {
+  PHOTIC_APART void births(tally::BatchTally& tally) {
     const auto first = static_cast<std::int32_t>(next_);
     const std::size_t born = std::min(packs, (count_ - next_ + width - 1) / width);
     const auto all = [&](auto stage) { each_of(newborn_.data(), born, stage); };
@@ -132,8 +132,8 @@ class Pool {
     };
     all([&](auto& t) {
       const std::int32_t n = number_of(t);
-      estimator::set_out(world_, *draws_, n, first_lanes<T>(count_ - static_cast<std::uint64_t>(n)),
-                         t, ledger_);
+      estimator::birth(world_, *draws_, n, first_lanes<T>(count_ - static_cast<std::uint64_t>(n)),
+                       t, ledger_);
     });
     next_ += born * width;
     if (estimator::compares<special>(world_)) {
@@ -154,8 +154,8 @@ class Pool {
       copy_ratios(pack.ratios.first, pack.on, false);
     reserve_.push(pack.on, pack);
   }
-  PHOTIC_APART PHOTIC_FLATTEN void settle(estimator::Travellers<T>& pack, const Mask<T>& free) {
-    const Mask<T> given = reserve_.settle(free, pack);
+  PHOTIC_APART PHOTIC_FLATTEN void refill(estimator::Travellers<T>& pack, const Mask<T>& free) {
+    const Mask<T> given = reserve_.pop(free, pack);
     if (world_.compares) [[unlikely]]
       copy_ratios(pack.ratios.first, given, true);
     pack.on = pack.on | given;

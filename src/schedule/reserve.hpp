@@ -34,7 +34,7 @@ class Reserve {
   }
 
   /// Gives the lanes of a mask to those who wait, as far as they go. Tells which it gave.
-  Mask<T> settle(const Mask<T>& free, estimator::Travellers<T>& to) {
+  Mask<T> pop(const Mask<T>& free, estimator::Travellers<T>& to) {
     const Mask<T> given = size_ >= count(free) ? free : first_of(free, size_);
     size_ -= count(given);
     const std::int32_t* first = word_.data() + size_;
@@ -58,7 +58,7 @@ class Reserve {
     // What is the same for all of them stays where it is.
     if (world_.sea.lines > 1) member(t.photon.line);
     if (world_.sea.layers > 1) member(t.photon.layer);
-    if (world_.sea.bands > 0) member(t.hue);
+    if (world_.sea.bands > 0) member(t.spectral_bin);
     for (auto& point : t.lens) member(point.x), member(point.y);
     for (std::size_t i = 1; i < t.u.size(); ++i) member(t.u[i]);
     if (world_.makes_choices)

@@ -7,7 +7,7 @@
 #include "estimator/analog/analog.hpp"
 #include "estimator/bidirectional/bidirectional.hpp"
 #include "estimator/forward/history.hpp"
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "schedule/simulator.hpp"
 
 namespace photic::schedule {
@@ -17,8 +17,8 @@ template <class T>
 class ScalarSimulator final : public Simulator {
  public:
   explicit ScalarSimulator(estimator::World<T> world) : world_(std::move(world)) {}
-  explicit ScalarSimulator(const estimator::Problem& problem)
-      : world_(estimator::make_world<T>(problem.scene, problem.medium, problem.gates)) {}
+  explicit ScalarSimulator(const estimator::Model& model)
+      : world_(estimator::make_world<T>(model.scene, model.medium, model.gates)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     switch (world_.estimator) {

@@ -5,9 +5,9 @@
 
 namespace photic::schedule::PHOTIC_ISA {
 
-std::unique_ptr<Simulator> make_scalar_simulator(const estimator::Problem& problem);
-std::unique_ptr<Simulator> make_scalar_simulator(const estimator::Problem& problem) {
-  return std::make_unique<ScalarSimulator<double>>(problem);
+std::unique_ptr<Simulator> make_scalar_simulator(const estimator::Model& model);
+std::unique_ptr<Simulator> make_scalar_simulator(const estimator::Model& model) {
+  return std::make_unique<ScalarSimulator<double>>(model);
 }
 
 }  // namespace photic::schedule::PHOTIC_ISA

@@ -5,7 +5,7 @@
 
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
-#include "transport/way.hpp"
+#include "transport/sightline.hpp"
 
 namespace photic::transport {
 
@@ -22,8 +22,9 @@ template <class T>
 Aim<T> aim(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
            const Vec3<T>& from, const Index<T>& line, const Vec3<T>& to, bool mirrored,
            const Mask<T>& near_view) {
-  const Way<T> way = telescope.submerged ? way_in_water(sea, from, line, to, mirrored)
-                                         : way_through_surface(sea, from, line, to, near_view);
+  const Sightline<T> way = telescope.submerged
+                               ? sightline_in_water(sea, from, line, to, mirrored)
+                               : sightline_through_surface(sea, from, line, to, near_view);
   return {way.direction, -dot(way.arriving, telescope.axis) > T(0)};
 }
 

@@ -17,11 +17,11 @@ struct Branch {
 
 /// Implicit absorption with a branch into the inelastic processes: with probability `conversion`
 /// (where light of the laser's line can be converted at all) the photon becomes one of another
-/// band, each of these equally likely, in the line of its hue; else it is scattered. Weights are
-/// multiplied by the physical share over that probability, so that each branch is right in the
-/// mean. At most one conversion per photon.
+/// band, each of these equally likely, in the line of its spectral_bin; else it is scattered.
+/// Weights are multiplied by the physical share over that probability, so that each branch is right
+/// in the mean. At most one conversion per photon.
 template <class T>
-Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& hue,
+Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& spectral_bin,
                   const T& conversion, const T& u_branch, const T& u_band) {
   const Index<T> here = sea.at(photon.line, photon.layer);
   const T albedo = gather<T>(sea.albedo, here);
@@ -40,7 +40,7 @@ Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const Index<
   branch.converted = u_branch < probability;
   const Index<T> pick =
       select(branch.converted, floor_index(u_band * to_real<T>(choices)), Index<T>(0));
-  const Index<T> line = sea.emitted_line<T>(photon.layer, pick, hue);
+  const Index<T> line = sea.emitted_line<T>(photon.layer, pick, spectral_bin);
   const T emitted = gather<T>(sea.conversion, sea.at(line, photon.layer));
   const T scattered_factor = any(choices > Index<T>(0)) ? albedo / (T(1) - probability) : albedo;
   const T converted_factor =

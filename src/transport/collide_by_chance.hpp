@@ -11,7 +11,7 @@ namespace photic::transport {
 /// on.
 template <class T>
 Mask<T> collide_by_chance(const medium::MediumView& sea, transport::Photon<T>& photon,
-                          const Index<T>& hue, const Mask<T>& colliding, const T& u,
+                          const Index<T>& spectral_bin, const Mask<T>& colliding, const T& u,
                           const T& u_polar, const T& u_azimuth) {
   const Index<T> here = sea.at(photon.line, photon.layer);
   Index<T> phase = gather_index<T>(sea.elastic_phase, here);
@@ -21,7 +21,8 @@ Mask<T> collide_by_chance(const medium::MediumView& sea, transport::Photon<T>& p
                                 gather_index<T>(sea.convertible_count, photon.layer), Index<T>(0));
   Index<T> i(0);
   for (Mask<T> left = colliding & (i < count); any(left); left = colliding & (i < count)) {
-    const Index<T> line = sea.emitted_line<T>(photon.layer, select(left, i, Index<T>(0)), hue);
+    const Index<T> line =
+        sea.emitted_line<T>(photon.layer, select(left, i, Index<T>(0)), spectral_bin);
     const T share = gather<T>(sea.conversion, sea.at(line, photon.layer));
     const Mask<T> converted = left & !goes_on & (rest < share);
     photon.line = select(converted, line, photon.line);

@@ -5,7 +5,7 @@
 
 #include "instrument/lens.hpp"
 #include "transport/connect.hpp"
-#include "transport/way.hpp"
+#include "transport/sightline.hpp"
 
 namespace photic::transport {
 
@@ -18,11 +18,11 @@ Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Teles
                           bool mirrored, const Mask<T>& near_view) {
   const T depth = -at.position.z;
   const Vec3<T> to = in_space(telescope, lens);
-  Way<T> way;
+  Sightline<T> way;
   if (telescope.submerged) {
-    way = way_in_water(sea, at.position, line, to, mirrored);
+    way = sightline_in_water(sea, at.position, line, to, mirrored);
   } else {
-    way = way_through_surface(sea, at.position, line, to, near_view);
+    way = sightline_through_surface(sea, at.position, line, to, near_view);
   }
   const auto seen = sight(telescope, lens, way.arriving);
   Connection<T> connection;

@@ -15,7 +15,7 @@ namespace photic::transport {
 /// scatterings of the laser's light look for, too. Where that is vertical, the densities depend on
 /// the angle to the vertical alone.
 template <class T>
-struct Reversal {
+struct InverseConversion {
   T probability{};  ///< at a vertex
   T directed{};     ///< share of directions drawn about the beam, with the shape `lobe`; the rest
                     ///< is drawn from all alike
@@ -76,11 +76,12 @@ struct DepartUniforms {
 /// coefficient over c; that it was drawn with a chance is left to the connections, which know the
 /// chances of all strategies. `from_telescope`: the walk, which else comes from the laser.
 template <class T>
-Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon, const Reversal<T>& reversal,
-                    const DepartUniforms<T>& u, bool from_telescope) {
+Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon,
+                    const InverseConversion<T>& inverse_conversion, const DepartUniforms<T>& u,
+                    bool from_telescope) {
   const Index<T> here = sea.at(photon.line, photon.layer);
   const T albedo = gather<T>(sea.albedo, here);
-  const T chance = reversal.chance(sea, photon.line, photon.layer);
+  const T chance = inverse_conversion.chance(sea, photon.line, photon.layer);
   const Mask<T> converts = u.branch < chance;
   const Mask<T> inelastic = photon.line > Index<T>(0);
   Departure<T> departure;
@@ -97,31 +98,34 @@ Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon, const Reve
   photon.order = photon.order + Index<T>(1);
 
   const Mask<T> scatters =
-      from_telescope ? (reversal.scattered > T(0)) & !inelastic : Mask<T>(false);
-  const Mask<T> scatters_to_beam = scatters & (u.polar < reversal.scattered);
-  const T polar = any(scatters)
-                      ? select(scatters, left_of_choice(u.polar, reversal.scattered), u.polar)
-                      : u.polar;
-  const Mask<T> to_beam = scatters_to_beam | (converts & (u.mixture < reversal.directed));
-  const T drawn = sea.phases.template sample<T>(polar, select(to_beam, reversal.lobe, phase));
+      from_telescope ? (inverse_conversion.scattered > T(0)) & !inelastic : Mask<T>(false);
+  const Mask<T> scatters_to_beam = scatters & (u.polar < inverse_conversion.scattered);
+  const T polar =
+      any(scatters)
+          ? select(scatters, left_of_choice(u.polar, inverse_conversion.scattered), u.polar)
+          : u.polar;
+  const Mask<T> to_beam = scatters_to_beam | (converts & (u.mixture < inverse_conversion.directed));
+  const T drawn =
+      sea.phases.template sample<T>(polar, select(to_beam, inverse_conversion.lobe, phase));
   const T x = select(converts & !to_beam, T(2) * polar, drawn);
   const auto [cosine, sine] = cos_sin_of_turns(u.azimuth);
   const Vec3<T> old = photon.direction;
   const Mask<T> about_beam = converts | to_beam;
-  photon.direction = turned(select(about_beam, reversal.beam, old), x, cosine, sine);
+  photon.direction = turned(select(about_beam, inverse_conversion.beam, old), x, cosine, sine);
   departure.p = sea.phases.template value<T>(
       select(about_beam, one_minus_cos(old, photon.direction), x), phase);
   if (any(converts)) {
     departure.chance =
         departure.chance *
-        select(converts, reversal.over_phase(sea, photon.direction, departure.p), T(1));
+        select(converts, inverse_conversion.over_phase(sea, photon.direction, departure.p), T(1));
   }
   if (from_telescope) {
     departure.chance =
         departure.chance *
-        select(scatters, reversal.scattered_over_phase(sea, photon.direction, departure.p), T(1));
+        select(scatters,
+               inverse_conversion.scattered_over_phase(sea, photon.direction, departure.p), T(1));
   } else {
-    departure.passed = reversal.scattered_over_phase(sea, -old, departure.p);
+    departure.passed = inverse_conversion.scattered_over_phase(sea, -old, departure.p);
   }
   return departure;
 }

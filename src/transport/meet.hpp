@@ -7,10 +7,10 @@
 
 #include "instrument/lens.hpp"
 #include "optics/fresnel.hpp"
+#include "transport/connection_end.hpp"
 #include "transport/depart.hpp"
-#include "transport/joint.hpp"
+#include "transport/sightline.hpp"
 #include "transport/vertex.hpp"
-#include "transport/way.hpp"
 
 namespace photic::transport {
 
@@ -297,7 +297,7 @@ struct Side {
 template <class T>
 Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const Side<T>& side,
                 const T& depth, const Index<T>& layer, const Freedom<T>& freedom,
-                const Reversal<T>& reversal, const Samples<T>& samples) {
+                const InverseConversion<T>& inverse_conversion, const Samples<T>& samples) {
   const Ray<T>& laser = laser_side.ray;
   const Ray<T>& back = side.ray;
   const Index<T> line = back.line;
@@ -327,7 +327,8 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
   const T ratio = walk_c_ratio<T>(sea, line, layer);
   const T connected = back.chance * laser_side.connecting(sea, out, samples) * walked_home +
                       ratio * side.connecting(sea, home, samples) * walked_out;
-  const T goes_on = back.chance * reversal.goes_on(sea, line, layer, converts, -laser.direction, p);
+  const T goes_on =
+      back.chance * inverse_conversion.goes_on(sea, line, layer, converts, -laser.direction, p);
   const T met_next = goes_on * laser_side.last * walked_home + side.last * walked_out;
   const T met_behind = walked_out * walked_home * (goes_on * laser_side.behind + side.behind);
   Meeting<T> meeting;

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "optics/phase_functions.hpp"
 #include "run/run.hpp"
 #include "support/lidar_equation.hpp"
@@ -60,37 +60,37 @@ inline EquationWater water_of(const medium::Medium& medium, std::size_t line,
 
 /// Where the gates of a telescope and channel begin and end, as group path: that to the depths that
 /// the result tells of them, where there are any and the light is of one line.
-inline std::vector<double> edge_paths(const estimator::Problem& problem, std::size_t telescope,
+inline std::vector<double> edge_paths(const estimator::Model& model, std::size_t telescope,
                                       std::size_t channel) {
-  const tally::Result told = estimator::describe(problem);
-  const auto& lines = problem.medium.line;
+  const tally::Result told = estimator::describe(model);
+  const auto& lines = model.medium.line;
   const auto counted = [&](const medium::Line& line) { return line.counted_by[channel] > 0; };
   const bool one_line = std::ranges::count_if(lines, counted) == 1;
   const auto back = std::ranges::find_if(lines, counted);
   std::vector<double> edges;
-  for (std::int32_t e = 0; e <= problem.gates.count(); ++e) {
+  for (std::int32_t e = 0; e <= model.gates.count(); ++e) {
     const std::size_t row = telescope * told.channels() + channel;
     const double depth =
         told.gate_depth_edge_m[row * (told.gates() + 1) + static_cast<std::size_t>(e)];
     edges.push_back(told.gate_depth_is_range || !one_line
-                        ? problem.gates.edge_path(e)
-                        : slant_path(problem.scene.source, problem.scene.telescope[telescope],
+                        ? model.gates.edge_path(e)
+                        : slant_path(model.scene.source, model.scene.telescope[telescope],
                                      lines.front(), *back, depth));
   }
   return edges;
 }
 
 /// What a scene's first order should be in one channel and telescope: the light of all its lines.
-inline std::vector<double> expected(const estimator::Problem& problem, std::size_t telescope,
+inline std::vector<double> expected(const estimator::Model& model, std::size_t telescope,
                                     std::size_t channel,
                                     const std::function<double(double)>& phase) {
-  const std::vector<double> edges = edge_paths(problem, telescope, channel);
+  const std::vector<double> edges = edge_paths(model, telescope, channel);
   std::vector<double> sum(edges.size() - 1, 0.0);
-  for (std::size_t line = 0; line < problem.medium.line.size(); ++line) {
-    const double counted = problem.medium.line[line].counted_by[channel];
+  for (std::size_t line = 0; line < model.medium.line.size(); ++line) {
+    const double counted = model.medium.line[line].counted_by[channel];
     if (counted == 0) continue;
-    const auto echo = first_order_echo(problem.scene.source, problem.scene.telescope[telescope],
-                                       water_of(problem.medium, line, phase), edges);
+    const auto echo = first_order_echo(model.scene.source, model.scene.telescope[telescope],
+                                       water_of(model.medium, line, phase), edges);
     for (std::size_t g = 0; g < sum.size(); ++g) sum[g] += counted * echo[g];
   }
   return sum;
@@ -144,10 +144,10 @@ inline void compare(const std::string& toml,
     SCOPED_TRACE(precision.simulation);
     const auto scene = read(toml + precision.simulation);
     if (equations.empty()) {
-      const auto problem = estimator::make_problem(scene);
+      const auto model = estimator::make_model(scene);
       for (std::size_t t = 0; t < scene.telescope.size(); ++t) {
         for (std::size_t c = 0; c < phase_of_channel.size(); ++c)
-          equations.push_back(expected(problem, t, c, phase_of_channel[c]));
+          equations.push_back(expected(model, t, c, phase_of_channel[c]));
       }
     }
     compare(run_in_lanes(scene), precision, equations);

@@ -89,8 +89,8 @@ depth_step_m = 2.5
 }
 
 // Light that is spread over its spectra: the equation adds up all lines, each with its own way
-// home. Two walks of the laser and of the telescope in a set. Seen red: with hues that are made up
-// for as if all lines of a band had as many.
+// home. Two walks of the laser and of the telescope in a set. Seen red: with spectral_bins that are
+// made up for as if all lines of a band had as many.
 TEST(FirstOrder, Spectra) {
   const auto lambert = [](double) { return 1 / (4 * pi); };
   auto instrument = ship_instrument;

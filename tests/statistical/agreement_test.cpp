@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "run/batches.hpp"
 #include "run/run.hpp"
 #include "schedule/scalar.hpp"
@@ -134,13 +134,13 @@ step_ns = 6.0
 
 template <class T>
 tally::Result run_in(const scene::Scene& scene, int threads) {
-  const auto problem = estimator::make_problem(scene);
+  const auto model = estimator::make_model(scene);
   run::RunOptions options;
   options.threads = threads;
-  run::Conductor conductor(scene.simulation, options);
-  const schedule::ScalarSimulator<T> simulator(problem);
-  const auto totals = run::BatchRunner(problem, simulator, conductor).run();
-  auto result = estimator::describe(problem);
+  run::RunControl control(scene.simulation, options);
+  const schedule::ScalarSimulator<T> simulator(model);
+  const auto totals = run::BatchRunner(model, simulator, control).run();
+  auto result = estimator::describe(model);
   totals.fill(result);
   return result;
 }

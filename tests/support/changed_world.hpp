@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "run/batches.hpp"
 #include "schedule/scalar.hpp"
 #include "support/scenes.hpp"
@@ -13,14 +13,14 @@ namespace photic::test {
 /// A run in a world that is `change`d, one photon after the other, in double.
 template <class Change>
 tally::Result simulate_in(const std::string& scene, Change change) {
-  const auto problem = estimator::make_problem(read(scene));
-  auto world = estimator::make_world<double>(problem.scene, problem.medium, problem.gates);
+  const auto model = estimator::make_model(read(scene));
+  auto world = estimator::make_world<double>(model.scene, model.medium, model.gates);
   change(world);
   const run::RunOptions options;
-  run::Conductor conductor(problem.scene.simulation, options);
-  tally::Result result = estimator::describe(problem);
+  run::RunControl control(model.scene.simulation, options);
+  tally::Result result = estimator::describe(model);
   const schedule::ScalarSimulator<double> simulator(world);
-  run::BatchRunner(problem, simulator, conductor).run().fill(result);
+  run::BatchRunner(model, simulator, control).run().fill(result);
   return result;
 }
 

@@ -88,8 +88,8 @@ template <class T>
 struct AnalogPhotons {
   transport::Photon<T> photon;
   RandomPlace<T> place;
-  Index<T> hue{};  ///< in which lines it emits
-  Mask<T> on{};    ///< who is on the way
+  Index<T> spectral_bin{};  ///< in which lines it emits
+  Mask<T> on{};             ///< who is on the way
 };
 
 /// Follows photons of the laser until chance has decided what becomes of them. Ledger: of one
@@ -122,7 +122,7 @@ class Analog {
     AnalogPhotons<T> photons{
         {}, {world_.key, draws.photon(Index<T>(n) + lane_numbers<T>()), Index<T>(0)}};
     const auto u = draws.together(n, 0, 0);
-    if (world_.sea.bands > 0) photons.hue = medium::hue_of(u[3]);
+    if (world_.sea.bands > 0) photons.spectral_bin = medium::spectral_bin_of(u[3]);
     transport::Photon<T>& photon = photons.photon;
     photon = transport::emit(world_.laser, world_.laser_layer, u[0], u[1]);
     photons.on = exist;
@@ -164,8 +164,8 @@ class Analog {
     on = on & !last;
 
     tally.collisions += count(on);
-    const Mask<T> stays =
-        transport::collide_by_chance(world_.sea, photon, photons.hue, on, u[3], v[0], v[1]);
+    const Mask<T> stays = transport::collide_by_chance(world_.sea, photon, photons.spectral_bin, on,
+                                                       u[3], v[0], v[1]);
     book(ledger_.absorbed, on & !stays, photon.weight);
     const Mask<T> worn = stays & (photons.place.event >= Index<T>(most_events));
     tally.too_many_events += count(worn);

@@ -34,11 +34,11 @@ struct FromLaser : WalkDraws<T> {
   const World<T>& world;
   Ledger& ledger;
 
-  transport::Beginning<T> begin(const Index<T>& walk, const Mask<T>& exist, Outset<T>&) {
+  transport::Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>&) {
     const auto u = this->draw(walk, Index<T>(0), 0);
-    auto begin = transport::begin_at_laser(world.sea, world.laser, world.laser_layer, u[0], u[1]);
-    book(ledger.escaped, exist, T(1) - select(begin.exists, begin.photon.weight, T(0)));
-    return begin;
+    auto birth = transport::birth_at_laser(world.sea, world.laser, world.laser_layer, u[0], u[1]);
+    book(ledger.escaped, exist, T(1) - select(birth.exists, birth.photon.weight, T(0)));
+    return birth;
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return estimator::in_time(world, photon);
@@ -54,26 +54,27 @@ struct FromTelescope : WalkDraws<T> {
   const Receiver<T>& receiver;
   Ledger ledger{};  ///< of no interest: the result's is the laser's light's
 
-  transport::Beginning<T> begin(const Index<T>& walk, const Mask<T>&, Outset<T>& outset) {
+  transport::Birth<T> birth(const Index<T>& walk, const Mask<T>&, BirthRecord<T>& record) {
     const auto& telescope = world.telescopes[receiver.telescope];
     const auto u = this->draw(walk, Index<T>(0), 0);
-    outset.lens = lens_point(telescope, u[0], u[1]);
+    record.lens = lens_point(telescope, u[0], u[1]);
     const auto slope =
-        outward_slope(telescope, outset.lens,
+        outward_slope(telescope, record.lens,
                       instrument::ring_point(T(0), telescope.detector_radius, u[2], u[3]));
-    outset.outward = outward(telescope, slope);
-    outset.shift_area = shift_area(telescope, outset.outward);
+    record.outward = outward(telescope, slope);
+    record.shift_area = shift_area(telescope, record.outward);
     const auto v = this->draw(walk, Index<T>(0), 1);
-    outset.grid_offset = v[0];
-    outset.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
-    outset.line = line_of(medium::hue_of(v[2]));
-    return transport::begin_at_telescope(world.sea, telescope, receiver.layer, outset.line,
-                                         outset.lens, slope);
+    record.grid_offset = v[0];
+    record.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
+    record.line = line_of(medium::spectral_bin_of(v[2]));
+    return transport::birth_at_telescope(world.sea, telescope, receiver.layer, record.line,
+                                         record.lens, slope);
   }
-  /// The line that a walk of a hue detects.
-  [[nodiscard]] Index<T> line_of(const Index<T>& hue) const {
+  /// The line that a walk of a spectral_bin detects.
+  [[nodiscard]] Index<T> line_of(const Index<T>& spectral_bin) const {
     if (receiver.band < 0) return receiver.line;
-    return gather_index<T>(world.sea.line_of_hue, Index<T>(receiver.band * medium::hues) + hue);
+    return gather_index<T>(world.sea.line_of_spectral_bin,
+                           Index<T>(receiver.band * medium::spectral_bins) + spectral_bin);
   }
   /// Whether light can still come from the laser within the last gate.
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
@@ -124,8 +125,9 @@ class Bidirectional {
   };
   [[nodiscard]] bool is_wanted(const Receiver<T>& receiver, const tally::BatchTally& tally) const {
     if (receiver.band < 0) return tally.wants(receiver.telescope, each_lane(receiver.line)[0]);
-    for (std::int32_t hue = 0; hue < medium::hues; ++hue) {
-      const std::int32_t line = world_.sea.line_of_hue[receiver.band * medium::hues + hue];
+    for (std::int32_t spectral_bin = 0; spectral_bin < medium::spectral_bins; ++spectral_bin) {
+      const std::int32_t line =
+          world_.sea.line_of_spectral_bin[receiver.band * medium::spectral_bins + spectral_bin];
       if (tally.wants(receiver.telescope, line)) return true;
     }
     return false;
@@ -157,7 +159,7 @@ class Bidirectional {
       if (back.connected(g)) connections.between(g);
       connections.meetings(g / walks * walks, walks, g);
     }
-    connections.close();
+    connections.flush();
   }
 
   const World<T>& world_;

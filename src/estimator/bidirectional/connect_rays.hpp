@@ -62,14 +62,14 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
 template <class T>
 PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_t walks,
                                              std::size_t back, Moves moves) {
-  const auto outset = back_.outset_in_all_lanes(back);
-  const bool shifts = moves != Moves::turns && any(outset.shift_area > T(0));
+  const auto birth = back_.birth_record_in_all_lanes(back);
+  const bool shifts = moves != Moves::turns && any(birth.shift_area > T(0));
   const bool turns =
       moves != Moves::shifts && any(samples_.turned > T(0)) && back_.pivot_vertex(back) >= 0;
   if (!shifts && !turns) return;
   const auto axis = back_.axis(Index<T>(back));
   const Index<T> pivot(back_.pivot_vertex(back));
-  const auto start = at_lens(outset, back_.line(Index<T>(back)));
+  const auto start = at_lens(birth, back_.line(Index<T>(back)));
   each_pair(first_laser, walks, back,
             [&](const auto& ends, const auto& mask, const Line& out, const Line& home) {
               if (shifts) shift(ends, mask & transport::turns_back(out, home), out, home, start);
@@ -92,7 +92,7 @@ void Connections<T>::shift(const RayEnds<T>& ends, const Mask<T>& mask, const Li
   const auto chord = chord_of(out, home, ends.m, start);
   const Mask<T> meet = mask & chord.exists;
   if (any(meet))
-    chords_.admit(meet, ends, [this](const auto& e, const auto& all) { serve_chords(e, all); });
+    chords_.push(meet, ends, [this](const auto& e, const auto& all) { serve_chords(e, all); });
 }
 
 /// A telescope's walk that is shifted sideways.
@@ -113,8 +113,8 @@ void Connections<T>::turn(const RayEnds<T>& ends, const Mask<T>& mask, const Lin
   for (std::size_t n = 0; n < crossings.depth.size(); ++n) {
     const Mask<T> meet = mask & crossings.exists[n];
     if (any(meet))
-      crossings_.admit(meet, Crossing<T>{ends, crossings.depth[n]},
-                       [this](const auto& e, const auto& all) { serve_crossings(e, all); });
+      crossings_.push(meet, Crossing<T>{ends, crossings.depth[n]},
+                      [this](const auto& e, const auto& all) { serve_crossings(e, all); });
   }
 }
 
@@ -124,8 +124,8 @@ Pair<T> Connections<T>::pair_of(const RayEnds<T>& ends) const {
   const auto axis = back_.axis(ends.back);
   Pair<T> pair{laser_.ray(ends.laser, ends.i),
                back_.ray(ends.back, ends.m),
-               laser_.outset(ends.laser).spread,
-               back_.outset(ends.back),
+               laser_.birth_record(ends.laser).spread,
+               back_.birth_record(ends.back),
                select(axis.exists, Index<T>(1), Index<T>(0)),
                axis.x,
                axis.y,
@@ -143,21 +143,21 @@ PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const M
   const auto& grid = samples_.grid;
   Pair<T> pairs = pair_of(ends);
   const auto chord = chord_of(line_of(pairs.out), line_of(pairs.back), ends.m,
-                              at_lens(pairs.outset, back_.line(ends.back)));
+                              at_lens(pairs.birth, back_.line(ends.back)));
   pairs.lens = chord.lens;
   const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
     const auto& pair = lanes::of_lanes<T>(pairs, lane);
-    const T depth = grid.depth(number + pair.outset.grid_offset, pair.ends.order());
+    const T depth = grid.depth(number + pair.birth.grid_offset, pair.ends.order());
     const auto lens = pair.lens.at(depth);
     const Mask<T> passes = points & open_at(telescope_, lens) &
-                           sight(telescope_, lens, -pair.outset.outward).on_detector;
+                           sight(telescope_, lens, -pair.birth.outward).on_detector;
     if (!any(passes)) return;
     if (!telescope_.upright) return meet_tilted(pair, passes, lens, depth);
-    const Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, pair.outset.lens);
+    const Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens);
     meet_at<true>(pair, passes, shifted(pair, shift), depth);
   };
-  lanes::each_number(mask, grid.number(chord.from, ends.order()) - pairs.outset.grid_offset,
-                     grid.number(chord.to, ends.order()) - pairs.outset.grid_offset, meet_on_grid);
+  lanes::each_number(mask, grid.number(chord.from, ends.order()) - pairs.birth.grid_offset,
+                     grid.number(chord.to, ends.order()) - pairs.birth.grid_offset, meet_on_grid);
 }
 
 template <class T>
@@ -187,15 +187,16 @@ std::array<T, 2> Connections<T>::turn_pivot(Pair<T>& pair,
   if (any(receiver_.line > Index<T>(0))) return {gain, T(0)};
   // The density of the walk's direction as it was drawn over that as it is now: strategies that do
   // not draw it gain so much beside the others.
-  const auto& reversal = world_.reversal;
-  const T gained = reversal.scattered_over_phase(sea_, pivot.leaving, T(1) / pivot.per_p) /
-                   (gain * reversal.scattered_over_phase(sea_, turned, p));
+  const auto& inverse_conversion = world_.inverse_conversion;
+  const T gained =
+      inverse_conversion.scattered_over_phase(sea_, pivot.leaving, T(1) / pivot.per_p) /
+      (gain * inverse_conversion.scattered_over_phase(sea_, turned, p));
   const T of_ray = select(ends.m == Index<T>(1), gained, T(1));
   pair.back.per_p = of_ray * pair.back.per_p;
   pair.back.meeting = of_ray * pair.back.meeting;
   const auto in_path = usable(ends.order());
   const auto near =
-      back_.near_first(ends.back, ends.m, in_path, shifts(in_path.order, pair.outset.shift_area));
+      back_.near_first(ends.back, ends.m, in_path, shifts(in_path.order, pair.birth.shift_area));
   return {gain, (gained - T(1)) * (near.home_edge + near.meeting + near.next_edge)};
 }
 
@@ -204,14 +205,14 @@ template <bool upright>
 void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved,
                              const T& depth) {
   const Ray& out = pair.out;
-  const auto& outset = pair.outset;
+  const auto& birth = pair.birth;
   const auto& ends = pair.ends;
   const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
   const Mask<T> emitting = mask & emits(moved.ray.line, layer);
   if (!any(emitting)) return;
   const T reach = (-out.position.z - depth) / out.direction.z;
   const auto in_path = usable(ends.order());
-  const T shifts_last = shifts(in_path.order, outset.shift_area);
+  const T shifts_last = shifts(in_path.order, birth.shift_area);
   transport::Freedom<T> freedom{shifts_last, select(is_pivot(moved.ray.line, ends.m),
                                                     axis_at(out.position + reach * out.direction,
                                                             moved.ray.direction, out.direction),
@@ -221,7 +222,7 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Mov
   if (aslant) freedom = freedom_before(last(), freedom);
   const auto laser = laser_.side(out, pair.spread, ends.laser, ends.i, in_path, freedom);
   auto home =
-      back_.side(pair.back, outset.spread, ends.back, ends.m, in_path, {shifts_last, pair.axis()});
+      back_.side(pair.back, birth.spread, ends.back, ends.m, in_path, {shifts_last, pair.axis()});
   home.ray = moved.ray;
   home.behind = home.behind + moved.near_pivot;
   T gain = moved.gain;
@@ -234,7 +235,8 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Mov
     home.last = home.last + longer.last;
   }
   if (aslant) freedom.shifts = select(ends.m > Index<T>(0), freedom.shifts, shifts_last);
-  const auto meeting = meet(sea_, laser, home, depth, layer, freedom, world_.reversal, samples_);
+  const auto meeting =
+      meet(sea_, laser, home, depth, layer, freedom, world_.inverse_conversion, samples_);
   if (world_.compares) [[unlikely]]
     complete_by_meeting(pair, moved, depth, layer);
   score(pair.ends, Walked::both, emitting & (meeting.path < receiver_.last_path),

@@ -24,13 +24,13 @@ Mask<T> Connections<T>::can_meet(const Pair<T>& pair, const Ray& moved, const T&
 }
 
 template <class T>
-HomeWay<T> Connections<T>::home_way(const Outset<T>& outset, const Index<T>& back) const {
+HomeWay<T> Connections<T>::home_way(const BirthRecord<T>& birth, const Index<T>& back) const {
   using std::abs;
   const Vertex v = back_.vertex(back, Index<T>(0));
   T from(0);
   if (telescope_.submerged) {
-    const T lens = in_space(telescope_, outset.lens).z;
-    from = select(outset.outward.z * v.direction.z < T(0), T(-lens), lens);  // or its image
+    const T lens = in_space(telescope_, birth.lens).z;
+    from = select(birth.outward.z * v.direction.z < T(0), T(-lens), lens);  // or its image
   }
   const T steep = abs(v.direction.z);
   return {abs(v.position.z - from) / steep, steep};
@@ -53,17 +53,17 @@ PHOTIC_APART Longer<T> Connections<T>::lengthened(const Pair<T>& pair, T length)
     growth = exp_minus(-length / gather<T>(sea_.walk_mean_path, here));
   }
   longer.length = length;
-  longer.path = length * at_lens(pair.outset, line).index;
+  longer.path = length * at_lens(pair.birth, line).index;
   if (all(first)) return longer;
-  const HomeWay<T> way = home_way(pair.outset, ends.back);
+  const HomeWay<T> way = home_way(pair.birth, ends.back);
   const auto area = [&](const T& more) {
-    auto spread = pair.outset.spread;
+    auto spread = pair.birth.spread;
     spread.through_surface = !telescope_.submerged;
     spread.before = spread.before + more;
     return area_per_solid_angle(sea_, spread, line, way.length, way.steep);
   };
   const auto in_path = usable(ends.order());
-  const T shifts_here = shifts(in_path.order, pair.outset.shift_area);
+  const T shifts_here = shifts(in_path.order, pair.birth.shift_area);
   const auto near = back_.near_first(ends.back, ends.m, in_path, shifts_here);
   const T of_edge = growth * area(length) / area(T(0)) - T(1);
   const T of_meeting = growth - T(1);
@@ -79,8 +79,8 @@ template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const Pair<T>& pair, Mask<T> mask,
                                                              instrument::PlanePoint<T> lens,
                                                              T depth) {
-  const Vec3<T>& outward = pair.outset.outward;
-  const auto aside = lens + T(-1) * pair.outset.lens;
+  const Vec3<T>& outward = pair.birth.outward;
+  const auto aside = lens + T(-1) * pair.birth.lens;
   const T longer = longer_by_shift(telescope_, outward, aside);
   auto moved = shifted(pair, in_plane(telescope_, aside) + longer * outward);
   moved.longer = longer;

@@ -9,40 +9,41 @@ namespace photic::estimator {
 template <class T>
 void Connections<T>::to_telescope(std::size_t walk) {
   lanes::each_index<T>(laser_.vertices(walk), [&](const Index<T>& i, const Mask<T>& mask) {
-    to_telescope_.admit(mask, ends_of<T>(walk, i, walk, Index<T>(0)),
-                        [this](const auto& e, const auto& all) { serve_to_telescope(e, all); });
+    to_telescope_.push(mask, ends_of<T>(walk, i, walk, Index<T>(0)),
+                       [this](const auto& e, const auto& all) { serve_to_telescope(e, all); });
   });
 }
 
 template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Ends<T>& ends, const Mask<T>& mask) {
   const Index<T> line = back_.line(ends.back);
-  const auto outset = back_.outset(ends.back);
-  const Vec3<T> at = in_space(telescope_, outset.lens);
+  const auto birth = back_.birth_record(ends.back);
+  const Vec3<T> at = in_space(telescope_, birth.lens);
   const auto in_path = usable(ends.i + Index<T>(1));
   const Vertex v = laser_.in_path(ends.laser, ends.i, in_path);
   const Mask<T> wanted = mask & emits(line, v.layer);
   if (telescope_.submerged) {
     for (const bool mirrored : {false, true})
-      by_way(ends, wanted, v, outset, transport::way_in_water(sea_, v.position, line, at, mirrored),
-             mirrored);
+      by_sightline(ends, wanted, v, birth,
+                   transport::sightline_in_water(sea_, v.position, line, at, mirrored), mirrored);
     return;
   }
   const Mask<T> near_view =
-      wanted & transport::may_see(sea_, telescope_, v.position, line, outset.lens);
+      wanted & transport::may_see(sea_, telescope_, v.position, line, birth.lens);
   if (!any(near_view)) return;
-  by_way(ends, near_view, v, outset,
-         transport::way_through_surface(sea_, v.position, line, at, near_view), false);
+  by_sightline(ends, near_view, v, birth,
+               transport::sightline_through_surface(sea_, v.position, line, at, near_view), false);
 }
 
 template <class T>
-void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
-                            const Outset<T>& outset, const transport::Way<T>& way, bool mirrored) {
+void Connections<T>::by_sightline(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
+                                  const BirthRecord<T>& birth, const transport::Sightline<T>& way,
+                                  bool mirrored) {
   const Index<T> line = back_.line(ends.back);
-  const auto sight = instrument::sight(telescope_, outset.lens, way.arriving);
+  const auto sight = instrument::sight(telescope_, birth.lens, way.arriving);
   const T air = telescope_.submerged
                     ? T(0)
-                    : longer_way(telescope_, way.crossing, outset.lens, way.length_air);
+                    : longer_way(telescope_, way.crossing, birth.lens, way.length_air);
   const T path = v.path + air + way.length_water * gather<T>(sea_.group_index, line);
   const Mask<T> seen = mask & way.exists & sight.on_detector & (path < receiver_.last_path);
   if (!any(seen)) return;
@@ -58,11 +59,12 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
       shifts(in_path.order, instrument::shift_area(telescope_, way.arriving)),
       axis_at(v.position, way.direction, v.direction)};
   const T behind = behind_laser_vertex(ends, v, in_path, freedom_before(depth, freedom));
-  const Joint from =
+  const ConnectionEnd from =
       all(line == Index<T>(0))
-          ? scattering_from_laser(sea_, v, behind, way.direction, world_.reversal, T(1), freedom)
-          : conversion_from_laser(sea_, v, behind, way.direction, line, world_.reversal, T(1), T(1),
-                                  freedom);
+          ? scattering_from_laser(sea_, v, behind, way.direction, world_.inverse_conversion, T(1),
+                                  freedom)
+          : conversion_from_laser(sea_, v, behind, way.direction, line, world_.inverse_conversion,
+                                  T(1), T(1), freedom);
   const T area = samples_.to_instrument * from.share * solid_angle * way.area_per_solid_angle /
                      way.index_squared +
                  from.meeting;
@@ -77,8 +79,8 @@ void Connections<T>::by_way(const Ends<T>& ends, const Mask<T>& mask, const Vert
 template <class T>
 void Connections<T>::to_laser(std::size_t walk) {
   lanes::each_index<T>(back_.vertices(walk), [&](const Index<T>& m, const Mask<T>& mask) {
-    to_laser_.admit(mask, ends_of<T>(walk, Index<T>(0), walk, m),
-                    [this](const auto& e, const auto& all) { serve_to_laser(e, all); });
+    to_laser_.push(mask, ends_of<T>(walk, Index<T>(0), walk, m),
+                   [this](const auto& e, const auto& all) { serve_to_laser(e, all); });
   });
 }
 
@@ -91,18 +93,21 @@ PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Ends<T>& ends, const Ma
   const Mask<T> wanted = mask & emits(w.line, w.layer);
   const Index<T> line(0);
   if (!laser.submerged) {
-    by_way_to_laser(ends, wanted, w,
-                    transport::way_through_surface(sea_, w.position, line, vertex, wanted), false);
+    by_sightline_to_laser(
+        ends, wanted, w,
+        transport::sightline_through_surface(sea_, w.position, line, vertex, wanted), false);
     return;
   }
   for (const bool mirrored : {false, true})
-    by_way_to_laser(ends, wanted, w,
-                    transport::way_in_water(sea_, w.position, line, vertex, mirrored), mirrored);
+    by_sightline_to_laser(ends, wanted, w,
+                          transport::sightline_in_water(sea_, w.position, line, vertex, mirrored),
+                          mirrored);
 }
 
 template <class T>
-void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, const Vertex& w,
-                                     const transport::Way<T>& way, bool mirrored) {
+void Connections<T>::by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& mask,
+                                           const Vertex& w, const transport::Sightline<T>& way,
+                                           bool mirrored) {
   const auto& laser = world_.laser;
   const Vec3<T> leaving = -way.arriving;
   const T x = one_minus_cos(leaving, laser.axis);
@@ -124,10 +129,11 @@ void Connections<T>::by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, c
                                                      world_.laser_layer, water, mirrored)
                                    : depths_through_surface(sea_, way, line, w.layer, depth);
   const transport::Freedom<T> freedom{
-      shifts(ends.m + Index<T>(1), back_.outset(ends.back).shift_area),
+      shifts(ends.m + Index<T>(1), back_.birth_record(ends.back).shift_area),
       select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, way.direction),
              back_.axis(ends.back))};
-  const Joint to = arrival_from_laser(sea_, w, way.direction, world_.reversal, freedom);
+  const ConnectionEnd to =
+      arrival_from_laser(sea_, w, way.direction, world_.inverse_conversion, freedom);
   const T solid_angle = transport::connectable_solid_angle(laser);
   const T area = samples_.to_instrument * to.share * solid_angle * way.area_per_solid_angle /
                      way.index_squared +
@@ -148,8 +154,8 @@ void Connections<T>::between(std::size_t walk) {
       const Mask<T> may = mask & in_order(i + Index<T>(m + 2)) &
                           (path + back_.vertex_in_all_lanes(walk, m).path < receiver_.last_path);
       if (!any(may)) break;
-      between_.admit(may, ends_of<T>(walk, i, walk, Index<T>(m)),
-                     [this](const auto& e, const auto& all) { serve_between(e, all); });
+      between_.push(may, ends_of<T>(walk, i, walk, Index<T>(m)),
+                    [this](const auto& e, const auto& all) { serve_between(e, all); });
     }
   });
 }
@@ -162,7 +168,7 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
   const Vec3<T> there = w.position - v.position;
   const T length = photic::length(there);
   const Vec3<T> direction = (T(1) / length) * there;
-  const T shifted = shifts(in_path.order, back_.outset(ends.back).shift_area);
+  const T shifted = shifts(in_path.order, back_.birth_record(ends.back).shift_area);
   const T last = last_depth(ends.back);
   const Mask<T> inelastic = w.line > Index<T>(0);
   const Mask<T> arrives = mask & emits(w.line, w.layer);
@@ -172,9 +178,11 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
                         back_.axis(ends.back))};
     const auto before = freedom_before(last, freedom);
     const T behind = behind_laser_vertex(ends, v, in_path, before);
-    const Joint to = arrival_from_laser(sea_, w, -direction, world_.reversal, freedom);
+    const ConnectionEnd to =
+        arrival_from_laser(sea_, w, -direction, world_.inverse_conversion, freedom);
     along(ends, arrives, Index<T>(0),
-          scattering_from_laser(sea_, v, behind, direction, world_.reversal, to.goes_on, before),
+          scattering_from_laser(sea_, v, behind, direction, world_.inverse_conversion, to.goes_on,
+                                before),
           to, v, w, length, in_path);
   }
   const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
@@ -182,18 +190,18 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
     const auto freedom = freedom_before(
         last, transport::Freedom<T>{shifted, axis_at(v.position, w.direction, v.direction)});
     const T behind = behind_laser_vertex(ends, v, in_path, freedom);
-    const T goes_on = T(1) - world_.reversal.chance(sea_, w.line, w.layer);
+    const T goes_on = T(1) - world_.inverse_conversion.chance(sea_, w.line, w.layer);
     along(ends, converts, w.line,
-          conversion_from_laser(sea_, v, behind, direction, w.line, world_.reversal, w.chance,
-                                w.chance * goes_on, freedom),
+          conversion_from_laser(sea_, v, behind, direction, w.line, world_.inverse_conversion,
+                                w.chance, w.chance * goes_on, freedom),
           scattering_of_converted(sea_, w, -direction), v, w, length, in_path);
   }
 }
 
 template <class T>
 void Connections<T>::along(const Ends<T>& ends, const Mask<T>& mask, const Index<T>& line,
-                           const Joint& from, const Joint& to, const Vertex& v, const Vertex& w,
-                           const T& length, const Usable<T>& usable) {
+                           const ConnectionEnd& from, const ConnectionEnd& to, const Vertex& v,
+                           const Vertex& w, const T& length, const Usable<T>& usable) {
   const T path = v.path + w.path + length * gather<T>(sea_.group_index, line);
   const Mask<T> in_time = mask & (path < receiver_.last_path);
   if (!any(in_time)) return;

@@ -13,11 +13,11 @@
 #include "lanes/each_score.hpp"
 #include "lanes/give_out.hpp"
 #include "lanes/lane_columns.hpp"
-#include "lanes/waiting_room.hpp"
+#include "lanes/queue.hpp"
 #include "tally/batch_tally.hpp"
-#include "transport/joint.hpp"
+#include "transport/connection_end.hpp"
 #include "transport/meet.hpp"
-#include "transport/way.hpp"
+#include "transport/sightline.hpp"
 
 namespace photic::estimator {
 
@@ -76,7 +76,7 @@ struct Pair {
   using Ray = transport::Ray<T>;
   Ray out, back;
   transport::Spread<T> spread;  ///< of the laser's walk
-  Outset<T> outset;             ///< of the telescope's walk
+  BirthRecord<T> birth;         ///< of the telescope's walk
   Index<T> turns{};             ///< 1: it may be turned about the vertical at ...
   T axis_x{}, axis_y{};
   RayEnds<T> ends;
@@ -88,13 +88,13 @@ struct Pair {
   }
 
   static constexpr std::size_t members =
-      2 * Ray::members + 3 + Outset<T>::members + 3 + RayEnds<T>::integers + 4;
+      2 * Ray::members + 3 + BirthRecord<T>::members + 3 + RayEnds<T>::integers + 4;
   template <class F>
   void each_member(F f) {
     out.each_member(f);
     back.each_member(f);
     spread.each_member(f);
-    outset.each_member(f);
+    birth.each_member(f);
     f(turns), f(axis_x), f(axis_y);
     ends.each_member(f);
     f(lens.at_surface.x), f(lens.at_surface.y), f(lens.per_depth.x), f(lens.per_depth.y);
@@ -159,15 +159,15 @@ class Connections {
   void meetings(std::size_t first_laser, std::size_t walks, std::size_t back,
                 Moves moves = Moves::all);
   /// What still waits for others to fill a pack.
-  void close();
+  void flush();
 
  private:
   using Vertex = transport::Vertex<T>;
   using Ray = transport::Ray<T>;
   using Line = transport::DepthLine<T>;
-  using Joint = transport::Joint<T>;
-  using Room = lanes::WaitingRoom<T, Ends<T>>;
-  using RayRoom = lanes::WaitingRoom<T, RayEnds<T>>;
+  using ConnectionEnd = transport::ConnectionEnd<T>;
+  using Room = lanes::Queue<T, Ends<T>>;
+  using RayQueue = lanes::Queue<T, RayEnds<T>>;
 
   template <class Act>
   void each_pair(std::size_t first_laser, std::size_t walks, std::size_t back, Act act);
@@ -188,20 +188,20 @@ class Connections {
   void serve_chords(const RayEnds<T>& ends, const Mask<T>& mask);
   void serve_crossings(const Crossing<T>& crossing, const Mask<T>& mask);
 
-  void by_way(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v, const Outset<T>& outset,
-              const transport::Way<T>& way, bool mirrored);
-  void by_way_to_laser(const Ends<T>& ends, const Mask<T>& mask, const Vertex& w,
-                       const transport::Way<T>& way, bool mirrored);
-  void along(const Ends<T>& ends, const Mask<T>& mask, const Index<T>& line, const Joint& from,
-             const Joint& to, const Vertex& v, const Vertex& w, const T& length,
-             const Usable<T>& usable);
+  void by_sightline(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
+                    const BirthRecord<T>& birth, const transport::Sightline<T>& way, bool mirrored);
+  void by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& mask, const Vertex& w,
+                             const transport::Sightline<T>& way, bool mirrored);
+  void along(const Ends<T>& ends, const Mask<T>& mask, const Index<T>& line,
+             const ConnectionEnd& from, const ConnectionEnd& to, const Vertex& v, const Vertex& w,
+             const T& length, const Usable<T>& usable);
   Pair<T> pair_of(const RayEnds<T>& ends) const;
   Moved<T> shifted(const Pair<T>& pair, const Vec3<T>& shift) const;
   void meet_tilted(const Pair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens, T depth);
   void meet_under_tilted(const Pair<T>& pair, Mask<T> mask, Moved<T> moved, T depth);
   [[nodiscard]] Mask<T> can_meet(const Pair<T>& pair, const Ray& moved, const T& depth) const;
   Longer<T> lengthened(const Pair<T>& pair, T length) const;
-  [[nodiscard]] HomeWay<T> home_way(const Outset<T>& outset, const Index<T>& back) const;
+  [[nodiscard]] HomeWay<T> home_way(const BirthRecord<T>& birth, const Index<T>& back) const;
   std::array<T, 2> turn_pivot(Pair<T>& pair, const transport::Rotation<T>& turn) const;
   template <bool upright>
   void meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);
@@ -222,9 +222,10 @@ class Connections {
                                                      const transport::Freedom<T>& freedom) const {
     return {shifts_before(last, freedom.shifts), freedom.axis};
   }
-  /// `outset`: of a walk that detects a line.
-  [[nodiscard]] transport::AtLens<T> at_lens(const Outset<T>& outset, const Index<T>& line) const {
-    return {outset.lens, outset.outward,
+  /// `birth`: of a walk that detects a line.
+  [[nodiscard]] transport::AtLens<T> at_lens(const BirthRecord<T>& birth,
+                                             const Index<T>& line) const {
+    return {birth.lens, birth.outward,
             telescope_.submerged ? gather<T>(sea_.group_index, line) : T(1)};
   }
   /// Whether light of the laser's line can leave a layer as light of a line.
@@ -273,9 +274,9 @@ class Connections {
     return (line > Index<T>(0)) | (m == Index<T>(0));
   }
   // What the ends of paths, made one, do in environments.
-  void complete_to_telescope(const Ends<T>& ends, const Vertex& v, const transport::Way<T>& way,
-                             bool mirrored);
-  void complete_to_laser(const Ends<T>& ends, const Vertex& w, const transport::Way<T>& way,
+  void complete_to_telescope(const Ends<T>& ends, const Vertex& v,
+                             const transport::Sightline<T>& way, bool mirrored);
+  void complete_to_laser(const Ends<T>& ends, const Vertex& w, const transport::Sightline<T>& way,
                          const T& length, bool mirrored);
   void complete_between(const Ends<T>& ends, const Index<T>& line, const Vertex& v, const Vertex& w,
                         const T& length);
@@ -289,7 +290,7 @@ class Connections {
              const T& last, const Index<T>& order) {
     if (world_.compares) [[unlikely]]
       return score_in_environments(ends, walked, mask, value, path, last, order);
-    scores_.admit(mask, scores_of(ends, walked, value, path, last, order), tally_);
+    scores_.push(mask, scores_of(ends, walked, value, path, last, order), tally_);
   }
   [[nodiscard]] lanes::LaneScores<T> scores_of(const Ends<T>& ends, Walked walked, const T& value,
                                                const T& path, const T& last,
@@ -313,23 +314,23 @@ class Connections {
   const Walks<T>& back_;
   tally::BatchTally& tally_;
   Room to_telescope_, to_laser_, between_;
-  RayRoom chords_;
-  lanes::WaitingRoom<T, Crossing<T>> crossings_;
+  RayQueue chords_;
+  lanes::Queue<T, Crossing<T>> crossings_;
   std::vector<std::int32_t> walk_of_, ray_of_;  ///< the laser's rays that may meet a telescope's
   lanes::LaneColumns<T, Line, most_vertices + 1 + lanes_of<T>> lines_;  ///< of a telescope's walk
-  lanes::ScoreRoom<T> scores_;
+  lanes::ScoreQueue<T> scores_;
   transport::Completion<T> completion_;
   std::vector<Element<T>> ratios_;  ///< of one lane, [environment]
 };
 
 template <class T>
-void Connections<T>::close() {
-  to_telescope_.close([this](const auto& e, const auto& mask) { serve_to_telescope(e, mask); });
-  to_laser_.close([this](const auto& e, const auto& mask) { serve_to_laser(e, mask); });
-  between_.close([this](const auto& e, const auto& mask) { serve_between(e, mask); });
-  chords_.close([this](const auto& e, const auto& mask) { serve_chords(e, mask); });
-  crossings_.close([this](const auto& e, const auto& mask) { serve_crossings(e, mask); });
-  scores_.close(tally_);
+void Connections<T>::flush() {
+  to_telescope_.flush([this](const auto& e, const auto& mask) { serve_to_telescope(e, mask); });
+  to_laser_.flush([this](const auto& e, const auto& mask) { serve_to_laser(e, mask); });
+  between_.flush([this](const auto& e, const auto& mask) { serve_between(e, mask); });
+  chords_.flush([this](const auto& e, const auto& mask) { serve_chords(e, mask); });
+  crossings_.flush([this](const auto& e, const auto& mask) { serve_crossings(e, mask); });
+  scores_.flush(tally_);
 }
 
 }  // namespace photic::estimator

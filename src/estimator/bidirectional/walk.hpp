@@ -7,9 +7,9 @@
 
 #include "estimator/world.hpp"
 #include "lanes/records.hpp"
+#include "transport/birth.hpp"
 #include "transport/environments.hpp"
 #include "transport/meet.hpp"
-#include "transport/receive.hpp"
 #include "transport/vertex.hpp"
 
 namespace photic::estimator {
@@ -32,7 +32,7 @@ struct Usable {
 
 /// Where a walk left its instrument; the lens, outwards and what follows of a telescope's walk.
 template <class T>
-struct Outset {
+struct BirthRecord {
   transport::Spread<T> spread;
   instrument::PlanePoint<T> lens{};
   Vec3<T> outward{};
@@ -105,7 +105,7 @@ class Walks {
         const medium::EnvironmentsView& environments)
       : from_telescope_(from_telescope),
         through_surface_(through_surface),
-        outset_(walks),
+        record_(walks),
         ray_(walks * stride),
         vertex_(walks * stride),
         pivot_(walks),
@@ -118,10 +118,11 @@ class Walks {
         ratios_(environments, walks * stride) {}
 
   // Written by walkers, in the lanes of a mask.
-  void begin(const Mask<T>& mask, const Index<T>& walk, const Outset<T>& outset, const Ray& first) {
-    outset_.put(mask, walk, outset);
-    scatter(mask, walk, outset.connected, connected_.data());
-    scatter(mask, walk, outset.line, line_.data());
+  void birth(const Mask<T>& mask, const Index<T>& walk, const BirthRecord<T>& record,
+             const Ray& first) {
+    record_.put(mask, walk, record);
+    scatter(mask, walk, record.connected, connected_.data());
+    scatter(mask, walk, record.line, line_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
     scatter(mask, walk, Index<T>(-1), pivot_vertex_.data());
     add(mask, walk, Index<T>(0), first);
@@ -192,8 +193,8 @@ class Walks {
   [[nodiscard]] bool connected(std::size_t walk) const { return connected_[walk] != 0; }
 
   // Of one walk, in all lanes.
-  [[nodiscard]] Outset<T> outset_in_all_lanes(std::size_t walk) const {
-    return outset_.in_all_lanes(walk);
+  [[nodiscard]] BirthRecord<T> birth_record_in_all_lanes(std::size_t walk) const {
+    return record_.in_all_lanes(walk);
   }
   [[nodiscard]] Ray ray_in_all_lanes(std::size_t walk, std::int32_t m) const {
     return ray_.in_all_lanes(walk * stride + static_cast<std::size_t>(m));
@@ -203,10 +204,10 @@ class Walks {
   }
 
   // Of one walk in each lane.
-  [[nodiscard]] Outset<T> outset(const Index<T>& walk) const {
-    Outset<T> outset = outset_.at(walk);
-    outset.spread.through_surface = through_surface_;
-    return outset;
+  [[nodiscard]] BirthRecord<T> birth_record(const Index<T>& walk) const {
+    BirthRecord<T> record = record_.at(walk);
+    record.spread.through_surface = through_surface_;
+    return record;
   }
   [[nodiscard]] Ray ray(const Index<T>& walk, const Index<T>& m) const {
     return ray_.at(slot(walk, m));
@@ -316,7 +317,7 @@ class Walks {
   }
 
   bool from_telescope_, through_surface_;
-  lanes::Records<T, Outset<T>> outset_;
+  lanes::Records<T, BirthRecord<T>> record_;
   lanes::Records<T, Ray> ray_;
   lanes::Records<T, Vertex> vertex_;
   lanes::Records<T, Pivot<T>> pivot_;

@@ -21,7 +21,7 @@ struct Walker {
   transport::Photon<T> photon;
   Index<T> walk{};  ///< where it is kept
 
-  /// What a walk that begins brings along.
+  /// What a walk is born with.
   template <class F>
   void each_member(F f) {
     f(photon.position.x), f(photon.position.y), f(photon.position.z);
@@ -57,10 +57,10 @@ class WalkTaker {
       for (Mask<T> free = !on; any(free); free = !on) {
         if (waiting_ == 0) {
           if (begun >= count) break;
-          begin(begun, count - begun);
+          births(begun, count - begun);
           begun += lanes;
         } else {
-          on = on | settle(free);
+          on = on | take_from_queue(free);
         }
       }
       if (!any(on)) return;
@@ -72,35 +72,34 @@ class WalkTaker {
   static constexpr std::size_t lanes = lanes_of<T>;
 
   /// The next walks, as many as there are lanes.
-  void begin(std::size_t first, std::size_t left) {
+  void births(std::size_t first, std::size_t left) {
     const Mask<T> exist = first_lanes<T>(left);
     Walker<T> walker;
     // Lanes without a walk draw the numbers of another: beyond the batch there are none.
     walker.walk = select(exist, Index<T>(first) + lane_numbers<T>(), Index<T>(first));
-    Outset<T> outset;
-    const auto begin = source_.begin(walker.walk, exist, outset);
-    const Mask<T> begins = exist & begin.exists;
-    walker.photon = begin.photon;
-    outset.spread = begin.spread;
-    walks_.leave_out(exist & !begin.exists, walker.walk);
-    walks_.begin(begins, walker.walk, outset, {transport::walk_point(begin.photon)});
+    BirthRecord<T> record;
+    const auto birth = source_.birth(walker.walk, exist, record);
+    const Mask<T> born = exist & birth.exists;
+    walker.photon = birth.photon;
+    record.spread = birth.spread;
+    walks_.leave_out(exist & !birth.exists, walker.walk);
+    walks_.birth(born, walker.walk, record, {transport::walk_point(birth.photon)});
     if (world_.compares) [[unlikely]]
-      begin_ratios(walker.walk, begins);
+      begin_ratios(walker.walk, born);
     waiting_columns_.each(
-        walker, [&](const auto& member, auto* column) { compress(begins, member, column); });
-    waiting_ = count(begins);
-    settled_ = 0;
+        walker, [&](const auto& member, auto* column) { compress(born, member, column); });
+    waiting_ = count(born);
+    taken_ = 0;
   }
   /// Gives free lanes to those who wait. Tells which it gave.
-  Mask<T> settle(const Mask<T>& free) {
+  Mask<T> take_from_queue(const Mask<T>& free) {
     std::uint32_t given = 0;
     std::size_t n = 0;
     for (std::uint32_t left = lane_bits(free); left != 0 && n < waiting_; left &= left - 1, ++n)
       given |= left & -left;
     const Mask<T> mask = mask_of_bits<T>(given);
-    waiting_columns_.each(walker_, [&](auto& member, const auto* column) {
-      expand(mask, column + settled_, member);
-    });
+    waiting_columns_.each(
+        walker_, [&](auto& member, const auto* column) { expand(mask, column + taken_, member); });
     walker_.photon.analog_weight = select(mask, T(1), walker_.photon.analog_weight);
     walker_.photon.order = select(mask, Index<T>(0), walker_.photon.order);
     walker_.event = select(mask, Index<T>(0), walker_.event);
@@ -108,7 +107,7 @@ class WalkTaker {
     lanes::assign<T>(mask, transport::Ray<T>{transport::walk_point(walker_.photon)}, walker_.ray);
     walker_.leg = select(mask, transport::Leg<T>{}, walker_.leg);
     walker_.axis.exists = walker_.axis.exists & !mask;
-    settled_ += n;
+    taken_ += n;
     waiting_ -= n;
     return mask;
   }
@@ -157,7 +156,7 @@ class WalkTaker {
     Photon<T>& photon = walker_.photon;
     tally_.collisions += count(colliding);
     const Mask<T> first = colliding & (walker_.vertices == Index<T>(0));
-    const Spread<T> spread = any(first) ? walks_.outset(walker_.walk).spread : Spread<T>{};
+    const Spread<T> spread = any(first) ? walks_.birth_record(walker_.walk).spread : Spread<T>{};
     Vertex<T> vertex =
         vertex_on(sea_, walker_.ray, first, spread, photon, walker_.leg, walker_.axis, samples_);
     source_.keep_unshifted(walks_, walker_.walk, first, vertex);
@@ -176,8 +175,8 @@ class WalkTaker {
     const Mask<T> convertible = colliding & (photon.line > Index<T>(0));
     const auto v =
         any(convertible) ? source_.draw(walker_.walk, walker_.event, 1) : std::array<T, 4>{};
-    const auto departure =
-        depart(sea_, photon, world_.reversal, {u[1], u[2], v[0], v[1]}, walks_.from_telescope());
+    const auto departure = depart(sea_, photon, world_.inverse_conversion, {u[1], u[2], v[0], v[1]},
+                                  walks_.from_telescope());
     book(source_.ledger.absorbed, colliding, weight - photon.weight);
     const Ray<T> ray = next_ray(photon, vertex, departure);
     walks_.add(colliding, walker_.walk, walker_.vertices, ray);
@@ -232,7 +231,7 @@ class WalkTaker {
 
   /// Of those who have begun without a lane; readable for as many more.
   lanes::LaneColumns<T, Walker<T>, 2 * lanes> waiting_columns_;
-  std::size_t waiting_ = 0, settled_ = 0;
+  std::size_t waiting_ = 0, taken_ = 0;
 };
 
 }  // namespace photic::estimator

@@ -9,7 +9,7 @@
 #include "core/random.hpp"
 #include "estimator/world.hpp"
 #include "lanes/each_score.hpp"
-#include "lanes/waiting_room.hpp"
+#include "lanes/queue.hpp"
 #include "tally/batch_tally.hpp"
 #include "transport/aim.hpp"
 #include "transport/collide.hpp"
@@ -33,7 +33,7 @@ struct Travellers {
 
   transport::Photon<T> photon;
   RandomPlace<T> place;
-  Index<T> hue{};                               ///< in which lines it emits
+  Index<T> spectral_bin{};                      ///< in which lines it emits
   std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
                                                 ///< part in local estimates of single rays
   transport::Ratios<T> ratios;                  ///< of their weights in environments
@@ -135,19 +135,19 @@ template <class T>
 struct Estimates {
   explicit Estimates(const World<T>& world)
       : waiting(world.telescopes.size(),
-                lanes::WaitingRoom<T, Sources<T>>({.differ = sources_differ(world)})),
+                lanes::Queue<T, Sources<T>>({.differ = sources_differ(world)})),
         ratios(static_cast<std::size_t>(world.sea.environments.stride)) {
     for (std::size_t t = 0; t < world.telescopes.size(); ++t)
       scores.emplace_back(t, world.path_to_origin[t]);
   }
 
-  std::vector<lanes::WaitingRoom<T, Sources<T>>> waiting;  ///< of each telescope
-  std::vector<lanes::ScoreRoom<T>> scores;                 ///< in each telescope
+  std::vector<lanes::Queue<T, Sources<T>>> waiting;  ///< of each telescope
+  std::vector<lanes::ScoreQueue<T>> scores;          ///< in each telescope
 
   // Of the light that is scored, in environments.
   transport::PathRatios<T>* kept = nullptr;
-  std::size_t first = 0;      ///< path of the first lane
-  transport::Terms<T> ahead;  ///< of ways that the photons have not gone, but the light has
+  std::size_t first = 0;        ///< path of the first lane
+  transport::Terms<T> unflown;  ///< of ways that the photons have not gone, but the light has
   transport::Completion<T> completion;
   std::vector<Element<T>> ratios;  ///< of one lane, [environment]
 };
@@ -177,7 +177,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
   const transport::Photon<T>& photon = from.photon;
   auto& completion = estimates.completion;
   completion.clear();
-  completion.ways = estimates.ahead;
+  completion.ways = estimates.unflown;
   add_way(sea, from.line, photon.layer, T(-photon.position.z), way.direction, way.length_water,
           world.telescopes[t].submerged, world.telescope_layer[t], mirrored, completion.ways);
   completion.collide(sea, {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)),
@@ -212,7 +212,7 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
       score_in_environments(world, t, seen, from, way, mirrored, value, estimates, tally);
       return;
     }
-    estimates.scores[t].admit(seen, scores_of(world, t, from, way.path, value), tally);
+    estimates.scores[t].push(seen, scores_of(world, t, from, way.path, value), tally);
   };
   const auto& telescope = world.telescopes[t];
   const auto& layer = world.telescope_layer[t];
@@ -263,7 +263,7 @@ void score_light(const World<T>& world, const transport::Photon<T>& photon, cons
       score_in<special>(world, t, Sources<T>(from), seen, tally, estimates);
       continue;
     }
-    estimates.waiting[t].admit(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
+    estimates.waiting[t].push(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
       score_waiting(world, t, full, mask, tally, estimates);
     });
   }
@@ -271,12 +271,12 @@ void score_light(const World<T>& world, const transport::Photon<T>& photon, cons
 
 /// Scores what still waits.
 template <class T>
-void close_rooms(const World<T>& world, Estimates<T>& estimates, tally::BatchTally& tally) {
+void flush_queues(const World<T>& world, Estimates<T>& estimates, tally::BatchTally& tally) {
   for (std::size_t t = 0; t < estimates.waiting.size(); ++t) {
-    estimates.waiting[t].close([&](const Sources<T>& rest, const Mask<T>& mask) {
+    estimates.waiting[t].flush([&](const Sources<T>& rest, const Mask<T>& mask) {
       score_waiting(world, t, rest, mask, tally, estimates);
     });
-    estimates.scores[t].close(tally);
+    estimates.scores[t].flush(tally);
   }
 }
 
@@ -346,7 +346,7 @@ void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask
   if (compares<special>(world)) {
     estimates.kept = at.ratios.kept;
     estimates.first = at.ratios.first;
-    estimates.ahead.clear();
+    estimates.unflown.clear();
   }
   score_light<special>(world, at.photon, weight_at_point(world, at.photon), at.lens, scored,
                        at.photon.line, estimates, tally);

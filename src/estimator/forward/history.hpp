@@ -11,8 +11,8 @@
 #include "estimator/book.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/ends.hpp"
-#include "estimator/forward/ahead.hpp"
 #include "estimator/forward/estimate.hpp"
+#include "estimator/forward/expected_collision.hpp"
 #include "estimator/forward/tools.hpp"
 #include "estimator/world.hpp"
 #include "transport/collide.hpp"
@@ -25,8 +25,8 @@ namespace photic::estimator {
 /// A batch's photons n, n + 1, … of a mask on the laser's disc, and on into the water. Those who
 /// get there are on their way.
 template <class T, class Ledger>
-void set_out(const World<T>& world, const Draws<T>& draws, std::int32_t n, const Mask<T>& exist,
-             Travellers<T>& travellers, Ledger& ledger) {
+void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const Mask<T>& exist,
+           Travellers<T>& travellers, Ledger& ledger) {
   using namespace transport;
   travellers.place.photon = draws.photon(Index<T>(n) + lane_numbers<T>());
   travellers.place.event = Index<T>(0);
@@ -35,7 +35,7 @@ void set_out(const World<T>& world, const Draws<T>& draws, std::int32_t n, const
     travellers.lens[t] = lens_point(world.telescopes[t], u[0], u[1]);
   }
   const auto u = draws.together(n, 0, 0);
-  if (world.sea.bands > 0) travellers.hue = medium::hue_of(u[3]);
+  if (world.sea.bands > 0) travellers.spectral_bin = medium::spectral_bin_of(u[3]);
   Photon<T>& photon = travellers.photon;
   photon = emit(world.laser, world.laser_layer, u[0], u[1]);
   travellers.on = exist;
@@ -52,8 +52,8 @@ void set_out(const World<T>& world, const Draws<T>& draws, std::int32_t n, const
 
 /// What is scored of a flight before it begins.
 template <bool special, class T, class Ledger>
-void look_out(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
-              tally::BatchTally& tally, Estimates<T>& estimates) {
+void score_ahead_of_flight(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
+                           tally::BatchTally& tally, Estimates<T>& estimates) {
   if (!world.cones.empty())
     score_on_the_way<special>(world, travellers, travellers.on, estimates, tally);
   if constexpr (special) begin_with_tools(world, travellers, travellers.on, ledger);
@@ -152,7 +152,7 @@ void collide(const World<T>& world, Travellers<T>& travellers, Ledger& ledger) {
   if (compares<special>(world)) travellers.ratios.before = photon;
   const auto& v = travellers.choices;
   travellers.branch =
-      transport::collide(world.sea, photon, travellers.hue, world.conversion, v[0], v[1]);
+      transport::collide(world.sea, photon, travellers.spectral_bin, world.conversion, v[0], v[1]);
   Photon<T>& after = travellers.photon;
   after.weight = select(colliding, photon.weight, after.weight);
   after.analog_weight = select(colliding, photon.analog_weight, after.analog_weight);
@@ -244,7 +244,7 @@ void go_on(const World<T>& world, Each each, Draw draw, Ledger& ledger, tally::B
   draw(0);
   if (world.makes_choices) draw(1);
   if (!world.cones.empty()) draw(2);
-  each([&](auto& t) { look_out<special>(world, t, ledger, tally, estimates); });
+  each([&](auto& t) { score_ahead_of_flight<special>(world, t, ledger, tally, estimates); });
   each([&](auto& t) { draw_free_path<special>(t); });
   each([&](auto& t) { travel<special>(world, t, ledger, tally); });
   if (special || !world.flies_on) each([&](auto& t) { reflect<special>(world, t, ledger); });
@@ -293,7 +293,7 @@ template <bool special, class T, class Witness>
 PHOTIC_FLATTEN void follow(const World<T>& world, const Draws<T>& draws, std::int32_t n,
                            Travellers<T>& photon, std::vector<Travellers<T>>& waiting,
                            Estimates<T>& estimates, tally::BatchTally& tally, Witness witness) {
-  set_out(world, draws, n, true, photon, tally.ledger);
+  birth(world, draws, n, true, photon, tally.ledger);
   if (compares<special>(world)) photon.ratios.kept->of(0).begin(world.sea.environments);
   if (photon.on) {
     go_on<special>(

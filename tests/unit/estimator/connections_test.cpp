@@ -155,7 +155,7 @@ TEST(Strategies, OfATiltedLaserInWaterThatConvertsNothingAgree) {
   int turns = 0;
   const Place place = above_water()[1];
   Sea sea(place.source, place.telescope);
-  sea.world.reversal.scattered = 0;
+  sea.world.inverse_conversion.scattered = 0;
   sea.world.turns_scattered = true;
   for (int n = 0; n < 300; ++n) {
     const auto path = random_path(random, 1 + n % 3, 1, n % 2 == 0 ? 4.9 : 25);

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "support/scenes.hpp"
 
 namespace photic::estimator {
@@ -15,10 +15,10 @@ namespace {
 
 World<double> world_with(const std::string& sampling) {
   using namespace test;
-  const auto problem = make_problem(read(
+  const auto model = make_model(read(
       ship_instrument + channel("elastic") + water(0.06, 0.1, "{ model = \"isotropic\" }") +
       depth_gates(10, 2) + simulation(1e4, 5, "sampling = \"" + sampling + "\"", "bidirectional")));
-  return make_world<double>(problem.scene, problem.medium, problem.gates);
+  return make_world<double>(model.scene, model.medium, model.gates);
 }
 
 constexpr std::uint32_t laser = 0, telescope = 1;

@@ -4,8 +4,8 @@
 
 #include "estimator/origin.hpp"
 #include "support/random.hpp"
+#include "transport/birth.hpp"
 #include "transport/connect_ray.hpp"
-#include "transport/receive.hpp"
 #include "unit/transport/sea.hpp"
 
 namespace photic::transport {
@@ -90,7 +90,7 @@ TEST_P(FromSpace, LightGetsBackInTime) {
     const std::int32_t line = random.below(3);
     const auto expected = [&](const V& to) {
       const V from = vec3_cast<double>(photon.position);
-      const auto way = way_through_surface(sea.view(), from, line, to, true);
+      const auto way = sightline_through_surface(sea.view(), from, line, to, true);
       const V surface = from + way.length_water * way.direction;
       return length(to - surface) - length(telescope.position) +
              way.length_water * sea.line[static_cast<std::size_t>(line)].group_index;
@@ -119,7 +119,7 @@ TEST_P(FromSpace, WalksFromTelescopesAreTimed) {
     const auto lens = lens_point(in_float, float(random.uniform()), float(random.uniform()));
     const auto detector = instrument::ring_point(0.0F, in_float.detector_radius,
                                                  float(random.uniform()), float(random.uniform()));
-    const auto walk = begin_at_telescope(sea.view(), in_float, 0, 0, lens,
+    const auto walk = birth_at_telescope(sea.view(), in_float, 0, 0, lens,
                                          outward_slope(in_float, lens, detector));
     ASSERT_TRUE(walk.exists);
     const instrument::PlanePoint<double> at{lens.x, lens.y}, on_detector{detector.x, detector.y};

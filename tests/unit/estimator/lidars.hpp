@@ -17,14 +17,15 @@ struct Sea {
     world.laser_layer = medium.layer_at(std::max(0.0, -source.position_m.z));
     world.telescopes = {instrument::make_telescope<double>(telescope)};
     world.telescope_layer = {medium.layer_at(std::max(0.0, -telescope.position_m.z))};
-    world.reversal = {
+    world.inverse_conversion = {
         0.3, 0.5,
         axis_in_water(world.laser.axis, world.laser.submerged, medium.line[0].refractive_index), 1,
         0.2};
     world.path_to_origin = {path_to_origin(source, telescope)};
     world.deepest = 40;
     world.most_vertices = most_vertices;
-    world.turns_scattered = world.reversal.beam.x == 0 && world.reversal.beam.y == 0;
+    world.turns_scattered =
+        world.inverse_conversion.beam.x == 0 && world.inverse_conversion.beam.y == 0;
   }
   Sea(const Sea&) = delete;  // the world looks into the medium
   Sea& operator=(const Sea&) = delete;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "estimator/bidirectional/walk.hpp"
+#include "transport/connection_end.hpp"
 #include "transport/flight.hpp"
-#include "transport/joint.hpp"
-#include "transport/way.hpp"
+#include "transport/sightline.hpp"
 
 namespace photic::estimator {
 
@@ -56,15 +56,15 @@ inline V direction_to(const V& from, const V& to, bool mirrored) {
   return normalised(V{to.x, to.y, mirrored ? -to.z : to.z} - from);
 }
 
-inline transport::Way<double> way_to(const World<double>& world, const V& from, std::int32_t line,
-                                     const V& to, bool mirrored) {
-  return to.z < 0 ? transport::way_in_water(world.sea, from, line, to, mirrored)
-                  : transport::way_through_surface(world.sea, from, line, to, true);
+inline transport::Sightline<double> way_to(const World<double>& world, const V& from,
+                                           std::int32_t line, const V& to, bool mirrored) {
+  return to.z < 0 ? transport::sightline_in_water(world.sea, from, line, to, mirrored)
+                  : transport::sightline_through_surface(world.sea, from, line, to, true);
 }
-inline transport::Way<double> way_to_laser(const World<double>& world, const Path& path) {
+inline transport::Sightline<double> way_to_laser(const World<double>& world, const Path& path) {
   return way_to(world, path.x(1), 0, fictitious_vertex(world.laser), path.is_mirrored(0));
 }
-inline transport::Way<double> way_to_lens(const World<double>& world, const Path& path) {
+inline transport::Sightline<double> way_to_lens(const World<double>& world, const Path& path) {
   return way_to(world, path.x(path.order()), path.line, in_space(world.telescopes[0], path.lens),
                 path.is_mirrored(path.order()));
 }
@@ -87,15 +87,15 @@ inline Path shifted_sideways(const World<double>& world, const Path& path, const
 class Writer {
  public:
   Writer(const World<double>& world, const transport::Samples<double>& samples,
-         const transport::Beginning<double>& begin, Outset<double> outset, bool from_telescope)
-      : walks(1, from_telescope, begin.spread.through_surface, world.sea.environments),
+         const transport::Birth<double>& birth, BirthRecord<double> record, bool from_telescope)
+      : walks(1, from_telescope, birth.spread.through_surface, world.sea.environments),
         world_(world),
         samples_(samples),
-        photon_(begin.photon),
-        spread_(begin.spread),
+        photon_(birth.photon),
+        spread_(birth.spread),
         ray_{transport::walk_point(photon_)} {
-    outset.spread = begin.spread;
-    walks.begin(true, 0, outset, ray_);
+    record.spread = birth.spread;
+    walks.birth(true, 0, record, ray_);
   }
 
   void collide_at(const V& place, bool mirrored) {
@@ -123,12 +123,13 @@ class Writer {
     const double p = world_.sea.phases.value<double>(
         one_minus_cos(old, photon_.direction),
         converts ? world_.sea.conversion_phase[photon_.line] : world_.sea.elastic_phase[here()]);
-    const double chance = world_.reversal.chance(world_.sea, photon_.line, photon_.layer);
+    const double chance = world_.inverse_conversion.chance(world_.sea, photon_.line, photon_.layer);
     departure.p = p;
     departure.chance = 1 - chance;
     departure.density = photon_.line > 0 ? 0 : 1;
     if (converts) {
-      departure.chance = chance * world_.reversal.over_phase(world_.sea, photon_.direction, p);
+      departure.chance =
+          chance * world_.inverse_conversion.over_phase(world_.sea, photon_.direction, p);
       departure.density = transport::walk_c_ratio<double>(world_.sea, photon_.line, photon_.layer);
       photon_.weight *=
           transport::conversion_per_emitted_c<double>(world_.sea, photon_.line, photon_.layer);
@@ -136,7 +137,7 @@ class Writer {
     } else {
       photon_.weight *= world_.sea.albedo[here()];
       const auto drawn = [&](const V& direction) {
-        return world_.reversal.scattered_over_phase(world_.sea, direction, p);
+        return world_.inverse_conversion.scattered_over_phase(world_.sea, direction, p);
       };
       if (!walks.from_telescope()) departure.passed = drawn(-old);
       if (walks.from_telescope() && photon_.line == 0) departure.chance *= drawn(photon_.direction);
@@ -209,16 +210,16 @@ inline Walks<double> telescope_walk(const World<double>& world,
   const double per_axis = 1 / dot(outward, telescope.axis);
   const instrument::PlanePoint<double> slope{per_axis * dot(outward, telescope.across),
                                              per_axis * dot(outward, telescope.up)};
-  Outset<double> outset;
-  outset.lens = path.lens;
-  outset.outward = outward;
-  outset.shift_area = shift_area(telescope, outward);
-  outset.grid_offset = grid_offset;
-  outset.line = path.line;
+  BirthRecord<double> record;
+  record.lens = path.lens;
+  record.outward = outward;
+  record.shift_area = shift_area(telescope, outward);
+  record.grid_offset = grid_offset;
+  record.line = path.line;
   Writer writer(world, samples,
-                transport::begin_at_telescope(world.sea, telescope, world.telescope_layer[0],
+                transport::birth_at_telescope(world.sea, telescope, world.telescope_layer[0],
                                               path.line, path.lens, slope),
-                outset, true);
+                record, true);
   const std::int32_t k = path.order();
   for (std::int32_t i = k; i > k - vertices; --i) {
     writer.collide_at(path.x(i), path.is_mirrored(i));

@@ -75,7 +75,7 @@ struct Strategies {
   /// The density with which the direction is drawn in which a telescope's walk leaves the pivot,
   /// but for what no turn changes [1/sr].
   [[nodiscard]] double drawn_at_pivot() const {
-    const double share = world.reversal.scattered;
+    const double share = world.inverse_conversion.scattered;
     const std::int32_t k = path.order();
     return path.line > 0 ? 1 : (1 - share) * phase(k) + share * lobe(k);
   }
@@ -125,32 +125,34 @@ struct Strategies {
         x, i == path.converted ? medium.conversion_phase[l] : medium.elastic_phase[here]);
   }
   /// That a telescope's walk turns the detected light back into the laser's at vertex i.
-  [[nodiscard]] double reversal(std::int32_t i) const {
-    return path.line > 0 && of(medium.conversion, path.line, i) > 0 ? world.reversal.probability
-                                                                    : 0;
+  [[nodiscard]] double inverse_conversion(std::int32_t i) const {
+    return path.line > 0 && of(medium.conversion, path.line, i) > 0
+               ? world.inverse_conversion.probability
+               : 0;
   }
   /// That it does not so at vertices `from` … k.
   [[nodiscard]] double stays_converted(std::int32_t from) const {
     double chance = 1;
-    for (std::int32_t i = from; i <= path.order(); ++i) chance *= 1 - reversal(i);
+    for (std::int32_t i = from; i <= path.order(); ++i) chance *= 1 - inverse_conversion(i);
     return chance;
   }
   /// That it does at the conversion and finds the path's direction, over the phase function.
   [[nodiscard]] double turns_back() const {
-    const auto& r = world.reversal;
-    return reversal(path.converted) *
+    const auto& r = world.inverse_conversion;
+    return inverse_conversion(path.converted) *
            ((1 - r.directed) / (4 * pi) + r.directed * lobe(path.converted)) /
            phase(path.converted);
   }
   /// Of the direction in which a telescope's walk leaves vertex i.
   [[nodiscard]] double lobe(std::int32_t i) const {
-    return world.sea.phases.value<double>(one_minus_cos(world.reversal.beam, -at(i - 1).arriving),
-                                          world.reversal.lobe);
+    return world.sea.phases.value<double>(
+        one_minus_cos(world.inverse_conversion.beam, -at(i - 1).arriving),
+        world.inverse_conversion.lobe);
   }
   /// That it finds the path's directions where it scatters the laser's light from vertex `from` on,
   /// over the phase functions.
   [[nodiscard]] double scatters(std::int32_t from) const {
-    const double share = world.reversal.scattered;
+    const double share = world.inverse_conversion.scattered;
     double chance = 1;
     for (std::int32_t i = from; i <= path.order(); ++i)
       if (path.line_of(i) == 0) chance *= 1 - share + share * lobe(i) / phase(i);
@@ -181,7 +183,7 @@ struct Strategies {
   }
   /// The edge of an instrument at a point, seen from vertex x.
   [[nodiscard]] Edge instrument_edge(const V& x, std::int32_t line,
-                                     const transport::Way<double>& way, const V& instrument,
+                                     const transport::Sightline<double>& way, const V& instrument,
                                      bool mirrored, double solid_angle) const {
     Edge e;
     e.mirrored = mirrored;

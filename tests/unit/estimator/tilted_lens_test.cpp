@@ -2,7 +2,7 @@
 // and turns under tilted lasers.
 #include <gtest/gtest.h>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "support/random.hpp"
 #include "support/scenes.hpp"
 #include "unit/estimator/lidars.hpp"
@@ -55,8 +55,8 @@ TEST(Turns, AreForNoTiltedLaserInWaterThatConverts) {
         test::read(test::ship_instrument + channels + "[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n" +
                    test::depth_gates(16, 2) + test::simulation(1000, 1, "", "bidirectional"));
     if (direction == "tilted") scene.source.direction = {0.1, 0, -1};
-    const Problem problem = make_problem(scene);
-    return make_world<double>(problem.scene, problem.medium, problem.gates).turns;
+    const Model model = make_model(scene);
+    return make_world<double>(model.scene, model.medium, model.gates).turns;
   };
   const std::string elastic = test::channel("elastic");
   EXPECT_TRUE(turns("upright", elastic));

@@ -6,7 +6,7 @@
 #include <deque>
 #include <set>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 #include "support/scenes.hpp"
 
 namespace photic::estimator {
@@ -17,8 +17,8 @@ World<double> world_with_tools(const std::string& tools) {
       test::read(test::ship_instrument + test::channel("elastic") +
                  test::water(0.06, 0.1, test::peaked_phase) + test::depth_gates(30, 3) +
                  test::simulation(5000, 3, "[simulation.tools]\n" + tools));
-  static std::deque<Problem> problems;  // that the worlds look into
-  problems.push_back(make_problem(scene));
+  static std::deque<Model> problems;  // that the worlds look into
+  problems.push_back(make_model(scene));
   return make_world<double>(scene, problems.back().medium, problems.back().gates);
 }
 

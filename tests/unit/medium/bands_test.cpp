@@ -1,4 +1,5 @@
-// Spectra cut into lines, filters, and the hues by which photons are shared out among lines.
+// Spectra cut into lines, filters, and the spectral_bins by which photons are shared out among
+// lines.
 #include "medium/bands.hpp"
 
 #include <unistd.h>
@@ -165,8 +166,8 @@ TEST(BuildMedium, ShowsAllProcessesThroughAFilter) {
   EXPECT_GT(raman, 0);
 }
 
-// Every line has hues, as many as its share of photons and an even share come to, and what it
-// emits is made up for them. Seen red: made up for as if all lines had as many.
+// Every line has spectral_bins, as many as its share of photons and an even share come to, and what
+// it emits is made up for them. Seen red: made up for as if all lines had as many.
 TEST(Medium, SharesOutHuesAmongTheLinesOfABand) {
   const auto m = medium_of(spectra_scene({test::channel_of("raman"), test::channel_of("cdom")}));
   const auto view = m.view();
@@ -174,8 +175,8 @@ TEST(Medium, SharesOutHuesAmongTheLinesOfABand) {
   EXPECT_EQ(view.convertible_count[0], 2);
   std::vector<int> count(m.line.size());
   for (std::int32_t band = 0; band < 2; ++band) {
-    for (std::int32_t hue = 0; hue < hues; ++hue) {
-      const std::int32_t line = view.emitted_line<double>(0, band, hue);
+    for (std::int32_t spectral_bin = 0; spectral_bin < spectral_bins; ++spectral_bin) {
+      const std::int32_t line = view.emitted_line<double>(0, band, spectral_bin);
       EXPECT_EQ(m.line[static_cast<std::size_t>(line)].process,
                 band == 0 ? Process::raman : Process::cdom);
       ++count[static_cast<std::size_t>(line)];
@@ -186,8 +187,8 @@ TEST(Medium, SharesOutHuesAmongTheLinesOfABand) {
     double photons = 0;
     for (const Line& other : m.line) photons += same(other) ? other.photons : 0;
     const auto lines = static_cast<double>(std::ranges::count_if(m.line, same));
-    EXPECT_NEAR(count[l], hues / 2.0 * (m.line[l].photons / photons + 1 / lines), 1) << l;
-    EXPECT_NEAR(view.conversion.exact[l], m.conversion[l] * hues / count[l], 1e-15) << l;
+    EXPECT_NEAR(count[l], spectral_bins / 2.0 * (m.line[l].photons / photons + 1 / lines), 1) << l;
+    EXPECT_NEAR(view.conversion.exact[l], m.conversion[l] * spectral_bins / count[l], 1e-15) << l;
   }
 }
 

@@ -8,14 +8,14 @@
 namespace photic::run {
 namespace {
 
-estimator::Problem problem_of(double photons, double target = 0) {
+estimator::Model model_of(double photons, double target = 0) {
   scene::Scene scene = test::read(test::ship_instrument + test::channel("elastic") +
                                   test::water(0.06, 0.1, test::peaked_phase) +
                                   test::depth_gates(30, 3) + test::simulation(1, 3, "", "auto"));
   scene.simulation.photons.reset();
   if (photons > 0) scene.simulation.photons = static_cast<std::uint64_t>(photons);
   if (target > 0) scene.simulation.target_relative_error = target;
-  return estimator::make_problem(scene);
+  return estimator::make_model(scene);
 }
 
 Contender contender(const std::string& estimator) {
@@ -26,31 +26,30 @@ Contender contender(const std::string& estimator) {
   return out;
 }
 
-Outcome outcome_of(const estimator::Problem& problem, int threads = 1) {
+Outcome outcome_of(const estimator::Model& model, int threads = 1) {
   RunOptions options;
   options.threads = threads;
-  return contend(problem, {contender("bidirectional"), contender("forward")}, options);
+  return contend(model, {contender("bidirectional"), contender("forward")}, options);
 }
 
 // Seen red: with pilots of a fixed size.
 TEST(Contest, TakesLessForAShorterRun) {
-  const double short_run = outcome_of(problem_of(1000)).operations;
-  const double longer = outcome_of(problem_of(3e5)).operations;
+  const double short_run = outcome_of(model_of(1000)).operations;
+  const double longer = outcome_of(model_of(3e5)).operations;
   EXPECT_LT(4 * short_run, longer);
-  EXPECT_LT(4 * outcome_of(problem_of(0, 0.3)).operations,
-            outcome_of(problem_of(0, 0.005)).operations);
+  EXPECT_LT(4 * outcome_of(model_of(0, 0.3)).operations, outcome_of(model_of(0, 0.005)).operations);
 }
 
 // Of two limits the nearer one tells how long the run is. Seen red: with the target alone.
 TEST(Contest, LooksAtPhotonsAndTarget) {
-  EXPECT_EQ(outcome_of(problem_of(1000, 0.005)).operations,
-            outcome_of(problem_of(1000, 0.3)).operations);
+  EXPECT_EQ(outcome_of(model_of(1000, 0.005)).operations,
+            outcome_of(model_of(1000, 0.3)).operations);
 }
 
 // However long the run: 10240 photons of the bidirectional estimator, 81920 of the other. Seen red:
 // with stages without end.
 TEST(Contest, HasAnEnd) {
-  for (const Standing& standing : outcome_of(problem_of(1e15)).standing) {
+  for (const Standing& standing : outcome_of(model_of(1e15)).standing) {
     EXPECT_LE(standing.photons, 81920U);
   }
 }
@@ -58,9 +57,9 @@ TEST(Contest, HasAnEnd) {
 // Forward photons are at a loss in these gates by far, which few photons show. Seen red: with all
 // contenders in all stages.
 TEST(Contest, GivesUpWhatIsClearlyWorse) {
-  estimator::Problem problem = problem_of(1e15);
+  estimator::Model model = model_of(1e15);
   const Outcome outcome = contend(
-      problem, {contender("bidirectional"), contender("bidirectional"), contender("analog")}, {});
+      model, {contender("bidirectional"), contender("bidirectional"), contender("analog")}, {});
   EXPECT_TRUE(outcome.standing[2].given_up_early);
   EXPECT_FALSE(outcome.standing[0].given_up_early);
   EXPECT_EQ(outcome.standing[0].photons, 10240U);
@@ -70,14 +69,14 @@ TEST(Contest, GivesUpWhatIsClearlyWorse) {
 TEST(Contest, TriesEachWithItsOwnWalks) {
   Contender other = contender("bidirectional");
   other.simulation.walk_attenuation = 0.9;
-  const Outcome outcome = contend(problem_of(1000), {contender("bidirectional"), other}, {});
+  const Outcome outcome = contend(model_of(1000), {contender("bidirectional"), other}, {});
   EXPECT_NE(outcome.standing[0].times_the_work, outcome.standing[1].times_the_work);
 }
 
 // Seen red: with one more stage for a second thread.
 TEST(Contest, IsTheSameOnTwoThreads) {
-  const estimator::Problem problem = problem_of(0, 0.01);
-  const Outcome one = outcome_of(problem, 1), two = outcome_of(problem, 2);
+  const estimator::Model model = model_of(0, 0.01);
+  const Outcome one = outcome_of(model, 1), two = outcome_of(model, 2);
   EXPECT_EQ(one.best, two.best);
   EXPECT_EQ(one.operations, two.operations);
   for (std::size_t i = 0; i < one.standing.size(); ++i) {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 
 namespace photic::schedule {
 

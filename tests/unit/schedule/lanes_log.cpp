@@ -20,10 +20,10 @@ LoggedEvent event_of(const transport::Photon<Lanes>& p, std::size_t i) {
 }  // namespace
 
 namespace PHOTIC_ISA {
-EventLog log_lanes(const estimator::Problem& problem, std::uint64_t photons);
-EventLog log_lanes(const estimator::Problem& problem, std::uint64_t photons) {
-  const auto world = estimator::make_world<Lanes>(problem.scene, problem.medium, problem.gates);
-  tally::BatchTally tally(problem.shape, problem.gates);
+EventLog log_lanes(const estimator::Model& model, std::uint64_t photons);
+EventLog log_lanes(const estimator::Model& model, std::uint64_t photons) {
+  const auto world = estimator::make_world<Lanes>(model.scene, model.medium, model.gates);
+  tally::BatchTally tally(model.shape, model.gates);
   EventLog log;
   const auto witness = [&log](const auto& t, const Mask<Lanes>& before) {
     for_each_lane(before, [&](int lane) {

@@ -26,15 +26,15 @@ namespace photic::schedule {
 
 // lanes_log.cpp, compiled for each.
 namespace baseline {
-EventLog log_lanes(const estimator::Problem& problem, std::uint64_t photons);
+EventLog log_lanes(const estimator::Model& model, std::uint64_t photons);
 }
 namespace avx2 {
-EventLog log_lanes(const estimator::Problem& problem, std::uint64_t photons);
-EventLog log_contracted_lanes(const estimator::Problem& problem, std::uint64_t photons);
+EventLog log_lanes(const estimator::Model& model, std::uint64_t photons);
+EventLog log_contracted_lanes(const estimator::Model& model, std::uint64_t photons);
 }  // namespace avx2
 namespace avx512 {
-EventLog log_lanes(const estimator::Problem& problem, std::uint64_t photons);
-EventLog log_contracted_lanes(const estimator::Problem& problem, std::uint64_t photons);
+EventLog log_lanes(const estimator::Model& model, std::uint64_t photons);
+EventLog log_contracted_lanes(const estimator::Model& model, std::uint64_t photons);
 }  // namespace avx512
 
 namespace {
@@ -74,9 +74,9 @@ forced_collisions = 3
 importance = [ { depth_m = 2.0, value = 2.5 }, { depth_m = 5.0, value = 0.5 } ]
 )";
 
-EventLog log_scalar(const estimator::Problem& problem, std::uint64_t photons) {
-  const auto world = estimator::make_world<float>(problem.scene, problem.medium, problem.gates);
-  tally::BatchTally tally(problem.shape, problem.gates);
+EventLog log_scalar(const estimator::Model& model, std::uint64_t photons) {
+  const auto world = estimator::make_world<float>(model.scene, model.medium, model.gates);
+  tally::BatchTally tally(model.shape, model.gates);
   EventLog log;
   estimator::Travellers<float> photon(world);
   std::vector<estimator::Travellers<float>> copies;
@@ -109,20 +109,20 @@ EventLog log_scalar(const estimator::Problem& problem, std::uint64_t photons) {
   return log;
 }
 
-EventLog log_lanes(const estimator::Problem& problem, std::uint64_t photons, Isa isa) {
+EventLog log_lanes(const estimator::Model& model, std::uint64_t photons, Isa isa) {
 #if defined(PHOTIC_WIDE_LANES)
-  if (isa == Isa::avx512) return avx512::log_lanes(problem, photons);
-  if (isa == Isa::avx2) return avx2::log_lanes(problem, photons);
+  if (isa == Isa::avx512) return avx512::log_lanes(model, photons);
+  if (isa == Isa::avx2) return avx2::log_lanes(model, photons);
 #endif
-  return isa == Isa::baseline ? baseline::log_lanes(problem, photons) : EventLog{};
+  return isa == Isa::baseline ? baseline::log_lanes(model, photons) : EventLog{};
 }
 
-EventLog log_contracted_lanes(const estimator::Problem& problem, std::uint64_t photons, Isa isa) {
+EventLog log_contracted_lanes(const estimator::Model& model, std::uint64_t photons, Isa isa) {
 #if defined(PHOTIC_WIDE_LANES)
-  if (isa == Isa::avx512) return avx512::log_contracted_lanes(problem, photons);
-  if (isa == Isa::avx2) return avx2::log_contracted_lanes(problem, photons);
+  if (isa == Isa::avx512) return avx512::log_contracted_lanes(model, photons);
+  if (isa == Isa::avx2) return avx2::log_contracted_lanes(model, photons);
 #endif
-  return isa == Isa::baseline ? baseline::log_lanes(problem, photons) : EventLog{};
+  return isa == Isa::baseline ? baseline::log_lanes(model, photons) : EventLog{};
 }
 
 /// Whether lanes round a product and a sum once: where instructions do both.
@@ -163,22 +163,21 @@ TEST(Lanes, HistoriesAreThoseOfTheScalarEngineInFloat) {
         rich_scene("reception = \"overlap\"\nmax_order = 4"), rich_scene(tools),
         plain_scene("[simulation.tools]\nweight_threshold = 0.5\nat_threshold = \"end\""),
         rich_scene("max_order = 4", "analog")}) {
-    const estimator::Problem problem = estimator::make_problem(scene);
-    const EventLog scalar = log_scalar(problem, photons);
-    const scene::Simulation& run = problem.scene.simulation;
+    const estimator::Model model = estimator::make_model(scene);
+    const EventLog scalar = log_scalar(model, photons);
+    const scene::Simulation& run = model.scene.simulation;
     const bool plain = run.estimator == "forward" && run.tools == scene::Tools{};
     // The last flight of each photon, but of analog ones, ends no event.
     const std::size_t last_flights = run.estimator == "analog" ? 0 : photons;
     EXPECT_GT(scalar.size() + last_flights, (plain ? 4 : 2) * photons);
     for (const Isa isa : isas_here()) {
-      const EventLog lanes = log_lanes(problem, photons, isa);
+      const EventLog lanes = log_lanes(model, photons, isa);
       ASSERT_EQ(lanes.size(), scalar.size()) << isa_name(isa);
       std::size_t different = 0;
       for (auto a = lanes.begin(), b = scalar.begin(); a != lanes.end(); ++a, ++b)
         different += *a != *b ? 1 : 0;
       EXPECT_EQ(different, 0U) << isa_name(isa) << ", of " << lanes.size();
-      const std::size_t others =
-          other_histories(log_contracted_lanes(problem, photons, isa), scalar);
+      const std::size_t others = other_histories(log_contracted_lanes(model, photons, isa), scalar);
       std::printf("%s: %zu of %zu histories are other ones\n", std::string(isa_name(isa)).c_str(),
                   others, static_cast<std::size_t>(photons));
       EXPECT_LT(others, photons / 1000) << isa_name(isa);
@@ -209,12 +208,12 @@ void expect_near(std::span<const double> lanes, std::span<const double> scalar, 
 /// rounding, some fall on the other side of a depth's edge, and the few histories that take another
 /// branch (see above) have some collisions more or less.
 void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
-  const estimator::Problem problem = estimator::make_problem(scene);
+  const estimator::Model model = estimator::make_model(scene);
   const run::RunOptions options;
-  run::Conductor conductor(problem.scene.simulation, options);
-  tally::Result scalar = estimator::describe(problem);
-  const ScalarSimulator<float> simulator(problem);
-  run::BatchRunner(problem, simulator, conductor).run().fill(scalar);
+  run::RunControl control(model.scene.simulation, options);
+  tally::Result scalar = estimator::describe(model);
+  const ScalarSimulator<float> simulator(model);
+  run::BatchRunner(model, simulator, control).run().fill(scalar);
   EXPECT_GT(std::reduce(scalar.echo.mean.begin(), scalar.echo.mean.end()), 0);
   for (const Isa isa : isas_here()) {
     SCOPED_TRACE(isa_name(isa));

@@ -16,7 +16,7 @@ using V = Vec3<double>;
 
 constexpr std::int32_t henyey_greenstein = 1;  // of the tables of make_sea()
 
-Reversal<double> reversal() {
+InverseConversion<double> inverse_conversion() {
   return {0.3, 0.6, normalised(V{0.3, -0.2, -1}), henyey_greenstein, 0};
 }
 
@@ -55,7 +55,8 @@ TEST(Depart, ScattersWhatCannotBeConvertedLight) {
     for (int i = 0; i < 1000; ++i) {
       const auto before = photon_in(line, layer, random);
       auto photon = before;
-      const auto departure = depart(sea.view(), photon, reversal(), uniforms(random), true);
+      const auto departure =
+          depart(sea.view(), photon, inverse_conversion(), uniforms(random), true);
       ASSERT_EQ(photon.line, line);
       ASSERT_EQ(photon.order, 5);
       ASSERT_EQ(departure.chance, 1);
@@ -74,7 +75,7 @@ TEST(Depart, ScattersWhatCannotBeConvertedLight) {
 TEST(Depart, TurnsConversionsBackWithItsChance) {
   Random random(402);
   const auto sea = make_sea(40);
-  const auto back = reversal();
+  const auto back = inverse_conversion();
   constexpr int samples = 20000;
   const std::vector<std::pair<std::int32_t, std::int32_t>> line_and_layer{{1, 0}, {1, 1}, {2, 1}};
   for (const auto& [line, layer] : line_and_layer) {
@@ -115,7 +116,7 @@ TEST(Depart, TurnsConversionsBackWithItsChance) {
 double probability_between(const medium::Medium& sea, const V& old, std::int32_t line, double x0,
                            double x1) {
   constexpr int steps = 64;
-  const auto back = reversal();
+  const auto back = inverse_conversion();
   double sum = 0;
   for (int i = 0; i < steps; ++i) {
     for (int j = 0; j < steps; ++j) {
@@ -150,10 +151,10 @@ TEST(Depart, DrawsConvertedDirectionsAsDenseAsItSays) {
       photon.direction = old;
       photon.line = line;
       photon.layer = 1;
-      depart(sea.view(), photon, reversal(),
+      depart(sea.view(), photon, inverse_conversion(),
              {random.uniform(), random.uniform(), 0, random.uniform()}, true);
       ASSERT_EQ(photon.line, 0);
-      const double x = one_minus_cos(reversal().beam, photon.direction);
+      const double x = one_minus_cos(inverse_conversion().beam, photon.direction);
       count[static_cast<std::size_t>(x / cell)] += 1;
     }
     double whole = 0;
@@ -164,8 +165,8 @@ TEST(Depart, DrawsConvertedDirectionsAsDenseAsItSays) {
   }
 }
 
-Reversal<double> scattering_reversal() {
-  Reversal<double> back = reversal();
+InverseConversion<double> scattering_reversal() {
+  InverseConversion<double> back = inverse_conversion();
   back.scattered = 0.2;
   return back;
 }
@@ -222,7 +223,7 @@ TEST(Depart, FromTheLaserTellsHowWalksPassIt) {
     const auto u = uniforms(random);
     auto photon = before, plain = before;
     const auto departure = depart(sea.view(), photon, back, u, false);
-    depart(sea.view(), plain, reversal(), u, true);
+    depart(sea.view(), plain, inverse_conversion(), u, true);
     ASSERT_EQ(photon.direction, plain.direction);
     ASSERT_EQ(departure.chance, 1);
     const double lobe = phase(sea, henyey_greenstein, back.beam, -before.direction);

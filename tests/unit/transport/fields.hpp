@@ -3,7 +3,7 @@
 #pragma once
 
 #include "transport/connect_ray.hpp"
-#include "transport/joint.hpp"
+#include "transport/connection_end.hpp"
 #include "transport/meet.hpp"
 #include "unit/transport/packs.hpp"
 
@@ -160,7 +160,7 @@ void fields(P& a, S& b, F f) {
   f(a.behind, b.behind, "behind");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Joint>
+  requires is_packed<P, ConnectionEnd>
 void fields(P& a, S& b, F f) {
   fields(a.end, b.end, f);
   f(a.weight, b.weight, "weight");
@@ -169,7 +169,7 @@ void fields(P& a, S& b, F f) {
   f(a.meeting, b.meeting, "meeting");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Reversal>
+  requires is_packed<P, InverseConversion>
 void fields(P& a, S& b, F f) {
   f(a.probability, b.probability, "probability");
   f(a.directed, b.directed, "directed");

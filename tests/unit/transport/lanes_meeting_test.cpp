@@ -13,7 +13,7 @@ using V = Vec3<double>;
 Samples<double> random_samples(Random& random) {
   return {1, random.uniform(), 5, random.below(3) * 1.0, {random.scale(0.1, 10)}};
 }
-Reversal<double> random_reversal(Random& random) {
+InverseConversion<double> random_reversal(Random& random) {
   return {random.uniform(), random.uniform(), random.direction(), random.below(5),
           random.chance(0.5) ? random.between(0, 0.5) : 0.0};
 }
@@ -120,25 +120,25 @@ TEST(LanesOf, DepartAndNextRay) {
   const auto sea = make_sea(40);
   int converted = 0, directed = 0;
   for (int g = 0; g < groups; ++g) {
-    const auto reversal = random_reversal(random);
+    const auto inverse_conversion = random_reversal(random);
     const auto vertex = four([&] { return random_vertex(sea, random); });
     auto photon = four([&] { return random_photon(sea, random); });
     auto photon4 = pack(photon);
     const auto a = uniforms4(random), b = uniforms4(random), c = uniforms4(random),
                d = uniforms4(random);
     const bool from_telescope = random.chance(0.5);
-    const auto departure4 = depart(sea.view(), photon4, in_all_lanes(reversal),
+    const auto departure4 = depart(sea.view(), photon4, in_all_lanes(inverse_conversion),
                                    {pack(a), pack(b), pack(c), pack(d)}, from_telescope);
     const auto ray4 = next_ray(photon4, pack_fields<Vertex>(vertex), departure4);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto line = photon[i].line;
-      const auto departure =
-          depart(sea.view(), photon[i], reversal, {a[i], b[i], c[i], d[i]}, from_telescope);
+      const auto departure = depart(sea.view(), photon[i], inverse_conversion,
+                                    {a[i], b[i], c[i], d[i]}, from_telescope);
       expect_same(photon4, i, photon[i]);
       expect_same_fields(departure4, i, departure);
       expect_same_fields(ray4, i, next_ray(photon[i], vertex[i], departure));
       converted += photon[i].line != line;
-      directed += photon[i].line != line && d[i] < reversal.directed;
+      directed += photon[i].line != line && d[i] < inverse_conversion.directed;
     }
   }
   EXPECT_GT(converted, groups / 4);
@@ -150,8 +150,8 @@ TEST(LanesOf, Joints) {
   const auto sea = make_sea(40);
   const auto view = sea.view();
   for (int g = 0; g < groups; ++g) {
-    const auto reversal = random_reversal(random);
-    const auto reversal4 = in_all_lanes(reversal);
+    const auto inverse_conversion = random_reversal(random);
+    const auto reversal4 = in_all_lanes(inverse_conversion);
     const auto vertex = four([&] { return random_vertex(sea, random); });
     const auto vertex4 = pack_fields<Vertex>(vertex);
     const auto direction = four([&] { return random.direction(); });
@@ -171,13 +171,15 @@ TEST(LanesOf, Joints) {
         balance(pack(area), pack(tau), pack(walk_tau), scattered4.end, arrived4.end);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& v = vertex[i];
-      const auto scattered =
-          scattering_from_laser(view, v, behind[i], direction[i], reversal, goes_on[i], freedom[i]);
-      const auto arrived = arrival_from_laser(view, v, direction[i], reversal, freedom[i]);
+      const auto scattered = scattering_from_laser(view, v, behind[i], direction[i],
+                                                   inverse_conversion, goes_on[i], freedom[i]);
+      const auto arrived =
+          arrival_from_laser(view, v, direction[i], inverse_conversion, freedom[i]);
       expect_same_fields(scattered4, i, scattered);
-      expect_same_fields(converted4, i,
-                         conversion_from_laser(view, v, behind[i], direction[i], line[i], reversal,
-                                               chance[i], goes_on[i], freedom[i]));
+      expect_same_fields(
+          converted4, i,
+          conversion_from_laser(view, v, behind[i], direction[i], line[i], inverse_conversion,
+                                chance[i], goes_on[i], freedom[i]));
       expect_same_fields(arrived4, i, arrived);
       expect_same_fields(last4, i, scattering_of_converted(view, v, direction[i]));
       expect_same(balance4[i], balance(area[i], tau[i], walk_tau[i], scattered.end, arrived.end),
@@ -194,7 +196,7 @@ TEST(LanesOf, ChordAndMeet) {
     scene::Telescope scene;
     const auto telescope = instrument::random_telescope(random, scene);
     const auto samples = random_samples(random);
-    const auto reversal = random_reversal(random);
+    const auto inverse_conversion = random_reversal(random);
     auto laser = four([&] { return random_ray(sea, random); });
     auto back = four([&] { return random_ray(sea, random); });
     Four<std::int32_t> layer{};
@@ -231,7 +233,7 @@ TEST(LanesOf, ChordAndMeet) {
     const auto meeting4 = meet<Lanes4>(
         sea.view(), {laser4, pack_mask(first), spread4, pack(a), pack(a_last)},
         {back4, pack_mask(last), spread4, pack(b), pack(b_last)}, pack(depth), pack(layer),
-        pack_fields<Freedom>(freedom), in_all_lanes(reversal), in_all_lanes(samples));
+        pack_fields<Freedom>(freedom), in_all_lanes(inverse_conversion), in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto c = chord(depth_line(sea.view(), laser[i], 40.0),
                            depth_line(sea.view(), back[i], 40.0), telescope, start[i], 250.0);
@@ -245,7 +247,7 @@ TEST(LanesOf, ChordAndMeet) {
       const auto meeting =
           meet<double>(sea.view(), {laser[i], first[i], spread[i], a[i], a_last[i]},
                        {back[i], last[i], spread[i], b[i], b_last[i]}, depth[i], layer[i],
-                       freedom[i], reversal, samples);
+                       freedom[i], inverse_conversion, samples);
       expect_same_fields(meeting4, i, meeting);
       ++met;
     }

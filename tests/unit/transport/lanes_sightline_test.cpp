@@ -68,12 +68,13 @@ TEST(LanesOf, WayThroughSurface) {
     const auto wanted = four([&] { return random.chance(0.7); });
     const auto packed = pack(photon);
     const auto way4 =
-        way_through_surface(sea.view(), packed.position, packed.line, pack(to), pack(wanted));
+        sightline_through_surface(sea.view(), packed.position, packed.line, pack(to), pack(wanted));
     const Lanes4 depth4 = Lanes4(0) - packed.position.z;
     const auto tau4 = depths_through_surface(sea.view(), way4, packed.line, packed.layer, depth4);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& one = photon[i];
-      const auto way = way_through_surface(sea.view(), one.position, one.line, to[i], wanted[i]);
+      const auto way =
+          sightline_through_surface(sea.view(), one.position, one.line, to[i], wanted[i]);
       expect_same_fields(way4, i, way);
       if (one.position.z < 0)
         expect_same_fields(
@@ -95,13 +96,14 @@ TEST(LanesOf, WayInWater) {
     auto to = end;
     if (random.chance(0.1)) to[1].position = photon[1].position;
     const auto way4 =
-        way_in_water(sea.view(), packed.position, packed.line, pack(to).position, mirrored);
+        sightline_in_water(sea.view(), packed.position, packed.line, pack(to).position, mirrored);
     const auto tau4 =
         depths_in_water(sea.view(), way4, packed.line, packed.layer, Lanes4(0) - packed.position.z,
                         packed_end.layer, way4.length_water, mirrored);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& one = photon[i];
-      const auto way = way_in_water(sea.view(), one.position, one.line, to[i].position, mirrored);
+      const auto way =
+          sightline_in_water(sea.view(), one.position, one.line, to[i].position, mirrored);
       expect_same_fields(way4, i, way);
       expect_same_fields(tau4, i,
                          depths_in_water(sea.view(), way, one.line, one.layer, 0 - one.position.z,

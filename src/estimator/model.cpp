@@ -1,4 +1,4 @@
-#include "estimator/problem.hpp"
+#include "estimator/model.hpp"
 
 #include <fmt/format.h>
 
@@ -104,7 +104,7 @@ scene::Check optics_check() {
   };
 }
 
-Problem make_problem(const scene::Scene& scene) {
+Model make_model(const scene::Scene& scene) {
   const optics::Library library(optics::find_data_folder());
   auto medium = medium::build_medium(scene, library);
   tally::Gates gates(scene, medium.line);
@@ -119,8 +119,8 @@ Problem make_problem(const scene::Scene& scene) {
   return {std::move(effective), std::move(medium), std::move(gates), std::move(shape)};
 }
 
-tally::Result describe(const Problem& problem) {
-  const auto& [scene, medium, gates, shape] = problem;
+tally::Result describe(const Model& model) {
+  const auto& [scene, medium, gates, shape] = model;
   tally::Result result;
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
   for (const auto& e : scene.environment) {

@@ -11,17 +11,17 @@ namespace photic::estimator {
 
 /// Light that is scored ahead of photons, where they may get to on their flight: its ratios.
 template <bool special, class T>
-void look_ahead(const World<T>& world, const Travellers<T>& from, const transport::Photon<T>& at,
-                Estimates<T>& estimates) {
+void ratios_at(const World<T>& world, const Travellers<T>& from, const transport::Photon<T>& at,
+               Estimates<T>& estimates) {
   if (!compares<special>(world)) return;
   const transport::Photon<T>& before = from.photon;
   estimates.kept = from.ratios.kept;
   estimates.first = from.ratios.first;
-  estimates.ahead.clear();
+  estimates.unflown.clear();
   add_passage(world.sea,
               {at.line, before.layer, T(-before.position.z), at.layer, T(-at.position.z),
                (at.path - before.path) / gather<T>(world.sea.group_index, at.line)},
-              estimates.ahead);
+              estimates.unflown);
 }
 
 /// The number that a flight's free path is drawn by. A free path -ln(u) leaves the water where u is
@@ -57,7 +57,7 @@ void score_further_points(const World<T>& world, const Travellers<T>& travellers
     }
     const Mask<T> scored = travellers.on & !(end.surface | end.sea_bed) & in_time(world, at);
     if (!any(scored)) continue;
-    look_ahead<special>(world, travellers, at, estimates);
+    ratios_at<special>(world, travellers, at, estimates);
     score_light<special>(world, at, weight_at_point(world, at), travellers.lens, scored, at.line,
                          estimates, tally);
   }
@@ -79,14 +79,15 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const T
   transport::Photon<T> at = from.photon;
   const Mask<T> reached =
       wanted & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
-  look_ahead<special>(world, from, at, estimates);
+  ratios_at<special>(world, from, at, estimates);
   if (all_collisions)
     score_light<special>(world, at, at.weight, from.lens, reached, at.line, estimates, tally);
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
   const Mask<T> converting = reached & convertible;
   Index<T> i(0);
   for (Mask<T> on = converting & (i < count); any(on); on = converting & (i < count)) {
-    const Index<T> line = sea.emitted_line<T>(at.layer, select(on, i, Index<T>(0)), from.hue);
+    const Index<T> line =
+        sea.emitted_line<T>(at.layer, select(on, i, Index<T>(0)), from.spectral_bin);
     score_light<special>(world, at, at.weight, from.lens, on, line, estimates, tally);
     i = i + Index<T>(1);
   }

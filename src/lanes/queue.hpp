@@ -1,4 +1,4 @@
-// Where the few lanes wait that are worth more work, until they fill a pack.
+// A queue of the few lanes that are worth more work, until they fill a pack.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,15 @@ namespace photic::lanes {
 
 /// Packs are served together: what has just been written to memory is slow to read again.
 template <class T, class Item>
-class WaitingRoom {
+class Queue {
  public:
   /// `like`: what is the same for all items, whose each_member() may leave that out.
-  explicit WaitingRoom(const Item& like = {}) : like_(like) {}
+  explicit Queue(const Item& like = {}) : like_(like) {}
 
   /// Adds the lanes of a mask of an item, or of what has the same members; calls serve(item, mask)
-  /// for each full pack when the room is full.
+  /// for each full pack when the queue is full.
   template <class Like, class Serve>
-  void admit(const Mask<T>& mask, Like item, Serve serve) {
+  void push(const Mask<T>& mask, Like item, Serve serve) {
     if constexpr (lanes == 1) {
       if (mask) serve(Item(item), mask);
     } else {
@@ -28,12 +28,12 @@ class WaitingRoom {
       columns_.each(
           item, [&](const auto& member, auto* column) { compress(mask, member, column + place); });
       waiting_ = place + count(mask);
-      if (waiting_ > seats) serve_full(serve);
+      if (waiting_ > capacity) serve_full(serve);
     }
   }
   /// Serves all.
   template <class Serve>
-  void close(Serve serve) {
+  void flush(Serve serve) {
     if constexpr (lanes > 1) {
       serve_full(serve);
       if (waiting_ > 0) serve(pack_at(0), first_lanes<T>(waiting_));
@@ -43,7 +43,7 @@ class WaitingRoom {
 
  private:
   static constexpr std::size_t lanes = lanes_of<T>;
-  static constexpr std::size_t seats = 8 * lanes;
+  static constexpr std::size_t capacity = 8 * lanes;
 
   Item pack_at(std::size_t first) {
     Item item = like_;
@@ -64,7 +64,7 @@ class WaitingRoom {
   }
 
   Item like_;
-  LaneColumns<T, Item, seats + lanes> columns_;
+  LaneColumns<T, Item, capacity + lanes> columns_;
   std::size_t waiting_ = 0;
 };
 

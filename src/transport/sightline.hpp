@@ -13,7 +13,7 @@
 namespace photic::transport {
 
 template <class T>
-struct Way {
+struct Sightline {
   Mask<T> exists{};
   Vec3<T> direction;   ///< in which light leaves the point in the water, a unit vector
   Vec3<T> arriving;    ///< in which it reaches the instrument, a unit vector
@@ -29,8 +29,9 @@ struct Way {
 /// Through the surface to a point above it. Where `wanted` is false only the directions are
 /// promised, to a few per cent of their angle.
 template <class T>
-Way<T> way_through_surface(const medium::MediumView& sea, const Vec3<T>& from, const Index<T>& line,
-                           const Vec3<T>& to, const Mask<T>& wanted) {
+Sightline<T> sightline_through_surface(const medium::MediumView& sea, const Vec3<T>& from,
+                                       const Index<T>& line, const Vec3<T>& to,
+                                       const Mask<T>& wanted) {
   const T n = gather<T>(sea.index, line);
   const T inverse_n = gather<T>(sea.inverse_index, line);
   const T depth = -from.z;
@@ -42,7 +43,7 @@ Way<T> way_through_surface(const medium::MediumView& sea, const Vec3<T>& from, c
   const T per_rise = crossing(n, depth, to.z, aside_squared, start);
   const RefractedRay<T> ray = refracted_ray(n, inverse_n, dx, dy, aside_squared, per_rise);
 
-  Way<T> way;
+  Sightline<T> way;
   way.exists = wanted;
   way.direction = ray.direction;
   way.arriving = ray.cos_air * ray.arriving;
@@ -60,13 +61,13 @@ Way<T> way_through_surface(const medium::MediumView& sea, const Vec3<T>& from, c
 
 /// Within the water, directly or by way of the surface seen from below.
 template <class T>
-Way<T> way_in_water(const medium::MediumView& sea, const Vec3<T>& from, const Index<T>& line,
-                    const Vec3<T>& to, bool mirrored) {
+Sightline<T> sightline_in_water(const medium::MediumView& sea, const Vec3<T>& from,
+                                const Index<T>& line, const Vec3<T>& to, bool mirrored) {
   using std::abs;
   using std::sqrt;
   const Vec3<T> there = Vec3<T>{to.x, to.y, mirrored ? -to.z : to.z} - from;
   const T squared = dot(there, there);
-  Way<T> way;
+  Sightline<T> way;
   way.exists = squared > T(0);
   const T safe = select(way.exists, squared, T(1));
   way.length_water = sqrt(safe);
@@ -81,7 +82,7 @@ Way<T> way_in_water(const medium::MediumView& sea, const Vec3<T>& from, const In
 
 /// Optical depths of a way's first `length` in the water, which ends in a layer.
 template <class T>
-OpticalDepths<T> depths_through_surface(const medium::MediumView& sea, const Way<T>& way,
+OpticalDepths<T> depths_through_surface(const medium::MediumView& sea, const Sightline<T>& way,
                                         const Index<T>& line, const Index<T>& layer,
                                         const T& depth) {
   const auto at = sea.level(layer, depth);
@@ -99,7 +100,7 @@ OpticalDepths<T> depths_by_surface(const medium::MediumView& sea, const Index<T>
           (sea.walk_optical_depth(line, from) + sea.walk_optical_depth(line, to)) * secant};
 }
 template <class T>
-OpticalDepths<T> depths_in_water(const medium::MediumView& sea, const Way<T>& way,
+OpticalDepths<T> depths_in_water(const medium::MediumView& sea, const Sightline<T>& way,
                                  const Index<T>& line, const Index<T>& layer, const T& depth,
                                  const Index<T>& end_layer, const T& length, bool mirrored) {
   using std::abs;

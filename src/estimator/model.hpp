@@ -19,21 +19,21 @@ inline std::uint64_t batch_photons(const scene::Simulation& simulation) {
   return simulation.estimator == "bidirectional" ? 2000 : 8000;
 }
 
-struct Problem {
+struct Model {
   scene::Scene scene;  ///< with what it leaves to the water (walk_attenuation)
   medium::Medium medium;
   tally::Gates gates;
   tally::Shape shape;
 };
 
-/// The check of a scene's optics, for scene::read_scene: whatever make_problem would refuse. The
+/// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. The
 /// data files are read once, when it is asked first.
 scene::Check optics_check();
 
 /// Throws InputError for what optics_check finds, EnvironmentError for missing data files.
-Problem make_problem(const scene::Scene& scene);
+Model make_model(const scene::Scene& scene);
 
 /// A result's axes, and what it says of the scene; the tallies are still to be filled in.
-tally::Result describe(const Problem& problem);
+tally::Result describe(const Model& model);
 
 }  // namespace photic::estimator

@@ -1,5 +1,5 @@
 // The straight ways to one point of an instrument, against rays traced forward.
-#include "transport/way.hpp"
+#include "transport/sightline.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
     const double n = sea.line[static_cast<std::size_t>(line)].refractive_index;
     const V from = random_place(random);
     const V to{random.between(-10, 10), random.between(-10, 10), random.scale(0.5, 100)};
-    const auto way = way_through_surface(sea.view(), from, line, to, true);
+    const auto way = sightline_through_surface(sea.view(), from, line, to, true);
     ASSERT_TRUE(way.exists);
     ASSERT_NEAR(length(way.direction), 1, 1e-13);
     const double in_water = -from.z / way.direction.z;
@@ -72,7 +72,7 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
 TEST(WayThroughSurface, IsNoneThatIsNotWanted) {
   const auto sea = make_sea(60);
   const V to{1, 2, 12};
-  EXPECT_FALSE(way_through_surface(sea.view(), V{0, 0, -3}, 0, to, false).exists);
+  EXPECT_FALSE(sightline_through_surface(sea.view(), V{0, 0, -3}, 0, to, false).exists);
 }
 
 // Seen red: with the end as deep below as it is above; with 1 / distance for its square.
@@ -83,7 +83,7 @@ TEST(WayInWater, IsTheStraightLine) {
     const V from = random_place(random);
     const V to = i % 10 == 0 ? V{3, random.between(-10, 10), from.z} : random_place(random);
     const std::int32_t line = random.below(3);
-    const auto way = way_in_water(sea.view(), from, line, to, false);
+    const auto way = sightline_in_water(sea.view(), from, line, to, false);
     ASSERT_TRUE(way.exists);
     ASSERT_LT(length(from + way.length_water * way.direction - to), 1e-12);
     ASSERT_EQ(way.arriving, way.direction);
@@ -114,7 +114,7 @@ TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
     V to = random_place(random);
     to.x += random.chance(0.5) ? 40 : 0;
     const std::int32_t line = random.below(3);
-    const auto way = way_in_water(sea.view(), from, line, to, true);
+    const auto way = sightline_in_water(sea.view(), from, line, to, true);
     const V image{to.x, to.y, -to.z};
     ASSERT_TRUE(way.exists);
     ASSERT_LT(length(from + way.length_water * way.direction - image), 1e-12);
@@ -147,7 +147,7 @@ TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
 
 TEST(WayInWater, FromThePointItselfIsNone) {
   const auto sea = make_sea(40);
-  EXPECT_FALSE(way_in_water(sea.view(), V{1, 2, -3}, 0, V{1, 2, -3}, false).exists);
+  EXPECT_FALSE(sightline_in_water(sea.view(), V{1, 2, -3}, 0, V{1, 2, -3}, false).exists);
 }
 
 }  // namespace

@@ -10,26 +10,26 @@ namespace photic::transport {
 
 /// A walk that stands in the water, and how its light has spread on the way there.
 template <class T>
-struct Beginning {
+struct Birth {
   Mask<T> exists{};
   Photon<T> photon;
   Spread<T> spread;
 };
 
 template <class T>
-Beginning<T> enter_if_above(const medium::MediumView& sea, const Photon<T>& photon,
-                            const T& solid_angle, const T& before, bool submerged) {
-  Beginning<T> begin;
-  begin.photon = photon;
-  begin.spread.solid_angle = solid_angle;
-  begin.spread.before = before;
-  begin.exists = Mask<T>(true);
-  if (submerged) return begin;
-  begin.exists = enter_water(sea, begin.photon);
-  begin.spread.through_surface = true;
-  begin.spread.before = before + (begin.photon.path - photon.path);
-  begin.spread.cos_air = select(begin.exists, -photon.direction.z, T(1));
-  return begin;
+Birth<T> enter_if_above(const medium::MediumView& sea, const Photon<T>& photon,
+                        const T& solid_angle, const T& before, bool submerged) {
+  Birth<T> birth;
+  birth.photon = photon;
+  birth.spread.solid_angle = solid_angle;
+  birth.spread.before = before;
+  birth.exists = Mask<T>(true);
+  if (submerged) return birth;
+  birth.exists = enter_water(sea, birth.photon);
+  birth.spread.through_surface = true;
+  birth.spread.before = before + (birth.photon.path - photon.path);
+  birth.spread.cos_air = select(birth.exists, -photon.direction.z, T(1));
+  return birth;
 }
 
 /// The solid angle of a laser's cone; 0 of one that no connection can meet [sr].
@@ -42,8 +42,8 @@ T connectable_solid_angle(const instrument::Laser<T>& laser) {
 
 /// The laser's walk.
 template <class T>
-Beginning<T> begin_at_laser(const medium::MediumView& sea, const instrument::Laser<T>& laser,
-                            const Index<T>& layer, const T& u_polar, const T& u_azimuth) {
+Birth<T> birth_at_laser(const medium::MediumView& sea, const instrument::Laser<T>& laser,
+                        const Index<T>& layer, const T& u_polar, const T& u_azimuth) {
   const Photon<T> photon = emit(laser, layer, u_polar, u_azimuth);
   return enter_if_above(sea, photon, connectable_solid_angle(laser),
                         (laser.vertex_distance + laser.ahead) / dot(photon.direction, laser.axis),
@@ -54,10 +54,10 @@ Beginning<T> begin_at_laser(const medium::MediumView& sea, const instrument::Las
 /// carries étendue: the weight begins with that of all such rays, and takes T (n_i / n_t)^2 at the
 /// surface. In the air its path is what it is longer than from the lens' centre to the origin.
 template <class T>
-Beginning<T> begin_at_telescope(const medium::MediumView& sea,
-                                const instrument::Telescope<T>& telescope, const Index<T>& layer,
-                                const Index<T>& line, const instrument::PlanePoint<T>& lens,
-                                const instrument::PlanePoint<T>& slope) {
+Birth<T> birth_at_telescope(const medium::MediumView& sea,
+                            const instrument::Telescope<T>& telescope, const Index<T>& layer,
+                            const Index<T>& line, const instrument::PlanePoint<T>& lens,
+                            const instrument::PlanePoint<T>& slope) {
   Photon<T> photon;
   photon.position = telescope.start + in_plane(telescope, lens + telescope.ahead * slope);
   photon.direction = outward(telescope, slope);
@@ -66,13 +66,13 @@ Beginning<T> begin_at_telescope(const medium::MediumView& sea,
   const T cos_off_axis = dot(photon.direction, telescope.axis);
   const T solid_angle = detector_solid_angle(telescope, cos_off_axis);
   photon.weight = telescope.area() * cos_off_axis * solid_angle;
-  auto begin =
+  auto birth =
       enter_if_above(sea, photon, solid_angle, telescope.ahead / cos_off_axis, telescope.submerged);
-  if (telescope.submerged) return begin;
+  if (telescope.submerged) return birth;
   const T inverse_n = gather<T>(sea.inverse_index, line);
-  begin.photon.weight = begin.photon.weight * (inverse_n * inverse_n);
-  begin.photon.path = longer_way(telescope, begin.photon.position, lens, begin.spread.before);
-  return begin;
+  birth.photon.weight = birth.photon.weight * (inverse_n * inverse_n);
+  birth.photon.path = longer_way(telescope, birth.photon.position, lens, birth.spread.before);
+  return birth;
 }
 
 }  // namespace photic::transport

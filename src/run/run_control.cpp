@@ -19,8 +19,8 @@ constexpr double seconds_between_tellings = 0.2;
 
 }  // namespace
 
-Conductor::Conductor(const scene::Simulation& asked, const RunOptions& options,
-                     std::optional<std::uint64_t> photons_each)
+RunControl::RunControl(const scene::Simulation& asked, const RunOptions& options,
+                       std::optional<std::uint64_t> photons_each)
     : asked_(asked),
       options_(options),
       spread_photons_(estimator::batch_photons(asked)),
@@ -32,43 +32,43 @@ Conductor::Conductor(const scene::Simulation& asked, const RunOptions& options,
   ending.threads = options.threads > 0 ? options.threads : cores;
 }
 
-std::uint64_t Conductor::photons_of(std::uint64_t batch) const {
+std::uint64_t RunControl::photons_of(std::uint64_t batch) const {
   return batch + 1 < batches_ ? batch_photons_ : *asked_.photons - batch * batch_photons_;
 }
 
-std::uint64_t Conductor::known_until(std::uint64_t merged_batches) const {
+std::uint64_t RunControl::known_until(std::uint64_t merged_batches) const {
   if (!rests()) return std::numeric_limits<std::uint64_t>::max();
   return (merged_batches / batches_between_looks() + 2) * batches_between_looks();
 }
 
-std::vector<bool> Conductor::resting(const tally::Totals& totals, std::uint64_t batch,
-                                     std::uint64_t merged_batches) const {
+std::vector<bool> RunControl::resting(const tally::Totals& totals, std::uint64_t batch,
+                                      std::uint64_t merged_batches) const {
   return totals.resting(batch / batches_between_looks() > merged_batches / batches_between_looks());
 }
 
-std::uint64_t Conductor::batches_between_looks() const {
+std::uint64_t RunControl::batches_between_looks() const {
   return photons_between_looks / batch_photons_;
 }
 
-bool Conductor::is_look(std::uint64_t merged_batches) const {
+bool RunControl::is_look(std::uint64_t merged_batches) const {
   return merged_batches % batches_between_looks() == 0;
 }
 
-void Conductor::look(tally::Totals& totals, std::uint64_t merged_batches) const {
+void RunControl::look(tally::Totals& totals, std::uint64_t merged_batches) const {
   if (is_look(merged_batches)) totals.decide_rests();
 }
 
-bool Conductor::rests() const {
+bool RunControl::rests() const {
   return asked_.target_relative_error && asked_.estimator == "bidirectional";
 }
 
-tally::Totals Conductor::begin(const tally::Shape& shape) const {
+tally::Totals RunControl::begin(const tally::Shape& shape) const {
   tally::Totals totals = goes_on_from(shape);
   totals.let_rest_at(rests() ? *asked_.target_relative_error : 0.0);
   return totals;
 }
 
-tally::Totals Conductor::goes_on_from(const tally::Shape& shape) const {
+tally::Totals RunControl::goes_on_from(const tally::Shape& shape) const {
   if (!options_.start) return tally::Totals(shape);
   const tally::TotalsState& state = options_.start->state;
   if (state.photons % batch_photons_ != 0 || state.photons / batch_photons_ != state.batches) {
@@ -81,7 +81,7 @@ tally::Totals Conductor::goes_on_from(const tally::Shape& shape) const {
   return {shape, state};
 }
 
-void Conductor::check_start(const tally::Shape& shape, const tally::BatchTally& first) const {
+void RunControl::check_start(const tally::Shape& shape, const tally::BatchTally& first) const {
   tally::Totals totals(shape);
   totals.merge(first);
   // Versions and scenes that read the same may still differ in what lies behind them: the build,
@@ -94,7 +94,7 @@ void Conductor::check_start(const tally::Shape& shape, const tally::BatchTally& 
          "go on with those, or start anew");
 }
 
-bool Conductor::ends(const tally::Totals& totals, std::uint64_t merged_batches) {
+bool RunControl::ends(const tally::Totals& totals, std::uint64_t merged_batches) {
   ending.wall_time_s = elapsed_s();
   tell(totals);
   const auto because = [this](const char* reason) {
@@ -112,7 +112,7 @@ bool Conductor::ends(const tally::Totals& totals, std::uint64_t merged_batches) 
   return false;
 }
 
-void Conductor::tell(const tally::Totals& totals) {
+void RunControl::tell(const tally::Totals& totals) {
   const double now = ending.wall_time_s;
   if (!options_.progress || (told_s_ >= 0 && now - told_s_ < seconds_between_tellings)) return;
   told_s_ = now;
@@ -129,13 +129,13 @@ void Conductor::tell(const tally::Totals& totals) {
   options_.progress(progress);
 }
 
-void Conductor::checkpoint_if_due(const tally::Totals& totals) {
+void RunControl::checkpoint_if_due(const tally::Totals& totals) {
   if (!checkpoint || ending.wall_time_s < next_checkpoint_s_) return;
   checkpoint(totals);
   next_checkpoint_s_ = elapsed_s() + options_.checkpoints.every_s;
 }
 
-double Conductor::elapsed_s() const {
+double RunControl::elapsed_s() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 

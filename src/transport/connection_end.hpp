@@ -11,7 +11,7 @@
 namespace photic::transport {
 
 template <class T>
-struct Joint {
+struct ConnectionEnd {
   End<T> end;
   T weight{};    ///< of the walk with this collision
   T share{1};    ///< h of a connection
@@ -40,15 +40,16 @@ T phase_value(const medium::MediumView& sea, const Vertex<T>& v, const Vec3<T>& 
 /// The laser's walk, scattered into a direction of the laser's light. `goes_on`: of the other end;
 /// `behind`: the densities behind the vertex.
 template <class T>
-Joint<T> scattering_from_laser(const medium::MediumView& sea, const Vertex<T>& v, const T& behind,
-                               const Vec3<T>& direction, const Reversal<T>& reversal,
-                               const T& goes_on, const Freedom<T>& freedom) {
+ConnectionEnd<T> scattering_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
+                                       const T& behind, const Vec3<T>& direction,
+                                       const InverseConversion<T>& inverse_conversion,
+                                       const T& goes_on, const Freedom<T>& freedom) {
   const Index<T> here = sea.at(v.line, v.layer);
-  Joint<T> joint;
+  ConnectionEnd<T> joint;
   joint.end.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
   joint.end.open = goes_on * v.open;
   joint.end.behind =
-      goes_on * reversal.scattered_over_phase(sea, -v.direction, joint.end.p) * behind;
+      goes_on * inverse_conversion.scattered_over_phase(sea, -v.direction, joint.end.p) * behind;
   joint.meeting = goes_on * freedom.meeting(v, direction);
   joint.weight = v.weight * gather<T>(sea.albedo, here);
   return joint;
@@ -58,16 +59,18 @@ Joint<T> scattering_from_laser(const medium::MediumView& sea, const Vertex<T>& v
 /// this light: `chance` is that of a walk up to it, `goes_on` with its not being converted there;
 /// both 1 where the other end is a telescope.
 template <class T>
-Joint<T> conversion_from_laser(const medium::MediumView& sea, const Vertex<T>& v, const T& behind,
-                               const Vec3<T>& direction, const Index<T>& line,
-                               const Reversal<T>& reversal, const T& chance, const T& goes_on,
-                               const Freedom<T>& freedom) {
+ConnectionEnd<T> conversion_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
+                                       const T& behind, const Vec3<T>& direction,
+                                       const Index<T>& line,
+                                       const InverseConversion<T>& inverse_conversion,
+                                       const T& chance, const T& goes_on,
+                                       const Freedom<T>& freedom) {
   const T ratio = walk_c_ratio<T>(sea, line, v.layer);
-  Joint<T> joint;
+  ConnectionEnd<T> joint;
   joint.end.p = phase_value(sea, v, direction, gather_index<T>(sea.conversion_phase, line));
   joint.end.open = goes_on * v.open;
-  joint.end.behind = goes_on * reversal.chance(sea, line, v.layer) *
-                     reversal.over_phase(sea, -v.direction, joint.end.p) * behind;
+  joint.end.behind = goes_on * inverse_conversion.chance(sea, line, v.layer) *
+                     inverse_conversion.over_phase(sea, -v.direction, joint.end.p) * behind;
   joint.meeting = goes_on * ratio * freedom.meeting(v, direction);
   joint.weight = v.weight * ratio * gather<T>(sea.conversion, sea.at(line, v.layer));
   joint.share = chance * ratio;
@@ -77,13 +80,14 @@ Joint<T> conversion_from_laser(const medium::MediumView& sea, const Vertex<T>& v
 /// The telescope's walk with the laser's light that comes to it: scattered if the walk has turned
 /// its conversion back, else converted here. `direction`: in which the walk would go on.
 template <class T>
-Joint<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
-                            const Vec3<T>& direction, const Reversal<T>& reversal,
-                            const Freedom<T>& freedom) {
+ConnectionEnd<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
+                                    const Vec3<T>& direction,
+                                    const InverseConversion<T>& inverse_conversion,
+                                    const Freedom<T>& freedom) {
   const Index<T> here = sea.at(v.line, v.layer);
   const Mask<T> converts = v.line > Index<T>(0);
   const T ratio = walk_c_ratio<T>(sea, v.line, v.layer);  // 1 for the laser's line
-  Joint<T> joint;
+  ConnectionEnd<T> joint;
   joint.end.p = phase_value(sea, v, direction,
                             select(converts, gather_index<T>(sea.conversion_phase, v.line),
                                    gather_index<T>(sea.elastic_phase, here)));
@@ -94,17 +98,17 @@ Joint<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
                                    gather<T>(sea.albedo, here));
   joint.share = v.chance;
   joint.goes_on =
-      v.chance * reversal.goes_on(sea, v.line, v.layer, converts, direction, joint.end.p);
+      v.chance * inverse_conversion.goes_on(sea, v.line, v.layer, converts, direction, joint.end.p);
   return joint;
 }
 
 /// The telescope's walk with converted light that it scatters here: nothing behind can be drawn by
 /// another strategy.
 template <class T>
-Joint<T> scattering_of_converted(const medium::MediumView& sea, const Vertex<T>& v,
-                                 const Vec3<T>& direction) {
+ConnectionEnd<T> scattering_of_converted(const medium::MediumView& sea, const Vertex<T>& v,
+                                         const Vec3<T>& direction) {
   const Index<T> here = sea.at(v.line, v.layer);
-  Joint<T> joint;
+  ConnectionEnd<T> joint;
   joint.end.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
   joint.weight = v.weight * gather<T>(sea.albedo, here);
   return joint;
