@@ -7,10 +7,11 @@
 #include <type_traits>
 
 #include "core/lanes.hpp"
+#include "core/members.hpp"
 
 namespace photic::lanes {
 
-/// Item has so many `reals` (T) and `integers`, and calls f(member) for each in each_member(f).
+/// Item calls f(member) for each of its reals (T) and integers in each_member(f).
 template <class T, class Item, std::size_t length>
 class LaneColumns {
  public:
@@ -28,8 +29,8 @@ class LaneColumns {
   }
 
  private:
-  std::array<std::array<Element<T>, length>, Item::reals> real_{};
-  std::array<std::array<std::int32_t, length>, Item::integers> integer_{};
+  std::array<std::array<Element<T>, length>, members_of<Item>.reals> real_{};
+  std::array<std::array<std::int32_t, length>, members_of<Item>.integers> integer_{};
 };
 
 }  // namespace photic::lanes

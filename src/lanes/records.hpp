@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/error.hpp"
 #include "core/lanes.hpp"
+#include "core/members.hpp"
 
 namespace photic::lanes {
 
@@ -22,7 +22,7 @@ namespace photic::lanes {
 template <class T, class R>
   requires(lanes_of<T> > 1)
 R of_lanes(R& record, const Index<T>& lane) {
-  std::array<Index<T>, R::members> words;
+  std::array<Index<T>, members_of<R>.all()> words;
   std::size_t k = 0;
   record.each_member(
       [&](const auto& member) { words[k++] = permute(std::bit_cast<Index<T>>(member), lane); });
@@ -40,7 +40,7 @@ const R& of_lanes(R& record, std::int32_t) {
 template <class T, class R>
   requires(lanes_of<T> > 1)
 void assign(const Mask<T>& mask, R from, R& to) {
-  std::array<Index<T>, R::members> words;
+  std::array<Index<T>, members_of<R>.all()> words;
   std::size_t k = 0;
   from.each_member([&](const auto& member) { words[k++] = std::bit_cast<Index<T>>(member); });
   k = 0;
@@ -52,15 +52,11 @@ void assign(bool mask, const R& from, R& to) {
   if (mask) to = from;
 }
 
-/// R has `members` lanes of reals (T) or integers, and calls f(member) for each in each_member(f).
+/// R calls f(member) for each of its lanes of reals (T) and integers in each_member(f).
 template <class T, class R>
 class Records {
  public:
-  explicit Records(std::size_t records) : line_(records * lines_of_record) {
-    std::size_t members = 0;
-    R().each_member([&](const auto&) { ++members; });
-    expect(members == R::members, "a record knows how many members it has");
-  }
+  explicit Records(std::size_t records) : line_(records * lines_of_record) {}
 
   [[nodiscard]] R at(const Index<T>& i) const {
     R record;
@@ -93,8 +89,9 @@ class Records {
  private:
   static constexpr std::size_t lanes = lanes_of<T>;
   static constexpr std::size_t words_of_line = 16;
-  static constexpr std::size_t lines_of_record = (R::members + words_of_line - 1) / words_of_line;
-  static constexpr std::size_t packs_of_record = (R::members + lanes - 1) / lanes;
+  static constexpr std::size_t lines_of_record =
+      (members_of<R>.all() + words_of_line - 1) / words_of_line;
+  static constexpr std::size_t packs_of_record = (members_of<R>.all() + lanes - 1) / lanes;
   static_assert(sizeof(Element<T>) == sizeof(std::int32_t));
 
   struct alignas(64) Line {

@@ -51,13 +51,9 @@ class Reserve {
   template <class F>
   void each_word(estimator::Travellers<T>& t, F f) {
     const auto member = [&]<class M>(M& m) { m = std::bit_cast<M>(f(std::bit_cast<Index<T>>(m))); };
-    const auto vector = [&](Vec3<T>& v) { member(v.x), member(v.y), member(v.z); };
-    vector(t.photon.position), vector(t.photon.direction);
-    member(t.photon.weight), member(t.photon.analog_weight), member(t.photon.path);
-    member(t.photon.order), member(t.place.event);
+    t.photon.each_member(member);
+    member(t.place.event);
     // What is the same for all of them stays where it is.
-    if (world_.sea.lines > 1) member(t.photon.line);
-    if (world_.sea.layers > 1) member(t.photon.layer);
     if (world_.sea.bands > 0) member(t.spectral_bin);
     for (auto& point : t.lens) member(point.x), member(point.y);
     for (std::size_t i = 1; i < t.u.size(); ++i) member(t.u[i]);

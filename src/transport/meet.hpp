@@ -50,9 +50,8 @@ struct DepthLine {
   T rise{};                    ///< z of its direction
   T start{};                   ///< its walk's path where it begins [m]
 
-  static constexpr std::size_t reals = 10, integers = 0;
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     f(x), f(y), f(x_per_depth), f(y_per_depth), f(path), f(path_per_depth);
     f(from), f(to), f(rise), f(start);
   }

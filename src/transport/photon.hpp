@@ -17,15 +17,27 @@ struct Photon {
   Index<T> layer{};    ///< where it is in the water
   Index<T> order{};    ///< scatterings and conversions so far
 
+  /// Calls f(member) for each.
+  template <class F>
+  constexpr void each_member(F f) {
+    each_member_of(f, *this);
+  }
   friend Photon select(const Mask<T>& mask, const Photon& yes, const Photon& no) {
-    return {select<T>(mask, yes.position, no.position),
-            select<T>(mask, yes.direction, no.direction),
-            select(mask, yes.weight, no.weight),
-            select(mask, yes.analog_weight, no.analog_weight),
-            select(mask, yes.path, no.path),
-            select(mask, yes.line, no.line),
-            select(mask, yes.layer, no.layer),
-            select(mask, yes.order, no.order)};
+    Photon out;
+    each_member_of(
+        [&mask](auto& member, const auto& a, const auto& b) { member = select(mask, a, b); }, out,
+        yes, no);
+    return out;
+  }
+
+ private:
+  /// Calls f(the member of each photon) for each member.
+  template <class F, class... Photons>
+  static constexpr void each_member_of(F f, Photons&... p) {
+    f(p.position.x...), f(p.position.y...), f(p.position.z...);
+    f(p.direction.x...), f(p.direction.y...), f(p.direction.z...);
+    f(p.weight...), f(p.analog_weight...), f(p.path...);
+    f(p.line...), f(p.layer...), f(p.order...);
   }
 };
 

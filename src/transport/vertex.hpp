@@ -112,7 +112,7 @@ struct Turn {
   T about(const Vertical<T>& axis) const { return density * sweep.about(axis); }
 
   template <class F>
-  void each_member(F& f) {
+  constexpr void each_member(F& f) {
     f(density), f(sweep.x), f(sweep.y), f(sweep.along), f(sweep.aside);
   }
 };
@@ -128,7 +128,7 @@ struct Densities {
   T all(const T& shifts) const { return edges + shifts * meetings + turned; }
 
   template <class F>
-  void each_member(F& f) {
+  constexpr void each_member(F& f) {
     f(edges), f(meetings), f(turned);
   }
   friend Densities select(const Mask<T>& mask, const Densities& yes, const Densities& no) {
@@ -147,7 +147,7 @@ struct Spread {
   T solid_angle{};  ///< [sr]; 0: parallel rays, which no connection can meet
 
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     f(before), f(cos_air), f(solid_angle);
   }
 };
@@ -176,7 +176,7 @@ struct WalkPoint {
 
   /// Calls f(member) for each.
   template <class F>
-  void each_member(F& f) {
+  constexpr void each_member(F& f) {
     f(position.x), f(position.y), f(position.z);
     f(direction.x), f(direction.y), f(direction.z);
     f(weight), f(path), f(line), f(layer);
@@ -207,10 +207,8 @@ struct Ray : WalkPoint<T> {
     const T z = WalkPoint<T>::direction.z;
     return select(is_reflected(), T(0) - z, z);
   }
-
-  static constexpr std::size_t members = 24;
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     WalkPoint<T>::each_member(f);
     f(left_chance), f(chance), f(passed), f(per_p), f(last_edge), f(meeting);
     behind.each_member(f);
@@ -231,10 +229,8 @@ struct Vertex : WalkPoint<T> {
   Turn<T> last_turn{};    ///< of turning to meet at the vertex before, complete by the last edge
   Densities<T> last{};    ///< of what has become complete by the last edge
   Densities<T> behind{};  ///< of all that is complete
-
-  static constexpr std::size_t members = 26;
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     WalkPoint<T>::each_member(f);
     f(chance), f(passed), f(open), f(meeting), f(turn);
     last.each_member(f);

@@ -27,10 +27,9 @@ struct Ends {
   Index<T> laser{}, i{}, back{}, m{};
 
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     f(laser), f(i), f(back), f(m);
   }
-  static constexpr std::size_t reals = 0, integers = 4;
 };
 
 template <class T>
@@ -46,11 +45,10 @@ struct RayEnds : Ends<T> {
   /// Vertices of the path that they make.
   [[nodiscard]] Index<T> order() const { return Ends<T>::i + Ends<T>::m + Index<T>(1); }
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     Ends<T>::each_member(f);
     f(reflected);
   }
-  static constexpr std::size_t reals = 0, integers = 5;
 };
 
 /// Rays that meet at a depth if the telescope's walk is turned.
@@ -59,11 +57,10 @@ struct Crossing : RayEnds<T> {
   T depth{};  ///< [m]
 
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     RayEnds<T>::each_member(f);
     f(depth);
   }
-  static constexpr std::size_t reals = 1, integers = 5;
 };
 
 /// How telescopes' walks are moved to meet others: sideways so that they still come through the
@@ -86,11 +83,8 @@ struct Pair {
   [[nodiscard]] transport::Vertical<T> axis() const {
     return {turns == Index<T>(1), axis_x, axis_y};
   }
-
-  static constexpr std::size_t members =
-      2 * Ray::members + 3 + BirthRecord<T>::members + 3 + RayEnds<T>::integers + 4;
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     out.each_member(f);
     back.each_member(f);
     spread.each_member(f);

@@ -40,10 +40,8 @@ struct BirthRecord {
   T grid_offset{};        ///< of the depths where it meets others, 0 to 1 of a step
   Index<T> connected{1};  ///< with the vertices of a laser's walk: 1 or 0
   Index<T> line{};        ///< of the light that comes back
-
-  static constexpr std::size_t members = 10;
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     spread.each_member(f);
     f(lens.x), f(lens.y), f(outward.x), f(outward.y), f(outward.z);
     f(shift_area), f(grid_offset);
@@ -57,10 +55,8 @@ struct Pivot {
   Vec3<T> arriving{}, leaving{};
   T per_p{};         ///< 1 over the phase function's value [sr]
   Index<T> phase{};  ///< its table
-
-  static constexpr std::size_t members = 10;
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     f(x), f(y), f(arriving.x), f(arriving.y), f(arriving.z);
     f(leaving.x), f(leaving.y), f(leaving.z), f(per_p), f(phase);
   }
@@ -84,10 +80,8 @@ Pivot<T> pivot_at(const medium::MediumView& sea, const transport::Vertex<T>& ver
 template <class T>
 struct NearFirst {
   T home_edge{}, meeting{}, next_edge{};
-
-  static constexpr std::size_t members = 3;
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     f(home_edge), f(meeting), f(next_edge);
   }
 };

@@ -23,12 +23,9 @@ struct Walker {
 
   /// What a walk is born with.
   template <class F>
-  void each_member(F f) {
-    f(photon.position.x), f(photon.position.y), f(photon.position.z);
-    f(photon.direction.x), f(photon.direction.y), f(photon.direction.z);
-    f(photon.weight), f(photon.path), f(photon.line), f(photon.layer), f(walk);
+  constexpr void each_member(F f) {
+    photon.each_member(f), f(walk);
   }
-  static constexpr std::size_t reals = 8, integers = 3;
 
   Index<T> event{}, vertices{};
   transport::Ray<T> ray;  ///< its last one
@@ -100,8 +97,6 @@ class WalkTaker {
     const Mask<T> mask = mask_of_bits<T>(given);
     waiting_columns_.each(
         walker_, [&](auto& member, const auto* column) { expand(mask, column + taken_, member); });
-    walker_.photon.analog_weight = select(mask, T(1), walker_.photon.analog_weight);
-    walker_.photon.order = select(mask, Index<T>(0), walker_.photon.order);
     walker_.event = select(mask, Index<T>(0), walker_.event);
     walker_.vertices = select(mask, Index<T>(0), walker_.vertices);
     lanes::assign<T>(mask, transport::Ray<T>{transport::walk_point(walker_.photon)}, walker_.ray);

@@ -64,7 +64,7 @@ struct SourcesDiffer {
 
   /// Calls f(member) for what does of a source's photon, its weight, line, and point of the lens.
   template <class Photon, class T, class Line, class Point, class F>
-  void each(Photon& photon, T& weight, Line& line, Point& lens, F f) const {
+  constexpr void each(Photon& photon, T& weight, Line& line, Point& lens, F f) const {
     f(photon.position.x), f(photon.position.y), f(photon.position.z);
     f(photon.direction.x), f(photon.direction.y), f(photon.direction.z);
     f(weight), f(photon.path), f(photon.order);
@@ -88,10 +88,9 @@ struct Sources {
   SourcesDiffer differ;
 
   template <class F>
-  void each_member(F f) {
+  constexpr void each_member(F f) {
     differ.each(photon, photon.weight, line, lens, f);
   }
-  static constexpr std::size_t reals = 10, integers = 4;
 };
 /// The same, where it stands.
 template <class T>
@@ -103,7 +102,7 @@ struct SourcesOf {
   SourcesDiffer differ;
 
   template <class F>
-  void each_member(F f) const {
+  constexpr void each_member(F f) const {
     differ.each(photon, weight, line, lens, f);
   }
   explicit operator Sources<T>() const {

@@ -115,13 +115,6 @@ std::vector<Place> looking_at_the_surface() {
            true, true}};
 }
 
-// Of so many are lanes permuted. Seen red: with one less.
-TEST(PairsOfRays, KnowHowManyMembersTheyHave) {
-  std::size_t members = 0;
-  Pair<double>().each_member([&](const auto&) { ++members; });
-  EXPECT_EQ(members, Pair<double>::members);
-}
-
 // In one layer and through all three. Seen red: with n for n^2 in the spread of a ray through the
 // surface; with the way in the air left out of it; with the sign in turning() lost. And of what
 // telescopes' walks draw about the beam: without it where a connection arrives, where it leaves, at
