@@ -20,7 +20,7 @@
 #include "tally/shape.hpp"
 #include "transport/depart.hpp"
 #include "transport/forced.hpp"
-#include "transport/vertex.hpp"
+#include "transport/meeting_grid.hpp"
 
 namespace photic::estimator {
 

@@ -22,7 +22,7 @@
 #include "medium/medium.hpp"
 #include "optics/phase_table.hpp"
 #include "transport/connect.hpp"
-#include "transport/vertex.hpp"
+#include "transport/path_point.hpp"
 
 namespace photic::transport {
 

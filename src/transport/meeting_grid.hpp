@@ -1,0 +1,37 @@
+// At which depths rays of two walks are made to meet, and how many samples of each strategy exist.
+#pragma once
+
+#include "core/lanes.hpp"
+
+namespace photic::transport {
+
+/// The depths at which rays are made to meet: a grid of equal steps.
+template <class T>
+struct MeetingGrid {
+  T most{};  ///< points per metre
+
+  /// Points per metre for paths of so many vertices. Those of few vertices, near the axis of the
+  /// instrument, meet over many metres of depth, others over centimetres (decision 35).
+  T density(const Index<T>& order) const {
+    return most *
+           select(order < Index<T>(2), T(1.0 / 8), select(order < Index<T>(3), T(1.0 / 4), T(1)));
+  }
+  /// The number of points between the surface's level and a depth; and the inverse.
+  T number(const T& depth, const Index<T>& order) const { return density(order) * depth; }
+  T depth(const T& number, const Index<T>& order) const { return number / density(order); }
+};
+
+/// How many samples a set of walks makes of a strategy, per photon that the laser emits.
+template <class T>
+struct Samples {
+  T to_instrument{1};  ///< connecting a walk to the instrument at the other end
+  T between{1};        ///< connecting two walks
+  T pairs{1};          ///< of walks whose rays meet at each depth of the grid
+  T turned{};          ///< of walks turned so that their rays meet
+  MeetingGrid<T> grid;
+
+  /// Of meetings, per metre of depth, in paths of so many vertices.
+  T meetings(const Index<T>& order) const { return pairs * grid.density(order); }
+};
+
+}  // namespace photic::transport

@@ -1,0 +1,109 @@
+// The points of walks that are to be connected: the rays that leave vertices, and the vertices.
+#pragma once
+
+#include "transport/depths.hpp"
+#include "transport/photon.hpp"
+#include "transport/rotated_meeting.hpp"
+#include "transport/strategy_sums.hpp"
+
+namespace photic::transport {
+
+/// Where a walk stands.
+template <class T>
+struct WalkPoint {
+  Vec3<T> position;
+  Vec3<T> direction;  ///< in which it arrives or leaves
+  T weight{};  ///< the path's contribution over the density drawn from, without the chances h
+  T path{};    ///< [m]
+  Index<T> line{}, layer{};
+
+  /// Calls f(member) for each.
+  template <class F>
+  constexpr void each_member(F& f) {
+    f(position.x), f(position.y), f(position.z);
+    f(direction.x), f(direction.y), f(direction.z);
+    f(weight), f(path), f(line), f(layer);
+  }
+};
+
+template <class T>
+WalkPoint<T> walk_point(const Photon<T>& photon) {
+  return {photon.position, photon.direction, photon.weight, photon.path, photon.line, photon.layer};
+}
+
+/// A walk as it leaves a vertex, the collision's weight included, or enters the water.
+template <class T>
+struct Ray : WalkPoint<T> {
+  T left_chance{1};       ///< h of a walk that ends at the vertex
+  T chance{1};            ///< h of this ray
+  T passed{1};            ///< h of telescopes' walks that pass a laser's walk as far as this ray
+  T per_p{1};             ///< 1 over the phase function's value at the vertex [sr]
+  T last_edge{};          ///< of connecting the edge before, over `passed`
+  Densities<T> behind{};  ///< of all that is complete, over `passed`
+  T meeting{};  ///< n h / g of meeting at the vertex over `shifts`, but for what is this ray's: P
+                ///< included
+  Turn<T> turn{};  ///< the same of turning
+
+  /// That the surface has reflected it: it stands for the ray that set out from its mirror image.
+  Mask<T> is_reflected() const { return WalkPoint<T>::position.z > T(0); }
+  /// z of the direction in which it left the vertex.
+  T left_z() const {
+    const T z = WalkPoint<T>::direction.z;
+    return select(is_reflected(), T(0) - z, z);
+  }
+  template <class F>
+  constexpr void each_member(F f) {
+    WalkPoint<T>::each_member(f);
+    f(left_chance), f(chance), f(passed), f(per_p), f(last_edge), f(meeting);
+    behind.each_member(f);
+    turn.each_member(f);
+  }
+};
+
+/// A walk as it arrives where it collides, before this collision.
+template <class T>
+struct Vertex : WalkPoint<T> {
+  T chance{1};  ///< h of a walk that ends here
+  T passed{1};  ///< h of telescopes' walks that pass a laser's walk as far as here
+  T open{};     ///< n h / g of connecting the last edge, times P here; 0: it cannot be
+  T meeting{};  ///< n h / g of meeting here over `shifts`, but for P and for the edge beyond; its
+                ///< sign is that of the arriving direction's z
+  T turn{};     ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
+  // Over `passed`:
+  Turn<T> last_turn{};    ///< of turning to meet at the vertex before, complete by the last edge
+  Densities<T> last{};    ///< of what has become complete by the last edge
+  Densities<T> behind{};  ///< of all that is complete
+  template <class F>
+  constexpr void each_member(F f) {
+    WalkPoint<T>::each_member(f);
+    f(chance), f(passed), f(open), f(meeting), f(turn);
+    last.each_member(f);
+    last_turn.each_member(f);  // read alone, too: words 18 to 22 lie in one pack of any width
+    behind.each_member(f);
+  }
+};
+
+/// A walk's way from its last vertex, or its instrument, to where it is.
+template <class T>
+struct Leg {
+  T length{};          ///< in the water [m]
+  T walk_tau{};        ///< optical depth of the coefficient that free paths are drawn from
+  Mask<T> mirrored{};  ///< it was reflected by the surface
+
+  friend Leg select(const Mask<T>& mask, const Leg& yes, const Leg& no) {
+    return {select(mask, yes.length, no.length), select(mask, yes.walk_tau, no.walk_tau),
+            select(mask, yes.mirrored, no.mirrored)};
+  }
+};
+
+/// Adds a flight of a photon that stood at `before` to its leg.
+template <class T>
+void add_flight(const medium::MediumView& sea, const Photon<T>& before, const Photon<T>& photon,
+                Leg<T>& leg) {
+  const T moved = (photon.path - before.path) / gather<T>(sea.group_index, photon.line);
+  leg.length = leg.length + moved;
+  leg.walk_tau = leg.walk_tau + sea.walk_slant_optical_depth(photon.line, level_of(sea, before),
+                                                             level_of(sea, photon), moved);
+}
+
+}  // namespace photic::transport
