@@ -163,7 +163,7 @@ struct World {
   T weight_threshold{};
   std::int32_t scored_points = 1;  ///< of each flight; 1: where photons collide only
   Tools<T> tools;
-  bool special = false;  ///< it has tools, or compares
+  bool all_events = false;  ///< see AllEvents
   /// Past the surface in one flight: where each part of it is scored alike, and where photons that
   /// are sent there come there so often that it is worth the while.
   bool flies_on = false;
@@ -173,10 +173,20 @@ struct World {
   SobolPoints points;  ///< of a batch; none: all numbers are drawn independently
 };
 
-/// Whether there are environments, in events that are compiled for special worlds or for others.
-template <bool special, class T>
+/// What a photon of the forward estimator may meet, known before the loops: most worlds have
+/// neither the paper's tools nor variations (environments and derivatives), and loops without them
+/// are faster.
+struct PlainEvents {
+  static constexpr bool tools = false, variations = false;
+};
+struct AllEvents {
+  static constexpr bool tools = true, variations = true;
+};
+
+/// Whether there are environments.
+template <class Events, class T>
 bool compares(const World<T>& world) {
-  if constexpr (special) {
+  if constexpr (Events::variations) {
     return world.compares;
   } else {
     return false;
@@ -281,7 +291,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.weight_threshold = T(connects ? least_weight : tools.weight_threshold);
   world.tools = make_tools<T>(tools);
   world.compares = scene.compares();
-  world.special = world.compares || tools.any();
+  world.all_events = world.compares || tools.any();
   if (!world.tools.scores_on_the_way)
     world.scored_points = static_cast<std::int32_t>(scene::scored_points_in(scene));
   for (std::size_t t = 0;
@@ -305,7 +315,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.meeting_grid = {T(scene.simulation.meetings / reach.range)};
   world.directed = T(scene::directed_fraction_in(scene));
   world.directs = scene::directed_fraction_in(scene) > 0;
-  world.flies_on = world.directs && !world.special && world.cones.empty();
+  world.flies_on = world.directs && !world.all_events && world.cones.empty();
   world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);
   const Vec3<double> beam = axis_in_water(normalised(scene.source.direction), world.laser.submerged,

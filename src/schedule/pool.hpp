@@ -50,24 +50,24 @@ class Pool {
     draws_.emplace(estimator::draws_of_laser(world_, first));
     next_ = 0;
     count_ = count;
-    if (world_.special)
-      run<true>(tally, witness);
+    if (world_.all_events)
+      run<estimator::AllEvents>(tally, witness);
     else
-      run<false>(tally, witness);
+      run<estimator::PlainEvents>(tally, witness);
     estimator::flush_queues(world_, estimates_, tally);
     tally.ledger = tally.ledger + total(ledger_);
     ledger_ = {};
   }
 
  private:
-  template <bool special, class Witness>
+  template <class Events, class Witness>
   void run(tally::BatchTally& tally, Witness& witness) {
     const auto all = [this](auto stage) { each_of(pack_.data(), used_, stage); };
-    for (fill<special>(tally); used_ > 0; fill<special>(tally)) {
-      estimator::end_flights<special>(world_, all, ledger_, tally, estimates_);
+    for (fill<Events>(tally); used_ > 0; fill<Events>(tally)) {
+      estimator::end_flights<Events>(world_, all, ledger_, tally, estimates_);
       tell(witness);
-      if constexpr (special) keep_copies(tally);
-      estimator::go_on<special>(
+      if constexpr (Events::tools) keep_copies(tally);
+      estimator::go_on<Events>(
           world_, all, [this](std::uint32_t block) { draw(pack_.data(), used_, block); }, ledger_,
           tally, estimates_);
     }
@@ -94,11 +94,11 @@ class Pool {
 
   /// Gives the lanes of those who have ended to those who wait, to new photons, or to the last
   /// ones.
-  template <bool special>
+  template <class Events>
   PHOTIC_APART void fill(tally::BatchTally& tally) {
     for (std::size_t k = 0; k < packs; ++k) {
       const Mask<T> free = !pack_[k].on;
-      while (reserve_.size() < count(free) && fetch<special>(k + 1, tally)) {
+      while (reserve_.size() < count(free) && fetch<Events>(k + 1, tally)) {
       }
       if (reserve_.size() > 0) refill(pack_[k], free);
       before_[k] = pack_[k].on;
@@ -108,10 +108,10 @@ class Pool {
   }
   /// Has more photons wait: new ones, or else those of the last pack from number `first` on. Tells
   /// whether there were any.
-  template <bool special>
+  template <class Events>
   bool fetch(std::size_t first, tally::BatchTally& tally) {
     if (next_ < count_) {
-      births<special>(tally);
+      births<Events>(tally);
       return true;
     }
     if (used_ <= first) return false;
@@ -121,7 +121,7 @@ class Pool {
     return true;
   }
   /// The next photons of the batch, to where their first flight ends.
-  template <bool special>
+  template <class Events>
   PHOTIC_APART void births(tally::BatchTally& tally) {
     const auto first = static_cast<std::int32_t>(next_);
     const std::size_t born = std::min(packs, (count_ - next_ + width - 1) / width);
@@ -136,11 +136,11 @@ class Pool {
                        t, ledger_);
     });
     next_ += born * width;
-    if (estimator::compares<special>(world_)) {
+    if (estimator::compares<Events>(world_)) {
       for (std::size_t i = 0; i < born * width; ++i)
         ratios_.of(newborn_.front().ratios.first + i).begin(world_.sea.environments);
     }
-    estimator::go_on<special>(
+    estimator::go_on<Events>(
         world_, all,
         [&](std::uint32_t block) {
           all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });
@@ -186,7 +186,7 @@ class Pool {
       copies.place.photon.set(i,
                               estimator::copy_number(world_.key, own, pack.place.event[i], number));
     });
-    estimator::go_on<true>(
+    estimator::go_on<estimator::AllEvents>(
         world_, [&](auto stage) { each_of(&copies, 1, stage); },
         [&](std::uint32_t block) { draw(&copies, 1, block); }, ledger_, tally, estimates_);
     wait(copies);

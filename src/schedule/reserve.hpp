@@ -59,7 +59,7 @@ class Reserve {
     for (std::size_t i = 1; i < t.u.size(); ++i) member(t.u[i]);
     if (world_.makes_choices)
       for (auto& number : t.choices) member(number);
-    if (world_.special) member(t.analog_before), member(t.importance_before);
+    if (world_.all_events) member(t.analog_before), member(t.importance_before);
     const Index<T> colliding = f(select(t.colliding, Index<T>(1), Index<T>(0)));
     t.colliding = colliding == Index<T>(1);
     const auto [lower, upper] = words_of<T>(t.place.photon);

@@ -41,10 +41,12 @@ class ScalarSimulator final : public Simulator {
     estimator::Estimates<T> estimates(world_);
     const estimator::Draws<T> draws = draws_of_laser(world_, first);
     for (std::int32_t n = 0; n < static_cast<std::int32_t>(count); ++n) {
-      if (world_.special)
-        follow<true>(world_, draws, n, photon, copies, estimates, tally, [](const auto&) {});
+      if (world_.all_events)
+        follow<estimator::AllEvents>(world_, draws, n, photon, copies, estimates, tally,
+                                     [](const auto&) {});
       else
-        follow<false>(world_, draws, n, photon, copies, estimates, tally, [](const auto&) {});
+        follow<estimator::PlainEvents>(world_, draws, n, photon, copies, estimates, tally,
+                                       [](const auto&) {});
     }
   }
 

@@ -195,7 +195,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
 /// Scores light in one telescope: weight before the collision x share of the process x phase
 /// function x acceptance x exp(-optical depth back at the emitted wavelength) (docs/theory.md, "The
 /// local estimate").
-template <bool special, class T>
+template <class Events, class T>
 void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, const Mask<T>& mask,
               tally::BatchTally& tally, Estimates<T>& estimates) {
   using namespace transport;
@@ -207,7 +207,7 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
     const T p =
         world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction), phase);
     const T value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
-    if (compares<special>(world)) {
+    if (compares<Events>(world)) {
       score_in_environments(world, t, seen, from, way, mirrored, value, estimates, tally);
       return;
     }
@@ -243,12 +243,12 @@ template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_t t,
                                                const Sources<T>& from, const Mask<T>& mask,
                                                tally::BatchTally& tally, Estimates<T>& estimates) {
-  score_in<false>(world, t, from, mask, tally, estimates);
+  score_in<PlainEvents>(world, t, from, mask, tally, estimates);
 }
 
 /// Scores light of a line, and so much of photons' weight, from the collisions of a mask in all
 /// telescopes that may see it; it waits for company, but for light that has ratios.
-template <bool special, class T>
+template <class Events, class T>
 void score_light(const World<T>& world, const transport::Photon<T>& photon, const T& weight,
                  const std::vector<instrument::PlanePoint<T>>& lens, const Mask<T>& colliding,
                  const Index<T>& line, Estimates<T>& estimates, tally::BatchTally& tally) {
@@ -258,8 +258,8 @@ void score_light(const World<T>& world, const transport::Photon<T>& photon, cons
     if (!any(seen)) continue;
     const SourcesOf<T> from{photon, weight, line, world.single_rays ? lens[t] : centre,
                             sources_differ(world)};
-    if (compares<special>(world)) {
-      score_in<special>(world, t, Sources<T>(from), seen, tally, estimates);
+    if (compares<Events>(world)) {
+      score_in<Events>(world, t, Sources<T>(from), seen, tally, estimates);
       continue;
     }
     estimates.waiting[t].push(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
@@ -339,16 +339,16 @@ T weight_at_point(const World<T>& world, const transport::Photon<T>& photon) {
 }
 
 /// Scores what the telescopes expect of photons of a mask that are scattered where they stand.
-template <bool special, class T>
+template <class Events, class T>
 void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask<T>& scored,
                       Estimates<T>& estimates, tally::BatchTally& tally) {
-  if (compares<special>(world)) {
+  if (compares<Events>(world)) {
     estimates.kept = at.ratios.kept;
     estimates.first = at.ratios.first;
     estimates.unflown.clear();
   }
-  score_light<special>(world, at.photon, weight_at_point(world, at.photon), at.lens, scored,
-                       at.photon.line, estimates, tally);
+  score_light<Events>(world, at.photon, weight_at_point(world, at.photon), at.lens, scored,
+                      at.photon.line, estimates, tally);
 }
 
 }  // namespace photic::estimator

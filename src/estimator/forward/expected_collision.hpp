@@ -10,10 +10,10 @@
 namespace photic::estimator {
 
 /// Light that is scored ahead of photons, where they may get to on their flight: its ratios.
-template <bool special, class T>
+template <class Events, class T>
 void ratios_at(const World<T>& world, const Travellers<T>& from, const transport::Photon<T>& at,
                Estimates<T>& estimates) {
-  if (!compares<special>(world)) return;
+  if (!compares<Events>(world)) return;
   const transport::Photon<T>& before = from.photon;
   estimates.kept = from.ratios.kept;
   estimates.first = from.ratios.first;
@@ -26,9 +26,9 @@ void ratios_at(const World<T>& world, const Travellers<T>& from, const transport
 
 /// The number that a flight's free path is drawn by. A free path -ln(u) leaves the water where u is
 /// below the chance of that.
-template <bool special, class T>
+template <class Events, class T>
 T path_number(const Travellers<T>& travellers, const T& u) {
-  if constexpr (special) {
+  if constexpr (Events::tools) {
     return select(travellers.stays == T(1), u, T(1) - (T(1) - u) * travellers.stays);
   } else {
     return u;
@@ -38,7 +38,7 @@ T path_number(const Travellers<T>& travellers, const T& u) {
 /// Scores what the telescopes expect of photons' next collision, where it might be as well: at
 /// further points that are as far apart as can be among the free paths, the flight's own being the
 /// last of them (docs/theory.md, eq. 77).
-template <bool special, class T>
+template <class Events, class T>
 void score_further_points(const World<T>& world, const Travellers<T>& travellers,
                           Estimates<T>& estimates, tally::BatchTally& tally) {
   if (!any(travellers.on)) return;
@@ -48,47 +48,47 @@ void score_further_points(const World<T>& world, const Travellers<T>& travellers
     const T& u = travellers.u[0];
     const T turned = select(u > rest, u - rest, u + (T(1) - rest));
     transport::Photon<T> at = travellers.photon;
-    const T free_path = minus_log(path_number<special>(travellers, turned));
+    const T free_path = minus_log(path_number<Events>(travellers, turned));
     auto end = transport::fly(world.sea, at, from, free_path);
-    if (!special && world.flies_on) {
+    if (!Events::tools && world.flies_on) {
       transport::fly_on(world.sea, at, end, [&](const Mask<T>&, transport::Photon<T>& down) {
         transport::reflect_down(world.sea, down);
       });
     }
     const Mask<T> scored = travellers.on & !(end.surface | end.sea_bed) & in_time(world, at);
     if (!any(scored)) continue;
-    ratios_at<special>(world, travellers, at, estimates);
-    score_light<special>(world, at, weight_at_point(world, at), travellers.lens, scored, at.line,
-                         estimates, tally);
+    ratios_at<Events>(world, travellers, at, estimates);
+    score_light<Events>(world, at, weight_at_point(world, at), travellers.lens, scored, at.line,
+                        estimates, tally);
   }
 }
 
 /// Scores what the telescopes expect of the conversions on photons' way to their next collision; of
 /// all their collisions, if these are not scored where they happen.
-template <bool special, class T>
+template <class Events, class T>
 PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const Travellers<T>& from,
                                                   const Mask<T>& travelling,
                                                   Estimates<T>& estimates,
                                                   tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
   const Mask<T> convertible = travelling & (from.photon.line == Index<T>(0));
-  const bool all_collisions = special && world.tools.scores_on_the_way;
+  const bool all_collisions = Events::tools && world.tools.scores_on_the_way;
   const Mask<T> wanted = all_collisions ? travelling : convertible;
   if (!any(wanted)) return;
   const auto& u = from.forced;
   transport::Photon<T> at = from.photon;
   const Mask<T> reached =
       wanted & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
-  ratios_at<special>(world, from, at, estimates);
+  ratios_at<Events>(world, from, at, estimates);
   if (all_collisions)
-    score_light<special>(world, at, at.weight, from.lens, reached, at.line, estimates, tally);
+    score_light<Events>(world, at, at.weight, from.lens, reached, at.line, estimates, tally);
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
   const Mask<T> converting = reached & convertible;
   Index<T> i(0);
   for (Mask<T> on = converting & (i < count); any(on); on = converting & (i < count)) {
     const Index<T> line =
         sea.emitted_line<T>(at.layer, select(on, i, Index<T>(0)), from.spectral_bin);
-    score_light<special>(world, at, at.weight, from.lens, on, line, estimates, tally);
+    score_light<Events>(world, at, at.weight, from.lens, on, line, estimates, tally);
     i = i + Index<T>(1);
   }
 }

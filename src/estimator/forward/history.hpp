@@ -47,23 +47,23 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
 }
 
 // One event of photons that are on their way, stage by stage: a flight, and what stands at its end.
-// A pool takes all its packs through each stage before the next one. `special` as the world is:
-// known before the loops, so that others are as fast as if there were no such events.
+// A pool takes all its packs through each stage before the next one. `Events`: PlainEvents or
+// AllEvents, as the world asks for.
 
 /// What is scored of a flight before it begins.
-template <bool special, class T, class Ledger>
+template <class Events, class T, class Ledger>
 void score_ahead_of_flight(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
                            tally::BatchTally& tally, Estimates<T>& estimates) {
   if (!world.cones.empty())
-    score_on_the_way<special>(world, travellers, travellers.on, estimates, tally);
-  if constexpr (special) begin_with_tools(world, travellers, travellers.on, ledger);
-  score_further_points<special>(world, travellers, estimates, tally);
+    score_on_the_way<Events>(world, travellers, travellers.on, estimates, tally);
+  if constexpr (Events::tools) begin_with_tools(world, travellers, travellers.on, ledger);
+  score_further_points<Events>(world, travellers, estimates, tally);
 }
 
 /// How far they fly.
-template <bool special, class T>
+template <class Events, class T>
 void draw_free_path(Travellers<T>& travellers) {
-  travellers.free_path = minus_log(path_number<special>(travellers, travellers.u[0]));
+  travellers.free_path = minus_log(path_number<Events>(travellers, travellers.u[0]));
 }
 
 /// Reflects photons of a mask at the surface, but for the weight that leaves. Those who are left
@@ -86,20 +86,20 @@ Mask<T> reflect_in_flight(const World<T>& world, Travellers<T>& travellers,
 
 /// A flight, and what may stand at its end: the sea bed, the end of the last gate, the surface
 /// where it does not go on past that, or else a collision.
-template <bool special, class T, class Ledger>
+template <class Events, class T, class Ledger>
 void travel(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
             tally::BatchTally& tally) {
   using namespace transport;
   Photon<T>& photon = travellers.photon;
   Mask<T> on = travellers.on;
-  if (compares<special>(world)) travellers.ratios.before = photon;
+  if (compares<Events>(world)) travellers.ratios.before = photon;
   FlightEnd<T> end = fly(world.sea, photon, travellers.free_path);
-  if (!special && world.flies_on) {
+  if (!Events::tools && world.flies_on) {
     fly_on(world.sea, photon, end, [&](const Mask<T>& turned, Photon<T>& down) {
       on = (on & !turned) | reflect_in_flight(world, travellers, on & turned, down, ledger);
     });
   }
-  if (compares<special>(world)) travellers.ratios.flown(world.sea, photon, end.length, on);
+  if (compares<Events>(world)) travellers.ratios.flown(world.sea, photon, end.length, on);
   book(ledger.sea_bed, on & end.sea_bed, photon.weight);
   on = on & !end.sea_bed;
   const Mask<T> late = on & !in_time(world, photon);
@@ -112,12 +112,12 @@ void travel(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
 }
 
 /// Those who stand at the surface are reflected, but for the weight that leaves.
-template <bool special, class T, class Ledger>
+template <class Events, class T, class Ledger>
 void reflect(const World<T>& world, Travellers<T>& travellers, Ledger& ledger) {
   const Mask<T> reflected = travellers.on & !travellers.colliding;
   if (!any(reflected)) return;
   transport::Photon<T> down = travellers.photon;
-  const Mask<T> kept = special ? are_forced(world, travellers.place) : Mask<T>(false);
+  const Mask<T> kept = Events::tools ? are_forced(world, travellers.place) : Mask<T>(false);
   book(ledger.escaped, reflected, transport::reflect_down(world.sea, down, kept));
   transport::Photon<T>& photon = travellers.photon;
   photon.direction.z = select(reflected, down.direction.z, photon.direction.z);
@@ -126,15 +126,15 @@ void reflect(const World<T>& world, Travellers<T>& travellers, Ledger& ledger) {
 }
 
 /// Photons that collide where they stand are scored, if that has not been done on their way.
-template <bool special, class T>
+template <class Events, class T>
 void score_collision(const World<T>& world, const Travellers<T>& travellers,
                      tally::BatchTally& tally, Estimates<T>& estimates) {
-  if (!any(travellers.colliding) || (special && world.tools.scores_on_the_way)) return;
-  score_scattering<special>(world, travellers, travellers.colliding, estimates, tally);
+  if (!any(travellers.colliding) || (Events::tools && world.tools.scores_on_the_way)) return;
+  score_scattering<Events>(world, travellers, travellers.colliding, estimates, tally);
 }
 
 /// What becomes of them: some go on as light of another wavelength, what is absorbed is lost.
-template <bool special, class T, class Ledger>
+template <class Events, class T, class Ledger>
 void collide(const World<T>& world, Travellers<T>& travellers, Ledger& ledger) {
   using namespace transport;
   Photon<T> photon = travellers.photon;
@@ -149,7 +149,7 @@ void collide(const World<T>& world, Travellers<T>& travellers, Ledger& ledger) {
   if (!any(colliding)) return;
   const Index<T> here = world.sea.at(photon.line, photon.layer);
   book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
-  if (compares<special>(world)) travellers.ratios.before = photon;
+  if (compares<Events>(world)) travellers.ratios.before = photon;
   const auto& v = travellers.choices;
   travellers.branch =
       transport::collide(world.sea, photon, travellers.spectral_bin, world.conversion, v[0], v[1]);
@@ -171,7 +171,7 @@ void deflect(const World<T>& world, Travellers<T>& travellers) {
 }
 
 /// They turn there.
-template <bool special, class T>
+template <class Events, class T>
 void turn(const World<T>& world, Travellers<T>& travellers) {
   const Mask<T>& colliding = travellers.colliding;
   if (!any(colliding)) return;
@@ -179,7 +179,7 @@ void turn(const World<T>& world, Travellers<T>& travellers) {
   if (world.directs) travellers.old_direction = photon.direction;
   photon.direction =
       select<T>(colliding, transport::turned(travellers.deflection), photon.direction);
-  if (compares<special>(world)) travellers.ratios.collided(world.sea, photon, colliding);
+  if (compares<Events>(world)) travellers.ratios.collided(world.sea, photon, colliding);
 }
 
 /// They take the weight of a direction that was drawn with targets.
@@ -204,12 +204,12 @@ T left_of_direction(const World<T>& world, const Travellers<T>& travellers) {
 }
 
 /// The event ends: roulette, and what is lost.
-template <bool special, class T, class Ledger>
+template <class Events, class T, class Ledger>
 void finish(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
             tally::BatchTally& tally) {
   transport::Photon<T>& photon = travellers.photon;
   Mask<T> on = travellers.on;
-  if constexpr (special)
+  if constexpr (Events::tools)
     on = end_with_tools(world, travellers, on, left_of_direction(world, travellers), ledger);
   else if (any(photon.analog_weight < world.weight_threshold))
     on = play_roulette(photon, world.weight_threshold, left_of_direction(world, travellers), on,
@@ -225,29 +225,29 @@ void finish(const World<T>& world, Travellers<T>& travellers, Ledger& ledger,
 }
 
 /// What happens where flights have ended, to all photons that each(stage) has a stage done to.
-template <bool special, class T, class Each, class Ledger>
+template <class Events, class T, class Each, class Ledger>
 void end_flights(const World<T>& world, Each each, Ledger& ledger, tally::BatchTally& tally,
                  Estimates<T>& estimates) {
-  each([&](auto& t) { score_collision<special>(world, t, tally, estimates); });
-  each([&](auto& t) { collide<special>(world, t, ledger); });
+  each([&](auto& t) { score_collision<Events>(world, t, tally, estimates); });
+  each([&](auto& t) { collide<Events>(world, t, ledger); });
   if (world.directs) each([&](auto& t) { aim_at_targets(world, t); });
   each([&](auto& t) { deflect(world, t); });
-  each([&](auto& t) { turn<special>(world, t); });
+  each([&](auto& t) { turn<Events>(world, t); });
   if (world.directs) each([&](auto& t) { weigh_direction(world, t); });
-  each([&](auto& t) { finish<special>(world, t, ledger, tally); });
+  each([&](auto& t) { finish<Events>(world, t, ledger, tally); });
 }
 /// Their next flights. draw(block) draws a block of the random numbers of their events.
-template <bool special, class T, class Each, class Draw, class Ledger>
+template <class Events, class T, class Each, class Draw, class Ledger>
 void go_on(const World<T>& world, Each each, Draw draw, Ledger& ledger, tally::BatchTally& tally,
            Estimates<T>& estimates) {
   each([](auto& t) { t.place.event = t.place.event + Index<T>(1); });
   draw(0);
   if (world.makes_choices) draw(1);
   if (!world.cones.empty()) draw(2);
-  each([&](auto& t) { score_ahead_of_flight<special>(world, t, ledger, tally, estimates); });
-  each([&](auto& t) { draw_free_path<special>(t); });
-  each([&](auto& t) { travel<special>(world, t, ledger, tally); });
-  if (special || !world.flies_on) each([&](auto& t) { reflect<special>(world, t, ledger); });
+  each([&](auto& t) { score_ahead_of_flight<Events>(world, t, ledger, tally, estimates); });
+  each([&](auto& t) { draw_free_path<Events>(t); });
+  each([&](auto& t) { travel<Events>(world, t, ledger, tally); });
+  if (Events::tools || !world.flies_on) each([&](auto& t) { reflect<Events>(world, t, ledger); });
 }
 
 /// Keeps the copies of a photon that was split, each with random numbers of its own.
@@ -263,10 +263,10 @@ void keep_copies(const World<T>& world, const Travellers<T>& photon,
 }
 
 /// The next flight of one photon.
-template <bool special, class T>
+template <class Events, class T>
 void go_on(const World<T>& world, Travellers<T>& photon, Estimates<T>& estimates,
            tally::BatchTally& tally) {
-  go_on<special>(
+  go_on<Events>(
       world, [&](auto stage) { stage(photon); },
       [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); },
       tally.ledger, tally, estimates);
@@ -274,41 +274,41 @@ void go_on(const World<T>& world, Travellers<T>& photon, Estimates<T>& estimates
 
 /// Follows a photon that is on its way until it is absorbed, escapes or comes too late, and scores
 /// its echoes. `witness` is told of it at the end of each event.
-template <bool special, class T, class Witness>
+template <class Events, class T, class Witness>
 void follow(const World<T>& world, Travellers<T>& photon, std::vector<Travellers<T>>& waiting,
             Estimates<T>& estimates, tally::BatchTally& tally, Witness& witness) {
   const auto each = [&](auto stage) { stage(photon); };
   while (photon.on) {
-    end_flights<special>(world, each, tally.ledger, tally, estimates);
+    end_flights<Events>(world, each, tally.ledger, tally, estimates);
     witness(photon);
     if (!photon.on) return;
-    if constexpr (special) keep_copies(world, photon, waiting);
-    go_on<special>(world, photon, estimates, tally);
+    if constexpr (Events::tools) keep_copies(world, photon, waiting);
+    go_on<Events>(world, photon, estimates, tally);
   }
 }
 
 /// The same of the batch's photon n, from the laser on, and of all its copies, which wait for each
 /// other. Flattened: what is called stays in registers, a tenth of the time.
-template <bool special, class T, class Witness>
+template <class Events, class T, class Witness>
 PHOTIC_FLATTEN void follow(const World<T>& world, const Draws<T>& draws, std::int32_t n,
                            Travellers<T>& photon, std::vector<Travellers<T>>& waiting,
                            Estimates<T>& estimates, tally::BatchTally& tally, Witness witness) {
   birth(world, draws, n, true, photon, tally.ledger);
-  if (compares<special>(world)) photon.ratios.kept->of(0).begin(world.sea.environments);
+  if (compares<Events>(world)) photon.ratios.kept->of(0).begin(world.sea.environments);
   if (photon.on) {
-    go_on<special>(
+    go_on<Events>(
         world, [&](auto stage) { stage(photon); },
         [&](std::uint32_t block) { photon.numbers(block) = draws.together(n, 1, block); },
         tally.ledger, tally, estimates);
   }
   for (;;) {
-    follow<special>(world, photon, waiting, estimates, tally, witness);
-    if (!special || waiting.empty()) return;
-    if (compares<special>(world))
+    follow<Events>(world, photon, waiting, estimates, tally, witness);
+    if (!Events::tools || waiting.empty()) return;
+    if (compares<Events>(world))
       photon.ratios.kept->copy(world.sea.environments, waiting.size(), 0);
     photon = std::move(waiting.back());
     waiting.pop_back();
-    go_on<special>(world, photon, estimates, tally);
+    go_on<Events>(world, photon, estimates, tally);
   }
 }
 

@@ -100,10 +100,10 @@ EventLog log_scalar(const estimator::Model& model, std::uint64_t photons) {
     }
     const auto draws = estimator::draws_of_laser(world, batch);
     for (std::int32_t n = 0; n < static_cast<std::int32_t>(world.batch_photons); ++n) {
-      if (world.special)
-        follow<true>(world, draws, n, photon, copies, estimates, tally, witness);
+      if (world.all_events)
+        follow<estimator::AllEvents>(world, draws, n, photon, copies, estimates, tally, witness);
       else
-        follow<false>(world, draws, n, photon, copies, estimates, tally, witness);
+        follow<estimator::PlainEvents>(world, draws, n, photon, copies, estimates, tally, witness);
     }
   }
   return log;
