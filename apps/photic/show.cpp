@@ -1,5 +1,7 @@
 #include <filesystem>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "estimator/model.hpp"
 #include "io/netcdf.hpp"
@@ -22,16 +24,23 @@ scene::Reading read(const ShowCommand& command) {
 
 constexpr std::size_t comment_width = 96;
 
-/// Where every number of the water comes from, as comments under the scene.
-std::string sources_of(const estimator::Model& model) {
-  std::string out = "\n# The optics of this scene and their sources:\n";
-  for (const std::string& source : estimator::describe(model).sources) {
+/// A list as comments; nothing of an empty one.
+std::string comments(const std::string& head, const std::vector<std::string>& items) {
+  if (items.empty()) return "";
+  std::string out = "\n# " + head + ":\n";
+  for (const std::string& item : items) {
     std::string start = "#   ";
-    for (const std::string& line : io::wrapped(source, comment_width)) {
+    for (const std::string& line : io::wrapped(item, comment_width))
       out += std::exchange(start, "#     ") + line + '\n';
-    }
   }
   return out;
+}
+
+/// How its paths are drawn, and where every number of the water comes from.
+std::string notes_on(const estimator::Model& model) {
+  const tally::Result result = estimator::describe(model);
+  return comments("How the bidirectional estimator draws paths", result.strategies) +
+         comments("The optics of this scene and their sources", result.sources);
 }
 
 }  // namespace
@@ -39,7 +48,7 @@ std::string sources_of(const estimator::Model& model) {
 int run(const ShowCommand& command) {
   const estimator::Model model = estimator::make_model(read(command).scene);
   print_out(command.json ? scene::write_scene_json(model.scene) + '\n'
-                         : scene::write_scene(model.scene) + sources_of(model));
+                         : scene::write_scene(model.scene) + notes_on(model));
   return done;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/constants.hpp"
+#include "estimator/strategies.hpp"
 #include "medium/build.hpp"
 #include "medium/check.hpp"
 #include "medium/environments.hpp"
@@ -156,6 +157,7 @@ tally::Result describe(const Model& model) {
   result.estimator = scene.simulation.estimator;
   result.estimator_reason = scene.simulation.estimator_reason.value_or("");
   result.seed = scene.simulation.seed;
+  result.strategies = strategies_told(scene, medium);
   for (const auto& source : medium.sources) result.sources.push_back(medium::source_line(source));
   return result;
 }

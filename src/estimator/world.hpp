@@ -10,6 +10,7 @@
 #include "core/sobol.hpp"
 #include "estimator/model.hpp"
 #include "estimator/origin.hpp"
+#include "estimator/strategies.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
 #include "instrument/telescope.hpp"
@@ -40,13 +41,6 @@ struct View {
   transport::ViewCone<T> cone;
   std::array<Ball<T>, view_parts> part;
 };
-
-/// The axis of an instrument as it goes on in the water, of index n.
-inline Vec3<double> axis_in_water(const Vec3<double>& axis, bool submerged, double n) {
-  if (submerged || !(axis.z < 0)) return axis;
-  return normalised(
-      Vec3<double>{axis.x / n, axis.y / n, -std::sqrt(1 - (1 - axis.z * axis.z) / (n * n))});
-}
 
 template <class T>
 View<T> make_view(const instrument::Telescope<double>& telescope, const medium::Medium& medium,
@@ -318,16 +312,14 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.flies_on = world.directs && !world.all_events && world.cones.empty();
   world.single_rays = scene.simulation.reception == "ray";
   world.conversion = T(scene.simulation.conversion_probability);
-  const Vec3<double> beam = axis_in_water(normalised(scene.source.direction), world.laser.submerged,
-                                          medium.line.front().refractive_index);
+  const Vec3<double> beam = beam_in_water(scene, medium);
   world.inverse_conversion = {
       T(inverse_conversion_probability(scene.simulation.conversion_probability)),
       T(directed_inverse_conversion), vec3_cast<T>(beam), Index<T>(medium.beam_lobe),
       T(converts ? directed_scattering : 0.0)};
-  // Only what is drawn about the beam depends on the direction that a turn changes.
-  world.turns = !converts || (beam.x == 0 && beam.y == 0);
-  // What environments make of the angle that a turn changes is not known apart.
-  world.turns_scattered = world.turns && !world.compares;
+  const Strategies strategies = make_strategies(scene, medium);
+  world.turns = strategies.rotated.used;
+  world.turns_scattered = strategies.rotated_scattered.used;
   const bool one_way = world.telescopes.size() == 1 && !world.telescopes.front().submerged;
   world.makes_choices = (world.directs && !one_way) || medium.line.size() > 1;
   if (connects) world.walks = static_cast<std::size_t>(scene.simulation.walks);

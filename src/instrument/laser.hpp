@@ -30,6 +30,12 @@ Vec3<T> fictitious_vertex(const Laser<T>& laser) {
   return laser.start - (laser.vertex_distance + laser.ahead) * laser.axis;
 }
 
+/// Whether other rays can be led to its rays' fictitious vertex.
+template <class T>
+bool can_be_met(const Laser<T>& laser) {
+  return !laser.collimated && (laser.submerged || any(fictitious_vertex(laser).z > T(0)));
+}
+
 template <class T>
 Laser<T> make_laser(const scene::Source& s) {
   const double half_divergence = s.half_divergence_mrad * 1e-3;

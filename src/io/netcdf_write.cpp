@@ -280,6 +280,8 @@ void add_description(NetcdfImage& file, const tally::Result& result, const Write
   file.add_global("estimator", result.estimator);
   if (!info.scene_file.empty()) file.add_global("scene_file", LongText{info.scene_file});
   file.add_global("scene", LongText{result.scene_toml});
+  if (!result.strategies.empty())
+    file.add_global("strategies", LongText{fmt::format("{}", fmt::join(result.strategies, "\n"))});
   file.add_global("optics_sources", LongText{fmt::format("{}", fmt::join(result.sources, "\n"))});
 }
 

@@ -76,7 +76,8 @@ struct Result {
 
   // The run.
   std::string title, scene_toml, version, engine, estimator;
-  std::string estimator_reason;  ///< why "auto" chose it; empty: the scene names it
+  std::string estimator_reason;         ///< why "auto" chose it; empty: the scene names it
+  std::vector<std::string> strategies;  ///< in which ways it draws paths, and why not in others
   std::uint64_t seed = 0;
   std::uint64_t photons = 0;                   ///< emitted
   std::vector<std::uint64_t> channel_photons;  ///< [telescope][channel]: that its echoes are means

@@ -35,9 +35,7 @@ Birth<T> enter_if_above(const medium::MediumView& sea, const Photon<T>& photon,
 /// The solid angle of a laser's cone; 0 of one that no connection can meet [sr].
 template <class T>
 T connectable_solid_angle(const instrument::Laser<T>& laser) {
-  const bool meets =
-      !laser.collimated && (laser.submerged || any(fictitious_vertex(laser).z > T(0)));
-  return meets ? T(2 * pi) * laser.one_minus_cos_divergence : T(0);
+  return can_be_met(laser) ? T(2 * pi) * laser.one_minus_cos_divergence : T(0);
 }
 
 /// The laser's walk.

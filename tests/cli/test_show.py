@@ -101,3 +101,12 @@ set = { "sea.layer.1.chlorophyll_mg_m3" = 2, 'optics.phytoplankton' = "prieur-sa
     assert photic("show", "shown.toml").stdout == shown.stdout
     as_json = json.loads(photic("show", "quick.toml", "--json").stdout)
     assert as_json["environment"][0]["set"] == {"sea.layer.1.chlorophyll_mg_m3": 2, "optics.phytoplankton": "prieur-sathyendranath"}
+
+
+def test_how_paths_are_drawn(photic, scene):
+    # Seen red: with nothing told of a scene that names the estimator.
+    named = ("--set", "simulation.estimator=bidirectional")
+    lines = photic("show", "quick.toml", *named).stdout.splitlines()
+    at = lines.index("# How the bidirectional estimator draws paths:")
+    assert lines[at + 1] == "#   walks from telescopes connected to the laser: yes"
+    assert "draws paths" not in photic("show", "quick.toml", "--set", "simulation.estimator=forward").stdout

@@ -178,6 +178,7 @@ class Maker {
                       .lost = 1.5e-7};
     result_.warnings = {
         "3 photons were lost: 2 had too many events, 1 a number that is not finite"};
+    result_.strategies = {"walks from both sides connected: yes", "walks rotated: no: it is askew"};
     result_.sources = {"water absorption = mason-ioccg: Mason, Cone & Fry (2016) [published]",
                        "chlorophyll yield = 0.01: [placeholder]"};
   }

@@ -190,6 +190,7 @@ TEST_F(WrittenResult, Texts) {
   EXPECT_EQ(file.text("estimator"), "forward");
   EXPECT_EQ(file.text("stopped_by"), "photons");
   EXPECT_EQ(file.text("warnings"), result_.warnings.at(0));
+  EXPECT_EQ(file.text("strategies"), result_.strategies.at(0) + "\n" + result_.strategies.at(1));
   EXPECT_EQ(file.text("optics_sources"), result_.sources.at(0) + "\n" + result_.sources.at(1));
   EXPECT_NE(file.text("references").find("Barbini"), std::string::npos);
 }

@@ -1,0 +1,96 @@
+#include "estimator/strategies.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "instrument/laser.hpp"
+#include "instrument/lens.hpp"
+
+namespace photic::estimator {
+namespace {
+
+Strategy off(std::string name, std::string reason) {
+  return {std::move(name), false, std::move(reason)};
+}
+
+Strategy to_laser(const scene::Scene& scene) {
+  const std::string name = "walks from telescopes connected to the laser";
+  const auto laser = instrument::make_laser<double>(scene.source);
+  if (laser.collimated) return off(name, "its rays are parallel, and no other ray meets them");
+  if (!instrument::can_be_met(laser))
+    return off(name, "its rays seem to come from below the surface");
+  return {name};
+}
+
+Strategy translated(const scene::Scene& scene) {
+  Strategy out{"walks from telescopes translated so that rays meet"};
+  std::string flat;
+  std::size_t count = 0;
+  for (const auto& t : scene.telescope) {
+    if (std::abs(normalised(t.direction).z) >= instrument::flattest_shifted) continue;
+    flat += (flat.empty() ? "" : ", ") + t.name;
+    ++count;
+  }
+  if (count == 0) return out;
+  const std::string reason =
+      fmt::format("rays closer to the horizontal than {:.0f} degrees stay",
+                  90 - std::acos(instrument::flattest_shifted) / radian_per_degree);
+  if (count == scene.telescope.size()) return off(out.name, reason);
+  out.reason = fmt::format("not from {}: {}", flat, reason);
+  return out;
+}
+
+Strategy rotated(bool converts, const Vec3<double>& beam) {
+  const std::string name = "walks from telescopes rotated about a vertical so that rays meet";
+  if (converts && (beam.x != 0 || beam.y != 0))
+    return off(name, "light is converted, and looked for about a beam that is not vertical");
+  return {name};
+}
+
+}  // namespace
+
+Vec3<double> axis_in_water(const Vec3<double>& axis, bool submerged, double n) {
+  if (submerged || !(axis.z < 0)) return axis;
+  return normalised(
+      Vec3<double>{axis.x / n, axis.y / n, -std::sqrt(1 - (1 - axis.z * axis.z) / (n * n))});
+}
+
+Vec3<double> beam_in_water(const scene::Scene& scene, const medium::Medium& medium) {
+  return axis_in_water(normalised(scene.source.direction), scene.source.position_m.z < 0,
+                       medium.line.front().refractive_index);
+}
+
+Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medium) {
+  Strategies out;
+  out.to_laser = to_laser(scene);
+  out.between = {"walks from both sides connected", true,
+                 fmt::format("a share of {:g}", scene.simulation.connected_fraction)};
+  out.translated = translated(scene);
+  out.rotated = rotated(medium.line.size() > 1, beam_in_water(scene, medium));
+  out.rotated_scattered = out.rotated;
+  out.rotated_scattered.name += ", of light that is not converted";
+  // What environments make of the angle that a rotation changes is not known apart.
+  if (out.rotated.used && scene.compares())
+    out.rotated_scattered = off(out.rotated_scattered.name,
+                                "environments or derivatives are asked for, in which the angle "
+                                "that this changes is not known apart");
+  return out;
+}
+
+std::vector<std::string> Strategies::told() const {
+  std::vector<std::string> out;
+  for (const Strategy* s : {&to_laser, &between, &translated, &rotated, &rotated_scattered}) {
+    const std::string reason = s->reason.empty() ? "" : ": " + s->reason;
+    out.push_back(fmt::format("{}: {}{}", s->name, s->used ? "yes" : "no", reason));
+  }
+  return out;
+}
+
+std::vector<std::string> strategies_told(const scene::Scene& scene, const medium::Medium& medium) {
+  if (scene.simulation.estimator != "bidirectional") return {};
+  return make_strategies(scene, medium).told();
+}
+
+}  // namespace photic::estimator

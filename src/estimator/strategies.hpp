@@ -1,0 +1,43 @@
+// In which ways the bidirectional estimator draws paths: which of them a scene leaves out, and why.
+// What needs a symmetry of the scene says so here (docs/theory.md, "The bidirectional estimator").
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "medium/medium.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::estimator {
+
+/// A way to draw paths.
+struct Strategy {
+  std::string name;
+  bool used = true;
+  std::string reason;  ///< why not; what it is limited by, if it is used
+};
+
+/// Of the bidirectional estimator. Telescopes' walks are always connected to the lens, and those
+/// from the laser with them.
+struct Strategies {
+  Strategy to_laser;           ///< telescopes' walks are connected to the laser
+  Strategy between;            ///< vertices of both walks are connected
+  Strategy translated;         ///< telescopes' walks are translated so that two rays meet
+  Strategy rotated;            ///< they are rotated about where they convert
+  Strategy rotated_scattered;  ///< those of the laser's line about their first vertex
+
+  /// A line for each.
+  [[nodiscard]] std::vector<std::string> told() const;
+};
+
+Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medium);
+
+/// The axis of an instrument as it goes on in the water, of index n.
+Vec3<double> axis_in_water(const Vec3<double>& axis, bool submerged, double n);
+/// The laser's.
+Vec3<double> beam_in_water(const scene::Scene& scene, const medium::Medium& medium);
+
+/// The lines for a scene, whatever its estimator; none of those that have no choice.
+std::vector<std::string> strategies_told(const scene::Scene& scene, const medium::Medium& medium);
+
+}  // namespace photic::estimator

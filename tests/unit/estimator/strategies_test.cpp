@@ -1,0 +1,95 @@
+#include "estimator/strategies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "estimator/model.hpp"
+#include "support/scenes.hpp"
+
+namespace photic::estimator {
+namespace {
+
+std::string ship(const std::string& direction, const std::string& half_divergence_mrad = "5.0") {
+  return "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, 12.0]\ndirection = " +
+         direction + "\ndiameter_m = 0.04\nhalf_divergence_mrad = " + half_divergence_mrad +
+         "\n[[telescope]]\nposition_m = [0.0, 0.0, 12.0]\ndirection = " + direction +
+         "\ndiameter_m = 0.40\nfocal_length_m = 2.0\ndetector_diameter_m = 0.04\n";
+}
+const std::string water = "[[sea.layer]]\nchlorophyll_mg_m3 = 0.5\n";
+const std::string elastic = test::channel("elastic"), raman = test::channel("raman");
+const std::string down = "[0.0, 0.0, -1.0]", tilted = "[0.3, 0.0, -1.0]";
+
+Model model_of(const std::string& scene) {
+  return make_model(test::read(scene + test::depth_gates(12, 1) +
+                               test::simulation(1000, 1, "", "bidirectional")));
+}
+Strategies strategies_of(const std::string& scene) {
+  const Model model = model_of(scene);
+  return make_strategies(model.scene, model.medium);
+}
+bool has(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+TEST(Strategies, AreAllUsedUnderAVerticalBeam) {
+  const Strategies s = strategies_of(ship(down) + elastic + raman + water);
+  for (const Strategy* one :
+       {&s.to_laser, &s.between, &s.translated, &s.rotated, &s.rotated_scattered})
+    EXPECT_TRUE(one->used) << one->name << ": " << one->reason;
+}
+
+// Seen red: with light that is not converted taken for such; with the beam taken for vertical.
+TEST(Strategies, RotateAboutNoSlantedBeamThatConversionsLookFor) {
+  EXPECT_TRUE(strategies_of(ship(tilted) + elastic + water).rotated.used);
+  const Strategies s = strategies_of(ship(tilted) + elastic + raman + water);
+  EXPECT_FALSE(s.rotated.used);
+  EXPECT_FALSE(s.rotated_scattered.used);
+  EXPECT_TRUE(has(s.rotated.reason, "a beam that is not vertical"));
+  EXPECT_TRUE(s.translated.used);
+}
+
+// Seen red: with rotations left in.
+TEST(Strategies, DoNotRotateScatteredLightInOtherWaters) {
+  const Strategies s =
+      strategies_of(ship(down) + elastic + water +
+                    "[[environment]]\nname = \"more\"\nsea.layer.0.chlorophyll_mg_m3 = 0.6\n");
+  EXPECT_TRUE(s.rotated.used);
+  EXPECT_FALSE(s.rotated_scattered.used);
+  EXPECT_TRUE(has(s.rotated_scattered.reason, "environments"));
+}
+
+// Seen red: with parallel rays taken for others.
+TEST(Strategies, LeadNothingIntoParallelRays) {
+  EXPECT_FALSE(strategies_of(ship(down, "0.0") + elastic + water).to_laser.used);
+}
+
+// Seen red: with the cosine of another angle; with the names of all telescopes.
+TEST(Strategies, TranslateNoRaysNearTheHorizontal) {
+  EXPECT_FALSE(strategies_of(ship("[1.0, 0.0, -0.15]") + elastic + water).translated.used);
+  const std::string other =
+      "[[telescope]]\nname = \"aside\"\nposition_m = [5.0, 0.0, 2.0]\ndirection = [-1.0, 0.0, "
+      "-0.1]\n"
+      "diameter_m = 0.1\nfocal_length_m = 0.5\ndetector_diameter_m = 0.02\n";
+  const Strategy one = strategies_of(ship(down) + other + elastic + water).translated;
+  EXPECT_TRUE(one.used);
+  EXPECT_EQ(one.reason, "not from aside: rays closer to the horizontal than 12 degrees stay");
+}
+
+// Seen red: with the reasons left out.
+TEST(Strategies, AreToldLineByLine) {
+  const Model model = model_of(ship(tilted) + elastic + raman + water);
+  const auto told = strategies_told(model.scene, model.medium);
+  ASSERT_EQ(told.size(), 5U);
+  EXPECT_EQ(told[1], "walks from both sides connected: yes: a share of 0.3");
+  EXPECT_EQ(told[3],
+            "walks from telescopes rotated about a vertical so that rays meet: no: light is "
+            "converted, and looked for about a beam that is not vertical");
+  EXPECT_EQ(describe(model).strategies, told);
+  scene::Scene forward = model.scene;
+  forward.simulation.estimator = "forward";
+  EXPECT_TRUE(strategies_told(forward, model.medium).empty());
+}
+
+}  // namespace
+}  // namespace photic::estimator
