@@ -14,7 +14,7 @@
 namespace photic::instrument {
 
 /// How far off its axis a telescope in the air may see what stands at an apparent rise below it, as
-/// if through a flat surface without refraction (transport/crossing.hpp): no farther than
+/// if through a flat surface without refraction (geometry/crossing.hpp): no farther than
 ///   rise tangent + radius (|middle - rise per_sharp_range| + spread) [m],
 /// the detector's half view and the blur of a point there (see Telescope::overlap). `rise` is the
 /// paraxial one; what is seen has one that is smaller by a known factor at most, which `middle` and

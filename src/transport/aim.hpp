@@ -3,9 +3,9 @@
 // then enters its view is what a plain walk finds too rarely.
 #pragma once
 
+#include "geometry/sightline.hpp"
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
-#include "transport/sightline.hpp"
 
 namespace photic::transport {
 
@@ -22,9 +22,9 @@ template <class T>
 Aim<T> aim(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
            const Vec3<T>& from, const Index<T>& line, const Vec3<T>& to, bool mirrored,
            const Mask<T>& near_view) {
-  const Sightline<T> way = telescope.submerged
-                               ? sightline_in_water(sea, from, line, to, mirrored)
-                               : sightline_through_surface(sea, from, line, to, near_view);
+  const geometry::Sightline<T> way =
+      telescope.submerged ? geometry::sightline_in_water(sea, from, line, to, mirrored)
+                          : geometry::sightline_through_surface(sea, from, line, to, near_view);
   return {way.direction, -dot(way.arriving, telescope.axis) > T(0)};
 }
 

@@ -1,8 +1,8 @@
 // How a walk's light spreads on the way from its instrument.
 #pragma once
 
+#include "geometry/crossing.hpp"
 #include "medium/medium.hpp"
-#include "transport/crossing.hpp"
 
 namespace photic::transport {
 
@@ -30,8 +30,8 @@ T area_per_solid_angle(const medium::MediumView& sea, const Spread<T>& spread, c
     return whole * whole;
   }
   const T inverse_n = gather<T>(sea.inverse_index, line);
-  const Widening<T> widening{cos_water / spread.cos_air, spread.cos_air / cos_water};
-  return refracted_area_per_solid_angle(inverse_n, length, spread.before, widening);
+  const geometry::Widening<T> widening{cos_water / spread.cos_air, spread.cos_air / cos_water};
+  return geometry::refracted_area_per_solid_angle(inverse_n, length, spread.before, widening);
 }
 
 }  // namespace photic::transport

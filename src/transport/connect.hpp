@@ -4,12 +4,12 @@
 
 #include <cmath>
 
+#include "geometry/crossing.hpp"
+#include "geometry/depths.hpp"
 #include "instrument/disc.hpp"
 #include "instrument/lens.hpp"
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
-#include "transport/crossing.hpp"
-#include "transport/depths.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -73,11 +73,12 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T dy = telescope.position.y - at.position.y;
   const T aside_squared = dx * dx + dy * dy;
 
-  auto start = crossing_start(inverse_n, depth, height, aside_squared);
+  auto start = geometry::crossing_start(inverse_n, depth, height, aside_squared);
   start.error = select(near_view, start.error, T(0));  // no steps for the others
-  const T per_rise = crossing(n, depth, height, aside_squared, start);
+  const T per_rise = geometry::crossing(n, depth, height, aside_squared, start);
 
-  const RefractedRay<T> ray = refracted_ray(n, inverse_n, dx, dy, aside_squared, per_rise);
+  const geometry::RefractedRay<T> ray =
+      geometry::refracted_ray(n, inverse_n, dx, dy, aside_squared, per_rise);
   const auto& [direction, arriving, secant_air, cos_air, secant_water, cos_water] = ray;
   way.direction = direction;
   const T towards = -dot(arriving, telescope.axis);
@@ -91,14 +92,15 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   const T in_air = height * secant_air;
   const T transmitted = T(1) - optics::fresnel_reflectance(n, T(1), cos_water, cos_air);
   const T area_per_solid_angle =
-      (n * n) * refracted_area_per_solid_angle(inverse_n, in_water, in_air, widening(ray));
+      (n * n) * geometry::refracted_area_per_solid_angle(inverse_n, in_water, in_air,
+                                                         geometry::widening(ray));
   way.acceptance = select(
       seen,
       telescope.area() * (safe_towards * cos_air) * overlap * transmitted / area_per_solid_angle,
       T(0));
-  way.optical_depth = sea.optical_depth(line, level_of(sea, at)) * secant_water;
+  way.optical_depth = sea.optical_depth(line, geometry::level_of(sea, at)) * secant_water;
   way.length_water = in_water;
-  way.path = longer_way(telescope, crossed_at(at.position, ray, in_water), {}, in_air) +
+  way.path = longer_way(telescope, geometry::crossed_at(at.position, ray, in_water), {}, in_air) +
              in_water * gather<T>(sea.group_index, line);
   return way;
 }
@@ -151,7 +153,7 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
   if (!any(seen)) return way;
 
   const T steep = abs(way.direction.z);
-  const auto from = level_of(sea, at);
+  const auto from = geometry::level_of(sea, at);
   const auto to = sea.level(telescope_layer, telescope_depth);
   way.optical_depth = mirrored
                           ? (sea.optical_depth(line, from) + sea.optical_depth(line, to)) / steep

@@ -3,9 +3,9 @@
 // solid angle to be the same all over the lens (docs/theory.md, "The telescope").
 #pragma once
 
+#include "geometry/sightline.hpp"
 #include "instrument/lens.hpp"
 #include "transport/connect.hpp"
-#include "transport/sightline.hpp"
 
 namespace photic::transport {
 
@@ -18,11 +18,11 @@ Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Teles
                           bool mirrored, const Mask<T>& near_view) {
   const T depth = -at.position.z;
   const Vec3<T> to = in_space(telescope, lens);
-  Sightline<T> way;
+  geometry::Sightline<T> way;
   if (telescope.submerged) {
-    way = sightline_in_water(sea, at.position, line, to, mirrored);
+    way = geometry::sightline_in_water(sea, at.position, line, to, mirrored);
   } else {
-    way = sightline_through_surface(sea, at.position, line, to, near_view);
+    way = geometry::sightline_through_surface(sea, at.position, line, to, near_view);
   }
   const auto seen = sight(telescope, lens, way.arriving);
   Connection<T> connection;
@@ -30,9 +30,9 @@ Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Teles
   const Mask<T> detected = way.exists & seen.on_detector;
   if (!any(detected)) return connection;
   const auto tau = telescope.submerged
-                       ? depths_in_water(sea, way, line, at.layer, depth, telescope_layer,
-                                         way.length_water, mirrored)
-                       : depths_through_surface(sea, way, line, at.layer, depth);
+                       ? geometry::depths_in_water(sea, way, line, at.layer, depth, telescope_layer,
+                                                   way.length_water, mirrored)
+                       : geometry::depths_through_surface(sea, way, line, at.layer, depth);
   connection.acceptance = select(
       detected, telescope.area() * seen.cos_off_axis * way.passed / way.area_per_solid_angle, T(0));
   connection.optical_depth = tau.all;

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/elementary.hpp"
+#include "geometry/depths.hpp"
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
-#include "transport/depths.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -23,7 +23,7 @@ template <class T>
 Escape<T> escape(const medium::MediumView& sea, const Photon<T>& photon) {
   using std::abs;
   const T down = -photon.direction.z;
-  const auto at = level_of(sea, photon);
+  const auto at = geometry::level_of(sea, photon);
   const Mask<T> level = down == T(0);
   const T slant = T(1) / select(level, T(1), abs(down));
   Escape<T> out;

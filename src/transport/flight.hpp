@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "core/elementary.hpp"
+#include "geometry/depths.hpp"
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
-#include "transport/depths.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -31,7 +31,7 @@ struct FlightStart {
 };
 template <class T>
 FlightStart<T> flight_start(const medium::MediumView& sea, const Photon<T>& photon) {
-  const auto level = level_of(sea, photon);
+  const auto level = geometry::level_of(sea, photon);
   return {level, sea.walk_optical_depth(photon.line, level),
           sea.continuous_column(photon.line, level)};
 }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/elementary.hpp"
+#include "geometry/depths.hpp"
 #include "medium/medium.hpp"
-#include "transport/depths.hpp"
 #include "transport/flight.hpp"
 #include "transport/photon.hpp"
 
@@ -145,8 +145,8 @@ Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
   photon.path = select(forced, placed.path, flown.path);
 
   const Index<T> here = sea.at(photon.line, photon.layer);
-  const auto tau =
-      depths_between(sea, photon.line, level_of(sea, before), level_of(sea, photon), moved);
+  const auto tau = geometry::depths_between(sea, photon.line, geometry::level_of(sea, before),
+                                            geometry::level_of(sea, photon), moved);
   T density = (T(1) - share) * gather<T>(sea.walk_c.first, here) * exp_minus(tau.walk);
   const T per_view = share / select(count > T(0), count, T(1));
   for (std::size_t k = 0; k < taking_part; ++k)

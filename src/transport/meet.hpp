@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/sightline.hpp"
 #include "instrument/lens.hpp"
 #include "optics/fresnel.hpp"
 #include "transport/connection_end.hpp"
 #include "transport/depart.hpp"
-#include "transport/sightline.hpp"
 #include "transport/vertex.hpp"
 
 namespace photic::transport {
@@ -27,15 +27,15 @@ Ray<T> reflected(const medium::MediumView& sea, const Ray<T>& ray) {
 
 /// Optical depths along a ray, `length` of it, to a depth in a layer.
 template <class T>
-OpticalDepths<T> depths_along(const medium::MediumView& sea, const Ray<T>& ray,
-                              const Index<T>& layer, const T& depth, const T& length) {
+geometry::OpticalDepths<T> depths_along(const medium::MediumView& sea, const Ray<T>& ray,
+                                        const Index<T>& layer, const T& depth, const T& length) {
   const T from = -ray.position.z;
-  const OpticalDepths<T> straight =
-      depths_between(sea, ray.line, level_of(sea, ray), sea.level(layer, depth), length);
+  const geometry::OpticalDepths<T> straight = geometry::depths_between(
+      sea, ray.line, geometry::level_of(sea, ray), sea.level(layer, depth), length);
   const Mask<T> reflected = ray.is_reflected();
   if (!any(reflected)) return straight;
-  const auto by_surface = depths_by_surface(sea, ray.line, ray.layer, T(-from), layer, depth,
-                                            T(length / (depth - from)));
+  const auto by_surface = geometry::depths_by_surface(sea, ray.line, ray.layer, T(-from), layer,
+                                                      depth, T(length / (depth - from)));
   return {select(reflected, by_surface.all, straight.all),
           select(reflected, by_surface.walk, straight.walk)};
 }

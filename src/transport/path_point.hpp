@@ -1,7 +1,7 @@
 // The points of walks that are to be connected: the rays that leave vertices, and the vertices.
 #pragma once
 
-#include "transport/depths.hpp"
+#include "geometry/depths.hpp"
 #include "transport/photon.hpp"
 #include "transport/rotated_meeting.hpp"
 #include "transport/strategy_sums.hpp"
@@ -102,8 +102,9 @@ void add_flight(const medium::MediumView& sea, const Photon<T>& before, const Ph
                 Leg<T>& leg) {
   const T moved = (photon.path - before.path) / gather<T>(sea.group_index, photon.line);
   leg.length = leg.length + moved;
-  leg.walk_tau = leg.walk_tau + sea.walk_slant_optical_depth(photon.line, level_of(sea, before),
-                                                             level_of(sea, photon), moved);
+  leg.walk_tau =
+      leg.walk_tau + sea.walk_slant_optical_depth(photon.line, geometry::level_of(sea, before),
+                                                  geometry::level_of(sea, photon), moved);
 }
 
 }  // namespace photic::transport

@@ -8,7 +8,7 @@ namespace photic::estimator {
 
 template <class T>
 PHOTIC_APART void Connections<T>::complete_to_telescope(const Ends<T>& ends, const Vertex& v,
-                                                        const transport::Sightline<T>& way,
+                                                        const geometry::Sightline<T>& way,
                                                         bool mirrored) {
   const Index<T> line = back_.line(ends.back);
   completion_.clear();
@@ -22,7 +22,7 @@ PHOTIC_APART void Connections<T>::complete_to_telescope(const Ends<T>& ends, con
 /// `length`: in the water.
 template <class T>
 PHOTIC_APART void Connections<T>::complete_to_laser(const Ends<T>& ends, const Vertex& w,
-                                                    const transport::Sightline<T>& way,
+                                                    const geometry::Sightline<T>& way,
                                                     const T& length, bool mirrored) {
   completion_.clear();
   transport::add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);

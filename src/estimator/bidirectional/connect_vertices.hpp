@@ -25,19 +25,19 @@ PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Ends<T>& ends, cons
   if (telescope_.submerged) {
     for (const bool mirrored : {false, true})
       by_sightline(ends, wanted, v, birth,
-                   transport::sightline_in_water(sea_, v.position, line, at, mirrored), mirrored);
+                   geometry::sightline_in_water(sea_, v.position, line, at, mirrored), mirrored);
     return;
   }
   const Mask<T> near_view =
       wanted & transport::may_see(sea_, telescope_, v.position, line, birth.lens);
   if (!any(near_view)) return;
   by_sightline(ends, near_view, v, birth,
-               transport::sightline_through_surface(sea_, v.position, line, at, near_view), false);
+               geometry::sightline_through_surface(sea_, v.position, line, at, near_view), false);
 }
 
 template <class T>
 void Connections<T>::by_sightline(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
-                                  const BirthRecord<T>& birth, const transport::Sightline<T>& way,
+                                  const BirthRecord<T>& birth, const geometry::Sightline<T>& way,
                                   bool mirrored) {
   const Index<T> line = back_.line(ends.back);
   const auto sight = instrument::sight(telescope_, birth.lens, way.arriving);
@@ -95,18 +95,18 @@ PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Ends<T>& ends, const Ma
   if (!laser.submerged) {
     by_sightline_to_laser(
         ends, wanted, w,
-        transport::sightline_through_surface(sea_, w.position, line, vertex, wanted), false);
+        geometry::sightline_through_surface(sea_, w.position, line, vertex, wanted), false);
     return;
   }
   for (const bool mirrored : {false, true})
     by_sightline_to_laser(ends, wanted, w,
-                          transport::sightline_in_water(sea_, w.position, line, vertex, mirrored),
+                          geometry::sightline_in_water(sea_, w.position, line, vertex, mirrored),
                           mirrored);
 }
 
 template <class T>
 void Connections<T>::by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& mask,
-                                           const Vertex& w, const transport::Sightline<T>& way,
+                                           const Vertex& w, const geometry::Sightline<T>& way,
                                            bool mirrored) {
   const auto& laser = world_.laser;
   const Vec3<T> leaving = -way.arriving;
@@ -205,8 +205,8 @@ void Connections<T>::along(const Ends<T>& ends, const Mask<T>& mask, const Index
   const T path = v.path + w.path + length * gather<T>(sea_.group_index, line);
   const Mask<T> in_time = mask & (path < receiver_.last_path);
   if (!any(in_time)) return;
-  const auto tau =
-      transport::depths_between(sea_, line, level_of(sea_, v), level_of(sea_, w), length);
+  const auto tau = geometry::depths_between(sea_, line, geometry::level_of(sea_, v),
+                                            geometry::level_of(sea_, w), length);
   const Index<T> edge = ends.i + Index<T>(1);
   const T meeting = select(usable.meeting(edge), from.meeting * to.end.p, T(0)) +
                     select(usable.meeting(edge + Index<T>(1)), to.meeting * from.end.p, T(0));

@@ -10,6 +10,7 @@
 
 #include "core/flatten.hpp"
 #include "estimator/bidirectional/walk.hpp"
+#include "geometry/sightline.hpp"
 #include "lanes/each_score.hpp"
 #include "lanes/give_out.hpp"
 #include "lanes/lane_columns.hpp"
@@ -17,7 +18,6 @@
 #include "tally/batch_tally.hpp"
 #include "transport/connection_end.hpp"
 #include "transport/meet.hpp"
-#include "transport/sightline.hpp"
 
 namespace photic::estimator {
 
@@ -183,9 +183,9 @@ class Connections {
   void serve_crossings(const Crossing<T>& crossing, const Mask<T>& mask);
 
   void by_sightline(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
-                    const BirthRecord<T>& birth, const transport::Sightline<T>& way, bool mirrored);
+                    const BirthRecord<T>& birth, const geometry::Sightline<T>& way, bool mirrored);
   void by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& mask, const Vertex& w,
-                             const transport::Sightline<T>& way, bool mirrored);
+                             const geometry::Sightline<T>& way, bool mirrored);
   void along(const Ends<T>& ends, const Mask<T>& mask, const Index<T>& line,
              const ConnectionEnd& from, const ConnectionEnd& to, const Vertex& v, const Vertex& w,
              const T& length, const Usable<T>& usable);
@@ -269,8 +269,8 @@ class Connections {
   }
   // What the ends of paths, made one, do in environments.
   void complete_to_telescope(const Ends<T>& ends, const Vertex& v,
-                             const transport::Sightline<T>& way, bool mirrored);
-  void complete_to_laser(const Ends<T>& ends, const Vertex& w, const transport::Sightline<T>& way,
+                             const geometry::Sightline<T>& way, bool mirrored);
+  void complete_to_laser(const Ends<T>& ends, const Vertex& w, const geometry::Sightline<T>& way,
                          const T& length, bool mirrored);
   void complete_between(const Ends<T>& ends, const Index<T>& line, const Vertex& v, const Vertex& w,
                         const T& length);

@@ -90,7 +90,7 @@ TEST_P(FromSpace, LightGetsBackInTime) {
     const std::int32_t line = random.below(3);
     const auto expected = [&](const V& to) {
       const V from = vec3_cast<double>(photon.position);
-      const auto way = sightline_through_surface(sea.view(), from, line, to, true);
+      const auto way = geometry::sightline_through_surface(sea.view(), from, line, to, true);
       const V surface = from + way.length_water * way.direction;
       return length(to - surface) - length(telescope.position) +
              way.length_water * sea.line[static_cast<std::size_t>(line)].group_index;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "estimator/bidirectional/walk.hpp"
+#include "geometry/sightline.hpp"
 #include "transport/connection_end.hpp"
 #include "transport/flight.hpp"
-#include "transport/sightline.hpp"
 
 namespace photic::estimator {
 
@@ -56,15 +56,15 @@ inline V direction_to(const V& from, const V& to, bool mirrored) {
   return normalised(V{to.x, to.y, mirrored ? -to.z : to.z} - from);
 }
 
-inline transport::Sightline<double> way_to(const World<double>& world, const V& from,
-                                           std::int32_t line, const V& to, bool mirrored) {
-  return to.z < 0 ? transport::sightline_in_water(world.sea, from, line, to, mirrored)
-                  : transport::sightline_through_surface(world.sea, from, line, to, true);
+inline geometry::Sightline<double> way_to(const World<double>& world, const V& from,
+                                          std::int32_t line, const V& to, bool mirrored) {
+  return to.z < 0 ? geometry::sightline_in_water(world.sea, from, line, to, mirrored)
+                  : geometry::sightline_through_surface(world.sea, from, line, to, true);
 }
-inline transport::Sightline<double> way_to_laser(const World<double>& world, const Path& path) {
+inline geometry::Sightline<double> way_to_laser(const World<double>& world, const Path& path) {
   return way_to(world, path.x(1), 0, fictitious_vertex(world.laser), path.is_mirrored(0));
 }
-inline transport::Sightline<double> way_to_lens(const World<double>& world, const Path& path) {
+inline geometry::Sightline<double> way_to_lens(const World<double>& world, const Path& path) {
   return way_to(world, path.x(path.order()), path.line, in_space(world.telescopes[0], path.lens),
                 path.is_mirrored(path.order()));
 }

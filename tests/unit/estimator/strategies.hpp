@@ -183,7 +183,7 @@ struct Strategies {
   }
   /// The edge of an instrument at a point, seen from vertex x.
   [[nodiscard]] Edge instrument_edge(const V& x, std::int32_t line,
-                                     const transport::Sightline<double>& way, const V& instrument,
+                                     const geometry::Sightline<double>& way, const V& instrument,
                                      bool mirrored, double solid_angle) const {
     Edge e;
     e.mirrored = mirrored;

@@ -31,7 +31,8 @@ TEST(Aim, ThroughTheSurfaceIsTheRefractedWay) {
     EXPECT_TRUE(way.in_front);
     const double squared = aside * aside;
     const double tangent =
-        aside * crossing(n, 20.0, 12.0, squared, crossing_start(1 / n, 20.0, 12.0, squared));
+        aside * geometry::crossing(n, 20.0, 12.0, squared,
+                                   geometry::crossing_start(1 / n, 20.0, 12.0, squared));
     EXPECT_NEAR(-way.direction.x, std::sin(std::atan(tangent)) / n, aside > 1 ? 0.02 : 1e-12);
     EXPECT_NEAR(length(way.direction), 1, 1e-12);
   }

@@ -135,9 +135,9 @@ TEST(ConnectRay, IsNoneOffTheDetector) {
                                          V{random.between(-1, 1), random.between(-1, 1), 0});
       const auto lens = lens_point(telescope, random.uniform(), random.uniform());
       const V there = in_space(telescope, lens);
-      const auto way = submerged
-                           ? sightline_in_water(sea.view(), at.position, 0, there, mirrored)
-                           : sightline_through_surface(sea.view(), at.position, 0, there, true);
+      const auto way =
+          submerged ? geometry::sightline_in_water(sea.view(), at.position, 0, there, mirrored)
+                    : geometry::sightline_through_surface(sea.view(), at.position, 0, there, true);
       const bool on_detector = sight(telescope, lens, way.arriving).on_detector;
       const auto ray = connect_ray(sea, scene, at, 0, lens, mirrored);
       ASSERT_EQ(ray.acceptance > 0, on_detector);

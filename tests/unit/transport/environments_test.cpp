@@ -46,7 +46,8 @@ medium::Medium make_other() {
 }
 
 double depth_of_way(const medium::Medium& sea, const Photon<double>& a, const Photon<double>& b) {
-  return sea.view().slant_optical_depth(a.line, level_of(sea.view(), a), level_of(sea.view(), b),
+  return sea.view().slant_optical_depth(a.line, geometry::level_of(sea.view(), a),
+                                        geometry::level_of(sea.view(), b),
                                         length(b.position - a.position));
 }
 

@@ -45,7 +45,7 @@ void fields(P& a, S& b, F f) {
   f(a.order, b.order, "order");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Way>
+  requires is_packed<P, geometry::Sightline>
 void fields(P& a, S& b, F f) {
   f(a.exists, b.exists, "exists");
   fields(a.direction, b.direction, f);
@@ -59,7 +59,7 @@ void fields(P& a, S& b, F f) {
   f(a.passed, b.passed, "passed");
 }
 template <class P, class S, class F>
-  requires is_packed<P, OpticalDepths>
+  requires is_packed<P, geometry::OpticalDepths>
 void fields(P& a, S& b, F f) {
   f(a.all, b.all, "optical depth");
   f(a.walk, b.walk, "walked optical depth");

@@ -27,8 +27,8 @@ TEST(LanesOf, Crossing) {
     const auto at = [](const auto& n_, const auto& depth_, const auto& height_,
                        const auto& aside_) {
       const auto start =
-          crossing_start(decltype(n_ + n_)(1) / n_, depth_, height_, aside_ * aside_);
-      return std::pair(start, crossing(n_, depth_, height_, aside_ * aside_, start));
+          geometry::crossing_start(decltype(n_ + n_)(1) / n_, depth_, height_, aside_ * aside_);
+      return std::pair(start, geometry::crossing(n_, depth_, height_, aside_ * aside_, start));
     };
     const auto [start, per_rise] = at(pack(n), pack(depth), pack(height), pack(aside));
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -46,9 +46,10 @@ TEST(LanesOf, RefractedSolidAnglePerArea) {
     const auto n = uniforms4(random), l1 = uniforms4(random), c1 = uniforms4(random),
                l2 = uniforms4(random), c2 = uniforms4(random);
     const auto packed =
-        refracted_area_per_solid_angle(pack(n), pack(l1), pack(l2), {pack(c1), pack(c2)});
+        geometry::refracted_area_per_solid_angle(pack(n), pack(l1), pack(l2), {pack(c1), pack(c2)});
     for (std::size_t i = 0; i < lanes; ++i) {
-      expect_same(packed[i], refracted_area_per_solid_angle(n[i], l1[i], l2[i], {c1[i], c2[i]}),
+      expect_same(packed[i],
+                  geometry::refracted_area_per_solid_angle(n[i], l1[i], l2[i], {c1[i], c2[i]}),
                   "factor");
     }
   }

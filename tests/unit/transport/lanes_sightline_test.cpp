@@ -67,19 +67,20 @@ TEST(LanesOf, WayThroughSurface) {
     });
     const auto wanted = four([&] { return random.chance(0.7); });
     const auto packed = pack(photon);
-    const auto way4 =
-        sightline_through_surface(sea.view(), packed.position, packed.line, pack(to), pack(wanted));
+    const auto way4 = geometry::sightline_through_surface(sea.view(), packed.position, packed.line,
+                                                          pack(to), pack(wanted));
     const Lanes4 depth4 = Lanes4(0) - packed.position.z;
-    const auto tau4 = depths_through_surface(sea.view(), way4, packed.line, packed.layer, depth4);
+    const auto tau4 =
+        geometry::depths_through_surface(sea.view(), way4, packed.line, packed.layer, depth4);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& one = photon[i];
       const auto way =
-          sightline_through_surface(sea.view(), one.position, one.line, to[i], wanted[i]);
+          geometry::sightline_through_surface(sea.view(), one.position, one.line, to[i], wanted[i]);
       expect_same_fields(way4, i, way);
       if (one.position.z < 0)
-        expect_same_fields(
-            tau4, i,
-            depths_through_surface(sea.view(), way, one.line, one.layer, 0 - one.position.z));
+        expect_same_fields(tau4, i,
+                           geometry::depths_through_surface(sea.view(), way, one.line, one.layer,
+                                                            0 - one.position.z));
     }
   }
 }
@@ -95,19 +96,20 @@ TEST(LanesOf, WayInWater) {
     const auto packed_end = pack(end);
     auto to = end;
     if (random.chance(0.1)) to[1].position = photon[1].position;
-    const auto way4 =
-        sightline_in_water(sea.view(), packed.position, packed.line, pack(to).position, mirrored);
-    const auto tau4 =
-        depths_in_water(sea.view(), way4, packed.line, packed.layer, Lanes4(0) - packed.position.z,
-                        packed_end.layer, way4.length_water, mirrored);
+    const auto way4 = geometry::sightline_in_water(sea.view(), packed.position, packed.line,
+                                                   pack(to).position, mirrored);
+    const auto tau4 = geometry::depths_in_water(sea.view(), way4, packed.line, packed.layer,
+                                                Lanes4(0) - packed.position.z, packed_end.layer,
+                                                way4.length_water, mirrored);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& one = photon[i];
-      const auto way =
-          sightline_in_water(sea.view(), one.position, one.line, to[i].position, mirrored);
+      const auto way = geometry::sightline_in_water(sea.view(), one.position, one.line,
+                                                    to[i].position, mirrored);
       expect_same_fields(way4, i, way);
-      expect_same_fields(tau4, i,
-                         depths_in_water(sea.view(), way, one.line, one.layer, 0 - one.position.z,
-                                         end[i].layer, way.length_water, mirrored));
+      expect_same_fields(
+          tau4, i,
+          geometry::depths_in_water(sea.view(), way, one.line, one.layer, 0 - one.position.z,
+                                    end[i].layer, way.length_water, mirrored));
     }
   }
 }

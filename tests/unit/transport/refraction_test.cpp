@@ -19,8 +19,8 @@ TEST(RefractedSolidAngle, IsThatOfTracedRays) {
       const double cos_air = std::cos(air);
       const double cos_water = std::sqrt(1 - std::pow(std::sin(air) / index, 2));
       const double factor =
-          refracted_area_per_solid_angle(1 / index, depth / cos_water, height / cos_air,
-                                         {cos_water / cos_air, cos_air / cos_water});
+          geometry::refracted_area_per_solid_angle(1 / index, depth / cos_water, height / cos_air,
+                                                   {cos_water / cos_air, cos_air / cos_water});
       EXPECT_NEAR(index * index * factor * solid_angle_per_area(index, depth, height, air), 1, 1e-6)
           << degrees << " " << depth;
     }
@@ -28,15 +28,16 @@ TEST(RefractedSolidAngle, IsThatOfTracedRays) {
 }
 
 TEST(RefractedSolidAngle, HasItsClosedForms) {
-  EXPECT_NEAR(index * index * refracted_area_per_solid_angle(1 / index, 10.0, 12.0, {1.0, 1.0}),
-              std::pow(index * 12 + 10, 2), 1e-12);
-  EXPECT_NEAR(refracted_area_per_solid_angle(1.0, 3.0, 4.0, {1.0, 1.0}), 49, 1e-13);
+  EXPECT_NEAR(
+      index * index * geometry::refracted_area_per_solid_angle(1 / index, 10.0, 12.0, {1.0, 1.0}),
+      std::pow(index * 12 + 10, 2), 1e-12);
+  EXPECT_NEAR(geometry::refracted_area_per_solid_angle(1.0, 3.0, 4.0, {1.0, 1.0}), 49, 1e-13);
 }
 
 /// The tangent in air.
-double crossing(double depth, double height, double aside) {
-  const auto start = crossing_start(1 / index, depth, height, aside * aside);
-  return aside * crossing(index, depth, height, aside * aside, start);
+double tangent_in_air(double depth, double height, double aside) {
+  const auto start = geometry::crossing_start(1 / index, depth, height, aside * aside);
+  return aside * geometry::crossing(index, depth, height, aside * aside, start);
 }
 
 /// How far aside a ray of tangent t in air has come.
@@ -66,7 +67,7 @@ TEST(CrossingTangent, ObeysSnellOverTwelveOrdersOfMagnitude) {
     const double depth = random.scale(1e-6, 1e6);
     const double height = random.scale(1e-6, 1e6);
     const double aside = random.scale(1e-6, 1e6);
-    const double t = crossing(depth, height, aside);
+    const double t = tangent_in_air(depth, height, aside);
     ASSERT_NEAR(static_cast<double>(aside_of(t, depth, height)) / aside, 1, 1e-13)
         << depth << " " << height << " " << aside;
     ASSERT_LE(index * aside / (index * height + depth), t * (1 + 1e-14))
@@ -81,14 +82,14 @@ TEST(CrossingTangent, ObeysSnellOverTwelveOrdersOfMagnitude) {
   }
 }
 
-TEST(CrossingTangent, OfAPointStraightBelowIsZero) { EXPECT_EQ(crossing(3, 12, 0), 0); }
+TEST(CrossingTangent, OfAPointStraightBelowIsZero) { EXPECT_EQ(tangent_in_air(3, 12, 0), 0); }
 
 // The series leaves out no more than it says. Seen red: without its last term; with share + 1 for
 // share - 1.
 TEST(CrossingStart, KnowsItsError) {
   for (const double depth : {0.1, 3.0, 30.0, 300.0}) {
     for (const double aside : {0.7, 1.0, 1.5}) {
-      const auto start = crossing_start(1 / index, depth, 12.0, aside * aside);
+      const auto start = geometry::crossing_start(1 / index, depth, 12.0, aside * aside);
       const auto exact =
           static_cast<double>(crossing_by_bisection(static_cast<long double>(depth), 12,
                                                     static_cast<long double>(aside)) /

@@ -1,5 +1,5 @@
 // The straight ways to one point of an instrument, against rays traced forward.
-#include "transport/sightline.hpp"
+#include "geometry/sightline.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 using test::Random;
 using V = Vec3<double>;
 
-void expect_depths(const OpticalDepths<double>& depths, const medium::Medium& sea,
+void expect_depths(const geometry::OpticalDepths<double>& depths, const medium::Medium& sea,
                    std::int32_t line, const std::vector<V>& points) {
   double all = 0, walk = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -39,7 +39,7 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
     const double n = sea.line[static_cast<std::size_t>(line)].refractive_index;
     const V from = random_place(random);
     const V to{random.between(-10, 10), random.between(-10, 10), random.scale(0.5, 100)};
-    const auto way = sightline_through_surface(sea.view(), from, line, to, true);
+    const auto way = geometry::sightline_through_surface(sea.view(), from, line, to, true);
     ASSERT_TRUE(way.exists);
     ASSERT_NEAR(length(way.direction), 1, 1e-13);
     const double in_water = -from.z / way.direction.z;
@@ -64,15 +64,16 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
     enter_water(sea.view(), down);
     ASSERT_NEAR(way.passed, down.weight, 1e-9);
 
-    expect_depths(depths_through_surface(sea.view(), way, line, sea.layer_at(-from.z), -from.z),
-                  sea, line, {from, {surface.x, surface.y, 0}});
+    expect_depths(
+        geometry::depths_through_surface(sea.view(), way, line, sea.layer_at(-from.z), -from.z),
+        sea, line, {from, {surface.x, surface.y, 0}});
   }
 }
 
 TEST(WayThroughSurface, IsNoneThatIsNotWanted) {
   const auto sea = make_sea(60);
   const V to{1, 2, 12};
-  EXPECT_FALSE(sightline_through_surface(sea.view(), V{0, 0, -3}, 0, to, false).exists);
+  EXPECT_FALSE(geometry::sightline_through_surface(sea.view(), V{0, 0, -3}, 0, to, false).exists);
 }
 
 // Seen red: with the end as deep below as it is above; with 1 / distance for its square.
@@ -83,7 +84,7 @@ TEST(WayInWater, IsTheStraightLine) {
     const V from = random_place(random);
     const V to = i % 10 == 0 ? V{3, random.between(-10, 10), from.z} : random_place(random);
     const std::int32_t line = random.below(3);
-    const auto way = sightline_in_water(sea.view(), from, line, to, false);
+    const auto way = geometry::sightline_in_water(sea.view(), from, line, to, false);
     ASSERT_TRUE(way.exists);
     ASSERT_LT(length(from + way.length_water * way.direction - to), 1e-12);
     ASSERT_EQ(way.arriving, way.direction);
@@ -95,8 +96,8 @@ TEST(WayInWater, IsTheStraightLine) {
     for (const double share : {1.0, 0.7}) {
       const double length = share * way.length_water;
       const V end = from + length * way.direction;
-      expect_depths(depths_in_water(sea.view(), way, line, sea.layer_at(-from.z), -from.z,
-                                    sea.layer_at(-end.z), length, false),
+      expect_depths(geometry::depths_in_water(sea.view(), way, line, sea.layer_at(-from.z), -from.z,
+                                              sea.layer_at(-end.z), length, false),
                     sea, line, {from, end});
     }
   }
@@ -114,7 +115,7 @@ TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
     V to = random_place(random);
     to.x += random.chance(0.5) ? 40 : 0;
     const std::int32_t line = random.below(3);
-    const auto way = sightline_in_water(sea.view(), from, line, to, true);
+    const auto way = geometry::sightline_in_water(sea.view(), from, line, to, true);
     const V image{to.x, to.y, -to.z};
     ASSERT_TRUE(way.exists);
     ASSERT_LT(length(from + way.length_water * way.direction - image), 1e-12);
@@ -136,8 +137,8 @@ TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
       V end = from + length * way.direction;
       if (end.z < 0) continue;  // in the first half
       end.z = -end.z;
-      expect_depths(depths_in_water(sea.view(), way, line, sea.layer_at(-from.z), -from.z,
-                                    sea.layer_at(-end.z), length, true),
+      expect_depths(geometry::depths_in_water(sea.view(), way, line, sea.layer_at(-from.z), -from.z,
+                                              sea.layer_at(-end.z), length, true),
                     sea, line, {from, {surface.x, surface.y, 0}, end});
     }
   }
@@ -147,7 +148,7 @@ TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
 
 TEST(WayInWater, FromThePointItselfIsNone) {
   const auto sea = make_sea(40);
-  EXPECT_FALSE(sightline_in_water(sea.view(), V{1, 2, -3}, 0, V{1, 2, -3}, false).exists);
+  EXPECT_FALSE(geometry::sightline_in_water(sea.view(), V{1, 2, -3}, 0, V{1, 2, -3}, false).exists);
 }
 
 }  // namespace

@@ -5,12 +5,12 @@
 
 #include <cmath>
 
+#include "geometry/crossing.hpp"
+#include "geometry/depths.hpp"
 #include "medium/medium.hpp"
 #include "optics/fresnel.hpp"
-#include "transport/crossing.hpp"
-#include "transport/depths.hpp"
 
-namespace photic::transport {
+namespace photic::geometry {
 
 template <class T>
 struct Sightline {
@@ -113,4 +113,4 @@ OpticalDepths<T> depths_in_water(const medium::MediumView& sea, const Sightline<
                         sea.level(end_layer, T(depth - length * way.direction.z)), length);
 }
 
-}  // namespace photic::transport
+}  // namespace photic::geometry

@@ -3,7 +3,7 @@
 
 #include "medium/medium.hpp"
 
-namespace photic::transport {
+namespace photic::geometry {
 
 /// Of the light, and of the coefficient that free paths are drawn from.
 template <class T>
@@ -26,4 +26,4 @@ OpticalDepths<T> depths_between(const medium::MediumView& sea, const Index<T>& l
           sea.walk_slant_optical_depth(line, from, to, length)};
 }
 
-}  // namespace photic::transport
+}  // namespace photic::geometry

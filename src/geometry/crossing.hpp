@@ -7,7 +7,7 @@
 
 #include "core/vec3.hpp"
 
-namespace photic::transport {
+namespace photic::geometry {
 
 /// A point in the water is seen from the air as if it stood on its own vertical at the apparent
 /// rise h + d / sqrt(n^2 + (n^2-1) t^2) below: h the height over the flat surface, d the point's
@@ -107,4 +107,4 @@ Vec3<T> crossed_at(const Vec3<T>& from, const RefractedRay<T>& ray, const T& len
   return {from.x + length_water * ray.direction.x, from.y + length_water * ray.direction.y, T(0)};
 }
 
-}  // namespace photic::transport
+}  // namespace photic::geometry
