@@ -8,9 +8,12 @@
 
 #include "core/random.hpp"
 #include "core/sobol.hpp"
+#include "estimator/inverse_conversion.hpp"
+#include "estimator/meeting_grid.hpp"
 #include "estimator/model.hpp"
 #include "estimator/origin.hpp"
 #include "estimator/strategies.hpp"
+#include "estimator/view_cone.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
 #include "instrument/telescope.hpp"
@@ -19,9 +22,6 @@
 #include "scene/scene.hpp"
 #include "tally/gates.hpp"
 #include "tally/shape.hpp"
-#include "transport/depart.hpp"
-#include "transport/forced.hpp"
-#include "transport/meeting_grid.hpp"
 
 namespace photic::estimator {
 
@@ -38,7 +38,7 @@ struct Ball {
 /// balls along it that hold the part of it that most of the converted light comes from.
 template <class T>
 struct View {
-  transport::ViewCone<T> cone;
+  ViewCone<T> cone;
   std::array<Ball<T>, view_parts> part;
 };
 
@@ -134,21 +134,21 @@ struct World {
   Index<T> laser_layer{};
   std::vector<instrument::Telescope<T>> telescopes;
   std::vector<Index<T>> telescope_layer;
-  std::vector<View<T>> views;                 ///< of each telescope; none if nothing is converted
-  std::vector<transport::ViewCone<T>> cones;  ///< to choose points in that are scored
-  std::vector<double> path_to_origin;         ///< of each telescope, see path_to_origin()
-  std::vector<Deadline<T>> deadlines;         ///< one of which the laser's light has to meet
-  T least_group_index{};                      ///< of all lines
-  T directed{};                               ///< share of directions drawn towards a telescope
-  bool directs = false;                       ///< whether any are
-  bool compares = false;                      ///< there are environments
-  transport::InverseConversion<T> inverse_conversion;  ///< of conversions, by walks from telescopes
+  std::vector<View<T>> views;               ///< of each telescope; none if nothing is converted
+  std::vector<ViewCone<T>> cones;           ///< to choose points in that are scored
+  std::vector<double> path_to_origin;       ///< of each telescope, see path_to_origin()
+  std::vector<Deadline<T>> deadlines;       ///< one of which the laser's light has to meet
+  T least_group_index{};                    ///< of all lines
+  T directed{};                             ///< share of directions drawn towards a telescope
+  bool directs = false;                     ///< whether any are
+  bool compares = false;                    ///< there are environments
+  InverseConversion<T> inverse_conversion;  ///< of conversions, by walks from telescopes
   T conversion{};              ///< probability of a branch into the inelastic processes
   bool single_rays = false;    ///< local estimates take one point of the lens instead of its mean
   bool makes_choices = false;  ///< whether collisions choose between lines or targets at all
   std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
-  T deepest{};  ///< where light may turn back within the last gate, at most [m]
-  transport::MeetingGrid<T> meeting_grid;  ///< of the bidirectional estimator
+  T deepest{};                   ///< where light may turn back within the last gate, at most [m]
+  MeetingGrid<T> meeting_grid;   ///< of the bidirectional estimator
   bool turns = false;            ///< a telescope's walk may be turned about where it converts
   bool turns_scattered = false;  ///< one of the laser's line also about its first vertex
   T connected{1};         ///< share of the telescope's walks that are connected with a laser's walk

@@ -204,7 +204,7 @@ class Pool {
   }
 
   const estimator::World<T>& world_;
-  transport::PathRatios<T> ratios_;  ///< of each slot, and of those who wait, in environments
+  estimator::PathRatios<T> ratios_;  ///< of each slot, and of those who wait, in environments
   std::vector<estimator::Travellers<T>> pack_;
   std::size_t used_ = 0;                 ///< of the packs, the first ones
   std::array<Mask<T>, packs> before_{};  ///< who was on the way when an event began

@@ -35,7 +35,7 @@ class ScalarSimulator final : public Simulator {
  private:
   void forward(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const {
     estimator::Travellers<T> photon(world_);
-    transport::PathRatios<T> kept(world_.sea.environments, 1);
+    estimator::PathRatios<T> kept(world_.sea.environments, 1);
     photon.ratios.kept = &kept;
     std::vector<estimator::Travellers<T>> copies;
     estimator::Estimates<T> estimates(world_);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/random.hpp"
+#include "estimator/analog/collide_by_chance.hpp"
 #include "estimator/book.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/ends.hpp"
@@ -13,7 +14,6 @@
 #include "instrument/lens.hpp"
 #include "lanes/each_score.hpp"
 #include "tally/batch_tally.hpp"
-#include "transport/collide_by_chance.hpp"
 #include "transport/emit.hpp"
 #include "transport/flight.hpp"
 
@@ -164,8 +164,8 @@ class Analog {
     on = on & !last;
 
     tally.collisions += count(on);
-    const Mask<T> stays = transport::collide_by_chance(world_.sea, photon, photons.spectral_bin, on,
-                                                       u[3], v[0], v[1]);
+    const Mask<T> stays =
+        collide_by_chance(world_.sea, photon, photons.spectral_bin, on, u[3], v[0], v[1]);
     book(ledger_.absorbed, on & !stays, photon.weight);
     const Mask<T> worn = stays & (photons.place.event >= Index<T>(most_events));
     tally.too_many_events += count(worn);

@@ -34,17 +34,16 @@ struct FromLaser : WalkDraws<T> {
   const World<T>& world;
   Ledger& ledger;
 
-  transport::Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>&) {
+  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>&) {
     const auto u = this->draw(walk, Index<T>(0), 0);
-    auto birth = transport::birth_at_laser(world.sea, world.laser, world.laser_layer, u[0], u[1]);
+    auto birth = birth_at_laser(world.sea, world.laser, world.laser_layer, u[0], u[1]);
     book(ledger.escaped, exist, T(1) - select(birth.exists, birth.photon.weight, T(0)));
     return birth;
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return estimator::in_time(world, photon);
   }
-  void keep_unshifted(const Walks<T>&, const Index<T>&, const Mask<T>&,
-                      transport::Vertex<T>&) const {}
+  void keep_unshifted(const Walks<T>&, const Index<T>&, const Mask<T>&, Vertex<T>&) const {}
 };
 
 /// How a telescope's walks begin.
@@ -54,7 +53,7 @@ struct FromTelescope : WalkDraws<T> {
   const Receiver<T>& receiver;
   Ledger ledger{};  ///< of no interest: the result's is the laser's light's
 
-  transport::Birth<T> birth(const Index<T>& walk, const Mask<T>&, BirthRecord<T>& record) {
+  Birth<T> birth(const Index<T>& walk, const Mask<T>&, BirthRecord<T>& record) {
     const auto& telescope = world.telescopes[receiver.telescope];
     const auto u = this->draw(walk, Index<T>(0), 0);
     record.lens = lens_point(telescope, u[0], u[1]);
@@ -67,8 +66,8 @@ struct FromTelescope : WalkDraws<T> {
     record.grid_offset = v[0];
     record.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
     record.line = line_of(medium::spectral_bin_of(v[2]));
-    return transport::birth_at_telescope(world.sea, telescope, receiver.layer, record.line,
-                                         record.lens, slope);
+    return birth_at_telescope(world.sea, telescope, receiver.layer, record.line, record.lens,
+                              slope);
   }
   /// The line that a walk of a spectral_bin detects.
   [[nodiscard]] Index<T> line_of(const Index<T>& spectral_bin) const {
@@ -81,7 +80,7 @@ struct FromTelescope : WalkDraws<T> {
     return receiver.deadline.is_met(photon, world.least_group_index);
   }
   void keep_unshifted(const Walks<T>& walks, const Index<T>& walk, const Mask<T>& first,
-                      transport::Vertex<T>& vertex) const {
+                      Vertex<T>& vertex) const {
     walks.keep_unshifted(world.telescopes[receiver.telescope], walk, first, vertex);
   }
 };
@@ -136,8 +135,8 @@ class Bidirectional {
   void follow(std::int32_t first, std::size_t count, std::size_t walks, const Draws<T>& laser,
               const std::vector<Home>& back, Ledger& ledger, tally::BatchTally& tally) {
     // An echo is per photon emitted, and so are the samples.
-    const transport::Samples<T> samples{T(1), world_.connected, T(walks),
-                                        T(world_.turns ? walks : 0), world_.meeting_grid};
+    const Samples<T> samples{T(1), world_.connected, T(walks), T(world_.turns ? walks : 0),
+                             world_.meeting_grid};
     FromLaser<T, Ledger> out{{laser, first}, world_, ledger};
     WalkTaker(world_, samples, out, laser_, tally).take(count);
     for (const auto& [receiver, draws] : back) {
@@ -148,9 +147,8 @@ class Bidirectional {
     }
   }
 
-  void connect(const Receiver<T>& receiver, const transport::Samples<T>& samples,
-               const Walks<T>& back, std::size_t count, std::size_t walks,
-               tally::BatchTally& tally) {
+  void connect(const Receiver<T>& receiver, const Samples<T>& samples, const Walks<T>& back,
+               std::size_t count, std::size_t walks, tally::BatchTally& tally) {
     Connections<T> connections(world_, receiver, samples, laser_, back, tally);
     for (std::size_t g = 0; g < count; ++g) {
       if (back.rays(g) == 0) continue;

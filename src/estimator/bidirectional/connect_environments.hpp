@@ -3,6 +3,7 @@
 #pragma once
 
 #include "estimator/bidirectional/connections.hpp"
+#include "estimator/bidirectional/leg_terms.hpp"
 
 namespace photic::estimator {
 
@@ -12,9 +13,9 @@ PHOTIC_APART void Connections<T>::complete_to_telescope(const Ends<T>& ends, con
                                                         bool mirrored) {
   const Index<T> line = back_.line(ends.back);
   completion_.clear();
-  transport::add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
-  transport::add_way(sea_, line, v.layer, T(-v.position.z), way.direction, way.length_water,
-                     telescope_.submerged, receiver_.layer, mirrored, completion_.ways);
+  add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
+  add_way(sea_, line, v.layer, T(-v.position.z), way.direction, way.length_water,
+          telescope_.submerged, receiver_.layer, mirrored, completion_.ways);
   completion_.collide(
       sea_, {v.line, v.layer, line > Index<T>(0), line, one_minus_cos(v.direction, way.direction)});
 }
@@ -25,9 +26,9 @@ PHOTIC_APART void Connections<T>::complete_to_laser(const Ends<T>& ends, const V
                                                     const geometry::Sightline<T>& way,
                                                     const T& length, bool mirrored) {
   completion_.clear();
-  transport::add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);
-  transport::add_way(sea_, Index<T>(0), w.layer, T(-w.position.z), way.direction, length,
-                     world_.laser.submerged, world_.laser_layer, mirrored, completion_.ways);
+  add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);
+  add_way(sea_, Index<T>(0), w.layer, T(-w.position.z), way.direction, length,
+          world_.laser.submerged, world_.laser_layer, mirrored, completion_.ways);
   completion_.collide(sea_, {w.line, w.layer, w.line > Index<T>(0), w.line,
                              one_minus_cos(w.direction, way.direction)});
 }
@@ -39,8 +40,8 @@ PHOTIC_APART void Connections<T>::complete_between(const Ends<T>& ends, const In
                                                    const T& length) {
   const Vec3<T> direction = (T(1) / length) * (w.position - v.position);
   completion_.clear();
-  transport::add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
-  transport::add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);
+  add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
+  add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);
   completion_.pass(sea_, {line, v.layer, T(-v.position.z), w.layer, T(-w.position.z), length});
   completion_.collide(
       sea_, {v.line, v.layer, line > v.line, line, one_minus_cos(v.direction, direction)});
@@ -56,14 +57,14 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const Pair<T>& pair, const
   const Ray& home = moved.ray;
   const auto pass = [&](const Ray& ray) {
     const Mask<T> reflected = ray.is_reflected();
-    transport::WalkPoint<T> left = ray;
+    WalkPoint<T> left = ray;
     left.position.z = select(reflected, T(-ray.position.z), ray.position.z);
     left.direction.z = ray.left_z();
     const T reach = (-ray.position.z - depth) / ray.direction.z;
-    transport::WalkPoint<T> arrived = ray;
+    WalkPoint<T> arrived = ray;
     arrived.position = ray.position + reach * ray.direction;
     arrived.layer = layer;
-    transport::add_leg(sea_, left, arrived, completion_.ways);
+    add_leg(sea_, left, arrived, completion_.ways);
   };
   completion_.clear();
   pass(out);
@@ -91,10 +92,10 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(
                         const auto of_telescope = [&] { return back_.ratios().at(home[lane], e); };
                         if (walked == Walked::laser) return of_laser();
                         if (walked == Walked::telescope) return of_telescope();
-                        return transport::joined(sea_.environments, e, of_laser(), of_telescope());
+                        return joined(sea_.environments, e, of_laser(), of_telescope());
                       };
-                      tally_.not_finite += transport::complete<T>(sea_.environments, completion_,
-                                                                  lane, of_walks, ratios_.data());
+                      tally_.not_finite += complete<T>(sea_.environments, completion_, lane,
+                                                       of_walks, ratios_.data());
                       tally_.score(score, at, ratios_.data());
                     });
 }

@@ -38,7 +38,7 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
         const Index<T> laser = gather_index<T>(walk_of_.data(), k);
         const Index<T> i = gather_index<T>(ray_of_.data(), k);
         const auto out = line_of(laser_.ray(laser, i));
-        const auto image = transport::reflected(out, world_.deepest);
+        const auto image = reflected(out, world_.deepest);
         const Mask<T> rises = mask & (out.rise > T(0));
         for (std::int32_t m = 0; m < back_.rays(back); ++m) {
           Line home;
@@ -48,7 +48,7 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
           if (!any(in_time)) break;
           const Ends<T> ends{laser, i, Index<T>(back), Index<T>(m)};
           const bool home_rises = all(home.rise > T(0));
-          const auto home_image = transport::reflected(home, world_.deepest);
+          const auto home_image = reflected(home, world_.deepest);
           for (std::int32_t which = 0; which < (home_rises ? 4 : 2); ++which) {
             const Mask<T> some = which % 2 == 0 ? in_time : in_time & rises;
             if (any(some))
@@ -72,22 +72,22 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
   const auto start = at_lens(birth, back_.line(Index<T>(back)));
   each_pair(first_laser, walks, back,
             [&](const auto& ends, const auto& mask, const Line& out, const Line& home) {
-              if (shifts) shift(ends, mask & transport::turns_back(out, home), out, home, start);
+              if (shifts) shift(ends, mask & turns_back(out, home), out, home, start);
               if (turns) turn(ends, mask & (ends.m > pivot), out, home, axis);
             });
 }
 
 /// Where a telescope's ray can meet a laser's so that its walk comes through the lens.
 template <class T>
-transport::Chord<T> Connections<T>::chord_of(const Line& out, const Line& home, const Index<T>& m,
-                                             const transport::AtLens<T>& start) const {
+Chord<T> Connections<T>::chord_of(const Line& out, const Line& home, const Index<T>& m,
+                                  const AtLens<T>& start) const {
   if (!telescope_.upright) return tilted_chord(out, home, m, start);
-  return transport::chord(out, home, telescope_, start.lens, receiver_.last_path);
+  return chord(out, home, telescope_, start.lens, receiver_.last_path);
 }
 /// Rays that meet where the telescope's walk comes through the lens, at depths that lie on a grid.
 template <class T>
 void Connections<T>::shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
-                           const Line& home, const transport::AtLens<T>& start) {
+                           const Line& home, const AtLens<T>& start) {
   if (!any(mask)) return;
   const auto chord = chord_of(out, home, ends.m, start);
   const Mask<T> meet = mask & chord.exists;
@@ -107,9 +107,9 @@ Moved<T> Connections<T>::shifted(const Pair<T>& pair, const Vec3<T>& shift) cons
 /// Rays that meet where both are as far from an axis.
 template <class T>
 void Connections<T>::turn(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
-                          const Line& home, const transport::Vertical<T>& axis) {
+                          const Line& home, const Vertical<T>& axis) {
   if (!any(mask)) return;
-  const auto crossings = transport::crossings(out, home, axis, receiver_.last_path);
+  const auto crossings = estimator::crossings(out, home, axis, receiver_.last_path);
   for (std::size_t n = 0; n < crossings.depth.size(); ++n) {
     const Mask<T> meet = mask & crossings.exists[n];
     if (any(meet))
@@ -164,7 +164,7 @@ template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Crossing<T>& crossing,
                                                     const Mask<T>& mask) {
   Pair<T> pair = pair_of(crossing);
-  const auto turn = transport::turn_to_meet(pair.out, pair.back, pair.axis(), crossing.depth);
+  const auto turn = turn_to_meet(pair.out, pair.back, pair.axis(), crossing.depth);
   const auto [gain, near_pivot] = turn_pivot(pair, turn);
   Moved<T> moved{pair.back, pair.axis(), gain, near_pivot};
   moved.ray.position = turn.of_place(pair.back.position);
@@ -177,8 +177,7 @@ PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Crossing<T>& crossing,
 /// that gains, and what the densities behind the telescope's ray do. A conversion's change all
 /// alike.
 template <class T>
-std::array<T, 2> Connections<T>::turn_pivot(Pair<T>& pair,
-                                            const transport::Rotation<T>& turn) const {
+std::array<T, 2> Connections<T>::turn_pivot(Pair<T>& pair, const Rotation<T>& turn) const {
   const auto& ends = pair.ends;
   const Pivot<T> pivot = back_.pivot(ends.back);
   const Vec3<T> turned = turn.of_direction(pivot.leaving);
@@ -213,10 +212,10 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Mov
   const T reach = (-out.position.z - depth) / out.direction.z;
   const auto in_path = usable(ends.order());
   const T shifts_last = shifts(in_path.order, birth.shift_area);
-  transport::Freedom<T> freedom{shifts_last, select(is_pivot(moved.ray.line, ends.m),
-                                                    axis_at(out.position + reach * out.direction,
-                                                            moved.ray.direction, out.direction),
-                                                    moved.axis)};
+  Freedom<T> freedom{shifts_last, select(is_pivot(moved.ray.line, ends.m),
+                                         axis_at(out.position + reach * out.direction,
+                                                 moved.ray.direction, out.direction),
+                                         moved.axis)};
   const auto last = [&] { return select(ends.m > Index<T>(0), last_depth(ends.back), depth); };
   const bool aslant = !upright && is_aslant(telescope_);
   if (aslant) freedom = freedom_before(last(), freedom);

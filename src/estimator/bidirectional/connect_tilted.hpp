@@ -8,9 +8,9 @@
 namespace photic::estimator {
 
 template <class T>
-PHOTIC_APART transport::Chord<T> Connections<T>::tilted_chord(Line out, Line home, Index<T> m,
-                                                              transport::AtLens<T> start) const {
-  return transport::chord(out, shiftable(home, m), telescope_, start, receiver_.last_path);
+PHOTIC_APART Chord<T> Connections<T>::tilted_chord(Line out, Line home, Index<T> m,
+                                                   AtLens<T> start) const {
+  return chord(out, shiftable(home, m), telescope_, start, receiver_.last_path);
 }
 
 /// Whether a telescope's ray that has been shifted goes through a depth; later ones only in walks
@@ -68,9 +68,9 @@ PHOTIC_APART Longer<T> Connections<T>::lengthened(const Pair<T>& pair, T length)
   const T of_edge = growth * area(length) / area(T(0)) - T(1);
   const T of_meeting = growth - T(1);
   longer.behind = select(first, T(0), of_edge * near.home_edge + of_meeting * near.meeting);
-  longer.last = select(
-      (ends.m == Index<T>(1)) & in_path.meeting(in_path.order),
-      of_meeting * shifts_here * transport::turning(pair.back.meeting, pair.back.left_z()), T(0));
+  longer.last =
+      select((ends.m == Index<T>(1)) & in_path.meeting(in_path.order),
+             of_meeting * shifts_here * turning(pair.back.meeting, pair.back.left_z()), T(0));
   return longer;
 }
 

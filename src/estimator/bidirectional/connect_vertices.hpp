@@ -55,9 +55,8 @@ void Connections<T>::by_sightline(const Ends<T>& ends, const Mask<T>& mask, cons
   const T solid_angle = detector_solid_angle(telescope_, sight.cos_off_axis);
   const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
   const auto in_path = usable(ends.i + Index<T>(1));
-  const transport::Freedom<T> freedom{
-      shifts(in_path.order, instrument::shift_area(telescope_, way.arriving)),
-      axis_at(v.position, way.direction, v.direction)};
+  const Freedom<T> freedom{shifts(in_path.order, instrument::shift_area(telescope_, way.arriving)),
+                           axis_at(v.position, way.direction, v.direction)};
   const T behind = behind_laser_vertex(ends, v, in_path, freedom_before(depth, freedom));
   const ConnectionEnd from =
       all(line == Index<T>(0))
@@ -71,8 +70,7 @@ void Connections<T>::by_sightline(const Ends<T>& ends, const Mask<T>& mask, cons
   if (world_.compares) [[unlikely]]
     complete_to_telescope(ends, v, way, mirrored);
   score(ends, Walked::laser, seen,
-        from.weight * way.passed * etendue *
-            transport::balance(area, tau.all, tau.walk, from.end, transport::End<T>{}),
+        from.weight * way.passed * etendue * balance(area, tau.all, tau.walk, from.end, End<T>{}),
         path, depth, in_path.order);
 }
 
@@ -87,7 +85,7 @@ void Connections<T>::to_laser(std::size_t walk) {
 template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Ends<T>& ends, const Mask<T>& mask) {
   const auto& laser = world_.laser;
-  if (!any(transport::connectable_solid_angle(laser) > T(0))) return;
+  if (!any(connectable_solid_angle(laser) > T(0))) return;
   const Vec3<T> vertex = fictitious_vertex(laser);
   const Vertex w = back_.in_path(ends.back, ends.m, usable(ends.m + Index<T>(1)));
   const Mask<T> wanted = mask & emits(w.line, w.layer);
@@ -128,22 +126,21 @@ void Connections<T>::by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& m
   const auto tau = laser.submerged ? depths_in_water(sea_, way, line, w.layer, depth,
                                                      world_.laser_layer, water, mirrored)
                                    : depths_through_surface(sea_, way, line, w.layer, depth);
-  const transport::Freedom<T> freedom{
+  const Freedom<T> freedom{
       shifts(ends.m + Index<T>(1), back_.birth_record(ends.back).shift_area),
       select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, way.direction),
              back_.axis(ends.back))};
   const ConnectionEnd to =
       arrival_from_laser(sea_, w, way.direction, world_.inverse_conversion, freedom);
-  const T solid_angle = transport::connectable_solid_angle(laser);
+  const T solid_angle = connectable_solid_angle(laser);
   const T area = samples_.to_instrument * to.share * solid_angle * way.area_per_solid_angle /
                      way.index_squared +
                  to.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_laser(ends, w, way, water, mirrored);
   score(ends, Walked::telescope, lit,
-        to.weight * way.passed *
-            transport::balance(area, tau.all, tau.walk, transport::End<T>{}, to.end),
-        path, last_depth(ends.back), ends.m + Index<T>(1));
+        to.weight * way.passed * balance(area, tau.all, tau.walk, End<T>{}, to.end), path,
+        last_depth(ends.back), ends.m + Index<T>(1));
 }
 
 template <class T>
@@ -173,7 +170,7 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
   const Mask<T> inelastic = w.line > Index<T>(0);
   const Mask<T> arrives = mask & emits(w.line, w.layer);
   if (any(arrives)) {
-    const transport::Freedom<T> freedom{
+    const Freedom<T> freedom{
         shifted, select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, direction),
                         back_.axis(ends.back))};
     const auto before = freedom_before(last, freedom);
@@ -187,8 +184,8 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
   }
   const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
   if (any(converts)) {
-    const auto freedom = freedom_before(
-        last, transport::Freedom<T>{shifted, axis_at(v.position, w.direction, v.direction)});
+    const auto freedom =
+        freedom_before(last, Freedom<T>{shifted, axis_at(v.position, w.direction, v.direction)});
     const T behind = behind_laser_vertex(ends, v, in_path, freedom);
     const T goes_on = T(1) - world_.inverse_conversion.chance(sea_, w.line, w.layer);
     along(ends, converts, w.line,

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/flatten.hpp"
+#include "estimator/bidirectional/connection_end.hpp"
+#include "estimator/bidirectional/meet.hpp"
 #include "estimator/bidirectional/walk.hpp"
 #include "geometry/sightline.hpp"
 #include "lanes/each_score.hpp"
@@ -16,8 +18,8 @@
 #include "lanes/lane_columns.hpp"
 #include "lanes/queue.hpp"
 #include "tally/batch_tally.hpp"
-#include "transport/connection_end.hpp"
-#include "transport/meet.hpp"
+#include "transport/connect.hpp"
+#include "transport/flight.hpp"
 
 namespace photic::estimator {
 
@@ -70,19 +72,17 @@ enum class Moves : std::int8_t { shifts, turns, all };
 /// Two rays that may be made to meet.
 template <class T>
 struct Pair {
-  using Ray = transport::Ray<T>;
+  using Ray = estimator::Ray<T>;
   Ray out, back;
-  transport::Spread<T> spread;  ///< of the laser's walk
-  BirthRecord<T> birth;         ///< of the telescope's walk
-  Index<T> turns{};             ///< 1: it may be turned about the vertical at ...
+  Spread<T> spread;      ///< of the laser's walk
+  BirthRecord<T> birth;  ///< of the telescope's walk
+  Index<T> turns{};      ///< 1: it may be turned about the vertical at ...
   T axis_x{}, axis_y{};
   RayEnds<T> ends;
-  transport::LensLine<T> lens;  ///< where it comes through, if it is shifted
+  LensLine<T> lens;  ///< where it comes through, if it is shifted
 
   /// About which the telescope's walk may be turned.
-  [[nodiscard]] transport::Vertical<T> axis() const {
-    return {turns == Index<T>(1), axis_x, axis_y};
-  }
+  [[nodiscard]] Vertical<T> axis() const { return {turns == Index<T>(1), axis_x, axis_y}; }
   template <class F>
   constexpr void each_member(F f) {
     out.each_member(f);
@@ -98,8 +98,8 @@ struct Pair {
 /// A telescope's ray, and the vertical of its walk, as it has been moved to meet another.
 template <class T>
 struct Moved {
-  transport::Ray<T> ray;
-  transport::Vertical<T> axis;
+  Ray<T> ray;
+  Vertical<T> axis;
   T gain{1};        ///< of the phase function at the pivot
   T near_pivot{0};  ///< what n h / g of all strategies gain by the pivot's angle having changed
   T longer{0};      ///< so much longer is its way from the lens [m]
@@ -127,9 +127,8 @@ using tally::Walked;
 template <class T>
 class Connections {
  public:
-  Connections(const World<T>& world, const Receiver<T>& receiver,
-              const transport::Samples<T>& samples, const Walks<T>& from_laser,
-              const Walks<T>& from_telescope, tally::BatchTally& tally)
+  Connections(const World<T>& world, const Receiver<T>& receiver, const Samples<T>& samples,
+              const Walks<T>& from_laser, const Walks<T>& from_telescope, tally::BatchTally& tally)
       : world_(world),
         sea_(world.sea),
         telescope_(world.telescopes[receiver.telescope]),
@@ -156,10 +155,10 @@ class Connections {
   void flush();
 
  private:
-  using Vertex = transport::Vertex<T>;
-  using Ray = transport::Ray<T>;
-  using Line = transport::DepthLine<T>;
-  using ConnectionEnd = transport::ConnectionEnd<T>;
+  using Vertex = estimator::Vertex<T>;
+  using Ray = estimator::Ray<T>;
+  using Line = DepthLine<T>;
+  using ConnectionEnd = estimator::ConnectionEnd<T>;
   using Room = lanes::Queue<T, Ends<T>>;
   using RayQueue = lanes::Queue<T, RayEnds<T>>;
 
@@ -167,13 +166,12 @@ class Connections {
   void each_pair(std::size_t first_laser, std::size_t walks, std::size_t back, Act act);
   std::int32_t list_laser_rays(std::size_t first, std::size_t walks);
   void shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
-             const transport::AtLens<T>& start);
-  transport::Chord<T> chord_of(const Line& out, const Line& home, const Index<T>& m,
-                               const transport::AtLens<T>& start) const;
-  transport::Chord<T> tilted_chord(Line out, Line home, Index<T> m,
-                                   transport::AtLens<T> start) const;
+             const AtLens<T>& start);
+  Chord<T> chord_of(const Line& out, const Line& home, const Index<T>& m,
+                    const AtLens<T>& start) const;
+  Chord<T> tilted_chord(Line out, Line home, Index<T> m, AtLens<T> start) const;
   void turn(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
-            const transport::Vertical<T>& axis);
+            const Vertical<T>& axis);
 
   // What is done with the ends of a mask once they fill a pack.
   void serve_to_telescope(const Ends<T>& ends, const Mask<T>& mask);
@@ -196,7 +194,7 @@ class Connections {
   [[nodiscard]] Mask<T> can_meet(const Pair<T>& pair, const Ray& moved, const T& depth) const;
   Longer<T> lengthened(const Pair<T>& pair, T length) const;
   [[nodiscard]] HomeWay<T> home_way(const BirthRecord<T>& birth, const Index<T>& back) const;
-  std::array<T, 2> turn_pivot(Pair<T>& pair, const transport::Rotation<T>& turn) const;
+  std::array<T, 2> turn_pivot(Pair<T>& pair, const Rotation<T>& turn) const;
   template <bool upright>
   void meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);
 
@@ -212,13 +210,11 @@ class Connections {
     if (!is_aslant(telescope_)) return shifts;
     return select(all_points_reach(telescope_, last), shifts, T(0));
   }
-  [[nodiscard]] transport::Freedom<T> freedom_before(const T& last,
-                                                     const transport::Freedom<T>& freedom) const {
+  [[nodiscard]] Freedom<T> freedom_before(const T& last, const Freedom<T>& freedom) const {
     return {shifts_before(last, freedom.shifts), freedom.axis};
   }
   /// `birth`: of a walk that detects a line.
-  [[nodiscard]] transport::AtLens<T> at_lens(const BirthRecord<T>& birth,
-                                             const Index<T>& line) const {
+  [[nodiscard]] AtLens<T> at_lens(const BirthRecord<T>& birth, const Index<T>& line) const {
     return {birth.lens, birth.outward,
             telescope_.submerged ? gather<T>(sea_.group_index, line) : T(1)};
   }
@@ -229,8 +225,7 @@ class Connections {
   /// The densities behind a vertex of the laser's walk, in a path in which the telescope's walk may
   /// be moved so.
   [[nodiscard]] T behind_laser_vertex(const Ends<T>& ends, const Vertex& v,
-                                      const Usable<T>& in_path,
-                                      const transport::Freedom<T>& freedom) const {
+                                      const Usable<T>& in_path, const Freedom<T>& freedom) const {
     return v.passed * (v.behind.all(freedom.shifts) +
                        laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis));
   }
@@ -255,10 +250,9 @@ class Connections {
   }
   /// How a telescope's walk may be turned in paths that convert at a place, or of which that is the
   /// last vertex. `home`, `on`: directions of the edges there, to the telescope and to the laser.
-  [[nodiscard]] transport::Vertical<T> axis_at(const Vec3<T>& place, const Vec3<T>& home,
-                                               const Vec3<T>& on) const {
-    const Mask<T> scatters =
-        world_.turns_scattered ? transport::leads_aside(home, on) : Mask<T>(false);
+  [[nodiscard]] Vertical<T> axis_at(const Vec3<T>& place, const Vec3<T>& home,
+                                    const Vec3<T>& on) const {
+    const Mask<T> scatters = world_.turns_scattered ? leads_aside(home, on) : Mask<T>(false);
     return {Mask<T>((receiver_.line > Index<T>(0)) | scatters), place.x, place.y};
   }
   /// Whether a path's pivot is where light comes upon its telescope's walk of so many vertices, as
@@ -303,7 +297,7 @@ class Connections {
   const medium::MediumView& sea_;
   const instrument::Telescope<T>& telescope_;
   const Receiver<T>& receiver_;
-  const transport::Samples<T>& samples_;
+  const Samples<T>& samples_;
   const Walks<T>& laser_;
   const Walks<T>& back_;
   tally::BatchTally& tally_;
@@ -313,7 +307,7 @@ class Connections {
   std::vector<std::int32_t> walk_of_, ray_of_;  ///< the laser's rays that may meet a telescope's
   lanes::LaneColumns<T, Line, most_vertices + 1 + lanes_of<T>> lines_;  ///< of a telescope's walk
   lanes::ScoreQueue<T> scores_;
-  transport::Completion<T> completion_;
+  Completion<T> completion_;
   std::vector<Element<T>> ratios_;  ///< of one lane, [environment]
 };
 

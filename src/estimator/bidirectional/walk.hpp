@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "estimator/bidirectional/birth.hpp"
+#include "estimator/bidirectional/meet.hpp"
+#include "estimator/bidirectional/vertex.hpp"
+#include "estimator/variations/environments.hpp"
 #include "estimator/world.hpp"
 #include "lanes/records.hpp"
-#include "transport/birth.hpp"
-#include "transport/environments.hpp"
-#include "transport/meet.hpp"
-#include "transport/vertex.hpp"
 
 namespace photic::estimator {
 
@@ -33,7 +33,7 @@ struct Usable {
 /// Where a walk left its instrument; the lens, outwards and what follows of a telescope's walk.
 template <class T>
 struct BirthRecord {
-  transport::Spread<T> spread;
+  Spread<T> spread;
   instrument::PlanePoint<T> lens{};
   Vec3<T> outward{};
   T shift_area{};         ///< [m^2]
@@ -64,8 +64,7 @@ struct Pivot {
 
 /// `ray`: leaves the vertex, where light is converted if it comes in another line than the laser's.
 template <class T>
-Pivot<T> pivot_at(const medium::MediumView& sea, const transport::Vertex<T>& vertex,
-                  const transport::Ray<T>& ray) {
+Pivot<T> pivot_at(const medium::MediumView& sea, const Vertex<T>& vertex, const Ray<T>& ray) {
   return {vertex.position.x,
           vertex.position.y,
           vertex.direction,
@@ -91,8 +90,8 @@ struct NearFirst {
 template <class T>
 class Walks {
  public:
-  using Ray = transport::Ray<T>;
-  using Vertex = transport::Vertex<T>;
+  using Ray = estimator::Ray<T>;
+  using Vertex = estimator::Vertex<T>;
 
   /// `through_surface`: the instrument is in the air.
   Walks(std::size_t walks, bool from_telescope, bool through_surface,
@@ -156,7 +155,7 @@ class Walks {
     const Mask<T> converts = mask & (vertex.line > ray.line);
     const Mask<T> scatters = mask & first & (vertex.line == Index<T>(0)) &
                              Mask<T>(of_elastic_light) &
-                             transport::leads_aside(vertex.direction, ray.direction);
+                             leads_aside(vertex.direction, ray.direction);
     const Mask<T> pivots = converts | scatters;
     if (any(pivots)) {
       scatter(pivots, walk, i, pivot_vertex_.data());
@@ -166,15 +165,15 @@ class Walks {
   }
 
   /// Of the weights with which walks leave by their rays, in environments.
-  [[nodiscard]] transport::PathRatios<T>& ratios() { return ratios_; }
-  [[nodiscard]] const transport::PathRatios<T>& ratios() const { return ratios_; }
+  [[nodiscard]] PathRatios<T>& ratios() { return ratios_; }
+  [[nodiscard]] const PathRatios<T>& ratios() const { return ratios_; }
   /// Where ray or vertex i of a walk is kept.
   static Index<T> slot(const Index<T>& walk, const Index<T>& i) {
     return walk * Index<T>(stride) + i;
   }
   /// So many bytes does a walk take in environments.
   static std::size_t size(const medium::EnvironmentsView& environments) {
-    return stride * transport::PathRatios<T>::size(environments);
+    return stride * PathRatios<T>::size(environments);
   }
 
   [[nodiscard]] bool from_telescope() const { return from_telescope_; }
@@ -216,7 +215,7 @@ class Walks {
   /// About which a telescope's walk may be turned.
   [[nodiscard]] Pivot<T> pivot(const Index<T>& walk) const { return pivot_.at(walk); }
   /// The vertical through that.
-  [[nodiscard]] transport::Vertical<T> axis(const Index<T>& walk) const {
+  [[nodiscard]] Vertical<T> axis(const Index<T>& walk) const {
     const Mask<T> exists = gather_index<T>(pivot_vertex_.data(), walk) >= Index<T>(0);
     if (!any(exists)) return {};
     const Pivot<T> at = pivot(walk);
@@ -240,7 +239,7 @@ class Walks {
     Vertex v = vertex(walk, i);
     const Mask<T> whole = usable.all();
     if (all(whole)) return v;
-    transport::Densities<T> sum;
+    Densities<T> sum;
     for (Index<T> k(1); any(k <= i); k = k + Index<T>(1))
       add_last(k <= i, vertex(walk, select(k <= i, k, i)), k, usable, sum);
     v.behind = select(whole, v.behind, sum);
@@ -251,7 +250,7 @@ class Walks {
   /// The densities of turning a telescope's walk about an axis so that it meets this walk of the
   /// laser at a vertex before vertex i, over what has been passed.
   [[nodiscard]] T turned_before(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
-                                const transport::Vertical<T>& axis) const {
+                                const Vertical<T>& axis) const {
     T sum(0);
     if (!any(axis.exists)) return sum;
     for (Index<T> k(1);; k = k + Index<T>(1)) {
@@ -263,20 +262,18 @@ class Walks {
   }
   /// Ray m as one side of a meeting. `spread`: of the walk's first ray, but for what is the same of
   /// all walks; `freedom`: of the telescope's walk, as this walk sees it.
-  [[nodiscard]] transport::Side<T> side(const Ray& ray, const transport::Spread<T>& spread,
-                                        const Index<T>& walk, const Index<T>& m,
-                                        const Usable<T>& usable,
-                                        const transport::Freedom<T>& freedom) const {
-    transport::Side<T> side{ray, m == Index<T>(0), spread};
+  [[nodiscard]] Side<T> side(const Ray& ray, const Spread<T>& spread, const Index<T>& walk,
+                             const Index<T>& m, const Usable<T>& usable,
+                             const Freedom<T>& freedom) const {
+    Side<T> side{ray, m == Index<T>(0), spread};
     side.spread.through_surface = through_surface_;
     side.behind = behind(ray, walk, m, usable).all(freedom.shifts);
     if (!from_telescope_)
       side.behind = side.behind + turned_before(walk, m - Index<T>(1), usable, freedom.axis);
     side.behind = ray.passed * side.behind;
-    side.last = select(usable.meeting(passed(m, usable)),
-                       freedom.shifts * transport::turning(ray.meeting, ray.left_z()) +
-                           ray.turn.about(freedom.axis),
-                       T(0));
+    side.last = select(
+        usable.meeting(passed(m, usable)),
+        freedom.shifts * turning(ray.meeting, ray.left_z()) + ray.turn.about(freedom.axis), T(0));
     return side;
   }
 
@@ -285,8 +282,8 @@ class Walks {
   /// a cache.
   static constexpr std::size_t stride = most_vertices + 1;
 
-  [[nodiscard]] transport::Densities<T> behind(const Ray& ray, const Index<T>& walk,
-                                               const Index<T>& m, const Usable<T>& usable) const {
+  [[nodiscard]] Densities<T> behind(const Ray& ray, const Index<T>& walk, const Index<T>& m,
+                                    const Usable<T>& usable) const {
     const Mask<T> first = m == Index<T>(0);
     const Mask<T> whole = usable.all() | first;
     if (all(whole)) return ray.behind;
@@ -301,7 +298,7 @@ class Walks {
     return from_telescope_ ? usable.order + Index<T>(1) - m : m;
   }
   void add_last(const Mask<T>& mask, const Vertex& v, const Index<T>& m, const Usable<T>& usable,
-                transport::Densities<T>& sum) const {
+                Densities<T>& sum) const {
     const Index<T> x = passed(m, usable);
     const Mask<T> connecting = mask & usable.connecting(x - Index<T>(from_telescope_ ? 0 : 1));
     const Mask<T> meeting = mask & usable.meeting(x);
@@ -317,7 +314,7 @@ class Walks {
   lanes::Records<T, Pivot<T>> pivot_;
   lanes::Records<T, NearFirst<T>> near_first_;
   std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, line_;  ///< of each walk
-  transport::PathRatios<T> ratios_;                                              ///< of each ray
+  PathRatios<T> ratios_;                                                         ///< of each ray
 };
 
 }  // namespace photic::estimator

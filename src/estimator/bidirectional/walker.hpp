@@ -6,11 +6,12 @@
 #include <limits>
 
 #include "core/flatten.hpp"
+#include "estimator/bidirectional/depart.hpp"
+#include "estimator/bidirectional/leg_terms.hpp"
 #include "estimator/bidirectional/walk.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/ends.hpp"
 #include "lanes/lane_columns.hpp"
-#include "transport/depart.hpp"
 #include "transport/flight.hpp"
 
 namespace photic::estimator {
@@ -28,9 +29,9 @@ struct Walker {
   }
 
   Index<T> event{}, vertices{};
-  transport::Ray<T> ray;  ///< its last one
-  transport::Leg<T> leg;
-  transport::Vertical<T> axis;  ///< of a telescope's walk, where it has converted
+  Ray<T> ray;  ///< its last one
+  Leg<T> leg;
+  Vertical<T> axis;  ///< of a telescope's walk, where it has converted
 };
 
 /// Takes the walks from one instrument. A Source tells how they begin, what they draw, and whether
@@ -38,8 +39,8 @@ struct Walker {
 template <class T, class Source>
 class WalkTaker {
  public:
-  WalkTaker(const World<T>& world, const transport::Samples<T>& samples, Source& source,
-            Walks<T>& walks, tally::BatchTally& tally)
+  WalkTaker(const World<T>& world, const Samples<T>& samples, Source& source, Walks<T>& walks,
+            tally::BatchTally& tally)
       : world_(world),
         sea_(world.sea),
         samples_(samples),
@@ -80,7 +81,7 @@ class WalkTaker {
     walker.photon = birth.photon;
     record.spread = birth.spread;
     walks_.leave_out(exist & !birth.exists, walker.walk);
-    walks_.birth(born, walker.walk, record, {transport::walk_point(birth.photon)});
+    walks_.birth(born, walker.walk, record, {walk_point(birth.photon)});
     if (world_.compares) [[unlikely]]
       begin_ratios(walker.walk, born);
     waiting_columns_.each(
@@ -99,8 +100,8 @@ class WalkTaker {
         walker_, [&](auto& member, const auto* column) { expand(mask, column + taken_, member); });
     walker_.event = select(mask, Index<T>(0), walker_.event);
     walker_.vertices = select(mask, Index<T>(0), walker_.vertices);
-    lanes::assign<T>(mask, transport::Ray<T>{transport::walk_point(walker_.photon)}, walker_.ray);
-    walker_.leg = select(mask, transport::Leg<T>{}, walker_.leg);
+    lanes::assign<T>(mask, Ray<T>{walk_point(walker_.photon)}, walker_.ray);
+    walker_.leg = select(mask, Leg<T>{}, walker_.leg);
     walker_.axis.exists = walker_.axis.exists & !mask;
     taken_ += n;
     waiting_ -= n;
@@ -195,8 +196,7 @@ class WalkTaker {
     });
   }
   /// Of walks that leave a vertex by a new ray, from those of the ray before.
-  PHOTIC_APART void keep_ratios(const transport::Vertex<T>& vertex, const transport::Ray<T>& ray,
-                                const Mask<T>& mask) {
+  PHOTIC_APART void keep_ratios(const Vertex<T>& vertex, const Ray<T>& ray, const Mask<T>& mask) {
     way_.clear();
     collision_.clear();
     add_leg(sea_, walker_.ray, vertex, way_);
@@ -217,12 +217,12 @@ class WalkTaker {
 
   const World<T>& world_;
   const medium::MediumView& sea_;
-  const transport::Samples<T>& samples_;
+  const Samples<T>& samples_;
   Source& source_;
   Walks<T>& walks_;
   tally::BatchTally& tally_;
   Walker<T> walker_;
-  transport::Terms<T> way_, collision_;  ///< of what happens to it, in environments
+  Terms<T> way_, collision_;  ///< of what happens to it, in environments
 
   /// Of those who have begun without a lane; readable for as many more.
   lanes::LaneColumns<T, Walker<T>, 2 * lanes> waiting_columns_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "estimator/variations/environments.hpp"
 #include "estimator/world.hpp"
 #include "lanes/each_score.hpp"
 #include "lanes/queue.hpp"
@@ -14,7 +15,6 @@
 #include "transport/aim.hpp"
 #include "transport/collide.hpp"
 #include "transport/connect_ray.hpp"
-#include "transport/environments.hpp"
 #include "transport/scatter.hpp"
 
 namespace photic::estimator {
@@ -36,7 +36,7 @@ struct Travellers {
   Index<T> spectral_bin{};                      ///< in which lines it emits
   std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
                                                 ///< part in local estimates of single rays
-  transport::Ratios<T> ratios;                  ///< of their weights in environments
+  Ratios<T> ratios;                             ///< of their weights in environments
 
   Mask<T> on{};  ///< who is on the way
   // Of the event:
@@ -144,10 +144,10 @@ struct Estimates {
   std::vector<lanes::ScoreQueue<T>> scores;          ///< in each telescope
 
   // Of the light that is scored, in environments.
-  transport::PathRatios<T>* kept = nullptr;
-  std::size_t first = 0;        ///< path of the first lane
-  transport::Terms<T> unflown;  ///< of ways that the photons have not gone, but the light has
-  transport::Completion<T> completion;
+  PathRatios<T>* kept = nullptr;
+  std::size_t first = 0;  ///< path of the first lane
+  Terms<T> unflown;       ///< of ways that the photons have not gone, but the light has
+  Completion<T> completion;
   std::vector<Element<T>> ratios;  ///< of one lane, [environment]
 };
 

@@ -4,8 +4,8 @@
 
 #include "estimator/ends.hpp"
 #include "estimator/forward/estimate.hpp"
+#include "estimator/forward/forced.hpp"
 #include "transport/flight.hpp"
-#include "transport/forced.hpp"
 
 namespace photic::estimator {
 
@@ -77,8 +77,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const T
   if (!any(wanted)) return;
   const auto& u = from.forced;
   transport::Photon<T> at = from.photon;
-  const Mask<T> reached =
-      wanted & transport::force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
+  const Mask<T> reached = wanted & force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
   ratios_at<Events>(world, from, at, estimates);
   if (all_collisions)
     score_light<Events>(world, at, at.weight, from.lens, reached, at.line, estimates, tally);

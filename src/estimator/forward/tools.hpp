@@ -7,8 +7,8 @@
 
 #include "core/random.hpp"
 #include "estimator/ends.hpp"
+#include "estimator/forward/escape.hpp"
 #include "estimator/forward/estimate.hpp"
-#include "transport/escape.hpp"
 
 namespace photic::estimator {
 
@@ -50,7 +50,7 @@ void begin_with_tools(const World<T>& world, Travellers<T>& travellers, const Ma
   travellers.stays = T(1);
   const Mask<T> forced = are_forced(world, travellers.place);
   if (!any(forced)) return;
-  const auto away = transport::escape(world.sea, photon);
+  const auto away = escape(world.sea, photon);
   book(ledger.escaped, on & forced & away.surface, away.weight);
   book(ledger.sea_bed, on & forced & !away.surface, away.weight);
   const T& stays = travellers.stays = select(forced, T(1) - away.probability, T(1));

@@ -24,7 +24,7 @@ Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_v
   Counts counts;
   sea.world.most_vertices = most;
   const auto& samples = sea.world.turns_scattered ? turned : shifted;
-  const Strategies expected(sea.world, sea.medium, samples, path, most);
+  const StrategiesOfPath expected(sea.world, sea.medium, samples, path, most);
   const double value = expected.value();
   Scores scores(sea.world, samples, sea.medium, path, expected.group_path());
   for (std::int32_t e = 0; e <= path.order(); ++e) {
@@ -43,11 +43,11 @@ Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_v
     }
     // Of a tilted lens in the water it comes as far as its first vertex so often, and counts so
     // little.
-    const double drawn =
-        i == path.order()
-            ? 1
-            : expected.drawn_to_last_vertex() /
-                  Strategies(sea.world, sea.medium, samples, other, most).drawn_to_last_vertex();
+    const double drawn = i == path.order()
+                             ? 1
+                             : expected.drawn_to_last_vertex() /
+                                   StrategiesOfPath(sea.world, sea.medium, samples, other, most)
+                                       .drawn_to_last_vertex();
     EXPECT_NEAR(scores.meeting(i, other) / (drawn * value), 1, 1e-10) << "meeting at " << i;
     ++counts.met;
   }
@@ -55,8 +55,9 @@ Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_v
     if (expected.turning(i) == 0) continue;
     const Path other = turned_before_pivot(path, 1.0 + i);
     // It is drawn so often, and counts so little.
-    const double drawn = expected.drawn_at_pivot() /
-                         Strategies(sea.world, sea.medium, samples, other, most).drawn_at_pivot();
+    const double drawn =
+        expected.drawn_at_pivot() /
+        StrategiesOfPath(sea.world, sea.medium, samples, other, most).drawn_at_pivot();
     EXPECT_NEAR(scores.turning(i, other) / (drawn * value), 1, 1e-8) << "turning to meet at " << i;
     ++counts.turned;
   }
@@ -124,7 +125,7 @@ std::vector<Place> looking_at_the_surface() {
 // with leaving for arriving in what leads aside. With the number of meetings in paths of one vertex
 // more, at each of the places that know it. And of tilted lenses: with the way from the lens as
 // long as before a shift, in time, in the spread of a first ray, in the edge behind a later one.
-TEST(Strategies, OfElasticLightAgree) {
+TEST(StrategiesOfPath, OfElasticLightAgree) {
   Random random(101);
   int met = 0, turns = 0;
   for (const Place& place : above_water()) {
@@ -143,7 +144,7 @@ TEST(Strategies, OfElasticLightAgree) {
 }
 
 // Where nothing is drawn about the beam, walks are turned that look for a tilted one, too.
-TEST(Strategies, OfATiltedLaserInWaterThatConvertsNothingAgree) {
+TEST(StrategiesOfPath, OfATiltedLaserInWaterThatConvertsNothingAgree) {
   Random random(109);
   int turns = 0;
   const Place place = above_water()[1];
@@ -161,7 +162,7 @@ TEST(Strategies, OfATiltedLaserInWaterThatConvertsNothingAgree) {
 // Seen red: with the way from the fictitious vertex to the disc left out of the laser's spread. And
 // of tilted lenses: with a first ray that begins where it did before a shift; with the light as it
 // was; without what walks draw of the way, in edges, in meetings at its end or behind it.
-TEST(Strategies, InTheWaterAgree) {
+TEST(StrategiesOfPath, InTheWaterAgree) {
   Random random(102);
   int met = 0;
   for (const Place& place : submerged()) {
@@ -182,7 +183,7 @@ TEST(Strategies, InTheWaterAgree) {
 // mirrored leg taken for a straight one; with no connection of a mirrored first edge; with shifts
 // to last vertices between the levels of a tilted lens' points, at each of the places that know
 // them.
-TEST(Strategies, ByWayOfTheSurfaceAgree) {
+TEST(StrategiesOfPath, ByWayOfTheSurfaceAgree) {
   Random random(103);
   int met = 0;
   for (const Place& place : looking_at_the_surface()) {
@@ -207,7 +208,7 @@ TEST(Strategies, ByWayOfTheSurfaceAgree) {
 }
 
 // No connection can meet parallel light.
-TEST(Strategies, OfACollimatedLaserAgree) {
+TEST(StrategiesOfPath, OfACollimatedLaserAgree) {
   Random random(107);
   int met = 0;
   auto source = laser_at({0.5, 0, 8}, {0, 0, -1});
@@ -228,7 +229,7 @@ TEST(Strategies, OfACollimatedLaserAgree) {
 // Seen red: with a mirrored leg taken for a straight one; without the reflectance of an image; with
 // its way taken for a straight one; with a meeting before a mirrored leg judged by the direction
 // behind it; with an edge by way of the surface connected beside a meeting.
-TEST(Strategies, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
+TEST(StrategiesOfPath, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
   Random random(106);
   int met = 0, turns = 0;
   for (const Place& place : above_water()) {
@@ -256,7 +257,7 @@ TEST(Strategies, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
 // last scattering of converted light taken for certain; with shifted rays where light goes on;
 // without what has been passed in last turns; with what lies behind a tilted lens' first vertex
 // kept only of the laser's light.
-TEST(Strategies, OfConvertedLightAgree) {
+TEST(StrategiesOfPath, OfConvertedLightAgree) {
   Random random(104);
   int met = 0;
   for (const Place& place : above_water()) {
@@ -281,7 +282,7 @@ TEST(Strategies, OfConvertedLightAgree) {
 // with the last vertex' densities left out; with unusable meetings beside a connection, beside a
 // meeting; with unusable edges or meetings near the pivot of a walk that is turned; with an
 // unusable meeting at the end of a longer way from a tilted lens.
-TEST(Strategies, OfWalksThatEndEarlyAgree) {
+TEST(StrategiesOfPath, OfWalksThatEndEarlyAgree) {
   Random random(105);
   int met = 0;
   std::vector<Place> places = above_water();
@@ -303,7 +304,7 @@ TEST(Strategies, OfWalksThatEndEarlyAgree) {
 
 // What a walk does beyond a path's vertices is no part of the path. Seen red: with the vertical of
 // the telescope's walk for that of the path, where the laser's light arrives.
-TEST(Strategies, OfPathsThatAWalkGoesBeyondAgree) {
+TEST(StrategiesOfPath, OfPathsThatAWalkGoesBeyondAgree) {
   Random random(108);
   const Place place = above_water()[0];
   Sea sea(place.source, place.telescope);
@@ -317,7 +318,7 @@ TEST(Strategies, OfPathsThatAWalkGoesBeyondAgree) {
     longer.converted = n % 2 == 0 ? 2 : 4;
     SCOPED_TRACE("path " + std::to_string(n));
     sea.world.most_vertices = most_vertices;
-    const Strategies expected(sea.world, sea.medium, turned, path, most_vertices);
+    const StrategiesOfPath expected(sea.world, sea.medium, turned, path, most_vertices);
     Scores scores(sea.world, turned, sea.medium, path, expected.group_path());
     EXPECT_NEAR(scores.connecting_first_of_a_longer(longer) / expected.value(), 1, 1e-10);
   }

@@ -2,9 +2,9 @@
 // in double. 0.01 ns are 3 mm of path.
 #include <gtest/gtest.h>
 
+#include "estimator/bidirectional/birth.hpp"
 #include "estimator/origin.hpp"
 #include "support/random.hpp"
-#include "transport/birth.hpp"
 #include "transport/connect_ray.hpp"
 #include "unit/transport/sea.hpp"
 
@@ -119,8 +119,8 @@ TEST_P(FromSpace, WalksFromTelescopesAreTimed) {
     const auto lens = lens_point(in_float, float(random.uniform()), float(random.uniform()));
     const auto detector = instrument::ring_point(0.0F, in_float.detector_radius,
                                                  float(random.uniform()), float(random.uniform()));
-    const auto walk = birth_at_telescope(sea.view(), in_float, 0, 0, lens,
-                                         outward_slope(in_float, lens, detector));
+    const auto walk = estimator::birth_at_telescope(sea.view(), in_float, 0, 0, lens,
+                                                    outward_slope(in_float, lens, detector));
     ASSERT_TRUE(walk.exists);
     const instrument::PlanePoint<double> at{lens.x, lens.y}, on_detector{detector.x, detector.y};
     const V from = in_space(telescope, at);

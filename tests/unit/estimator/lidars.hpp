@@ -32,7 +32,7 @@ struct Sea {
 };
 
 /// Also of walks that may be turned: as many as of those that may be shifted.
-inline const transport::Samples<double> shifted{1, 0.3, 2, 0, grid}, turned{1, 0.3, 2, 2, grid};
+inline const Samples<double> shifted{1, 0.3, 2, 0, grid}, turned{1, 0.3, 2, 2, grid};
 
 inline scene::Source laser_at(const V& position, const V& direction) {
   scene::Source source;

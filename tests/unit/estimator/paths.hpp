@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "estimator/bidirectional/connection_end.hpp"
 #include "estimator/bidirectional/walk.hpp"
 #include "geometry/sightline.hpp"
-#include "transport/connection_end.hpp"
 #include "transport/flight.hpp"
 
 namespace photic::estimator {
@@ -86,20 +86,20 @@ inline Path shifted_sideways(const World<double>& world, const Path& path, const
 /// Writes a walk along given places as a WalkTaker would have drawn it.
 class Writer {
  public:
-  Writer(const World<double>& world, const transport::Samples<double>& samples,
-         const transport::Birth<double>& birth, BirthRecord<double> record, bool from_telescope)
+  Writer(const World<double>& world, const Samples<double>& samples, const Birth<double>& birth,
+         BirthRecord<double> record, bool from_telescope)
       : walks(1, from_telescope, birth.spread.through_surface, world.sea.environments),
         world_(world),
         samples_(samples),
         photon_(birth.photon),
         spread_(birth.spread),
-        ray_{transport::walk_point(photon_)} {
+        ray_{walk_point(photon_)} {
     record.spread = birth.spread;
     walks.birth(true, 0, record, ray_);
   }
 
   void collide_at(const V& place, bool mirrored) {
-    transport::Leg<double> leg;
+    Leg<double> leg;
     if (mirrored) {
       const double rise = -photon_.position.z / photon_.direction.z;
       fly_to(photon_.position + rise * photon_.direction, leg);
@@ -108,8 +108,8 @@ class Writer {
     }
     fly_to(place, leg);
     photon_.weight *= world_.sea.collision_gain[here()];
-    vertex_ = transport::vertex_on(world_.sea, ray_, walks.vertices(0) == 0, spread_, photon_, leg,
-                                   walks.axis(0), samples_);
+    vertex_ = vertex_on(world_.sea, ray_, walks.vertices(0) == 0, spread_, photon_, leg,
+                        walks.axis(0), samples_);
     if (walks.from_telescope())
       walks.keep_unshifted(world_.telescopes[0], 0, walks.vertices(0) == 0, vertex_);
     walks.add(true, 0, walks.vertices(0), vertex_);
@@ -119,7 +119,7 @@ class Writer {
   void leave_for(const V& next, bool mirrored, bool converts) {
     const V old = photon_.direction;
     photon_.direction = direction_to(photon_.position, next, mirrored);
-    transport::Departure<double> departure;
+    Departure<double> departure;
     const double p = world_.sea.phases.value<double>(
         one_minus_cos(old, photon_.direction),
         converts ? world_.sea.conversion_phase[photon_.line] : world_.sea.elastic_phase[here()]);
@@ -130,9 +130,8 @@ class Writer {
     if (converts) {
       departure.chance =
           chance * world_.inverse_conversion.over_phase(world_.sea, photon_.direction, p);
-      departure.density = transport::walk_c_ratio<double>(world_.sea, photon_.line, photon_.layer);
-      photon_.weight *=
-          transport::conversion_per_emitted_c<double>(world_.sea, photon_.line, photon_.layer);
+      departure.density = walk_c_ratio<double>(world_.sea, photon_.line, photon_.layer);
+      photon_.weight *= conversion_per_emitted_c<double>(world_.sea, photon_.line, photon_.layer);
       photon_.line = 0;
     } else {
       photon_.weight *= world_.sea.albedo[here()];
@@ -142,7 +141,7 @@ class Writer {
       if (!walks.from_telescope()) departure.passed = drawn(-old);
       if (walks.from_telescope() && photon_.line == 0) departure.chance *= drawn(photon_.direction);
     }
-    ray_ = transport::next_ray(photon_, vertex_, departure);
+    ray_ = next_ray(photon_, vertex_, departure);
     walks.add(true, 0, walks.vertices(0), ray_);
     if (walks.from_telescope())
       walks.pivot(world_.sea, true, 0, walks.vertices(0) - 1, vertex_, ray_,
@@ -154,31 +153,30 @@ class Writer {
  private:
   [[nodiscard]] std::int32_t here() const { return world_.sea.at(photon_.line, photon_.layer); }
 
-  void fly_to(const V& place, transport::Leg<double>& leg) {
+  void fly_to(const V& place, Leg<double>& leg) {
     const auto before = photon_;
     const double distance = length(place - before.position);
     photon_.position = place;
     photon_.layer = transport::layer_at(world_.sea, before.layer, -place.z);
     photon_.path += distance * world_.sea.group_index[photon_.line];
-    const auto from = level_of(world_.sea, before);
+    const auto from = geometry::level_of(world_.sea, before);
     photon_.weight *= std::exp(-world_.sea.continuous_slant_optical_depth(
         photon_.line, from, world_.sea.continuous_column(photon_.line, from),
-        level_of(world_.sea, photon_), distance));
-    transport::add_flight(world_.sea, before, photon_, leg);
+        geometry::level_of(world_.sea, photon_), distance));
+    add_flight(world_.sea, before, photon_, leg);
   }
 
   const World<double>& world_;
-  const transport::Samples<double>& samples_;
+  const Samples<double>& samples_;
   transport::Photon<double> photon_;
-  transport::Spread<double> spread_;
-  transport::Ray<double> ray_;
-  transport::Vertex<double> vertex_;
+  Spread<double> spread_;
+  Ray<double> ray_;
+  Vertex<double> vertex_;
 };
 
 /// The laser's walk with the first vertices of a path, and on its way to the next if it `leaves`.
-inline Walks<double> laser_walk(const World<double>& world,
-                                const transport::Samples<double>& samples, const Path& path,
-                                std::int32_t vertices, bool leaves) {
+inline Walks<double> laser_walk(const World<double>& world, const Samples<double>& samples,
+                                const Path& path, std::int32_t vertices, bool leaves) {
   const auto& laser = world.laser;
   const V vertex = fictitious_vertex(laser);
   transport::Photon<double> photon;
@@ -190,8 +188,7 @@ inline Walks<double> laser_walk(const World<double>& world,
   photon.path = laser.ahead * (secant - 1);
   Writer writer(
       world, samples,
-      transport::enter_if_above(world.sea, photon, transport::connectable_solid_angle(laser),
-                                before, laser.submerged),
+      enter_if_above(world.sea, photon, connectable_solid_angle(laser), before, laser.submerged),
       {}, false);
   for (std::int32_t i = 1; i <= vertices; ++i) {
     writer.collide_at(path.x(i), path.is_mirrored(i - 1));
@@ -202,9 +199,9 @@ inline Walks<double> laser_walk(const World<double>& world,
 
 /// The telescope's walk with the last vertices of a path, and on its way to the next; it meets
 /// others at a grid's depths from `grid_offset` on.
-inline Walks<double> telescope_walk(const World<double>& world,
-                                    const transport::Samples<double>& samples, const Path& path,
-                                    std::int32_t vertices, bool leaves, double grid_offset = 0) {
+inline Walks<double> telescope_walk(const World<double>& world, const Samples<double>& samples,
+                                    const Path& path, std::int32_t vertices, bool leaves,
+                                    double grid_offset = 0) {
   const auto& telescope = world.telescopes[0];
   const V outward = -way_to_lens(world, path).arriving;
   const double per_axis = 1 / dot(outward, telescope.axis);
@@ -217,8 +214,8 @@ inline Walks<double> telescope_walk(const World<double>& world,
   record.grid_offset = grid_offset;
   record.line = path.line;
   Writer writer(world, samples,
-                transport::birth_at_telescope(world.sea, telescope, world.telescope_layer[0],
-                                              path.line, path.lens, slope),
+                birth_at_telescope(world.sea, telescope, world.telescope_layer[0], path.line,
+                                   path.lens, slope),
                 record, true);
   const std::int32_t k = path.order();
   for (std::int32_t i = k; i > k - vertices; --i) {

@@ -32,13 +32,13 @@ struct Window {
   tally::Gates gates;
 };
 
-inline constexpr transport::MeetingGrid<double> grid{2};
+inline constexpr MeetingGrid<double> grid{2};
 
 /// What the engine scores for a path by each strategy that draws it, by name.
 class Scores {
  public:
-  Scores(const World<double>& world, const transport::Samples<double>& samples,
-         const medium::Medium& medium, const Path& path, double length)
+  Scores(const World<double>& world, const Samples<double>& samples, const medium::Medium& medium,
+         const Path& path, double length)
       : world_(world),
         samples_(samples),
         path_(path),
@@ -97,7 +97,7 @@ class Scores {
   }
 
   const World<double>& world_;
-  const transport::Samples<double>& samples_;
+  const Samples<double>& samples_;
   const Path& path_;
   Receiver<double> receiver_;
   Window window_;

@@ -1,5 +1,5 @@
 // What every strategy must give for a path, from the sum over all of them as the head of
-// transport/vertex.hpp states it.
+// estimator/bidirectional/vertex.hpp states it.
 #pragma once
 
 #include "unit/estimator/paths.hpp"
@@ -15,18 +15,18 @@ struct Edge {
   bool mirrored = false;
 };
 
-struct Strategies {
+struct StrategiesOfPath {
   const World<double>& world;
   const medium::Medium& medium;
-  const transport::Samples<double>& samples;
+  const Samples<double>& samples;
   const Path& path;
   double shift_area = 0;
   std::vector<Edge> edge;  ///< 0 … k
   double common = 1;       ///< n h / g of a strategy times what it gives if it is the only one
   std::int32_t most;       ///< vertices of a walk: it does not set out from the last one
 
-  Strategies(const World<double>& world_, const medium::Medium& medium_,
-             const transport::Samples<double>& samples_, const Path& path_, std::int32_t most_)
+  StrategiesOfPath(const World<double>& world_, const medium::Medium& medium_,
+                   const Samples<double>& samples_, const Path& path_, std::int32_t most_)
       : world(world_), medium(medium_), samples(samples_), path(path_), most(most_) {
     add_first();
     for (std::int32_t e = 1; e < path.order(); ++e) add_inner(e);

@@ -17,7 +17,7 @@ using test::Random;
 // the lens lie; the telescope's walk comes through one of these. Seen red: with first rays that
 // begin no higher than where they were drawn, or higher by half of what may be; with rays that are
 // met behind the lens.
-TEST(Strategies, BesideATiltedLensInTheWaterAgree) {
+TEST(StrategiesOfPath, BesideATiltedLensInTheWaterAgree) {
   Random random(110);
   int met = 0, behind = 0;
   const Sea sea(laser_at({0.5, 0, -3}, {0, 0, -1}), telescope_at({0, 0, -4}, {0.6, 0, -0.8}));
@@ -34,7 +34,7 @@ TEST(Strategies, BesideATiltedLensInTheWaterAgree) {
     path.vertex = {in_space(telescope, path.lens) + from_lens * outward};
     drawn.lens = on_lens();
     drawn.vertex = {in_space(telescope, drawn.lens) + outward};
-    const Strategies expected(sea.world, sea.medium, shifted, path, most_vertices);
+    const StrategiesOfPath expected(sea.world, sea.medium, shifted, path, most_vertices);
     const bool meets = from_lens > 0 && expected.meeting(1) > 0;
     const double length =
         expected.group_path() - (from_lens > 0 ? 0 : 2 * expected.edge.back().path);

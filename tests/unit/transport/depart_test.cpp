@@ -1,5 +1,5 @@
 // What walks that are to be connected do at a vertex.
-#include "transport/depart.hpp"
+#include "estimator/bidirectional/depart.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using V = Vec3<double>;
 
 constexpr std::int32_t henyey_greenstein = 1;  // of the tables of make_sea()
 
-InverseConversion<double> inverse_conversion() {
+estimator::InverseConversion<double> inverse_conversion() {
   return {0.3, 0.6, normalised(V{0.3, -0.2, -1}), henyey_greenstein, 0};
 }
 
@@ -31,7 +31,7 @@ Photon<double> photon_in(std::int32_t line, std::int32_t layer, Random& random) 
   return photon;
 }
 
-DepartUniforms<double> uniforms(Random& random) {
+estimator::DepartUniforms<double> uniforms(Random& random) {
   return {random.uniform(), random.uniform(), random.uniform(), random.uniform()};
 }
 
@@ -56,7 +56,7 @@ TEST(Depart, ScattersWhatCannotBeConvertedLight) {
       const auto before = photon_in(line, layer, random);
       auto photon = before;
       const auto departure =
-          depart(sea.view(), photon, inverse_conversion(), uniforms(random), true);
+          estimator::depart(sea.view(), photon, inverse_conversion(), uniforms(random), true);
       ASSERT_EQ(photon.line, line);
       ASSERT_EQ(photon.order, 5);
       ASSERT_EQ(departure.chance, 1);
@@ -83,7 +83,7 @@ TEST(Depart, TurnsConversionsBackWithItsChance) {
     for (int i = 0; i < samples; ++i) {
       const auto before = photon_in(line, layer, random);
       auto photon = before;
-      const auto departure = depart(sea.view(), photon, back, uniforms(random), true);
+      const auto departure = estimator::depart(sea.view(), photon, back, uniforms(random), true);
       ASSERT_EQ(photon.order, 5);
       ASSERT_NEAR(length(photon.direction), 1, 1e-14);
       const bool converted = photon.line == 0;
@@ -151,8 +151,8 @@ TEST(Depart, DrawsConvertedDirectionsAsDenseAsItSays) {
       photon.direction = old;
       photon.line = line;
       photon.layer = 1;
-      depart(sea.view(), photon, inverse_conversion(),
-             {random.uniform(), random.uniform(), 0, random.uniform()}, true);
+      estimator::depart(sea.view(), photon, inverse_conversion(),
+                        {random.uniform(), random.uniform(), 0, random.uniform()}, true);
       ASSERT_EQ(photon.line, 0);
       const double x = one_minus_cos(inverse_conversion().beam, photon.direction);
       count[static_cast<std::size_t>(x / cell)] += 1;
@@ -165,8 +165,8 @@ TEST(Depart, DrawsConvertedDirectionsAsDenseAsItSays) {
   }
 }
 
-InverseConversion<double> scattering_reversal() {
-  InverseConversion<double> back = inverse_conversion();
+estimator::InverseConversion<double> scattering_reversal() {
+  estimator::InverseConversion<double> back = inverse_conversion();
   back.scattered = 0.2;
   return back;
 }
@@ -201,7 +201,7 @@ TEST(Depart, ScattersTheLasersLightAsDenseAsItSays) {
     Photon<double> photon;
     photon.direction = old;
     photon.layer = 1;
-    const auto departure = depart(sea.view(), photon, back, uniforms(random), true);
+    const auto departure = estimator::depart(sea.view(), photon, back, uniforms(random), true);
     const double p = phase(sea, table, old, photon.direction);
     ASSERT_NEAR(departure.p / p, 1, 1e-5);
     ASSERT_NEAR(departure.chance / back.scattered_over_phase(sea.view(), photon.direction, p), 1,
@@ -222,8 +222,8 @@ TEST(Depart, FromTheLaserTellsHowWalksPassIt) {
     const auto before = photon_in(0, 1, random);
     const auto u = uniforms(random);
     auto photon = before, plain = before;
-    const auto departure = depart(sea.view(), photon, back, u, false);
-    depart(sea.view(), plain, inverse_conversion(), u, true);
+    const auto departure = estimator::depart(sea.view(), photon, back, u, false);
+    estimator::depart(sea.view(), plain, inverse_conversion(), u, true);
     ASSERT_EQ(photon.direction, plain.direction);
     ASSERT_EQ(departure.chance, 1);
     const double lobe = phase(sea, henyey_greenstein, back.beam, -before.direction);

@@ -1,9 +1,12 @@
 // What a path's weight becomes in other water: against that water itself, and lane by lane.
-#include "transport/environments.hpp"
+#include "estimator/variations/environments.hpp"
 
 #include <cmath>
 #include <vector>
 
+#include "estimator/bidirectional/path_point.hpp"
+#include "geometry/sightline.hpp"
+#include "transport/connect.hpp"
 #include "unit/transport/packs.hpp"
 #include "unit/transport/sea.hpp"
 
@@ -57,16 +60,16 @@ struct Kept {
     ratios.kept = &paths;
     paths.of(0).begin(sea.environments);
   }
-  PathRatios<double> paths;
-  Ratios<double> ratios;
+  estimator::PathRatios<double> paths;
+  estimator::Ratios<double> ratios;
 };
 
 /// The ratios that a path has if nothing more happens to it, [environment].
 template <class T>
-std::vector<Element<T>> ratios_of(const medium::MediumView& sea, PathRatios<T>& paths,
+std::vector<Element<T>> ratios_of(const medium::MediumView& sea, estimator::PathRatios<T>& paths,
                                   std::size_t path) {
   std::vector<Element<T>> out(static_cast<std::size_t>(sea.environments.stride));
-  complete<T>(
+  estimator::complete<T>(
       sea.environments, {}, 0, [&](std::int32_t e) { return paths.at(path, e); }, out.data());
   return out;
 }
@@ -146,12 +149,12 @@ TEST(Environments, TangentsAddUp) {
 TEST(Environments, LoseWhatIsNotFinite) {
   const auto sea = make_environments();
   const auto view = sea.view();
-  PathRatios<double> paths(view.environments, 1);
+  estimator::PathRatios<double> paths(view.environments, 1);
   paths.of(0).begin(view.environments);
   paths.of(0).product[1] = 1e300;
   paths.of(0).deeper[1] = -100;
   std::vector<double> ratio(static_cast<std::size_t>(view.environments.stride), 7.0);
-  const auto lost = complete<double>(
+  const auto lost = estimator::complete<double>(
       view.environments, {}, 0, [&](std::int32_t e) { return paths.at(0, e); }, ratio.data());
   EXPECT_EQ(lost, 1U);
   EXPECT_EQ(ratio[0], 1);
@@ -172,7 +175,7 @@ TEST(LanesOf, Ratios) {
   const auto sea = make_environments();
   const auto view = sea.view();
   Random random(303);
-  PathRatios<Lanes4> kept(view.environments, lanes);
+  estimator::PathRatios<Lanes4> kept(view.environments, lanes);
   for (int g = 0; g < groups; ++g) {
     const auto start = four([&] { return random_photon(sea, random); });
     auto end = four([&] { return random_photon(sea, random); });
@@ -180,7 +183,7 @@ TEST(LanesOf, Ratios) {
     const auto flying = four([&] { return random.chance(0.7); });
     const auto mask = four([&] { return random.chance(0.7); });
     const auto flight = uniforms4(random);
-    Ratios<Lanes4> packed;
+    estimator::Ratios<Lanes4> packed;
     packed.kept = &kept;
     for (std::size_t i = 0; i < lanes; ++i) kept.of(i).begin(view.environments);
     packed.before = pack(start);
@@ -209,15 +212,15 @@ template <class T>
 std::vector<Element<T>> completed(const medium::MediumView& sea, const Photon<T>& at,
                                   const Vec3<T>& direction, const T& length, bool submerged,
                                   bool mirrored, std::size_t lane) {
-  PathRatios<T> kept(sea.environments, 1);
+  estimator::PathRatios<T> kept(sea.environments, 1);
   kept.of(0).begin(sea.environments);
-  Completion<T> completion;
+  estimator::Completion<T> completion;
   completion.collide(
       sea, {at.line, at.layer, Mask<T>(false), at.line, one_minus_cos(at.direction, direction)});
-  add_way(sea, at.line, at.layer, T(-at.position.z), direction, length, submerged, Index<T>(0),
+  estimator::add_way(sea, at.line, at.layer, T(-at.position.z), direction, length, submerged, Index<T>(0),
           mirrored, completion.ways);
   std::vector<Element<T>> out(static_cast<std::size_t>(sea.environments.stride));
-  complete<T>(
+  estimator::complete<T>(
       sea.environments, completion, lane, [&](std::int32_t e) { return kept.at(0, e); },
       out.data());
   return out;

@@ -1,5 +1,5 @@
 // The chance that a flight leaves the water.
-#include "transport/escape.hpp"
+#include "estimator/forward/escape.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ TEST(Escape, IsWhatFlightsDo) {
     auto photon = photon_at(sea, {0, 0, -random.between(0, 14)}, random.below(3));
     photon.direction = random.direction();
     photon.weight = 0.7;
-    const auto away = escape(sea.view(), photon);
+    const auto away = estimator::escape(sea.view(), photon);
     constexpr int flights = 20000;
     int there = 0;
     double weight = 0;
@@ -56,11 +56,11 @@ TEST(Escape, IsWhatFlightsDo) {
 TEST(Escape, IsNoneWhereNothingStandsInTheWay) {
   const auto sea = make_sea(std::numeric_limits<double>::infinity());
   auto photon = photon_at(sea, {0, 0, -6});
-  EXPECT_EQ(escape(sea.view(), photon).probability, 0);
-  EXPECT_EQ(escape(sea.view(), photon).weight, 0);
+  EXPECT_EQ(estimator::escape(sea.view(), photon).probability, 0);
+  EXPECT_EQ(estimator::escape(sea.view(), photon).weight, 0);
   photon.direction = {1, 0, 0};
-  EXPECT_EQ(escape(sea.view(), photon).probability, 0);
-  EXPECT_EQ(escape(sea.view(), photon).weight, 0);
+  EXPECT_EQ(estimator::escape(sea.view(), photon).probability, 0);
+  EXPECT_EQ(estimator::escape(sea.view(), photon).weight, 0);
 }
 
 }  // namespace

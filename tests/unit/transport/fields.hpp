@@ -2,9 +2,9 @@
 // lanes and to compare each lane with its scalar.
 #pragma once
 
+#include "estimator/bidirectional/connection_end.hpp"
+#include "estimator/bidirectional/meet.hpp"
 #include "transport/connect_ray.hpp"
-#include "transport/connection_end.hpp"
-#include "transport/meet.hpp"
 #include "unit/transport/packs.hpp"
 
 namespace photic::transport {
@@ -65,27 +65,27 @@ void fields(P& a, S& b, F f) {
   f(a.walk, b.walk, "walked optical depth");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Densities>
+  requires is_packed<P, estimator::Densities>
 void fields(P& a, S& b, F f) {
   f(a.edges, b.edges, "edges");
   f(a.meetings, b.meetings, "meetings");
   f(a.turned, b.turned, "turned");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Vertical>
+  requires is_packed<P, estimator::Vertical>
 void fields(P& a, S& b, F f) {
   f(a.exists, b.exists, "axis exists");
   f(a.x, b.x, "axis x");
   f(a.y, b.y, "axis y");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Freedom>
+  requires is_packed<P, estimator::Freedom>
 void fields(P& a, S& b, F f) {
   f(a.shifts, b.shifts, "shifts");
   fields(a.axis, b.axis, f);
 }
 template <class P, class S, class F>
-  requires is_packed<P, Turn>
+  requires is_packed<P, estimator::Turn>
 void fields(P& a, S& b, F f) {
   f(a.density, b.density, "turn density");
   f(a.sweep.x, b.sweep.x, "sweep x");
@@ -95,7 +95,7 @@ void fields(P& a, S& b, F f) {
 }
 /// Of four that all go through the surface, or none.
 template <class P, class S, class F>
-  requires is_packed<P, Spread>
+  requires is_packed<P, estimator::Spread>
 void fields(P& a, S& b, F f) {
   f(a.before, b.before, "before");
   f(a.cos_air, b.cos_air, "cosine in air");
@@ -112,7 +112,7 @@ void walk_point_fields(P& a, S& b, F f) {
   f(a.layer, b.layer, "layer");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Ray>
+  requires is_packed<P, estimator::Ray>
 void fields(P& a, S& b, F f) {
   walk_point_fields(a, b, f);
   f(a.left_chance, b.left_chance, "chance before");
@@ -125,7 +125,7 @@ void fields(P& a, S& b, F f) {
   fields(a.turn, b.turn, f);
 }
 template <class P, class S, class F>
-  requires is_packed<P, Vertex>
+  requires is_packed<P, estimator::Vertex>
 void fields(P& a, S& b, F f) {
   walk_point_fields(a, b, f);
   f(a.chance, b.chance, "chance");
@@ -138,14 +138,14 @@ void fields(P& a, S& b, F f) {
   fields(a.behind, b.behind, f);
 }
 template <class P, class S, class F>
-  requires is_packed<P, Leg>
+  requires is_packed<P, estimator::Leg>
 void fields(P& a, S& b, F f) {
   f(a.length, b.length, "length");
   f(a.walk_tau, b.walk_tau, "walked optical depth");
   f(a.mirrored, b.mirrored, "mirrored");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Departure>
+  requires is_packed<P, estimator::Departure>
 void fields(P& a, S& b, F f) {
   f(a.p, b.p, "p");
   f(a.chance, b.chance, "chance");
@@ -153,14 +153,14 @@ void fields(P& a, S& b, F f) {
   f(a.density, b.density, "density");
 }
 template <class P, class S, class F>
-  requires is_packed<P, End>
+  requires is_packed<P, estimator::End>
 void fields(P& a, S& b, F f) {
   f(a.p, b.p, "p");
   f(a.open, b.open, "open");
   f(a.behind, b.behind, "behind");
 }
 template <class P, class S, class F>
-  requires is_packed<P, ConnectionEnd>
+  requires is_packed<P, estimator::ConnectionEnd>
 void fields(P& a, S& b, F f) {
   fields(a.end, b.end, f);
   f(a.weight, b.weight, "weight");
@@ -169,7 +169,7 @@ void fields(P& a, S& b, F f) {
   f(a.meeting, b.meeting, "meeting");
 }
 template <class P, class S, class F>
-  requires is_packed<P, InverseConversion>
+  requires is_packed<P, estimator::InverseConversion>
 void fields(P& a, S& b, F f) {
   f(a.probability, b.probability, "probability");
   f(a.directed, b.directed, "directed");
@@ -178,12 +178,12 @@ void fields(P& a, S& b, F f) {
   f(a.scattered, b.scattered, "scattered");
 }
 template <class P, class S, class F>
-  requires is_packed<P, MeetingGrid>
+  requires is_packed<P, estimator::MeetingGrid>
 void fields(P& a, S& b, F f) {
   f(a.most, b.most, "most points");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Samples>
+  requires is_packed<P, estimator::Samples>
 void fields(P& a, S& b, F f) {
   f(a.to_instrument, b.to_instrument, "to instrument");
   f(a.between, b.between, "between");
@@ -192,7 +192,7 @@ void fields(P& a, S& b, F f) {
   fields(a.grid, b.grid, f);
 }
 template <class P, class S, class F>
-  requires is_packed<P, DepthLine>
+  requires is_packed<P, estimator::DepthLine>
 void fields(P& a, S& b, F f) {
   f(a.x, b.x, "x");
   f(a.y, b.y, "y");
@@ -206,7 +206,7 @@ void fields(P& a, S& b, F f) {
   f(a.start, b.start, "start");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Chord>
+  requires is_packed<P, estimator::Chord>
 void fields(P& a, S& b, F f) {
   f(a.exists, b.exists, "exists");
   f(a.from, b.from, "from");
@@ -215,21 +215,21 @@ void fields(P& a, S& b, F f) {
   fields(a.lens.per_depth, b.lens.per_depth, f);
 }
 template <class P, class S, class F>
-  requires is_packed<P, AtLens>
+  requires is_packed<P, estimator::AtLens>
 void fields(P& a, S& b, F f) {
   fields(a.lens, b.lens, f);
   fields(a.outward, b.outward, f);
   f(a.index, b.index, "index");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Rotation>
+  requires is_packed<P, estimator::Rotation>
 void fields(P& a, S& b, F f) {
   fields(a.axis, b.axis, f);
   f(a.cosine, b.cosine, "cosine");
   f(a.sine, b.sine, "sine");
 }
 template <class P, class S, class F>
-  requires is_packed<P, Meeting>
+  requires is_packed<P, estimator::Meeting>
 void fields(P& a, S& b, F f) {
   f(a.value, b.value, "value");
   f(a.path, b.path, "path");

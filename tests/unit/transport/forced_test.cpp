@@ -1,6 +1,6 @@
 // Collisions forced on the way ahead: whatever the points are drawn from, times their weight they
 // lie where photons collide.
-#include "transport/forced.hpp"
+#include "estimator/forward/forced.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,15 +19,15 @@ struct FlightCase {
   std::string what;
   V direction;
   double depth;
-  std::vector<ViewCone<double>> views;
+  std::vector<estimator::ViewCone<double>> views;
 };
 
 std::vector<FlightCase> flight_cases() {
   const V down{0, 0, -1};
-  const ViewCone<double> above{{0, 0, 0}, down, 0.9, 0.4, 0.01};
-  const ViewCone<double> wide{{0, 0, 0}, down, 0.3, 1.0, 0.7};
-  const ViewCone<double> aside{{5, 0, 0}, normalised(V{-0.5, 0, -1}), 0.4, 0.5, 0.0};
-  const ViewCone<double> submerged{{0, 1, -6}, {0, 0, 1}, 0.7, 0.2, 0.02};
+  const estimator::ViewCone<double> above{{0, 0, 0}, down, 0.9, 0.4, 0.01};
+  const estimator::ViewCone<double> wide{{0, 0, 0}, down, 0.3, 1.0, 0.7};
+  const estimator::ViewCone<double> aside{{5, 0, 0}, normalised(V{-0.5, 0, -1}), 0.4, 0.5, 0.0};
+  const estimator::ViewCone<double> submerged{{0, 1, -6}, {0, 0, 1}, 0.7, 0.2, 0.02};
   const V out_of_view{0.8, 0, 0.6};
   return {
       {"no telescope", {0, 0.6, 0.8}, 14, {}},
@@ -71,8 +71,8 @@ TEST(ForcedCollision, TimesItsWeightLiesWherePhotonsCollide) {
       photon.direction = c.direction;
       photon.layer = sea.layer_at(c.depth);
       photon.path = 7;
-      const bool reached = force_collision(sea.view(), photon, c.views,
-                                           {random.uniform(), random.uniform(), random.uniform()});
+      const bool reached = estimator::force_collision(
+          sea.view(), photon, c.views, {random.uniform(), random.uniform(), random.uniform()});
       double distance = 1e9;
       if (reached) {
         distance = length(photon.position - start);
@@ -101,7 +101,7 @@ TEST(ForcedCollision, TimesItsWeightLiesWherePhotonsCollide) {
 // of the points lie; and half of those of a ray that crosses a narrow view lie in it.
 TEST(ForcedCollision, ReachesTheViewOfATelescope) {
   const auto sea = make_sea(25);
-  const ViewCone<double> view{{0, 0, 0}, {0, 0, -1}, 0.9, 0.3, 0.01};
+  const estimator::ViewCone<double> view{{0, 0, 0}, {0, 0, -1}, 0.9, 0.3, 0.01};
   test::Random random(92);
   const auto count = [&](const V& start, const V& direction, const auto& is_there) {
     int there = 0;
@@ -110,8 +110,8 @@ TEST(ForcedCollision, ReachesTheViewOfATelescope) {
       photon.position = start;
       photon.direction = normalised(direction);
       photon.layer = sea.layer_at(-start.z);
-      const bool reached = force_collision(sea.view(), photon, {view},
-                                           {random.uniform(), random.uniform(), random.uniform()});
+      const bool reached = estimator::force_collision(
+          sea.view(), photon, {view}, {random.uniform(), random.uniform(), random.uniform()});
       there += reached && is_there(photon.position);
     }
     return there;

@@ -10,29 +10,29 @@ using instrument::PlanePoint;
 using test::Random;
 using V = Vec3<double>;
 
-Samples<double> random_samples(Random& random) {
+estimator::Samples<double> random_samples(Random& random) {
   return {1, random.uniform(), 5, random.below(3) * 1.0, {random.scale(0.1, 10)}};
 }
-InverseConversion<double> random_reversal(Random& random) {
+estimator::InverseConversion<double> random_reversal(Random& random) {
   return {random.uniform(), random.uniform(), random.direction(), random.below(5),
           random.chance(0.5) ? random.between(0, 0.5) : 0.0};
 }
-Densities<double> random_densities(Random& random) {
+estimator::Densities<double> random_densities(Random& random) {
   return {random.scale(1e-3, 1e3), random.scale(1e-3, 1e3), random.scale(1e-3, 1e3)};
 }
-Vertical<double> random_vertical(Random& random) {
+estimator::Vertical<double> random_vertical(Random& random) {
   return {random.chance(0.7), random.between(-5, 5), random.between(-5, 5)};
 }
-Freedom<double> random_freedom(Random& random) {
+estimator::Freedom<double> random_freedom(Random& random) {
   return {random.uniform(), random_vertical(random)};
 }
-Turn<double> random_turn(Random& random) {
+estimator::Turn<double> random_turn(Random& random) {
   const auto place = 5 * random.direction();
-  return {random.uniform(), sweep(place, random.direction(), random.direction())};
+  return {random.uniform(), estimator::sweep(place, random.direction(), random.direction())};
 }
 
-Ray<double> random_ray(const medium::Medium& sea, Random& random) {
-  Ray<double> ray{walk_point(random_photon(sea, random))};
+estimator::Ray<double> random_ray(const medium::Medium& sea, Random& random) {
+  estimator::Ray<double> ray{estimator::walk_point(random_photon(sea, random))};
   ray.left_chance = random.uniform();
   ray.chance = random.uniform();
   ray.passed = random.between(0.5, 5);
@@ -44,7 +44,7 @@ Ray<double> random_ray(const medium::Medium& sea, Random& random) {
   return ray;
 }
 
-Vertex<double> random_vertex(const medium::Medium& sea, Random& random) {
+estimator::Vertex<double> random_vertex(const medium::Medium& sea, Random& random) {
   const auto photon = random_photon(sea, random);
   return {
       {photon.position, photon.direction, random.uniform(), photon.path, photon.line, photon.layer},
@@ -91,26 +91,27 @@ TEST(LanesOf, VertexOn) {
     const auto before = four([&] { return random_photon(sea, random); });
     const auto axis = four([&] { return random_vertical(random); });
     auto photon = four([&] { return random_photon(sea, random); });
-    Four<Leg<double>> leg;
+    Four<estimator::Leg<double>> leg;
     for (auto& one : leg) one.mirrored = random.chance(0.3);
     const bool through_surface = random.chance(0.5);
     const auto spread = four([&] {
-      return Spread<double>{through_surface, random.uniform(), random.uniform(), random.uniform()};
+      return estimator::Spread<double>{through_surface, random.uniform(), random.uniform(),
+                                       random.uniform()};
     });
-    auto spread4 = pack_fields<Spread>(spread);
+    auto spread4 = pack_fields<estimator::Spread>(spread);
     spread4.through_surface = through_surface;
     const auto first = four([&] { return random.chance(0.5); });
-    auto leg4 = pack_fields<Leg>(leg);
-    add_flight(sea.view(), pack(before), pack(photon), leg4);
-    const auto vertex4 =
-        vertex_on(sea.view(), pack_fields<Ray>(ray), pack_mask(first), spread4, pack(photon), leg4,
-                  pack_fields<Vertical>(axis), in_all_lanes(samples));
+    auto leg4 = pack_fields<estimator::Leg>(leg);
+    estimator::add_flight(sea.view(), pack(before), pack(photon), leg4);
+    const auto vertex4 = estimator::vertex_on(sea.view(), pack_fields<estimator::Ray>(ray), pack_mask(first),
+                                              spread4, pack(photon), leg4,
+                                              pack_fields<estimator::Vertical>(axis), in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
-      add_flight(sea.view(), before[i], photon[i], leg[i]);
+      estimator::add_flight(sea.view(), before[i], photon[i], leg[i]);
       expect_same_fields(leg4, i, leg[i]);
-      expect_same_fields(
-          vertex4, i,
-          vertex_on(sea.view(), ray[i], first[i], spread[i], photon[i], leg[i], axis[i], samples));
+      expect_same_fields(vertex4, i,
+                         estimator::vertex_on(sea.view(), ray[i], first[i], spread[i], photon[i],
+                                              leg[i], axis[i], samples));
     }
   }
 }
@@ -127,16 +128,16 @@ TEST(LanesOf, DepartAndNextRay) {
     const auto a = uniforms4(random), b = uniforms4(random), c = uniforms4(random),
                d = uniforms4(random);
     const bool from_telescope = random.chance(0.5);
-    const auto departure4 = depart(sea.view(), photon4, in_all_lanes(inverse_conversion),
-                                   {pack(a), pack(b), pack(c), pack(d)}, from_telescope);
-    const auto ray4 = next_ray(photon4, pack_fields<Vertex>(vertex), departure4);
+    const auto departure4 = estimator::depart(sea.view(), photon4, in_all_lanes(inverse_conversion),
+                                              {pack(a), pack(b), pack(c), pack(d)}, from_telescope);
+    const auto ray4 = estimator::next_ray(photon4, pack_fields<estimator::Vertex>(vertex), departure4);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto line = photon[i].line;
-      const auto departure = depart(sea.view(), photon[i], inverse_conversion,
-                                    {a[i], b[i], c[i], d[i]}, from_telescope);
+      const auto departure = estimator::depart(sea.view(), photon[i], inverse_conversion,
+                                               {a[i], b[i], c[i], d[i]}, from_telescope);
       expect_same(photon4, i, photon[i]);
       expect_same_fields(departure4, i, departure);
-      expect_same_fields(ray4, i, next_ray(photon[i], vertex[i], departure));
+      expect_same_fields(ray4, i, estimator::next_ray(photon[i], vertex[i], departure));
       converted += photon[i].line != line;
       directed += photon[i].line != line && d[i] < inverse_conversion.directed;
     }
@@ -153,36 +154,38 @@ TEST(LanesOf, Joints) {
     const auto inverse_conversion = random_reversal(random);
     const auto reversal4 = in_all_lanes(inverse_conversion);
     const auto vertex = four([&] { return random_vertex(sea, random); });
-    const auto vertex4 = pack_fields<Vertex>(vertex);
+    const auto vertex4 = pack_fields<estimator::Vertex>(vertex);
     const auto direction = four([&] { return random.direction(); });
     const auto line = four([&] { return random.below(3); });
     const auto chance = uniforms4(random), goes_on = uniforms4(random), area = uniforms4(random),
                behind = uniforms4(random), tau = uniforms4(random), walk_tau = uniforms4(random);
     const auto freedom = four([&] { return random_freedom(random); });
-    const auto freedom4 = pack_fields<Freedom>(freedom);
-    const auto scattered4 = scattering_from_laser(view, vertex4, pack(behind), pack(direction),
-                                                  reversal4, pack(goes_on), freedom4);
+    const auto freedom4 = pack_fields<estimator::Freedom>(freedom);
+    const auto scattered4 = estimator::scattering_from_laser(
+        view, vertex4, pack(behind), pack(direction), reversal4, pack(goes_on), freedom4);
     const auto converted4 =
-        conversion_from_laser(view, vertex4, pack(behind), pack(direction), pack(line), reversal4,
-                              pack(chance), pack(goes_on), freedom4);
-    const auto arrived4 = arrival_from_laser(view, vertex4, pack(direction), reversal4, freedom4);
-    const auto last4 = scattering_of_converted(view, vertex4, pack(direction));
+        estimator::conversion_from_laser(view, vertex4, pack(behind), pack(direction), pack(line),
+                                         reversal4, pack(chance), pack(goes_on), freedom4);
+    const auto arrived4 =
+        estimator::arrival_from_laser(view, vertex4, pack(direction), reversal4, freedom4);
+    const auto last4 = estimator::scattering_of_converted(view, vertex4, pack(direction));
     const auto balance4 =
-        balance(pack(area), pack(tau), pack(walk_tau), scattered4.end, arrived4.end);
+        estimator::balance(pack(area), pack(tau), pack(walk_tau), scattered4.end, arrived4.end);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& v = vertex[i];
-      const auto scattered = scattering_from_laser(view, v, behind[i], direction[i],
-                                                   inverse_conversion, goes_on[i], freedom[i]);
+      const auto scattered = estimator::scattering_from_laser(
+          view, v, behind[i], direction[i], inverse_conversion, goes_on[i], freedom[i]);
       const auto arrived =
-          arrival_from_laser(view, v, direction[i], inverse_conversion, freedom[i]);
+          estimator::arrival_from_laser(view, v, direction[i], inverse_conversion, freedom[i]);
       expect_same_fields(scattered4, i, scattered);
       expect_same_fields(
           converted4, i,
-          conversion_from_laser(view, v, behind[i], direction[i], line[i], inverse_conversion,
-                                chance[i], goes_on[i], freedom[i]));
+          estimator::conversion_from_laser(view, v, behind[i], direction[i], line[i],
+                                           inverse_conversion, chance[i], goes_on[i], freedom[i]));
       expect_same_fields(arrived4, i, arrived);
-      expect_same_fields(last4, i, scattering_of_converted(view, v, direction[i]));
-      expect_same(balance4[i], balance(area[i], tau[i], walk_tau[i], scattered.end, arrived.end),
+      expect_same_fields(last4, i, estimator::scattering_of_converted(view, v, direction[i]));
+      expect_same(balance4[i],
+                  estimator::balance(area[i], tau[i], walk_tau[i], scattered.end, arrived.end),
                   "balance");
     }
   }
@@ -212,42 +215,44 @@ TEST(LanesOf, ChordAndMeet) {
     }
     const auto start = four([&] {
       const auto slope = instrument::ring_point(0.0, 0.5, random.uniform(), random.uniform());
-      return AtLens<double>{lens_point(telescope, random.uniform(), random.uniform()),
-                            outward(telescope, slope), random.between(1, 1.4)};
+      return estimator::AtLens<double>{lens_point(telescope, random.uniform(), random.uniform()),
+                                       outward(telescope, slope), random.between(1, 1.4)};
     });
-    const auto laser4 = pack_fields<Ray>(laser);
-    const auto back4 = pack_fields<Ray>(back);
-    const auto chord4 =
-        chord(depth_line(sea.view(), laser4, Lanes4(40)), depth_line(sea.view(), back4, Lanes4(40)),
-              instrument::make_telescope<Lanes4>(scene), pack_fields<AtLens>(start), Lanes4(250));
+    const auto laser4 = pack_fields<estimator::Ray>(laser);
+    const auto back4 = pack_fields<estimator::Ray>(back);
+    const auto chord4 = estimator::chord(estimator::depth_line(sea.view(), laser4, Lanes4(40)),
+                                         estimator::depth_line(sea.view(), back4, Lanes4(40)),
+                                         instrument::make_telescope<Lanes4>(scene),
+                                         pack_fields<estimator::AtLens>(start), Lanes4(250));
     const auto first = four([&] { return random.chance(0.5); });
     const auto last = four([&] { return random.chance(0.5); });
     const auto spread = four([&] {
-      return Spread<double>{true, random.uniform(), random.uniform(), 1};
+      return estimator::Spread<double>{true, random.uniform(), random.uniform(), 1};
     });
-    auto spread4 = pack_fields<Spread>(spread);
+    auto spread4 = pack_fields<estimator::Spread>(spread);
     spread4.through_surface = true;
     const auto a = uniforms4(random), a_last = uniforms4(random), b = uniforms4(random),
                b_last = uniforms4(random);
     const auto freedom = four([&] { return random_freedom(random); });
-    const auto meeting4 = meet<Lanes4>(
+    const auto meeting4 = estimator::meet<Lanes4>(
         sea.view(), {laser4, pack_mask(first), spread4, pack(a), pack(a_last)},
         {back4, pack_mask(last), spread4, pack(b), pack(b_last)}, pack(depth), pack(layer),
-        pack_fields<Freedom>(freedom), in_all_lanes(inverse_conversion), in_all_lanes(samples));
+        pack_fields<estimator::Freedom>(freedom), in_all_lanes(inverse_conversion), in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
-      const auto c = chord(depth_line(sea.view(), laser[i], 40.0),
-                           depth_line(sea.view(), back[i], 40.0), telescope, start[i], 250.0);
+      const auto c = estimator::chord(estimator::depth_line(sea.view(), laser[i], 40.0),
+                                      estimator::depth_line(sea.view(), back[i], 40.0), telescope,
+                                      start[i], 250.0);
       expect_same_fields(chord4, i, c);
       exists += c.exists;
       // A meeting is promised ahead of both rays alone, none of them level.
-      const auto ahead = [&](const Ray<double>& r) {
+      const auto ahead = [&](const estimator::Ray<double>& r) {
         return r.direction.z != 0 && (-depth[i] - r.position.z) / r.direction.z > 0;
       };
       if (!ahead(laser[i]) || !ahead(back[i])) continue;
       const auto meeting =
-          meet<double>(sea.view(), {laser[i], first[i], spread[i], a[i], a_last[i]},
-                       {back[i], last[i], spread[i], b[i], b_last[i]}, depth[i], layer[i],
-                       freedom[i], inverse_conversion, samples);
+          estimator::meet<double>(sea.view(), {laser[i], first[i], spread[i], a[i], a_last[i]},
+                                  {back[i], last[i], spread[i], b[i], b_last[i]}, depth[i],
+                                  layer[i], freedom[i], inverse_conversion, samples);
       expect_same_fields(meeting4, i, meeting);
       ++met;
     }
@@ -267,24 +272,25 @@ TEST(LanesOf, CrossingsAndTurns) {
       if (random.chance(0.8)) back[i].direction.z = laser[i].direction.z;
     const auto axis = four([&] { return random_vertical(random); });
     const auto depth = four([&] { return random.between(0, 39); });
-    const auto laser4 = pack_fields<Ray>(laser), back4 = pack_fields<Ray>(back);
-    const auto axis4 = pack_fields<Vertical>(axis);
-    const auto line4 = depth_line(sea.view(), laser4, Lanes4(40));
-    const auto crossings4 =
-        crossings(line4, depth_line(sea.view(), back4, Lanes4(40)), axis4, Lanes4(250));
-    const auto turn4 = turn_to_meet(laser4, back4, axis4, pack(depth));
+    const auto laser4 = pack_fields<estimator::Ray>(laser), back4 = pack_fields<estimator::Ray>(back);
+    const auto axis4 = pack_fields<estimator::Vertical>(axis);
+    const auto line4 = estimator::depth_line(sea.view(), laser4, Lanes4(40));
+    const auto crossings4 = estimator::crossings(
+        line4, estimator::depth_line(sea.view(), back4, Lanes4(40)), axis4, Lanes4(250));
+    const auto turn4 = estimator::turn_to_meet(laser4, back4, axis4, pack(depth));
     const auto place4 = turn4.of_place(back4.position);
     for (std::size_t i = 0; i < lanes; ++i) {
-      const auto line = depth_line(sea.view(), laser[i], 40.0);
+      const auto line = estimator::depth_line(sea.view(), laser[i], 40.0);
       expect_same_fields(line4, i, line);
-      const auto c = crossings(line, depth_line(sea.view(), back[i], 40.0), axis[i], 250.0);
+      const auto c = estimator::crossings(line, estimator::depth_line(sea.view(), back[i], 40.0),
+                                          axis[i], 250.0);
       for (std::size_t n = 0; n < 2; ++n) {
         expect_same(crossings4.exists[n][i], c.exists[n], "crosses");
         if (!c.exists[n]) continue;
         expect_same(crossings4.depth[n][i], c.depth[n], "depth");
         ++crossed;
       }
-      const auto turn = turn_to_meet(laser[i], back[i], axis[i], depth[i]);
+      const auto turn = estimator::turn_to_meet(laser[i], back[i], axis[i], depth[i]);
       expect_same_fields(turn4, i, turn);
       expect_same(place4, i, turn.of_place(back[i].position), "place");
     }

@@ -1,9 +1,9 @@
 // A walk with four lanes: each lane equals the scalar, bit for bit, whichever ways the lanes go.
+#include "estimator/forward/forced.hpp"
 #include "support/scatter.hpp"
 #include "transport/collide.hpp"
 #include "transport/emit.hpp"
 #include "transport/flight.hpp"
-#include "transport/forced.hpp"
 #include "unit/transport/packs.hpp"
 #include "unit/transport/sea.hpp"
 
@@ -166,8 +166,8 @@ TEST(LanesOf, ForceCollision) {
   const auto sea = make_sea(40);
   int reached = 0, left = 0;
   for (int g = 0; g < groups; ++g) {
-    std::vector<ViewCone<double>> views;
-    std::vector<ViewCone<Lanes4>> views4;
+    std::vector<estimator::ViewCone<double>> views;
+    std::vector<estimator::ViewCone<Lanes4>> views4;
     for (int k = random.below(3); k > 0; --k) {
       const Vec3<double> entry{random.between(-20, 20), random.between(-20, 20),
                                -random.between(0, 10)};
@@ -182,9 +182,11 @@ TEST(LanesOf, ForceCollision) {
     auto scalar = random_photons(sea, random);
     auto packed = pack(scalar);
     const auto a = uniforms4(random), b = uniforms4(random), c = uniforms4(random);
-    const auto in_water = force_collision(sea.view(), packed, views4, {pack(a), pack(b), pack(c)});
+    const auto in_water =
+        estimator::force_collision(sea.view(), packed, views4, {pack(a), pack(b), pack(c)});
     for (std::size_t i = 0; i < lanes; ++i) {
-      expect_same(in_water[i], force_collision(sea.view(), scalar[i], views, {a[i], b[i], c[i]}),
+      expect_same(in_water[i],
+                  estimator::force_collision(sea.view(), scalar[i], views, {a[i], b[i], c[i]}),
                   "reached");
       expect_same(packed, i, scalar[i]);
       (in_water[i] ? reached : left) += 1;

@@ -1,5 +1,5 @@
 // Where rays of both walks meet.
-#include "transport/meet.hpp"
+#include "estimator/bidirectional/meet.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using V = Vec3<double>;
 
 // Seen red: with another share for paths of one vertex, of two, of more; with steps twice as long.
 TEST(MeetingGrid, IsDenserForPathsOfMoreVertices) {
-  const MeetingGrid<double> grid{8};
+  const estimator::MeetingGrid<double> grid{8};
   const std::array<double, 6> density{1, 1, 2, 8, 8, 8};
   for (std::int32_t order = 1; order < 6; ++order) {
     const double expected = density[static_cast<std::size_t>(order)];
@@ -29,7 +29,7 @@ TEST(MeetingGrid, IsDenserForPathsOfMoreVertices) {
 }
 
 struct Pair {
-  Ray<double> laser, back;
+  estimator::Ray<double> laser, back;
 };
 /// Two rays that have come close to each other at some depth, mostly both up or both down.
 Pair random_pair(const instrument::Telescope<double>& telescope, Random& random) {
@@ -55,10 +55,14 @@ Pair random_pair(const instrument::Telescope<double>& telescope, Random& random)
 const medium::Medium sea = make_sea(40);
 constexpr double deepest = 40;
 
-DepthLine<double> line_of(const Ray<double>& ray) { return depth_line(sea.view(), ray, deepest); }
+estimator::DepthLine<double> line_of(const estimator::Ray<double>& ray) {
+  return estimator::depth_line(sea.view(), ray, deepest);
+}
 
 /// How far a ray goes to a depth.
-double reach(const Ray<double>& r, double depth) { return (-depth - r.position.z) / r.direction.z; }
+double reach(const estimator::Ray<double>& r, double depth) {
+  return (-depth - r.position.z) / r.direction.z;
+}
 
 /// The walks' paths, if they meet at a depth.
 double path_to(const Pair& pair, double depth) {
@@ -73,13 +77,13 @@ TEST(DepthLines, AreTheRays) {
   const auto telescope = instrument::make_telescope<double>(instrument::random_telescope(random));
   int images = 0;
   for (int n = 0; n < 1000; ++n) {
-    const Ray<double> ray = random_pair(telescope, random).laser;
+    const estimator::Ray<double> ray = random_pair(telescope, random).laser;
     const bool rises = ray.direction.z > 0;
     images += rises;
     for (const bool mirrored : {false, true}) {
       if (mirrored && !rises) continue;
-      const Ray<double> of = mirrored ? reflected(sea.view(), ray) : ray;
-      const auto line = mirrored ? reflected(line_of(ray), deepest) : line_of(ray);
+      const estimator::Ray<double> of = mirrored ? estimator::reflected(sea.view(), ray) : ray;
+      const auto line = mirrored ? estimator::reflected(line_of(ray), deepest) : line_of(ray);
       const double depth = random.between(0, deepest);
       const V place = of.position + reach(of, depth) * of.direction;
       const double scale = 1 + std::abs(reach(of, depth));
@@ -99,7 +103,7 @@ TEST(DepthLines, AreTheRays) {
 /// depth, and how much longer its way from there is.
 instrument::LensShift<double> shifted_to(const Pair& pair,
                                          const instrument::Telescope<double>& telescope,
-                                         const AtLens<double>& start, double depth) {
+                                         const estimator::AtLens<double>& start, double depth) {
   V shift = pair.laser.position + reach(pair.laser, depth) * pair.laser.direction -
             pair.back.position - reach(pair.back, depth) * pair.back.direction;
   shift.z = 0;  // but for rounding
@@ -132,19 +136,20 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
     if (random.chance(0.5)) scene.direction = {0, 0, random.chance(0.5) ? 1.0 : -1.0};
     const auto telescope = instrument::make_telescope<double>(scene);
     const auto slope = instrument::ring_point(0.0, 0.5, random.uniform(), random.uniform());
-    const AtLens<double> start{lens_point(telescope, random.uniform(), random.uniform()),
-                               outward(telescope, slope), random.between(1, 1.4)};
+    const estimator::AtLens<double> start{lens_point(telescope, random.uniform(), random.uniform()),
+                                          outward(telescope, slope), random.between(1, 1.4)};
     const Pair pair = random_pair(telescope, random);
     const double last_path = random.between(20, 160);
-    const auto c = chord(line_of(pair.laser), line_of(pair.back), telescope, start, last_path);
+    const auto c =
+        estimator::chord(line_of(pair.laser), line_of(pair.back), telescope, start, last_path);
     if (telescope.upright) {
-      const auto of_upright =
-          chord(line_of(pair.laser), line_of(pair.back), telescope, start.lens, last_path);
+      const auto of_upright = estimator::chord(line_of(pair.laser), line_of(pair.back), telescope,
+                                               start.lens, last_path);
       ASSERT_EQ(of_upright.exists, c.exists) << n;
       ASSERT_EQ(of_upright.from, c.from) << n;
       ASSERT_EQ(of_upright.to, c.to) << n;
     }
-    const bool may = turns_back(pair.laser, pair.back);
+    const bool may = estimator::turns_back(pair.laser, pair.back);
     exists += may && c.exists;
     if (c.exists) {
       ASSERT_GE(c.from, 0) << n;
@@ -184,7 +189,8 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
 }
 
 /// How far a ray's place at a depth is from a vertical, squared.
-double off_axis(const Ray<double>& ray, const Vertical<double>& axis, double depth) {
+double off_axis(const estimator::Ray<double>& ray, const estimator::Vertical<double>& axis,
+                double depth) {
   const V place = ray.position + (-depth - ray.position.z) / ray.direction.z * ray.direction;
   const double x = place.x - axis.x, y = place.y - axis.y;
   return x * x + y * y;
@@ -200,9 +206,9 @@ TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
   const auto telescope = instrument::make_telescope<double>(scene);
   for (int n = 0; n < 2000; ++n) {
     const Pair pair = random_pair(telescope, random);
-    const Vertical<double> axis{true, random.between(-5, 5), random.between(-5, 5)};
+    const estimator::Vertical<double> axis{true, random.between(-5, 5), random.between(-5, 5)};
     const double last_path = random.between(20, 160);
-    const auto c = crossings(line_of(pair.laser), line_of(pair.back), axis, last_path);
+    const auto c = estimator::crossings(line_of(pair.laser), line_of(pair.back), axis, last_path);
     int found = 0, unsure = 0;
     const bool laser_down = pair.laser.direction.z < 0, back_down = pair.back.direction.z < 0;
     const double a = -pair.laser.position.z, b = -pair.back.position.z;
@@ -233,11 +239,11 @@ TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!c.exists[i]) continue;
       EXPECT_LT(path_to(pair, c.depth[i]), last_path) << n;
-      const auto turn = turn_to_meet(pair.laser, pair.back, axis, c.depth[i]);
-      const auto at = [&](const Ray<double>& r) {
+      const auto turn = estimator::turn_to_meet(pair.laser, pair.back, axis, c.depth[i]);
+      const auto at = [&](const estimator::Ray<double>& r) {
         return r.position + (-c.depth[i] - r.position.z) / r.direction.z * r.direction;
       };
-      Ray<double> back = pair.back;
+      estimator::Ray<double> back = pair.back;
       back.position = turn.of_place(back.position);
       back.direction = turn.of_direction(back.direction);
       EXPECT_LT(length(at(back) - at(pair.laser)), 1e-5) << n;
@@ -255,11 +261,12 @@ TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
 // both distances' squares.
 TEST(TurnToMeet, IsATurnHoweverNearTheVertical) {
   for (const float off : {1.0F, 1e-6F, 1e-12F, 1e-16F, 0.0F}) {
-    Ray<float> laser, back;
+    estimator::Ray<float> laser, back;
     laser.position = {off, 0, -1};
     back.position = {0, off, -1};
     laser.direction = back.direction = {0, 0, -1};
-    const auto turn = turn_to_meet(laser, back, Vertical<float>{true, 0, 0}, 2.0F);
+    const auto turn =
+        estimator::turn_to_meet(laser, back, estimator::Vertical<float>{true, 0, 0}, 2.0F);
     EXPECT_NEAR(turn.cosine * turn.cosine + turn.sine * turn.sine, 1, 1e-6) << off;
   }
 }
@@ -272,7 +279,7 @@ TEST(Sweep, IsVolumePerSolidAngleAndTurn) {
     const V laser{random.between(-1, 1), random.between(-1, 1), -1};
     const V back{random.between(-1, 1), random.between(-1, 1), -2};
     const V met{random.between(-8, 8), random.between(-8, 8), -random.between(10, 30)};
-    const Vertical<double> axis{true, random.between(-1, 1), random.between(-1, 1)};
+    const estimator::Vertical<double> axis{true, random.between(-1, 1), random.between(-1, 1)};
     // Columns: how both directions change with the place in x, y, z, and with the turn of `back`.
     const auto directions = [&](const V& place, double angle) {
       const V foot{axis.x, axis.y, 0};
@@ -306,7 +313,7 @@ TEST(Sweep, IsVolumePerSolidAngleAndTurn) {
         for (std::size_t j = 4; j-- > k;) m[i][j] -= m[i][k] / m[k][k] * m[k][j];
     }
     const double t = length(met - laser), s = length(met - back);
-    const double expected = sweep(met, w, v).about(axis);
+    const double expected = estimator::sweep(met, w, v).about(axis);
     ASSERT_NEAR(std::abs(determinant) * t * t * s * s, expected, 1e-6 * (1 + expected)) << n;
   }
 }

@@ -9,24 +9,13 @@
 #include <vector>
 
 #include "core/elementary.hpp"
+#include "estimator/view_cone.hpp"
 #include "geometry/depths.hpp"
 #include "medium/medium.hpp"
 #include "transport/flight.hpp"
 #include "transport/photon.hpp"
 
-namespace photic::transport {
-
-/// A telescope's view in the water as sampling takes it: a cone about its (refracted) axis from
-/// where that enters the lens or the surface, whose light is attenuated with `rate` on its way to
-/// the entry.
-template <class T>
-struct ViewCone {
-  Vec3<T> entry;
-  Vec3<T> axis;  ///< unit vector into the water
-  T rate{};      ///< [1/m]
-  T radius{};    ///< at the entry [m]
-  T widening{};  ///< of the radius, per metre
-};
+namespace photic::estimator {
 
 /// The stretch of a ray in a view, and an exponential density on it that follows the view's
 /// attenuation: distances from its bright end.
@@ -51,7 +40,7 @@ struct Stretch {
 };
 
 template <class T>
-Stretch<T> stretch_in(const ViewCone<T>& view, const Photon<T>& photon) {
+Stretch<T> stretch_in(const estimator::ViewCone<T>& view, const transport::Photon<T>& photon) {
   using std::abs;
   using std::sqrt;
   const T longest(1e6);
@@ -112,9 +101,10 @@ inline constexpr std::size_t most_forced_views = 16;
 /// photon's next collision gives. Points come from the free flight, or from the stretches of the
 /// ray in the telescopes' views. False: no point, the ray has left the water.
 template <class T>
-Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
-                        const std::vector<ViewCone<T>>& views, const ForcedUniforms<T>& u) {
-  const Photon<T> before = photon;
+Mask<T> force_collision(const medium::MediumView& sea, transport::Photon<T>& photon,
+                        const std::vector<estimator::ViewCone<T>>& views,
+                        const ForcedUniforms<T>& u) {
+  const transport::Photon<T> before = photon;
   const std::size_t taking_part = std::min(most_forced_views, views.size());
   std::array<Stretch<T>, most_forced_views> stretch;
   T count(0);
@@ -133,10 +123,10 @@ Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
     distance = select(taken, stretch[k].sample(u.distance), distance);
     rest = rest - select(stretch[k].exists, T(1), T(0));
   }
-  Photon<T> flown = photon;
-  const FlightEnd<T> end = fly(sea, flown, minus_log(u.distance));
-  Photon<T> placed = photon;
-  const Mask<T> in_water = advance(sea, placed, distance);
+  transport::Photon<T> flown = photon;
+  const transport::FlightEnd<T> end = transport::fly(sea, flown, minus_log(u.distance));
+  transport::Photon<T> placed = photon;
+  const Mask<T> in_water = transport::advance(sea, placed, distance);
   const Mask<T> reached = select(forced, in_water, !(end.surface | end.sea_bed));
   const T moved = select(forced, distance,
                          (flown.path - photon.path) / gather<T>(sea.group_index, photon.line));
@@ -158,4 +148,4 @@ Mask<T> force_collision(const medium::MediumView& sea, Photon<T>& photon,
   return reached;
 }
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

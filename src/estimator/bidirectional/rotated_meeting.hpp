@@ -5,7 +5,7 @@
 #include "core/lanes.hpp"
 #include "core/vec3.hpp"
 
-namespace photic::transport {
+namespace photic::estimator {
 
 /// A vertical about which a walk may be turned: that through its pivot, where it converts, or of
 /// light of the laser's line the vertex next to the telescope.
@@ -62,4 +62,4 @@ struct Turn {
   }
 };
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

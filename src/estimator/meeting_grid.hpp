@@ -3,7 +3,7 @@
 
 #include "core/lanes.hpp"
 
-namespace photic::transport {
+namespace photic::estimator {
 
 /// The depths at which rays are made to meet: a grid of equal steps.
 template <class T>
@@ -34,4 +34,4 @@ struct Samples {
   T meetings(const Index<T>& order) const { return pairs * grid.density(order); }
 };
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

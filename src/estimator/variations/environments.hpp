@@ -21,10 +21,9 @@
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
 #include "optics/phase_table.hpp"
-#include "transport/connect.hpp"
-#include "transport/path_point.hpp"
+#include "transport/photon.hpp"
 
-namespace photic::transport {
+namespace photic::estimator {
 
 /// Rows of the environments' numbers, each with a factor, lane by lane.
 template <class T>
@@ -202,29 +201,6 @@ void add_way(const medium::MediumView& sea, const Index<T>& line, const Index<T>
   add_passage(sea, {line, instrument_layer, end_depth, top, T(0), end_depth / steep}, ways);
 }
 
-/// A walk's way from where it left its last vertex, or entered the water, to the next one:
-/// straight, or reflected by the surface.
-template <class T>
-void add_leg(const medium::MediumView& sea, const WalkPoint<T>& left, const WalkPoint<T>& arrived,
-             Terms<T>& ways) {
-  using std::abs;
-  const T from = -left.position.z;
-  const T to = -arrived.position.z;
-  const Mask<T> reflected = left.direction.z * arrived.direction.z < T(0);
-  const T steep = select(reflected, T(abs(left.direction.z)), T(1));
-  const Index<T> top(0);
-  add_passage(sea,
-              {left.line, left.layer, from, select(reflected, top, arrived.layer),
-               select(reflected, T(0), to),
-               select(reflected, from / steep, T(length(arrived.position - left.position)))},
-              ways);
-  if (!any(reflected)) return;
-  add_passage(sea,
-              {left.line, select(reflected, top, arrived.layer), select(reflected, T(0), to),
-               arrived.layer, to, select(reflected, to / steep, T(0))},
-              ways);
-}
-
 /// A collision of light of a line: it is converted into another line, or from it on the way back
 /// (`converted`), or scattered at an angle.
 template <class T>
@@ -307,13 +283,13 @@ std::uint64_t complete(const medium::EnvironmentsView& environments,
 template <class T>
 struct Ratios {
   PathRatios<T>* kept = nullptr;
-  std::size_t first = 0;  ///< path of the first lane
-  Photon<T> before;       ///< what happens to them
+  std::size_t first = 0;        ///< path of the first lane
+  transport::Photon<T> before;  ///< what happens to them
   Terms<T> terms;
 
   /// The photons of a mask have flown so far.
-  PHOTIC_APART PHOTIC_FLATTEN void flown(const medium::MediumView& sea, Photon<T> after, T length,
-                                         Mask<T> mask) {
+  PHOTIC_APART PHOTIC_FLATTEN void flown(const medium::MediumView& sea, transport::Photon<T> after,
+                                         T length, Mask<T> mask) {
     terms.clear();
     add_passage(
         sea,
@@ -325,8 +301,8 @@ struct Ratios {
     });
   }
   /// Those of a mask were scattered or converted where they stand.
-  PHOTIC_APART PHOTIC_FLATTEN void collided(const medium::MediumView& sea, Photon<T> after,
-                                            Mask<T> mask) {
+  PHOTIC_APART PHOTIC_FLATTEN void collided(const medium::MediumView& sea,
+                                            transport::Photon<T> after, Mask<T> mask) {
     terms.clear();
     add_encounter(sea,
                   {before.line, before.layer, Mask<T>(!(before.line == after.line)), after.line,
@@ -339,4 +315,4 @@ struct Ratios {
   }
 };
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

@@ -5,7 +5,7 @@
 #include "medium/medium.hpp"
 #include "transport/photon.hpp"
 
-namespace photic::transport {
+namespace photic::estimator {
 
 /// The photons of a mask are scattered where they stand, or converted, or absorbed. Tells who goes
 /// on.
@@ -37,4 +37,4 @@ Mask<T> collide_by_chance(const medium::MediumView& sea, transport::Photon<T>& p
   return colliding & goes_on;
 }
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

@@ -5,10 +5,10 @@
 // converts it; an edge of converted light begins at a vertex of the laser's walk.
 #pragma once
 
-#include "transport/depart.hpp"
-#include "transport/vertex.hpp"
+#include "estimator/bidirectional/depart.hpp"
+#include "estimator/bidirectional/vertex.hpp"
 
-namespace photic::transport {
+namespace photic::estimator {
 
 template <class T>
 struct ConnectionEnd {
@@ -42,7 +42,7 @@ T phase_value(const medium::MediumView& sea, const Vertex<T>& v, const Vec3<T>& 
 template <class T>
 ConnectionEnd<T> scattering_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
                                        const T& behind, const Vec3<T>& direction,
-                                       const InverseConversion<T>& inverse_conversion,
+                                       const estimator::InverseConversion<T>& inverse_conversion,
                                        const T& goes_on, const Freedom<T>& freedom) {
   const Index<T> here = sea.at(v.line, v.layer);
   ConnectionEnd<T> joint;
@@ -62,7 +62,7 @@ template <class T>
 ConnectionEnd<T> conversion_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
                                        const T& behind, const Vec3<T>& direction,
                                        const Index<T>& line,
-                                       const InverseConversion<T>& inverse_conversion,
+                                       const estimator::InverseConversion<T>& inverse_conversion,
                                        const T& chance, const T& goes_on,
                                        const Freedom<T>& freedom) {
   const T ratio = walk_c_ratio<T>(sea, line, v.layer);
@@ -82,7 +82,7 @@ ConnectionEnd<T> conversion_from_laser(const medium::MediumView& sea, const Vert
 template <class T>
 ConnectionEnd<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
                                     const Vec3<T>& direction,
-                                    const InverseConversion<T>& inverse_conversion,
+                                    const estimator::InverseConversion<T>& inverse_conversion,
                                     const Freedom<T>& freedom) {
   const Index<T> here = sea.at(v.line, v.layer);
   const Mask<T> converts = v.line > Index<T>(0);
@@ -114,4 +114,4 @@ ConnectionEnd<T> scattering_of_converted(const medium::MediumView& sea, const Ve
   return joint;
 }
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

@@ -4,7 +4,7 @@
 #include "geometry/crossing.hpp"
 #include "medium/medium.hpp"
 
-namespace photic::transport {
+namespace photic::estimator {
 
 /// How a walk's light spreads from its instrument: from a point, in directions that are dense as
 /// 1 / solid_angle.
@@ -34,4 +34,4 @@ T area_per_solid_angle(const medium::MediumView& sea, const Spread<T>& spread, c
   return geometry::refracted_area_per_solid_angle(inverse_n, length, spread.before, widening);
 }
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

@@ -3,12 +3,12 @@
 
 #include "core/constants.hpp"
 #include "core/elementary.hpp"
+#include "estimator/bidirectional/beam_spread.hpp"
+#include "estimator/bidirectional/path_point.hpp"
+#include "estimator/meeting_grid.hpp"
 #include "medium/medium.hpp"
-#include "transport/beam_spread.hpp"
-#include "transport/meeting_grid.hpp"
-#include "transport/path_point.hpp"
 
-namespace photic::transport {
+namespace photic::estimator {
 
 /// The part of n h / g of a meeting that follows from both directions' z: only where light turns
 /// back up or down do rays meet.
@@ -37,7 +37,8 @@ struct Departure {
 
 /// The ray in which the photon has departed from a vertex.
 template <class T>
-Ray<T> next_ray(const Photon<T>& photon, const Vertex<T>& from, const Departure<T>& departure) {
+Ray<T> next_ray(const transport::Photon<T>& photon, const Vertex<T>& from,
+                const Departure<T>& departure) {
   Ray<T> ray{walk_point(photon)};
   ray.left_chance = from.chance;
   ray.chance = from.chance * departure.chance;
@@ -57,7 +58,7 @@ Ray<T> next_ray(const Photon<T>& photon, const Vertex<T>& from, const Departure<
 /// walked exp(-tau). `first`: the ray leaves the instrument, as light that spreads so.
 template <class T>
 T connecting_area(const medium::MediumView& sea, const Ray<T>& ray, const Mask<T>& first,
-                  const Spread<T>& spread, const T& length, const Samples<T>& samples) {
+                  const Spread<T>& spread, const T& length, const estimator::Samples<T>& samples) {
   using std::abs;
   const T area = samples.between * ray.left_chance * ray.per_p * (length * length);
   if (!any(first)) return area;
@@ -71,8 +72,8 @@ T connecting_area(const medium::MediumView& sea, const Ray<T>& ray, const Mask<T
 /// `axis`: that of the walk.
 template <class T>
 Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Mask<T>& first,
-                    const Spread<T>& spread, const Photon<T>& photon, const Leg<T>& leg,
-                    const Vertical<T>& axis, const Samples<T>& samples) {
+                    const Spread<T>& spread, const transport::Photon<T>& photon, const Leg<T>& leg,
+                    const Vertical<T>& axis, const estimator::Samples<T>& samples) {
   Vertex<T> v{walk_point(photon)};
   v.chance = ray.chance;
   v.passed = ray.passed;
@@ -97,4 +98,4 @@ Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Mask
   return v;
 }
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

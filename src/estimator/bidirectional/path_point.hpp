@@ -1,12 +1,12 @@
 // The points of walks that are to be connected: the rays that leave vertices, and the vertices.
 #pragma once
 
+#include "estimator/bidirectional/rotated_meeting.hpp"
+#include "estimator/bidirectional/strategy_sums.hpp"
 #include "geometry/depths.hpp"
 #include "transport/photon.hpp"
-#include "transport/rotated_meeting.hpp"
-#include "transport/strategy_sums.hpp"
 
-namespace photic::transport {
+namespace photic::estimator {
 
 /// Where a walk stands.
 template <class T>
@@ -27,7 +27,7 @@ struct WalkPoint {
 };
 
 template <class T>
-WalkPoint<T> walk_point(const Photon<T>& photon) {
+WalkPoint<T> walk_point(const transport::Photon<T>& photon) {
   return {photon.position, photon.direction, photon.weight, photon.path, photon.line, photon.layer};
 }
 
@@ -98,8 +98,8 @@ struct Leg {
 
 /// Adds a flight of a photon that stood at `before` to its leg.
 template <class T>
-void add_flight(const medium::MediumView& sea, const Photon<T>& before, const Photon<T>& photon,
-                Leg<T>& leg) {
+void add_flight(const medium::MediumView& sea, const transport::Photon<T>& before,
+                const transport::Photon<T>& photon, Leg<T>& leg) {
   const T moved = (photon.path - before.path) / gather<T>(sea.group_index, photon.line);
   leg.length = leg.length + moved;
   leg.walk_tau =
@@ -107,4 +107,4 @@ void add_flight(const medium::MediumView& sea, const Photon<T>& before, const Ph
                                                   geometry::level_of(sea, photon), moved);
 }
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

@@ -2,22 +2,22 @@
 // light that falls on a telescope's detector.
 #pragma once
 
+#include "estimator/bidirectional/vertex.hpp"
 #include "instrument/lens.hpp"
 #include "transport/emit.hpp"
-#include "transport/vertex.hpp"
 
-namespace photic::transport {
+namespace photic::estimator {
 
 /// A walk that stands in the water, and how its light has spread on the way there.
 template <class T>
 struct Birth {
   Mask<T> exists{};
-  Photon<T> photon;
+  transport::Photon<T> photon;
   Spread<T> spread;
 };
 
 template <class T>
-Birth<T> enter_if_above(const medium::MediumView& sea, const Photon<T>& photon,
+Birth<T> enter_if_above(const medium::MediumView& sea, const transport::Photon<T>& photon,
                         const T& solid_angle, const T& before, bool submerged) {
   Birth<T> birth;
   birth.photon = photon;
@@ -25,7 +25,7 @@ Birth<T> enter_if_above(const medium::MediumView& sea, const Photon<T>& photon,
   birth.spread.before = before;
   birth.exists = Mask<T>(true);
   if (submerged) return birth;
-  birth.exists = enter_water(sea, birth.photon);
+  birth.exists = transport::enter_water(sea, birth.photon);
   birth.spread.through_surface = true;
   birth.spread.before = before + (birth.photon.path - photon.path);
   birth.spread.cos_air = select(birth.exists, -photon.direction.z, T(1));
@@ -42,7 +42,7 @@ T connectable_solid_angle(const instrument::Laser<T>& laser) {
 template <class T>
 Birth<T> birth_at_laser(const medium::MediumView& sea, const instrument::Laser<T>& laser,
                         const Index<T>& layer, const T& u_polar, const T& u_azimuth) {
-  const Photon<T> photon = emit(laser, layer, u_polar, u_azimuth);
+  const transport::Photon<T> photon = transport::emit(laser, layer, u_polar, u_azimuth);
   return enter_if_above(sea, photon, connectable_solid_angle(laser),
                         (laser.vertex_distance + laser.ahead) / dot(photon.direction, laser.axis),
                         laser.submerged);
@@ -56,7 +56,7 @@ Birth<T> birth_at_telescope(const medium::MediumView& sea,
                             const instrument::Telescope<T>& telescope, const Index<T>& layer,
                             const Index<T>& line, const instrument::PlanePoint<T>& lens,
                             const instrument::PlanePoint<T>& slope) {
-  Photon<T> photon;
+  transport::Photon<T> photon;
   photon.position = telescope.start + in_plane(telescope, lens + telescope.ahead * slope);
   photon.direction = outward(telescope, slope);
   photon.line = line;
@@ -73,4 +73,4 @@ Birth<T> birth_at_telescope(const medium::MediumView& sea,
   return birth;
 }
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

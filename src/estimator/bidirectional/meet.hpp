@@ -5,14 +5,14 @@
 #include <array>
 #include <cmath>
 
+#include "estimator/bidirectional/connection_end.hpp"
+#include "estimator/bidirectional/depart.hpp"
+#include "estimator/bidirectional/vertex.hpp"
 #include "geometry/sightline.hpp"
 #include "instrument/lens.hpp"
 #include "optics/fresnel.hpp"
-#include "transport/connection_end.hpp"
-#include "transport/depart.hpp"
-#include "transport/vertex.hpp"
 
-namespace photic::transport {
+namespace photic::estimator {
 
 /// Rays as the surface has reflected them: those that go up come from their mirror images above it.
 template <class T>
@@ -286,7 +286,8 @@ struct Side {
 
   /// n h / g of connecting the edge along the ray, times P and the walked exp(-tau): what the
   /// surface reflects can only be connected to an instrument, by its mirror image.
-  T connecting(const medium::MediumView& sea, const T& length, const Samples<T>& samples) const {
+  T connecting(const medium::MediumView& sea, const T& length,
+               const estimator::Samples<T>& samples) const {
     const T area = connecting_area(sea, ray, first, spread, length, samples);
     return select(ray.is_reflected() & !first, T(0), area);
   }
@@ -296,7 +297,8 @@ struct Side {
 template <class T>
 Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const Side<T>& side,
                 const T& depth, const Index<T>& layer, const Freedom<T>& freedom,
-                const InverseConversion<T>& inverse_conversion, const Samples<T>& samples) {
+                const estimator::InverseConversion<T>& inverse_conversion,
+                const estimator::Samples<T>& samples) {
   const Ray<T>& laser = laser_side.ray;
   const Ray<T>& back = side.ray;
   const Index<T> line = back.line;
@@ -339,4 +341,4 @@ Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const 
   return meeting;
 }
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

@@ -5,52 +5,11 @@
 #include "core/constants.hpp"
 #include "core/random.hpp"
 #include "core/turn.hpp"
+#include "estimator/bidirectional/vertex.hpp"
+#include "estimator/inverse_conversion.hpp"
 #include "medium/medium.hpp"
-#include "transport/vertex.hpp"
 
-namespace photic::transport {
-
-/// How a walk from a telescope turns conversions back: how often, and where to. Converted light
-/// leaves in all directions, but the light it was made of comes along the laser's beam, which some
-/// scatterings of the laser's light look for, too. Where that is vertical, the densities depend on
-/// the angle to the vertical alone.
-template <class T>
-struct InverseConversion {
-  T probability{};  ///< at a vertex
-  T directed{};     ///< share of directions drawn about the beam, with the shape `lobe`; the rest
-                    ///< is drawn from all alike
-  Vec3<T> beam;     ///< of the laser in the water, a unit vector
-  Index<T> lobe{};  ///< a table of the medium
-  T scattered{};    ///< share of directions drawn so where the laser's light is scattered
-
-  /// Where a telescope detects `line`: 0 for the laser's own and where that line is not emitted.
-  T chance(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer) const {
-    const T emitted = gather<T>(sea.conversion, sea.at(line, layer));
-    return select((line > Index<T>(0)) & (emitted > T(0)), probability, T(0));
-  }
-
-  /// The density of directions drawn over the phase function's value `p`.
-  T over_phase(const medium::MediumView& sea, const Vec3<T>& direction, const T& p) const {
-    const T x = one_minus_cos(beam, direction);
-    return ((T(1) - directed) * T(0.25 / pi) + directed * sea.phases.template value<T>(x, lobe)) /
-           p;
-  }
-  /// The same where a walk from a telescope scatters the laser's light.
-  T scattered_over_phase(const medium::MediumView& sea, const Vec3<T>& direction,
-                         const T& p) const {
-    if (!any(scattered > T(0))) return T(1);
-    const T x = one_minus_cos(beam, direction);
-    return T(1) + scattered * (sea.phases.template value<T>(x, lobe) / p - T(1));
-  }
-  /// The chance over the phase function's value that a walk from a telescope which detects `line`
-  /// turns back a vertex where the path `converts`, or scatters the laser's light elsewhere.
-  T goes_on(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
-            const Mask<T>& converts, const Vec3<T>& direction, const T& p) const {
-    const T scatters = scattered_over_phase(sea, direction, p);
-    if (!any(converts)) return scatters;
-    return select(converts, chance(sea, line, layer) * over_phase(sea, direction, p), scatters);
-  }
-};
+namespace photic::estimator {
 
 /// c' of the laser's line over that of a line.
 template <class T>
@@ -76,9 +35,9 @@ struct DepartUniforms {
 /// coefficient over c; that it was drawn with a chance is left to the connections, which know the
 /// chances of all strategies. `from_telescope`: the walk, which else comes from the laser.
 template <class T>
-Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon,
-                    const InverseConversion<T>& inverse_conversion, const DepartUniforms<T>& u,
-                    bool from_telescope) {
+Departure<T> depart(const medium::MediumView& sea, transport::Photon<T>& photon,
+                    const estimator::InverseConversion<T>& inverse_conversion,
+                    const DepartUniforms<T>& u, bool from_telescope) {
   const Index<T> here = sea.at(photon.line, photon.layer);
   const T albedo = gather<T>(sea.albedo, here);
   const T chance = inverse_conversion.chance(sea, photon.line, photon.layer);
@@ -130,4 +89,4 @@ Departure<T> depart(const medium::MediumView& sea, Photon<T>& photon,
   return departure;
 }
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

@@ -27,7 +27,7 @@
 #include "core/elementary.hpp"
 #include "core/lanes.hpp"
 
-namespace photic::transport {
+namespace photic::estimator {
 
 /// Sums of n h / g.
 template <class T>
@@ -36,7 +36,7 @@ struct Densities {
   T meetings{};  ///< of meetings, over `shifts` [1/m]
   T turned{};    ///< of turning, about the walk's own vertical
 
-  /// `shifts`: of a path, as transport::Freedom has it [m].
+  /// `shifts`: of a path, as Freedom has it [m].
   T all(const T& shifts) const { return edges + shifts * meetings + turned; }
 
   template <class F>
@@ -69,4 +69,4 @@ T balance(const T& area, const T& tau, const T& walk_tau, const End<T>& a, const
           exp_minus(walk_tau) * (a.open * b.p + b.open * a.p + (a.behind + b.behind) * both));
 }
 
-}  // namespace photic::transport
+}  // namespace photic::estimator

@@ -1,0 +1,37 @@
+// What a walk's way from vertex to vertex does to its weight in environments.
+#pragma once
+
+#include <cmath>
+
+#include "estimator/bidirectional/path_point.hpp"
+#include "estimator/variations/environments.hpp"
+#include "medium/medium.hpp"
+
+namespace photic::estimator {
+
+/// A walk's way from where it left its last vertex, or entered the water, to the next one:
+/// straight, or reflected by the surface.
+template <class T>
+void add_leg(const medium::MediumView& sea, const WalkPoint<T>& left, const WalkPoint<T>& arrived,
+             estimator::Terms<T>& ways) {
+  using std::abs;
+  const T from = -left.position.z;
+  const T to = -arrived.position.z;
+  const Mask<T> reflected = left.direction.z * arrived.direction.z < T(0);
+  const T steep = select(reflected, T(abs(left.direction.z)), T(1));
+  const Index<T> top(0);
+  estimator::add_passage(
+      sea,
+      {left.line, left.layer, from, select(reflected, top, arrived.layer),
+       select(reflected, T(0), to),
+       select(reflected, from / steep, T(length(arrived.position - left.position)))},
+      ways);
+  if (!any(reflected)) return;
+  estimator::add_passage(
+      sea,
+      {left.line, select(reflected, top, arrived.layer), select(reflected, T(0), to), arrived.layer,
+       to, select(reflected, to / steep, T(0))},
+      ways);
+}
+
+}  // namespace photic::estimator

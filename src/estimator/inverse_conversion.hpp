@@ -1,0 +1,52 @@
+// How walks from telescopes turn conversions back.
+#pragma once
+
+#include "core/constants.hpp"
+#include "core/vec3.hpp"
+#include "medium/medium.hpp"
+
+namespace photic::estimator {
+
+/// How a walk from a telescope turns conversions back: how often, and where to. Converted light
+/// leaves in all directions, but the light it was made of comes along the laser's beam, which some
+/// scatterings of the laser's light look for, too. Where that is vertical, the densities depend on
+/// the angle to the vertical alone.
+template <class T>
+struct InverseConversion {
+  T probability{};  ///< at a vertex
+  T directed{};     ///< share of directions drawn about the beam, with the shape `lobe`; the rest
+                    ///< is drawn from all alike
+  Vec3<T> beam;     ///< of the laser in the water, a unit vector
+  Index<T> lobe{};  ///< a table of the medium
+  T scattered{};    ///< share of directions drawn so where the laser's light is scattered
+
+  /// Where a telescope detects `line`: 0 for the laser's own and where that line is not emitted.
+  T chance(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer) const {
+    const T emitted = gather<T>(sea.conversion, sea.at(line, layer));
+    return select((line > Index<T>(0)) & (emitted > T(0)), probability, T(0));
+  }
+
+  /// The density of directions drawn over the phase function's value `p`.
+  T over_phase(const medium::MediumView& sea, const Vec3<T>& direction, const T& p) const {
+    const T x = one_minus_cos(beam, direction);
+    return ((T(1) - directed) * T(0.25 / pi) + directed * sea.phases.template value<T>(x, lobe)) /
+           p;
+  }
+  /// The same where a walk from a telescope scatters the laser's light.
+  T scattered_over_phase(const medium::MediumView& sea, const Vec3<T>& direction,
+                         const T& p) const {
+    if (!any(scattered > T(0))) return T(1);
+    const T x = one_minus_cos(beam, direction);
+    return T(1) + scattered * (sea.phases.template value<T>(x, lobe) / p - T(1));
+  }
+  /// The chance over the phase function's value that a walk from a telescope which detects `line`
+  /// turns back a vertex where the path `converts`, or scatters the laser's light elsewhere.
+  T goes_on(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
+            const Mask<T>& converts, const Vec3<T>& direction, const T& p) const {
+    const T scatters = scattered_over_phase(sea, direction, p);
+    if (!any(converts)) return scatters;
+    return select(converts, chance(sea, line, layer) * over_phase(sea, direction, p), scatters);
+  }
+};
+
+}  // namespace photic::estimator
