@@ -21,11 +21,11 @@ Strategy to_laser(const scene::Scene& scene) {
   if (laser.collimated) return off(name, "its rays are parallel, and no other ray meets them");
   if (!instrument::can_be_met(laser))
     return off(name, "its rays seem to come from below the surface");
-  return {name};
+  return {name, true, {}};
 }
 
 Strategy translated(const scene::Scene& scene) {
-  Strategy out{"walks from telescopes translated so that rays meet"};
+  Strategy out{"walks from telescopes translated so that rays meet", true, {}};
   std::string flat;
   std::size_t count = 0;
   for (const auto& t : scene.telescope) {
@@ -46,7 +46,7 @@ Strategy rotated(bool converts, const Vec3<double>& beam) {
   const std::string name = "walks from telescopes rotated about a vertical so that rays meet";
   if (converts && (beam.x != 0 || beam.y != 0))
     return off(name, "light is converted, and looked for about a beam that is not vertical");
-  return {name};
+  return {name, true, {}};
 }
 
 }  // namespace
