@@ -53,7 +53,7 @@ TEST(Strategies, RotateAboutNoSlantedBeamThatConversionsLookFor) {
 TEST(Strategies, DoNotRotateScatteredLightInOtherWaters) {
   const Strategies s =
       strategies_of(ship(down) + elastic + water +
-                    "[[environment]]\nname = \"more\"\nsea.layer.0.chlorophyll_mg_m3 = 0.6\n");
+                    "[[environment]]\nset = { \"sea.layer.0.chlorophyll_mg_m3\" = 0.6 }\n");
   EXPECT_TRUE(s.rotated.used);
   EXPECT_FALSE(s.rotated_scattered.used);
   EXPECT_TRUE(has(s.rotated_scattered.reason, "environments"));
@@ -61,7 +61,9 @@ TEST(Strategies, DoNotRotateScatteredLightInOtherWaters) {
 
 // Seen red: with parallel rays taken for others.
 TEST(Strategies, LeadNothingIntoParallelRays) {
-  EXPECT_FALSE(strategies_of(ship(down, "0.0") + elastic + water).to_laser.used);
+  const Strategy parallel = strategies_of(ship(down, "0.0") + elastic + water).to_laser;
+  EXPECT_FALSE(parallel.used);
+  EXPECT_TRUE(has(parallel.reason, "parallel"));
 }
 
 // Seen red: with the cosine of another angle; with the names of all telescopes.
