@@ -103,9 +103,9 @@ TEST(LanesOf, VertexOn) {
     const auto first = four([&] { return random.chance(0.5); });
     auto leg4 = pack_fields<estimator::Leg>(leg);
     estimator::add_flight(sea.view(), pack(before), pack(photon), leg4);
-    const auto vertex4 = estimator::vertex_on(sea.view(), pack_fields<estimator::Ray>(ray), pack_mask(first),
-                                              spread4, pack(photon), leg4,
-                                              pack_fields<estimator::Vertical>(axis), in_all_lanes(samples));
+    const auto vertex4 = estimator::vertex_on(
+        sea.view(), pack_fields<estimator::Ray>(ray), pack_mask(first), spread4, pack(photon), leg4,
+        pack_fields<estimator::Vertical>(axis), in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
       estimator::add_flight(sea.view(), before[i], photon[i], leg[i]);
       expect_same_fields(leg4, i, leg[i]);
@@ -130,7 +130,8 @@ TEST(LanesOf, DepartAndNextRay) {
     const bool from_telescope = random.chance(0.5);
     const auto departure4 = estimator::depart(sea.view(), photon4, in_all_lanes(inverse_conversion),
                                               {pack(a), pack(b), pack(c), pack(d)}, from_telescope);
-    const auto ray4 = estimator::next_ray(photon4, pack_fields<estimator::Vertex>(vertex), departure4);
+    const auto ray4 =
+        estimator::next_ray(photon4, pack_fields<estimator::Vertex>(vertex), departure4);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto line = photon[i].line;
       const auto departure = estimator::depart(sea.view(), photon[i], inverse_conversion,
@@ -237,7 +238,8 @@ TEST(LanesOf, ChordAndMeet) {
     const auto meeting4 = estimator::meet<Lanes4>(
         sea.view(), {laser4, pack_mask(first), spread4, pack(a), pack(a_last)},
         {back4, pack_mask(last), spread4, pack(b), pack(b_last)}, pack(depth), pack(layer),
-        pack_fields<estimator::Freedom>(freedom), in_all_lanes(inverse_conversion), in_all_lanes(samples));
+        pack_fields<estimator::Freedom>(freedom), in_all_lanes(inverse_conversion),
+        in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto c = estimator::chord(estimator::depth_line(sea.view(), laser[i], 40.0),
                                       estimator::depth_line(sea.view(), back[i], 40.0), telescope,
@@ -272,7 +274,8 @@ TEST(LanesOf, CrossingsAndTurns) {
       if (random.chance(0.8)) back[i].direction.z = laser[i].direction.z;
     const auto axis = four([&] { return random_vertical(random); });
     const auto depth = four([&] { return random.between(0, 39); });
-    const auto laser4 = pack_fields<estimator::Ray>(laser), back4 = pack_fields<estimator::Ray>(back);
+    const auto laser4 = pack_fields<estimator::Ray>(laser),
+               back4 = pack_fields<estimator::Ray>(back);
     const auto axis4 = pack_fields<estimator::Vertical>(axis);
     const auto line4 = estimator::depth_line(sea.view(), laser4, Lanes4(40));
     const auto crossings4 = estimator::crossings(
