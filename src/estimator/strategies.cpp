@@ -27,18 +27,12 @@ Strategy to_laser(const scene::Scene& scene) {
 Strategy translated(const scene::Scene& scene) {
   Strategy out{"walks from telescopes translated so that rays meet", true, {}};
   std::string flat;
-  std::size_t count = 0;
-  for (const auto& t : scene.telescope) {
-    if (std::abs(normalised(t.direction).z) >= instrument::flattest_shifted) continue;
-    flat += (flat.empty() ? "" : ", ") + t.name;
-    ++count;
-  }
-  if (count == 0) return out;
-  const std::string reason =
-      fmt::format("rays closer to the horizontal than {:.0f} degrees stay",
-                  90 - std::acos(instrument::flattest_shifted) / radian_per_degree);
-  if (count == scene.telescope.size()) return off(out.name, reason);
-  out.reason = fmt::format("not from {}: {}", flat, reason);
+  for (const auto& t : scene.telescope)
+    if (std::abs(normalised(t.direction).z) < instrument::flattest_shifted)
+      flat += (flat.empty() ? "" : ", ") + t.name;
+  if (!flat.empty())
+    out.reason = fmt::format("from {} only rays steeper than {:.0f} degrees", flat,
+                             90 - std::acos(instrument::flattest_shifted) / radian_per_degree);
   return out;
 }
 

@@ -43,7 +43,7 @@ std::int32_t padded(std::int32_t environments) {
 
 /// Shares out the spectral_bins among the lines of a band: half of them by their photons, half of
 /// them evenly, for a channel's filter may let through one line alone.
-std::vector<std::int32_t> hues_of(std::span<const Line> band) {
+std::vector<std::int32_t> spectral_bins_of(std::span<const Line> band) {
   expect(2 * band.size() <= spectral_bins, "a band has no more lines than half the spectral_bins");
   double all = 0;
   for (const Line& line : band) all += line.photons;
@@ -209,7 +209,7 @@ void Medium::finish_bands() {
   bands_ = 0;
   for (std::size_t first = 1, end = 1; first < line.size(); first = end, ++bands_) {
     while (end < line.size() && line[end].process == line[first].process) ++end;
-    const auto count = hues_of(std::span(line).subspan(first, end - first));
+    const auto count = spectral_bins_of(std::span(line).subspan(first, end - first));
     for (std::size_t l = first; l < end; ++l) {
       line_of_spectral_bin.insert(line_of_spectral_bin.end(),
                                   static_cast<std::size_t>(count[l - first]),

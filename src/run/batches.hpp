@@ -99,7 +99,7 @@ class BatchRunner {
               RunControl& control)
       : shape_(model.shape),
         simulator_(simulator),
-        conductor_(control),
+        control_(control),
         totals_(control.begin(model.shape)),
         next_batch_(totals_.state().batches),
         merged_(next_batch_) {
@@ -110,7 +110,7 @@ class BatchRunner {
   tally::Totals run() {
     if (merged_ > 0) take_up();
     std::vector<std::jthread> workers;
-    for (int i = 0; i < conductor_.ending.threads; ++i) workers.emplace_back([this] { work(); });
+    for (int i = 0; i < control_.ending.threads; ++i) workers.emplace_back([this] { work(); });
     workers.clear();
     if (failure_) std::rethrow_exception(failure_);
     return std::move(totals_);
@@ -132,11 +132,11 @@ class BatchRunner {
       std::unique_lock lock(mutex_);
       while (true) {
         changed_.wait(lock, [this] { return ended_ || (!free_.empty() && is_known()); });
-        if (ended_ || next_batch_ == conductor_.batches()) return;
+        if (ended_ || next_batch_ == control_.batches()) return;
         const std::uint64_t batch = next_batch_++;
         Tally tally = std::move(free_.back());
         free_.pop_back();
-        tally->rests = conductor_.resting(totals_, batch, merged_);
+        tally->rests = control_.resting(totals_, batch, merged_);
         lock.unlock();
         simulate(batch, *tally);
         lock.lock();
@@ -155,38 +155,38 @@ class BatchRunner {
   /// Goes on from an earlier run, which may have been as long as this one is to be.
   void take_up() {
     simulate(0, *free_.front());
-    conductor_.check_start(shape_, *free_.front());
+    control_.check_start(shape_, *free_.front());
     free_.front()->clear();
-    ended_ = conductor_.ends(totals_, merged_);
+    ended_ = control_.ends(totals_, merged_);
   }
 
-  [[nodiscard]] bool is_known() const { return next_batch_ < conductor_.known_until(merged_); }
+  [[nodiscard]] bool is_known() const { return next_batch_ < control_.known_until(merged_); }
 
   void simulate(std::uint64_t batch, tally::BatchTally& tally) const {
-    tally.photons = conductor_.photons_of(batch);
-    simulator_.simulate(conductor_.first_photon_of(batch), tally.photons, tally);
+    tally.photons = control_.photons_of(batch);
+    simulator_.simulate(control_.first_photon_of(batch), tally.photons, tally);
   }
 
   void merge_what_is_due() {
     for (auto due = done_.find(merged_); due != done_.end() && !ended_; due = done_.find(merged_)) {
       Tally tally = std::move(due->second);
       done_.erase(due);
-      if (!conductor_.is_whole(*tally)) {
+      if (!control_.is_whole(*tally)) {
         free_.clear();  // it is the last one: none but this is needed any more
-        conductor_.keep_whole(totals_);
+        control_.keep_whole(totals_);
       }
       totals_.merge(*tally);
       tally->clear();
       free_.push_back(std::move(tally));
       ++merged_;
-      conductor_.look(totals_, merged_);
-      ended_ = conductor_.ends(totals_, merged_);
+      control_.look(totals_, merged_);
+      ended_ = control_.ends(totals_, merged_);
     }
   }
 
   const tally::Shape& shape_;
   const schedule::Simulator& simulator_;
-  RunControl& conductor_;
+  RunControl& control_;
   tally::Totals totals_;
   std::mutex mutex_;
   std::condition_variable changed_;
