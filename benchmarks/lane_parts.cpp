@@ -81,8 +81,9 @@ void register_parts() {
     return photon;
   });
   add("local_estimate", [](Setting& s, std::size_t k) {
-    return transport::connect_ray(s.sea, s.world.telescopes[0], s.zero, s.photon[k], s.zero,
-                                  {Lanes(0.05), Lanes(0.02)}, false, Mask<Lanes>(true));
+    return transport::connect_ray(s.sea, s.world.telescopes[0], s.world.telescope_region[0],
+                                  s.photon[k], s.zero, {Lanes(0.05), Lanes(0.02)},
+                                  geometry::Route::direct, Mask<Lanes>(true));
   });
 }
 

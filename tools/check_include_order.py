@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-FLOORS = ["core", "optics", "scene", "medium", "geometry", "instrument", "transport", "tally", "lanes", "estimator", "schedule", "run", "io"]
+FLOORS = ["core", "optics", "scene", "medium", "surface", "geometry", "instrument", "transport", "tally", "lanes", "estimator", "schedule", "run", "io"]
 HOMES = {  # the head of a third-party include -> the folders that may use it
     "Random123/": ["core"],
     "toml++/": ["scene"],

@@ -11,9 +11,6 @@
 
 namespace photic::estimator {
 
-/// A photon that has not ended after so many events is lost, and counted.
-inline constexpr std::int32_t most_events = 1'000'000;
-
 /// Whether light from here can still be in a telescope within the last gate.
 template <class T>
 Mask<T> in_time(const World<T>& world, const transport::Photon<T>& photon) {

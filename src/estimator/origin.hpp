@@ -11,15 +11,15 @@
 #include <vector>
 
 #include "core/vec3.hpp"
+#include "geometry/axis.hpp"
 #include "instrument/telescope.hpp"
-#include "instrument/way_ahead.hpp"
 #include "scene/scene.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::estimator {
 
 inline double way_ahead(const scene::Source& source) {
-  return instrument::way_ahead(source.position_m, normalised(source.direction));
+  return geometry::way_ahead(source.position_m, normalised(source.direction));
 }
 /// The point of the surface above or below the one where a laser's light starts.
 inline Vec3<double> origin_of(const scene::Source& source) {
@@ -35,25 +35,25 @@ Instrument from_origin(Instrument instrument, const Vec3<double>& origin) {
 
 /// What paths from the laser to a telescope, its place told from the origin, leave out [m].
 inline double path_to_origin(const scene::Source& source, const scene::Telescope& telescope) {
-  const bool submerged = telescope.position_m.z < 0;
-  return way_ahead(source) + (submerged ? 0 : length(telescope.position_m));
+  const Vec3<double>& lens = telescope.position_m;
+  return way_ahead(source) + (geometry::stands_in_water(lens) ? 0 : length(lens));
 }
 
 /// Until when light in the water has to be on its way to an instrument.
 template <class T>
 struct Deadline {
-  bool submerged = false;
-  T z{};     ///< of the instrument, if it is in the water [m]
+  T z{};     ///< of the instrument, if it is in the water, or of the surface [m]
   T path{};  ///< of light that gets there, or else to the surface, by the end of the last gate [m]
 
   /// `path`: of light that gets to the instrument then.
-  static Deadline to(double z, double path) { return {z < 0, T(z), T(path - std::max(0.0, z))}; }
+  static Deadline to(double z, double path) {
+    return {T(std::min(0.0, z)), T(path - std::max(0.0, z))};
+  }
 
   /// The shortest way, at the least group index, is over in time.
   Mask<T> is_met(const transport::Photon<T>& photon, const T& least_group_index) const {
     using std::abs;
-    const T rest = submerged ? T(abs(z - photon.position.z)) : T(-photon.position.z);
-    return photon.path + least_group_index * rest < path;
+    return photon.path + least_group_index * T(abs(z - photon.position.z)) < path;
   }
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "geometry/axis.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
 
@@ -45,15 +46,10 @@ Strategy rotated(bool converts, const Vec3<double>& beam) {
 
 }  // namespace
 
-Vec3<double> axis_in_water(const Vec3<double>& axis, bool submerged, double n) {
-  if (submerged || !(axis.z < 0)) return axis;
-  return normalised(
-      Vec3<double>{axis.x / n, axis.y / n, -std::sqrt(1 - (1 - axis.z * axis.z) / (n * n))});
-}
-
 Vec3<double> beam_in_water(const scene::Scene& scene, const medium::Medium& medium) {
-  return axis_in_water(normalised(scene.source.direction), scene.source.position_m.z < 0,
-                       medium.line.front().refractive_index);
+  const auto axis = normalised(scene.source.direction);
+  const double n = medium.line.front().refractive_index;
+  return geometry::axis_in_water(scene.source.position_m, axis, n).direction;
 }
 
 Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medium) {

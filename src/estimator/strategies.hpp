@@ -32,9 +32,7 @@ struct Strategies {
 
 Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medium);
 
-/// The axis of an instrument as it goes on in the water, of index n.
-Vec3<double> axis_in_water(const Vec3<double>& axis, bool submerged, double n);
-/// The laser's.
+/// The axis of the laser as it goes on in the water.
 Vec3<double> beam_in_water(const scene::Scene& scene, const medium::Medium& medium);
 
 /// The lines for a scene, whatever its estimator; none of those that have no choice.

@@ -13,7 +13,8 @@
 #include "estimator/model.hpp"
 #include "estimator/origin.hpp"
 #include "estimator/strategies.hpp"
-#include "estimator/view_cone.hpp"
+#include "estimator/view.hpp"
+#include "geometry/region.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
 #include "instrument/telescope.hpp"
@@ -25,72 +26,18 @@
 
 namespace photic::estimator {
 
-inline constexpr int view_parts = 3;
-
-/// A ball in the water.
-template <class T>
-struct Ball {
-  Vec3<T> centre;
-  T radius{};
-};
-
-/// A telescope's view as seen by light that is still to be converted: a cone about its axis, and
-/// balls along it that hold the part of it that most of the converted light comes from.
-template <class T>
-struct View {
-  ViewCone<T> cone;
-  std::array<Ball<T>, view_parts> part;
-};
-
-template <class T>
-View<T> make_view(const instrument::Telescope<double>& telescope, const medium::Medium& medium,
-                  std::size_t layer) {
-  double c = 0;
-  for (std::size_t l = medium.line.size() > 1 ? 1 : 0; l < medium.line.size(); ++l) {
-    c = std::max(c, medium.c[l * static_cast<std::size_t>(medium.layers()) + layer]);
-  }
-  const double n = medium.line.front().refractive_index;
-  const Vec3<double>& axis = telescope.axis;
-  const Vec3<double>& lens = telescope.position;
-  Vec3<double> entry = lens;
-  const Vec3<double> onward = axis_in_water(axis, telescope.submerged, n);
-  double in_air = 0;
-  if (!telescope.submerged && axis.z < 0) {
-    in_air = lens.z / -axis.z;
-    entry = lens + in_air * axis;
-  }
-  // Lateral reach of the view: detector and blur, seen from the lens.
-  const auto reach = [&](double in_water) {
-    const double apparent = in_air + in_water / (telescope.submerged ? 1.0 : n);
-    const double blur = telescope.detector_distance * (1 - apparent * telescope.per_sharp_range);
-    return (apparent * telescope.detector_radius + telescope.lens_radius * std::abs(blur)) /
-           telescope.detector_distance;
-  };
-  const double widening = std::max(0.0, (reach(2 / c) - reach(0)) * c / 2);
-  View<T> view;
-  view.cone = {vec3_cast<T>(entry), vec3_cast<T>(onward), T(c),
-               T(std::max(reach(0), reach(2 / c) - widening * 2 / c)), T(widening)};
-  constexpr std::array edge{0.0, 0.5, 1.2, 2.5};  // in mean free paths of the converted light
-  for (std::size_t i = 0; i < view.part.size(); ++i) {
-    const double middle = (edge[i] + edge[i + 1]) / 2 / c;
-    view.part[i] = {vec3_cast<T>(entry + middle * onward),
-                    T(std::hypot(reach(middle), (edge[i + 1] - edge[i]) / 2 / c))};
-  }
-  return view;
-}
-
 /// A telescope as the bidirectional estimator's walks begin there: detecting the laser's line, or
 /// one band.
 template <class T>
 struct Receiver {
   std::size_t number = 0;  ///< among the receivers
   std::size_t telescope = 0;
-  Index<T> layer{};
-  Index<T> line{};         ///< 0, or the first of the band
-  std::int32_t band = -1;  ///< of the medium's, if it is one
-  T last_path{};           ///< of both walks together, at the end of the last gate [m]
-  T longest{};             ///< the same of walks that have not been shifted yet [m]
-  Deadline<T> deadline{};  ///< of its walks' light, to be at the laser
+  geometry::Region<T> region;  ///< where it stands
+  Index<T> line{};             ///< 0, or the first of the band
+  std::int32_t band = -1;      ///< of the medium's, if it is one
+  T last_path{};               ///< of both walks together, at the end of the last gate [m]
+  T longest{};                 ///< the same of walks that have not been shifted yet [m]
+  Deadline<T> deadline{};      ///< of its walks' light, to be at the laser
 };
 
 enum class Estimator { forward, bidirectional, analog };
@@ -131,9 +78,9 @@ struct World {
   Estimator estimator = Estimator::forward;
   medium::MediumView sea;
   instrument::Laser<T> laser;
-  Index<T> laser_layer{};
+  geometry::Region<T> laser_region;
   std::vector<instrument::Telescope<T>> telescopes;
-  std::vector<Index<T>> telescope_layer;
+  std::vector<geometry::Region<T>> telescope_region;
   std::vector<View<T>> views;               ///< of each telescope; none if nothing is converted
   std::vector<ViewCone<T>> cones;           ///< to choose points in that are scored
   std::vector<double> path_to_origin;       ///< of each telescope, see path_to_origin()
@@ -245,7 +192,7 @@ void add_receivers(const medium::Medium& medium, World<T>& world) {
       if (l > 0 && line.process == medium.line[l - 1].process) continue;
       if (l > 0) ++band;
       if (l > 0 || std::ranges::any_of(line.counted_by, [](double share) { return share > 0; }))
-        world.receivers.push_back({world.receivers.size(), t, world.telescope_layer[t],
+        world.receivers.push_back({world.receivers.size(), t, world.telescope_region[t],
                                    Index<T>(static_cast<std::int32_t>(l)), band});
     }
   }
@@ -272,12 +219,18 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   world.sea = medium.view();
   const Vec3<double> origin = origin_of(scene.source);
   world.laser = instrument::make_laser<T>(from_origin(scene.source, origin));
-  const auto depth = [](const auto& instrument) { return std::max(0.0, -instrument.position_m.z); };
-  world.laser_layer = Index<T>(medium.layer_at(depth(scene.source)));
+  const auto layer = [&](const auto& instrument) {
+    return medium.layer_at(std::max(0.0, -instrument.position_m.z));
+  };
+  const auto region = [&](const auto& instrument) {
+    return geometry::Region<T>{!geometry::stands_in_water(instrument.position_m),
+                               Index<T>(layer(instrument))};
+  };
+  world.laser_region = region(scene.source);
   for (const auto& t : scene.telescope) {
     world.telescopes.push_back(instrument::make_telescope<T>(from_origin(t, origin)));
     world.path_to_origin.push_back(path_to_origin(scene.source, from_origin(t, origin)));
-    world.telescope_layer.push_back(Index<T>(medium.layer_at(depth(t))));
+    world.telescope_region.push_back(region(t));
   }
   const bool converts = medium.line.size() > 1;
   const scene::Tools& tools = scene.simulation.tools;
@@ -292,7 +245,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
        (converts || world.tools.scores_on_the_way) && t < world.telescopes.size(); ++t) {
     const View<T> view =
         make_view<T>(instrument::make_telescope<double>(from_origin(scene.telescope[t], origin)),
-                     medium, static_cast<std::size_t>(medium.layer_at(depth(scene.telescope[t]))));
+                     medium, static_cast<std::size_t>(layer(scene.telescope[t])));
     world.cones.push_back(view.cone);
     if (converts) world.views.push_back(view);
   }
@@ -320,7 +273,7 @@ World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
   const Strategies strategies = make_strategies(scene, medium);
   world.turns = strategies.rotated.used;
   world.turns_scattered = strategies.rotated_scattered.used;
-  const bool one_way = world.telescopes.size() == 1 && !world.telescopes.front().submerged;
+  const bool one_way = world.telescopes.size() == 1 && world.telescope_region.front().in_air;
   world.makes_choices = (world.directs && !one_way) || medium.line.size() > 1;
   if (connects) world.walks = static_cast<std::size_t>(scene.simulation.walks);
   world.most_vertices = most_vertices;

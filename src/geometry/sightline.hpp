@@ -1,14 +1,14 @@
-// The straight ways from a point in the water to one point of an instrument: through the flat
-// surface, directly, or mirrored in the surface from below. What the telescope's field of view is
-// to connect.hpp, the single ray is here.
+// The ways from a point in the water to one point of an instrument, through all interfaces between
+// them: through the flat surface, straight, or reflected by the surface from below.
 #pragma once
 
 #include <cmath>
 
 #include "geometry/crossing.hpp"
 #include "geometry/depths.hpp"
+#include "geometry/region.hpp"
 #include "medium/medium.hpp"
-#include "optics/fresnel.hpp"
+#include "surface/flat.hpp"
 
 namespace photic::geometry {
 
@@ -24,6 +24,8 @@ struct Sightline {
   T area_per_solid_angle{};  ///< across the ray at the instrument, in the water [m^2/sr]
   T index_squared{1};        ///< of the water against the instrument's medium
   T passed{1};               ///< share that passes the surface, or is reflected by it
+  Region<T> to{};            ///< where the instrument stands
+  Route route = Route::direct;
 };
 
 /// Through the surface to a point above it. Where `wanted` is false only the directions are
@@ -32,8 +34,8 @@ template <class T>
 Sightline<T> sightline_through_surface(const medium::MediumView& sea, const Vec3<T>& from,
                                        const Index<T>& line, const Vec3<T>& to,
                                        const Mask<T>& wanted) {
-  const T n = gather<T>(sea.index, line);
-  const T inverse_n = gather<T>(sea.inverse_index, line);
+  const auto surface = surface::flat_surface<T>(sea, line);
+  const auto& [n, inverse_n] = surface;
   const T depth = -from.z;
   const T dx = to.x - from.x;
   const T dy = to.y - from.y;
@@ -55,16 +57,17 @@ Sightline<T> sightline_through_surface(const medium::MediumView& sea, const Vec3
       (n * n) *
       refracted_area_per_solid_angle(inverse_n, way.length_water, way.length_air, widening(ray));
   way.index_squared = n * n;
-  way.passed = T(1) - optics::fresnel_reflectance(n, T(1), ray.cos_water, ray.cos_air);
+  way.passed = surface.transmittance(ray.cos_water, ray.cos_air);
   return way;
 }
 
-/// Within the water, directly or by way of the surface seen from below.
+/// Within the water.
 template <class T>
 Sightline<T> sightline_in_water(const medium::MediumView& sea, const Vec3<T>& from,
-                                const Index<T>& line, const Vec3<T>& to, bool mirrored) {
+                                const Index<T>& line, const Vec3<T>& to, Route route) {
   using std::abs;
   using std::sqrt;
+  const bool mirrored = route == Route::mirrored;
   const Vec3<T> there = Vec3<T>{to.x, to.y, mirrored ? -to.z : to.z} - from;
   const T squared = dot(there, there);
   Sightline<T> way;
@@ -75,12 +78,23 @@ Sightline<T> sightline_in_water(const medium::MediumView& sea, const Vec3<T>& fr
   way.arriving = {way.direction.x, way.direction.y, mirrored ? -way.direction.z : way.direction.z};
   way.area_per_solid_angle = safe;
   if (mirrored)
-    way.passed =
-        optics::refract(gather<T>(sea.index, line), T(1), abs(way.direction.z)).reflectance;
+    way.passed = surface::flat_surface<T>(sea, line).reflectance(T(abs(way.direction.z)));
+  way.route = route;
   return way;
 }
 
-/// Optical depths of a way's first `length` in the water, which ends in a layer.
+/// By one of the routes to a region. `wanted`: of those through the surface.
+template <class T>
+Sightline<T> sightline(const medium::MediumView& sea, const Vec3<T>& from, const Index<T>& line,
+                       const Vec3<T>& to, const Region<T>& region, Route route,
+                       const Mask<T>& wanted) {
+  auto way = region.in_air ? sightline_through_surface(sea, from, line, to, wanted)
+                           : sightline_in_water(sea, from, line, to, route);
+  way.to = region;
+  return way;
+}
+
+/// Optical depths of a way through the surface from a layer and a depth.
 template <class T>
 OpticalDepths<T> depths_through_surface(const medium::MediumView& sea, const Sightline<T>& way,
                                         const Index<T>& line, const Index<T>& layer,
@@ -99,12 +113,15 @@ OpticalDepths<T> depths_by_surface(const medium::MediumView& sea, const Index<T>
   return {(sea.optical_depth(line, from) + sea.optical_depth(line, to)) * secant,
           (sea.walk_optical_depth(line, from) + sea.walk_optical_depth(line, to)) * secant};
 }
+/// Of the first `length` in the water of a way from a layer and a depth.
 template <class T>
-OpticalDepths<T> depths_in_water(const medium::MediumView& sea, const Sightline<T>& way,
-                                 const Index<T>& line, const Index<T>& layer, const T& depth,
-                                 const Index<T>& end_layer, const T& length, bool mirrored) {
+OpticalDepths<T> depths_along(const medium::MediumView& sea, const Sightline<T>& way,
+                              const Index<T>& line, const Index<T>& layer, const T& depth,
+                              const T& length) {
   using std::abs;
-  if (mirrored) {
+  if (way.to.in_air) return depths_through_surface(sea, way, line, layer, depth);
+  const Index<T>& end_layer = way.to.layer;
+  if (way.route == Route::mirrored) {
     const T steep = abs(way.direction.z);
     return depths_by_surface(sea, line, layer, depth, end_layer, T(length * steep - depth),
                              T(T(1) / steep));

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/vec3.hpp"
-#include "instrument/way_ahead.hpp"
+#include "geometry/axis.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::instrument {
@@ -41,7 +41,7 @@ Laser<T> make_laser(const scene::Source& s) {
   const double half_divergence = s.half_divergence_mrad * 1e-3;
   Laser<T> laser;
   const Vec3<double> axis = normalised(s.direction);
-  const double ahead = way_ahead(s.position_m, axis);
+  const double ahead = geometry::way_ahead(s.position_m, axis);
   laser.start = vec3_cast<T>(s.position_m + ahead * axis);
   laser.ahead = T(ahead);
   laser.axis = vec3_cast<T>(axis);
@@ -52,7 +52,7 @@ Laser<T> make_laser(const scene::Source& s) {
   laser.vertex_detour = T(length(s.position_m - to_disc * axis) - (to_disc + ahead));
   const double half_sine = std::sin(half_divergence / 2);
   laser.one_minus_cos_divergence = T(2 * half_sine * half_sine);
-  laser.submerged = s.position_m.z < 0;
+  laser.submerged = geometry::stands_in_water(s.position_m);
   return laser;
 }
 

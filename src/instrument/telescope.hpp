@@ -7,8 +7,8 @@
 
 #include "core/constants.hpp"
 #include "core/vec3.hpp"
+#include "geometry/axis.hpp"
 #include "instrument/overlap.hpp"
-#include "instrument/way_ahead.hpp"
 #include "scene/scene.hpp"
 
 namespace photic::instrument {
@@ -155,7 +155,7 @@ Telescope<T> make_telescope(const scene::Telescope& s) {
   t.position = vec3_cast<T>(s.position_m);
   t.distance = T(length(s.position_m));
   const Vec3<double> axis = normalised(s.direction);
-  const double ahead = way_ahead(s.position_m, axis);
+  const double ahead = geometry::way_ahead(s.position_m, axis);
   t.start = vec3_cast<T>(s.position_m + ahead * axis);
   t.ahead = T(ahead);
   t.axis = vec3_cast<T>(axis);
@@ -168,7 +168,7 @@ Telescope<T> make_telescope(const scene::Telescope& s) {
   t.detector_radius = T(s.effective_detector_diameter_m() / 2);
   t.detector_distance = T(s.focal_length_m + s.detector_shift_m);
   t.least_defocus = T(1e-5) * t.detector_radius / t.lens_radius;
-  t.submerged = s.position_m.z < 0;
+  t.submerged = geometry::stands_in_water(s.position_m);
   t.upright = std::abs(axis.z) == 1;
   const ViewReach<double> reach = reach_of_view(s);
   t.reach = {T(reach.tangent), T(reach.radius), T(reach.middle), T(reach.spread),

@@ -63,13 +63,14 @@ class Pool {
   template <class Events, class Witness>
   void run(tally::BatchTally& tally, Witness& witness) {
     const auto all = [this](auto stage) { each_of(pack_.data(), used_, stage); };
+    auto steps = estimator::forward_steps<Events>(
+        world_, ledger_, tally, estimates_,
+        [this](std::uint32_t block) { draw(pack_.data(), used_, block); });
     for (fill<Events>(tally); used_ > 0; fill<Events>(tally)) {
-      estimator::end_flights<Events>(world_, all, ledger_, tally, estimates_);
+      collisions(steps, all);
       tell(witness);
       if constexpr (Events::tools) keep_copies(tally);
-      estimator::go_on<Events>(
-          world_, all, [this](std::uint32_t block) { draw(pack_.data(), used_, block); }, ledger_,
-          tally, estimates_);
+      flights(steps, all);
     }
   }
   template <class Stage>
@@ -140,12 +141,11 @@ class Pool {
       for (std::size_t i = 0; i < born * width; ++i)
         ratios_.of(newborn_.front().ratios.first + i).begin(world_.sea.environments);
     }
-    estimator::go_on<Events>(
-        world_, all,
-        [&](std::uint32_t block) {
+    auto steps =
+        estimator::forward_steps<Events>(world_, ledger_, tally, estimates_, [&](auto block) {
           all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });
-        },
-        ledger_, tally, estimates_);
+        });
+    flights(steps, all);
     all([&](auto& t) { wait(t); });
   }
   /// Who is on the way in a pack waits.
@@ -186,9 +186,9 @@ class Pool {
       copies.place.photon.set(i,
                               estimator::copy_number(world_.key, own, pack.place.event[i], number));
     });
-    estimator::go_on<estimator::AllEvents>(
-        world_, [&](auto stage) { each_of(&copies, 1, stage); },
-        [&](std::uint32_t block) { draw(&copies, 1, block); }, ledger_, tally, estimates_);
+    auto steps = estimator::forward_steps<estimator::AllEvents>(
+        world_, ledger_, tally, estimates_, [&](std::uint32_t block) { draw(&copies, 1, block); });
+    flights(steps, [&](auto stage) { each_of(&copies, 1, stage); });
     wait(copies);
   }
 

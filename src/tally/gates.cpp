@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/constants.hpp"
+#include "geometry/axis.hpp"
 
 namespace photic::tally {
 namespace {
@@ -14,30 +15,11 @@ bool looks_down(const scene::Source& source, const scene::Telescope& telescope) 
   return normalised(source.direction).z < -steep && normalised(telescope.direction).z < -steep;
 }
 
-/// The cosine of an axis from the vertical, below the surface (Snell's law).
-double cosine_in_water(const Vec3<double>& axis, bool submerged, double refractive_index) {
-  if (submerged) return std::abs(axis.z);
-  return std::sqrt(1 - (1 - axis.z * axis.z) / (refractive_index * refractive_index));
-}
-
-/// Group path along the axis of an instrument that looks down, at a line: to the surface, and per
-/// metre of depth above and below it. One in the water is above its own surface by less than 0.
-struct Leg {
-  double to_surface, per_depth_in_air, per_depth_in_water;
-};
-
+/// Along the axis of an instrument, at a line.
 template <class Instrument>
-Leg leg_of(const Instrument& instrument, const medium::Line& line) {
-  const auto axis = normalised(instrument.direction);
-  if (!(axis.z < 0)) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    return {none, none, none};
-  }
-  const bool submerged = instrument.position_m.z < 0;
-  const double in_water =
-      line.group_index / cosine_in_water(axis, submerged, line.refractive_index);
-  const double in_air = submerged ? in_water : -1 / axis.z;
-  return {instrument.position_m.z * in_air, in_air, in_water};
+geometry::GroupPath group_path_of(const Instrument& instrument, const medium::Line& line) {
+  return geometry::group_path(instrument.position_m, normalised(instrument.direction),
+                              line.refractive_index, line.group_index);
 }
 
 /// The depths that a range along the axis of a telescope leads to.
@@ -46,7 +28,7 @@ double depth_of_range(double range, const scene::Telescope& telescope, double re
   const double z = telescope.position_m.z;
   if (z < 0) return std::max(0.0, -(z + range * axis.z));
   if (axis.z >= 0) return 0.0;
-  return std::max(0.0, (range - z / -axis.z) * cosine_in_water(axis, false, refractive_index));
+  return std::max(0.0, (range - z / -axis.z) * geometry::cosine_in_water(axis.z, refractive_index));
 }
 
 }  // namespace
@@ -80,8 +62,8 @@ double Gates::edge_path(std::int32_t edge) const {
 /// Down along the axis of the source and up along that of the telescope, refracted
 /// (docs/theory.md, eq. 35).
 PathScale Gates::depth_scale(const scene::Telescope& telescope, const medium::Line& back) const {
-  const Leg out = leg_of(source_, laser_);
-  const Leg home = leg_of(telescope, back);
+  const auto out = group_path_of(source_, laser_);
+  const auto home = group_path_of(telescope, back);
   PathScale scale;
   scale.knee_path = out.to_surface + home.to_surface;
   scale.slope_before = out.per_depth_in_air + home.per_depth_in_air;

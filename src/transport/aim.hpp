@@ -15,16 +15,14 @@ struct Aim {
   Mask<T> in_front{};  ///< whether that is in front of the lens: else nothing comes of it
 };
 
-/// To a point of the lens: through the surface, or in the water directly or by way of the surface
-/// seen from below (`mirrored`). The refracted direction is known to a few per cent of its angle
-/// where the telescope cannot see the point: `near_view`, see may_see().
+/// To a point of the lens by a route to where the telescope stands. The refracted direction is
+/// known to a few per cent of its angle where the telescope cannot see the point: `near_view`, see
+/// may_see().
 template <class T>
 Aim<T> aim(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
-           const Vec3<T>& from, const Index<T>& line, const Vec3<T>& to, bool mirrored,
-           const Mask<T>& near_view) {
-  const geometry::Sightline<T> way =
-      telescope.submerged ? geometry::sightline_in_water(sea, from, line, to, mirrored)
-                          : geometry::sightline_through_surface(sea, from, line, to, near_view);
+           const geometry::Region<T>& region, const Vec3<T>& from, const Index<T>& line,
+           const Vec3<T>& to, geometry::Route route, const Mask<T>& near_view) {
+  const auto way = geometry::sightline(sea, from, line, to, region, route, near_view);
   return {way.direction, -dot(way.arriving, telescope.axis) > T(0)};
 }
 

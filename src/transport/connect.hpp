@@ -1,15 +1,16 @@
-// The straight ways from a point in the water into a telescope: through the flat surface, directly,
-// or mirrored in the surface from below (physics of docs/theory.md, "The local estimate").
+// The ways from a point in the water into a telescope: through the flat surface, straight, or
+// reflected by the surface from below (docs/theory.md, "The local estimate").
 #pragma once
 
 #include <cmath>
 
 #include "geometry/crossing.hpp"
 #include "geometry/depths.hpp"
+#include "geometry/region.hpp"
 #include "instrument/disc.hpp"
 #include "instrument/lens.hpp"
 #include "medium/medium.hpp"
-#include "optics/fresnel.hpp"
+#include "surface/flat.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -65,8 +66,8 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
                                       const Mask<T>& near_view) {
   using std::sqrt;
   Connection<T> way;
-  const T n = gather<T>(sea.index, line);
-  const T inverse_n = gather<T>(sea.inverse_index, line);
+  const auto surface = surface::flat_surface<T>(sea, line);
+  const auto& [n, inverse_n] = surface;
   const T depth = -at.position.z;
   const T height = telescope.position.z;
   const T dx = telescope.position.x - at.position.x;
@@ -90,7 +91,7 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   if (!any(seen)) return way;
   const T in_water = depth * secant_water;
   const T in_air = height * secant_air;
-  const T transmitted = T(1) - optics::fresnel_reflectance(n, T(1), cos_water, cos_air);
+  const T transmitted = surface.transmittance(cos_water, cos_air);
   const T area_per_solid_angle =
       (n * n) * geometry::refracted_area_per_solid_angle(inverse_n, in_water, in_air,
                                                          geometry::widening(ray));
@@ -123,15 +124,15 @@ T lens_solid_angle(const instrument::Telescope<T>& telescope, const T& distance,
   return select(far, from_afar, exact);
 }
 
-/// From a photon's position to a telescope in the water, at the given line: directly, or by way of
-/// the surface seen from below (`mirrored`), total reflection included.
+/// From a photon's position to a telescope in a layer of the water, at the given line.
 template <class T>
 Connection<T> connect_in_water(const medium::MediumView& sea,
                                const instrument::Telescope<T>& telescope,
                                const Index<T>& telescope_layer, const Photon<T>& at,
-                               const Index<T>& line, bool mirrored) {
+                               const Index<T>& line, geometry::Route route) {
   using std::abs;
   using std::sqrt;
+  const bool mirrored = route == geometry::Route::mirrored;
   const T telescope_depth = -telescope.position.z;
   const Vec3<T> target{telescope.position.x, telescope.position.y,
                        mirrored ? telescope_depth : telescope.position.z};
@@ -160,11 +161,19 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
                           : sea.slant_optical_depth(line, from, to, distance);
   way.length_water = distance;
   way.path = distance * gather<T>(sea.group_index, line);
-  const T reflected =
-      mirrored ? optics::refract(gather<T>(sea.index, line), T(1), steep).reflectance : T(1);
+  const T reflected = mirrored ? surface::flat_surface<T>(sea, line).reflectance(steep) : T(1);
   way.acceptance =
       select(seen, lens_solid_angle(telescope, distance, safe_cos) * overlap * reflected, T(0));
   return way;
+}
+
+/// By one of the routes to the region where the telescope stands. `near_view`: whether may_see().
+template <class T>
+Connection<T> connect(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+                      const geometry::Region<T>& region, const Photon<T>& at, const Index<T>& line,
+                      geometry::Route route, const Mask<T>& near_view) {
+  return region.in_air ? connect_through_surface(sea, telescope, at, line, near_view)
+                       : connect_in_water(sea, telescope, region.layer, at, line, route);
 }
 
 }  // namespace photic::transport

@@ -9,37 +9,35 @@
 
 namespace photic::transport {
 
-/// As connect_through_surface (not `mirrored`) or connect_in_water give it, for a lens all of which
-/// is at one of its points. `near_view`: whether may_see(); nothing is seen elsewhere.
+/// What a way's part in the air is longer than from the lens' centre to the origin [m].
+template <class T>
+T longer_in_air(const instrument::Telescope<T>& telescope, const geometry::Sightline<T>& way,
+                const instrument::PlanePoint<T>& lens) {
+  return way.to.in_air ? longer_way(telescope, way.crossing, lens, way.length_air) : T(0);
+}
+
+/// As connect() gives it, for a lens all of which is at one of its points. `near_view`: whether
+/// may_see(); nothing is seen elsewhere.
 template <class T>
 Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
-                          const Index<T>& telescope_layer, const Photon<T>& at,
+                          const geometry::Region<T>& region, const Photon<T>& at,
                           const Index<T>& line, const instrument::PlanePoint<T>& lens,
-                          bool mirrored, const Mask<T>& near_view) {
-  const T depth = -at.position.z;
-  const Vec3<T> to = in_space(telescope, lens);
-  geometry::Sightline<T> way;
-  if (telescope.submerged) {
-    way = geometry::sightline_in_water(sea, at.position, line, to, mirrored);
-  } else {
-    way = geometry::sightline_through_surface(sea, at.position, line, to, near_view);
-  }
+                          geometry::Route route, const Mask<T>& near_view) {
+  const auto way = geometry::sightline(sea, at.position, line, in_space(telescope, lens), region,
+                                       route, near_view);
   const auto seen = sight(telescope, lens, way.arriving);
   Connection<T> connection;
   connection.direction = way.direction;
   const Mask<T> detected = way.exists & seen.on_detector;
   if (!any(detected)) return connection;
-  const auto tau = telescope.submerged
-                       ? geometry::depths_in_water(sea, way, line, at.layer, depth, telescope_layer,
-                                                   way.length_water, mirrored)
-                       : geometry::depths_through_surface(sea, way, line, at.layer, depth);
+  const auto tau =
+      geometry::depths_along(sea, way, line, at.layer, T(-at.position.z), way.length_water);
   connection.acceptance = select(
       detected, telescope.area() * seen.cos_off_axis * way.passed / way.area_per_solid_angle, T(0));
   connection.optical_depth = tau.all;
   connection.length_water = way.length_water;
-  connection.path = way.length_water * gather<T>(sea.group_index, line);
-  if (!telescope.submerged)
-    connection.path = connection.path + longer_way(telescope, way.crossing, lens, way.length_air);
+  connection.path =
+      way.length_water * gather<T>(sea.group_index, line) + longer_in_air(telescope, way, lens);
   return connection;
 }
 

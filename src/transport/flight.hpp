@@ -8,7 +8,6 @@
 #include "core/elementary.hpp"
 #include "geometry/depths.hpp"
 #include "medium/medium.hpp"
-#include "optics/fresnel.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -125,21 +124,6 @@ Mask<T> advance(const medium::MediumView& sea, Photon<T>& photon, const T& dista
   const T depth = -photon.position.z;
   photon.layer = layer_at(sea, photon.layer, depth);
   return (depth > T(0)) & (depth < T(sea.top[sea.layers]));
-}
-
-/// Reflects a photon that stands at the surface back into the water, its weight times the Fresnel
-/// reflectance (1 in total reflection). Returns the weight that leaves through the surface. Clear
-/// air returns nothing. From photons that are `kept` that has been taken before.
-template <class T>
-T reflect_down(const medium::MediumView& sea, Photon<T>& photon,
-               const Mask<T>& kept = Mask<T>(false)) {
-  const T n = gather<T>(sea.index, photon.line);
-  const T r = select(kept, T(1), optics::refract(n, T(1), photon.direction.z).reflectance);
-  const T leaving = photon.weight * (T(1) - r);
-  photon.weight = photon.weight * r;
-  photon.analog_weight = photon.analog_weight * r;
-  photon.direction.z = -photon.direction.z;
-  return leaving;
 }
 
 /// Has photons whose flight ended at the surface go on by what is left of their free path, which

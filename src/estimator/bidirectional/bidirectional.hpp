@@ -36,7 +36,7 @@ struct FromLaser : WalkDraws<T> {
 
   Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>&) {
     const auto u = this->draw(walk, Index<T>(0), 0);
-    auto birth = birth_at_laser(world.sea, world.laser, world.laser_layer, u[0], u[1]);
+    auto birth = birth_at_laser(world.sea, world.laser, world.laser_region, u[0], u[1]);
     book(ledger.escaped, exist, T(1) - select(birth.exists, birth.photon.weight, T(0)));
     return birth;
   }
@@ -66,7 +66,7 @@ struct FromTelescope : WalkDraws<T> {
     record.grid_offset = v[0];
     record.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
     record.line = line_of(medium::spectral_bin_of(v[2]));
-    return birth_at_telescope(world.sea, telescope, receiver.layer, record.line, record.lens,
+    return birth_at_telescope(world.sea, telescope, receiver.region, record.line, record.lens,
                               slope);
   }
   /// The line that a walk of a spectral_bin detects.
@@ -93,9 +93,9 @@ class Bidirectional {
   Bidirectional(const World<T>& world, std::size_t at_once)
       : world_(world),
         at_once_(at_once * world.walks),
-        laser_(at_once_, false, !world.laser.submerged, world.sea.environments) {
-    for (const auto& telescope : world.telescopes)
-      back_.emplace_back(at_once_, true, !telescope.submerged, world.sea.environments);
+        laser_(at_once_, false, world.laser_region.in_air, world.sea.environments) {
+    for (const auto& region : world.telescope_region)
+      back_.emplace_back(at_once_, true, region.in_air, world.sea.environments);
   }
 
   /// Photons `first` … `first + count - 1`, the first of a batch and up.

@@ -4,6 +4,7 @@
 
 #include "estimator/bidirectional/vertex.hpp"
 #include "instrument/lens.hpp"
+#include "transport/cross.hpp"
 #include "transport/emit.hpp"
 
 namespace photic::estimator {
@@ -16,16 +17,16 @@ struct Birth {
   Spread<T> spread;
 };
 
+/// `before`: length from the point that the light spreads from to where the photon stands.
 template <class T>
-Birth<T> enter_if_above(const medium::MediumView& sea, const transport::Photon<T>& photon,
-                        const T& solid_angle, const T& before, bool submerged) {
+Birth<T> birth_in_water(const medium::MediumView& sea, const geometry::Region<T>& region,
+                        const transport::Photon<T>& photon, const T& solid_angle, const T& before) {
   Birth<T> birth;
   birth.photon = photon;
+  birth.exists = transport::enter_water(sea, region, birth.photon);
   birth.spread.solid_angle = solid_angle;
   birth.spread.before = before;
-  birth.exists = Mask<T>(true);
-  if (submerged) return birth;
-  birth.exists = transport::enter_water(sea, birth.photon);
+  if (!region.in_air) return birth;
   birth.spread.through_surface = true;
   birth.spread.before = before + (birth.photon.path - photon.path);
   birth.spread.cos_air = select(birth.exists, -photon.direction.z, T(1));
@@ -41,11 +42,10 @@ T connectable_solid_angle(const instrument::Laser<T>& laser) {
 /// The laser's walk.
 template <class T>
 Birth<T> birth_at_laser(const medium::MediumView& sea, const instrument::Laser<T>& laser,
-                        const Index<T>& layer, const T& u_polar, const T& u_azimuth) {
-  const transport::Photon<T> photon = transport::emit(laser, layer, u_polar, u_azimuth);
-  return enter_if_above(sea, photon, connectable_solid_angle(laser),
-                        (laser.vertex_distance + laser.ahead) / dot(photon.direction, laser.axis),
-                        laser.submerged);
+                        const geometry::Region<T>& region, const T& u_polar, const T& u_azimuth) {
+  const auto photon = transport::emit(laser, region.layer, u_polar, u_azimuth);
+  return birth_in_water(sea, region, photon, connectable_solid_angle(laser),
+                        (laser.vertex_distance + laser.ahead) / dot(photon.direction, laser.axis));
 }
 
 /// A telescope's walk from a point of its lens by a slope outwards that its detector sees. It
@@ -53,20 +53,20 @@ Birth<T> birth_at_laser(const medium::MediumView& sea, const instrument::Laser<T
 /// surface. In the air its path is what it is longer than from the lens' centre to the origin.
 template <class T>
 Birth<T> birth_at_telescope(const medium::MediumView& sea,
-                            const instrument::Telescope<T>& telescope, const Index<T>& layer,
-                            const Index<T>& line, const instrument::PlanePoint<T>& lens,
+                            const instrument::Telescope<T>& telescope,
+                            const geometry::Region<T>& region, const Index<T>& line,
+                            const instrument::PlanePoint<T>& lens,
                             const instrument::PlanePoint<T>& slope) {
   transport::Photon<T> photon;
   photon.position = telescope.start + in_plane(telescope, lens + telescope.ahead * slope);
   photon.direction = outward(telescope, slope);
   photon.line = line;
-  photon.layer = layer;
+  photon.layer = region.layer;
   const T cos_off_axis = dot(photon.direction, telescope.axis);
   const T solid_angle = detector_solid_angle(telescope, cos_off_axis);
   photon.weight = telescope.area() * cos_off_axis * solid_angle;
-  auto birth =
-      enter_if_above(sea, photon, solid_angle, telescope.ahead / cos_off_axis, telescope.submerged);
-  if (telescope.submerged) return birth;
+  auto birth = birth_in_water(sea, region, photon, solid_angle, telescope.ahead / cos_off_axis);
+  if (!region.in_air) return birth;
   const T inverse_n = gather<T>(sea.inverse_index, line);
   birth.photon.weight = birth.photon.weight * (inverse_n * inverse_n);
   birth.photon.path = longer_way(telescope, birth.photon.position, lens, birth.spread.before);

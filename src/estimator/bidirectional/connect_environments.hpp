@@ -9,13 +9,12 @@ namespace photic::estimator {
 
 template <class T>
 PHOTIC_APART void Connections<T>::complete_to_telescope(const Ends<T>& ends, const Vertex& v,
-                                                        const geometry::Sightline<T>& way,
-                                                        bool mirrored) {
+                                                        const geometry::Sightline<T>& way) {
   const Index<T> line = back_.line(ends.back);
   completion_.clear();
   add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
-  add_way(sea_, line, v.layer, T(-v.position.z), way.direction, way.length_water,
-          telescope_.submerged, receiver_.layer, mirrored, completion_.ways);
+  add_way(sea_, line, v.layer, T(-v.position.z), way.direction, way.length_water, way.to, way.route,
+          completion_.ways);
   completion_.collide(
       sea_, {v.line, v.layer, line > Index<T>(0), line, one_minus_cos(v.direction, way.direction)});
 }
@@ -24,11 +23,11 @@ PHOTIC_APART void Connections<T>::complete_to_telescope(const Ends<T>& ends, con
 template <class T>
 PHOTIC_APART void Connections<T>::complete_to_laser(const Ends<T>& ends, const Vertex& w,
                                                     const geometry::Sightline<T>& way,
-                                                    const T& length, bool mirrored) {
+                                                    const T& length) {
   completion_.clear();
   add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);
-  add_way(sea_, Index<T>(0), w.layer, T(-w.position.z), way.direction, length,
-          world_.laser.submerged, world_.laser_layer, mirrored, completion_.ways);
+  add_way(sea_, Index<T>(0), w.layer, T(-w.position.z), way.direction, length, way.to, way.route,
+          completion_.ways);
   completion_.collide(sea_, {w.line, w.layer, w.line > Index<T>(0), w.line,
                              one_minus_cos(w.direction, way.direction)});
 }
@@ -69,8 +68,8 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const Pair<T>& pair, const
   completion_.clear();
   pass(out);
   pass(home);
-  if (telescope_.submerged && !telescope_.upright) {
-    const Index<T>& at = receiver_.layer;
+  if (is_aslant(telescope_)) {
+    const Index<T>& at = receiver_.region.layer;
     const T longer = select(pair.ends.m == Index<T>(0), T(0), moved.longer);
     completion_.pass(sea_, {back_.line(pair.ends.back), at, T(0), at, T(0), longer});
   }

@@ -43,7 +43,7 @@ template <class T>
 PHOTIC_APART Longer<T> Connections<T>::lengthened(const Pair<T>& pair, T length) const {
   const auto& ends = pair.ends;
   const Index<T> line = back_.line(ends.back);
-  const Index<T> here = sea_.at(line, receiver_.layer);
+  const Index<T> here = sea_.at(line, receiver_.region.layer);
   const Mask<T> first = ends.m == Index<T>(0);
   Longer<T> longer;
   T growth(1);  // of what walks draw along it

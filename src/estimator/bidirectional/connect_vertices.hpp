@@ -22,36 +22,26 @@ PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Ends<T>& ends, cons
   const auto in_path = usable(ends.i + Index<T>(1));
   const Vertex v = laser_.in_path(ends.laser, ends.i, in_path);
   const Mask<T> wanted = mask & emits(line, v.layer);
-  if (telescope_.submerged) {
-    for (const bool mirrored : {false, true})
-      by_sightline(ends, wanted, v, birth,
-                   geometry::sightline_in_water(sea_, v.position, line, at, mirrored), mirrored);
-    return;
-  }
   const Mask<T> near_view =
       wanted & transport::may_see(sea_, telescope_, v.position, line, birth.lens);
   if (!any(near_view)) return;
-  by_sightline(ends, near_view, v, birth,
-               geometry::sightline_through_surface(sea_, v.position, line, at, near_view), false);
+  for (const auto route : geometry::routes_to(receiver_.region.in_air))
+    by_sightline(
+        ends, near_view, v, birth,
+        geometry::sightline(sea_, v.position, line, at, receiver_.region, route, near_view));
 }
 
 template <class T>
 void Connections<T>::by_sightline(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
-                                  const BirthRecord<T>& birth, const geometry::Sightline<T>& way,
-                                  bool mirrored) {
+                                  const BirthRecord<T>& birth, const geometry::Sightline<T>& way) {
   const Index<T> line = back_.line(ends.back);
   const auto sight = instrument::sight(telescope_, birth.lens, way.arriving);
-  const T air = telescope_.submerged
-                    ? T(0)
-                    : longer_way(telescope_, way.crossing, birth.lens, way.length_air);
-  const T path = v.path + air + way.length_water * gather<T>(sea_.group_index, line);
+  const T path = v.path + transport::longer_in_air(telescope_, way, birth.lens) +
+                 way.length_water * gather<T>(sea_.group_index, line);
   const Mask<T> seen = mask & way.exists & sight.on_detector & (path < receiver_.last_path);
   if (!any(seen)) return;
   const T depth = -v.position.z;
-  const auto tau = telescope_.submerged
-                       ? depths_in_water(sea_, way, line, v.layer, depth, receiver_.layer,
-                                         way.length_water, mirrored)
-                       : depths_through_surface(sea_, way, line, v.layer, depth);
+  const auto tau = depths_along(sea_, way, line, v.layer, depth, way.length_water);
   const T solid_angle = detector_solid_angle(telescope_, sight.cos_off_axis);
   const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
   const auto in_path = usable(ends.i + Index<T>(1));
@@ -68,7 +58,7 @@ void Connections<T>::by_sightline(const Ends<T>& ends, const Mask<T>& mask, cons
                      way.index_squared +
                  from.meeting;
   if (world_.compares) [[unlikely]]
-    complete_to_telescope(ends, v, way, mirrored);
+    complete_to_telescope(ends, v, way);
   score(ends, Walked::laser, seen,
         from.weight * way.passed * etendue * balance(area, tau.all, tau.walk, from.end, End<T>{}),
         path, depth, in_path.order);
@@ -90,22 +80,15 @@ PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Ends<T>& ends, const Ma
   const Vertex w = back_.in_path(ends.back, ends.m, usable(ends.m + Index<T>(1)));
   const Mask<T> wanted = mask & emits(w.line, w.layer);
   const Index<T> line(0);
-  if (!laser.submerged) {
+  for (const auto route : geometry::routes_to(world_.laser_region.in_air))
     by_sightline_to_laser(
         ends, wanted, w,
-        geometry::sightline_through_surface(sea_, w.position, line, vertex, wanted), false);
-    return;
-  }
-  for (const bool mirrored : {false, true})
-    by_sightline_to_laser(ends, wanted, w,
-                          geometry::sightline_in_water(sea_, w.position, line, vertex, mirrored),
-                          mirrored);
+        geometry::sightline(sea_, w.position, line, vertex, world_.laser_region, route, wanted));
 }
 
 template <class T>
 void Connections<T>::by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& mask,
-                                           const Vertex& w, const geometry::Sightline<T>& way,
-                                           bool mirrored) {
+                                           const Vertex& w, const geometry::Sightline<T>& way) {
   const auto& laser = world_.laser;
   const Vec3<T> leaving = -way.arriving;
   const T x = one_minus_cos(leaving, laser.axis);
@@ -116,16 +99,13 @@ void Connections<T>::by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& m
   const T hidden = laser.vertex_distance / (T(1) - x);
   const Vec3<T> vertex = fictitious_vertex(laser);
   const T longer = longer_by(vertex, -way.crossing, length(vertex) + way.length_air);
-  const T air = laser.submerged ? T(0) : longer + laser.vertex_detour - x * hidden;
-  const T water = laser.submerged ? way.length_water - hidden : way.length_water;
+  const T air = way.to.in_air ? longer + laser.vertex_detour - x * hidden : T(0);
+  const T water = way.to.in_air ? way.length_water : way.length_water - hidden;
   const Index<T> line(0);
   const T path = w.path + air + water * gather<T>(sea_.group_index, line);
   lit = lit & (water > T(0)) & (path < receiver_.last_path);
   if (!any(lit)) return;
-  const T depth = -w.position.z;
-  const auto tau = laser.submerged ? depths_in_water(sea_, way, line, w.layer, depth,
-                                                     world_.laser_layer, water, mirrored)
-                                   : depths_through_surface(sea_, way, line, w.layer, depth);
+  const auto tau = depths_along(sea_, way, line, w.layer, T(-w.position.z), water);
   const Freedom<T> freedom{
       shifts(ends.m + Index<T>(1), back_.birth_record(ends.back).shift_area),
       select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, way.direction),
@@ -137,7 +117,7 @@ void Connections<T>::by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& m
                      way.index_squared +
                  to.meeting;
   if (world_.compares) [[unlikely]]
-    complete_to_laser(ends, w, way, water, mirrored);
+    complete_to_laser(ends, w, way, water);
   score(ends, Walked::telescope, lit,
         to.weight * way.passed * balance(area, tau.all, tau.walk, End<T>{}, to.end), path,
         last_depth(ends.back), ends.m + Index<T>(1));

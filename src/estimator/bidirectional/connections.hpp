@@ -18,7 +18,7 @@
 #include "lanes/lane_columns.hpp"
 #include "lanes/queue.hpp"
 #include "tally/batch_tally.hpp"
-#include "transport/connect.hpp"
+#include "transport/connect_ray.hpp"
 #include "transport/flight.hpp"
 
 namespace photic::estimator {
@@ -181,9 +181,9 @@ class Connections {
   void serve_crossings(const Crossing<T>& crossing, const Mask<T>& mask);
 
   void by_sightline(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
-                    const BirthRecord<T>& birth, const geometry::Sightline<T>& way, bool mirrored);
+                    const BirthRecord<T>& birth, const geometry::Sightline<T>& way);
   void by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& mask, const Vertex& w,
-                             const geometry::Sightline<T>& way, bool mirrored);
+                             const geometry::Sightline<T>& way);
   void along(const Ends<T>& ends, const Mask<T>& mask, const Index<T>& line,
              const ConnectionEnd& from, const ConnectionEnd& to, const Vertex& v, const Vertex& w,
              const T& length, const Usable<T>& usable);
@@ -216,7 +216,7 @@ class Connections {
   /// `birth`: of a walk that detects a line.
   [[nodiscard]] AtLens<T> at_lens(const BirthRecord<T>& birth, const Index<T>& line) const {
     return {birth.lens, birth.outward,
-            telescope_.submerged ? gather<T>(sea_.group_index, line) : T(1)};
+            receiver_.region.in_air ? T(1) : gather<T>(sea_.group_index, line)};
   }
   /// Whether light of the laser's line can leave a layer as light of a line.
   [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {
@@ -263,9 +263,9 @@ class Connections {
   }
   // What the ends of paths, made one, do in environments.
   void complete_to_telescope(const Ends<T>& ends, const Vertex& v,
-                             const geometry::Sightline<T>& way, bool mirrored);
+                             const geometry::Sightline<T>& way);
   void complete_to_laser(const Ends<T>& ends, const Vertex& w, const geometry::Sightline<T>& way,
-                         const T& length, bool mirrored);
+                         const T& length);
   void complete_between(const Ends<T>& ends, const Index<T>& line, const Vertex& v, const Vertex& w,
                         const T& length);
   void complete_by_meeting(const Pair<T>& pair, const Moved<T>& moved, const T& depth,

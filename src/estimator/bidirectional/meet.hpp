@@ -10,7 +10,7 @@
 #include "estimator/bidirectional/vertex.hpp"
 #include "geometry/sightline.hpp"
 #include "instrument/lens.hpp"
-#include "optics/fresnel.hpp"
+#include "surface/flat.hpp"
 
 namespace photic::estimator {
 
@@ -20,8 +20,7 @@ Ray<T> reflected(const medium::MediumView& sea, const Ray<T>& ray) {
   Ray<T> image = ray;
   image.position.z = -ray.position.z;
   image.direction.z = -ray.direction.z;
-  image.weight = ray.weight *
-                 optics::refract(gather<T>(sea.index, ray.line), T(1), ray.direction.z).reflectance;
+  image.weight = ray.weight * surface::flat_surface<T>(sea, ray.line).reflectance(ray.direction.z);
   return image;
 }
 

@@ -86,13 +86,13 @@ struct Vertex : WalkPoint<T> {
 /// A walk's way from its last vertex, or its instrument, to where it is.
 template <class T>
 struct Leg {
-  T length{};          ///< in the water [m]
-  T walk_tau{};        ///< optical depth of the coefficient that free paths are drawn from
-  Mask<T> mirrored{};  ///< it was reflected by the surface
+  T length{};           ///< in the water [m]
+  T walk_tau{};         ///< optical depth of the coefficient that free paths are drawn from
+  Mask<T> reflected{};  ///< it was reflected by the surface
 
   friend Leg select(const Mask<T>& mask, const Leg& yes, const Leg& no) {
     return {select(mask, yes.length, no.length), select(mask, yes.walk_tau, no.walk_tau),
-            select(mask, yes.mirrored, no.mirrored)};
+            select(mask, yes.reflected, no.reflected)};
   }
 };
 

@@ -78,8 +78,8 @@ Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Mask
   v.chance = ray.chance;
   v.passed = ray.passed;
   const T growth = T(1) / exp_minus(leg.walk_tau);
-  const T straight = select(leg.mirrored, T(0), growth);
-  // A mirrored first edge can be connected: to the instrument's mirror image.
+  const T straight = select(leg.reflected, T(0), growth);
+  // A reflected first edge can be connected: to the instrument's mirror image.
   v.open = connecting_area(sea, ray, first, spread, leg.length, samples) *
            select(first, growth, straight);
   const T drawn =

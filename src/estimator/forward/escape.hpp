@@ -6,7 +6,7 @@
 #include "core/elementary.hpp"
 #include "geometry/depths.hpp"
 #include "medium/medium.hpp"
-#include "optics/fresnel.hpp"
+#include "surface/flat.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::estimator {
@@ -31,9 +31,8 @@ Escape<T> escape(const medium::MediumView& sea, const transport::Photon<T>& phot
   const auto chance = [&](const T& to_surface, const T& to_bed) {
     return exp_minus(slant * select(out.surface, to_surface, to_bed - to_surface));
   };
-  const T reflectance = optics::refract(gather<T>(sea.index, photon.line), T(1),
-                                        select(out.surface, photon.direction.z, T(1)))
-                            .reflectance;
+  const T rises = select(out.surface, photon.direction.z, T(1));
+  const T reflectance = surface::flat_surface<T>(sea, photon.line).reflectance(rises);
   const T passed = select(level, T(0), select(out.surface, T(1) - reflectance, T(1)));
   out.probability = passed * chance(sea.walk_optical_depth(photon.line, at),
                                     gather<T>(sea.by_walk_tau.end, photon.line));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "estimator/event.hpp"
 #include "estimator/variations/environments.hpp"
 #include "estimator/world.hpp"
 #include "lanes/each_score.hpp"
@@ -27,22 +28,19 @@ using Targets = transport::Targets<T, target_capacity>;
 
 /// Photons on their way, one in each lane, and the event that they are in.
 template <class T>
-struct Travellers {
+struct Travellers : Track<T> {
   explicit Travellers(const World<T>& world)
       : place{world.key, {}, {}}, lens(world.single_rays ? world.telescopes.size() : 0) {}
 
-  transport::Photon<T> photon;
   RandomPlace<T> place;
   Index<T> spectral_bin{};                      ///< in which lines it emits
   std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
                                                 ///< part in local estimates of single rays
   Ratios<T> ratios;                             ///< of their weights in environments
 
-  Mask<T> on{};  ///< who is on the way
   // Of the event:
   std::array<T, 4> u{}, choices{}, forced{};  ///< numbers: of all events, and where they are asked
                                               ///< for, of choices and of forced collisions
-  Mask<T> colliding{};                        ///< whose flight ends so
   T free_path{};                              ///< of the flight, an optical depth
   transport::Branch<T> branch;                ///< what the collision made of them
   Targets<T> targets;                         ///< of the directions that they may take next
@@ -169,8 +167,9 @@ lanes::LaneScores<T> scores_of(const World<T>& world, std::size_t telescope, con
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, std::size_t t,
                                                        Mask<T> seen, Sources<T> from,
-                                                       transport::Connection<T> way, bool mirrored,
-                                                       T value, Estimates<T>& estimates,
+                                                       transport::Connection<T> way,
+                                                       geometry::Route route, T value,
+                                                       Estimates<T>& estimates,
                                                        tally::BatchTally& tally) {
   const medium::MediumView& sea = world.sea;
   const transport::Photon<T>& photon = from.photon;
@@ -178,7 +177,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
   completion.clear();
   completion.ways = estimates.unflown;
   add_way(sea, from.line, photon.layer, T(-photon.position.z), way.direction, way.length_water,
-          world.telescopes[t].submerged, world.telescope_layer[t], mirrored, completion.ways);
+          world.telescope_region[t], route, completion.ways);
   completion.collide(sea, {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)),
                            from.line, one_minus_cos(photon.direction, way.direction)});
   lanes::each_score(tally, seen, scores_of(world, t, from, way.path, value),
@@ -201,30 +200,25 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
   using namespace transport;
   const Photon<T>& photon = from.photon;
   const auto [share, phase] = emission(world.sea, from);
-  const auto score = [&](const Connection<T>& way, bool mirrored) {
+  const auto score = [&](const Connection<T>& way, geometry::Route route) {
     const Mask<T> seen = mask & (way.acceptance > T(0));
     if (!any(seen)) return;
     const T p =
         world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction), phase);
     const T value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
     if (compares<Events>(world)) {
-      score_in_environments(world, t, seen, from, way, mirrored, value, estimates, tally);
+      score_in_environments(world, t, seen, from, way, route, value, estimates, tally);
       return;
     }
     estimates.scores[t].push(seen, scores_of(world, t, from, way.path, value), tally);
   };
   const auto& telescope = world.telescopes[t];
-  const auto& layer = world.telescope_layer[t];
-  for (const bool mirrored : {false, true}) {
-    if (mirrored && !telescope.submerged) continue;
-    if (world.single_rays) {
-      score(connect_ray(world.sea, telescope, layer, photon, from.line, from.lens, mirrored, mask),
-            mirrored);
-    } else if (telescope.submerged) {
-      score(connect_in_water(world.sea, telescope, layer, photon, from.line, mirrored), mirrored);
-    } else {
-      score(connect_through_surface(world.sea, telescope, photon, from.line, mask), mirrored);
-    }
+  const auto& region = world.telescope_region[t];
+  for (const auto route : geometry::routes_to(region.in_air)) {
+    score(world.single_rays
+              ? connect_ray(world.sea, telescope, region, photon, from.line, from.lens, route, mask)
+              : connect(world.sea, telescope, region, photon, from.line, route, mask),
+          route);
   }
 }
 
@@ -289,9 +283,10 @@ void aim_at_telescopes(const World<T>& world, Travellers<T>& at) {
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const auto& telescope = world.telescopes[t];
     const Vec3<T> to = world.single_rays ? in_space(telescope, at.lens[t]) : telescope.position;
-    for (const bool mirrored : {false, true}) {
-      if ((mirrored && !telescope.submerged) || targets.count == target_capacity) continue;
-      const auto [direction, in_front] = aim(world.sea, telescope, from, line, to, mirrored,
+    const auto& region = world.telescope_region[t];
+    for (const auto route : geometry::routes_to(region.in_air)) {
+      if (targets.count == target_capacity) return;
+      const auto [direction, in_front] = aim(world.sea, telescope, region, from, line, to, route,
                                              near_view(world, t, from, line, at.lens));
       targets.add(direction, T(0), select(in_front, T(1), T(0)));
     }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/elementary.hpp"
-#include "estimator/view_cone.hpp"
+#include "estimator/view.hpp"
 #include "geometry/depths.hpp"
 #include "medium/medium.hpp"
 #include "transport/flight.hpp"

@@ -18,7 +18,7 @@
 
 #include "core/elementary.hpp"
 #include "core/flatten.hpp"
-#include "instrument/telescope.hpp"
+#include "geometry/region.hpp"
 #include "medium/medium.hpp"
 #include "optics/phase_table.hpp"
 #include "transport/photon.hpp"
@@ -183,22 +183,22 @@ void add_passage(const medium::MediumView& sea, const Passage<T>& s, Terms<T>& w
   ways.add(sea.excess_c(s.line, s.layer2), -apart * from_top(s.layer2, s.depth2));
 }
 
-/// The way from a point to an instrument, of the given length in the water.
+/// The way from a point to an instrument in a region, by a route, of the given length in the water.
 template <class T>
 void add_way(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
-             const T& depth, const Vec3<T>& direction, const T& length, bool submerged,
-             const Index<T>& instrument_layer, bool mirrored, Terms<T>& ways) {
+             const T& depth, const Vec3<T>& direction, const T& length,
+             const geometry::Region<T>& region, geometry::Route route, Terms<T>& ways) {
   using std::abs;
   const Index<T> top(0);
-  if (!submerged) return add_passage(sea, {line, layer, depth, top, T(0), length}, ways);
-  if (!mirrored) {
+  if (region.in_air) return add_passage(sea, {line, layer, depth, top, T(0), length}, ways);
+  if (route == geometry::Route::direct) {
     const T end_depth = depth - length * direction.z;
-    return add_passage(sea, {line, layer, depth, instrument_layer, end_depth, length}, ways);
+    return add_passage(sea, {line, layer, depth, region.layer, end_depth, length}, ways);
   }
   const T steep = abs(direction.z);
   const T end_depth = length * steep - depth;
   add_passage(sea, {line, layer, depth, top, T(0), depth / steep}, ways);
-  add_passage(sea, {line, instrument_layer, end_depth, top, T(0), end_depth / steep}, ways);
+  add_passage(sea, {line, region.layer, end_depth, top, T(0), end_depth / steep}, ways);
 }
 
 /// A collision of light of a line: it is converted into another line, or from it on the way back

@@ -6,6 +6,7 @@
 #include "estimator/origin.hpp"
 #include "support/random.hpp"
 #include "transport/connect_ray.hpp"
+#include "transport/cross.hpp"
 #include "unit/transport/sea.hpp"
 
 namespace photic::transport {
@@ -57,7 +58,7 @@ TEST_P(FromSpace, LaserLightGetsThereInTime) {
     for (int i = 0; i < samples; ++i) {
       const double u = uniform(random), v = uniform(random);
       auto photon = emit(in_float, 0, float(u), float(v));
-      ASSERT_TRUE(enter_water(sea.view(), photon));
+      ASSERT_TRUE(enter_water(sea.view(), {true, 0}, photon));
       // From the disc, in its plane, straight on.
       const double x = u * laser.one_minus_cos_divergence;
       const V aside = turned(laser.axis, 1.0, std::cos(2 * pi * v), std::sin(2 * pi * v));
@@ -98,7 +99,8 @@ TEST_P(FromSpace, LightGetsBackInTime) {
     const auto whole = connect_through_surface(sea.view(), in_float, photon, line, true);
     const instrument::PlanePoint<float> lens =
         lens_point(in_float, float(random.uniform()), float(random.uniform()));
-    const auto ray = connect_ray(sea.view(), in_float, 0, photon, line, lens, false, true);
+    const auto ray = connect_ray(sea.view(), in_float, {true, 0}, photon, line, lens,
+                                 geometry::Route::direct, true);
     if (!(whole.acceptance > 0 && ray.acceptance > 0)) continue;
     ++seen;
     ASSERT_NEAR(whole.path, expected(telescope.position), path_tolerance);
@@ -119,7 +121,7 @@ TEST_P(FromSpace, WalksFromTelescopesAreTimed) {
     const auto lens = lens_point(in_float, float(random.uniform()), float(random.uniform()));
     const auto detector = instrument::ring_point(0.0F, in_float.detector_radius,
                                                  float(random.uniform()), float(random.uniform()));
-    const auto walk = estimator::birth_at_telescope(sea.view(), in_float, 0, 0, lens,
+    const auto walk = estimator::birth_at_telescope(sea.view(), in_float, {true, 0}, 0, lens,
                                                     outward_slope(in_float, lens, detector));
     ASSERT_TRUE(walk.exists);
     const instrument::PlanePoint<double> at{lens.x, lens.y}, on_detector{detector.x, detector.y};

@@ -14,13 +14,14 @@ struct Sea {
   Sea(const scene::Source& source, const scene::Telescope& telescope) {
     world.sea = medium.view();
     world.laser = instrument::make_laser<double>(source);
-    world.laser_layer = medium.layer_at(std::max(0.0, -source.position_m.z));
+    world.laser_region = transport::region_at(medium, source.position_m);
     world.telescopes = {instrument::make_telescope<double>(telescope)};
-    world.telescope_layer = {medium.layer_at(std::max(0.0, -telescope.position_m.z))};
-    world.inverse_conversion = {
-        0.3, 0.5,
-        axis_in_water(world.laser.axis, world.laser.submerged, medium.line[0].refractive_index), 1,
-        0.2};
+    world.telescope_region = {transport::region_at(medium, telescope.position_m)};
+    world.inverse_conversion = {0.3, 0.5,
+                                geometry::axis_in_water(source.position_m, world.laser.axis,
+                                                        medium.line[0].refractive_index)
+                                    .direction,
+                                1, 0.2};
     world.path_to_origin = {path_to_origin(source, telescope)};
     world.deepest = 40;
     world.most_vertices = most_vertices;

@@ -8,6 +8,7 @@
 #include "estimator/bidirectional/connection_end.hpp"
 #include "estimator/bidirectional/walk.hpp"
 #include "geometry/sightline.hpp"
+#include "transport/cross.hpp"
 #include "transport/flight.hpp"
 
 namespace photic::estimator {
@@ -58,8 +59,8 @@ inline V direction_to(const V& from, const V& to, bool mirrored) {
 
 inline geometry::Sightline<double> way_to(const World<double>& world, const V& from,
                                           std::int32_t line, const V& to, bool mirrored) {
-  return to.z < 0 ? geometry::sightline_in_water(world.sea, from, line, to, mirrored)
-                  : geometry::sightline_through_surface(world.sea, from, line, to, true);
+  const auto route = mirrored ? geometry::Route::mirrored : geometry::Route::direct;
+  return geometry::sightline(world.sea, from, line, to, {to.z >= 0, {}}, route, true);
 }
 inline geometry::Sightline<double> way_to_laser(const World<double>& world, const Path& path) {
   return way_to(world, path.x(1), 0, fictitious_vertex(world.laser), path.is_mirrored(0));
@@ -104,7 +105,7 @@ class Writer {
       const double rise = -photon_.position.z / photon_.direction.z;
       fly_to(photon_.position + rise * photon_.direction, leg);
       transport::reflect_down(world_.sea, photon_);
-      leg.mirrored = true;
+      leg.reflected = true;
     }
     fly_to(place, leg);
     photon_.weight *= world_.sea.collision_gain[here()];
@@ -181,14 +182,14 @@ inline Walks<double> laser_walk(const World<double>& world, const Samples<double
   const V vertex = fictitious_vertex(laser);
   transport::Photon<double> photon;
   photon.direction = -way_to_laser(world, path).arriving;
-  photon.layer = world.laser_layer;
+  photon.layer = world.laser_region.layer;
   const double secant = 1 / dot(photon.direction, laser.axis);
   const double before = (laser.vertex_distance + laser.ahead) * secant;
   photon.position = vertex + before * photon.direction;
   photon.path = laser.ahead * (secant - 1);
   Writer writer(
       world, samples,
-      enter_if_above(world.sea, photon, connectable_solid_angle(laser), before, laser.submerged),
+      birth_in_water(world.sea, world.laser_region, photon, connectable_solid_angle(laser), before),
       {}, false);
   for (std::int32_t i = 1; i <= vertices; ++i) {
     writer.collide_at(path.x(i), path.is_mirrored(i - 1));
@@ -214,7 +215,7 @@ inline Walks<double> telescope_walk(const World<double>& world, const Samples<do
   record.grid_offset = grid_offset;
   record.line = path.line;
   Writer writer(world, samples,
-                birth_at_telescope(world.sea, telescope, world.telescope_layer[0], path.line,
+                birth_at_telescope(world.sea, telescope, world.telescope_region[0], path.line,
                                    path.lens, slope),
                 record, true);
   const std::int32_t k = path.order();

@@ -18,7 +18,7 @@ using V = Vec3<double>;
 
 Aim<double> aim_from(const medium::Medium& sea, const scene::Telescope& scene, const V& from) {
   const auto telescope = instrument::make_telescope<double>(scene);
-  return aim(sea.view(), telescope, from, 0, telescope.position, false,
+  return aim(sea.view(), telescope, {true, 0}, from, 0, telescope.position, geometry::Route::direct,
              may_see(sea.view(), telescope, from, 0));
 }
 
@@ -53,7 +53,8 @@ TEST(Aim, InTheWaterIsStraightOrMirrored) {
   scene.direction = {0, 0, 1};
   const auto telescope = instrument::make_telescope<double>(scene);
   const auto from = [&](const V& place, bool mirrored) {
-    return aim(sea.view(), telescope, place, 0, telescope.position, mirrored, true);
+    return aim(sea.view(), telescope, {false, 0}, place, 0, telescope.position, route_of(mirrored),
+               true);
   };
   const V beside{4, 0, -3};
   EXPECT_FALSE(from(beside, false).in_front);
@@ -75,12 +76,14 @@ TEST(Aim, OfLanesIsThatOfEach) {
     const auto telescope4 = instrument::make_telescope<Lanes4>(scene);
     const auto photon = four([&] { return random_photon(sea, random); });
     const auto packed = pack(photon);
-    const auto aim4 = aim(sea.view(), telescope4, packed.position, packed.line, telescope4.position,
-                          mirrored, may_see(sea.view(), telescope4, packed.position, packed.line));
+    const auto aim4 = aim(sea.view(), telescope4, {!submerged, {}}, packed.position, packed.line,
+                          telescope4.position, route_of(mirrored),
+                          may_see(sea.view(), telescope4, packed.position, packed.line));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& one = photon[i];
-      const auto way = aim(sea.view(), telescope, one.position, one.line, telescope.position,
-                           mirrored, may_see(sea.view(), telescope, one.position, one.line));
+      const auto way =
+          aim(sea.view(), telescope, {!submerged, {}}, one.position, one.line, telescope.position,
+              route_of(mirrored), may_see(sea.view(), telescope, one.position, one.line));
       expect_same(aim4.direction, i, way.direction, "direction");
       expect_same(aim4.in_front[i], way.in_front, "in front");
     }

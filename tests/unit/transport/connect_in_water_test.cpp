@@ -27,7 +27,7 @@ Connection<double> connect(const medium::Medium& sea, const scene::Telescope& sc
                            std::int32_t line, bool mirrored) {
   return connect_in_water(sea.view(), instrument::make_telescope<double>(scene),
                           sea.layer_at(-scene.position_m.z), photon_at(sea, from, line), line,
-                          mirrored);
+                          route_of(mirrored));
 }
 
 /// Area of the open lens over distance squared, tilted: what the solid angle is from afar.

@@ -32,16 +32,15 @@ Connection<double> connect_ray(const medium::Medium& sea, const scene::Telescope
                                const Photon<double>& at, std::int32_t line,
                                const instrument::PlanePoint<double>& lens, bool mirrored) {
   const auto telescope = instrument::make_telescope<double>(scene);
-  return transport::connect_ray(sea.view(), telescope,
-                                sea.layer_at(std::max(0.0, -scene.position_m.z)), at, line, lens,
-                                mirrored, may_see(sea.view(), telescope, at.position, line));
+  return transport::connect_ray(sea.view(), telescope, region_at(sea, scene.position_m), at, line,
+                                lens, route_of(mirrored),
+                                may_see(sea.view(), telescope, at.position, line));
 }
 Connection<double> connect(const medium::Medium& sea, const scene::Telescope& scene,
                            const Photon<double>& at, std::int32_t line, bool mirrored) {
   const auto telescope = instrument::make_telescope<double>(scene);
-  if (!telescope.submerged) return connect_if_seen(sea, telescope, at, line);
-  return connect_in_water(sea.view(), telescope, sea.layer_at(-scene.position_m.z), at, line,
-                          mirrored);
+  return transport::connect(sea.view(), telescope, region_at(sea, scene.position_m), at, line,
+                            route_of(mirrored), may_see(sea.view(), telescope, at.position, line));
 }
 
 /// Points about a place, lines, and lens points; z-tests, 1 % for the family.
@@ -136,8 +135,8 @@ TEST(ConnectRay, IsNoneOffTheDetector) {
       const auto lens = lens_point(telescope, random.uniform(), random.uniform());
       const V there = in_space(telescope, lens);
       const auto way =
-          submerged ? geometry::sightline_in_water(sea.view(), at.position, 0, there, mirrored)
-                    : geometry::sightline_through_surface(sea.view(), at.position, 0, there, true);
+          geometry::sightline(sea.view(), at.position, 0, there, region_at(sea, scene.position_m),
+                              route_of(mirrored), true);
       const bool on_detector = sight(telescope, lens, way.arriving).on_detector;
       const auto ray = connect_ray(sea, scene, at, 0, lens, mirrored);
       ASSERT_EQ(ray.acceptance > 0, on_detector);

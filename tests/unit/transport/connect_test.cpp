@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "transport/cross.hpp"
 #include "transport/emit.hpp"
 #include "unit/instrument/telescopes.hpp"
 #include "unit/transport/connect_if_seen.hpp"
@@ -35,7 +36,7 @@ double transmittance_downward(const medium::Medium& sea, std::int32_t line,
   photon.line = line;
   photon.position = {0, 0, 1};
   photon.direction = -rising_in_air;
-  enter_water(sea.view(), photon);
+  enter_water(sea.view(), {true, 0}, photon);
   return photon.weight;
 }
 

@@ -217,8 +217,8 @@ std::vector<Element<T>> completed(const medium::MediumView& sea, const Photon<T>
   estimator::Completion<T> completion;
   completion.collide(
       sea, {at.line, at.layer, Mask<T>(false), at.line, one_minus_cos(at.direction, direction)});
-  estimator::add_way(sea, at.line, at.layer, T(-at.position.z), direction, length, submerged,
-                     Index<T>(0), mirrored, completion.ways);
+  estimator::add_way(sea, at.line, at.layer, T(-at.position.z), direction, length,
+                     {!submerged, Index<T>(0)}, route_of(mirrored), completion.ways);
   std::vector<Element<T>> out(static_cast<std::size_t>(sea.environments.stride));
   estimator::complete<T>(
       sea.environments, completion, lane, [&](std::int32_t e) { return kept.at(0, e); },

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/random.hpp"
+#include "transport/cross.hpp"
 #include "transport/flight.hpp"
 #include "unit/transport/sea.hpp"
 

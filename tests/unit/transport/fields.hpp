@@ -142,7 +142,7 @@ template <class P, class S, class F>
 void fields(P& a, S& b, F f) {
   f(a.length, b.length, "length");
   f(a.walk_tau, b.walk_tau, "walked optical depth");
-  f(a.mirrored, b.mirrored, "mirrored");
+  f(a.reflected, b.reflected, "reflected");
 }
 template <class P, class S, class F>
   requires is_packed<P, estimator::Departure>

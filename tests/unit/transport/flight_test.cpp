@@ -6,6 +6,7 @@
 #include "support/mean.hpp"
 #include "support/random.hpp"
 #include "support/z_test.hpp"
+#include "transport/cross.hpp"
 #include "unit/transport/sea.hpp"
 #include "unit/transport/straight_ways.hpp"
 

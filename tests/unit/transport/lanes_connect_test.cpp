@@ -167,11 +167,11 @@ void connect_in_water_is_the_same(bool mirrored, std::uint64_t seed) {
     const auto packed_photon = pack(scalar);
     const auto packed =
         connect_in_water(sea.view(), instrument::make_telescope<Lanes4>(scene), Index4(layer),
-                         packed_photon, packed_photon.line, mirrored);
+                         packed_photon, packed_photon.line, route_of(mirrored));
     int lit = 0;
     for (std::size_t i = 0; i < lanes; ++i) {
-      const auto one =
-          connect_in_water(sea.view(), telescope, layer, scalar[i], scalar[i].line, mirrored);
+      const auto one = connect_in_water(sea.view(), telescope, layer, scalar[i], scalar[i].line,
+                                        route_of(mirrored));
       expect_same_connection(packed, i, one);
       lit += one.acceptance > 0;
       if (!(one.acceptance > 0)) continue;

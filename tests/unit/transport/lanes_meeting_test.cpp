@@ -92,7 +92,7 @@ TEST(LanesOf, VertexOn) {
     const auto axis = four([&] { return random_vertical(random); });
     auto photon = four([&] { return random_photon(sea, random); });
     Four<estimator::Leg<double>> leg;
-    for (auto& one : leg) one.mirrored = random.chance(0.3);
+    for (auto& one : leg) one.reflected = random.chance(0.3);
     const bool through_surface = random.chance(0.5);
     const auto spread = four([&] {
       return estimator::Spread<double>{through_surface, random.uniform(), random.uniform(),

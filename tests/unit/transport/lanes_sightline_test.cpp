@@ -96,20 +96,19 @@ TEST(LanesOf, WayInWater) {
     const auto packed_end = pack(end);
     auto to = end;
     if (random.chance(0.1)) to[1].position = photon[1].position;
-    const auto way4 = geometry::sightline_in_water(sea.view(), packed.position, packed.line,
-                                                   pack(to).position, mirrored);
-    const auto tau4 = geometry::depths_in_water(sea.view(), way4, packed.line, packed.layer,
-                                                Lanes4(0) - packed.position.z, packed_end.layer,
-                                                way4.length_water, mirrored);
+    const auto route = route_of(mirrored);
+    const auto way4 = geometry::sightline(sea.view(), packed.position, packed.line,
+                                          pack(to).position, {false, packed_end.layer}, route, {});
+    const auto tau4 = geometry::depths_along(sea.view(), way4, packed.line, packed.layer,
+                                             Lanes4(0) - packed.position.z, way4.length_water);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto& one = photon[i];
-      const auto way = geometry::sightline_in_water(sea.view(), one.position, one.line,
-                                                    to[i].position, mirrored);
+      const auto way = geometry::sightline(sea.view(), one.position, one.line, to[i].position,
+                                           {false, end[i].layer}, route, {});
       expect_same_fields(way4, i, way);
-      expect_same_fields(
-          tau4, i,
-          geometry::depths_in_water(sea.view(), way, one.line, one.layer, 0 - one.position.z,
-                                    end[i].layer, way.length_water, mirrored));
+      expect_same_fields(tau4, i,
+                         geometry::depths_along(sea.view(), way, one.line, one.layer,
+                                                0 - one.position.z, way.length_water));
     }
   }
 }
@@ -128,7 +127,7 @@ TEST(LanesOf, ConnectRay) {
     }
     const auto telescope = instrument::make_telescope<double>(scene);
     const auto telescope4 = instrument::make_telescope<Lanes4>(scene);
-    const std::int32_t layer = sea.layer_at(std::max(0.0, -scene.position_m.z));
+    const auto region = region_at(sea, scene.position_m);
     const auto u = uniforms4(random), v = uniforms4(random);
     auto photon = four([&] { return random_photon(sea, random); });
     for (auto& one : photon) {
@@ -140,13 +139,14 @@ TEST(LanesOf, ConnectRay) {
       one.layer = sea.layer_at(-one.position.z);
     }
     const auto packed = pack(photon);
-    const auto ray4 = connect_ray(sea.view(), telescope4, Index4(layer), packed, packed.line,
-                                  lens_point(telescope4, pack(u), pack(v)), mirrored,
-                                  may_see(sea.view(), telescope4, packed.position, packed.line));
+    const auto ray4 =
+        connect_ray(sea.view(), telescope4, {region.in_air, Index4(region.layer)}, packed,
+                    packed.line, lens_point(telescope4, pack(u), pack(v)), route_of(mirrored),
+                    may_see(sea.view(), telescope4, packed.position, packed.line));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto ray =
-          connect_ray(sea.view(), telescope, layer, photon[i], photon[i].line,
-                      lens_point(telescope, u[i], v[i]), mirrored,
+          connect_ray(sea.view(), telescope, region, photon[i], photon[i].line,
+                      lens_point(telescope, u[i], v[i]), route_of(mirrored),
                       may_see(sea.view(), telescope, photon[i].position, photon[i].line));
       expect_same(ray4.direction, i, ray.direction, "direction");
       expect_same(ray4.acceptance[i], ray.acceptance, "acceptance");

@@ -2,6 +2,7 @@
 #include "estimator/forward/forced.hpp"
 #include "support/scatter.hpp"
 #include "transport/collide.hpp"
+#include "transport/cross.hpp"
 #include "transport/emit.hpp"
 #include "transport/flight.hpp"
 #include "unit/transport/packs.hpp"
@@ -35,9 +36,9 @@ void emit_and_enter(double half_divergence_mrad, std::uint64_t seed) {
       scalar[i] = emit(instrument::make_laser<double>(source), 0, u1[i], u2[i]);
       expect_same(packed, i, scalar[i]);
     }
-    const auto entered = enter_water(sea.view(), packed);
+    const auto entered = enter_water(sea.view(), {true, {}}, packed);
     for (std::size_t i = 0; i < lanes; ++i) {
-      expect_same(entered[i], enter_water(sea.view(), scalar[i]), "entered");
+      expect_same(entered[i], enter_water(sea.view(), {true, {}}, scalar[i]), "entered");
       expect_same(packed, i, scalar[i]);
       flown_away += !entered[i];
     }

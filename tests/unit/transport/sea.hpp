@@ -1,6 +1,10 @@
 // A sea made by hand, three layers and three lines, and photons in it.
 #pragma once
 
+#include <algorithm>
+
+#include "geometry/axis.hpp"
+#include "geometry/region.hpp"
 #include "medium/medium.hpp"
 #include "optics/fournier_forand.hpp"
 #include "optics/phase_functions.hpp"
@@ -32,6 +36,14 @@ inline medium::Medium make_sea(double bottom_m) {
                           sea.add_phase(optics::PhaseTable(optics::isotropic()))};
   sea.finish();
   return sea;
+}
+
+/// Where something at a position stands.
+inline geometry::Region<double> region_at(const medium::Medium& sea, const Vec3<double>& position) {
+  return {!geometry::stands_in_water(position), sea.layer_at(std::max(0.0, -position.z))};
+}
+inline geometry::Route route_of(bool mirrored) {
+  return mirrored ? geometry::Route::mirrored : geometry::Route::direct;
 }
 
 /// A photon on its way down.

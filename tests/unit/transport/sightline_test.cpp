@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/random.hpp"
+#include "transport/cross.hpp"
 #include "transport/emit.hpp"
 #include "unit/transport/refracted_rays.hpp"
 #include "unit/transport/sea.hpp"
@@ -61,7 +62,7 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
     down.line = line;
     down.position = to;
     down.direction = -air;
-    enter_water(sea.view(), down);
+    enter_water(sea.view(), {true, 0}, down);
     ASSERT_NEAR(way.passed, down.weight, 1e-9);
 
     expect_depths(
@@ -84,7 +85,7 @@ TEST(WayInWater, IsTheStraightLine) {
     const V from = random_place(random);
     const V to = i % 10 == 0 ? V{3, random.between(-10, 10), from.z} : random_place(random);
     const std::int32_t line = random.below(3);
-    const auto way = geometry::sightline_in_water(sea.view(), from, line, to, false);
+    auto way = geometry::sightline_in_water(sea.view(), from, line, to, geometry::Route::direct);
     ASSERT_TRUE(way.exists);
     ASSERT_LT(length(from + way.length_water * way.direction - to), 1e-12);
     ASSERT_EQ(way.arriving, way.direction);
@@ -96,9 +97,10 @@ TEST(WayInWater, IsTheStraightLine) {
     for (const double share : {1.0, 0.7}) {
       const double length = share * way.length_water;
       const V end = from + length * way.direction;
-      expect_depths(geometry::depths_in_water(sea.view(), way, line, sea.layer_at(-from.z), -from.z,
-                                              sea.layer_at(-end.z), length, false),
-                    sea, line, {from, end});
+      way.to.layer = sea.layer_at(-end.z);
+      expect_depths(
+          geometry::depths_along(sea.view(), way, line, sea.layer_at(-from.z), -from.z, length),
+          sea, line, {from, end});
     }
   }
 }
@@ -115,7 +117,7 @@ TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
     V to = random_place(random);
     to.x += random.chance(0.5) ? 40 : 0;
     const std::int32_t line = random.below(3);
-    const auto way = geometry::sightline_in_water(sea.view(), from, line, to, true);
+    auto way = geometry::sightline_in_water(sea.view(), from, line, to, geometry::Route::mirrored);
     const V image{to.x, to.y, -to.z};
     ASSERT_TRUE(way.exists);
     ASSERT_LT(length(from + way.length_water * way.direction - image), 1e-12);
@@ -137,9 +139,10 @@ TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
       V end = from + length * way.direction;
       if (end.z < 0) continue;  // in the first half
       end.z = -end.z;
-      expect_depths(geometry::depths_in_water(sea.view(), way, line, sea.layer_at(-from.z), -from.z,
-                                              sea.layer_at(-end.z), length, true),
-                    sea, line, {from, {surface.x, surface.y, 0}, end});
+      way.to.layer = sea.layer_at(-end.z);
+      expect_depths(
+          geometry::depths_along(sea.view(), way, line, sea.layer_at(-from.z), -from.z, length),
+          sea, line, {from, {surface.x, surface.y, 0}, end});
     }
   }
   EXPECT_GT(total, 1000);
@@ -148,7 +151,9 @@ TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
 
 TEST(WayInWater, FromThePointItselfIsNone) {
   const auto sea = make_sea(40);
-  EXPECT_FALSE(geometry::sightline_in_water(sea.view(), V{1, 2, -3}, 0, V{1, 2, -3}, false).exists);
+  EXPECT_FALSE(
+      geometry::sightline_in_water(sea.view(), V{1, 2, -3}, 0, V{1, 2, -3}, geometry::Route::direct)
+          .exists);
 }
 
 }  // namespace

@@ -1,0 +1,161 @@
+// What the bidirectional estimator's walks make of the steps of an event (estimator/event.hpp):
+// they note where they collide and how they go on, for the connections.
+#pragma once
+
+#include <array>
+#include <type_traits>
+
+#include "core/flatten.hpp"
+#include "estimator/bidirectional/depart.hpp"
+#include "estimator/bidirectional/leg_terms.hpp"
+#include "estimator/bidirectional/walk.hpp"
+#include "estimator/draws.hpp"
+#include "estimator/ends.hpp"
+#include "estimator/event.hpp"
+
+namespace photic::estimator {
+
+/// A walk that has begun, and what it has done since.
+template <class T>
+struct Walker : Track<T> {
+  Index<T> walk{};  ///< where it is kept
+
+  /// What a walk is born with.
+  template <class F>
+  constexpr void each_member(F f) {
+    this->photon.each_member(f), f(walk);
+  }
+
+  Index<T> event{}, vertices{};
+  Ray<T> ray;  ///< its last one
+  Leg<T> leg;
+  Vertical<T> axis;  ///< of a telescope's walk, where it has converted
+};
+
+/// Of walks from one instrument. A Source tells how they begin, what they draw, and whether light
+/// from where a photon stands can still count; its ledger takes what ends.
+template <class T, class Source>
+class WalkSteps {
+ public:
+  WalkSteps(const World<T>& world, const Samples<T>& samples, Source& source, Walks<T>& walks,
+            tally::BatchTally& batch)
+      : ledger(source.ledger),
+        tally(batch),
+        world_(world),
+        sea_(world.sea),
+        samples_(samples),
+        source_(source),
+        walks_(walks) {}
+
+  template <class Each>
+  void begin_event(Each each) {
+    each([&](auto& w) {
+      w.event = w.event + Index<T>(1);
+      u_ = source_.draw(w.walk, w.event, 0);
+    });
+  }
+  void look_ahead(const Walker<T>&) {}
+  void draw_free_path(const Walker<T>&) {}
+
+  transport::FlightEnd<T> fly(Walker<T>& w) {
+    const transport::Photon<T> before = w.photon;
+    const auto end = transport::fly(sea_, w.photon, minus_log(u_[0]));
+    add_flight(sea_, before, w.photon, w.leg);
+    return end;
+  }
+  [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
+    return source_.in_time(photon);
+  }
+  void cross(Walker<T>& w) {
+    const Mask<T> reflected = reflect_at_surface(sea_, w, Mask<T>(false), ledger);
+    w.leg.reflected = w.leg.reflected | reflected;
+  }
+
+  /// The vertex.
+  void score(Walker<T>& w) {
+    if (!any(w.colliding)) return;
+    const Mask<T> first = w.colliding & (w.vertices == Index<T>(0));
+    const Spread<T> spread = any(first) ? walks_.birth_record(w.walk).spread : Spread<T>{};
+    vertex_ = vertex_on(sea_, w.ray, first, spread, w.photon, w.leg, w.axis, samples_);
+    source_.keep_unshifted(walks_, w.walk, first, vertex_);
+    walks_.add(w.colliding, w.walk, w.vertices, vertex_);
+    w.vertices = w.vertices + select(w.colliding, Index<T>(1), Index<T>(0));
+  }
+  void collide(Walker<T>& w) {
+    book_out(w, w.colliding & (w.vertices == Index<T>(world_.last_order)), ledger.cut_by_order);
+    const Mask<T> full = w.on & w.colliding & (w.vertices == Index<T>(world_.most_vertices));
+    tally.too_many_events += count(full);
+    book_out(w, full, ledger.lost);
+    w.colliding = w.colliding & w.on;
+  }
+  /// The ray in which they leave it: scattered, or converted backwards.
+  template <class Each>
+  void scatter(Each each) {
+    each([&](auto& w) { leave_vertex(w); });
+  }
+
+  void play_roulette(Walker<T>& w) {
+    w.on = estimator::play_roulette(w.photon, world_.weight_threshold, u_[3], w.on, ledger);
+  }
+  [[nodiscard]] static const Index<T>& event_of(const Walker<T>& w) { return w.event; }
+
+  std::remove_reference_t<decltype(Source::ledger)>& ledger;
+  tally::BatchTally& tally;
+
+ private:
+  void leave_vertex(Walker<T>& w) {
+    const Mask<T>& colliding = w.colliding;
+    if (!any(colliding)) return;
+    const Mask<T> convertible = colliding & (w.photon.line > Index<T>(0));
+    const auto v = any(convertible) ? source_.draw(w.walk, w.event, 1) : std::array<T, 4>{};
+    transport::Photon<T> photon = w.photon;
+    const auto departure = depart(sea_, photon, world_.inverse_conversion,
+                                  {u_[1], u_[2], v[0], v[1]}, walks_.from_telescope());
+    book(ledger.absorbed, colliding, w.photon.weight - photon.weight);
+    w.photon = any(w.on & !colliding) ? select(colliding, photon, w.photon) : photon;
+    const Ray<T> ray = next_ray(photon, vertex_, departure);
+    walks_.add(colliding, w.walk, w.vertices, ray);
+    if (walks_.from_telescope()) {
+      const Mask<T> pivots = walks_.pivot(sea_, colliding, w.walk, w.vertices - Index<T>(1),
+                                          vertex_, ray, world_.turns_scattered);
+      w.axis = select(pivots, {Mask<T>(true), vertex_.position.x, vertex_.position.y}, w.axis);
+    }
+    if (world_.compares) [[unlikely]]
+      keep_ratios(sea_, walks_, w, vertex_, ray, colliding);
+    lanes::assign<T>(colliding, ray, w.ray);
+    w.leg = select(colliding, Leg<T>{}, w.leg);
+  }
+
+  /// In environments, from those of the ray before. Static, and with copies: what has its address
+  /// taken is kept in memory.
+  PHOTIC_APART static void keep_ratios(const medium::MediumView& sea, Walks<T>& walks,
+                                       const Walker<T>& w, Vertex<T> vertex, Ray<T> ray,
+                                       Mask<T> mask) {
+    Terms<T> way, collision;
+    add_leg(sea, w.ray, vertex, way);
+    add_encounter(sea,
+                  {vertex.line, vertex.layer, Mask<T>(!(vertex.line == ray.line)), vertex.line,
+                   one_minus_cos(vertex.direction, ray.direction)},
+                  collision);
+    const auto next = each_lane(Walks<T>::slot(w.walk, w.vertices));
+    for_each_lane(mask, [&](int lane) {
+      const auto k = static_cast<std::size_t>(lane);
+      const auto slot = static_cast<std::size_t>(next[k]);
+      walks.ratios().copy(sea.environments, slot - 1, slot);
+      const auto kept = walks.ratios().of(slot);
+      kept.pass(sea.environments, way, k);
+      kept.collide(sea.environments, collision, k);
+    });
+  }
+
+  const World<T>& world_;
+  const medium::MediumView& sea_;
+  const Samples<T>& samples_;
+  Source& source_;
+  Walks<T>& walks_;
+  // Of the event:
+  std::array<T, 4> u_{};
+  Vertex<T> vertex_;
+};
+
+}  // namespace photic::estimator

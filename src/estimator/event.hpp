@@ -1,0 +1,115 @@
+// One event of a history, as the physics tells it: a flight, and what stands at its end.
+//
+//   birth --> flight --+--> the sea bed, or too late: the end
+//               ^      +--> the surface: reflected, but for what passes --+
+//               |      +--> a collision: scattered, converted, absorbed --+
+//               +--------------- Russian roulette <-----------------------+
+//
+// Photons of the forward estimator, the bidirectional one's walks and analog photons all go through
+// this text. What each estimator makes of a step, it says in its Steps. each(stage) has a stage
+// done to all tracks: to one alone, or to many before the next stage begins.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "estimator/book.hpp"
+#include "estimator/world.hpp"
+#include "surface/black.hpp"
+#include "transport/cross.hpp"
+#include "transport/emit.hpp"
+#include "transport/flight.hpp"
+
+namespace photic::estimator {
+
+/// A photon that has not ended after so many events is lost, and counted.
+inline constexpr std::int32_t most_events = 1'000'000;
+
+/// Those who are on their way, one in each lane.
+template <class T>
+struct Track {
+  transport::Photon<T> photon;
+  Mask<T> on{};         ///< who is on the way
+  Mask<T> colliding{};  ///< of them, whose flight has ended in a collision
+};
+
+/// Those of a mask end here; an account of the ledger takes their weight.
+template <class T, class Account>
+void book_out(Track<T>& t, const Mask<T>& gone, Account& account) {
+  book(account, t.on & gone, t.photon.weight);
+  t.on = t.on & !gone;
+}
+
+/// Light of a mask leaves the laser, by two uniforms. What gets into the water is on its way.
+template <class T, class Ledger>
+void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
+                    const Mask<T>& exist, Track<T>& t, Ledger& ledger) {
+  t.photon = transport::emit(world.laser, world.laser_region.layer, u_polar, u_azimuth);
+  const T emitted = t.photon.weight;
+  const Mask<T> entered = transport::enter_water(world.sea, world.laser_region, t.photon);
+  book(ledger.escaped, exist, select(entered, emitted - t.photon.weight, emitted));
+  t.on = exist & entered;
+}
+
+/// Flights of all: at their ends, who has not come to the sea bed, nor comes too late, stands at
+/// the surface, which they cross, or collides.
+template <class Steps, class Each>
+void flights(Steps& steps, Each each) {
+  steps.begin_event(each);
+  each([&](auto& t) { steps.look_ahead(t); });
+  each([&](auto& t) { steps.draw_free_path(t); });
+  each([&](auto& t) { end_flight(steps, t, steps.fly(t)); });
+  each([&](auto& t) { steps.cross(t); });
+}
+
+/// Collisions of those who collide. Then the event ends for all.
+template <class Steps, class Each>
+void collisions(Steps& steps, Each each) {
+  each([&](auto& t) { steps.score(t); });
+  each([&](auto& t) { steps.collide(t); });
+  steps.scatter(each);
+  each([&](auto& t) { end_event(steps, t); });
+}
+
+template <class Steps, class T>
+void end_flight(Steps& steps, Track<T>& t, const transport::FlightEnd<T>& end) {
+  static_assert(!surface::Black::reflects);
+  book_out(t, end.sea_bed, steps.ledger.sea_bed);
+  book_out(t, !steps.in_time(t.photon), steps.ledger.cut_by_time);
+  t.colliding = t.on & !end.surface;
+  steps.tally.collisions += count(t.colliding);
+}
+
+/// Those who stand at the surface are reflected, but for the weight that passes; who is `kept`
+/// stays with all of it. Tells who stood there.
+template <class T, class Ledger>
+Mask<T> reflect_at_surface(const medium::MediumView& sea, Track<T>& t, const Mask<T>& kept,
+                           Ledger& ledger) {
+  const Mask<T> reflected = t.on & !t.colliding;
+  if (!any(reflected)) return reflected;
+  transport::Photon<T> down = t.photon;
+  book(ledger.escaped, reflected, transport::reflect_down(sea, down, kept));
+  transport::Photon<T>& photon = t.photon;
+  photon.direction.z = select(reflected, down.direction.z, photon.direction.z);
+  photon.weight = select(reflected, down.weight, photon.weight);
+  photon.analog_weight = select(reflected, down.analog_weight, photon.analog_weight);
+  return reflected;
+}
+
+/// Roulette, and what is lost: weights that are no numbers, and who has not ended for too long.
+template <class Steps, class Tracks>
+void end_event(Steps& steps, Tracks& t) {
+  using T = decltype(t.photon.weight);
+  steps.play_roulette(t);
+  const Mask<T> on = t.on;
+  const Mask<T> finite = t.photon.weight <= T(std::numeric_limits<Element<T>>::max());
+  const Mask<T> fresh = steps.event_of(t) < Index<T>(most_events);
+  t.on = on & finite & fresh;
+  if (!any(on & !(finite & fresh))) return;
+  steps.tally.not_finite += count(on & !finite);
+  const Mask<T> worn = on & finite & !fresh;
+  steps.tally.too_many_events += count(worn);
+  book(steps.ledger.lost, worn, t.photon.weight);
+}
+
+}  // namespace photic::estimator

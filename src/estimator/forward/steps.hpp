@@ -1,0 +1,168 @@
+// What the forward estimator makes of the steps of an event (estimator/event.hpp): expected values
+// stand in for what is not drawn, and telescopes are told of each collision.
+#pragma once
+
+#include <cstdint>
+
+#include "estimator/ends.hpp"
+#include "estimator/event.hpp"
+#include "estimator/forward/estimate.hpp"
+#include "estimator/forward/expected_collision.hpp"
+#include "estimator/forward/tools.hpp"
+#include "transport/collide.hpp"
+#include "transport/scatter.hpp"
+
+namespace photic::estimator {
+
+/// Of photons by Events: PlainEvents or AllEvents, as the world asks for. draw(block) draws a block
+/// of the random numbers of their events. Ledger: of one photon, or of lanes.
+template <class Events, class T, class Ledger, class Draw>
+struct ForwardSteps {
+  const World<T>& world;
+  Ledger& ledger;
+  tally::BatchTally& tally;
+  Estimates<T>& estimates;
+  Draw draw;
+
+  template <class Each>
+  void begin_event(Each each) {
+    each([](auto& t) { t.place.event = t.place.event + Index<T>(1); });
+    draw(0);
+    if (world.makes_choices) draw(1);
+    if (!world.cones.empty()) draw(2);
+  }
+
+  /// What is scored of a flight before it begins.
+  void look_ahead(Travellers<T>& t) {
+    if (!world.cones.empty()) score_on_the_way<Events>(world, t, t.on, estimates, tally);
+    if constexpr (Events::tools) begin_with_tools(world, t, t.on, ledger);
+    score_further_points<Events>(world, t, estimates, tally);
+  }
+
+  void draw_free_path(Travellers<T>& t) { t.free_path = minus_log(path_number<Events>(t, t.u[0])); }
+
+  transport::FlightEnd<T> fly(Travellers<T>& t) {
+    transport::Photon<T>& photon = t.photon;
+    if (compares<Events>(world)) t.ratios.before = photon;
+    auto end = transport::fly(world.sea, photon, t.free_path);
+    if (flies_on()) {
+      transport::fly_on(world.sea, photon, end, [&](const Mask<T>& turned, auto& down) {
+        t.on = (t.on & !turned) | reflect_in_flight(t, t.on & turned, down);
+      });
+    }
+    if (compares<Events>(world)) t.ratios.flown(world.sea, photon, end.length, t.on);
+    return end;
+  }
+  [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
+    return estimator::in_time(world, photon);
+  }
+
+  void cross(Travellers<T>& t) {
+    if (flies_on()) return;
+    const Mask<T> kept = Events::tools ? are_forced(world, t.place) : Mask<T>(false);
+    reflect_at_surface(world.sea, t, kept, ledger);
+  }
+
+  /// If that has not been done on the way.
+  void score(const Travellers<T>& t) {
+    if (!any(t.colliding) || (Events::tools && world.tools.scores_on_the_way)) return;
+    score_scattering<Events>(world, t, t.colliding, estimates, tally);
+  }
+
+  /// Some go on as light of another wavelength, what is absorbed is lost.
+  void collide(Travellers<T>& t) {
+    if (world.last_order > 0) {
+      const Index<T> next = t.photon.order + Index<T>(1);
+      book_out(t, t.colliding & (next == Index<T>(world.last_order)), ledger.cut_by_order);
+      t.colliding = t.colliding & t.on;
+    }
+    const Mask<T>& colliding = t.colliding;
+    if (!any(colliding)) return;
+    transport::Photon<T> photon = t.photon;
+    const Index<T> here = world.sea.at(photon.line, photon.layer);
+    book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
+    if (compares<Events>(world)) t.ratios.before = photon;
+    t.branch = transport::collide(world.sea, photon, t.spectral_bin, world.conversion, t.choices[0],
+                                  t.choices[1]);
+    transport::Photon<T>& after = t.photon;
+    after.weight = select(colliding, photon.weight, after.weight);
+    after.analog_weight = select(colliding, photon.analog_weight, after.analog_weight);
+    after.line = select(colliding, photon.line, after.line);
+    after.order = select(colliding, photon.order, after.order);
+  }
+
+  /// They go on in a direction about their own, or towards a target.
+  template <class Each>
+  void scatter(Each each) {
+    if (world.directs) each([&](auto& t) { aim_at_targets(world, t); });
+    each([&](auto& t) { deflect(t); });
+    each([&](auto& t) { turn(t); });
+    if (world.directs) each([&](auto& t) { weigh_direction(t); });
+  }
+
+  void play_roulette(Travellers<T>& t) {
+    if constexpr (Events::tools)
+      t.on = end_with_tools(world, t, t.on, left_of_direction(t), ledger);
+    else if (any(t.photon.analog_weight < world.weight_threshold))
+      t.on = estimator::play_roulette(t.photon, world.weight_threshold, left_of_direction(t), t.on,
+                                      ledger);
+  }
+  [[nodiscard]] static const Index<T>& event_of(const Travellers<T>& t) { return t.place.event; }
+
+ private:
+  [[nodiscard]] bool flies_on() const { return !Events::tools && world.flies_on; }
+
+  /// Reflects photons of a mask at the surface, but for the weight that passes. Those who are left
+  /// with far less than the threshold play roulette at once, before more is done for little light;
+  /// of the number that they play by others use what is left. Tells who goes on.
+  Mask<T> reflect_in_flight(Travellers<T>& t, const Mask<T>& reflected,
+                            transport::Photon<T>& photon) {
+    book(ledger.escaped, reflected, transport::reflect_down(world.sea, photon));
+    constexpr double far_less = 1.0 / 8;
+    const Mask<T> light = photon.analog_weight < T(far_less) * world.weight_threshold;
+    if (!any(reflected & light)) return reflected;
+    const T level = select(reflected & light, world.weight_threshold, T(0));
+    T& u = t.u[3];
+    const T chance = transport::survival(photon, level);
+    const Mask<T> survives = estimator::play_roulette(photon, level, u, reflected, ledger);
+    u = left_of_choice(u, chance);
+    return survives;
+  }
+
+  void deflect(Travellers<T>& t) {
+    if (!any(t.colliding)) return;
+    t.deflection =
+        transport::deflect(world.sea, t.photon.direction, t.branch.phase, t.branch.lobe, t.targets,
+                           world.directed, {t.u[1], t.u[2], t.u[3], t.choices[2]});
+  }
+  void turn(Travellers<T>& t) {
+    const Mask<T>& colliding = t.colliding;
+    if (!any(colliding)) return;
+    transport::Photon<T>& photon = t.photon;
+    if (world.directs) t.old_direction = photon.direction;
+    photon.direction = select<T>(colliding, transport::turned(t.deflection), photon.direction);
+    if (compares<Events>(world)) t.ratios.collided(world.sea, photon, colliding);
+  }
+  /// The weight takes the ratio of the true density of directions to that with targets.
+  void weigh_direction(Travellers<T>& t) {
+    if (!any(t.colliding)) return;
+    const T ratio =
+        transport::true_over_drawn(world.sea, t.old_direction, t.photon.direction, t.branch.phase,
+                                   t.branch.lobe, t.targets, world.directed);
+    t.photon.weight = t.photon.weight * select(t.colliding, ratio, T(1));
+  }
+  /// What is left of the number that decided whether directions were drawn towards targets.
+  T left_of_direction(const Travellers<T>& t) const {
+    const T& u = t.u[3];
+    if (!world.directs) return u;
+    return select(t.colliding, left_of_choice(u, t.targets.share(world.directed)), u);
+  }
+};
+
+template <class Events, class T, class Ledger, class Draw>
+auto forward_steps(const World<T>& world, Ledger& ledger, tally::BatchTally& tally,
+                   Estimates<T>& estimates, Draw draw) {
+  return ForwardSteps<Events, T, Ledger, Draw>{world, ledger, tally, estimates, draw};
+}
+
+}  // namespace photic::estimator

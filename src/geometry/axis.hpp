@@ -1,0 +1,63 @@
+// The way of light along the axis of an instrument, by the flat surface: what paths, deadlines and
+// gates are told against. Instruments stand at z >= 0 in the air, or below in the water.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/vec3.hpp"
+
+namespace photic::geometry {
+
+inline bool stands_in_water(const Vec3<double>& position) { return position.z < 0; }
+
+/// How far ahead of an instrument its light is told of [m]: where its axis, a unit vector, meets
+/// the sea, or for grazing light on the way there. So lengths far longer than what they lead to are
+/// left out of places and paths, and floats tell these as well from space. In the water, and where
+/// the axis leads away from it: at the instrument.
+inline double way_ahead(const Vec3<double>& position, const Vec3<double>& axis) {
+  if (position.z <= 0 || axis.z >= 0) return 0;
+  constexpr double most_heights = 10;
+  return position.z * std::min(most_heights, -1 / axis.z);
+}
+
+/// The cosine to the vertical that light of the given one in the air has in water of index n
+/// (Snell's law).
+inline double cosine_in_water(double cos_air, double n) {
+  return std::sqrt(1 - (1 - cos_air * cos_air) / (n * n));
+}
+/// How the axis of an instrument goes on in the water.
+struct AxisInWater {
+  Vec3<double> entry;      ///< where it begins there: at the surface, or at the instrument
+  Vec3<double> direction;  ///< a unit vector
+  double in_air = 0;       ///< its length before [m]
+  double index = 1;        ///< of the water against the instrument's medium
+};
+/// In water of index n. An axis that looks away from the sea is left as it is.
+inline AxisInWater axis_in_water(const Vec3<double>& position, const Vec3<double>& axis, double n) {
+  if (stands_in_water(position)) return {position, axis};
+  if (!(axis.z < 0)) return {position, axis, 0, n};
+  const double in_air = position.z / -axis.z;
+  const Vec3<double> refracted{axis.x / n, axis.y / n, -cosine_in_water(axis.z, n)};
+  return {position + in_air * axis, normalised(refracted), in_air, n};
+}
+
+/// Group path along an axis that looks down: to the surface, and per metre of depth above and below
+/// it. Of an instrument in the water `to_surface` is negative. NaN of axes that do not look down.
+struct GroupPath {
+  double to_surface, per_depth_in_air, per_depth_in_water;
+};
+inline GroupPath group_path(const Vec3<double>& position, const Vec3<double>& axis, double n,
+                            double group_index) {
+  if (!(axis.z < 0)) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none, none};
+  }
+  const bool submerged = stands_in_water(position);
+  const double in_water = group_index / (submerged ? -axis.z : cosine_in_water(axis.z, n));
+  const double in_air = submerged ? in_water : -1 / axis.z;
+  return {position.z * in_air, in_air, in_water};
+}
+
+}  // namespace photic::geometry

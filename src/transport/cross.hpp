@@ -1,0 +1,46 @@
+// What the surface makes of photons that come to it: the share of their weight that goes on.
+#pragma once
+
+#include "geometry/region.hpp"
+#include "medium/medium.hpp"
+#include "surface/flat.hpp"
+#include "transport/photon.hpp"
+
+namespace photic::transport {
+
+/// Takes photons from where their instrument stands into the water: from the air through the
+/// surface, where their weight takes the share that passes. Tells which photons get there; the
+/// others fly away and are left as they are.
+template <class T>
+Mask<T> enter_water(const medium::MediumView& sea, const geometry::Region<T>& from,
+                    Photon<T>& photon) {
+  if (!from.in_air) return Mask<T>(true);
+  const Mask<T> downward = photon.direction.z < T(0);
+  Vec3<T> direction = photon.direction;
+  direction.z = select(downward, direction.z, T(-1));
+  const T distance = photon.position.z / -direction.z;
+  const auto split = surface::flat_surface<T>(sea, photon.line).from_above(direction);
+  const Vec3<T> there = photon.position + distance * photon.direction;
+  photon.position = select(downward, Vec3<T>{there.x, there.y, T(0)}, photon.position);
+  photon.direction = select(downward, split.transmitted, photon.direction);
+  photon.path = photon.path + select(downward, distance, T(0));
+  photon.weight = photon.weight * select(downward, split.transmittance, T(1));
+  return downward;
+}
+
+/// Reflects a photon that stands at the surface back into the water: its weight takes the
+/// reflectance, 1 in total reflection. Returns the weight that leaves through the surface; clear
+/// air returns nothing. From photons that are `kept` that has been taken before.
+template <class T>
+T reflect_down(const medium::MediumView& sea, Photon<T>& photon,
+               const Mask<T>& kept = Mask<T>(false)) {
+  const auto split = surface::flat_surface<T>(sea, photon.line).from_below(photon.direction);
+  const T r = select(kept, T(1), split.reflectance);
+  const T leaving = photon.weight * (T(1) - r);
+  photon.weight = photon.weight * r;
+  photon.analog_weight = photon.analog_weight * r;
+  photon.direction = split.reflected;
+  return leaving;
+}
+
+}  // namespace photic::transport
