@@ -17,8 +17,7 @@ namespace {
 struct Setting {
   estimator::Model model = estimator::make_model(
       scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene);
-  estimator::World<double> world =
-      estimator::make_world<double>(model.scene, model.medium, model.gates);
+  estimator::World<double> world = estimator::make_world<double>(model);
   transport::Photon<double> photon;
   RandomPlace<double> place{1, 0, 0};
 

@@ -23,7 +23,7 @@ struct Setting {
     scene.simulation.estimator = "forward";
     return make_model(scene);
   }();
-  World<Lanes> world = make_world<Lanes>(model.scene, model.medium, model.gates);
+  World<Lanes> world = make_world<Lanes>(model);
   const medium::MediumView& sea = world.sea;
   Draws<Lanes> draws = draws_of_laser(world, 0);
   std::array<Index<Lanes>, packs> n;

@@ -7,10 +7,10 @@
 
 #include "core/constants.hpp"
 #include "estimator/strategies.hpp"
+#include "estimator/walk_attenuation.hpp"
 #include "medium/build.hpp"
 #include "medium/check.hpp"
 #include "medium/environments.hpp"
-#include "medium/walk_attenuation.hpp"
 #include "optics/data_folder.hpp"
 #include "scene/forward_settings.hpp"
 
@@ -100,7 +100,7 @@ scene::Check optics_check() {
   return [library = std::shared_ptr<const optics::Library>()](const scene::Scene& scene,
                                                               scene::Findings& findings) mutable {
     if (!library) library = std::make_shared<const optics::Library>(optics::find_data_folder());
-    medium::check_medium(scene, *library, findings);
+    check_walk_attenuation(scene, medium::check_medium(scene, *library, findings), findings);
     medium::check_environments(scene, *library, findings);
   };
 }
@@ -112,16 +112,18 @@ Model make_model(const scene::Scene& scene) {
   auto shape = make_shape(scene, medium, gates);
   scene::Scene effective = scene;
   if (scene.simulation.estimator == "bidirectional")
-    effective.simulation.walk_attenuation = medium::walk_attenuation_in(medium, scene.simulation);
+    effective.simulation.walk_attenuation = walk_attenuation_in(medium, scene.simulation);
   if (scene.simulation.estimator == "forward") {
     effective.simulation.directed_fraction = scene::directed_fraction_in(scene);
     effective.simulation.scored_points = scene::scored_points_in(scene);
   }
-  return {std::move(effective), std::move(medium), std::move(gates), std::move(shape)};
+  auto paths = free_paths(medium, scene.simulation);
+  return {std::move(effective), std::move(medium), std::move(paths), std::move(gates),
+          std::move(shape)};
 }
 
 tally::Result describe(const Model& model) {
-  const auto& [scene, medium, gates, shape] = model;
+  const auto& [scene, medium, paths, gates, shape] = model;
   tally::Result result;
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
   for (const auto& e : scene.environment) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "geometry/free_paths.hpp"
 #include "medium/medium.hpp"
 #include "scene/read.hpp"
 #include "scene/scene.hpp"
@@ -22,6 +23,7 @@ inline std::uint64_t batch_photons(const scene::Simulation& simulation) {
 struct Model {
   scene::Scene scene;  ///< with what it leaves to the water (walk_attenuation)
   medium::Medium medium;
+  geometry::FreePaths paths;
   tally::Gates gates;
   tally::Shape shape;
 };

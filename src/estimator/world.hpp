@@ -14,6 +14,7 @@
 #include "estimator/origin.hpp"
 #include "estimator/strategies.hpp"
 #include "estimator/view.hpp"
+#include "estimator/walk_attenuation.hpp"
 #include "geometry/region.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
@@ -76,7 +77,7 @@ Tools<T> make_tools(const scene::Tools& s) {
 template <class T>
 struct World {
   Estimator estimator = Estimator::forward;
-  medium::MediumView sea;
+  geometry::Slabs sea;
   instrument::Laser<T> laser;
   geometry::Region<T> laser_region;
   std::vector<instrument::Telescope<T>> telescopes;
@@ -157,7 +158,7 @@ inline constexpr double directed_scattering = 0.1;
 /// Of a vertex of a telescope's walk in emitted light: where that is hardly scattered, as many
 /// conversions are turned back as if its free paths were drawn like those of the laser's light.
 inline double inverse_conversion_probability(double conversion_probability) {
-  return 1 - std::pow(1 - conversion_probability, 1 / medium::emitted_walk_share);
+  return 1 - std::pow(1 - conversion_probability, 1 / emitted_walk_share);
 }
 
 /// How deep light can turn back within the last gate, and how far below the instruments that is.
@@ -212,11 +213,11 @@ inline bool spreads_evenly(const scene::Scene& scene) {
 }
 
 template <class T>
-World<T> make_world(const scene::Scene& scene, const medium::Medium& medium,
-                    const tally::Gates& gates) {
+World<T> make_world(const Model& model) {
+  const auto& [scene, medium, paths, gates, shape] = model;
   World<T> world;
   world.estimator = estimator_of(scene);
-  world.sea = medium.view();
+  world.sea = paths.slabs(medium);
   const Vec3<double> origin = origin_of(scene.source);
   world.laser = instrument::make_laser<T>(from_origin(scene.source, origin));
   const auto layer = [&](const auto& instrument) {

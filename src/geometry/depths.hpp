@@ -1,7 +1,7 @@
 // Optical depths between two places in the water.
 #pragma once
 
-#include "medium/medium.hpp"
+#include "geometry/free_paths.hpp"
 
 namespace photic::geometry {
 
@@ -19,7 +19,7 @@ auto level_of(const medium::MediumView& sea, const Placed& at) {
 
 /// Of a straight way of the given length between two levels.
 template <class T>
-OpticalDepths<T> depths_between(const medium::MediumView& sea, const Index<T>& line,
+OpticalDepths<T> depths_between(const Slabs& sea, const Index<T>& line,
                                 const medium::Level<T>& from, const medium::Level<T>& to,
                                 const T& length) {
   return {sea.slant_optical_depth(line, from, to, length),

@@ -96,7 +96,7 @@ Sightline<T> sightline(const medium::MediumView& sea, const Vec3<T>& from, const
 
 /// Optical depths of a way through the surface from a layer and a depth.
 template <class T>
-OpticalDepths<T> depths_through_surface(const medium::MediumView& sea, const Sightline<T>& way,
+OpticalDepths<T> depths_through_surface(const Slabs& sea, const Sightline<T>& way,
                                         const Index<T>& line, const Index<T>& layer,
                                         const T& depth) {
   const auto at = sea.level(layer, depth);
@@ -105,9 +105,9 @@ OpticalDepths<T> depths_through_surface(const medium::MediumView& sea, const Sig
 }
 /// By way of the surface, from one depth to another.
 template <class T>
-OpticalDepths<T> depths_by_surface(const medium::MediumView& sea, const Index<T>& line,
-                                   const Index<T>& layer1, const T& depth1, const Index<T>& layer2,
-                                   const T& depth2, const T& secant) {
+OpticalDepths<T> depths_by_surface(const Slabs& sea, const Index<T>& line, const Index<T>& layer1,
+                                   const T& depth1, const Index<T>& layer2, const T& depth2,
+                                   const T& secant) {
   const auto from = sea.level(layer1, depth1);
   const auto to = sea.level(layer2, depth2);
   return {(sea.optical_depth(line, from) + sea.optical_depth(line, to)) * secant,
@@ -115,9 +115,8 @@ OpticalDepths<T> depths_by_surface(const medium::MediumView& sea, const Index<T>
 }
 /// Of the first `length` in the water of a way from a layer and a depth.
 template <class T>
-OpticalDepths<T> depths_along(const medium::MediumView& sea, const Sightline<T>& way,
-                              const Index<T>& line, const Index<T>& layer, const T& depth,
-                              const T& length) {
+OpticalDepths<T> depths_along(const Slabs& sea, const Sightline<T>& way, const Index<T>& line,
+                              const Index<T>& layer, const T& depth, const T& length) {
   using std::abs;
   if (way.to.in_air) return depths_through_surface(sea, way, line, layer, depth);
   const Index<T>& end_layer = way.to.layer;

@@ -6,7 +6,6 @@
 
 #include "medium/environments.hpp"
 #include "medium/layer_optics.hpp"
-#include "medium/walk_attenuation.hpp"
 #include "optics/phase_functions.hpp"
 
 namespace photic::medium {
@@ -74,17 +73,8 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   if (medium.line.size() > 1)
     medium.beam_lobe = medium.add_phase(optics::PhaseTable(optics::henyey_greenstein(beam_lobe_g)));
   add_environments(scene, library, medium);
-  finish_for(scene.simulation, medium);
+  medium.finish();
   return medium;
-}
-
-void finish_for(const scene::Simulation& simulation, Medium& medium) {
-  if (simulation.estimator == "bidirectional")
-    medium.finish(walk_attenuation_in(medium, simulation));
-  else if (simulation.estimator == "analog")
-    medium.finish(Medium::analog_share);
-  else
-    medium.finish();
 }
 
 }  // namespace photic::medium

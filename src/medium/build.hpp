@@ -13,7 +13,4 @@ namespace photic::medium {
 /// which tells more: all of it, and where.
 Medium build_medium(const scene::Scene& scene, const optics::Library& library);
 
-/// Makes a medium ready for a simulation's walks; once more for another simulation of its scene.
-void finish_for(const scene::Simulation& simulation, Medium& medium);
-
 }  // namespace photic::medium

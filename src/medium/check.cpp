@@ -9,7 +9,6 @@
 #include "core/error.hpp"
 #include "medium/layer_optics.hpp"
 #include "medium/lines.hpp"
-#include "medium/walk_attenuation.hpp"
 
 namespace photic::medium {
 namespace {
@@ -35,6 +34,8 @@ class Checker {
 
   void check_tables();
   void check_light();
+  /// Of the laser's light in any layer, once that is checked.
+  [[nodiscard]] double highest_albedo() const { return highest_albedo_; }
 
  private:
   void drop_bad_channels();
@@ -47,7 +48,6 @@ class Checker {
   std::optional<WaterOptics> check_layer(std::size_t k, const Wavelength& light);
   [[nodiscard]] Wavelength asked_by_channel(const EmittedLine& line) const;
   void remark_dark_channels(const std::vector<EmittedLine>& lines);
-  void remark_growing_weights(const std::vector<std::optional<WaterOptics>>& at_laser);
 
   /// What an action gives; none if it refuses, which is told at `path`.
   template <class Action>
@@ -69,6 +69,7 @@ class Checker {
   scene::Findings& findings_;
   LayerOptics optics_of_;
   std::set<std::string> told_;
+  double highest_albedo_ = 0;
 };
 
 /// A problem of a line of another file keeps its place. Several layers may have the same problem.
@@ -196,21 +197,6 @@ void Checker::remark_dark_channels(const std::vector<EmittedLine>& lines) {
   }
 }
 
-void Checker::remark_growing_weights(const std::vector<std::optional<WaterOptics>>& at_laser) {
-  const scene::Simulation& asked = scene_.simulation;
-  const std::string path = "simulation.walk_attenuation";
-  const bool walks = asked.estimator == "auto" || asked.estimator == "bidirectional";
-  if (!walks || !asked.walk_attenuation || !findings_.good({path, "simulation.estimator"})) return;
-  double albedo = 0;
-  for (const auto& water : at_laser)
-    if (water) albedo = std::max(albedo, water->albedo());
-  if (*asked.walk_attenuation >= least_walk_attenuation(albedo)) return;
-  findings_.remark(
-      path, fmt::format("{} is little in water {:.3g} of whose attenuation is scattering: weights "
-                        "grow from vertex to vertex, and deep echoes come out low; {:.3g} would do",
-                        *asked.walk_attenuation, albedo, usual_walk_attenuation(albedo)));
-}
-
 void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>>& at_laser) {
   std::vector<WaterOptics> known;
   bool complete = true;
@@ -248,18 +234,20 @@ void Checker::check_light() {
   const Wavelength laser{scene_.source.wavelength_nm, path, "", "the source emits there"};
   check_index(Process::elastic, laser);
   const auto at_laser = check_layers(laser);
-  remark_growing_weights(at_laser);
+  for (const auto& water : at_laser)
+    if (water) highest_albedo_ = std::max(highest_albedo_, water->albedo());
   // A laser's wavelength that is of no use tells nothing of the inelastic light either.
   if (findings_.good({path, "optics"})) check_inelastic_light(at_laser);
 }
 
 }  // namespace
 
-void check_medium(const scene::Scene& scene, const optics::Library& library,
-                  scene::Findings& findings) {
+double check_medium(const scene::Scene& scene, const optics::Library& library,
+                    scene::Findings& findings) {
   Checker checker(scene, library, findings);
   checker.check_tables();
   checker.check_light();
+  return checker.highest_albedo();
 }
 
 }  // namespace photic::medium

@@ -10,7 +10,8 @@ namespace photic::medium {
 /// Asks for all that build_medium would ask for, and adds what is refused to the findings: a
 /// wavelength without data, optical properties that do not reach it, a table of no use. Looks only
 /// at values with which nothing is wrong yet. What it accepts build_medium accepts.
-void check_medium(const scene::Scene& scene, const optics::Library& library,
-                  scene::Findings& findings);
+/// Returns the highest albedo, b / c, of the laser's light in any layer; 0 if none is known.
+double check_medium(const scene::Scene& scene, const optics::Library& library,
+                    scene::Findings& findings);
 
 }  // namespace photic::medium

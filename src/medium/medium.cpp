@@ -14,28 +14,6 @@ namespace photic::medium {
 namespace {
 
 using optics::PhaseView;
-/// Free paths are drawn from scattering alone, absorption being continuous along them: deep light
-/// is then reached by more photons, of less weight. Where water hardly scatters, from this share of
-/// c.
-constexpr double least_walk_share = 0.2;
-
-/// Environments draw the free paths of all towards what they would draw them from alone, but the
-/// scene's by no more than this factor: its own echo is not to suffer (docs/decisions/0015).
-constexpr double most_change_of_walks = 1.5;
-
-/// The share of c in a layer that free paths of walks that are to be connected are drawn from.
-double connecting_share(double walk_share, bool emitted, double albedo) {
-  if (walk_share == Medium::analog_share) return walk_share;
-  return emitted ? std::max(emitted_walk_share * walk_share, std::min(walk_share, albedo))
-                 : walk_share;
-}
-
-/// The same of the walks that a Medium::finish is for.
-double share_of_walks(const std::optional<double>& walk_share, bool emitted, double albedo) {
-  return walk_share ? connecting_share(*walk_share, emitted, albedo)
-                    : std::max(albedo, least_walk_share);
-}
-
 /// So many numbers as there are in a row for so many environments.
 std::int32_t padded(std::int32_t environments) {
   return (environments + environment_padding - 1) / environment_padding * environment_padding;
@@ -135,24 +113,7 @@ double Medium::scattering_in(std::size_t environment, std::size_t cell) const {
   return albedo[cell] * c[cell] * std::accumulate(first, first + environments.parts, 1.0);
 }
 
-double Medium::walk_share_in(std::size_t cell, const std::optional<double>& walk_share) const {
-  const bool emitted = cell >= static_cast<std::size_t>(layers());
-  const double own = share_of_walks(walk_share, emitted, albedo[cell]);
-  double least = own;
-  double most = own;
-  for (std::size_t e = 0; e < static_cast<std::size_t>(environments.first_tangent); ++e) {
-    const double other_c = c[cell] + environments.excess_c[e * c.size() + cell];
-    const double other_albedo = other_c > 0 ? scattering_in(e, cell) / other_c : 0;
-    const double share = other_c / c[cell] * share_of_walks(walk_share, emitted, other_albedo);
-    least = std::min(least, share);
-    most = std::max(most, share);
-  }
-  const double change =
-      std::clamp((least + most) / 2 / own, 1 / most_change_of_walks, most_change_of_walks);
-  return std::min(own * change, 1.0);
-}
-
-void Medium::finish(std::optional<double> walk_share) {
+void Medium::finish() {
   const auto n_layers = static_cast<std::size_t>(layers());
   const std::size_t n_lines = line.size();
   const std::size_t cells = n_layers * n_lines;
@@ -170,29 +131,14 @@ void Medium::finish(std::optional<double> walk_share) {
   index_ = of_lines([](const Line& l) { return l.refractive_index; });
   inverse_index_ = of_lines([](const Line& l) { return 1 / l.refractive_index; });
   group_index_ = of_lines([](const Line& l) { return l.group_index; });
-  std::vector<double> walk_c, walk_mean_path, continuous_c, gain;
-  for (std::size_t i = 0; i < cells; ++i) {
-    const double share = walk_share_in(i, walk_share);
-    walk_c.push_back(c[i] * share);
-    walk_mean_path.push_back(1 / walk_c.back());
-    continuous_c.push_back(c[i] * (1 - share));
-    gain.push_back(1 / share);
-  }
   top_ = TwinTable(top);
   c_ = with_integrals(c);
   albedo_ = TwinTable(albedo);
   absorption_ = TwinTable(absorption);
-  walk_c_ = with_integrals(walk_c);
-  walk_mean_path_ = TwinTable(walk_mean_path);
-  continuous_c_ = with_integrals(continuous_c);
-  collision_gain_ = TwinTable(gain);
   const auto to_edges = depth_integrals(c);
   std::vector<double> to_bed;
   for (std::size_t l = 1; l <= n_lines; ++l) to_bed.push_back(to_edges[l * (n_layers + 1) - 1]);
   bed_tau_ = TwinTable(to_bed);
-  const auto walk_edges = depth_integrals(walk_c);
-  walk_edges_ = TwinTable(walk_edges);
-  by_walk_tau_ = Layering(walk_edges, layers());
   by_depth_ = Layering(top, layers());
   environment_rows_ = TwinTable(environment_rows());
   part_phase_ = IndexTableOwner(environments.part_phase);
@@ -244,12 +190,7 @@ MediumView Medium::view() const {
   v.c = c_.view();
   v.albedo = albedo_.view();
   v.bed_tau = bed_tau_.view();
-  v.walk_c = walk_c_.view();
-  v.walk_mean_path = walk_mean_path_.view();
-  v.continuous_c = continuous_c_.view();
-  v.collision_gain = collision_gain_.view();
   v.by_depth = by_depth_.view(v.top);
-  v.by_walk_tau = by_walk_tau_.view(walk_edges_.view());
   v.conversion = conversion_.view();
   v.absorption = absorption_.view();
   v.convertible = convertible_.view();

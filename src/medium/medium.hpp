@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,18 +73,13 @@ struct MediumView {
   ShortTable top;     ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
   ShortTable albedo;  ///< b / c, [line][layer]
   // Coefficients and their integrals from the surface to a layer's top, [line][layer]:
-  ShortPairs c;               ///< attenuation
-  ShortPairs walk_c;          ///< what free paths are drawn from
-  ShortPairs continuous_c;    ///< c less walk_c, absorbed along the way
-  ShortTable bed_tau;         ///< the integral of c to the sea bed, [line]
-  ShortTable walk_mean_path;  ///< 1 / walk_c [m], [line][layer]
-  ShortTable collision_gain;  ///< c / walk_c, [line][layer]
-  LayeringView by_depth;      ///< in one row, whose edges are `top`
-  LayeringView by_walk_tau;   ///< in a row for each line, by the walk's optical depth
-  ShortTable conversion;      ///< share of a collision at line 0 that emits at this line, over the
-                              ///< share of spectral_bins that may, [line][layer]
-  ShortTable absorption;      ///< share of a collision that ends the photon, [line][layer]
-  IndexTable convertible;     ///< the bands that a layer emits in, [layer][bands]
+  ShortPairs c;            ///< attenuation
+  ShortTable bed_tau;      ///< the integral of c to the sea bed, [line]
+  LayeringView by_depth;   ///< in one row, whose edges are `top`
+  ShortTable conversion;   ///< share of a collision at line 0 that emits at this line, over the
+                           ///< share of spectral_bins that may, [line][layer]
+  ShortTable absorption;   ///< share of a collision that ends the photon, [line][layer]
+  IndexTable convertible;  ///< the bands that a layer emits in, [layer][bands]
   IndexTable convertible_count;  ///< how many they are, [layer]
   IndexTable
       line_of_spectral_bin;     ///< the line of a band that a photon emits in, [band][spectral_bin]
@@ -121,11 +115,6 @@ struct MediumView {
   T optical_depth(const Index<T>& line, const Level<T>& at) const {
     return column(c, line, at).integral;
   }
-  /// The same of the coefficient that free paths are drawn from.
-  template <class T>
-  T walk_optical_depth(const Index<T>& line, const Level<T>& at) const {
-    return column(walk_c, line, at).integral;
-  }
 
   /// Optical depth of a straight way of the given length between two levels.
   template <class T>
@@ -133,23 +122,7 @@ struct MediumView {
                         const T& length) const {
     return slant(c, line, from, to, length);
   }
-  template <class T>
-  T walk_slant_optical_depth(const Index<T>& line, const Level<T>& from, const Level<T>& to,
-                             const T& length) const {
-    return slant(walk_c, line, from, to, length);
-  }
-  /// Of what is absorbed along the way; `first` at the first level.
-  template <class T>
-  T continuous_slant_optical_depth(const Index<T>& line, const Level<T>& from,
-                                   const Column<T>& first, const Level<T>& to,
-                                   const T& length) const {
-    if (all(from.layer == to.layer)) return first.coefficient * length;
-    return across(from, first, to, continuous_column(line, to), length);
-  }
-  template <class T>
-  Column<T> continuous_column(const Index<T>& line, const Level<T>& at) const {
-    return column(continuous_c, line, at);
-  }
+
   // Rows of the environments' numbers: attenuation less the medium's [1/m], its integral from the
   // surface to a layer's top, emitted light over the medium's less 1, and a part's scattering less
   // the medium's, over all scattering of the medium.
@@ -170,7 +143,7 @@ struct MediumView {
     return I(environments.first_part + part) + at(line, layer) * I(environments.parts);
   }
 
- private:
+ protected:
   template <class T>
   Column<T> column(const ShortPairs& coefficient, const Index<T>& line,
                    const Level<T>& level) const {
@@ -219,11 +192,6 @@ struct EnvironmentTables {
   std::vector<std::int32_t> part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
 
-/// Free paths of emitted light that is to be connected are drawn from so much less of its
-/// attenuation than those of the laser's, unless it is scattered more: it is absorbed before a walk
-/// from a telescope gets to where deep echoes come from (docs/decisions/0014).
-inline constexpr double emitted_walk_share = 0.6;
-
 /// Owns what a MediumView points to.
 class Medium {
  public:
@@ -237,43 +205,34 @@ class Medium {
   /// Adds a phase function, or finds the equal one that is there already; returns its number.
   std::int32_t add_phase(const optics::PhaseTable& table);
 
-  /// As share of c: nothing is absorbed along free paths, of emitted light neither.
-  static constexpr double analog_share = 1;
-
-  /// Fills in what follows from the tables above; call once they are complete. `walk_share`: the
-  /// share of c that free paths are drawn from where walks are to be connected; by default from
-  /// scattering alone, absorption being continuous along them.
-  void finish(std::optional<double> walk_share = {});
+  /// Fills in what follows from the tables above; call once they are complete.
+  void finish();
 
   [[nodiscard]] MediumView view() const;
   [[nodiscard]] std::int32_t layers() const { return static_cast<std::int32_t>(top.size()) - 1; }
   /// The layer a depth lies in; a depth on an edge belongs to the layer below.
   [[nodiscard]] std::int32_t layer_at(double depth_m) const;
-
- private:
-  /// Of an environment [1/m].
+  /// Scattering in an environment, of a line and layer [1/m].
   [[nodiscard]] double scattering_in(std::size_t environment, std::size_t cell) const;
-  /// The share of c of a line and layer that free paths are drawn from: halfway between the least
-  /// and the most that the waters' own walks would draw them from, near to the scene's own.
-  [[nodiscard]] double walk_share_in(std::size_t cell,
-                                     const std::optional<double>& walk_share) const;
-  /// The environments' numbers, [row][environment].
-  [[nodiscard]] std::vector<double> environment_rows() const;
-  /// Groups the lines into bands.
-  void finish_bands();
   /// Integrals over depth from the surface to the layers' edges, [line][layers + 1], for as many
   /// lines as there are coefficients of.
   [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
   /// A coefficient and its integrals to the layers' tops.
   [[nodiscard]] TwinPairs with_integrals(const std::vector<double>& coefficient) const;
 
+ private:
+  /// The environments' numbers, [row][environment].
+  [[nodiscard]] std::vector<double> environment_rows() const;
+  /// Groups the lines into bands.
+  void finish_bands();
+
   /// The tables of the view, in both precisions.
-  TwinTable top_, albedo_, conversion_, absorption_, bed_tau_, walk_mean_path_, walk_edges_,
-      collision_gain_, index_, inverse_index_, group_index_, environment_rows_;
-  TwinPairs c_, walk_c_, continuous_c_;
+  TwinTable top_, albedo_, conversion_, absorption_, bed_tau_, index_, inverse_index_, group_index_,
+      environment_rows_;
+  TwinPairs c_;
   IndexTableOwner convertible_, convertible_count_, line_of_spectral_bin_, elastic_phase_,
       conversion_phase_, part_phase_;
-  Layering by_depth_, by_walk_tau_;
+  Layering by_depth_;
   std::int32_t bands_ = 0;
   TwinTable phase_lines_, phase_quantiles_,
       phase_cores_;  ///< of all phase functions, one behind the other

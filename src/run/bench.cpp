@@ -10,7 +10,7 @@
 
 #include "core/error.hpp"
 #include "estimator/model.hpp"
-#include "medium/walk_attenuation.hpp"
+#include "estimator/walk_attenuation.hpp"
 #include "run/batches.hpp"
 #include "run/choose.hpp"
 #include "scene/forward_settings.hpp"
@@ -81,9 +81,9 @@ std::vector<Candidate> candidates(const scene::Scene& scene, double highest_albe
   out.push_back(candidate(scene, "forward", "forward, overlap"));
   out.back().simulation.reception = "overlap";
   out.back().exact = false;
-  for (const double walk_attenuation : medium::walk_attenuations(highest_albedo))
+  for (const double walk_attenuation : estimator::walk_attenuations(highest_albedo))
     out.push_back(bidirectional(scene, walk_attenuation));
-  const double usual = medium::usual_walk_attenuation(highest_albedo);
+  const double usual = estimator::usual_walk_attenuation(highest_albedo);
   out.push_back(bidirectional(scene, usual, ", walks 4"));
   out.back().simulation.walks = 4;
   out.push_back(bidirectional(scene, usual, ", all connected"));
@@ -212,8 +212,8 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   out.repeats = repeat_count;
   out.aim = aim_of(scene.simulation);
   tell("the reference");
-  const double albedo = medium::highest_albedo(estimator::make_model(scene).medium);
-  const Candidate best_known = bidirectional(scene, medium::usual_walk_attenuation(albedo));
+  const double albedo = estimator::highest_albedo(estimator::make_model(scene).medium);
+  const Candidate best_known = bidirectional(scene, estimator::usual_walk_attenuation(albedo));
   out.reference_name = best_known.name;
   Bench bench(scene, best_known, options);
   const Timed reference = bench.run(0, {}, reference_share * options.time_s);

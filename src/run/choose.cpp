@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "estimator/model.hpp"
-#include "medium/walk_attenuation.hpp"
+#include "estimator/walk_attenuation.hpp"
 #include "run/contest.hpp"
 #include "scene/forward_settings.hpp"
 
@@ -18,7 +18,8 @@ namespace {
 /// What contends: those settings that the scene leaves open.
 std::vector<Contender> contenders(const estimator::Model& model) {
   const scene::Simulation& asked = model.scene.simulation;
-  std::vector<double> shares = medium::walk_attenuations(medium::highest_albedo(model.medium));
+  std::vector<double> shares =
+      estimator::walk_attenuations(estimator::highest_albedo(model.medium));
   if (asked.walk_attenuation) shares = {*asked.walk_attenuation};
   std::vector<Contender> out;
   for (const double share : shares) {

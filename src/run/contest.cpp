@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "medium/build.hpp"
+#include "estimator/walk_attenuation.hpp"
 #include "run/batches.hpp"
 #include "scene/tally_memory.hpp"
 #include "tally/error_bars.hpp"
@@ -61,7 +61,7 @@ estimator::Model model_of(const estimator::Model& open, const Contender& contend
   s.seed ^= pilot_stream;
   s.target_relative_error.reset();
   s.max_time_s.reset();
-  medium::finish_for(s, out.medium);
+  out.paths = estimator::free_paths(out.medium, s);
   return out;
 }
 

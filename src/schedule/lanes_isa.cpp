@@ -46,7 +46,7 @@ class Spares {
 class ForwardLanes final : public Simulator {
  public:
   explicit ForwardLanes(const estimator::Model& model)
-      : world_(estimator::make_world<Lanes>(model.scene, model.medium, model.gates)) {}
+      : world_(estimator::make_world<Lanes>(model)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     pools_.lend([&] { return std::make_unique<Pool<Lanes>>(world_); },
@@ -61,7 +61,7 @@ class ForwardLanes final : public Simulator {
 class BidirectionalLanes final : public Simulator {
  public:
   explicit BidirectionalLanes(const estimator::Model& model)
-      : world_(estimator::make_world<Lanes>(model.scene, model.medium, model.gates)) {}
+      : world_(estimator::make_world<Lanes>(model)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     walks_.lend([&] { return std::make_unique<Walks>(world_, at_once()); },
@@ -87,7 +87,7 @@ class BidirectionalLanes final : public Simulator {
 class AnalogLanes final : public Simulator {
  public:
   explicit AnalogLanes(const estimator::Model& model)
-      : world_(estimator::make_world<Lanes>(model.scene, model.medium, model.gates)) {}
+      : world_(estimator::make_world<Lanes>(model)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     estimator::Analog<Lanes, lanes::LaneLedger<Lanes>>(world_).run(first, count, tally,

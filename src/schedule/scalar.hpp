@@ -18,7 +18,7 @@ class ScalarSimulator final : public Simulator {
  public:
   explicit ScalarSimulator(estimator::World<T> world) : world_(std::move(world)) {}
   explicit ScalarSimulator(const estimator::Model& model)
-      : world_(estimator::make_world<T>(model.scene, model.medium, model.gates)) {}
+      : world_(estimator::make_world<T>(model)) {}
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     switch (world_.estimator) {

@@ -19,7 +19,7 @@ T longer_in_air(const instrument::Telescope<T>& telescope, const geometry::Sight
 /// As connect() gives it, for a lens all of which is at one of its points. `near_view`: whether
 /// may_see(); nothing is seen elsewhere.
 template <class T>
-Connection<T> connect_ray(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+Connection<T> connect_ray(const geometry::Slabs& sea, const instrument::Telescope<T>& telescope,
                           const geometry::Region<T>& region, const Photon<T>& at,
                           const Index<T>& line, const instrument::PlanePoint<T>& lens,
                           geometry::Route route, const Mask<T>& near_view) {

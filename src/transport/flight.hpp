@@ -7,7 +7,7 @@
 
 #include "core/elementary.hpp"
 #include "geometry/depths.hpp"
-#include "medium/medium.hpp"
+#include "geometry/free_paths.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -29,14 +29,14 @@ struct FlightStart {
   medium::Column<T> continuous;  ///< of what is absorbed along the way
 };
 template <class T>
-FlightStart<T> flight_start(const medium::MediumView& sea, const Photon<T>& photon) {
+FlightStart<T> flight_start(const geometry::Slabs& sea, const Photon<T>& photon) {
   const auto level = geometry::level_of(sea, photon);
   return {level, sea.walk_optical_depth(photon.line, level),
           sea.continuous_column(photon.line, level)};
 }
 /// Of photons at the surface.
 template <class T>
-FlightStart<T> flight_start_at_surface(const medium::MediumView& sea, const Index<T>& line) {
+FlightStart<T> flight_start_at_surface(const geometry::Slabs& sea, const Index<T>& line) {
   return {{}, {}, {gather<T>(sea.continuous_c.first, sea.at(line, Index<T>(0))), {}}};
 }
 
@@ -52,7 +52,7 @@ struct FreePath {
 /// weight takes the ratio of the true density of free paths to the drawn one, exp(-(tau - tau')),
 /// and c / c' at a collision.
 template <class T>
-FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FlightStart<T>& from,
+FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const FlightStart<T>& from,
                  const FreePath<T>& path) {
   const T down = -photon.direction.z;
   const T& target = path.target;
@@ -98,7 +98,7 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FlightS
 /// The same, by a free path given as an optical depth: -ln(u) of the medium's walk coefficient c',
 /// which is less than c.
 template <class T>
-FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FlightStart<T>& from,
+FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const FlightStart<T>& from,
                  const T& free_path) {
   using std::abs;
   const T target = from.walk_tau - free_path * photon.direction.z;
@@ -106,19 +106,19 @@ FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const FlightS
   return fly(sea, photon, from, FreePath<T>{free_path, target, layer});
 }
 template <class T>
-FlightEnd<T> fly(const medium::MediumView& sea, Photon<T>& photon, const T& free_path) {
+FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const T& free_path) {
   return fly(sea, photon, flight_start(sea, photon), free_path);
 }
 
 /// The layer of a depth; on an edge `from`, if that is one of the two, else the upper one.
 template <class T>
-Index<T> layer_at(const medium::MediumView& sea, const Index<T>& from, const T& depth) {
+Index<T> layer_at(const geometry::Slabs& sea, const Index<T>& from, const T& depth) {
   return sea.by_depth.layer_of(Index<T>(0), from, depth);
 }
 
 /// Moves a photon by a distance, whatever it passes. Tells whether it is still in the water.
 template <class T>
-Mask<T> advance(const medium::MediumView& sea, Photon<T>& photon, const T& distance) {
+Mask<T> advance(const geometry::Slabs& sea, Photon<T>& photon, const T& distance) {
   photon.position = photon.position + distance * photon.direction;
   photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
   const T depth = -photon.position.z;
@@ -129,7 +129,7 @@ Mask<T> advance(const medium::MediumView& sea, Photon<T>& photon, const T& dista
 /// Has photons whose flight ended at the surface go on by what is left of their free path, which
 /// has no memory: reflect(mask, photon) sends them back.
 template <class T, class Reflect>
-void fly_on(const medium::MediumView& sea, Photon<T>& photon, FlightEnd<T>& end, Reflect reflect) {
+void fly_on(const geometry::Slabs& sea, Photon<T>& photon, FlightEnd<T>& end, Reflect reflect) {
   const Mask<T> turned = end.surface;
   if (!any(turned)) return;
   Photon<T> down = photon;

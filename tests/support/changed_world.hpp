@@ -14,7 +14,7 @@ namespace photic::test {
 template <class Change>
 tally::Result simulate_in(const std::string& scene, Change change) {
   const auto model = estimator::make_model(read(scene));
-  auto world = estimator::make_world<double>(model.scene, model.medium, model.gates);
+  auto world = estimator::make_world<double>(model);
   change(world);
   const run::RunOptions options;
   run::RunControl control(model.scene.simulation, options);

@@ -32,7 +32,7 @@ struct Freedom {
 };
 
 template <class T>
-T phase_value(const medium::MediumView& sea, const Vertex<T>& v, const Vec3<T>& direction,
+T phase_value(const geometry::Slabs& sea, const Vertex<T>& v, const Vec3<T>& direction,
               const Index<T>& phase) {
   return sea.phases.template value<T>(one_minus_cos(v.direction, direction), phase);
 }
@@ -40,7 +40,7 @@ T phase_value(const medium::MediumView& sea, const Vertex<T>& v, const Vec3<T>& 
 /// The laser's walk, scattered into a direction of the laser's light. `goes_on`: of the other end;
 /// `behind`: the densities behind the vertex.
 template <class T>
-ConnectionEnd<T> scattering_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
+ConnectionEnd<T> scattering_from_laser(const geometry::Slabs& sea, const Vertex<T>& v,
                                        const T& behind, const Vec3<T>& direction,
                                        const estimator::InverseConversion<T>& inverse_conversion,
                                        const T& goes_on, const Freedom<T>& freedom) {
@@ -59,7 +59,7 @@ ConnectionEnd<T> scattering_from_laser(const medium::MediumView& sea, const Vert
 /// this light: `chance` is that of a walk up to it, `goes_on` with its not being converted there;
 /// both 1 where the other end is a telescope.
 template <class T>
-ConnectionEnd<T> conversion_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
+ConnectionEnd<T> conversion_from_laser(const geometry::Slabs& sea, const Vertex<T>& v,
                                        const T& behind, const Vec3<T>& direction,
                                        const Index<T>& line,
                                        const estimator::InverseConversion<T>& inverse_conversion,
@@ -80,7 +80,7 @@ ConnectionEnd<T> conversion_from_laser(const medium::MediumView& sea, const Vert
 /// The telescope's walk with the laser's light that comes to it: scattered if the walk has turned
 /// its conversion back, else converted here. `direction`: in which the walk would go on.
 template <class T>
-ConnectionEnd<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<T>& v,
+ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>& v,
                                     const Vec3<T>& direction,
                                     const estimator::InverseConversion<T>& inverse_conversion,
                                     const Freedom<T>& freedom) {
@@ -105,7 +105,7 @@ ConnectionEnd<T> arrival_from_laser(const medium::MediumView& sea, const Vertex<
 /// The telescope's walk with converted light that it scatters here: nothing behind can be drawn by
 /// another strategy.
 template <class T>
-ConnectionEnd<T> scattering_of_converted(const medium::MediumView& sea, const Vertex<T>& v,
+ConnectionEnd<T> scattering_of_converted(const geometry::Slabs& sea, const Vertex<T>& v,
                                          const Vec3<T>& direction) {
   const Index<T> here = sea.at(v.line, v.layer);
   ConnectionEnd<T> joint;

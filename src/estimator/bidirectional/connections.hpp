@@ -294,7 +294,7 @@ class Connections {
   }
 
   const World<T>& world_;
-  const medium::MediumView& sea_;
+  const geometry::Slabs& sea_;
   const instrument::Telescope<T>& telescope_;
   const Receiver<T>& receiver_;
   const Samples<T>& samples_;

@@ -13,13 +13,13 @@ namespace photic::estimator {
 
 /// c' of the laser's line over that of a line.
 template <class T>
-T walk_c_ratio(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer) {
+T walk_c_ratio(const geometry::Slabs& sea, const Index<T>& line, const Index<T>& layer) {
   return gather<T>(sea.walk_c.first, layer) * gather<T>(sea.walk_mean_path, sea.at(line, layer));
 }
 
 /// What a conversion's coefficient is to the attenuation of the line it emits [both 1/m].
 template <class T>
-T conversion_per_emitted_c(const medium::MediumView& sea, const Index<T>& line,
+T conversion_per_emitted_c(const geometry::Slabs& sea, const Index<T>& line,
                            const Index<T>& layer) {
   const Index<T> here = sea.at(line, layer);
   return gather<T>(sea.conversion, here) * gather<T>(sea.c.first, layer) /
@@ -35,7 +35,7 @@ struct DepartUniforms {
 /// coefficient over c; that it was drawn with a chance is left to the connections, which know the
 /// chances of all strategies. `from_telescope`: the walk, which else comes from the laser.
 template <class T>
-Departure<T> depart(const medium::MediumView& sea, transport::Photon<T>& photon,
+Departure<T> depart(const geometry::Slabs& sea, transport::Photon<T>& photon,
                     const estimator::InverseConversion<T>& inverse_conversion,
                     const DepartUniforms<T>& u, bool from_telescope) {
   const Index<T> here = sea.at(photon.line, photon.layer);

@@ -16,7 +16,7 @@ namespace photic::estimator {
 
 /// Rays as the surface has reflected them: those that go up come from their mirror images above it.
 template <class T>
-Ray<T> reflected(const medium::MediumView& sea, const Ray<T>& ray) {
+Ray<T> reflected(const geometry::Slabs& sea, const Ray<T>& ray) {
   Ray<T> image = ray;
   image.position.z = -ray.position.z;
   image.direction.z = -ray.direction.z;
@@ -26,7 +26,7 @@ Ray<T> reflected(const medium::MediumView& sea, const Ray<T>& ray) {
 
 /// Optical depths along a ray, `length` of it, to a depth in a layer.
 template <class T>
-geometry::OpticalDepths<T> depths_along(const medium::MediumView& sea, const Ray<T>& ray,
+geometry::OpticalDepths<T> depths_along(const geometry::Slabs& sea, const Ray<T>& ray,
                                         const Index<T>& layer, const T& depth, const T& length) {
   const T from = -ray.position.z;
   const geometry::OpticalDepths<T> straight = geometry::depths_between(
@@ -58,7 +58,7 @@ struct DepthLine {
 
 /// `deepest`: of the water [m].
 template <class T>
-DepthLine<T> depth_line(const medium::MediumView& sea, const Ray<T>& ray, const T& deepest) {
+DepthLine<T> depth_line(const geometry::Slabs& sea, const Ray<T>& ray, const T& deepest) {
   const T length_per_depth = T(-1) / ray.direction.z;
   const T above = ray.position.z * length_per_depth;  // length to the surface's level
   const T index = gather<T>(sea.group_index, ray.line);
@@ -285,7 +285,7 @@ struct Side {
 
   /// n h / g of connecting the edge along the ray, times P and the walked exp(-tau): what the
   /// surface reflects can only be connected to an instrument, by its mirror image.
-  T connecting(const medium::MediumView& sea, const T& length,
+  T connecting(const geometry::Slabs& sea, const T& length,
                const estimator::Samples<T>& samples) const {
     const T area = connecting_area(sea, ray, first, spread, length, samples);
     return select(ray.is_reflected() & !first, T(0), area);
@@ -294,7 +294,7 @@ struct Side {
 
 /// A laser's ray and a telescope's that meet at a depth in a layer.
 template <class T>
-Meeting<T> meet(const medium::MediumView& sea, const Side<T>& laser_side, const Side<T>& side,
+Meeting<T> meet(const geometry::Slabs& sea, const Side<T>& laser_side, const Side<T>& side,
                 const T& depth, const Index<T>& layer, const Freedom<T>& freedom,
                 const estimator::InverseConversion<T>& inverse_conversion,
                 const estimator::Samples<T>& samples) {

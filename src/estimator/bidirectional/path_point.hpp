@@ -98,7 +98,7 @@ struct Leg {
 
 /// Adds a flight of a photon that stood at `before` to its leg.
 template <class T>
-void add_flight(const medium::MediumView& sea, const transport::Photon<T>& before,
+void add_flight(const geometry::Slabs& sea, const transport::Photon<T>& before,
                 const transport::Photon<T>& photon, Leg<T>& leg) {
   const T moved = (photon.path - before.path) / gather<T>(sea.group_index, photon.line);
   leg.length = leg.length + moved;

@@ -57,7 +57,7 @@ Ray<T> next_ray(const transport::Photon<T>& photon, const Vertex<T>& from,
 /// n h / g of connecting the edge along a ray to a point `length` away, times P there and the
 /// walked exp(-tau). `first`: the ray leaves the instrument, as light that spreads so.
 template <class T>
-T connecting_area(const medium::MediumView& sea, const Ray<T>& ray, const Mask<T>& first,
+T connecting_area(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& first,
                   const Spread<T>& spread, const T& length, const estimator::Samples<T>& samples) {
   using std::abs;
   const T area = samples.between * ray.left_chance * ray.per_p * (length * length);
@@ -71,7 +71,7 @@ T connecting_area(const medium::MediumView& sea, const Ray<T>& ray, const Mask<T
 /// The vertex where a photon collides that came by a ray, which leaves the instrument if `first`.
 /// `axis`: that of the walk.
 template <class T>
-Vertex<T> vertex_on(const medium::MediumView& sea, const Ray<T>& ray, const Mask<T>& first,
+Vertex<T> vertex_on(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& first,
                     const Spread<T>& spread, const transport::Photon<T>& photon, const Leg<T>& leg,
                     const Vertical<T>& axis, const estimator::Samples<T>& samples) {
   Vertex<T> v{walk_point(photon)};

@@ -128,7 +128,7 @@ class WalkSteps {
 
   /// In environments, from those of the ray before. Static, and with copies: what has its address
   /// taken is kept in memory.
-  PHOTIC_APART static void keep_ratios(const medium::MediumView& sea, Walks<T>& walks,
+  PHOTIC_APART static void keep_ratios(const geometry::Slabs& sea, Walks<T>& walks,
                                        const Walker<T>& w, Vertex<T> vertex, Ray<T> ray,
                                        Mask<T> mask) {
     Terms<T> way, collision;
@@ -149,7 +149,7 @@ class WalkSteps {
   }
 
   const World<T>& world_;
-  const medium::MediumView& sea_;
+  const geometry::Slabs& sea_;
   const Samples<T>& samples_;
   Source& source_;
   Walks<T>& walks_;

@@ -20,7 +20,7 @@ struct Escape {
 
 /// Of a photon in the water on its next flight. What the surface reflects stays.
 template <class T>
-Escape<T> escape(const medium::MediumView& sea, const transport::Photon<T>& photon) {
+Escape<T> escape(const geometry::Slabs& sea, const transport::Photon<T>& photon) {
   using std::abs;
   const T down = -photon.direction.z;
   const auto at = geometry::level_of(sea, photon);

@@ -171,7 +171,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
                                                        geometry::Route route, T value,
                                                        Estimates<T>& estimates,
                                                        tally::BatchTally& tally) {
-  const medium::MediumView& sea = world.sea;
+  const geometry::Slabs& sea = world.sea;
   const transport::Photon<T>& photon = from.photon;
   auto& completion = estimates.completion;
   completion.clear();

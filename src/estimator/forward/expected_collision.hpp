@@ -70,7 +70,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const T
                                                   const Mask<T>& travelling,
                                                   Estimates<T>& estimates,
                                                   tally::BatchTally& tally) {
-  const medium::MediumView& sea = world.sea;
+  const geometry::Slabs& sea = world.sea;
   const Mask<T> convertible = travelling & (from.photon.line == Index<T>(0));
   const bool all_collisions = Events::tools && world.tools.scores_on_the_way;
   const Mask<T> wanted = all_collisions ? travelling : convertible;

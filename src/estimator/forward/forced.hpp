@@ -101,7 +101,7 @@ inline constexpr std::size_t most_forced_views = 16;
 /// photon's next collision gives. Points come from the free flight, or from the stretches of the
 /// ray in the telescopes' views. False: no point, the ray has left the water.
 template <class T>
-Mask<T> force_collision(const medium::MediumView& sea, transport::Photon<T>& photon,
+Mask<T> force_collision(const geometry::Slabs& sea, transport::Photon<T>& photon,
                         const std::vector<estimator::ViewCone<T>>& views,
                         const ForcedUniforms<T>& u) {
   const transport::Photon<T> before = photon;

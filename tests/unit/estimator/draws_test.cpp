@@ -18,7 +18,7 @@ World<double> world_with(const std::string& sampling) {
   const auto model = make_model(read(
       ship_instrument + channel("elastic") + water(0.06, 0.1, "{ model = \"isotropic\" }") +
       depth_gates(10, 2) + simulation(1e4, 5, "sampling = \"" + sampling + "\"", "bidirectional")));
-  return make_world<double>(model.scene, model.medium, model.gates);
+  return make_world<double>(model);
 }
 
 constexpr std::uint32_t laser = 0, telescope = 1;

@@ -9,7 +9,7 @@ namespace photic::estimator {
 
 struct Sea {
   World<double> world;
-  medium::Medium medium = transport::make_sea(40);
+  transport::Sea medium = transport::make_sea(40);
 
   Sea(const scene::Source& source, const scene::Telescope& telescope) {
     world.sea = medium.view();

@@ -56,7 +56,7 @@ TEST(Turns, AreForNoTiltedLaserInWaterThatConverts) {
                    test::depth_gates(16, 2) + test::simulation(1000, 1, "", "bidirectional"));
     if (direction == "tilted") scene.source.direction = {0.1, 0, -1};
     const Model model = make_model(scene);
-    return make_world<double>(model.scene, model.medium, model.gates).turns;
+    return make_world<double>(model).turns;
   };
   const std::string elastic = test::channel("elastic");
   EXPECT_TRUE(turns("upright", elastic));

@@ -19,7 +19,7 @@ World<double> world_with_tools(const std::string& tools) {
                  test::simulation(5000, 3, "[simulation.tools]\n" + tools));
   static std::deque<Model> problems;  // that the worlds look into
   problems.push_back(make_model(scene));
-  return make_world<double>(scene, problems.back().medium, problems.back().gates);
+  return make_world<double>(problems.back());
 }
 
 // From a depth on, and 1 above the first. Seen red: with > for >=; with the first value above.

@@ -212,21 +212,6 @@ TEST(CheckMedium, RemarksOnChannelsThatCountNothing) {
   EXPECT_EQ(remarks({{16, 17, "name = \"c\"\nprocess = \"chlorophyll\""}, {23, 25, ""}}), Texts{});
 }
 
-// Of the layer that scatters most, here the second. Seen red: with the first layer alone.
-TEST(CheckMedium, RemarksOnWalksWhoseWeightsGrow) {
-  const auto with = [](const std::string& lines) {
-    return remarks({{30, 30, "photons = 1e6\n" + lines}});
-  };
-  const std::string reason =
-      "is little in water 0.625 of whose attenuation is scattering: weights grow from vertex to "
-      "vertex, and deep echoes come out low; 0.6 would do";
-  EXPECT_EQ(with("walk_attenuation = 0.5"), Texts{"scene.toml:31:20: 0.5 " + reason});
-  EXPECT_EQ(with("estimator = \"bidirectional\"\nwalk_attenuation = 0.5"),
-            Texts{"scene.toml:32:20: 0.5 " + reason});
-  EXPECT_EQ(with("walk_attenuation = 0.57"), Texts{});
-  EXPECT_EQ(with("estimator = \"forward\"\nwalk_attenuation = 0.5"), Texts{});
-}
-
 // Missing tables of Photic do not hide what is wrong with the scene.
 TEST(CheckMedium, ComesAfterTheSceneWhereTheDataAreMissing) {
   const scene::Check no_data = [](const scene::Scene&, scene::Findings&) {

@@ -98,34 +98,8 @@ TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBeWithOtherMinerals) {
   expect_alike(all, medium_of(other));
 }
 
-// Seen red: without the limit of the change; with what attenuates most left out; with the scene's
-// scattering for the environment's.
-TEST(MediumOfEnvironments, DrawsFreePathsBetweenThoseOfAllWaters) {
-  const auto water = [](double a_per_m, double b_per_m) {
-    auto layer = iop_layer();
-    layer.iop = {{532, a_per_m, b_per_m}};
-    return layer;
-  };
-  const auto walk_c = [&](const std::vector<scene::Layer>& others) {
-    auto scene = scene_of({water(0.06, 0.10)}, {test::channel_of("elastic")});
-    for (const auto& other : others) {
-      auto sea = scene.sea;
-      sea.layer[0] = other;
-      scene = with(scene, sea);
-    }
-    return gather<double>(medium_of(scene).view().walk_c.first, 0);
-  };
-  EXPECT_NEAR(walk_c({}), 0.10, 1e-15);
-  EXPECT_EQ(walk_c({water(0.06, 0.10)}), walk_c({}));
-  EXPECT_NEAR(walk_c({water(0.024, 0.04), water(0.15, 0.25)}), (0.04 + 0.25) / 2, 1e-15);
-  EXPECT_NEAR(walk_c({water(0.5, 0.06)}), (0.10 + 0.2 * 0.56) / 2, 1e-15);  // hardly scatters
-  EXPECT_NEAR(walk_c({water(0.6, 1.0)}), 0.10 * 1.5, 1e-15);
-  EXPECT_NEAR(walk_c({water(0.001, 0.001)}), 0.10 / 1.5, 1e-15);
-}
-
-// A parameter's tangent stands behind the environments and is none of them: free paths do not look
-// at it. Seen red: with half the step; with the derivative for that times the
-// parameter; with free paths that look at it.
+// A parameter's tangent stands behind the environments and is none of them. Seen red: with half the
+// step; with the derivative for that times the parameter.
 TEST(MediumOfEnvironments, HasTangentsBehindThem) {
   auto layer = algae(0.5);
   layer.cdom_a440_per_m = 0.1;
@@ -145,9 +119,6 @@ TEST(MediumOfEnvironments, HasTangentsBehindThem) {
   ASSERT_EQ(excess.size(), 2U);
   EXPECT_LT(excess[0], 0);
   EXPECT_NEAR(excess[1], -excess[0], 1e-10 * excess[1]);  // attenuation goes with it
-  scene.sensitivity.clear();
-  EXPECT_EQ(gather<double>(m.view().walk_c.first, 0),
-            gather<double>(medium_of(scene).view().walk_c.first, 0));
   EXPECT_EQ(m.view().environments.stride % environment_padding, 0);
 }
 

@@ -59,8 +59,7 @@ TEST(Medium, AddsUpOpticalDepths) {
   EXPECT_EQ(v.group_index[1], 1.35);
 }
 
-// Seen red: with the length along the way left out between layers; with c for the walk's
-// coefficient.
+// Seen red: with the length along the way left out between layers.
 TEST(Medium, AddsUpOpticalDepthsOfSlantedWays) {
   auto m = two_layers();
   m.finish();
@@ -72,38 +71,6 @@ TEST(Medium, AddsUpOpticalDepthsOfSlantedWays) {
               2 * (6 * 0.2 + 2 * 0.5), 1e-14);
   EXPECT_NEAR(v.slant_optical_depth(0, v.level(1, 12.0), v.level(0, 4.0), 16.0),
               2 * (6 * 0.2 + 2 * 0.5), 1e-14);
-  EXPECT_NEAR(v.walk_slant_optical_depth(0, v.level(0, 4.0), v.level(1, 12.0), 16.0),
-              2 * (6 * 0.1 + 2 * 0.3), 1e-14);
-}
-
-// Free paths are drawn from scattering alone, but from no less than a fifth of c. Seen red: without
-// that limit.
-TEST(Medium, WalksByScatteringAlone) {
-  auto m = two_layers();
-  m.albedo = {0.5, 0.6, 0.3, 0.01};
-  m.finish();
-  const auto v = m.view();
-  EXPECT_NEAR(v.walk_c.first[0], 0.1, 1e-16);
-  EXPECT_NEAR(v.walk_c.first[1], 0.3, 1e-16);
-  EXPECT_NEAR(v.walk_c.first[2], 0.21, 1e-16);
-  EXPECT_NEAR(v.walk_c.first[3], 0.18, 1e-16);
-  EXPECT_NEAR(v.walk_optical_depth(0, v.level(1, 12.0)), 10 * 0.1 + 2 * 0.3, 1e-15);
-}
-
-// Where walks are connected, those in emitted light go farther, unless it is scattered much. Seen
-// red: with the laser's share for all lines; without regard to scattering.
-TEST(Medium, WalksFartherInEmittedLight) {
-  auto m = two_layers();
-  m.albedo = {0.9, 0.6, 0.3, 0.5};
-  m.finish(0.6);
-  const auto v = m.view();
-  EXPECT_NEAR(v.walk_c.first[0], 0.6 * 0.2, 1e-16);
-  EXPECT_NEAR(v.walk_c.first[1], 0.6 * 0.5, 1e-16);
-  EXPECT_NEAR(v.walk_c.first[2], 0.6 * 0.6 * 0.7, 1e-16);
-  EXPECT_NEAR(v.walk_c.first[3], 0.5 * 0.9, 1e-16);
-  m.albedo[3] = 0.9;
-  m.finish(0.6);
-  EXPECT_NEAR(m.view().walk_c.first[3], 0.6 * 0.9, 1e-16);
 }
 
 TEST(Medium, ListsWhatCanBeEmittedByLayer) {

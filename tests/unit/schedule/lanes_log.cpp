@@ -22,7 +22,7 @@ LoggedEvent event_of(const transport::Photon<Lanes>& p, std::size_t i) {
 namespace PHOTIC_ISA {
 EventLog log_lanes(const estimator::Model& model, std::uint64_t photons);
 EventLog log_lanes(const estimator::Model& model, std::uint64_t photons) {
-  const auto world = estimator::make_world<Lanes>(model.scene, model.medium, model.gates);
+  const auto world = estimator::make_world<Lanes>(model);
   tally::BatchTally tally(model.shape, model.gates);
   EventLog log;
   const auto witness = [&log](const auto& t, const Mask<Lanes>& before) {

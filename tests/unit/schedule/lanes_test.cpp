@@ -75,7 +75,7 @@ importance = [ { depth_m = 2.0, value = 2.5 }, { depth_m = 5.0, value = 0.5 } ]
 )";
 
 EventLog log_scalar(const estimator::Model& model, std::uint64_t photons) {
-  const auto world = estimator::make_world<float>(model.scene, model.medium, model.gates);
+  const auto world = estimator::make_world<float>(model);
   tally::BatchTally tally(model.shape, model.gates);
   EventLog log;
   estimator::Travellers<float> photon(world);

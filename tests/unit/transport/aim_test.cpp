@@ -16,7 +16,7 @@ namespace {
 using test::Random;
 using V = Vec3<double>;
 
-Aim<double> aim_from(const medium::Medium& sea, const scene::Telescope& scene, const V& from) {
+Aim<double> aim_from(const Sea& sea, const scene::Telescope& scene, const V& from) {
   const auto telescope = instrument::make_telescope<double>(scene);
   return aim(sea.view(), telescope, {true, 0}, from, 0, telescope.position, geometry::Route::direct,
              may_see(sea.view(), telescope, from, 0));

@@ -12,7 +12,7 @@ constexpr double conversion = 0.2;
 constexpr int strata = 1000;  // midpoints of a grid of uniforms: the means are exact
 
 /// Mean weight by line after a collision in a layer.
-std::vector<double> mean_weights(const medium::Medium& sea, std::int32_t line, std::int32_t layer) {
+std::vector<double> mean_weights(const Sea& sea, std::int32_t line, std::int32_t layer) {
   std::vector<double> mean(3, 0.0);
   for (int i = 0; i < strata; ++i) {
     for (int j = 0; j < strata; ++j) {

@@ -7,7 +7,7 @@
 namespace photic::transport {
 
 template <class T>
-Connection<T> connect_if_seen(const medium::Medium& sea, const instrument::Telescope<T>& telescope,
+Connection<T> connect_if_seen(const Sea& sea, const instrument::Telescope<T>& telescope,
                               const Photon<T>& at, const Index<T>& line) {
   return connect_through_surface(sea.view(), telescope, at, line,
                                  may_see(sea.view(), telescope, at.position, line));

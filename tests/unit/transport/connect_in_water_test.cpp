@@ -23,7 +23,7 @@ scene::Telescope submerged(const V& position, const V& direction) {
   return t;
 }
 
-Connection<double> connect(const medium::Medium& sea, const scene::Telescope& scene, const V& from,
+Connection<double> connect(const Sea& sea, const scene::Telescope& scene, const V& from,
                            std::int32_t line, bool mirrored) {
   return connect_in_water(sea.view(), instrument::make_telescope<double>(scene),
                           sea.layer_at(-scene.position_m.z), photon_at(sea, from, line), line,
@@ -111,7 +111,7 @@ TEST(ConnectInWater, MirroredIsTheStraightLineToTheMirrorImage) {
 
 // n = 1.3337 has its critical angle at 48.57 degrees.
 TEST(ConnectInWater, MirroredIsTotalBeyondTheCriticalAngle) {
-  medium::Medium sea;
+  Sea sea;
   sea.line = {{medium::Process::elastic, 532, 1.3337, 1.36}};
   sea.top = {0, 100};
   sea.c = {0.1};

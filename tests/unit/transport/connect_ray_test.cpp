@@ -28,7 +28,7 @@ scene::Telescope small_telescope(const V& position, const V& direction) {
   return t;
 }
 
-Connection<double> connect_ray(const medium::Medium& sea, const scene::Telescope& scene,
+Connection<double> connect_ray(const Sea& sea, const scene::Telescope& scene,
                                const Photon<double>& at, std::int32_t line,
                                const instrument::PlanePoint<double>& lens, bool mirrored) {
   const auto telescope = instrument::make_telescope<double>(scene);
@@ -36,8 +36,8 @@ Connection<double> connect_ray(const medium::Medium& sea, const scene::Telescope
                                 lens, route_of(mirrored),
                                 may_see(sea.view(), telescope, at.position, line));
 }
-Connection<double> connect(const medium::Medium& sea, const scene::Telescope& scene,
-                           const Photon<double>& at, std::int32_t line, bool mirrored) {
+Connection<double> connect(const Sea& sea, const scene::Telescope& scene, const Photon<double>& at,
+                           std::int32_t line, bool mirrored) {
   const auto telescope = instrument::make_telescope<double>(scene);
   return transport::connect(sea.view(), telescope, region_at(sea, scene.position_m), at, line,
                             route_of(mirrored), may_see(sea.view(), telescope, at.position, line));

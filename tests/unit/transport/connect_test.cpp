@@ -30,8 +30,7 @@ scene::Telescope wide_telescope(const V& position, const V& direction) {
 }
 
 /// The share of light that crosses the surface, told by light on its way down.
-double transmittance_downward(const medium::Medium& sea, std::int32_t line,
-                              const V& rising_in_air) {
+double transmittance_downward(const Sea& sea, std::int32_t line, const V& rising_in_air) {
   Photon<double> photon;
   photon.line = line;
   photon.position = {0, 0, 1};

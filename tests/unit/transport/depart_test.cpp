@@ -40,7 +40,7 @@ double of(const std::vector<double>& table, std::int32_t line, std::int32_t laye
   return table[static_cast<std::size_t>(line * 3 + layer)];
 }
 
-double phase(const medium::Medium& sea, std::int32_t table, const V& a, const V& b) {
+double phase(const Sea& sea, std::int32_t table, const V& a, const V& b) {
   return sea.view().phases.value<double>(one_minus_cos(a, b), table);
 }
 
@@ -113,8 +113,7 @@ TEST(Depart, TurnsConversionsBackWithItsChance) {
 }
 
 /// What over_phase() says of how likely directions are between two angles to the beam.
-double probability_between(const medium::Medium& sea, const V& old, std::int32_t line, double x0,
-                           double x1) {
+double probability_between(const Sea& sea, const V& old, std::int32_t line, double x0, double x1) {
   constexpr int steps = 64;
   const auto back = inverse_conversion();
   double sum = 0;

@@ -20,8 +20,8 @@ constexpr int both = 2;                 // environments; and a tangent
 
 /// The sea with two environments: itself, and one with other attenuation and emission everywhere
 /// and more scattering by molecules. Behind them a tangent, that of the second one's excess.
-medium::Medium make_environments() {
-  medium::Medium sea = make_sea(60);
+Sea make_environments() {
+  Sea sea = make_sea(60);
   auto& e = sea.environments;
   e.count = both + 1;
   e.first_tangent = both;
@@ -39,8 +39,8 @@ medium::Medium make_environments() {
 }
 
 /// The water of environment 1, on its own.
-medium::Medium make_other() {
-  medium::Medium sea = make_environments();
+Sea make_other() {
+  Sea sea = make_environments();
   for (std::size_t i = 0; i < sea.c.size(); ++i)
     sea.c[i] += sea.environments.excess_c[sea.c.size() + i];
   sea.environments = {};
@@ -48,7 +48,7 @@ medium::Medium make_other() {
   return sea;
 }
 
-double depth_of_way(const medium::Medium& sea, const Photon<double>& a, const Photon<double>& b) {
+double depth_of_way(const Sea& sea, const Photon<double>& a, const Photon<double>& b) {
   return sea.view().slant_optical_depth(a.line, geometry::level_of(sea.view(), a),
                                         geometry::level_of(sea.view(), b),
                                         length(b.position - a.position));

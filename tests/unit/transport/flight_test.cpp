@@ -16,7 +16,7 @@ namespace {
 using test::Random;
 using V = Vec3<double>;
 
-Photon<double> photon_from(const medium::Medium& sea, double depth, const V& direction,
+Photon<double> photon_from(const Sea& sea, double depth, const V& direction,
                            std::int32_t line = 0) {
   Photon<double> photon;
   photon.position = {0.3, -0.2, -depth};
@@ -99,7 +99,7 @@ const std::vector<Flight> flights{{"straight down", {0, 0, -1}, 1},
                                   {"up, in the first layer", {0.6, 0, 0.8}, 2}};
 
 /// The share of light that has not collided after s metres of a flight.
-double transmitted(const medium::Medium& sea, const Flight& flight, double s) {
+double transmitted(const Sea& sea, const Flight& flight, double s) {
   const V start{0.3, -0.2, -flight.depth};
   return std::exp(-optical_depth_between(sea, 0, start, start + s * flight.direction));
 }

@@ -31,7 +31,7 @@ estimator::Turn<double> random_turn(Random& random) {
   return {random.uniform(), estimator::sweep(place, random.direction(), random.direction())};
 }
 
-estimator::Ray<double> random_ray(const medium::Medium& sea, Random& random) {
+estimator::Ray<double> random_ray(const Sea& sea, Random& random) {
   estimator::Ray<double> ray{estimator::walk_point(random_photon(sea, random))};
   ray.left_chance = random.uniform();
   ray.chance = random.uniform();
@@ -44,7 +44,7 @@ estimator::Ray<double> random_ray(const medium::Medium& sea, Random& random) {
   return ray;
 }
 
-estimator::Vertex<double> random_vertex(const medium::Medium& sea, Random& random) {
+estimator::Vertex<double> random_vertex(const Sea& sea, Random& random) {
   const auto photon = random_photon(sea, random);
   return {
       {photon.position, photon.direction, random.uniform(), photon.path, photon.line, photon.layer},

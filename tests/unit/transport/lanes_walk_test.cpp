@@ -13,7 +13,7 @@ namespace {
 
 using test::Random;
 
-Four<Photon<double>> random_photons(const medium::Medium& sea, Random& random) {
+Four<Photon<double>> random_photons(const Sea& sea, Random& random) {
   return {random_photon(sea, random), random_photon(sea, random), random_photon(sea, random),
           random_photon(sea, random)};
 }

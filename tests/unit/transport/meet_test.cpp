@@ -52,7 +52,7 @@ Pair random_pair(const instrument::Telescope<double>& telescope, Random& random)
   return pair;
 }
 
-const medium::Medium sea = make_sea(40);
+const Sea sea = make_sea(40);
 constexpr double deepest = 40;
 
 estimator::DepthLine<double> line_of(const estimator::Ray<double>& ray) {

@@ -6,10 +6,10 @@
 
 #include <bit>
 
-#include "medium/medium.hpp"
 #include "support/lanes4.hpp"
 #include "support/random.hpp"
 #include "transport/photon.hpp"
+#include "unit/transport/sea.hpp"
 
 namespace photic::transport {
 
@@ -103,7 +103,7 @@ inline Four<double> uniforms4(test::Random& random) {
 
 /// A photon somewhere in the sea, of any line and direction: also straight up, down and level, and
 /// on the surface.
-inline Photon<double> random_photon(const medium::Medium& sea, test::Random& random) {
+inline Photon<double> random_photon(const Sea& sea, test::Random& random) {
   Photon<double> photon;
   photon.line = random.below(3);
   photon.layer = random.below(3);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "geometry/axis.hpp"
+#include "geometry/free_paths.hpp"
 #include "geometry/region.hpp"
 #include "medium/medium.hpp"
 #include "optics/fournier_forand.hpp"
@@ -12,12 +14,26 @@
 
 namespace photic::transport {
 
+/// A medium made by hand. Free paths are drawn from scattering alone, or a fifth of c where there
+/// is less.
+struct Sea : medium::Medium {
+  geometry::FreePaths paths;
+
+  void finish() {
+    Medium::finish();
+    std::vector<double> share = albedo;
+    for (double& one : share) one = std::max(0.2, one);
+    paths = {*this, share};
+  }
+  [[nodiscard]] geometry::Slabs view() const { return paths.slabs(*this); }
+};
+
 /// Layers 0-5, 5-12 and 12-bottom m. Line 0 converts into line 1 in the first layer, into both
 /// others in the second, and into none in the third. Layers scatter as Fournier-Forand,
 /// Henyey-Greenstein (g = 0.8) and molecules.
-inline medium::Medium make_sea(double bottom_m) {
+inline Sea make_sea(double bottom_m) {
   using medium::Process;
-  medium::Medium sea;
+  Sea sea;
   sea.line = {{Process::elastic, 532, 1.3415, 1.3638},
               {Process::raman, 649, 1.3377, 1.3542},
               {Process::chlorophyll, 685, 1.3368, 1.3525}};
@@ -39,7 +55,7 @@ inline medium::Medium make_sea(double bottom_m) {
 }
 
 /// Where something at a position stands.
-inline geometry::Region<double> region_at(const medium::Medium& sea, const Vec3<double>& position) {
+inline geometry::Region<double> region_at(const Sea& sea, const Vec3<double>& position) {
   return {!geometry::stands_in_water(position), sea.layer_at(std::max(0.0, -position.z))};
 }
 inline geometry::Route route_of(bool mirrored) {
@@ -47,7 +63,7 @@ inline geometry::Route route_of(bool mirrored) {
 }
 
 /// A photon on its way down.
-inline Photon<double> photon_at(const medium::Medium& sea, const Vec3<double>& position,
+inline Photon<double> photon_at(const Sea& sea, const Vec3<double>& position,
                                 std::int32_t line = 0) {
   Photon<double> photon;
   photon.position = position;

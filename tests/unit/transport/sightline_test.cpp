@@ -16,8 +16,8 @@ namespace {
 using test::Random;
 using V = Vec3<double>;
 
-void expect_depths(const geometry::OpticalDepths<double>& depths, const medium::Medium& sea,
-                   std::int32_t line, const std::vector<V>& points) {
+void expect_depths(const geometry::OpticalDepths<double>& depths, const Sea& sea, std::int32_t line,
+                   const std::vector<V>& points) {
   double all = 0, walk = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     all += optical_depth_between(sea, line, points[i - 1], points[i]);

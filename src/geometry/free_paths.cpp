@@ -1,0 +1,32 @@
+#include "geometry/free_paths.hpp"
+
+namespace photic::geometry {
+
+FreePaths::FreePaths(const medium::Medium& medium, std::span<const double> share) {
+  std::vector<double> walk_c, walk_mean_path, continuous_c, gain;
+  for (std::size_t i = 0; i < medium.c.size(); ++i) {
+    walk_c.push_back(medium.c[i] * share[i]);
+    walk_mean_path.push_back(1 / walk_c.back());
+    continuous_c.push_back(medium.c[i] * (1 - share[i]));
+    gain.push_back(1 / share[i]);
+  }
+  walk_c_ = medium.with_integrals(walk_c);
+  continuous_c_ = medium.with_integrals(continuous_c);
+  walk_mean_path_ = TwinTable(walk_mean_path);
+  collision_gain_ = TwinTable(gain);
+  const auto edges = medium.depth_integrals(walk_c);
+  edges_ = TwinTable(edges);
+  by_walk_tau_ = medium::Layering(edges, medium.layers());
+}
+
+Slabs FreePaths::slabs(const medium::Medium& medium) const {
+  Slabs out{medium.view()};
+  out.walk_c = walk_c_.view();
+  out.continuous_c = continuous_c_.view();
+  out.walk_mean_path = walk_mean_path_.view();
+  out.collision_gain = collision_gain_.view();
+  out.by_walk_tau = by_walk_tau_.view(edges_.view());
+  return out;
+}
+
+}  // namespace photic::geometry
