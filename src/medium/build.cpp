@@ -79,9 +79,9 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
 }
 
 void finish_for(const scene::Simulation& simulation, Medium& medium) {
-  if (simulation.estimator == "bidirectional")
+  if (simulation.estimator == scene::Estimator::bidirectional)
     medium.finish(walk_attenuation_in(medium, simulation));
-  else if (simulation.estimator == "analog")
+  else if (simulation.estimator == scene::Estimator::analog)
     medium.finish(Medium::analog_share);
   else
     medium.finish();

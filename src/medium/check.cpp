@@ -199,7 +199,8 @@ void Checker::remark_dark_channels(const std::vector<EmittedLine>& lines) {
 void Checker::remark_growing_weights(const std::vector<std::optional<WaterOptics>>& at_laser) {
   const scene::Simulation& asked = scene_.simulation;
   const std::string path = "simulation.walk_attenuation";
-  const bool walks = asked.estimator == "auto" || asked.estimator == "bidirectional";
+  const bool walks = asked.estimator == scene::Estimator::automatic ||
+                     asked.estimator == scene::Estimator::bidirectional;
   if (!walks || !asked.walk_attenuation || !findings_.good({path, "simulation.estimator"})) return;
   double albedo = 0;
   for (const auto& water : at_laser)

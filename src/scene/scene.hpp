@@ -10,6 +10,7 @@
 #include "core/vec3.hpp"
 #include "optics/minerals.hpp"
 #include "optics/sea_particles.hpp"
+#include "scene/choices.hpp"
 #include "scene/user_table.hpp"
 
 namespace photic::scene {
@@ -167,17 +168,17 @@ struct Importance {
 /// What the forward estimator does beyond the plain walk (docs/theory.md, "The paper's tools").
 struct Tools {
   std::int64_t forced_collisions = 0;  ///< so many first flights of a photon do not leave the water
-  std::string local_forced_collisions = "conversions";  ///< conversions | all
-  double weight_threshold = 0.1;                        ///< of the analog weight, for:
-  std::string at_threshold = "roulette";                ///< roulette | end | analog-absorption
-  std::vector<Importance> importance;                   ///< ascending in depth
+  LocalForcedCollisions local_forced_collisions = LocalForcedCollisions::conversions;
+  double weight_threshold = 0.1;  ///< of the analog weight, for:
+  AtThreshold at_threshold = AtThreshold::roulette;
+  std::vector<Importance> importance;  ///< ascending in depth
   friend bool operator==(const Tools&, const Tools&) = default;
   /// Whether more is asked for than another threshold of roulette, which every walk has.
   [[nodiscard]] bool any() const;
 };
 
 struct Simulation {
-  std::string estimator = "auto";               ///< auto | bidirectional | forward | analog
+  Estimator estimator = Estimator::automatic;
   std::optional<std::string> estimator_reason;  ///< why "auto" chose it
   std::optional<std::uint64_t> photons;         ///< at least one of these three is given
   std::optional<double> target_relative_error;
@@ -185,7 +186,7 @@ struct Simulation {
   std::optional<std::int64_t> max_order;  ///< none: no limit
   std::int64_t orders_kept = 6;
   std::uint64_t seed = 1;
-  std::string reception = "ray";  ///< forward: ray | overlap
+  Reception reception = Reception::ray;  ///< forward
   /// Forward: share of directions drawn towards a telescope; 0 turns that off.
   std::optional<double> directed_fraction;
   /// Forward: of each flight; 1: where photons collide only. None of the two: forward_settings.hpp.
@@ -197,8 +198,8 @@ struct Simulation {
       0.3;  ///< bidirectional: share of walks whose vertices are all connected
   std::optional<double> walk_attenuation;  ///< bidirectional: share of c that free paths are drawn
                                            ///< from; none: as the water asks for
-  std::string sampling = "quasi-random";   ///< quasi-random | random
-  Tools tools;                             ///< forward
+  Sampling sampling = Sampling::quasi_random;
+  Tools tools;  ///< forward
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };
 

@@ -35,7 +35,7 @@ scene::Layer layer_of(double albedo) {
 scene::Scene scene_above(double albedo) {
   auto scene = scene_of({layer_of(0.1), layer_of(albedo)}, {test::channel_of("elastic")});
   scene.sea.layer[0].bottom_depth_m = 5;
-  scene.simulation.estimator = "bidirectional";
+  scene.simulation.estimator = scene::Estimator::bidirectional;
   return scene;
 }
 
