@@ -134,7 +134,7 @@ tally::Result describe(const Model& model) {
     result.parameter_value.push_back(s.value);
   }
   for (const auto process : processes_of(medium.line))
-    result.process_name.emplace_back(process_name(process));
+    result.process_name.emplace_back(scene::word_of(process));
   result.orders = static_cast<std::int64_t>(shape.orders);
   result.gate_depth_is_range = gates.depth_is_range();
   for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -18,6 +20,96 @@ struct Alternative {
   const char* word;
   const char* meaning;
 };
+
+/// The processes that turn light back, in the order of results.
+enum class Process : std::int32_t { elastic, raman, chlorophyll, cdom };
+constexpr auto alternatives(Process) {
+  using enum Process;
+  return std::to_array<Alternative<Process>>(
+      {{elastic, "elastic", "light of the laser's wavelength"},
+       {raman, "raman", "light that water has scattered inelastically, by the Raman effect"},
+       {chlorophyll, "chlorophyll", "fluorescence of the chlorophyll in phytoplankton"},
+       {cdom, "cdom", "fluorescence of dissolved organic matter"}});
+}
+
+/// The shape of a filter's transmission, 1 at the centre.
+enum class FilterShape { top_hat, gaussian };
+constexpr auto alternatives(FilterShape) {
+  using enum FilterShape;
+  return std::to_array<Alternative<FilterShape>>(
+      {{top_hat, "top-hat", "all within half of fwhm_nm about the centre passes, nothing outside"},
+       {gaussian, "gaussian", "a Gaussian of that full width at half maximum"}});
+}
+
+/// What fills in the choices of the water's optics that are not given (presets.hpp).
+enum class OpticsSet { modern, paper };
+constexpr auto alternatives(OpticsSet) {
+  using enum OpticsSet;
+  return std::to_array<Alternative<OpticsSet>>(
+      {{modern, "modern", "the best data and models of today"},
+       {paper, "paper", "those of the PREMAR-2F paper, to compare with it"}});
+}
+
+/// What a constituent's particles may scatter by.
+enum class ParticlePhase { fournier_forand, petzold, mie };
+constexpr auto alternatives(ParticlePhase) {
+  using enum ParticlePhase;
+  return std::to_array<Alternative<ParticlePhase>>(
+      {{fournier_forand, "fournier-forand",
+        "Fournier and Forand's function, close to what is measured"},
+       {petzold, "petzold", "the average of Petzold's measurements in the sea"},
+       {mie, "mie", "the paper's spheres by Mie theory"}});
+}
+
+/// The absorption and scattering of minerals.
+enum class MineralOptics { power_law, mie };
+constexpr auto alternatives(MineralOptics) {
+  using enum MineralOptics;
+  return std::to_array<Alternative<MineralOptics>>(
+      {{power_law, "power-law", "by mass: the coefficients minerals_a_… and minerals_b_…"},
+       {mie, "mie", "the paper's spheres by Mie theory"}});
+}
+
+/// Whether Raman light and chlorophyll's have spectra.
+enum class Emission { spectra, lines };
+constexpr auto alternatives(Emission) {
+  using enum Emission;
+  return std::to_array<Alternative<Emission>>({{spectra, "spectra", "spread over their spectra"},
+                                               {lines, "lines", "each at one wavelength"}});
+}
+
+/// How dissolved organic matter fluoresces.
+enum class CdomFluorescence { hawes, table };
+constexpr auto alternatives(CdomFluorescence) {
+  using enum CdomFluorescence;
+  return std::to_array<Alternative<CdomFluorescence>>(
+      {{hawes, "hawes", "Hawes 1992"},
+       {table, "table", "your own matrix: cdom_fluorescence_file"}});
+}
+
+enum class PhaseModel {
+  henyey_greenstein,
+  fournier_forand,
+  petzold,
+  rayleigh,
+  isotropic,
+  table,
+  mie,
+  mixture
+};
+constexpr auto alternatives(PhaseModel) {
+  using enum PhaseModel;
+  return std::to_array<Alternative<PhaseModel>>(
+      {{henyey_greenstein, "henyey-greenstein", "Henyey and Greenstein's of a mean cosine g"},
+       {fournier_forand, "fournier-forand",
+        "Fournier and Forand's of particles with a hyperbolic size distribution"},
+       {petzold, "petzold", "the average of Petzold's measurements in the sea"},
+       {rayleigh, "rayleigh", "that of molecules"},
+       {isotropic, "isotropic", "the same in all directions"},
+       {table, "table", "your own, by angle: file"},
+       {mie, "mie", "spheres by Mie theory"},
+       {mixture, "mixture", "several of these by their shares: components"}});
+}
 
 enum class Estimator { automatic, bidirectional, forward, analog };
 constexpr auto alternatives(Estimator) {
@@ -81,6 +173,14 @@ const char* word_of(E value) {
     if (alternative.value == value) return alternative.word;
   throw ContractViolation("every value of a choice has a word");
 }
+
+/// "" where none has been chosen.
+template <class E>
+std::string word_of(const std::optional<E>& value) {
+  return value ? word_of(*value) : "";
+}
+/// Where the choice is among names, they are the words.
+inline std::string word_of(std::string name) { return name; }
 
 /// The value of one of the words.
 template <class E>

@@ -47,30 +47,30 @@ struct Telescope {
 /// a filter.
 struct Channel {
   std::string name;
-  std::optional<std::string> process;  ///< elastic | raman | chlorophyll | cdom
-  std::optional<double> centre_nm;     ///< of a filter; both given or none
+  std::optional<Process> process;
+  std::optional<double> centre_nm;  ///< of a filter; both given or none
   std::optional<double> fwhm_nm;
-  std::string filter = "top-hat";         ///< top-hat (centre +- fwhm/2) | gaussian
+  FilterShape filter = FilterShape::top_hat;
   std::optional<UserTable> transmission;  ///< of wavelength_nm, transmission
   friend bool operator==(const Channel&, const Channel&) = default;
 };
 
 /// Which published data and models the water's optics are made of.
 struct Optics {
-  std::string set = "modern";     ///< modern | paper; fills in the choices below that are not given
+  OpticsSet set = OpticsSet::modern;
   std::string water_absorption;   ///< mason-ioccg | ioccg | pope-fry | smith-baker
   std::string water_scattering;   ///< zhang | morel | smith-baker
   double water_depolarisation{};  ///< of natural light, for the molecular phase function
   std::string phytoplankton;      ///< bricaud | prieur-sathyendranath | table
   UserTable phytoplankton_table;  ///< table
-  std::string phytoplankton_phase;  ///< fournier-forand | petzold | mie
-  std::string minerals;             ///< power-law | mie
+  ParticlePhase phytoplankton_phase{};
+  MineralOptics minerals{};
   optics::MineralsPowerLaw minerals_power_law = optics::european_minerals;
-  std::string minerals_phase;  ///< fournier-forand | petzold | mie
-  std::string raman;           ///< bartlett | marshall-smith
-  std::string emission;  ///< spectra | lines: chlorophyll's and Raman light at one wavelength each
-  double chlorophyll_share_730 = 0.0;    ///< of chlorophyll's light in its second band
-  std::string cdom_fluorescence;         ///< hawes | table
+  ParticlePhase minerals_phase{};
+  std::string raman;                   ///< bartlett | marshall-smith
+  std::optional<Emission> emission;    ///< given in every scene that has been read
+  double chlorophyll_share_730 = 0.0;  ///< of chlorophyll's light in its second band
+  CdomFluorescence cdom_fluorescence{};
   UserTable cdom_fluorescence_table;     ///< table
   double chlorophyll_lifetime_ns = 0.0;  ///< mean time from excitation to emission; 0: at once
   double cdom_lifetime_ns = 0.0;
@@ -91,12 +91,11 @@ struct IopEntry {
 
 /// A phase function by name and parameters; a mixture holds others.
 struct PhaseFunction {
-  std::string model;  ///< henyey-greenstein | fournier-forand | petzold | rayleigh | isotropic |
-                      ///< table | mie | mixture
-  double g{};         ///< henyey-greenstein
-  double refractive_index{};                                     ///< fournier-forand
-  double slope{};                                                ///< fournier-forand
-  double depolarisation{};                                       ///< rayleigh
+  std::optional<PhaseModel> model;  ///< given in every phase function that has been read
+  double g{};                       ///< henyey-greenstein
+  double refractive_index{};        ///< fournier-forand
+  double slope{};                   ///< fournier-forand
+  double depolarisation{};          ///< rayleigh
   optics::SeaParticles particles = optics::paper_phytoplankton;  ///< mie
   UserTable table;    ///< table: of angle_deg, phase_function_per_sr
   double fraction{};  ///< as a component of a mixture: its share of the scattering

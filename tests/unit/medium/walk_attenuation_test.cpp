@@ -33,7 +33,7 @@ scene::Layer layer_of(double albedo) {
 
 /// Two layers, the second of another albedo than the first's 0.1.
 scene::Scene scene_above(double albedo) {
-  auto scene = scene_of({layer_of(0.1), layer_of(albedo)}, {test::channel_of("elastic")});
+  auto scene = scene_of({layer_of(0.1), layer_of(albedo)}, {test::channel_of(Process::elastic)});
   scene.sea.layer[0].bottom_depth_m = 5;
   scene.simulation.estimator = scene::Estimator::bidirectional;
   return scene;
