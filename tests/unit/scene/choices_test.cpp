@@ -53,6 +53,7 @@ void expect_in_optics(const std::string& key, Member Optics::*member) {
       "optics." + key, [&](const Scene& s) { return s.optics.*member; }, nothing);
 }
 
+// These were seen red: with each value read, or written, as the first of its choice.
 TEST(Choices, OfTheSimulationAreReadAndWrittenByTheirWords) {
   expect_in_simulation("estimator", &Simulation::estimator);
   expect_in_simulation("reception", &Simulation::reception);
