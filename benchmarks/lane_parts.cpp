@@ -20,7 +20,7 @@ constexpr std::size_t packs = 8;
 struct Setting {
   Model model = [] {
     auto scene = scene::read_scene_text(scene::starter_scene("ship"), "ship", ".").scene;
-    scene.simulation.estimator = "forward";
+    scene.simulation.estimator = scene::Estimator::forward;
     return make_model(scene);
   }();
   World<Lanes> world = make_world<Lanes>(model);

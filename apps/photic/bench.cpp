@@ -23,16 +23,16 @@ constexpr std::size_t most_columns = 6;
 
 /// The lines of [simulation] that set an estimator and the options that candidates differ in.
 Json settings_of(const scene::Simulation& s) {
-  if (s.estimator == "forward")
-    return {{"estimator", s.estimator},
-            {"reception", s.reception},
+  if (s.estimator == scene::Estimator::forward)
+    return {{"estimator", scene::word_of(s.estimator)},
+            {"reception", scene::word_of(s.reception)},
             {"directed_fraction", s.directed_fraction.value()},
             {"scored_points", s.scored_points.value()}};
-  return {{"estimator", s.estimator},
+  return {{"estimator", scene::word_of(s.estimator)},
           {"walk_attenuation", s.walk_attenuation.value()},
           {"walks", s.walks},
           {"connected_fraction", s.connected_fraction},
-          {"sampling", s.sampling}};
+          {"sampling", scene::word_of(s.sampling)}};
 }
 
 std::string as_toml(const Json& settings) {

@@ -18,7 +18,8 @@ std::string folder_of(const std::string& file) {
 
 /// The scene with the estimator that an earlier run of it chose, if it leaves the choice open.
 scene::Scene as_chosen(scene::Scene now, const scene::Scene& then) {
-  if (now.simulation.estimator != "auto" || !then.simulation.estimator_reason) return now;
+  if (now.simulation.estimator != scene::Estimator::automatic || !then.simulation.estimator_reason)
+    return now;
   now.simulation.estimator = then.simulation.estimator;
   now.simulation.estimator_reason = then.simulation.estimator_reason;
   if (!now.simulation.walk_attenuation)

@@ -41,7 +41,8 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
     shape.per_depth_step = static_cast<double>(shape.depths) / (depth.back() - depth.front());
   }
   shape.max_order = static_cast<std::int32_t>(scene.simulation.max_order.value_or(0));
-  if (scene.simulation.estimator == "bidirectional") shape.walked = tally::kinds_of_walked;
+  if (scene.simulation.estimator == scene::Estimator::bidirectional)
+    shape.walked = tally::kinds_of_walked;
   shape.environments = scene.environment.size() + scene.sensitivity.size();
   for (const auto& line : medium.line) {
     std::vector<tally::Counting> counted_by;
@@ -111,9 +112,9 @@ Model make_model(const scene::Scene& scene) {
   tally::Gates gates(scene, medium.line);
   auto shape = make_shape(scene, medium, gates);
   scene::Scene effective = scene;
-  if (scene.simulation.estimator == "bidirectional")
+  if (scene.simulation.estimator == scene::Estimator::bidirectional)
     effective.simulation.walk_attenuation = walk_attenuation_in(medium, scene.simulation);
-  if (scene.simulation.estimator == "forward") {
+  if (scene.simulation.estimator == scene::Estimator::forward) {
     effective.simulation.directed_fraction = scene::directed_fraction_in(scene);
     effective.simulation.scored_points = scene::scored_points_in(scene);
   }
@@ -135,7 +136,7 @@ tally::Result describe(const Model& model) {
     result.parameter_value.push_back(s.value);
   }
   for (const auto process : processes_of(medium.line))
-    result.process_name.emplace_back(process_name(process));
+    result.process_name.emplace_back(scene::word_of(process));
   result.orders = static_cast<std::int64_t>(shape.orders);
   result.gate_depth_is_range = gates.depth_is_range();
   for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {
@@ -156,7 +157,7 @@ tally::Result describe(const Model& model) {
   result.depth_edge_m = gates.depth_edges(scene.gates.depth_cells);
   result.title = scene.title;
   result.scene_toml = scene::write_scene(scene);
-  result.estimator = scene.simulation.estimator;
+  result.estimator = scene::word_of(scene.simulation.estimator);
   result.estimator_reason = scene.simulation.estimator_reason.value_or("");
   result.seed = scene.simulation.seed;
   result.strategies = strategies_told(scene, medium);

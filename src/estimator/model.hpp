@@ -17,7 +17,7 @@ namespace photic::estimator {
 /// time that it takes: fewer of the bidirectional estimator, of which each takes tens of times as
 /// long.
 inline std::uint64_t batch_photons(const scene::Simulation& simulation) {
-  return simulation.estimator == "bidirectional" ? 2000 : 8000;
+  return simulation.estimator == scene::Estimator::bidirectional ? 2000 : 8000;
 }
 
 struct Model {

@@ -79,7 +79,7 @@ std::vector<std::string> Strategies::told() const {
 }
 
 std::vector<std::string> strategies_told(const scene::Scene& scene, const medium::Medium& medium) {
-  if (scene.simulation.estimator != "bidirectional") return {};
+  if (scene.simulation.estimator != scene::Estimator::bidirectional) return {};
   return make_strategies(scene, medium).told();
 }
 

@@ -34,8 +34,8 @@ constexpr double most_change_of_walks = 1.5;
 class Share {
  public:
   Share(const medium::Medium& medium, const scene::Simulation& simulation)
-      : analog_(simulation.estimator == "analog") {
-    if (simulation.estimator == "bidirectional")
+      : analog_(simulation.estimator == scene::Estimator::analog) {
+    if (simulation.estimator == scene::Estimator::bidirectional)
       walk_attenuation_ = walk_attenuation_in(medium, simulation);
   }
   double operator()(bool emitted, double albedo) const {
@@ -98,7 +98,8 @@ void check_walk_attenuation(const scene::Scene& scene, double highest_albedo,
                             scene::Findings& findings) {
   const scene::Simulation& asked = scene.simulation;
   const std::string path = "simulation.walk_attenuation";
-  const bool walks = asked.estimator == "auto" || asked.estimator == "bidirectional";
+  const bool walks = asked.estimator == scene::Estimator::automatic ||
+                     asked.estimator == scene::Estimator::bidirectional;
   if (!walks || !asked.walk_attenuation || !findings.good({path, "simulation.estimator"})) return;
   if (*asked.walk_attenuation >= least_walk_attenuation(highest_albedo)) return;
   findings.remark(

@@ -41,22 +41,12 @@ struct Receiver {
   Deadline<T> deadline{};      ///< of its walks' light, to be at the laser
 };
 
-enum class Estimator { forward, bidirectional, analog };
-
-inline Estimator estimator_of(const scene::Scene& scene) {
-  if (scene.simulation.estimator == "bidirectional") return Estimator::bidirectional;
-  return scene.simulation.estimator == "analog" ? Estimator::analog : Estimator::forward;
-}
-
-/// What becomes of photons below the weight threshold.
-enum class AtThreshold { roulette, end, analog_absorption };
-
 /// What the forward estimator does beyond the plain walk.
 template <class T>
 struct Tools {
   Index<T> forced_flights{};
   bool scores_on_the_way = false;  ///< collisions, at points chosen in views, not where they happen
-  AtThreshold at_threshold = AtThreshold::roulette;
+  scene::AtThreshold at_threshold = scene::AtThreshold::roulette;
   std::vector<T> importance_depth, importance;
 };
 
@@ -64,9 +54,8 @@ template <class T>
 Tools<T> make_tools(const scene::Tools& s) {
   Tools<T> tools;
   tools.forced_flights = Index<T>(static_cast<std::int32_t>(s.forced_collisions));
-  tools.scores_on_the_way = s.local_forced_collisions == "all";
-  if (s.at_threshold == "end") tools.at_threshold = AtThreshold::end;
-  if (s.at_threshold == "analog-absorption") tools.at_threshold = AtThreshold::analog_absorption;
+  tools.scores_on_the_way = s.local_forced_collisions == scene::LocalForcedCollisions::all;
+  tools.at_threshold = s.at_threshold;
   for (const auto& [depth_m, value] : s.importance) {
     tools.importance_depth.push_back(T(depth_m));
     tools.importance.push_back(T(value));
@@ -76,7 +65,7 @@ Tools<T> make_tools(const scene::Tools& s) {
 
 template <class T>
 struct World {
-  Estimator estimator = Estimator::forward;
+  scene::Estimator estimator = scene::Estimator::forward;
   geometry::Slabs sea;
   instrument::Laser<T> laser;
   geometry::Region<T> laser_region;
@@ -207,16 +196,16 @@ inline bool spreads_evenly(const scene::Scene& scene) {
   const scene::Simulation& asked = scene.simulation;
   const bool in_air =
       std::ranges::all_of(scene.telescope, [](const auto& t) { return t.position_m.z >= 0; });
-  return asked.sampling == "quasi-random" &&
-         (asked.estimator == "bidirectional" ||
-          (asked.estimator == "forward" && !scene.compares() && in_air));
+  return asked.sampling == scene::Sampling::quasi_random &&
+         (asked.estimator == scene::Estimator::bidirectional ||
+          (asked.estimator == scene::Estimator::forward && !scene.compares() && in_air));
 }
 
 template <class T>
 World<T> make_world(const Model& model) {
   const auto& [scene, medium, paths, gates, shape] = model;
   World<T> world;
-  world.estimator = estimator_of(scene);
+  world.estimator = scene.simulation.estimator;
   world.sea = paths.slabs(medium);
   const Vec3<double> origin = origin_of(scene.source);
   world.laser = instrument::make_laser<T>(from_origin(scene.source, origin));
@@ -235,7 +224,7 @@ World<T> make_world(const Model& model) {
   }
   const bool converts = medium.line.size() > 1;
   const scene::Tools& tools = scene.simulation.tools;
-  const bool connects = world.estimator == Estimator::bidirectional;
+  const bool connects = world.estimator == scene::Estimator::bidirectional;
   world.weight_threshold = T(connects ? least_weight : tools.weight_threshold);
   world.tools = make_tools<T>(tools);
   world.compares = scene.compares();
@@ -264,7 +253,7 @@ World<T> make_world(const Model& model) {
   world.directed = T(scene::directed_fraction_in(scene));
   world.directs = scene::directed_fraction_in(scene) > 0;
   world.flies_on = world.directs && !world.all_events && world.cones.empty();
-  world.single_rays = scene.simulation.reception == "ray";
+  world.single_rays = scene.simulation.reception == scene::Reception::ray;
   world.conversion = T(scene.simulation.conversion_probability);
   const Vec3<double> beam = beam_in_water(scene, medium);
   world.inverse_conversion = {

@@ -20,13 +20,12 @@ FreePaths::FreePaths(const medium::Medium& medium, std::span<const double> share
 }
 
 Slabs FreePaths::slabs(const medium::Medium& medium) const {
-  Slabs out{medium.view()};
-  out.walk_c = walk_c_.view();
-  out.continuous_c = continuous_c_.view();
-  out.walk_mean_path = walk_mean_path_.view();
-  out.collision_gain = collision_gain_.view();
-  out.by_walk_tau = by_walk_tau_.view(edges_.view());
-  return out;
+  return {medium.view(),
+          walk_c_.view(),
+          continuous_c_.view(),
+          walk_mean_path_.view(),
+          collision_gain_.view(),
+          by_walk_tau_.view(edges_.view())};
 }
 
 }  // namespace photic::geometry

@@ -65,7 +65,8 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   }
   for (const EmissionSource& of : light.sources)
     for (const double nm : {of.first_nm, of.last_nm})
-      add_source(fmt::format("{} light", process_name(of.process)), of.source, nm, medium.sources);
+      add_source(fmt::format("{} light", scene::word_of(of.process)), of.source, nm,
+                 medium.sources);
   for (std::size_t l = 0; l < medium.line.size(); ++l) {
     add_line_tables(scene, optics_of, light.lines, l, medium);
     medium.conversion_phase.push_back(conversion_phase(medium, medium.line[l].process, library));

@@ -107,11 +107,11 @@ void Checker::check_phase_function(const scene::PhaseFunction& function, const s
   for (std::size_t i = 0; i < function.components.size(); ++i)
     check_phase_function(function.components[i], below(below(path, "components"), i));
   if (!function.components.empty() || !findings_.good({path})) return;
-  if (function.model == "table") {
+  if (function.model == scene::PhaseModel::table) {
     const std::string file = below(path, "file");
     const auto table = ask(file, [&] { return optics::phase_from_table(function.table.data()); });
     if (table && !table->remark.empty()) findings_.remark(file, table->remark);
-  } else if (function.model != "mie") {
+  } else if (function.model != scene::PhaseModel::mie) {
     ask(path, [&] { return optics_of_.shape(function, scene_.source.wavelength_nm); });
   }
 }
@@ -121,7 +121,7 @@ void Checker::check_spheres(const scene::PhaseFunction& function, const std::str
                             const Wavelength& light) {
   for (std::size_t i = 0; i < function.components.size(); ++i)
     check_spheres(function.components[i], below(below(path, "components"), i), light);
-  if (function.model != "mie" || !findings_.good({path})) return;
+  if (function.model != scene::PhaseModel::mie || !findings_.good({path})) return;
   const auto index = [&] { return refractive_index(scene_.sea, light.nm); };
   if (!ask(light.path, index, light.why_here)) return;
   ask(
@@ -180,20 +180,21 @@ Wavelength Checker::asked_by_channel(const EmittedLine& line) const {
   expect(counts != line.counted_by.end(), "a line is emitted because a channel counts it");
   const auto i = static_cast<std::size_t>(counts - line.counted_by.begin());
   const auto why = fmt::format("channel {} counts {} light there",
-                               scene::quoted(scene_.channel[i].name), process_name(line.process));
+                               scene::quoted(scene_.channel[i].name), scene::word_of(line.process));
   return {line.wavelength_nm, channel_path_[i], why, why};
 }
 
 void Checker::remark_dark_channels(const std::vector<EmittedLine>& lines) {
   for (std::size_t i = 0; i < scene_.channel.size(); ++i) {
     const auto& process = scene_.channel[i].process;
-    if (!process || *process == process_name(Process::elastic)) continue;
+    if (!process || *process == Process::elastic) continue;
     bool emitted = false;
-    for (const EmittedLine& line : lines) emitted |= *process == process_name(line.process);
+    for (const EmittedLine& line : lines) emitted |= *process == line.process;
     if (!emitted)
-      findings_.remark(channel_path_[i],
-                       fmt::format("channel {} will count nothing: no layer emits {} light",
-                                   scene::quoted(scene_.channel[i].name), *process));
+      findings_.remark(
+          channel_path_[i],
+          fmt::format("channel {} will count nothing: no layer emits {} light",
+                      scene::quoted(scene_.channel[i].name), scene::word_of(*process)));
   }
 }
 
@@ -205,8 +206,8 @@ void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>
     complete = complete && water;
   }
   const std::string table = "optics.cdom_fluorescence_file";
-  if (scene_.optics.cdom_fluorescence == "table" && findings_.good({table}) &&
-      !ask(table, [&] { return cdom_emission(scene_, library_); }))
+  if (scene_.optics.cdom_fluorescence == scene::CdomFluorescence::table &&
+      findings_.good({table}) && !ask(table, [&] { return cdom_emission(scene_, library_); }))
     return;
   const auto light = ask("channel", [&] { return emitted_light(scene_, library_, known); });
   if (!light) return;

@@ -73,7 +73,7 @@ void check_emitted(const std::string& who, const scene::Scene& scene, const Medi
     if (std::ranges::any_of(medium.line, [&](const Line& line) { return is(e, line); })) continue;
     for (std::size_t k = 0; k < e.coefficient_per_m.size(); ++k) {
       if (e.coefficient_per_m[k] > 0)
-        refuse(who, scene.sea.layer[k], fmt::format("emits {} light", process_name(e.process)));
+        refuse(who, scene.sea.layer[k], fmt::format("emits {} light", scene::word_of(e.process)));
     }
   }
 }
@@ -210,7 +210,7 @@ void add_environments(const scene::Scene& scene, const optics::Library& library,
       if (here.b_per_m == 0 && v.to[i].b_per_m > 0) refuse(v.name, layer, "scatters light");
       if (here.emitted_per_m == 0 && v.to[i].emitted_per_m > 0)
         refuse(v.name, layer,
-               fmt::format("emits {} light", process_name(medium.line[i / layers].process)));
+               fmt::format("emits {} light", scene::word_of(medium.line[i / layers].process)));
       add_numbers(v, here, i, varied[i], out);
     }
   }

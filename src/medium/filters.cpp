@@ -29,7 +29,7 @@ std::optional<Filter> filter_of(const scene::Channel& channel) {
   if (channel.transmission) return filter_of_table(channel.transmission->data());
   const double centre = *channel.centre_nm;
   const double fwhm = *channel.fwhm_nm;
-  if (channel.filter == "gaussian") {
+  if (channel.filter == scene::FilterShape::gaussian) {
     // 2e-5 of what passes lies beyond twice the width.
     return Filter{{centre - 2 * fwhm, centre - fwhm, centre - fwhm / 2, centre + fwhm / 2,
                    centre + fwhm, centre + 2 * fwhm},

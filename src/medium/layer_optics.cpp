@@ -122,7 +122,7 @@ optics::Phytoplankton LayerOptics::phytoplankton(const scene::Layer& layer,
 optics::Minerals LayerOptics::minerals(const scene::Layer& layer, double wavelength_nm) const {
   const double g_m3 = layer.minerals_g_m3;
   if (g_m3 == 0) return {};
-  if (scene_->optics.minerals == "mie")
+  if (scene_->optics.minerals == scene::MineralOptics::mie)
     return optics::minerals_of_spheres(
         library_->spheres.sections(spheres(optics::paper_minerals, wavelength_nm)), g_m3);
   return optics::minerals_by_power_law(scene_->optics.minerals_power_law, g_m3, wavelength_nm);
@@ -203,20 +203,35 @@ optics::PhaseShape LayerOptics::phase(const scene::Layer& layer, double waveleng
 
 optics::PhaseShape LayerOptics::shape(const scene::PhaseFunction& function,
                                       double wavelength_nm) const {
-  if (function.model == "henyey-greenstein") return optics::henyey_greenstein(function.g);
-  if (function.model == "fournier-forand")
-    return optics::fournier_forand(function.refractive_index, function.slope);
-  if (function.model == "petzold") return optics::petzold(*library_);
-  if (function.model == "rayleigh") return optics::rayleigh(function.depolarisation);
-  if (function.model == "isotropic") return optics::isotropic();
-  if (function.model == "table") return optics::phase_from_table(function.table.data()).shape;
-  if (function.model == "mie")
-    return *library_->spheres.phase(spheres(function.particles, wavelength_nm));
-  expect(function.model == "mixture", "the scene's reader knows the phase function's model");
+  using enum scene::PhaseModel;
+  expect(function.model.has_value(), "a phase function that was read has a model");
+  switch (*function.model) {
+    case henyey_greenstein:
+      return optics::henyey_greenstein(function.g);
+    case fournier_forand:
+      return optics::fournier_forand(function.refractive_index, function.slope);
+    case petzold:
+      return optics::petzold(*library_);
+    case rayleigh:
+      return optics::rayleigh(function.depolarisation);
+    case isotropic:
+      return optics::isotropic();
+    case table:
+      return optics::phase_from_table(function.table.data()).shape;
+    case mie:
+      return *library_->spheres.phase(spheres(function.particles, wavelength_nm));
+    case mixture:
+      return mixed(function, wavelength_nm);
+  }
+  throw ContractViolation("every model of a phase function has a shape");
+}
+
+optics::PhaseShape LayerOptics::mixed(const scene::PhaseFunction& mixture,
+                                      double wavelength_nm) const {
   double sum = 0;  // 1, but for the digits of the user
-  for (const auto& part : function.components) sum += part.fraction;
+  for (const auto& part : mixture.components) sum += part.fraction;
   std::vector<std::pair<double, optics::PhaseShape>> parts;
-  for (const auto& part : function.components)
+  for (const auto& part : mixture.components)
     parts.emplace_back(part.fraction / sum, shape(part, wavelength_nm));
   return optics::mixture(parts);
 }
@@ -227,12 +242,13 @@ optics::Spheres LayerOptics::spheres(const optics::SeaParticles& particles,
                                   refractive_index(scene_->sea, wavelength_nm));
 }
 
-optics::PhaseShape LayerOptics::phase_of_particles(const std::string& model,
+optics::PhaseShape LayerOptics::phase_of_particles(scene::ParticlePhase model,
                                                    const optics::SeaParticles& particles,
                                                    double ff_index, double ff_slope,
                                                    double wavelength_nm) const {
-  if (model == "mie") return *library_->spheres.phase(spheres(particles, wavelength_nm));
-  if (model == "petzold") return optics::petzold(*library_);
+  if (model == scene::ParticlePhase::mie)
+    return *library_->spheres.phase(spheres(particles, wavelength_nm));
+  if (model == scene::ParticlePhase::petzold) return optics::petzold(*library_);
   return optics::fournier_forand(ff_index, ff_slope);
 }
 

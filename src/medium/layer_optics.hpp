@@ -82,8 +82,10 @@ class LayerOptics {
   [[nodiscard]] double temperature_c(const scene::Layer& layer) const;
   [[nodiscard]] optics::Spheres spheres(const optics::SeaParticles& particles,
                                         double wavelength_nm) const;
+  [[nodiscard]] optics::PhaseShape mixed(const scene::PhaseFunction& mixture,
+                                         double wavelength_nm) const;
   /// Of particles, by the model that the scene names for them.
-  [[nodiscard]] optics::PhaseShape phase_of_particles(const std::string& model,
+  [[nodiscard]] optics::PhaseShape phase_of_particles(scene::ParticlePhase model,
                                                       const optics::SeaParticles& particles,
                                                       double ff_index, double ff_slope,
                                                       double wavelength_nm) const;

@@ -51,7 +51,7 @@ std::vector<Emitter> emitters_of(const scene::Scene& scene, const optics::Librar
 std::vector<BandLine> lines_of(const Emitter& emitter, const scene::Scene& scene,
                                const std::vector<std::optional<Filter>>& filters) {
   const optics::Emission& emission = emitter.emission;
-  if (emission.line && scene.optics.emission == "lines") {
+  if (emission.line && scene.optics.emission == scene::Emission::lines) {
     const double nm = emission.line->wavelength_nm;
     auto counted = counted_by(scene, filters, emitter.process, nm);
     if (std::ranges::all_of(counted, [](double share) { return share == 0; })) return {};
@@ -59,7 +59,7 @@ std::vector<BandLine> lines_of(const Emitter& emitter, const scene::Scene& scene
   }
   std::vector<bool> counts_all;
   for (const auto& channel : scene.channel)
-    counts_all.push_back(channel.process == process_name(emitter.process));
+    counts_all.push_back(channel.process == emitter.process);
   return cut_into_lines(emission.spectrum, counts_all, filters);
 }
 
@@ -68,7 +68,7 @@ void check_number(const std::vector<BandLine>& lines, Process process) {
   if (lines.size() <= most) return;
   throw InputError({{"", 0, 0,
                      fmt::format("the channels' filters cut {} light into {} lines, more than {}",
-                                 process_name(process), lines.size(), most),
+                                 scene::word_of(process), lines.size(), most),
                      "take fewer filters, or such that their edges coincide"}});
 }
 
@@ -102,7 +102,7 @@ std::vector<double> counted_by(const scene::Scene& scene,
                                double wavelength_nm) {
   std::vector<double> out;
   for (std::size_t c = 0; c < filters.size(); ++c) {
-    const bool whole = scene.channel[c].process == process_name(process);
+    const bool whole = scene.channel[c].process == process;
     out.push_back(filters[c] ? filters[c]->transmission(wavelength_nm) : whole ? 1 : 0);
   }
   return out;
@@ -110,7 +110,7 @@ std::vector<double> counted_by(const scene::Scene& scene,
 
 optics::Emission cdom_emission(const scene::Scene& scene, const optics::Library& library) {
   const double laser_nm = scene.source.wavelength_nm;
-  if (scene.optics.cdom_fluorescence != "table")
+  if (scene.optics.cdom_fluorescence != scene::CdomFluorescence::table)
     return optics::cdom_fluorescence(library, laser_nm);
   return optics::cdom_fluorescence(scene.optics.cdom_fluorescence_table.data(), laser_nm);
 }

@@ -1,7 +1,6 @@
 #include "medium/medium.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <numeric>
@@ -42,11 +41,6 @@ constexpr std::size_t phase_lines = std::size_t{PhaseView::lines} * PhaseView::l
                           std::size_t{PhaseView::quantiles} * PhaseView::quantile_fields;
 
 }  // namespace
-
-const char* process_name(Process process) {
-  constexpr std::array names{"elastic", "raman", "chlorophyll", "cdom"};
-  return names.at(static_cast<std::size_t>(process));
-}
 
 std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
   const PhaseView v = table.view();

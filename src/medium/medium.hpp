@@ -15,12 +15,11 @@
 #include "medium/layering.hpp"
 #include "medium/sources.hpp"
 #include "optics/phase_table.hpp"
+#include "scene/choices.hpp"
 
 namespace photic::medium {
 
-/// The processes that turn light back, in the order of the result file.
-enum class Process : std::int32_t { elastic, raman, chlorophyll, cdom };
-const char* process_name(Process process);
+using scene::Process;
 
 /// What a walk sees of the environments: other waters, whose echoes are those of the same paths
 /// with other weights. What light meets in them more or less than in the medium stands in rows of

@@ -40,7 +40,7 @@ std::vector<WaterOptics> at_laser(const scene::Scene& scene, const LayerOptics& 
 
 /// The light of one process in all layers.
 OpticalTable::Emission emission_of(Process process, const EmittedLight& light, std::size_t layers) {
-  OpticalTable::Emission out{process_name(process), {}, {}, std::vector(layers, 0.0), {}};
+  OpticalTable::Emission out{scene::word_of(process), {}, {}, std::vector(layers, 0.0), {}};
   std::vector<const EmittedLine*> lines;
   for (const EmittedLine& line : light.lines)
     if (line.process == process) lines.push_back(&line);
@@ -64,7 +64,7 @@ std::vector<OpticalTable::Emission> emission_in(scene::Scene scene, const optics
   scene.channel.clear();
   for (const Process process : processes) {
     scene.channel.emplace_back();
-    scene.channel.back().process = process_name(process);
+    scene.channel.back().process = process;
   }
   const auto light = emitted_light(scene, library, at_laser(scene, optics_of));
   std::vector<OpticalTable::Emission> out;

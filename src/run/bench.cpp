@@ -30,7 +30,7 @@ constexpr double trial_share = 0.02;  // of a candidate's time: long enough to m
 /// Folded into the seed: no repeat shares a random number with a run of the scene, or with pilots.
 constexpr std::uint64_t bench_stream = 0x3c6ef372fe94f82a;
 
-Candidate candidate(const scene::Scene& scene, const std::string& estimator,
+Candidate candidate(const scene::Scene& scene, scene::Estimator estimator,
                     const std::string& name) {
   const scene::Simulation defaults;
   Candidate c{.name = name, .simulation = scene.simulation};
@@ -45,7 +45,7 @@ Candidate candidate(const scene::Scene& scene, const std::string& estimator,
   s.connected_fraction = defaults.connected_fraction;
   s.walk_attenuation.reset();
   s.sampling = defaults.sampling;
-  if (estimator == "forward") {
+  if (estimator == scene::Estimator::forward) {
     s.directed_fraction = scene::directed_fraction_in(scene);
     s.scored_points = scene::scored_points_in(scene);
   } else {
@@ -57,29 +57,29 @@ Candidate candidate(const scene::Scene& scene, const std::string& estimator,
 /// Walks that take a share of the attenuation; `more`: what else its name says.
 Candidate bidirectional(const scene::Scene& scene, double walk_attenuation,
                         const std::string& more = "") {
-  Candidate c =
-      candidate(scene, "bidirectional", fmt::format("bidirectional, {}{}", walk_attenuation, more));
+  Candidate c = candidate(scene, scene::Estimator::bidirectional,
+                          fmt::format("bidirectional, {}{}", walk_attenuation, more));
   c.simulation.walk_attenuation = walk_attenuation;
   return c;
 }
 
 std::vector<Candidate> candidates(const scene::Scene& scene, double highest_albedo) {
   std::vector<Candidate> out;
-  out.push_back(candidate(scene, "forward", "forward, ray"));
+  out.push_back(candidate(scene, scene::Estimator::forward, "forward, ray"));
   const scene::Simulation& usual_forward = out.front().simulation;
   for (const auto& [directed_fraction, scored_points] : scene::forward_settings(scene)) {
     if (directed_fraction == usual_forward.directed_fraction &&
         scored_points == usual_forward.scored_points)
       continue;
     Candidate c = candidate(
-        scene, "forward",
+        scene, scene::Estimator::forward,
         fmt::format("forward, ray, {} directed, points {}", directed_fraction, scored_points));
     c.simulation.directed_fraction = directed_fraction;
     c.simulation.scored_points = scored_points;
     out.push_back(std::move(c));
   }
-  out.push_back(candidate(scene, "forward", "forward, overlap"));
-  out.back().simulation.reception = "overlap";
+  out.push_back(candidate(scene, scene::Estimator::forward, "forward, overlap"));
+  out.back().simulation.reception = scene::Reception::overlap;
   out.back().exact = false;
   for (const double walk_attenuation : estimator::walk_attenuations(highest_albedo))
     out.push_back(bidirectional(scene, walk_attenuation));
@@ -89,8 +89,8 @@ std::vector<Candidate> candidates(const scene::Scene& scene, double highest_albe
   out.push_back(bidirectional(scene, usual, ", all connected"));
   out.back().simulation.connected_fraction = 1;
   out.push_back(bidirectional(scene, usual, ", random"));
-  out.back().simulation.sampling = "random";
-  out.push_back(candidate(scene, "forward", "forward, ray, scalar"));
+  out.back().simulation.sampling = scene::Sampling::random;
+  out.push_back(candidate(scene, scene::Estimator::forward, "forward, ray, scalar"));
   out.back().lanes.reset();
   out.push_back(bidirectional(scene, usual, ", scalar"));
   out.back().lanes.reset();
@@ -232,7 +232,7 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
 
   tell("what auto chooses");
   scene::Scene open = scene;
-  open.simulation.estimator = "auto";
+  open.simulation.estimator = scene::Estimator::automatic;
   open.simulation.estimator_reason.reset();
   RunOptions pilots;
   pilots.threads = options.threads;

@@ -24,14 +24,14 @@ std::vector<Contender> contenders(const estimator::Model& model) {
   std::vector<Contender> out;
   for (const double share : shares) {
     out.push_back({fmt::format("bidirectional with walk_attenuation = {:.3g}", share), asked});
-    out.back().simulation.estimator = "bidirectional";
+    out.back().simulation.estimator = scene::Estimator::bidirectional;
     out.back().simulation.walk_attenuation = share;
   }
   for (const auto& [directed_fraction, scored_points] : scene::forward_settings(model.scene)) {
     out.push_back({fmt::format("forward with directed_fraction = {} and scored_points = {}",
                                directed_fraction, scored_points),
                    asked});
-    out.back().simulation.estimator = "forward";
+    out.back().simulation.estimator = scene::Estimator::forward;
     out.back().simulation.directed_fraction = directed_fraction;
     out.back().simulation.scored_points = scored_points;
   }
@@ -66,7 +66,7 @@ std::string reason(const std::vector<Contender>& all, const Outcome& outcome,
 /// Where no pilot saw anything: what finds light that is hard to find, as a scene has it that names
 /// this estimator alone.
 scene::Scene unseen(scene::Scene scene) {
-  scene.simulation.estimator = "bidirectional";
+  scene.simulation.estimator = scene::Estimator::bidirectional;
   scene::Scene out = estimator::make_model(scene).scene;
   out.simulation.estimator_reason = reason_unseen;
   return out;
@@ -75,11 +75,11 @@ scene::Scene unseen(scene::Scene scene) {
 }  // namespace
 
 scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options) {
-  if (scene.simulation.estimator != "auto") return scene;
+  if (scene.simulation.estimator != scene::Estimator::automatic) return scene;
   scene::Scene chosen = scene;
   scene::Simulation& simulation = chosen.simulation;
   if (scene.simulation.tools.any()) {
-    simulation.estimator = "forward";
+    simulation.estimator = scene::Estimator::forward;
     simulation.estimator_reason = "the only one that has the tools asked for in this version";
     return chosen;
   }

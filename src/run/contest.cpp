@@ -70,7 +70,7 @@ class Trial {
  public:
   Trial(const estimator::Model& open, const Contender& contender, std::uint64_t in_batch)
       : model_(model_of(open, contender)),
-        forward_(model_.scene.simulation.estimator == "forward"),
+        forward_(model_.scene.simulation.estimator == scene::Estimator::forward),
         in_batch_(in_batch * (forward_ ? forward_factor : 1)),
         keeps_(scene::tally_memory(open.scene).bytes() < most_kept_bytes) {}
 

@@ -27,7 +27,7 @@ constexpr std::uint64_t batches_of_ledger = 10;
 
 /// Why weights scatter, and what to do.
 std::string about_weights(const scene::Simulation& s) {
-  if (s.estimator == "bidirectional")
+  if (s.estimator == scene::Estimator::bidirectional)
     return "weights that grow from vertex to vertex, since walk_attenuation is small for water "
            "that scatters so much: leave it out, or raise it";
   if (s.directed_fraction.value_or(0) > 0)
@@ -50,7 +50,7 @@ void warn_of_ledger(tally::Result& result, const scene::Simulation& simulation) 
       result.ledger.sum(), about_weights(simulation)));
 }
 
-void warn(tally::Result& result) {
+void warn(tally::Result& result, const scene::Simulation& simulation) {
   const auto cut = std::count_if(result.order_cut_share.begin(), result.order_cut_share.end(),
                                  [](double share) { return share > tolerated_cut; });
   if (cut > 0) {
@@ -67,7 +67,7 @@ void warn(tally::Result& result) {
   }
   if (result.lost_too_many_events > 0) {
     result.warnings.push_back(
-        result.estimator == "bidirectional"
+        simulation.estimator == scene::Estimator::bidirectional
             ? fmt::format("{} walks were cut after {} vertices ({:.2g} of all weight): echoes of "
                           "light scattered so often are low",
                           result.lost_too_many_events, estimator::most_vertices, result.ledger.lost)
@@ -104,7 +104,7 @@ tally::Result result_of(const estimator::Model& model, const tally::Totals& tota
   result.partial = stopped_by == "interrupt" || stopped_by == "checkpoint";
   result.wall_time_s = ending.wall_time_s + (options.start ? options.start->wall_time_s : 0);
   result.threads = ending.threads;
-  warn(result);
+  warn(result, model.scene.simulation);
   warn_of_ledger(result, model.scene.simulation);
   if (model.scene.simulation.estimator_reason == reason_unseen) {
     result.warnings.push_back(

@@ -59,7 +59,7 @@ void RunControl::look(tally::Totals& totals, std::uint64_t merged_batches) const
 }
 
 bool RunControl::rests() const {
-  return asked_.target_relative_error && asked_.estimator == "bidirectional";
+  return asked_.target_relative_error && asked_.estimator == scene::Estimator::bidirectional;
 }
 
 tally::Totals RunControl::begin(const tally::Shape& shape) const {

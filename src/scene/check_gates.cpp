@@ -131,9 +131,10 @@ void check_time_gates(const Scene& scene, const Keys& keys, Findings& findings) 
 void check_tools(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
   if (!findings.good({"simulation.tools", "simulation.estimator"})) return;
-  if ((s.estimator == "bidirectional" || s.estimator == "analog") && s.tools.any()) {
+  if ((s.estimator == Estimator::bidirectional || s.estimator == Estimator::analog) &&
+      s.tools.any()) {
     findings.add("simulation.estimator",
-                 fmt::format("the {} estimator has none of simulation.tools", s.estimator),
+                 fmt::format("the {} estimator has none of simulation.tools", word_of(s.estimator)),
                  "write estimator = \"forward\", or leave the tools out");
   }
   for (std::size_t i = 1; i < s.tools.importance.size(); ++i) {
@@ -177,7 +178,7 @@ void check_gates(const Scene& scene, Findings& findings) {
 
 void check_estimator(const Scene& scene, Findings& findings) {
   check_tools(scene, findings);
-  if (scene.compares() && scene.simulation.estimator == "analog" &&
+  if (scene.compares() && scene.simulation.estimator == Estimator::analog &&
       findings.good({"simulation.estimator"})) {
     findings.add("simulation.estimator",
                  fmt::format("the analog estimator has no {}: its photons have no weights",

@@ -125,7 +125,7 @@ void check_phase_function(const PhaseFunction& function, const std::string& path
   for (std::size_t k = 0; k < function.components.size(); ++k)
     check_phase_function(function.components[k], below(components, k), findings);
   if (!function.components.empty()) check_mixture(function, components, findings);
-  if (function.model == "mie") check_radii(function.particles, path, findings);
+  if (function.model == PhaseModel::mie) check_radii(function.particles, path, findings);
 }
 
 /// A constituent, and more of it than any water has: a unit is wrong, or it is no sea.

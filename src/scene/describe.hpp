@@ -62,19 +62,14 @@ void describe(V& v, Tools& t) {
       "so many first flights of a photon end in the water, or reflected by its surface; what "
       "would leave it is taken from the weight");
   v.optional(expert("local_forced_collisions"), t.local_forced_collisions,
-             Choice{{{"conversions", "those that change the wavelength"},
-                     {"all", "those of scattered light too"}}},
+             ChoiceOf<LocalForcedCollisions>{},
              "which collisions are scored at points chosen in a telescope's view; the others are "
              "scored where they happen");
   v.optional(expert("weight_threshold"), t.weight_threshold,
              Number{.low = 0.0, .high = 1.0, .low_open = true},
              "of the forward estimator: the weight, without what sampling does to it, below which "
              "at_threshold decides");
-  v.optional(expert("at_threshold"), t.at_threshold,
-             Choice{{{"roulette", "they play Russian roulette"},
-                     {"end", "they end, which makes echoes low"},
-                     {"analog-absorption",
-                      "they may be absorbed by chance in place of losing more weight"}}},
+  v.optional(expert("at_threshold"), t.at_threshold, ChoiceOf<AtThreshold>{},
              "what becomes of photons of little weight");
   v.sections(expert("importance"), t.importance, Need::optional,
              "photons are split on their way to where they are worth more, and play Russian "
@@ -83,18 +78,7 @@ void describe(V& v, Tools& t) {
 
 template <class V>
 void describe(V& v, Simulation& s) {
-  v.optional(
-      "estimator", s.estimator,
-      Choice{
-          {{"auto",
-            "the better of bidirectional and forward, by short pilot runs: with a target, until "
-            "all gates meet it; else by the error of all gates at equal cost"},
-           {"bidirectional",
-            "walks from the laser and from the telescopes, connected and made to meet"},
-           {"forward", "photons from the laser, scored at every collision"},
-           {"analog",
-            "photons followed by chance alone and counted on the detector, to verify the others"}}},
-      "how echoes are estimated");
+  v.optional("estimator", s.estimator, ChoiceOf<Estimator>{}, "how echoes are estimated");
   v.optional(expert("estimator_reason"), s.estimator_reason, Text{},
              "why auto chose this estimator; written by a run");
   v.any_of([&](auto& w) {
@@ -109,9 +93,7 @@ void describe(V& v, Simulation& s) {
       "orders_kept", s.orders_kept, Count{1, 1000},
       "echoes are told apart by scattering order up to this one, which counts all above too");
   v.optional(without_unit("seed"), s.seed, Count{.low = 0}, "the seed of the random numbers");
-  v.optional(expert("reception"), s.reception,
-             Choice{{{"ray", "single rays through the lens, which is exact"},
-                     {"overlap", "the mean over the lens as if light fell evenly on it"}}},
+  v.optional(expert("reception"), s.reception, ChoiceOf<Reception>{},
              "of the forward estimator: how light reaches the detector");
   v.optional(expert("directed_fraction"), s.directed_fraction,
              Number{.low = 0.0, .high = 1.0, .high_open = true},
@@ -140,11 +122,7 @@ void describe(V& v, Simulation& s) {
              "of the bidirectional estimator: the share of the water's attenuation that its free "
              "paths are drawn from; by default 0.6, or 0.9 in water that scatters more than two "
              "thirds of it");
-  v.optional(expert("sampling"), s.sampling,
-             Choice{{{"quasi-random", "spread evenly, at scrambled Sobol' points"},
-                     {"random",
-                      "independently, as the forward estimator always does with environments or "
-                      "telescopes in the water"}}},
+  v.optional(expert("sampling"), s.sampling, ChoiceOf<Sampling>{},
              "how the photons or walks of a batch begin");
   v.section(expert("tools"), s.tools, Need::optional,
             "variance reduction by the forward estimator");

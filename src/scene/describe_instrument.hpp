@@ -57,40 +57,29 @@ void describe(V& v, Telescope& t) {
 template <class V>
 void describe(V& v, Channel& c) {
   v.required("name", c.name, Text{}, "what results call it");
-  v.one_of(
-      option(c.process.has_value(),
-             [&](auto& w) {
-               w.required(
-                   "process", c.process,
-                   Choice{{{"elastic", "light of the laser's wavelength"},
-                           {"raman",
-                            "light that water has scattered inelastically, by the Raman effect"},
-                           {"chlorophyll", "fluorescence of the chlorophyll in phytoplankton"},
-                           {"cdom", "fluorescence of dissolved organic matter"}},
-                          {"oil"}},
-                   "count all light of this process");
-             }),
-      option(c.centre_nm.has_value(),
-             [&](auto& w) {
-               w.required("centre_nm", c.centre_nm, WavelengthOrSteps{},
-                          "count what passes a filter of this centre in nm; { from, to, step } "
-                          "makes a channel of each step");
-               w.required("fwhm_nm", c.fwhm_nm, positive,
-                          "the filter's full width at half maximum in nm");
-               w.optional(
-                   "filter", c.filter,
-                   Choice{{{"top-hat",
-                            "all within half of fwhm_nm about the centre passes, nothing outside"},
-                           {"gaussian", "a Gaussian of that full width at half maximum"}}},
-                   "the shape of its transmission, 1 at the centre");
-             }),
-      option(c.transmission.has_value(), [&](auto& w) {
-        w.required("transmission_file", c.transmission,
-                   TableOrFile{{{"wavelength_nm", "wavelengths in nm, ascending"},
-                                {"transmission", "what passes there, from 0 to 1"}}},
-                   "count what passes a filter given by a CSV file of wavelength_nm, "
-                   "transmission, or by a table of these");
-      }));
+  v.one_of(option(c.process.has_value(),
+                  [&](auto& w) {
+                    w.required("process", c.process, ChoiceOf<Process>{{"oil"}},
+                               "count all light of this process");
+                  }),
+           option(c.centre_nm.has_value(),
+                  [&](auto& w) {
+                    w.required(
+                        "centre_nm", c.centre_nm, WavelengthOrSteps{},
+                        "count what passes a filter of this centre in nm; { from, to, step } "
+                        "makes a channel of each step");
+                    w.required("fwhm_nm", c.fwhm_nm, positive,
+                               "the filter's full width at half maximum in nm");
+                    w.optional("filter", c.filter, ChoiceOf<FilterShape>{},
+                               "the shape of its transmission, 1 at the centre");
+                  }),
+           option(c.transmission.has_value(), [&](auto& w) {
+             w.required("transmission_file", c.transmission,
+                        TableOrFile{{{"wavelength_nm", "wavelengths in nm, ascending"},
+                                     {"transmission", "what passes there, from 0 to 1"}}},
+                        "count what passes a filter given by a CSV file of wavelength_nm, "
+                        "transmission, or by a table of these");
+           }));
 }
 
 }  // namespace photic::scene

@@ -11,16 +11,9 @@
 
 namespace photic::scene {
 
-/// What a constituent's particles may scatter by.
-inline std::vector<Word> particle_phases() {
-  return {{"fournier-forand", "Fournier and Forand's function, close to what is measured"},
-          {"petzold", "the average of Petzold's measurements in the sea"},
-          {"mie", "the paper's spheres by Mie theory"}};
-}
-
 template <class V>
 void describe(V& v, Optics& o) {
-  v.optional("set", o.set, Choice{optics_sets()}, "fills in the choices below that are not given");
+  v.optional("set", o.set, ChoiceOf<OpticsSet>{}, "fills in the choices below that are not given");
   v.once_read([&] { o = optics_of(o.set); });
   v.optional(expert("water_absorption"), o.water_absorption,
              Choice{{{"mason-ioccg",
@@ -54,11 +47,9 @@ void describe(V& v, Optics& o) {
                              true}}},
                "a CSV file of wavelength_nm, a_m2_per_mg, b_m2_per_mg, or a table of these");
   });
-  v.optional(expert("phytoplankton_phase"), o.phytoplankton_phase, Choice{particle_phases()},
+  v.optional(expert("phytoplankton_phase"), o.phytoplankton_phase, ChoiceOf<ParticlePhase>{},
              "the phase function of phytoplankton");
-  v.optional(expert("minerals"), o.minerals,
-             Choice{{{"power-law", "by mass: the coefficients minerals_a_… and minerals_b_…"},
-                     {"mie", "the paper's spheres by Mie theory"}}},
+  v.optional(expert("minerals"), o.minerals, ChoiceOf<MineralOptics>{},
              "the absorption and scattering of minerals");
   auto& minerals = o.minerals_power_law;
   v.optional(expert("minerals_a_443_m2_per_g"), minerals.a_443_m2_per_g, not_negative,
@@ -69,24 +60,20 @@ void describe(V& v, Optics& o) {
              "power-law: the scattering of minerals at 555 nm in m2/g");
   v.optional(expert("minerals_b_exponent"), minerals.b_exponent, any_number,
              "power-law: the scattering of minerals goes as wavelength^-exponent");
-  v.optional(expert("minerals_phase"), o.minerals_phase, Choice{particle_phases()},
+  v.optional(expert("minerals_phase"), o.minerals_phase, ChoiceOf<ParticlePhase>{},
              "the phase function of minerals");
   v.optional(
       expert("raman"), o.raman,
       Choice{{{"bartlett", "Bartlett et al. 1998"}, {"marshall-smith", "Marshall & Smith 1990"}}},
       "the Raman scattering coefficient of water");
-  v.optional(
-      expert("emission"), o.emission,
-      Choice{{{"spectra", "spread over their spectra"}, {"lines", "each at one wavelength"}}},
-      "whether Raman light and chlorophyll's have spectra, or one wavelength each; by "
-      "default spectra in set modern, unless a layer has iop or jerlov");
+  v.optional(expert("emission"), o.emission, ChoiceOf<Emission>{},
+             "whether Raman light and chlorophyll's have spectra, or one wavelength each; by "
+             "default spectra in set modern, unless a layer has iop or jerlov");
   v.optional(expert("chlorophyll_share_730"), o.chlorophyll_share_730, from_to(0.0, 1.0),
              "the share of chlorophyll's light that is emitted about 730 nm");
-  v.optional(
-      expert("cdom_fluorescence"), o.cdom_fluorescence,
-      Choice{{{"hawes", "Hawes 1992"}, {"table", "your own matrix: cdom_fluorescence_file"}}},
-      "how dissolved organic matter fluoresces");
-  v.when("cdom_fluorescence", o.cdom_fluorescence, "table", [&](auto& w) {
+  v.optional(expert("cdom_fluorescence"), o.cdom_fluorescence, ChoiceOf<CdomFluorescence>{},
+             "how dissolved organic matter fluoresces");
+  v.when("cdom_fluorescence", o.cdom_fluorescence, CdomFluorescence::table, [&](auto& w) {
     w.required(expert("cdom_fluorescence_file"), o.cdom_fluorescence_table,
                TableOrFile{{{"excitation_nm", "ascending wavelengths in nm, for each emission"},
                             {"emission_nm", "wavelengths in nm, the same for every excitation"},
@@ -132,40 +119,30 @@ inline constexpr double salinity_scale_psu = 35.0, temperature_scale_c = 20.0;
 /// Everything of a phase function but its share in a mixture.
 template <class V>
 void describe(V& v, PhaseFunction& p) {
-  v.required(model_key, p.model,
-             Choice{{{"henyey-greenstein", "Henyey and Greenstein's of a mean cosine g"},
-                     {"fournier-forand",
-                      "Fournier and Forand's of particles with a hyperbolic size distribution"},
-                     {"petzold", "the average of Petzold's measurements in the sea"},
-                     {"rayleigh", "that of molecules"},
-                     {"isotropic", "the same in all directions"},
-                     {"table", "your own, by angle: file"},
-                     {"mie", "spheres by Mie theory"},
-                     {"mixture", "several of these by their shares: components"}}},
-             "the model of the phase function");
-  v.when(model_key, p.model, "henyey-greenstein", [&](auto& w) {
+  v.required(model_key, p.model, ChoiceOf<PhaseModel>{}, "the model of the phase function");
+  v.when(model_key, p.model, PhaseModel::henyey_greenstein, [&](auto& w) {
     w.required("g", p.g,
                Number{.low = optics::lowest_henyey_greenstein_g, .high = 1.0, .high_open = true},
                "the mean cosine of the scattering angle");
   });
-  v.when(model_key, p.model, "fournier-forand", [&](auto& w) {
+  v.when(model_key, p.model, PhaseModel::fournier_forand, [&](auto& w) {
     using Ff = optics::FournierForand;
     w.required("refractive_index", p.refractive_index, from_to(Ff::lowest_index, Ff::highest_index),
                "the particles' real refractive index relative to water");
     w.required("slope", p.slope, between(Ff::slope_above, Ff::slope_below),
                "the exponent of the particles' hyperbolic size distribution");
   });
-  v.when(model_key, p.model, "rayleigh", [&](auto& w) {
+  v.when(model_key, p.model, PhaseModel::rayleigh, [&](auto& w) {
     w.required("depolarisation", p.depolarisation, from_to(0.0, 1.0),
                "the depolarisation ratio of natural light");
   });
-  v.when(model_key, p.model, "table", [&](auto& w) {
+  v.when(model_key, p.model, PhaseModel::table, [&](auto& w) {
     w.required("file", p.table,
                TableOrFile{{{"angle_deg", "scattering angles in degrees, ascending to 180"},
                             {"phase_function_per_sr", "the phase function there, in 1/sr"}}},
                "a CSV file of angle_deg, phase_function_per_sr, or a table of these");
   });
-  v.when(model_key, p.model, "mie", [&](auto& w) {
+  v.when(model_key, p.model, PhaseModel::mie, [&](auto& w) {
     w.optional(expert("relative_index"), p.particles.relative_index, from_to(0.5, 3.0),
                "the spheres' real refractive index relative to water");
     w.optional(expert("absorption_index"), p.particles.absorption_index, from_to(0.0, 3.0),
@@ -177,7 +154,7 @@ void describe(V& v, PhaseFunction& p) {
     w.optional(expert("max_radius_um"), p.particles.max_radius_um, from_to(0.001, 20.0),
                "the largest radius in um");
   });
-  v.when(model_key, p.model, "mixture", [&](auto& w) {
+  v.when(model_key, p.model, PhaseModel::mixture, [&](auto& w) {
     w.tables("components", p.components, "the phase functions mixed, each with its fraction",
              [](auto& inner, PhaseFunction& component) { describe_component(inner, component); });
   });

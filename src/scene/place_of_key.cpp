@@ -65,8 +65,8 @@ class KeyPlaces {
     below_key(key, "[[", "]]", value);
   }
 
-  template <class Keys>
-  void when(const char*, const std::string&, const char*, const Keys& keys) {
+  template <class T, class Value, class Keys>
+  void when(const char*, const T&, const Value&, const Keys& keys) {
     keys(*this);
   }
   template <class... Keys>

@@ -130,8 +130,9 @@ Scene scene_of(const Node& document, const std::optional<std::string>& folder, F
   fill_names(scene.sea.layer, "layer");
   fill_names(scene.environment, "environment");
   const auto is_measured = [](const Layer& l) { return !l.iop.empty() || !l.jerlov.empty(); };
-  if (scene.optics.emission.empty())
-    scene.optics.emission = std::ranges::any_of(scene.sea.layer, is_measured) ? "lines" : "spectra";
+  if (!scene.optics.emission)
+    scene.optics.emission =
+        std::ranges::any_of(scene.sea.layer, is_measured) ? Emission::lines : Emission::spectra;
   return scene;
 }
 

@@ -86,12 +86,12 @@ class Reader : public TableReader {
   }
 
   /// Keys that belong to one choice of another key, and are foreign to the others.
-  template <class Keys>
-  void when(const char* selector, const std::string& word, const char* choice, const Keys& keys) {
-    if (word == choice)
+  template <class T, class Value, class Keys>
+  void when(const char* selector, const T& chosen, const Value& choice, const Keys& keys) {
+    if (chosen == choice)
       keys(*this);
     else
-      refuse_foreign(Names(keys), selector, word, choice);
+      refuse_foreign(Names(keys), selector, word_of(chosen), word_of(choice));
   }
 
   template <class... Keys>

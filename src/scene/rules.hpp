@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/vec3.hpp"
+#include "scene/choices.hpp"
 #include "scene/node.hpp"
 #include "scene/user_table.hpp"
 
@@ -67,6 +69,16 @@ struct Choice {
   std::vector<std::string> later = {};
 };
 
+/// One of the values of an enum (choices.hpp).
+template <class E>
+struct ChoiceOf : Choice {
+  using Value = E;
+  explicit ChoiceOf(std::vector<std::string> not_yet = {}) {
+    for (const auto& [value, word, meaning] : alternatives(E{})) words.push_back({word, meaning});
+    later = std::move(not_yet);
+  }
+};
+
 /// One line of text.
 struct Text {
   using Value = std::string;
@@ -114,11 +126,25 @@ std::optional<Refusal> check(const Wavelength& rule, const Node& node, double& v
 std::optional<Refusal> check(const Count& rule, const Node& node, std::int64_t& value);
 std::optional<Refusal> check(const Numbers& rule, const Node& node, std::vector<double>& value);
 std::optional<Refusal> check(const Choice& rule, const Node& node, std::string& value);
+template <class E>
+std::optional<Refusal> check(const ChoiceOf<E>& rule, const Node& node, E& value) {
+  std::string word;
+  if (auto problem = check(static_cast<const Choice&>(rule), node, word)) return problem;
+  value = value_of<E>(word);
+  return std::nullopt;
+}
 std::optional<Refusal> check(const Text& rule, const Node& node, std::string& value);
 std::optional<Refusal> check(const File& rule, const Node& node, std::string& value,
                              const std::optional<std::string>& folder);
 std::optional<Refusal> check(const Position& rule, const Node& node, Vec3<double>& value);
 std::optional<Refusal> check(const Direction& rule, const Node& node, Vec3<double>& value);
+
+/// A value of a choice in the tree of a scene.
+template <class E>
+  requires std::is_enum_v<E>
+Node to_node(E value) {
+  return to_node(word_of(value));
+}
 
 /// The rule as JSON Schema.
 Node schema_of(const Number& rule);

@@ -29,7 +29,7 @@ std::int64_t Gates::count() const { return static_cast<std::int64_t>(interval().
 
 bool Tools::any() const {
   Tools others = *this;
-  if (at_threshold == "roulette") others.weight_threshold = Tools{}.weight_threshold;
+  if (at_threshold == AtThreshold::roulette) others.weight_threshold = Tools{}.weight_threshold;
   return others != Tools{};
 }
 

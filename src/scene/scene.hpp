@@ -10,6 +10,7 @@
 #include "core/vec3.hpp"
 #include "optics/minerals.hpp"
 #include "optics/sea_particles.hpp"
+#include "scene/choices.hpp"
 #include "scene/user_table.hpp"
 
 namespace photic::scene {
@@ -46,30 +47,30 @@ struct Telescope {
 /// a filter.
 struct Channel {
   std::string name;
-  std::optional<std::string> process;  ///< elastic | raman | chlorophyll | cdom
-  std::optional<double> centre_nm;     ///< of a filter; both given or none
+  std::optional<Process> process;
+  std::optional<double> centre_nm;  ///< of a filter; both given or none
   std::optional<double> fwhm_nm;
-  std::string filter = "top-hat";         ///< top-hat (centre +- fwhm/2) | gaussian
+  FilterShape filter = FilterShape::top_hat;
   std::optional<UserTable> transmission;  ///< of wavelength_nm, transmission
   friend bool operator==(const Channel&, const Channel&) = default;
 };
 
 /// Which published data and models the water's optics are made of.
 struct Optics {
-  std::string set = "modern";     ///< modern | paper; fills in the choices below that are not given
+  OpticsSet set = OpticsSet::modern;
   std::string water_absorption;   ///< mason-ioccg | ioccg | pope-fry | smith-baker
   std::string water_scattering;   ///< zhang | morel | smith-baker
   double water_depolarisation{};  ///< of natural light, for the molecular phase function
   std::string phytoplankton;      ///< bricaud | prieur-sathyendranath | table
   UserTable phytoplankton_table;  ///< table
-  std::string phytoplankton_phase;  ///< fournier-forand | petzold | mie
-  std::string minerals;             ///< power-law | mie
+  ParticlePhase phytoplankton_phase{};
+  MineralOptics minerals{};
   optics::MineralsPowerLaw minerals_power_law = optics::european_minerals;
-  std::string minerals_phase;  ///< fournier-forand | petzold | mie
-  std::string raman;           ///< bartlett | marshall-smith
-  std::string emission;  ///< spectra | lines: chlorophyll's and Raman light at one wavelength each
-  double chlorophyll_share_730 = 0.0;    ///< of chlorophyll's light in its second band
-  std::string cdom_fluorescence;         ///< hawes | table
+  ParticlePhase minerals_phase{};
+  std::string raman;                   ///< bartlett | marshall-smith
+  std::optional<Emission> emission;    ///< given in every scene that has been read
+  double chlorophyll_share_730 = 0.0;  ///< of chlorophyll's light in its second band
+  CdomFluorescence cdom_fluorescence{};
   UserTable cdom_fluorescence_table;     ///< table
   double chlorophyll_lifetime_ns = 0.0;  ///< mean time from excitation to emission; 0: at once
   double cdom_lifetime_ns = 0.0;
@@ -90,12 +91,11 @@ struct IopEntry {
 
 /// A phase function by name and parameters; a mixture holds others.
 struct PhaseFunction {
-  std::string model;  ///< henyey-greenstein | fournier-forand | petzold | rayleigh | isotropic |
-                      ///< table | mie | mixture
-  double g{};         ///< henyey-greenstein
-  double refractive_index{};                                     ///< fournier-forand
-  double slope{};                                                ///< fournier-forand
-  double depolarisation{};                                       ///< rayleigh
+  std::optional<PhaseModel> model;  ///< given in every phase function that has been read
+  double g{};                       ///< henyey-greenstein
+  double refractive_index{};        ///< fournier-forand
+  double slope{};                   ///< fournier-forand
+  double depolarisation{};          ///< rayleigh
   optics::SeaParticles particles = optics::paper_phytoplankton;  ///< mie
   UserTable table;    ///< table: of angle_deg, phase_function_per_sr
   double fraction{};  ///< as a component of a mixture: its share of the scattering
@@ -167,17 +167,17 @@ struct Importance {
 /// What the forward estimator does beyond the plain walk (docs/theory.md, "The paper's tools").
 struct Tools {
   std::int64_t forced_collisions = 0;  ///< so many first flights of a photon do not leave the water
-  std::string local_forced_collisions = "conversions";  ///< conversions | all
-  double weight_threshold = 0.1;                        ///< of the analog weight, for:
-  std::string at_threshold = "roulette";                ///< roulette | end | analog-absorption
-  std::vector<Importance> importance;                   ///< ascending in depth
+  LocalForcedCollisions local_forced_collisions = LocalForcedCollisions::conversions;
+  double weight_threshold = 0.1;  ///< of the analog weight, for:
+  AtThreshold at_threshold = AtThreshold::roulette;
+  std::vector<Importance> importance;  ///< ascending in depth
   friend bool operator==(const Tools&, const Tools&) = default;
   /// Whether more is asked for than another threshold of roulette, which every walk has.
   [[nodiscard]] bool any() const;
 };
 
 struct Simulation {
-  std::string estimator = "auto";               ///< auto | bidirectional | forward | analog
+  Estimator estimator = Estimator::automatic;
   std::optional<std::string> estimator_reason;  ///< why "auto" chose it
   std::optional<std::uint64_t> photons;         ///< at least one of these three is given
   std::optional<double> target_relative_error;
@@ -185,7 +185,7 @@ struct Simulation {
   std::optional<std::int64_t> max_order;  ///< none: no limit
   std::int64_t orders_kept = 6;
   std::uint64_t seed = 1;
-  std::string reception = "ray";  ///< forward: ray | overlap
+  Reception reception = Reception::ray;  ///< forward
   /// Forward: share of directions drawn towards a telescope; 0 turns that off.
   std::optional<double> directed_fraction;
   /// Forward: of each flight; 1: where photons collide only. None of the two: forward_settings.hpp.
@@ -197,8 +197,8 @@ struct Simulation {
       0.3;  ///< bidirectional: share of walks whose vertices are all connected
   std::optional<double> walk_attenuation;  ///< bidirectional: share of c that free paths are drawn
                                            ///< from; none: as the water asks for
-  std::string sampling = "quasi-random";   ///< quasi-random | random
-  Tools tools;                             ///< forward
+  Sampling sampling = Sampling::quasi_random;
+  Tools tools;  ///< forward
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };
 

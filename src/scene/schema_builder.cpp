@@ -69,7 +69,8 @@ Node SchemaBuilder::or_profile(Node schema) {
   return either_of(std::move(schema), reference(profile_name));
 }
 
-void SchemaBuilder::conditional(const char* selector, const char* choice, const Names& keys) {
+void SchemaBuilder::conditional(const char* selector, const std::string& choice,
+                                const Names& keys) {
   if (!keys.needed().empty()) demanding_.emplace_back(choice);
   Node chosen = keyed("properties", keyed(selector, keyed("const", to_node(choice))));
   chosen.add("required", to_node(std::vector<std::string>{selector}));

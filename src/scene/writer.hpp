@@ -60,9 +60,9 @@ class Writer {
     if (value) table(key, *value, "");
   }
 
-  template <class Keys>
-  void when(const char*, const std::string& word, const char* choice, const Keys& keys) {
-    if (word == choice) keys(*this);
+  template <class T, class Value, class Keys>
+  void when(const char*, const T& chosen, const Value& choice, const Keys& keys) {
+    if (chosen == choice) keys(*this);
   }
   template <class... Keys>
   void one_of(const Option<Keys>&... options) {

@@ -103,12 +103,13 @@ class AnalogLanes final : public Simulator {
 namespace PHOTIC_ISA {
 std::unique_ptr<Simulator> make_lane_simulator(const estimator::Model& model);
 std::unique_ptr<Simulator> make_lane_simulator(const estimator::Model& model) {
-  switch (estimator::estimator_of(model.scene)) {
-    case estimator::Estimator::bidirectional:
+  switch (model.scene.simulation.estimator) {
+    case scene::Estimator::bidirectional:
       return std::make_unique<BidirectionalLanes>(model);
-    case estimator::Estimator::analog:
+    case scene::Estimator::analog:
       return std::make_unique<AnalogLanes>(model);
-    case estimator::Estimator::forward:
+    case scene::Estimator::automatic:  // left open: as forward
+    case scene::Estimator::forward:
       break;
   }
   return std::make_unique<ForwardLanes>(model);

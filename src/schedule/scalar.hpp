@@ -22,11 +22,12 @@ class ScalarSimulator final : public Simulator {
 
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     switch (world_.estimator) {
-      case estimator::Estimator::forward:
+      case scene::Estimator::automatic:  // left open: as forward
+      case scene::Estimator::forward:
         return forward(first, count, tally);
-      case estimator::Estimator::bidirectional:
+      case scene::Estimator::bidirectional:
         return estimator::Bidirectional<T, tally::Ledger>(world_, 1).run(first, count, tally);
-      case estimator::Estimator::analog:
+      case scene::Estimator::analog:
         return estimator::Analog<T, tally::Ledger>(world_).run(first, count, tally,
                                                                [](const auto&...) {});
     }

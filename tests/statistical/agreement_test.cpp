@@ -169,7 +169,7 @@ TEST(Agreement, BitsDoNotDependOnInstructions) {
       "[[sea.layer]]\nbottom_depth_m = 5.0\nchlorophyll_mg_m3 = 1.0\n[[sea.layer]]\n";
   auto scene =
       read(ship(algae, channel("elastic") + channel("raman"), 2e4, "directed_fraction = 0.5"));
-  for (const auto* estimator : {"forward", "bidirectional"}) {
+  for (const auto estimator : {scene::Estimator::forward, scene::Estimator::bidirectional}) {
     scene.simulation.estimator = estimator;
     const auto here = run::run(scene);
     const auto anywhere = run_in<double>(scene, 2);

@@ -135,7 +135,7 @@ TEST(EnvironmentOf, TheSceneItselfIsTheSceneToTheBit) {
   for (const double d : result.environment_difference.mean) EXPECT_EQ(d, 0);
   for (const double d : result.environment_difference.standard_error) EXPECT_EQ(d, 0);
   auto alone = scene;
-  alone.simulation.sampling = "random";  // as with environments
+  alone.simulation.sampling = scene::Sampling::random;  // as with environments
   EXPECT_EQ(run_in_lanes(alone).echo.mean, result.echo.mean);
 }
 

@@ -6,6 +6,10 @@
 
 namespace photic::test {
 
+inline scene::Channel channel_of(scene::Process process) {
+  return {scene::word_of(process), process, {}, {}, scene::FilterShape::top_hat, {}};
+}
+
 /// A single laser line, a telescope beside it, the elastic channel; gates 0 to 50 m of 0.5 m; the
 /// sea has no layer yet.
 inline scene::Scene ship_scene() {
@@ -23,19 +27,16 @@ inline scene::Scene ship_scene() {
   telescope.focal_length_m = 2;
   telescope.detector_diameter_m = 0.04;
   scene.telescope = {telescope};
-  scene.channel = {{"elastic", "elastic", {}, {}, "top-hat", {}}};
-  scene.optics = scene::optics_of("modern");
-  scene.optics.emission = "lines";
+  scene.channel = {channel_of(scene::Process::elastic)};
+  scene.optics = scene::optics_of(scene::OpticsSet::modern);
+  scene.optics.emission = scene::Emission::lines;
   scene.gates.depth_m = {0, 50, 0.5};
   scene.simulation.photons = 1000;
   return scene;
 }
 
-inline scene::Channel channel_of(const std::string& process) {
-  return {process, process, {}, {}, "top-hat", {}};
-}
 inline scene::Channel filter(double centre_nm, double fwhm_nm) {
-  return {"filter", {}, centre_nm, fwhm_nm, "top-hat", {}};
+  return {"filter", {}, centre_nm, fwhm_nm, scene::FilterShape::top_hat, {}};
 }
 
 }  // namespace photic::test

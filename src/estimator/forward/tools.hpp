@@ -1,6 +1,6 @@
 // What the forward estimator can do beyond the plain walk: forced collisions, splitting, what
 // becomes of light photons (docs/theory.md, "The paper's tools"). Each leaves the mean as it is,
-// but for AtThreshold::end.
+// but for scene::AtThreshold::end.
 #pragma once
 
 #include <cstdint>
@@ -87,15 +87,15 @@ Mask<T> end_with_tools(const World<T>& world, Travellers<T>& travellers, Mask<T>
   const T& threshold = world.weight_threshold;
   const T& before = travellers.analog_before;
   switch (world.tools.at_threshold) {
-    case AtThreshold::roulette:
+    case scene::AtThreshold::roulette:
       on = play_roulette(photon, threshold, u, on, ledger);
       break;
-    case AtThreshold::analog_absorption:
+    case scene::AtThreshold::analog_absorption:
       // Below the threshold the weight stays what it was: what was lost of it is the chance that
       // all is.
       on = play_roulette(photon, select(before <= threshold, before, T(0)), u, on, ledger);
       break;
-    case AtThreshold::end:
+    case scene::AtThreshold::end:
       const Mask<T> low = photon.analog_weight < threshold;
       book(ledger.cut_by_weight, on & low, photon.weight);
       on = on & !low;

@@ -88,7 +88,7 @@ TEST(Strategies, AreToldLineByLine) {
             "converted, and looked for about a beam that is not vertical");
   EXPECT_EQ(describe(model).strategies, told);
   scene::Scene forward = model.scene;
-  forward.simulation.estimator = "forward";
+  forward.simulation.estimator = scene::Estimator::forward;
   EXPECT_TRUE(strategies_told(forward, model.medium).empty());
 }
 

@@ -42,9 +42,10 @@ scene::Layer layer_of(double albedo) {
 
 /// Two layers, the second of another albedo than the first's 0.1.
 scene::Scene scene_above(double albedo) {
-  auto scene = scene_of({layer_of(0.1), layer_of(albedo)}, {test::channel_of("elastic")});
+  auto scene =
+      scene_of({layer_of(0.1), layer_of(albedo)}, {test::channel_of(medium::Process::elastic)});
   scene.sea.layer[0].bottom_depth_m = 5;
-  scene.simulation.estimator = "bidirectional";
+  scene.simulation.estimator = scene::Estimator::bidirectional;
   return scene;
 }
 
@@ -111,7 +112,7 @@ struct TwoLayers {
 // that limit; with c for the walk's coefficient.
 TEST(FreePaths, AreDrawnFromScatteringAlone) {
   scene::Simulation forward;
-  forward.estimator = "forward";
+  forward.estimator = scene::Estimator::forward;
   const TwoLayers two(two_layers(), forward);
   const geometry::Slabs& v = two.slabs;
   EXPECT_NEAR(v.walk_c.first[0], 0.1, 1e-16);
@@ -130,7 +131,7 @@ TEST(FreePaths, GoFartherInEmittedLight) {
   auto m = two_layers();
   m.albedo = {0.9, 0.6, 0.3, 0.5};
   scene::Simulation walks;
-  walks.estimator = "bidirectional";
+  walks.estimator = scene::Estimator::bidirectional;
   walks.walk_attenuation = 0.6;
   const auto shares = shares_of_free_paths(m, walks);
   EXPECT_NEAR(shares[0], 0.6, 1e-15);
@@ -144,7 +145,7 @@ TEST(FreePaths, GoFartherInEmittedLight) {
 // Seen red: with the forward estimator's.
 TEST(FreePaths, OfAnalogPhotonsAreTheLightsOwn) {
   scene::Simulation analog;
-  analog.estimator = "analog";
+  analog.estimator = scene::Estimator::analog;
   EXPECT_EQ(shares_of_free_paths(two_layers(), analog), (Shares{1, 1, 1, 1}));
 }
 
@@ -157,8 +158,8 @@ TEST(FreePaths, LieBetweenThoseOfAllEnvironments) {
     return layer;
   };
   const auto walk_c = [&](const std::vector<scene::Layer>& others, bool tangent = false) {
-    auto scene = scene_of({water(0.06, 0.10)}, {test::channel_of("elastic")});
-    scene.simulation.estimator = "forward";
+    auto scene = scene_of({water(0.06, 0.10)}, {test::channel_of(medium::Process::elastic)});
+    scene.simulation.estimator = scene::Estimator::forward;
     for (const auto& other : others) {
       scene::Environment out{"", {}, scene.optics, scene.sea};
       out.sea.layer[0] = other;

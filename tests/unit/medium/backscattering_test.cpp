@@ -24,7 +24,8 @@ double fraction_in(const scene::Scene& scene) {
 // interpolation.
 TEST(Backscattering, IsThatOfThePhaseFunction) {
   for (const auto& [bb_500, bb_600] : {std::pair{0.0001, 0.00002}, {0.002, 0.003}, {0.08, 0.04}}) {
-    auto scene = scene_of({backscattering_layer(bb_500, bb_600)}, {test::channel_of("elastic")});
+    auto scene =
+        scene_of({backscattering_layer(bb_500, bb_600)}, {test::channel_of(Process::elastic)});
     for (const double nm : {500.0, 532.0, 600.0}) {
       const double t = (nm - 500) / 100;
       scene.source.wavelength_nm = nm;
@@ -35,8 +36,8 @@ TEST(Backscattering, IsThatOfThePhaseFunction) {
 }
 
 TEST(Backscattering, IsNamedAmongTheSources) {
-  const auto m =
-      medium_of(scene_of({backscattering_layer(0.004, 0.004)}, {test::channel_of("elastic")}));
+  const auto m = medium_of(
+      scene_of({backscattering_layer(0.004, 0.004)}, {test::channel_of(Process::elastic)}));
   const std::string told =
       "given in the scene; b_b/b = 0.02381, too: phase function Fournier-Forand of that b_b/b, "
       "Mobley, Sundman & Boss 2002 [verified]";
@@ -47,13 +48,14 @@ TEST(Backscattering, IsNamedAmongTheSources) {
 TEST(Backscattering, OfNoScatteringIsNothing) {
   auto layer = backscattering_layer(0, 0);
   for (auto& entry : layer.iop) entry.b_per_m = 0;
-  EXPECT_EQ(medium_of(scene_of({layer}, {test::channel_of("elastic")})).albedo[0], 0);
+  EXPECT_EQ(medium_of(scene_of({layer}, {test::channel_of(Process::elastic)})).albedo[0], 0);
 }
 
 // Seen red: with tables of environments told apart by the name of their phase function alone.
 TEST(Backscattering, OfAnEnvironmentIsItsOwn) {
-  auto scene = scene_of({backscattering_layer(0.002, 0.002)}, {test::channel_of("elastic")});
-  const auto other = scene_of({backscattering_layer(0.02, 0.02)}, {test::channel_of("elastic")});
+  auto scene = scene_of({backscattering_layer(0.002, 0.002)}, {test::channel_of(Process::elastic)});
+  const auto other =
+      scene_of({backscattering_layer(0.02, 0.02)}, {test::channel_of(Process::elastic)});
   scene.environment.push_back({"other", {}, scene.optics, other.sea});
   const Medium all = medium_of(scene);
   const MediumView view = all.view();

@@ -21,7 +21,7 @@ const optics::EmissionSpectrum ramp({600, 700}, {0, 0.02});
 
 scene::Channel gaussian(double centre, double fwhm) {
   auto channel = test::filter(centre, fwhm);
-  channel.filter = "gaussian";
+  channel.filter = scene::FilterShape::gaussian;
   return channel;
 }
 
@@ -39,7 +39,7 @@ double counted(const std::vector<BandLine>& lines, std::size_t channel) {
 }
 
 TEST(CutIntoLines, KeepsPhotonsAndTheirMeanWavelength) {
-  const auto lines = cut({test::channel_of("raman")}, {true});
+  const auto lines = cut({test::channel_of(Process::raman)}, {true});
   EXPECT_EQ(lines.size(), 20U);
   EXPECT_NEAR(counted(lines, 0), 1, 1e-12);
   double mean = 0;
@@ -61,7 +61,7 @@ TEST(CutIntoLines, CountsWhatFiltersLetThrough) {
   EXPECT_NEAR(counted(lines, 0), 0.01 * area, 4e-5 * area);
   for (const auto& line : lines) EXPECT_NEAR(line.wavelength_nm, 650, 24);
 
-  const auto both = cut({test::channel_of("cdom"), gaussian(650, 12)}, {true, false});
+  const auto both = cut({test::channel_of(Process::cdom), gaussian(650, 12)}, {true, false});
   EXPECT_NEAR(counted(both, 0), 1, 1e-12);
   EXPECT_NEAR(counted(both, 1), 0.01 * area, 4e-5 * area);
 }
@@ -75,7 +75,7 @@ TEST(FilterOf, HasHalfItsTransmissionAtHalfItsWidth) {
   const auto top_hat = filter_of(test::filter(650, 12));
   EXPECT_EQ(top_hat->transmission(656), 1);
   EXPECT_EQ(top_hat->transmission(656.1), 0);
-  EXPECT_FALSE(filter_of(test::channel_of("raman")));
+  EXPECT_FALSE(filter_of(test::channel_of(Process::raman)));
 }
 
 TEST(FilterOf, ReadsAUsersTable) {
@@ -115,7 +115,7 @@ scene::Scene spectra_scene(std::vector<scene::Channel> channels) {
   layer.chlorophyll_mg_m3 = 0.5;
   layer.cdom_a440_per_m = 0.05;
   auto scene = scene_of({layer}, std::move(channels));
-  scene.optics.emission = "spectra";
+  scene.optics.emission = scene::Emission::spectra;
   scene.source.wavelength_nm = 450;
   return scene;
 }
@@ -129,8 +129,9 @@ double emitted_in(const Medium& m, Process process) {
 
 // As many photons as in one line each.
 TEST(BuildMedium, SpreadsEmittedLightOverSpectra) {
-  const std::vector<scene::Channel> channels{
-      test::channel_of("raman"), test::channel_of("chlorophyll"), test::channel_of("cdom")};
+  const std::vector<scene::Channel> channels{test::channel_of(Process::raman),
+                                             test::channel_of(Process::chlorophyll),
+                                             test::channel_of(Process::cdom)};
   auto scene = spectra_scene(channels);
   const auto m = medium_of(scene);
   std::map<Process, int> lines;
@@ -138,7 +139,7 @@ TEST(BuildMedium, SpreadsEmittedLightOverSpectra) {
   EXPECT_GT(lines[Process::raman], 4);
   EXPECT_GT(lines[Process::chlorophyll], 15);
   EXPECT_GT(lines[Process::cdom], 50);
-  scene.optics.emission = "lines";
+  scene.optics.emission = scene::Emission::lines;
   const auto one = medium_of(scene);
   EXPECT_NEAR(emitted_in(m, Process::raman) / emitted_in(one, Process::raman), 1, 2e-5);
   EXPECT_NEAR(emitted_in(m, Process::chlorophyll) / emitted_in(one, Process::chlorophyll), 1, 1e-4);
@@ -152,7 +153,7 @@ TEST(BuildMedium, SpreadsEmittedLightOverSpectra) {
 
 // CDOM's light under the Raman line is seen through a filter, and not by a channel of a process.
 TEST(BuildMedium, ShowsAllProcessesThroughAFilter) {
-  const auto m = medium_of(spectra_scene({gaussian(531, 10), test::channel_of("raman")}));
+  const auto m = medium_of(spectra_scene({gaussian(531, 10), test::channel_of(Process::raman)}));
   double cdom = 0, raman = 0;
   for (const Line& line : m.line) {
     if (line.process == Process::cdom) {
@@ -169,7 +170,8 @@ TEST(BuildMedium, ShowsAllProcessesThroughAFilter) {
 // Every line has spectral_bins, as many as its share of photons and an even share come to, and what
 // it emits is made up for them. Seen red: made up for as if all lines had as many.
 TEST(Medium, SharesOutHuesAmongTheLinesOfABand) {
-  const auto m = medium_of(spectra_scene({test::channel_of("raman"), test::channel_of("cdom")}));
+  const auto m =
+      medium_of(spectra_scene({test::channel_of(Process::raman), test::channel_of(Process::cdom)}));
   const auto view = m.view();
   ASSERT_EQ(view.bands, 2);
   EXPECT_EQ(view.convertible_count[0], 2);

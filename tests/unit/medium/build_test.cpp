@@ -17,11 +17,11 @@ bool counts(const scene::Channel& channel, Process process, double nm) {
 
 // Seen red: with the full width on either side.
 TEST(Channel, CountsItsProcessOrWhatPassesItsFilter) {
-  EXPECT_TRUE(counts(test::channel_of("elastic"), Process::elastic, 532));
-  EXPECT_FALSE(counts(test::channel_of("elastic"), Process::raman, 649));
-  EXPECT_TRUE(counts(test::channel_of("raman"), Process::raman, 649));
-  EXPECT_FALSE(counts(test::channel_of("raman"), Process::chlorophyll, 685));
-  EXPECT_TRUE(counts(test::channel_of("chlorophyll"), Process::chlorophyll, 685));
+  EXPECT_TRUE(counts(test::channel_of(Process::elastic), Process::elastic, 532));
+  EXPECT_FALSE(counts(test::channel_of(Process::elastic), Process::raman, 649));
+  EXPECT_TRUE(counts(test::channel_of(Process::raman), Process::raman, 649));
+  EXPECT_FALSE(counts(test::channel_of(Process::raman), Process::chlorophyll, 685));
+  EXPECT_TRUE(counts(test::channel_of(Process::chlorophyll), Process::chlorophyll, 685));
   EXPECT_TRUE(counts(test::filter(650, 10), Process::raman, 649));
   EXPECT_TRUE(counts(test::filter(654, 10), Process::raman, 649));  // on its edge
   EXPECT_FALSE(counts(test::filter(654.1, 10), Process::raman, 649));
@@ -39,8 +39,8 @@ TEST(BuildMedium, HasTheLinesThatChannelsCount) {
     return out;
   };
   using P = std::vector<Process>;
-  EXPECT_EQ(processes({test::channel_of("elastic")}), (P{Process::elastic}));
-  EXPECT_EQ(processes({test::channel_of("raman")}),
+  EXPECT_EQ(processes({test::channel_of(Process::elastic)}), (P{Process::elastic}));
+  EXPECT_EQ(processes({test::channel_of(Process::raman)}),
             (P{Process::elastic, Process::raman}));  // the laser's always
   EXPECT_EQ(processes(all_channels), (P{Process::elastic, Process::raman, Process::chlorophyll}));
   EXPECT_EQ(processes({test::filter(667, 40)}),
@@ -71,7 +71,7 @@ TEST(BuildMedium, GivesEachLineItsIndices) {
 // without them, and what becomes of a collision adds up to 1. Seen red: with b_R added to c; with
 // the emitted photons absorbed as well.
 TEST(BuildMedium, TakesInelasticPhotonsOutOfTheAbsorption) {
-  const auto without = medium_of(scene_of({iop_layer()}, {test::channel_of("elastic")}));
+  const auto without = medium_of(scene_of({iop_layer()}, {test::channel_of(Process::elastic)}));
   const auto with = medium_of(scene_of({iop_layer()}, all_channels));
   EXPECT_EQ(with.c[0], without.c[0]);
   EXPECT_EQ(with.albedo[0], without.albedo[0]);

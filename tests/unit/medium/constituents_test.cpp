@@ -38,8 +38,8 @@ Parts parts_at(double nm, double chlorophyll) {
 
 // At both wavelengths. Seen red: without the CDOM; with the algae's scattering left out.
 TEST(Constituents, AddUp) {
-  const auto m = medium_of(
-      scene_of({algae_layer(0.5, 0.03)}, {test::channel_of("elastic"), test::channel_of("raman")}));
+  const auto m = medium_of(scene_of({algae_layer(0.5, 0.03)}, {test::channel_of(Process::elastic),
+                                                               test::channel_of(Process::raman)}));
   for (std::size_t l = 0; l < 2; ++l) {
     const double nm = m.line[l].wavelength_nm;
     const Parts parts = parts_at(nm, 0.5);
@@ -54,7 +54,8 @@ TEST(Constituents, AddUp) {
 // light goes and when. Seen red: with the sea's temperature; with its salinity.
 TEST(Constituents, AreInWaterOfTheLayersSalinityAndTemperature) {
   auto layer = algae_layer(0.5);
-  auto scene = scene_of({layer, layer}, {test::channel_of("elastic"), test::channel_of("raman")});
+  auto scene = scene_of({layer, layer},
+                        {test::channel_of(Process::elastic), test::channel_of(Process::raman)});
   scene.sea.layer[0].bottom_depth_m = 5;
   const auto plain = medium_of(scene);
   scene.sea.layer[0].salinity_psu = 10;
@@ -76,7 +77,7 @@ TEST(Constituents, AreInWaterOfTheLayersSalinityAndTemperature) {
 
 // Seen red: with equal shares; with the shares swapped.
 TEST(Constituents, ScatterWithPhaseFunctionsWeightedByTheirScattering) {
-  const auto m = medium_of(scene_of({algae_layer(0.1)}, {test::channel_of("elastic")}));
+  const auto m = medium_of(scene_of({algae_layer(0.1)}, {test::channel_of(Process::elastic)}));
   const Parts parts = parts_at(532, 0.1);
   const optics::PhaseTable water(optics::rayleigh(0.039));
   const optics::PhaseTable algae(optics::fournier_forand(1.10, 3.5835));
@@ -90,7 +91,7 @@ TEST(Constituents, ScatterWithPhaseFunctionsWeightedByTheirScattering) {
 }
 
 TEST(Constituents, OfPureWaterScatterAsMolecules) {
-  auto scene = scene_of({algae_layer(0)}, {test::channel_of("elastic")});
+  auto scene = scene_of({algae_layer(0)}, {test::channel_of(Process::elastic)});
   const optics::PhaseTable molecules(optics::rayleigh(0.039));
   const auto m = medium_of(scene);
   EXPECT_EQ(m.view().phases.value<double>(2.0, m.elastic_phase[0]),
@@ -114,9 +115,9 @@ TEST(Constituents, FluoresceByWhatPhytoplanktonAbsorbs) {
 }
 
 TEST(Constituents, ScatterAsPetzoldMeasuredIfAsked) {
-  auto scene = scene_of({algae_layer(1)}, {test::channel_of("elastic")});
+  auto scene = scene_of({algae_layer(1)}, {test::channel_of(Process::elastic)});
   const double forward = medium_of(scene).view().phases.value<double>(2.0, 0);
-  scene.optics.phytoplankton_phase = "petzold";
+  scene.optics.phytoplankton_phase = scene::ParticlePhase::petzold;
   const auto m = medium_of(scene);
   EXPECT_NE(m.view().phases.value<double>(2.0, m.elastic_phase[0]), forward);
 }
@@ -124,8 +125,9 @@ TEST(Constituents, ScatterAsPetzoldMeasuredIfAsked) {
 // At the laser's wavelength and at Raman's, with the index that water has there. Seen red: with the
 // paper's minerals; with the wavelength in air; with the laser's for both.
 TEST(Constituents, ScatterAsThePapersSpheresIfAsked) {
-  auto scene = scene_of({algae_layer(1)}, {test::channel_of("elastic"), test::channel_of("raman")});
-  scene.optics.phytoplankton_phase = "mie";
+  auto scene = scene_of({algae_layer(1)},
+                        {test::channel_of(Process::elastic), test::channel_of(Process::raman)});
+  scene.optics.phytoplankton_phase = scene::ParticlePhase::mie;
   const auto m = medium_of(scene);
   for (std::size_t l = 0; l < 2; ++l) {
     const double nm = m.line[l].wavelength_nm;
@@ -151,8 +153,8 @@ scene::Layer mineral_layer(double minerals_g_m3, double chlorophyll_mg_m3 = 0) {
 // Beside algae, at both wavelengths, by the scene's own power laws. Seen red: without the minerals'
 // absorption; with their scattering given to the algae.
 TEST(Constituents, AddMineralsUp) {
-  auto scene =
-      scene_of({mineral_layer(2, 0.1)}, {test::channel_of("elastic"), test::channel_of("raman")});
+  auto scene = scene_of({mineral_layer(2, 0.1)},
+                        {test::channel_of(Process::elastic), test::channel_of(Process::raman)});
   scene.optics.minerals_power_law = {0.03, 0.01, 0.6, 0.7};
   const auto m = medium_of(scene);
   const optics::PhaseTable water(optics::rayleigh(0.039));
@@ -182,9 +184,10 @@ TEST(Constituents, AddMineralsUp) {
 
 // Without algae. Seen red: with the algae's spheres; with the index of the laser's light for all.
 TEST(Constituents, AreThePapersMineralsIfAsked) {
-  auto scene =
-      scene_of({mineral_layer(1.5)}, {test::channel_of("elastic"), test::channel_of("raman")});
-  scene.optics.minerals = scene.optics.minerals_phase = "mie";
+  auto scene = scene_of({mineral_layer(1.5)},
+                        {test::channel_of(Process::elastic), test::channel_of(Process::raman)});
+  scene.optics.minerals = scene::MineralOptics::mie;
+  scene.optics.minerals_phase = scene::ParticlePhase::mie;
   const auto m = medium_of(scene);
   for (std::size_t l = 0; l < 2; ++l) {
     const double nm = m.line[l].wavelength_nm;
@@ -205,8 +208,8 @@ TEST(Constituents, AreThePapersMineralsIfAsked) {
 }
 
 TEST(Constituents, OfMineralsScatterAsPetzoldMeasuredIfAsked) {
-  auto scene = scene_of({mineral_layer(1000)}, {test::channel_of("elastic")});
-  scene.optics.minerals_phase = "petzold";
+  auto scene = scene_of({mineral_layer(1000)}, {test::channel_of(Process::elastic)});
+  scene.optics.minerals_phase = scene::ParticlePhase::petzold;
   const auto m = medium_of(scene);
   const optics::PhaseTable petzold(optics::petzold(library()));
   EXPECT_NEAR(
@@ -236,7 +239,7 @@ TEST(Constituents, AreWaterAndParticlesInOneOfJerlovsTypes) {
   }
 }
 
-scene::PhaseFunction function_of(const std::string& model) {
+scene::PhaseFunction function_of(scene::PhaseModel model) {
   scene::PhaseFunction function;
   function.model = model;
   return function;
@@ -246,7 +249,7 @@ scene::PhaseFunction function_of(const std::string& model) {
 double value_of(const scene::PhaseFunction& function, double x) {
   auto layer = iop_layer();
   layer.phase_function = function;
-  const auto m = medium_of(scene_of({layer}, {test::channel_of("elastic")}));
+  const auto m = medium_of(scene_of({layer}, {test::channel_of(Process::elastic)}));
   return m.view().phases.value<double>(x, m.elastic_phase[0]);
 }
 
@@ -254,20 +257,20 @@ TEST(IopLayer, ScattersWithTheNamedPhaseFunction) {
   const auto at = [](const optics::PhaseShape& shape, double x) {
     return optics::PhaseTable(shape).view().value<double>(x);
   };
-  auto ff = function_of("fournier-forand");
+  auto ff = function_of(scene::PhaseModel::fournier_forand);
   ff.refractive_index = 1.08;
   ff.slope = 3.4;
   ff.fraction = 0.7;
-  auto rayleigh = function_of("rayleigh");
+  auto rayleigh = function_of(scene::PhaseModel::rayleigh);
   rayleigh.depolarisation = 0.09;
   rayleigh.fraction = 0.3;
-  auto mixture = function_of("mixture");
+  auto mixture = function_of(scene::PhaseModel::mixture);
   mixture.components = {ff, rayleigh};
-  auto table = function_of("table");
+  auto table = function_of(scene::PhaseModel::table);
   table.table = scene::UserTable(
       optics::DataTable::read(PHOTIC_SOURCE_DIR "/data/particles_petzold_average.csv"),
       {"angle_deg", "phase_function_per_sr"});
-  auto mie = function_of("mie");
+  auto mie = function_of(scene::PhaseModel::mie);
   mie.particles = {1.1, 0.002, 4.5, 0.2, 2};
   const auto spheres = optics::phase_of_spheres(library().spheres(
       optics::spheres_in_water(mie.particles, 532, optics::refractive_index(532, 35, 20))));
@@ -277,8 +280,9 @@ TEST(IopLayer, ScattersWithTheNamedPhaseFunction) {
     EXPECT_EQ(value_of(henyey_greenstein(0.7), x), at(optics::henyey_greenstein(0.7), x));
     EXPECT_EQ(value_of(ff, x), expected_ff);
     EXPECT_EQ(value_of(rayleigh, x), expected_rayleigh);
-    EXPECT_EQ(value_of(function_of("isotropic"), x), at(optics::isotropic(), x));
-    EXPECT_EQ(value_of(function_of("petzold"), x), at(optics::petzold(library()), x));
+    EXPECT_EQ(value_of(function_of(scene::PhaseModel::isotropic), x), at(optics::isotropic(), x));
+    EXPECT_EQ(value_of(function_of(scene::PhaseModel::petzold), x),
+              at(optics::petzold(library()), x));
     EXPECT_EQ(value_of(table, x), at(optics::petzold(library()), x));
     EXPECT_EQ(value_of(mie, x), at(spheres, x));
     EXPECT_NEAR(value_of(mixture, x) / (0.7 * expected_ff + 0.3 * expected_rayleigh), 1, 2e-5);
@@ -287,9 +291,9 @@ TEST(IopLayer, ScattersWithTheNamedPhaseFunction) {
 
 // Of 0.333 + 0.333 + 0.333 each is a third. Seen red: with the fractions taken as they are.
 TEST(IopLayer, ScalesTheFractionsOfAMixture) {
-  auto part = function_of("isotropic");
+  auto part = function_of(scene::PhaseModel::isotropic);
   part.fraction = 0.3333333;
-  auto mixture = function_of("mixture");
+  auto mixture = function_of(scene::PhaseModel::mixture);
   mixture.components = {part, part, part};
   EXPECT_NEAR(value_of(mixture, 1.0) * 4 * pi, 1, 1e-12);
 }

@@ -86,10 +86,10 @@ TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBeWithMinerals) {
 TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBeWithOtherMinerals) {
   auto layer = algae(0.5);
   layer.minerals_g_m3 = 0.3;
-  auto scene = scene_of({layer, layer}, {test::channel_of("elastic")});
+  auto scene = scene_of({layer, layer}, {test::channel_of(Process::elastic)});
   scene.sea.layer[0].bottom_depth_m = 5;
   auto other = scene;
-  other.optics.minerals_phase = "petzold";
+  other.optics.minerals_phase = scene::ParticlePhase::petzold;
   other.optics.minerals_power_law.b_555_m2_per_g = 0.7;
   auto both = scene;
   both.environment.push_back({"other", {}, other.optics, other.sea});
@@ -103,7 +103,7 @@ TEST(MediumOfEnvironments, IsWhatTheirOwnWouldBeWithOtherMinerals) {
 TEST(MediumOfEnvironments, HasTangentsBehindThem) {
   auto layer = algae(0.5);
   layer.cdom_a440_per_m = 0.1;
-  auto scene = scene_of({layer}, {test::channel_of("elastic")});
+  auto scene = scene_of({layer}, {test::channel_of(Process::elastic)});
   const auto with_cdom = [&](double a440_per_m) {
     scene::Environment out{"", {}, scene.optics, scene.sea};
     out.sea.layer[0].cdom_a440_per_m = a440_per_m;
@@ -124,7 +124,7 @@ TEST(MediumOfEnvironments, HasTangentsBehindThem) {
 
 // Seen red: with the scene's parts alone.
 TEST(MediumOfEnvironments, HasTwoPartsWhereAPhaseFunctionIsAnother) {
-  const auto scene = scene_of({iop_layer()}, {test::channel_of("elastic")});
+  const auto scene = scene_of({iop_layer()}, {test::channel_of(Process::elastic)});
   auto other = scene.sea;
   other.layer[0].phase_function = henyey_greenstein(0.8);
   const Medium m = medium_of(with(scene, other));
@@ -136,7 +136,7 @@ TEST(MediumOfEnvironments, HasTwoPartsWhereAPhaseFunctionIsAnother) {
 TEST(MediumOfEnvironments, RefusesWhatTheSceneNeverDoes) {
   const auto clear = scene_of({algae(0)}, all_channels);
   expect_refused(with(clear, scene_of({algae(0.1)}, all_channels).sea), "emits chlorophyll light");
-  auto black = scene_of({iop_layer()}, {test::channel_of("elastic")});
+  auto black = scene_of({iop_layer()}, {test::channel_of(Process::elastic)});
   const auto scatters = black.sea;
   for (auto& entry : black.sea.layer[0].iop) entry.b_per_m = 0;
   expect_refused(with(black, scatters), "scatters light");

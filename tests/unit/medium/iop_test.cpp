@@ -9,7 +9,7 @@ double b_of(const Medium& m, std::size_t i) { return m.albedo[i] * m.c[i]; }
 // At 532 nm, 0.32 of the way from 500 to 600. Seen red: with the weights of the two entries
 // swapped; with b for a in c.
 TEST(IopLayer, IsInterpolatedLinearly) {
-  const auto m = medium_of(scene_of({iop_layer()}, {test::channel_of("elastic")}));
+  const auto m = medium_of(scene_of({iop_layer()}, {test::channel_of(Process::elastic)}));
   EXPECT_NEAR(m.c[0], 0.05 + 0.32 * 0.10 + 0.20 - 0.32 * 0.10, 1e-15);
   EXPECT_NEAR(b_of(m, 0), 0.168, 1e-15);
   EXPECT_NEAR(m.absorption[0], 0.082 / 0.25, 1e-15);
@@ -18,7 +18,7 @@ TEST(IopLayer, IsInterpolatedLinearly) {
 TEST(IopLayer, IsExactAtItsEntries) {
   for (const auto& [nm, a, b] :
        {std::tuple{500.0, 0.05, 0.20}, {600.0, 0.15, 0.10}, {700.0, 0.65, 0.08}}) {
-    auto scene = scene_of({iop_layer()}, {test::channel_of("elastic")});
+    auto scene = scene_of({iop_layer()}, {test::channel_of(Process::elastic)});
     scene.source.wavelength_nm = nm;
     const auto m = medium_of(scene);
     EXPECT_NEAR(m.c[0], a + b, 1e-15) << nm;
@@ -48,14 +48,14 @@ scene::Layer single_entry_layer() {
 // Seen red: with a reach of 0.5 nm.
 TEST(IopLayer, OfASingleEntryHoldsForANanometreAround) {
   for (const double nm : {531.0, 531.7, 532.0, 533.0}) {
-    auto scene = scene_of({single_entry_layer()}, {test::channel_of("elastic")});
+    auto scene = scene_of({single_entry_layer()}, {test::channel_of(Process::elastic)});
     scene.source.wavelength_nm = nm;
     EXPECT_NEAR(medium_of(scene).c[0], 0.16, 1e-15) << nm;
   }
 }
 
 TEST(IopLayer, IsRefusedOutsideItsWavelengths) {
-  auto scene = scene_of({single_entry_layer()}, {test::channel_of("elastic")});
+  auto scene = scene_of({single_entry_layer()}, {test::channel_of(Process::elastic)});
   for (const double nm : {530.9, 533.1}) {
     scene.source.wavelength_nm = nm;
     EXPECT_NE(refusal(scene), "nothing was refused") << nm;
@@ -67,7 +67,7 @@ TEST(IopLayer, IsRefusedOutsideItsWavelengths) {
       refusal(scene),
       "the iop of layer \"the only layer\" covers 531 to 533 nm, not 648.793 nm (add an entry "
       "for it)");
-  scene = scene_of({iop_layer()}, {test::channel_of("elastic")});
+  scene = scene_of({iop_layer()}, {test::channel_of(Process::elastic)});
   for (const double nm : {499.9, 700.1}) {
     scene.source.wavelength_nm = nm;
     EXPECT_NE(refusal(scene), "nothing was refused") << nm;

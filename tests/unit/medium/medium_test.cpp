@@ -100,9 +100,9 @@ TEST(Medium, RefusesIncompleteTables) {
 }
 
 TEST(Process, HasTheNamesOfTheResultFile) {
-  EXPECT_STREQ(process_name(Process::elastic), "elastic");
-  EXPECT_STREQ(process_name(Process::raman), "raman");
-  EXPECT_STREQ(process_name(Process::chlorophyll), "chlorophyll");
+  EXPECT_STREQ(scene::word_of(Process::elastic), "elastic");
+  EXPECT_STREQ(scene::word_of(Process::raman), "raman");
+  EXPECT_STREQ(scene::word_of(Process::chlorophyll), "chlorophyll");
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ scene::Layer water_layer(const std::string& name, double chlorophyll_mg_m3, doub
 }
 
 OpticalTable table_of(std::vector<scene::Layer> layers, const std::vector<double>& nm,
-                      std::vector<scene::Channel> channels = {test::channel_of("elastic")}) {
+                      std::vector<scene::Channel> channels = {test::channel_of(Process::elastic)}) {
   return optical_table(scene_of(std::move(layers), std::move(channels)), library(), nm);
 }
 
@@ -30,7 +30,7 @@ OpticalTable scattering_with(const scene::PhaseFunction& function) {
   return table_of({layer}, {532});
 }
 
-scene::PhaseFunction called(const std::string& model) {
+scene::PhaseFunction called(scene::PhaseModel model) {
   scene::PhaseFunction function;
   function.model = model;
   return function;
@@ -47,8 +47,8 @@ std::size_t at_angle(const OpticalTable& table, double degree) {
 TEST(OpticalTable, HoldsWhatTheLayersOpticsSay) {
   auto top = water_layer("top", 0.5, 0.03);
   top.bottom_depth_m = 7;
-  const auto scene =
-      scene_of({top, water_layer("below", 2), iop_layer("bed")}, {test::channel_of("elastic")});
+  const auto scene = scene_of({top, water_layer("below", 2), iop_layer("bed")},
+                              {test::channel_of(Process::elastic)});
   const std::vector<double> nm = {510, 532, 640.5};
   const OpticalTable table = optical_table(scene, library(), nm);
   EXPECT_EQ(table.layer_name, (std::vector<std::string>{"top", "below", "bed"}));
@@ -94,7 +94,7 @@ TEST(OpticalTable, HasTheMeanCosineAndBackscatteringOfHenyeyGreenstein) {
 }
 
 TEST(OpticalTable, HasHalfOfRayleighScatteringBackwards) {
-  auto rayleigh = called("rayleigh");
+  auto rayleigh = called(scene::PhaseModel::rayleigh);
   rayleigh.depolarisation = 0.039;
   const OpticalTable table = scattering_with(rayleigh);
   EXPECT_NEAR(table.backscatter_fraction[0], 0.5, 5e-6);  // straight lines between the nodes
@@ -105,12 +105,13 @@ TEST(OpticalTable, HasHalfOfRayleighScatteringBackwards) {
 // Fournier & Jonasz 1999's backscatter fraction of n = 1.10, slope 3.5835, and Petzold's average
 // (Mobley, Sundman & Boss 2002, Appl. Opt. 41, 1035): both 0.0183.
 TEST(OpticalTable, HasTheBackscatterFractionsOfOceanicParticles) {
-  auto ff = called("fournier-forand");
+  auto ff = called(scene::PhaseModel::fournier_forand);
   ff.refractive_index = 1.10;
   ff.slope = 3.5835;
   EXPECT_NEAR(scattering_with(ff).backscatter_fraction[0], 0.0183, 5e-5);
   EXPECT_NEAR(scattering_with(ff).phase_function_per_sr.back(), 2.8578e-3, 5e-7);
-  EXPECT_NEAR(scattering_with(called("petzold")).backscatter_fraction[0], 0.0183, 5e-5);
+  EXPECT_NEAR(scattering_with(called(scene::PhaseModel::petzold)).backscatter_fraction[0], 0.0183,
+              5e-5);
 }
 
 // Seen red: with all of a layer as the part of each; with 0 in the iop layer; with the
@@ -166,8 +167,8 @@ TEST(OpticalTable, TellsForWhichWavelengthsASourceServed) {
 // Whether or not a channel counts the light. Seen red: with what is absorbed at another wavelength
 // than the laser's.
 TEST(OpticalTable, TellsWhatLayersEmit) {
-  auto scene =
-      scene_of({water_layer("clear", 0), water_layer("green", 0.5)}, {test::channel_of("elastic")});
+  auto scene = scene_of({water_layer("clear", 0), water_layer("green", 0.5)},
+                        {test::channel_of(Process::elastic)});
   scene.source.wavelength_nm = 488;
   scene.sea.layer[1].chlorophyll_yield = 0.02;
   const OpticalTable table = optical_table(scene, library(), {600});
@@ -195,7 +196,8 @@ TEST(OpticalTable, KnowsTheWavelengthsOfLight) {
   EXPECT_EQ(nm[0], 532);
   EXPECT_NEAR(nm[1], 648.79, 5e-3);
   EXPECT_EQ(nm[2], 685);
-  EXPECT_EQ(wavelengths_of_light(scene_of({iop_layer()}, {test::channel_of("elastic")}), library()),
+  EXPECT_EQ(wavelengths_of_light(scene_of({iop_layer()}, {test::channel_of(Process::elastic)}),
+                                 library()),
             (std::vector<double>{532}));
 }
 

@@ -28,7 +28,7 @@ inline std::string refusal(const scene::Scene& scene) {
 
 inline scene::PhaseFunction henyey_greenstein(double g) {
   scene::PhaseFunction function;
-  function.model = "henyey-greenstein";
+  function.model = scene::PhaseModel::henyey_greenstein;
   function.g = g;
   return function;
 }
@@ -51,7 +51,8 @@ inline scene::Scene scene_of(std::vector<scene::Layer> layers,
   return scene;
 }
 
-inline const std::vector<scene::Channel> all_channels{
-    test::channel_of("elastic"), test::channel_of("raman"), test::channel_of("chlorophyll")};
+inline const std::vector<scene::Channel> all_channels{test::channel_of(Process::elastic),
+                                                      test::channel_of(Process::raman),
+                                                      test::channel_of(Process::chlorophyll)};
 
 }  // namespace photic::medium

@@ -26,7 +26,7 @@ RunOptions on_threads(int threads) {
 TEST(Choose, IsTheSameOnAnyNumberOfThreads) {
   const scene::Scene chosen = choose_estimator(scene_of("auto"), on_threads(1));
   EXPECT_EQ(choose_estimator(scene_of("auto"), on_threads(3)), chosen);
-  EXPECT_NE(chosen.simulation.estimator, "auto");
+  EXPECT_NE(chosen.simulation.estimator, scene::Estimator::automatic);
   EXPECT_TRUE(chosen.simulation.estimator_reason);
 }
 
@@ -45,7 +45,7 @@ TEST(Choose, TakesTheForwardEstimatorForTools) {
   scene::Scene asked = scene_of("auto");
   asked.simulation.tools.forced_collisions = 1;
   const scene::Scene chosen = choose_estimator(asked, {});
-  EXPECT_EQ(chosen.simulation.estimator, "forward");
+  EXPECT_EQ(chosen.simulation.estimator, scene::Estimator::forward);
   EXPECT_EQ(chosen.simulation.estimator_reason,
             "the only one that has the tools asked for in this version");
 }
@@ -57,7 +57,7 @@ TEST(Choose, KeepsEnvironments) {
   asked.environment.back().sea.layer[0].iop[0].a_per_m = 0.03;
   const scene::Scene chosen = choose_estimator(asked, {});
   EXPECT_EQ(chosen.environment, asked.environment);
-  EXPECT_EQ(chosen.simulation.estimator, "bidirectional");
+  EXPECT_EQ(chosen.simulation.estimator, scene::Estimator::bidirectional);
   EXPECT_NE(chosen.simulation.estimator_reason->find("pilot runs"), std::string::npos);
 }
 
@@ -103,7 +103,7 @@ scene::Scene clear_scene(double per_m, const std::string& gates) {
 TEST(Choose, NeverTakesWhatSawNothing) {
   for (const double per_m : {1e-7, 1e-12}) {
     const auto chosen = choose_estimator(clear_scene(per_m, test::depth_gates(50, 5)), {});
-    EXPECT_EQ(chosen.simulation.estimator, "bidirectional");
+    EXPECT_EQ(chosen.simulation.estimator, scene::Estimator::bidirectional);
   }
 }
 
@@ -112,7 +112,7 @@ TEST(Choose, SaysThatNothingWasSeen) {
   auto asked = clear_scene(0.1, "[gates]\nstart_ns = 80.0\nstop_ns = 120.0\nstep_ns = 10.0\n");
   asked.telescope[0].direction = {0, 0, 1};
   const auto chosen = choose_estimator(asked, {}).simulation;
-  EXPECT_EQ(chosen.estimator, "bidirectional");
+  EXPECT_EQ(chosen.estimator, scene::Estimator::bidirectional);
   EXPECT_EQ(chosen.walk_attenuation, 0.6);
   EXPECT_EQ(chosen.estimator_reason, reason_unseen);
   EXPECT_NE(run(asked).warnings.back().find("saw no light at all"), std::string::npos);
@@ -146,7 +146,7 @@ TEST(Choose, LeavesAWalkAttenuationThatIsGiven) {
 TEST(Choose, TakesWhatIsBestOnPeakedWater) {
   const auto peaked = scene::read_scene(PHOTIC_SOURCE_DIR "/scenes/benchmark-peaked.toml").scene;
   const auto chosen = choose_estimator(peaked, {}).simulation;
-  EXPECT_EQ(chosen.estimator, "bidirectional");
+  EXPECT_EQ(chosen.estimator, scene::Estimator::bidirectional);
   EXPECT_EQ(chosen.walk_attenuation, 0.6);
 }
 
@@ -196,7 +196,7 @@ TEST(Choose, SaysWhatItMakesSmall) {
 TEST(Choose, WritesASceneThatRepeatsTheRun) {
   const tally::Result first = run(scene_of("auto"));
   const auto effective = scene::read_scene_text(first.scene_toml, "effective.toml", ".").scene;
-  EXPECT_NE(effective.simulation.estimator, "auto");
+  EXPECT_NE(effective.simulation.estimator, scene::Estimator::automatic);
   const tally::Result again = run(effective);
   EXPECT_EQ(again.scene_toml, first.scene_toml);
   EXPECT_EQ(again.state, first.state);

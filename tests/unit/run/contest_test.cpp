@@ -18,10 +18,10 @@ estimator::Model model_of(double photons, double target = 0) {
   return estimator::make_model(scene);
 }
 
-Contender contender(const std::string& estimator) {
-  Contender out{estimator, {}};
+Contender contender(scene::Estimator estimator) {
+  Contender out{scene::word_of(estimator), {}};
   out.simulation.estimator = estimator;
-  if (estimator == "bidirectional") out.simulation.walk_attenuation = 0.6;
+  if (estimator == scene::Estimator::bidirectional) out.simulation.walk_attenuation = 0.6;
   out.simulation.seed = 5;
   return out;
 }
@@ -29,7 +29,9 @@ Contender contender(const std::string& estimator) {
 Outcome outcome_of(const estimator::Model& model, int threads = 1) {
   RunOptions options;
   options.threads = threads;
-  return contend(model, {contender("bidirectional"), contender("forward")}, options);
+  return contend(model,
+                 {contender(scene::Estimator::bidirectional), contender(scene::Estimator::forward)},
+                 options);
 }
 
 // Seen red: with pilots of a fixed size.
@@ -58,8 +60,11 @@ TEST(Contest, HasAnEnd) {
 // contenders in all stages.
 TEST(Contest, GivesUpWhatIsClearlyWorse) {
   estimator::Model model = model_of(1e15);
-  const Outcome outcome = contend(
-      model, {contender("bidirectional"), contender("bidirectional"), contender("analog")}, {});
+  const Outcome outcome =
+      contend(model,
+              {contender(scene::Estimator::bidirectional),
+               contender(scene::Estimator::bidirectional), contender(scene::Estimator::analog)},
+              {});
   EXPECT_TRUE(outcome.standing[2].given_up_early);
   EXPECT_FALSE(outcome.standing[0].given_up_early);
   EXPECT_EQ(outcome.standing[0].photons, 10240U);
@@ -67,9 +72,10 @@ TEST(Contest, GivesUpWhatIsClearlyWorse) {
 
 // Each in a medium made for its own walks. Seen red: with the medium of the open scene for all.
 TEST(Contest, TriesEachWithItsOwnWalks) {
-  Contender other = contender("bidirectional");
+  Contender other = contender(scene::Estimator::bidirectional);
   other.simulation.walk_attenuation = 0.9;
-  const Outcome outcome = contend(model_of(1000), {contender("bidirectional"), other}, {});
+  const Outcome outcome =
+      contend(model_of(1000), {contender(scene::Estimator::bidirectional), other}, {});
   EXPECT_NE(outcome.standing[0].times_the_work, outcome.standing[1].times_the_work);
 }
 

@@ -43,13 +43,13 @@ TEST(ChannelSteps, SayWhatIsWrongWithThem) {
 }
 
 TEST(Emission, IsInSpectraUnlessIopsAreGiven) {
-  EXPECT_EQ(read_text(edited({})).optics.emission, "lines");
-  EXPECT_EQ(read_text(edited({{23, 25, ""}})).optics.emission, "spectra");
+  EXPECT_EQ(read_text(edited({})).optics.emission, Emission::lines);
+  EXPECT_EQ(read_text(edited({{23, 25, ""}})).optics.emission, Emission::spectra);
   EXPECT_EQ(
       read_text(edited({{18, 18, "[optics]\nset = \"paper\""}, {23, 25, ""}})).optics.emission,
-      "lines");
+      Emission::lines);
   EXPECT_EQ(read_text(edited({{18, 18, "[optics]\nemission = \"spectra\""}})).optics.emission,
-            "spectra");
+            Emission::spectra);
 }
 
 TEST(CdomFluorescence, NeedsAFileForATable) {

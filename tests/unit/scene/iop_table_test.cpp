@@ -21,7 +21,7 @@ const std::string good_rows =
 
 PhaseFunction petzold_by_name() {
   PhaseFunction function;
-  function.model = "petzold";
+  function.model = PhaseModel::petzold;
   return function;
 }
 

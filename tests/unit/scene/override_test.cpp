@@ -116,7 +116,7 @@ TEST(Override, EveryTextOfWhatIsWrong) {
 
 TEST(Override, ValuesAreTomlOrElseText) {
   EXPECT_EQ(base_scene({"simulation.photons=1e7"}).simulation.photons, 10'000'000U);
-  EXPECT_EQ(base_scene({"simulation.estimator=forward"}).simulation.estimator, "forward");
+  EXPECT_EQ(base_scene({"simulation.estimator=forward"}).simulation.estimator, Estimator::forward);
   EXPECT_EQ(base_scene({"title=Ship = sea"}).title, "Ship = sea");
   EXPECT_EQ(base_scene({"title='532'"}).title, "532");
   EXPECT_EQ(base_scene({"title="}).title, "");

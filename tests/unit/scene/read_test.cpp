@@ -14,7 +14,7 @@ TEST(Read, FillsInDefaults) {
   const Scene scene = base_scene();
   EXPECT_EQ(scene.source.kind, "laser");
   EXPECT_EQ(scene.telescope[0].detector_shift_m, 0.0);
-  EXPECT_EQ(scene.optics.set, "modern");
+  EXPECT_EQ(scene.optics.set, OpticsSet::modern);
   EXPECT_EQ(scene.optics.water_depolarisation, 0.039);
   EXPECT_EQ(scene.sea.salinity_psu, 35.0);
   EXPECT_FALSE(scene.sea.refractive_index);
@@ -36,9 +36,9 @@ TEST(Read, SetsOfOpticsGiveWhatIsNotGiven) {
   EXPECT_EQ(paper.water_scattering, "smith-baker");
   EXPECT_EQ(paper.water_depolarisation, 0.17);
   EXPECT_EQ(paper.phytoplankton, "prieur-sathyendranath");
-  EXPECT_EQ(paper.phytoplankton_phase, "petzold");
-  EXPECT_EQ(paper.minerals, "mie");
-  EXPECT_EQ(paper.minerals_phase, "mie");
+  EXPECT_EQ(paper.phytoplankton_phase, ParticlePhase::petzold);
+  EXPECT_EQ(paper.minerals, MineralOptics::mie);
+  EXPECT_EQ(paper.minerals_phase, ParticlePhase::mie);
   EXPECT_EQ(paper.raman, "bartlett");
 }
 

@@ -33,7 +33,7 @@ EventLog log_lanes(const estimator::Model& model, std::uint64_t photons) {
     });
   };
   for (std::uint64_t batch = 0; batch < photons; batch += world.batch_photons) {
-    if (world.estimator == estimator::Estimator::analog)
+    if (world.estimator == scene::Estimator::analog)
       estimator::Analog<Lanes, lanes::LaneLedger<Lanes>>(world).run(batch, world.batch_photons,
                                                                     tally, witness);
     else

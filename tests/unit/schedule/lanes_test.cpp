@@ -93,7 +93,7 @@ EventLog log_scalar(const estimator::Model& model, std::uint64_t photons) {
     log.emplace(std::pair(t.place.photon, t.place.event), event);
   };
   for (std::uint64_t batch = 0; batch < photons; batch += world.batch_photons) {
-    if (world.estimator == estimator::Estimator::analog) {
+    if (world.estimator == scene::Estimator::analog) {
       estimator::Analog<float, tally::Ledger>(world).run(batch, world.batch_photons, tally,
                                                          witness);
       continue;
@@ -166,9 +166,9 @@ TEST(Lanes, HistoriesAreThoseOfTheScalarEngineInFloat) {
     const estimator::Model model = estimator::make_model(scene);
     const EventLog scalar = log_scalar(model, photons);
     const scene::Simulation& run = model.scene.simulation;
-    const bool plain = run.estimator == "forward" && run.tools == scene::Tools{};
+    const bool plain = run.estimator == scene::Estimator::forward && run.tools == scene::Tools{};
     // The last flight of each photon, but of analog ones, ends no event.
-    const std::size_t last_flights = run.estimator == "analog" ? 0 : photons;
+    const std::size_t last_flights = run.estimator == scene::Estimator::analog ? 0 : photons;
     EXPECT_GT(scalar.size() + last_flights, (plain ? 4 : 2) * photons);
     for (const Isa isa : isas_here()) {
       const EventLog lanes = log_lanes(model, photons, isa);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "transport/connect.hpp"
+#include "unit/transport/sea.hpp"
 
 namespace photic::transport {
 

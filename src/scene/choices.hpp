@@ -1,0 +1,193 @@
+// What a scene chooses among a few: every value with its word in scene files and what it stands
+// for, said once. Keys (describe_*.hpp), messages, results and the schema take their words from
+// here.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "core/error.hpp"
+
+namespace photic::scene {
+
+/// One value of a choice. All those of an enum E are alternatives(E).
+template <class E>
+struct Alternative {
+  E value;
+  const char* word;
+  const char* meaning;
+};
+
+/// The processes that turn light back, in the order of results.
+enum class Process : std::int32_t { elastic, raman, chlorophyll, cdom };
+constexpr auto alternatives(Process) {
+  using enum Process;
+  return std::to_array<Alternative<Process>>(
+      {{elastic, "elastic", "light of the laser's wavelength"},
+       {raman, "raman", "light that water has scattered inelastically, by the Raman effect"},
+       {chlorophyll, "chlorophyll", "fluorescence of the chlorophyll in phytoplankton"},
+       {cdom, "cdom", "fluorescence of dissolved organic matter"}});
+}
+
+/// The shape of a filter's transmission, 1 at the centre.
+enum class FilterShape { top_hat, gaussian };
+constexpr auto alternatives(FilterShape) {
+  using enum FilterShape;
+  return std::to_array<Alternative<FilterShape>>(
+      {{top_hat, "top-hat", "all within half of fwhm_nm about the centre passes, nothing outside"},
+       {gaussian, "gaussian", "a Gaussian of that full width at half maximum"}});
+}
+
+/// What fills in the choices of the water's optics that are not given (presets.hpp).
+enum class OpticsSet { modern, paper };
+constexpr auto alternatives(OpticsSet) {
+  using enum OpticsSet;
+  return std::to_array<Alternative<OpticsSet>>(
+      {{modern, "modern", "the best data and models of today"},
+       {paper, "paper", "those of the PREMAR-2F paper, to compare with it"}});
+}
+
+/// What a constituent's particles may scatter by.
+enum class ParticlePhase { fournier_forand, petzold, mie };
+constexpr auto alternatives(ParticlePhase) {
+  using enum ParticlePhase;
+  return std::to_array<Alternative<ParticlePhase>>(
+      {{fournier_forand, "fournier-forand",
+        "Fournier and Forand's function, close to what is measured"},
+       {petzold, "petzold", "the average of Petzold's measurements in the sea"},
+       {mie, "mie", "the paper's spheres by Mie theory"}});
+}
+
+/// The absorption and scattering of minerals.
+enum class MineralOptics { power_law, mie };
+constexpr auto alternatives(MineralOptics) {
+  using enum MineralOptics;
+  return std::to_array<Alternative<MineralOptics>>(
+      {{power_law, "power-law", "by mass: the coefficients minerals_a_… and minerals_b_…"},
+       {mie, "mie", "the paper's spheres by Mie theory"}});
+}
+
+/// Whether Raman light and chlorophyll's have spectra.
+enum class Emission { spectra, lines };
+constexpr auto alternatives(Emission) {
+  using enum Emission;
+  return std::to_array<Alternative<Emission>>({{spectra, "spectra", "spread over their spectra"},
+                                               {lines, "lines", "each at one wavelength"}});
+}
+
+/// How dissolved organic matter fluoresces.
+enum class CdomFluorescence { hawes, table };
+constexpr auto alternatives(CdomFluorescence) {
+  using enum CdomFluorescence;
+  return std::to_array<Alternative<CdomFluorescence>>(
+      {{hawes, "hawes", "Hawes 1992"},
+       {table, "table", "your own matrix: cdom_fluorescence_file"}});
+}
+
+enum class PhaseModel {
+  henyey_greenstein,
+  fournier_forand,
+  petzold,
+  rayleigh,
+  isotropic,
+  table,
+  mie,
+  mixture
+};
+constexpr auto alternatives(PhaseModel) {
+  using enum PhaseModel;
+  return std::to_array<Alternative<PhaseModel>>(
+      {{henyey_greenstein, "henyey-greenstein", "Henyey and Greenstein's of a mean cosine g"},
+       {fournier_forand, "fournier-forand",
+        "Fournier and Forand's of particles with a hyperbolic size distribution"},
+       {petzold, "petzold", "the average of Petzold's measurements in the sea"},
+       {rayleigh, "rayleigh", "that of molecules"},
+       {isotropic, "isotropic", "the same in all directions"},
+       {table, "table", "your own, by angle: file"},
+       {mie, "mie", "spheres by Mie theory"},
+       {mixture, "mixture", "several of these by their shares: components"}});
+}
+
+enum class Estimator { automatic, bidirectional, forward, analog };
+constexpr auto alternatives(Estimator) {
+  using enum Estimator;
+  return std::to_array<Alternative<Estimator>>(
+      {{automatic, "auto",
+        "the better of bidirectional and forward, by short pilot runs: with a target, until all "
+        "gates meet it; else by the error of all gates at equal cost"},
+       {bidirectional, "bidirectional",
+        "walks from the laser and from the telescopes, connected and made to meet"},
+       {forward, "forward", "photons from the laser, scored at every collision"},
+       {analog, "analog",
+        "photons followed by chance alone and counted on the detector, to verify the others"}});
+}
+
+/// How light reaches the detector.
+enum class Reception { ray, overlap };
+constexpr auto alternatives(Reception) {
+  using enum Reception;
+  return std::to_array<Alternative<Reception>>(
+      {{ray, "ray", "single rays through the lens, which is exact"},
+       {overlap, "overlap", "the mean over the lens as if light fell evenly on it"}});
+}
+
+/// How the photons or walks of a batch begin.
+enum class Sampling { quasi_random, random };
+constexpr auto alternatives(Sampling) {
+  using enum Sampling;
+  return std::to_array<Alternative<Sampling>>(
+      {{quasi_random, "quasi-random", "spread evenly, at scrambled Sobol' points"},
+       {random, "random",
+        "independently, as the forward estimator always does with environments or telescopes in "
+        "the water"}});
+}
+
+/// Which collisions are scored at points chosen in a telescope's view.
+enum class LocalForcedCollisions { conversions, all };
+constexpr auto alternatives(LocalForcedCollisions) {
+  using enum LocalForcedCollisions;
+  return std::to_array<Alternative<LocalForcedCollisions>>(
+      {{conversions, "conversions", "those that change the wavelength"},
+       {all, "all", "those of scattered light too"}});
+}
+
+/// What becomes of photons below the weight threshold.
+enum class AtThreshold { roulette, end, analog_absorption };
+constexpr auto alternatives(AtThreshold) {
+  using enum AtThreshold;
+  return std::to_array<Alternative<AtThreshold>>(
+      {{roulette, "roulette", "they play Russian roulette"},
+       {end, "end", "they end, which makes echoes low"},
+       {analog_absorption, "analog-absorption",
+        "they may be absorbed by chance in place of losing more weight"}});
+}
+
+/// The word of a value.
+template <class E>
+  requires std::is_enum_v<E>
+const char* word_of(E value) {
+  for (const auto& alternative : alternatives(value))
+    if (alternative.value == value) return alternative.word;
+  throw ContractViolation("every value of a choice has a word");
+}
+
+/// "" where none has been chosen.
+template <class E>
+std::string word_of(const std::optional<E>& value) {
+  return value ? word_of(*value) : "";
+}
+/// Where the choice is among names, they are the words.
+inline std::string word_of(std::string name) { return name; }
+
+/// The value of one of the words.
+template <class E>
+E value_of(const std::string& word) {
+  for (const auto& alternative : alternatives(E{}))
+    if (alternative.word == word) return alternative.value;
+  throw ContractViolation("no choice is called " + word);
+}
+
+}  // namespace photic::scene
