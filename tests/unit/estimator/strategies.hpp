@@ -1,5 +1,5 @@
 // What every strategy must give for a path, from the sum over all of them as the head of
-// estimator/bidirectional/vertex.hpp states it.
+// estimator/bidirectional/strategy_sums.hpp states it.
 #pragma once
 
 #include "unit/estimator/paths.hpp"
