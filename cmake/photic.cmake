@@ -147,7 +147,8 @@ endfunction()
 # Debian's own interpreter: it has the packages of tools/install_packages, another python3 in PATH may not.
 set(PHOTIC_PYTHON /usr/bin/python3 CACHE FILEPATH "Python of the tests")
 
-# photic_pytest(a.py …)  → one test for each file, with the program and the Python package of this build
+# photic_pytest(a.py …)  → one test for each file, with the program and the Python package of this build; first in
+# line, for they take long: what is short fills the cores to the end
 function(photic_pytest)
   photic_test_label(label)
   foreach(file ${ARGN})
@@ -156,6 +157,6 @@ function(photic_pytest)
              COMMAND ${PHOTIC_PYTHON} -m pytest -q -p no:cacheprovider ${CMAKE_CURRENT_SOURCE_DIR}/${file})
     set(environment "PHOTIC_PROGRAM=$<TARGET_FILE:photic>" "PHOTIC_BUILD=${PROJECT_BINARY_DIR}"
         "PYTHONPATH=${PROJECT_SOURCE_DIR}/python" PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg)
-    set_tests_properties(${label}.${stem} PROPERTIES LABELS ${label} TIMEOUT 300 ENVIRONMENT "${environment}")
+    set_tests_properties(${label}.${stem} PROPERTIES LABELS ${label} TIMEOUT 300 COST 10 ENVIRONMENT "${environment}")
   endforeach()
 endfunction()

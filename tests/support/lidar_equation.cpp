@@ -161,6 +161,13 @@ Ray ray_in_water(const scene::Source& source, const EquationWater& water, double
           1 - reflectance(1.0, water.n_out, std::acos(-k.z)), to_surface};
 }
 
+/// Whether turning everything about one vertical changes nothing: all azimuths are then the same.
+bool about_one_vertical(const scene::Source& source, const scene::Telescope& telescope) {
+  const auto vertical = [](const Vec& v) { return v.x == 0 && v.y == 0; };
+  return vertical(source.direction) && vertical(telescope.direction) &&
+         vertical(telescope.position_m - source.position_m);
+}
+
 }  // namespace
 
 double overlap_by_integration(const scene::Telescope& telescope, double z, double tan_psi) {
@@ -256,7 +263,7 @@ std::vector<double> first_order_echo(const scene::Source& source, const scene::T
   // The cone: uniform in solid angle, so uniform in 1 - cos and in azimuth.
   const double widest = 1 - std::cos(source.half_divergence_mrad * 1e-3);
   constexpr int rings = 64;
-  constexpr int azimuths = 12;
+  const int azimuths = about_one_vertical(source, telescope) ? 1 : 12;
   for (int i = 0; i < rings; ++i) {
     const double angle = std::acos(1 - widest * (i + 0.5) / rings);
     for (int j = 0; j < azimuths; ++j) {
