@@ -132,7 +132,7 @@ function(photic_test name)
   else()
     target_precompile_headers(${name} REUSE_FROM test_headers)
   endif()
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
   # g++ 12 takes strings of a precompiled <string> for overruns; the sanitizers find real ones.
   target_compile_options(${name} PRIVATE -Wno-array-bounds)
   photic_test_label(label)
