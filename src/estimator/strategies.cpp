@@ -29,11 +29,11 @@ Strategy translated(const scene::Scene& scene) {
   Strategy out{"walks from telescopes translated so that rays meet", true, {}};
   std::string flat;
   for (const auto& t : scene.telescope)
-    if (std::abs(normalised(t.direction).z) < instrument::flattest_shifted)
+    if (std::abs(normalised(t.direction).z) < instrument::flattest_translated)
       flat += (flat.empty() ? "" : ", ") + t.name;
   if (!flat.empty())
     out.reason = fmt::format("from {} only rays steeper than {:.0f} degrees", flat,
-                             90 - std::acos(instrument::flattest_shifted) / radian_per_degree);
+                             90 - std::acos(instrument::flattest_translated) / radian_per_degree);
   return out;
 }
 

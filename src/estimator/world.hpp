@@ -84,10 +84,10 @@ struct World {
   bool single_rays = false;    ///< local estimates take one point of the lens instead of its mean
   bool makes_choices = false;  ///< whether collisions choose between lines or targets at all
   std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
-  T deepest{};                   ///< where light may turn back within the last gate, at most [m]
-  MeetingGrid<T> meeting_grid;   ///< of the bidirectional estimator
-  bool turns = false;            ///< a telescope's walk may be turned about where it converts
-  bool turns_scattered = false;  ///< one of the laser's line also about its first vertex
+  T deepest{};                     ///< where light may turn back within the last gate, at most [m]
+  MeetingGrid<T> meeting_grid;     ///< of the bidirectional estimator
+  bool rotates = false;            ///< a telescope's walk may be turned about where it converts
+  bool rotates_scattered = false;  ///< one of the laser's line also about its first vertex
   T connected{1};         ///< share of the telescope's walks that are connected with a laser's walk
   std::size_t walks = 0;  ///< of the laser in a set
   std::int32_t most_vertices = 0;  ///< of a walk that is to be connected
@@ -261,8 +261,8 @@ World<T> make_world(const Model& model) {
       T(directed_inverse_conversion), vec3_cast<T>(beam), Index<T>(medium.beam_lobe),
       T(converts ? directed_scattering : 0.0)};
   const Strategies strategies = make_strategies(scene, medium);
-  world.turns = strategies.rotated.used;
-  world.turns_scattered = strategies.rotated_scattered.used;
+  world.rotates = strategies.rotated.used;
+  world.rotates_scattered = strategies.rotated_scattered.used;
   const bool one_way = world.telescopes.size() == 1 && world.telescope_region.front().in_air;
   world.makes_choices = (world.directs && !one_way) || medium.line.size() > 1;
   if (connects) world.walks = static_cast<std::size_t>(scene.simulation.walks);

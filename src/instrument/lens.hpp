@@ -100,14 +100,14 @@ T detector_solid_angle(const Telescope<T>& telescope, const T& cos_off_axis) {
 
 /// Rays of a tilted lens that are flatter, by their cosine to the vertical, are not shifted: their
 /// ways would become longer by many of its radii.
-inline constexpr double flattest_shifted = 0.2;
+inline constexpr double flattest_translated = 0.2;
 
 /// How far a ray from the lens may be shifted sideways, as an area: with directions chosen as
 /// outward() does for even points of lens and detector, and the lens' points evenly, rays of this
 /// direction are as dense on a horizontal plane as 1 over this [m^2]. `direction`: of the ray,
 /// either way; of narrow views its cosine to the axis has too few digits.
 template <class T>
-T shift_area(const Telescope<T>& telescope, const Vec3<T>& direction) {
+T translation_area(const Telescope<T>& telescope, const Vec3<T>& direction) {
   using std::abs;
   using std::sqrt;
   const T x = dot(direction, telescope.across);
@@ -117,33 +117,33 @@ T shift_area(const Telescope<T>& telescope, const Vec3<T>& direction) {
   const T across_ray = telescope.area() * telescope.overlap(T(0), tangent);
   if (telescope.upright) return across_ray;
   const T steep = abs(direction.z);
-  const Mask<T> shifts = steep >= T(flattest_shifted);
-  return select(shifts, across_ray * cosine / select(shifts, steep, T(1)), T(0));
+  const Mask<T> translates = steep >= T(flattest_translated);
+  return select(translates, across_ray * cosine / select(translates, steep, T(1)), T(0));
 }
 
 /// How a ray comes through the lens if all of its light's way beyond is shifted sideways: so far
 /// from where it did before; and how much longer its way from there is, along the ray.
 template <class T>
-struct LensShift {
+struct LensTranslation {
   PlanePoint<T> aside{};  ///< [m]
   T longer{};             ///< [m]; 0 of an upright lens
 };
-/// `outward`: the ray's direction; `shift`: level.
+/// `outward`: the ray's direction; `translation`: level.
 template <class T>
-LensShift<T> lens_shift(const Telescope<T>& telescope, const Vec3<T>& outward,
-                        const Vec3<T>& shift) {
-  const T longer = dot(shift, telescope.axis) / dot(outward, telescope.axis);
-  return {parts_in_plane(telescope, shift - longer * outward), longer};
+LensTranslation<T> lens_translation(const Telescope<T>& telescope, const Vec3<T>& outward,
+                                    const Vec3<T>& translation) {
+  const T longer = dot(translation, telescope.axis) / dot(outward, telescope.axis);
+  return {parts_in_plane(telescope, translation - longer * outward), longer};
 }
 /// How much longer a ray's way becomes if it comes through the lens so far from where it did [m].
 template <class T>
-T longer_by_shift(const Telescope<T>& telescope, const Vec3<T>& outward,
-                  const PlanePoint<T>& aside) {
+T longer_by_translation(const Telescope<T>& telescope, const Vec3<T>& outward,
+                        const PlanePoint<T>& aside) {
   return T(0) - in_plane(telescope, aside).z / outward.z;
 }
 /// No shift makes a way longer or shorter by more than this [m].
 inline double most_longer(const scene::Telescope& telescope) {
-  return 2 / flattest_shifted * lens_rise(telescope);
+  return 2 / flattest_translated * lens_rise(telescope);
 }
 
 /// Whether points of the lens are at several depths in the water.

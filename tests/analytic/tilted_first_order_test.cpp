@@ -82,7 +82,7 @@ std::string tilted_ship(double degrees) {
 
 // Hardly tilted, as a pilot flies, and far more. Seen red: with the level area of the lens for that
 // across the ray, at 45 degrees.
-TEST(FirstOrder, ShiftsUnderALensTiltedBy0_01And15And45Degrees) {
+TEST(FirstOrder, TranslationsUnderALensTiltedBy0_01And15And45Degrees) {
   for (const double degrees : {0.01, 15.0, 45.0}) {
     SCOPED_TRACE(degrees);
     compare(tilted_ship(degrees), {shape(optics::henyey_greenstein(0.6))}, {bidirectional});

@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
                  channel("elastic") + water(0.06, 0.1, henyey_greenstein_phase) +
                  depth_gates(16, 2),
              4e6, 2e5, 5, 15},
-        // Here the phase function changes with the angle by which elastic walks are turned. Seen
+        // Here the phase function changes with the angle by which elastic walks are rotated. Seen
         // red: without that change.
         Case{"TelescopeTiltedBesideTheBeam",
              ship_laser("[0.0, 0.0, -1.0]") +
@@ -215,7 +215,7 @@ TEST(Bidirectional, MeetingsDoNotMatter) {
 }
 // Seen red: with the lens' area across a ray for the level one, and with the inverse of how they
 // differ; with a way as long as before where time ends; without first rays' meetings near the lens.
-TEST(Bidirectional, ShiftsUnderATiltedLensInTheWaterDoNotMatter) {
+TEST(Bidirectional, TranslationsUnderATiltedLensInTheWaterDoNotMatter) {
   expect_same_echo("meetings = 40.0", "meetings = 1e-3", tilted_in_water);
 }
 TEST(Bidirectional, WalksOfASetDoNotMatter) { expect_same_echo("walks = 4", "walks = 1"); }
@@ -230,25 +230,25 @@ TEST(Bidirectional, ConversionProbabilityDoesNotMatter) {
   expect_same_echo("conversion_probability = 0.05", "conversion_probability = 0.6");
 }
 
-// Deep inelastic echoes with walks turned about where they convert and without. Seen red: with half
-// the turns' density (z of 5.4).
+// Deep inelastic echoes with walks rotated about where they convert and without. Seen red: with
+// half the rotations' density (z of 5.4).
 TEST(Bidirectional, TurningDoesNotMatter) {
   const std::string scene = ship_instrument + three_channels +
                             "[[sea.layer]]\niop = [ { wavelength_nm = 532.0, a_per_m = 0.06, "
                             "b_per_m = 0.1, a_phytoplankton_per_m = 0.02 }, { wavelength_nm = "
                             "700.0, a_per_m = 0.6, b_per_m = 0.08 } ]\nphase_function = " +
                             wide_phase + "\n" + depth_gates(32, 4);
-  const auto turned = run_in_lanes(read(scene + simulation(4e5, 31, "", "bidirectional")));
-  const auto unturned =
+  const auto rotated = run_in_lanes(read(scene + simulation(4e5, 31, "", "bidirectional")));
+  const auto not_rotated =
       simulate_in(scene + simulation(4e5, 32, "", "bidirectional"), [](auto& world) {
-        ASSERT_TRUE(world.turns);
-        world.turns = false;
+        ASSERT_TRUE(world.rotates);
+        world.rotates = false;
       });
   ZFamily gates{0.01};
-  std::vector<std::size_t> all(turned.echo.mean.size());
+  std::vector<std::size_t> all(rotated.echo.mean.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  add_all(gates, turned.echo, unturned.echo, all, "cell");
-  std::printf("turned or not: %zu gates, rms z %.2f\n", gates.size(), gates.rms());
+  add_all(gates, rotated.echo, not_rotated.echo, all, "cell");
+  std::printf("rotated or not: %zu gates, rms z %.2f\n", gates.size(), gates.rms());
   EXPECT_GE(gates.size(), 20u);
   gates.judge();
 }

@@ -115,8 +115,8 @@ TEST_P(EnvironmentPaths, FadeByTheirLength) {
 }
 
 // Ways from a lens of 1 m that is tilted by 45 degrees become longer or shorter by up to some
-// metres if a walk is shifted; gates of 2 cm tell how long they are. Seen red: with ways as long as
-// before; with the first rays' longer by that once more, which begin at the lens.
+// metres if a walk is translated; gates of 2 cm tell how long they are. Seen red: with ways as long
+// as before; with the first rays' longer by that once more, which begin at the lens.
 TEST(PathsFromATiltedLens, FadeByTheirLength) {
   const double more_a = 0.3;
   const std::string lidar =

@@ -1,5 +1,5 @@
-// Bounds of time and depth that spare work must leave room for walks that are shifted under tilted
-// lenses, and for points of the lens that are nearer than its centre.
+// Bounds of time and depth that spare work must leave room for walks that are translated under
+// tilted lenses, and for points of the lens that are nearer than its centre.
 #include <gtest/gtest.h>
 
 #include "support/changed_world.hpp"
@@ -26,7 +26,7 @@ std::string scene_of(const Lidar& lidar) {
 }
 
 // What comes later, or from deeper, is never scored. Seen red: with the time of the whole
-// path for that of walks that are not shifted yet, between rays, at the laser; without the lens'
+// path for that of walks that are not translated yet, between rays, at the laser; without the lens'
 // rise at the telescope, in the water and above it; without it in how deep light turns back.
 TEST(TiltedLens, LosesNothingThatIsInTime) {
   for (const Lidar& lidar :

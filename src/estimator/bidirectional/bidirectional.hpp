@@ -43,7 +43,7 @@ struct FromLaser : WalkDraws<T> {
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return estimator::in_time(world, photon);
   }
-  void keep_unshifted(const Walks<T>&, const Index<T>&, const Mask<T>&, Vertex<T>&) const {}
+  void limit_translation(const Walks<T>&, const Index<T>&, const Mask<T>&, Vertex<T>&) const {}
 };
 
 /// How a telescope's walks begin.
@@ -61,7 +61,7 @@ struct FromTelescope : WalkDraws<T> {
         outward_slope(telescope, record.lens,
                       instrument::ring_point(T(0), telescope.detector_radius, u[2], u[3]));
     record.outward = outward(telescope, slope);
-    record.shift_area = shift_area(telescope, record.outward);
+    record.translation_area = translation_area(telescope, record.outward);
     const auto v = this->draw(walk, Index<T>(0), 1);
     record.grid_offset = v[0];
     record.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
@@ -79,9 +79,9 @@ struct FromTelescope : WalkDraws<T> {
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return receiver.deadline.is_met(photon, world.least_group_index);
   }
-  void keep_unshifted(const Walks<T>& walks, const Index<T>& walk, const Mask<T>& first,
-                      Vertex<T>& vertex) const {
-    walks.keep_unshifted(world.telescopes[receiver.telescope], walk, first, vertex);
+  void limit_translation(const Walks<T>& walks, const Index<T>& walk, const Mask<T>& first,
+                         Vertex<T>& vertex) const {
+    walks.limit_translation(world.telescopes[receiver.telescope], walk, first, vertex);
   }
 };
 
@@ -135,7 +135,7 @@ class Bidirectional {
   void follow(std::int32_t first, std::size_t count, std::size_t walks, const Draws<T>& laser,
               const std::vector<Home>& back, Ledger& ledger, tally::BatchTally& tally) {
     // An echo is per photon emitted, and so are the samples.
-    const Samples<T> samples{T(1), world_.connected, T(walks), T(world_.turns ? walks : 0),
+    const Samples<T> samples{T(1), world_.connected, T(walks), T(world_.rotates ? walks : 0),
                              world_.meeting_grid};
     FromLaser<T, Ledger> out{{laser, first}, world_, ledger};
     WalkTaker(world_, samples, out, laser_, tally).take(count);

@@ -63,17 +63,17 @@ template <class T>
 PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_t walks,
                                              std::size_t back, Moves moves) {
   const auto birth = back_.birth_record_in_all_lanes(back);
-  const bool shifts = moves != Moves::turns && any(birth.shift_area > T(0));
-  const bool turns =
-      moves != Moves::shifts && any(samples_.turned > T(0)) && back_.pivot_vertex(back) >= 0;
-  if (!shifts && !turns) return;
+  const bool translates = moves != Moves::rotations && any(birth.translation_area > T(0));
+  const bool rotates =
+      moves != Moves::translations && any(samples_.rotated > T(0)) && back_.pivot_vertex(back) >= 0;
+  if (!translates && !rotates) return;
   const auto axis = back_.axis(Index<T>(back));
   const Index<T> pivot(back_.pivot_vertex(back));
   const auto start = at_lens(birth, back_.line(Index<T>(back)));
   each_pair(first_laser, walks, back,
             [&](const auto& ends, const auto& mask, const Line& out, const Line& home) {
-              if (shifts) shift(ends, mask & turns_back(out, home), out, home, start);
-              if (turns) turn(ends, mask & (ends.m > pivot), out, home, axis);
+              if (translates) translate(ends, mask & reverses(out, home), out, home, start);
+              if (rotates) rotate(ends, mask & (ends.m > pivot), out, home, axis);
             });
 }
 
@@ -86,35 +86,36 @@ Chord<T> Connections<T>::chord_of(const Line& out, const Line& home, const Index
 }
 /// Rays that meet where the telescope's walk comes through the lens, at depths that lie on a grid.
 template <class T>
-void Connections<T>::shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
-                           const Line& home, const AtLens<T>& start) {
+void Connections<T>::translate(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
+                               const Line& home, const AtLens<T>& start) {
   if (!any(mask)) return;
   const auto chord = chord_of(out, home, ends.m, start);
   const Mask<T> meet = mask & chord.exists;
   if (any(meet))
-    chords_.push(meet, ends, [this](const auto& e, const auto& all) { serve_chords(e, all); });
+    translated_.push(meet, ends,
+                     [this](const auto& e, const auto& all) { serve_translated(e, all); });
 }
 
 /// A telescope's walk that is shifted sideways.
 template <class T>
-Moved<T> Connections<T>::shifted(const Pair<T>& pair, const Vec3<T>& shift) const {
+Moved<T> Connections<T>::translated(const Pair<T>& pair, const Vec3<T>& translation) const {
   Moved<T> moved{pair.back, pair.axis()};
-  moved.axis.x = moved.axis.x + shift.x;
-  moved.axis.y = moved.axis.y + shift.y;
+  moved.axis.x = moved.axis.x + translation.x;
+  moved.axis.y = moved.axis.y + translation.y;
   return moved;
 }
 
 /// Rays that meet where both are as far from an axis.
 template <class T>
-void Connections<T>::turn(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
-                          const Line& home, const Vertical<T>& axis) {
+void Connections<T>::rotate(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
+                            const Line& home, const RotationAxis<T>& axis) {
   if (!any(mask)) return;
-  const auto crossings = estimator::crossings(out, home, axis, receiver_.last_path);
-  for (std::size_t n = 0; n < crossings.depth.size(); ++n) {
-    const Mask<T> meet = mask & crossings.exists[n];
+  const auto meetings = estimator::equidistant_depths(out, home, axis, receiver_.last_path);
+  for (std::size_t n = 0; n < meetings.depth.size(); ++n) {
+    const Mask<T> meet = mask & meetings.exists[n];
     if (any(meet))
-      crossings_.push(meet, Crossing<T>{ends, crossings.depth[n]},
-                      [this](const auto& e, const auto& all) { serve_crossings(e, all); });
+      rotated_.push(meet, Crossing<T>{ends, meetings.depth[n]},
+                    [this](const auto& e, const auto& all) { serve_rotated(e, all); });
   }
 }
 
@@ -139,7 +140,7 @@ Pair<T> Connections<T>::pair_of(const RayEnds<T>& ends) const {
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const Mask<T>& mask) {
+PHOTIC_FLATTEN void Connections<T>::serve_translated(const RayEnds<T>& ends, const Mask<T>& mask) {
   const auto& grid = samples_.grid;
   Pair<T> pairs = pair_of(ends);
   const auto chord = chord_of(line_of(pairs.out), line_of(pairs.back), ends.m,
@@ -153,22 +154,22 @@ PHOTIC_FLATTEN void Connections<T>::serve_chords(const RayEnds<T>& ends, const M
                            sight(telescope_, lens, -pair.birth.outward).on_detector;
     if (!any(passes)) return;
     if (!telescope_.upright) return meet_tilted(pair, passes, lens, depth);
-    const Vec3<T> shift = in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens);
-    meet_at<true>(pair, passes, shifted(pair, shift), depth);
+    const Vec3<T> translation = in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens);
+    meet_at<true>(pair, passes, translated(pair, translation), depth);
   };
   lanes::each_number(mask, grid.number(chord.from, ends.order()) - pairs.birth.grid_offset,
                      grid.number(chord.to, ends.order()) - pairs.birth.grid_offset, meet_on_grid);
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Crossing<T>& crossing,
-                                                    const Mask<T>& mask) {
+PHOTIC_FLATTEN void Connections<T>::serve_rotated(const Crossing<T>& crossing,
+                                                  const Mask<T>& mask) {
   Pair<T> pair = pair_of(crossing);
-  const auto turn = turn_to_meet(pair.out, pair.back, pair.axis(), crossing.depth);
-  const auto [gain, near_pivot] = turn_pivot(pair, turn);
+  const auto rotation = rotation_to_meet(pair.out, pair.back, pair.axis(), crossing.depth);
+  const auto [gain, near_pivot] = rotate_pivot(pair, rotation);
   Moved<T> moved{pair.back, pair.axis(), gain, near_pivot};
-  moved.ray.position = turn.of_place(pair.back.position);
-  moved.ray.direction = turn.of_direction(pair.back.direction);
+  moved.ray.position = rotation.of_place(pair.back.position);
+  moved.ray.direction = rotation.of_direction(pair.back.direction);
   if (!telescope_.upright) return meet_under_tilted(pair, mask, moved, crossing.depth);
   meet_at<true>(pair, mask, moved, crossing.depth);
 }
@@ -177,11 +178,11 @@ PHOTIC_FLATTEN void Connections<T>::serve_crossings(const Crossing<T>& crossing,
 /// that gains, and what the densities behind the telescope's ray do. A conversion's change all
 /// alike.
 template <class T>
-std::array<T, 2> Connections<T>::turn_pivot(Pair<T>& pair, const Rotation<T>& turn) const {
+std::array<T, 2> Connections<T>::rotate_pivot(Pair<T>& pair, const Rotation<T>& rotation) const {
   const auto& ends = pair.ends;
   const Pivot<T> pivot = back_.pivot(ends.back);
-  const Vec3<T> turned = turn.of_direction(pivot.leaving);
-  const T p = sea_.phases.template value<T>(one_minus_cos(pivot.arriving, turned), pivot.phase);
+  const Vec3<T> rotated = rotation.of_direction(pivot.leaving);
+  const T p = sea_.phases.template value<T>(one_minus_cos(pivot.arriving, rotated), pivot.phase);
   const T gain = pivot.per_p * p;
   if (any(receiver_.line > Index<T>(0))) return {gain, T(0)};
   // The density of the walk's direction as it was drawn over that as it is now: strategies that do
@@ -189,14 +190,14 @@ std::array<T, 2> Connections<T>::turn_pivot(Pair<T>& pair, const Rotation<T>& tu
   const auto& inverse_conversion = world_.inverse_conversion;
   const T gained =
       inverse_conversion.scattered_over_phase(sea_, pivot.leaving, T(1) / pivot.per_p) /
-      (gain * inverse_conversion.scattered_over_phase(sea_, turned, p));
+      (gain * inverse_conversion.scattered_over_phase(sea_, rotated, p));
   const T of_ray = select(ends.m == Index<T>(1), gained, T(1));
   pair.back.per_p = of_ray * pair.back.per_p;
-  pair.back.meeting = of_ray * pair.back.meeting;
+  pair.back.translated = of_ray * pair.back.translated;
   const auto in_path = usable(ends.order());
-  const auto near =
-      back_.near_first(ends.back, ends.m, in_path, shifts(in_path.order, pair.birth.shift_area));
-  return {gain, (gained - T(1)) * (near.home_edge + near.meeting + near.next_edge)};
+  const auto near = back_.near_first(ends.back, ends.m, in_path,
+                                     translations_in(in_path.order, pair.birth.translation_area));
+  return {gain, (gained - T(1)) * (near.home_edge + near.translated + near.next_edge)};
 }
 
 template <class T>
@@ -211,17 +212,17 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Mov
   if (!any(emitting)) return;
   const T reach = (-out.position.z - depth) / out.direction.z;
   const auto in_path = usable(ends.order());
-  const T shifts_last = shifts(in_path.order, birth.shift_area);
-  Freedom<T> freedom{shifts_last, select(is_pivot(moved.ray.line, ends.m),
-                                         axis_at(out.position + reach * out.direction,
-                                                 moved.ray.direction, out.direction),
-                                         moved.axis)};
+  const T translations_last = translations_in(in_path.order, birth.translation_area);
+  Freedom<T> freedom{translations_last, select(is_pivot(moved.ray.line, ends.m),
+                                               axis_at(out.position + reach * out.direction,
+                                                       moved.ray.direction, out.direction),
+                                               moved.axis)};
   const auto last = [&] { return select(ends.m > Index<T>(0), last_depth(ends.back), depth); };
   const bool aslant = !upright && is_aslant(telescope_);
   if (aslant) freedom = freedom_before(last(), freedom);
   const auto laser = laser_.side(out, pair.spread, ends.laser, ends.i, in_path, freedom);
-  auto home =
-      back_.side(pair.back, birth.spread, ends.back, ends.m, in_path, {shifts_last, pair.axis()});
+  auto home = back_.side(pair.back, birth.spread, ends.back, ends.m, in_path,
+                         {translations_last, pair.axis()});
   home.ray = moved.ray;
   home.behind = home.behind + moved.near_pivot;
   T gain = moved.gain;
@@ -233,7 +234,8 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Mov
     home.behind = home.behind + longer.behind;
     home.last = home.last + longer.last;
   }
-  if (aslant) freedom.shifts = select(ends.m > Index<T>(0), freedom.shifts, shifts_last);
+  if (aslant)
+    freedom.translations = select(ends.m > Index<T>(0), freedom.translations, translations_last);
   const auto meeting =
       meet(sea_, laser, home, depth, layer, freedom, world_.inverse_conversion, samples_);
   if (world_.compares) [[unlikely]]

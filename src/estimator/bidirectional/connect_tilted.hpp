@@ -10,7 +10,7 @@ namespace photic::estimator {
 template <class T>
 PHOTIC_APART Chord<T> Connections<T>::tilted_chord(Line out, Line home, Index<T> m,
                                                    AtLens<T> start) const {
-  return chord(out, shiftable(home, m), telescope_, start, receiver_.last_path);
+  return chord(out, translatable(home, m), telescope_, start, receiver_.last_path);
 }
 
 /// Whether a telescope's ray that has been shifted goes through a depth; later ones only in walks
@@ -63,14 +63,14 @@ PHOTIC_APART Longer<T> Connections<T>::lengthened(const Pair<T>& pair, T length)
     return area_per_solid_angle(sea_, spread, line, way.length, way.steep);
   };
   const auto in_path = usable(ends.order());
-  const T shifts_here = shifts(in_path.order, pair.birth.shift_area);
-  const auto near = back_.near_first(ends.back, ends.m, in_path, shifts_here);
+  const T translations_here = translations_in(in_path.order, pair.birth.translation_area);
+  const auto near = back_.near_first(ends.back, ends.m, in_path, translations_here);
   const T of_edge = growth * area(length) / area(T(0)) - T(1);
   const T of_meeting = growth - T(1);
-  longer.behind = select(first, T(0), of_edge * near.home_edge + of_meeting * near.meeting);
-  longer.last =
-      select((ends.m == Index<T>(1)) & in_path.meeting(in_path.order),
-             of_meeting * shifts_here * turning(pair.back.meeting, pair.back.left_z()), T(0));
+  longer.behind = select(first, T(0), of_edge * near.home_edge + of_meeting * near.translated);
+  longer.last = select(
+      (ends.m == Index<T>(1)) & in_path.meeting(in_path.order),
+      of_meeting * translations_here * if_reversed(pair.back.translated, pair.back.left_z()), T(0));
   return longer;
 }
 
@@ -81,8 +81,8 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const Pair<T>& pair
                                                              T depth) {
   const Vec3<T>& outward = pair.birth.outward;
   const auto aside = lens + T(-1) * pair.birth.lens;
-  const T longer = longer_by_shift(telescope_, outward, aside);
-  auto moved = shifted(pair, in_plane(telescope_, aside) + longer * outward);
+  const T longer = longer_by_translation(telescope_, outward, aside);
+  auto moved = translated(pair, in_plane(telescope_, aside) + longer * outward);
   moved.longer = longer;
   if (telescope_.submerged) {  // there a first ray begins at the lens
     const T begins = select(pair.ends.m == Index<T>(0), longer, T(0));

@@ -45,8 +45,9 @@ void Connections<T>::by_sightline(const Ends<T>& ends, const Mask<T>& mask, cons
   const T solid_angle = detector_solid_angle(telescope_, sight.cos_off_axis);
   const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
   const auto in_path = usable(ends.i + Index<T>(1));
-  const Freedom<T> freedom{shifts(in_path.order, instrument::shift_area(telescope_, way.arriving)),
-                           axis_at(v.position, way.direction, v.direction)};
+  const Freedom<T> freedom{
+      translations_in(in_path.order, instrument::translation_area(telescope_, way.arriving)),
+      axis_at(v.position, way.direction, v.direction)};
   const T behind = behind_laser_vertex(ends, v, in_path, freedom_before(depth, freedom));
   const ConnectionEnd from =
       all(line == Index<T>(0))
@@ -107,7 +108,7 @@ void Connections<T>::by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& m
   if (!any(lit)) return;
   const auto tau = depths_along(sea_, way, line, w.layer, T(-w.position.z), water);
   const Freedom<T> freedom{
-      shifts(ends.m + Index<T>(1), back_.birth_record(ends.back).shift_area),
+      translations_in(ends.m + Index<T>(1), back_.birth_record(ends.back).translation_area),
       select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, way.direction),
              back_.axis(ends.back))};
   const ConnectionEnd to =
@@ -145,14 +146,15 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
   const Vec3<T> there = w.position - v.position;
   const T length = photic::length(there);
   const Vec3<T> direction = (T(1) / length) * there;
-  const T shifted = shifts(in_path.order, back_.birth_record(ends.back).shift_area);
+  const T translations =
+      translations_in(in_path.order, back_.birth_record(ends.back).translation_area);
   const T last = last_depth(ends.back);
   const Mask<T> inelastic = w.line > Index<T>(0);
   const Mask<T> arrives = mask & emits(w.line, w.layer);
   if (any(arrives)) {
     const Freedom<T> freedom{
-        shifted, select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, direction),
-                        back_.axis(ends.back))};
+        translations, select(is_pivot(w.line, ends.m), axis_at(w.position, w.direction, direction),
+                             back_.axis(ends.back))};
     const auto before = freedom_before(last, freedom);
     const T behind = behind_laser_vertex(ends, v, in_path, before);
     const ConnectionEnd to =
@@ -164,8 +166,8 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Ends<T>& ends, const Mas
   }
   const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
   if (any(converts)) {
-    const auto freedom =
-        freedom_before(last, Freedom<T>{shifted, axis_at(v.position, w.direction, v.direction)});
+    const auto freedom = freedom_before(
+        last, Freedom<T>{translations, axis_at(v.position, w.direction, v.direction)});
     const T behind = behind_laser_vertex(ends, v, in_path, freedom);
     const T goes_on = T(1) - world_.inverse_conversion.chance(sea_, w.line, w.layer);
     along(ends, converts, w.line,

@@ -22,12 +22,13 @@ struct ConnectionEnd {
 /// How the telescope's walk of a path may be moved as a whole.
 template <class T>
 struct Freedom {
-  T shifts{};        ///< n A of shifting it sideways, n per metre of depth [m]
-  Vertical<T> axis;  ///< or turned, beyond where it converts
+  T translations{};      ///< n A of shifting it sideways, n per metre of depth [m]
+  RotationAxis<T> axis;  ///< or turned, beyond where it converts
 
   /// n h / g of meeting at a vertex that is left in a direction, but for P and the edge beyond.
   T meeting(const Vertex<T>& v, const Vec3<T>& direction) const {
-    return shifts * turning(v.meeting, direction.z) + turn_at(v, direction).about(axis);
+    return translations * if_reversed(v.translated, direction.z) +
+           rotation_at(v, direction).about(axis);
   }
 };
 
@@ -92,7 +93,7 @@ ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>&
                             select(converts, gather_index<T>(sea.conversion_phase, v.line),
                                    gather_index<T>(sea.elastic_phase, here)));
   joint.end.open = ratio * v.open;
-  joint.end.behind = v.behind.all(freedom.shifts);  // 0 before a conversion
+  joint.end.behind = v.behind.all(freedom.translations);  // 0 before a conversion
   joint.meeting = freedom.meeting(v, direction);
   joint.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),
                                    gather<T>(sea.albedo, here));

@@ -67,7 +67,7 @@ struct Crossing : RayEnds<T> {
 
 /// How telescopes' walks are moved to meet others: sideways so that they still come through the
 /// lens, or turned beyond their pivots.
-enum class Moves : std::int8_t { shifts, turns, all };
+enum class Moves : std::int8_t { translations, rotations, all };
 
 /// Two rays that may be made to meet.
 template <class T>
@@ -76,20 +76,20 @@ struct Pair {
   Ray out, back;
   Spread<T> spread;      ///< of the laser's walk
   BirthRecord<T> birth;  ///< of the telescope's walk
-  Index<T> turns{};      ///< 1: it may be turned about the vertical at ...
+  Index<T> rotates{};    ///< 1: it may be turned about the vertical at ...
   T axis_x{}, axis_y{};
   RayEnds<T> ends;
   LensLine<T> lens;  ///< where it comes through, if it is shifted
 
   /// About which the telescope's walk may be turned.
-  [[nodiscard]] Vertical<T> axis() const { return {turns == Index<T>(1), axis_x, axis_y}; }
+  [[nodiscard]] RotationAxis<T> axis() const { return {rotates == Index<T>(1), axis_x, axis_y}; }
   template <class F>
   constexpr void each_member(F f) {
     out.each_member(f);
     back.each_member(f);
     spread.each_member(f);
     birth.each_member(f);
-    f(turns), f(axis_x), f(axis_y);
+    f(rotates), f(axis_x), f(axis_y);
     ends.each_member(f);
     f(lens.at_surface.x), f(lens.at_surface.y), f(lens.per_depth.x), f(lens.per_depth.y);
   }
@@ -99,7 +99,7 @@ struct Pair {
 template <class T>
 struct Moved {
   Ray<T> ray;
-  Vertical<T> axis;
+  RotationAxis<T> axis;
   T gain{1};        ///< of the phase function at the pivot
   T near_pivot{0};  ///< what n h / g of all strategies gain by the pivot's angle having changed
   T longer{0};      ///< so much longer is its way from the lens [m]
@@ -165,20 +165,20 @@ class Connections {
   template <class Act>
   void each_pair(std::size_t first_laser, std::size_t walks, std::size_t back, Act act);
   std::int32_t list_laser_rays(std::size_t first, std::size_t walks);
-  void shift(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
-             const AtLens<T>& start);
+  void translate(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
+                 const AtLens<T>& start);
   Chord<T> chord_of(const Line& out, const Line& home, const Index<T>& m,
                     const AtLens<T>& start) const;
   Chord<T> tilted_chord(Line out, Line home, Index<T> m, AtLens<T> start) const;
-  void turn(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
-            const Vertical<T>& axis);
+  void rotate(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
+              const RotationAxis<T>& axis);
 
   // What is done with the ends of a mask once they fill a pack.
   void serve_to_telescope(const Ends<T>& ends, const Mask<T>& mask);
   void serve_to_laser(const Ends<T>& ends, const Mask<T>& mask);
   void serve_between(const Ends<T>& ends, const Mask<T>& mask);
-  void serve_chords(const RayEnds<T>& ends, const Mask<T>& mask);
-  void serve_crossings(const Crossing<T>& crossing, const Mask<T>& mask);
+  void serve_translated(const RayEnds<T>& ends, const Mask<T>& mask);
+  void serve_rotated(const Crossing<T>& crossing, const Mask<T>& mask);
 
   void by_sightline(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
                     const BirthRecord<T>& birth, const geometry::Sightline<T>& way);
@@ -188,13 +188,13 @@ class Connections {
              const ConnectionEnd& from, const ConnectionEnd& to, const Vertex& v, const Vertex& w,
              const T& length, const Usable<T>& usable);
   Pair<T> pair_of(const RayEnds<T>& ends) const;
-  Moved<T> shifted(const Pair<T>& pair, const Vec3<T>& shift) const;
+  Moved<T> translated(const Pair<T>& pair, const Vec3<T>& translation) const;
   void meet_tilted(const Pair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens, T depth);
   void meet_under_tilted(const Pair<T>& pair, Mask<T> mask, Moved<T> moved, T depth);
   [[nodiscard]] Mask<T> can_meet(const Pair<T>& pair, const Ray& moved, const T& depth) const;
   Longer<T> lengthened(const Pair<T>& pair, T length) const;
   [[nodiscard]] HomeWay<T> home_way(const BirthRecord<T>& birth, const Index<T>& back) const;
-  std::array<T, 2> turn_pivot(Pair<T>& pair, const Rotation<T>& turn) const;
+  std::array<T, 2> rotate_pivot(Pair<T>& pair, const Rotation<T>& rotation) const;
   template <bool upright>
   void meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);
 
@@ -202,16 +202,16 @@ class Connections {
     return {order, world_.most_vertices};
   }
   /// n A of meetings by a walk that may be shifted over A, in paths of an order [m].
-  [[nodiscard]] T shifts(const Index<T>& order, const T& shift_area) const {
-    return samples_.meetings(order) * shift_area;
+  [[nodiscard]] T translations_in(const Index<T>& order, const T& translation_area) const {
+    return samples_.translated(order) * translation_area;
   }
   /// The same of meetings before the last vertex of a path, which is at a depth.
-  [[nodiscard]] T shifts_before(const T& last, const T& shifts) const {
-    if (!is_aslant(telescope_)) return shifts;
-    return select(all_points_reach(telescope_, last), shifts, T(0));
+  [[nodiscard]] T translations_before(const T& last, const T& translations) const {
+    if (!is_aslant(telescope_)) return translations;
+    return select(all_points_reach(telescope_, last), translations, T(0));
   }
   [[nodiscard]] Freedom<T> freedom_before(const T& last, const Freedom<T>& freedom) const {
-    return {shifts_before(last, freedom.shifts), freedom.axis};
+    return {translations_before(last, freedom.translations), freedom.axis};
   }
   /// `birth`: of a walk that detects a line.
   [[nodiscard]] AtLens<T> at_lens(const BirthRecord<T>& birth, const Index<T>& line) const {
@@ -226,12 +226,12 @@ class Connections {
   /// be moved so.
   [[nodiscard]] T behind_laser_vertex(const Ends<T>& ends, const Vertex& v,
                                       const Usable<T>& in_path, const Freedom<T>& freedom) const {
-    return v.passed * (v.behind.all(freedom.shifts) +
-                       laser_.turned_before(ends.laser, ends.i, in_path, freedom.axis));
+    return v.passed * (v.behind.all(freedom.translations) +
+                       laser_.rotated_before(ends.laser, ends.i, in_path, freedom.axis));
   }
   [[nodiscard]] Line line_of(const Ray& ray) const { return depth_line(sea_, ray, world_.deepest); }
   /// Of a telescope's ray m that may be shifted: a first one may then begin elsewhere.
-  [[nodiscard]] Line shiftable(Line line, const Index<T>& m) const {
+  [[nodiscard]] Line translatable(Line line, const Index<T>& m) const {
     if (!is_aslant(telescope_)) return line;
     const T most = select(m == Index<T>(0), T(2) * telescope_.lens_rise, T(0));
     const T from = line.from - most, to = line.to + most;
@@ -250,9 +250,9 @@ class Connections {
   }
   /// How a telescope's walk may be turned in paths that convert at a place, or of which that is the
   /// last vertex. `home`, `on`: directions of the edges there, to the telescope and to the laser.
-  [[nodiscard]] Vertical<T> axis_at(const Vec3<T>& place, const Vec3<T>& home,
-                                    const Vec3<T>& on) const {
-    const Mask<T> scatters = world_.turns_scattered ? leads_aside(home, on) : Mask<T>(false);
+  [[nodiscard]] RotationAxis<T> axis_at(const Vec3<T>& place, const Vec3<T>& home,
+                                        const Vec3<T>& on) const {
+    const Mask<T> scatters = world_.rotates_scattered ? leads_aside(home, on) : Mask<T>(false);
     return {Mask<T>((receiver_.line > Index<T>(0)) | scatters), place.x, place.y};
   }
   /// Whether a path's pivot is where light comes upon its telescope's walk of so many vertices, as
@@ -302,8 +302,8 @@ class Connections {
   const Walks<T>& back_;
   tally::BatchTally& tally_;
   Room to_telescope_, to_laser_, between_;
-  RayQueue chords_;
-  lanes::Queue<T, Crossing<T>> crossings_;
+  RayQueue translated_;
+  lanes::Queue<T, Crossing<T>> rotated_;
   std::vector<std::int32_t> walk_of_, ray_of_;  ///< the laser's rays that may meet a telescope's
   lanes::LaneColumns<T, Line, most_vertices + 1 + lanes_of<T>> lines_;  ///< of a telescope's walk
   lanes::ScoreQueue<T> scores_;
@@ -316,8 +316,8 @@ void Connections<T>::flush() {
   to_telescope_.flush([this](const auto& e, const auto& mask) { serve_to_telescope(e, mask); });
   to_laser_.flush([this](const auto& e, const auto& mask) { serve_to_laser(e, mask); });
   between_.flush([this](const auto& e, const auto& mask) { serve_between(e, mask); });
-  chords_.flush([this](const auto& e, const auto& mask) { serve_chords(e, mask); });
-  crossings_.flush([this](const auto& e, const auto& mask) { serve_crossings(e, mask); });
+  translated_.flush([this](const auto& e, const auto& mask) { serve_translated(e, mask); });
+  rotated_.flush([this](const auto& e, const auto& mask) { serve_rotated(e, mask); });
   scores_.flush(tally_);
 }
 

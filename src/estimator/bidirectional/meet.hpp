@@ -114,11 +114,11 @@ struct LensLine {
 
 /// Whether light turns back, up or down, where two rays meet: else no walk is shifted for it.
 template <class T>
-Mask<T> turns_back(const Ray<T>& laser, const Ray<T>& back) {
+Mask<T> reverses(const Ray<T>& laser, const Ray<T>& back) {
   return laser.direction.z * back.direction.z > T(0);
 }
 template <class T>
-Mask<T> turns_back(const DepthLine<T>& laser, const DepthLine<T>& back) {
+Mask<T> reverses(const DepthLine<T>& laser, const DepthLine<T>& back) {
   return laser.rise * back.rise > T(0);
 }
 
@@ -187,8 +187,8 @@ Chord<T> chord(const DepthLine<T>& laser, DepthLine<T> back,
                const instrument::Telescope<T>& telescope, const AtLens<T>& start,
                const T& last_path) {
   const auto [at_surface, per_depth] = level_way(back, laser);
-  const auto there = lens_shift(telescope, start.outward, at_surface);
-  const auto slope = lens_shift(telescope, start.outward, per_depth);
+  const auto there = lens_translation(telescope, start.outward, at_surface);
+  const auto slope = lens_translation(telescope, start.outward, per_depth);
   back.path = back.path + start.index * there.longer;
   back.path_per_depth = back.path_per_depth + start.index * slope.longer;
   return within_rim<T>({start.lens + there.aside, slope.aside}, telescope.lens_radius,
@@ -198,14 +198,14 @@ Chord<T> chord(const DepthLine<T>& laser, DepthLine<T> back,
 /// The depths, at most two, at which a telescope's ray meets a laser's if it is turned about a
 /// vertical: where both are as far from it.
 template <class T>
-struct Crossings {
+struct EquidistantDepths {
   std::array<Mask<T>, 2> exists;
   std::array<T, 2> depth;  ///< [m]
 };
 
 template <class T>
-Crossings<T> crossings(const DepthLine<T>& laser, const DepthLine<T>& back, const Vertical<T>& axis,
-                       const T& last_path) {
+EquidistantDepths<T> equidistant_depths(const DepthLine<T>& laser, const DepthLine<T>& back,
+                                        const RotationAxis<T>& axis, const T& last_path) {
   using std::copysign;
   using std::sqrt;
   const Span<T> span = common_span(laser, back, last_path);
@@ -225,7 +225,7 @@ Crossings<T> crossings(const DepthLine<T>& laser, const DepthLine<T>& back, cons
   const T root = sqrt(select(real, discriminant, T(0)));
   const T q = -(half + copysign(root, half));
   const T length = span.to - span.from;
-  Crossings<T> c;
+  EquidistantDepths<T> c;
   const std::array<T, 2> beyond{q / square, constant / q};
   for (std::size_t i = 0; i < 2; ++i) {
     c.depth[i] = span.from + beyond[i];
@@ -237,7 +237,7 @@ Crossings<T> crossings(const DepthLine<T>& laser, const DepthLine<T>& back, cons
 /// A turn about a vertical.
 template <class T>
 struct Rotation {
-  Vertical<T> axis;
+  RotationAxis<T> axis;
   T cosine, sine;
 
   Vec3<T> of_direction(const Vec3<T>& d) const {
@@ -252,8 +252,8 @@ struct Rotation {
 /// The turn that brings a telescope's ray to a laser's at a depth where both are as far from the
 /// vertical.
 template <class T>
-Rotation<T> turn_to_meet(const Ray<T>& laser, const Ray<T>& back, const Vertical<T>& axis,
-                         const T& depth) {
+Rotation<T> rotation_to_meet(const Ray<T>& laser, const Ray<T>& back, const RotationAxis<T>& axis,
+                             const T& depth) {
   using std::sqrt;
   const T out = (-laser.position.z - depth) / laser.direction.z;
   const T home = (-back.position.z - depth) / back.direction.z;
@@ -319,11 +319,12 @@ Meeting<T> meet(const geometry::Slabs& sea, const Side<T>& laser_side, const Sid
   const T p = sea.phases.template value<T>(one_minus_cos(laser.direction, -back.direction), phase);
 
   // Strategies, each with n h / g times p and the walked exp(-tau) of both rays.
-  const T steep = select(turns_back(laser, back), T(laser.direction.z * back.direction.z), T(0));
-  const T swept = sweep(laser.position + out * laser.direction, laser.direction, back.direction)
-                      .about(freedom.axis);
-  const T here_met =
-      (freedom.shifts * steep + samples.turned * T(2 * pi) * swept) * back.chance * walk_mean_path;
+  const T steep = select(reverses(laser, back), T(laser.direction.z * back.direction.z), T(0));
+  const T jacobian =
+      rotation_jacobian(laser.position + out * laser.direction, laser.direction, back.direction)
+          .about(freedom.axis);
+  const T here_met = (freedom.translations * steep + samples.rotated * T(2 * pi) * jacobian) *
+                     back.chance * walk_mean_path;
   const T ratio = walk_c_ratio<T>(sea, line, layer);
   const T connected = back.chance * laser_side.connecting(sea, out, samples) * walked_home +
                       ratio * side.connecting(sea, home, samples) * walked_out;

@@ -40,9 +40,9 @@ struct Ray : WalkPoint<T> {
   T per_p{1};             ///< 1 over the phase function's value at the vertex [sr]
   T last_edge{};          ///< of connecting the edge before, over `passed`
   Densities<T> behind{};  ///< of all that is complete, over `passed`
-  T meeting{};  ///< n h / g of meeting at the vertex over `shifts`, but for what is this ray's: P
-                ///< included
-  Turn<T> turn{};  ///< the same of turning
+  T translated{};  ///< n h / g of meeting at the vertex over `translations`, but for what is this
+                   ///< ray's: P included
+  RotatedMeeting<T> rotated{};  ///< the same of turning
 
   /// That the surface has reflected it: it stands for the ray that set out from its mirror image.
   Mask<T> is_reflected() const { return WalkPoint<T>::position.z > T(0); }
@@ -54,31 +54,32 @@ struct Ray : WalkPoint<T> {
   template <class F>
   constexpr void each_member(F f) {
     WalkPoint<T>::each_member(f);
-    f(left_chance), f(chance), f(passed), f(per_p), f(last_edge), f(meeting);
+    f(left_chance), f(chance), f(passed), f(per_p), f(last_edge), f(translated);
     behind.each_member(f);
-    turn.each_member(f);
+    rotated.each_member(f);
   }
 };
 
 /// A walk as it arrives where it collides, before this collision.
 template <class T>
 struct Vertex : WalkPoint<T> {
-  T chance{1};  ///< h of a walk that ends here
-  T passed{1};  ///< h of telescopes' walks that pass a laser's walk as far as here
-  T open{};     ///< n h / g of connecting the last edge, times P here; 0: it cannot be
-  T meeting{};  ///< n h / g of meeting here over `shifts`, but for P and for the edge beyond; its
-                ///< sign is that of the arriving direction's z
-  T turn{};     ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
+  T chance{1};     ///< h of a walk that ends here
+  T passed{1};     ///< h of telescopes' walks that pass a laser's walk as far as here
+  T open{};        ///< n h / g of connecting the last edge, times P here; 0: it cannot be
+  T translated{};  ///< n h / g of meeting here over `translations`, but for P and for the edge
+                   ///< beyond; its sign is that of the arriving direction's z
+  T rotated{};     ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
   // Over `passed`:
-  Turn<T> last_turn{};    ///< of turning to meet at the vertex before, complete by the last edge
+  RotatedMeeting<T>
+      last_rotated{};     ///< of turning to meet at the vertex before, complete by the last edge
   Densities<T> last{};    ///< of what has become complete by the last edge
   Densities<T> behind{};  ///< of all that is complete
   template <class F>
   constexpr void each_member(F f) {
     WalkPoint<T>::each_member(f);
-    f(chance), f(passed), f(open), f(meeting), f(turn);
+    f(chance), f(passed), f(open), f(translated), f(rotated);
     last.each_member(f);
-    last_turn.each_member(f);  // read alone, too: words 18 to 22 lie in one pack of any width
+    last_rotated.each_member(f);  // read alone, too: words 18 to 22 lie in one pack of any width
     behind.each_member(f);
   }
 };

@@ -10,11 +10,11 @@ namespace photic::estimator {
 /// A vertical about which a walk may be turned: that through its pivot, where it converts, or of
 /// light of the laser's line the vertex next to the telescope.
 template <class T>
-struct Vertical {
+struct RotationAxis {
   Mask<T> exists{};
   T x{}, y{};  ///< [m]
 
-  friend Vertical select(const Mask<T>& mask, const Vertical& yes, const Vertical& no) {
+  friend RotationAxis select(const Mask<T>& mask, const RotationAxis& yes, const RotationAxis& no) {
     return {select(mask, yes.exists, no.exists), select(mask, yes.x, no.x),
             select(mask, yes.y, no.y)};
   }
@@ -34,31 +34,31 @@ Mask<T> leads_aside(const Vec3<T>& home, const Vec3<T>& on) {
 /// where they meet, per solid angle of both and turn about the axis. A walk turned about the axis
 /// keeps it.
 template <class T>
-struct Sweep {
-  T x{}, y{};          ///< where they meet [m]
-  T along{}, aside{};  ///< w x w', its horizontal part
+struct RotationJacobian {
+  T x{}, y{};              ///< where they meet [m]
+  T cross_x{}, cross_y{};  ///< w x w', its horizontal part
 
-  T about(const Vertical<T>& axis) const {
+  T about(const RotationAxis<T>& axis) const {
     using std::abs;
-    return select(axis.exists, T(abs((x - axis.x) * aside - (y - axis.y) * along)), T(0));
+    return select(axis.exists, T(abs((x - axis.x) * cross_y - (y - axis.y) * cross_x)), T(0));
   }
 };
 template <class T>
-Sweep<T> sweep(const Vec3<T>& place, const Vec3<T>& a, const Vec3<T>& b) {
+RotationJacobian<T> rotation_jacobian(const Vec3<T>& place, const Vec3<T>& a, const Vec3<T>& b) {
   return {place.x, place.y, a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z};
 }
 
 /// n h / g of turning a walk so that rays meet at a vertex.
 template <class T>
-struct Turn {
+struct RotatedMeeting {
   T density{};  ///< over the sweep [1/m]
-  Sweep<T> sweep{};
+  RotationJacobian<T> jacobian{};
 
-  T about(const Vertical<T>& axis) const { return density * sweep.about(axis); }
+  T about(const RotationAxis<T>& axis) const { return density * jacobian.about(axis); }
 
   template <class F>
   constexpr void each_member(F& f) {
-    f(density), f(sweep.x), f(sweep.y), f(sweep.along), f(sweep.aside);
+    f(density), f(jacobian.x), f(jacobian.y), f(jacobian.cross_x), f(jacobian.cross_y);
   }
 };
 

@@ -6,10 +6,10 @@
 // and x_k … x_{j+1} from the telescope, and connects what is left open. And since the sea is the
 // same all over a horizontal plane, a telescope's walk may be shifted sideways as long as it still
 // comes through the lens: strategy "meeting at x_i" draws everything but x_i, a ray of the laser's
-// walk and one of the telescope's towards it included, and shifts the second so that they meet at a
-// chosen depth. It draws the peaks of phase functions on both sides of the point where light turns
-// back. "Turning about x_q at x_i", i < q, does the same for light that is converted at x_q: it
-// leaves there with densities that depend on the angle to the vertical alone, so that the
+// walk and one of the telescope's towards it included, and translations the second so that they
+// meet at a chosen depth. It draws the peaks of phase functions on both sides of the point where
+// light turns back. "Turning about x_q at x_i", i < q, does the same for light that is converted at
+// x_q: it leaves there with densities that depend on the angle to the vertical alone, so that the
 // telescope's walk beyond x_q may be turned about the vertical through it, until the two rays meet.
 //
 // The density of a strategy is in proportion to n h / g: n samples of it exist in a set of walks; h
@@ -19,9 +19,9 @@
 //   1 / g = A |cos cos'| exp(tau + tau') / (c' P_i)      meeting at x_i, per metre of depth,
 //   1 / g = 2 pi S exp(tau + tau') / (c' P_i)            turning so that they meet at x_i,
 // with tau by the coefficient c' that free paths are drawn from, cos, cos', tau, tau' of the edges
-// on both sides, A the telescope's shift_area and S the Sweep of both directions. Vertices carry
-// the sums of n h / g over what lies behind them, so that a connection knows the densities of all
-// strategies at once.
+// on both sides, A the telescope's translation_area and S the RotationJacobian of both directions.
+// Vertices carry the sums of n h / g over what lies behind them, so that a connection knows the
+// densities of all strategies at once.
 #pragma once
 
 #include "core/elementary.hpp"
@@ -32,20 +32,20 @@ namespace photic::estimator {
 /// Sums of n h / g.
 template <class T>
 struct Densities {
-  T edges{};     ///< of connecting edges
-  T meetings{};  ///< of meetings, over `shifts` [1/m]
-  T turned{};    ///< of turning, about the walk's own vertical
+  T edges{};       ///< of connecting edges
+  T translated{};  ///< of meetings, over `translations` [1/m]
+  T rotated{};     ///< of turning, about the walk's own vertical
 
-  /// `shifts`: of a path, as Freedom has it [m].
-  T all(const T& shifts) const { return edges + shifts * meetings + turned; }
+  /// `translations`: of a path, as Freedom has it [m].
+  T all(const T& translations) const { return edges + translations * translated + rotated; }
 
   template <class F>
   constexpr void each_member(F& f) {
-    f(edges), f(meetings), f(turned);
+    f(edges), f(translated), f(rotated);
   }
   friend Densities select(const Mask<T>& mask, const Densities& yes, const Densities& no) {
-    return {select(mask, yes.edges, no.edges), select(mask, yes.meetings, no.meetings),
-            select(mask, yes.turned, no.turned)};
+    return {select(mask, yes.edges, no.edges), select(mask, yes.translated, no.translated),
+            select(mask, yes.rotated, no.rotated)};
   }
 };
 

@@ -13,16 +13,16 @@ namespace photic::estimator {
 /// The part of n h / g of a meeting that follows from both directions' z: only where light turns
 /// back up or down do rays meet.
 template <class T>
-T turning(const T& meeting, const T& z) {
-  const T product = T(0) - meeting * z;
+T if_reversed(const T& density, const T& z) {
+  const T product = T(0) - density * z;
   return select(product > T(0), product, T(0));
 }
 
 /// n h / g of turning walks to meet at a vertex that is left in a direction, but for P and the edge
 /// beyond.
 template <class T>
-Turn<T> turn_at(const Vertex<T>& v, const Vec3<T>& direction) {
-  return {v.turn, sweep(v.position, v.direction, direction)};
+RotatedMeeting<T> rotation_at(const Vertex<T>& v, const Vec3<T>& direction) {
+  return {v.rotated, rotation_jacobian(v.position, v.direction, direction)};
 }
 
 /// How a walk left a vertex.
@@ -48,9 +48,9 @@ Ray<T> next_ray(const transport::Photon<T>& photon, const Vertex<T>& from,
   ray.behind = from.behind;
   ray.behind.edges = from.behind.edges + ray.last_edge;
   const Mask<T> known = departure.density > T(0);
-  ray.meeting = select(known, from.meeting * ray.per_p, T(0));
-  ray.turn = turn_at(from, photon.direction);
-  ray.turn.density = select(known, ray.turn.density * ray.per_p, T(0));
+  ray.translated = select(known, from.translated * ray.per_p, T(0));
+  ray.rotated = rotation_at(from, photon.direction);
+  ray.rotated.density = select(known, ray.rotated.density * ray.per_p, T(0));
   return ray;
 }
 
@@ -73,7 +73,7 @@ T connecting_area(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& 
 template <class T>
 Vertex<T> vertex_on(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& first,
                     const Spread<T>& spread, const transport::Photon<T>& photon, const Leg<T>& leg,
-                    const Vertical<T>& axis, const estimator::Samples<T>& samples) {
+                    const RotationAxis<T>& axis, const estimator::Samples<T>& samples) {
   Vertex<T> v{walk_point(photon)};
   v.chance = ray.chance;
   v.passed = ray.passed;
@@ -84,17 +84,17 @@ Vertex<T> vertex_on(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>
            select(first, growth, straight);
   const T drawn =
       ray.chance * growth * gather<T>(sea.walk_mean_path, sea.at(photon.line, photon.layer));
-  v.meeting = drawn * photon.direction.z;
-  v.turn = samples.turned * T(2 * pi) * drawn;
-  v.last_turn = ray.turn;
+  v.translated = drawn * photon.direction.z;
+  v.rotated = samples.rotated * T(2 * pi) * drawn;
+  v.last_rotated = ray.rotated;
   const T over_passed = growth / ray.passed;
-  v.last_turn.density = ray.turn.density * over_passed;
+  v.last_rotated.density = ray.rotated.density * over_passed;
   v.last.edges = ray.last_edge;
-  v.last.meetings = turning(ray.meeting, over_passed * ray.left_z());
-  v.last.turned = v.last_turn.about(axis);
+  v.last.translated = if_reversed(ray.translated, over_passed * ray.left_z());
+  v.last.rotated = v.last_rotated.about(axis);
   v.behind.edges = ray.behind.edges;
-  v.behind.meetings = ray.behind.meetings + v.last.meetings;
-  v.behind.turned = ray.behind.turned + v.last.turned;
+  v.behind.translated = ray.behind.translated + v.last.translated;
+  v.behind.rotated = ray.behind.rotated + v.last.rotated;
   return v;
 }
 

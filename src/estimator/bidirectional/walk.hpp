@@ -36,7 +36,7 @@ struct BirthRecord {
   Spread<T> spread;
   instrument::PlanePoint<T> lens{};
   Vec3<T> outward{};
-  T shift_area{};         ///< [m^2]
+  T translation_area{};   ///< [m^2]
   T grid_offset{};        ///< of the depths where it meets others, 0 to 1 of a step
   Index<T> connected{1};  ///< with the vertices of a laser's walk: 1 or 0
   Index<T> line{};        ///< of the light that comes back
@@ -44,7 +44,7 @@ struct BirthRecord {
   constexpr void each_member(F f) {
     spread.each_member(f);
     f(lens.x), f(lens.y), f(outward.x), f(outward.y), f(outward.z);
-    f(shift_area), f(grid_offset);
+    f(translation_area), f(grid_offset);
   }
 };
 
@@ -78,10 +78,10 @@ Pivot<T> pivot_at(const medium::MediumView& sea, const Vertex<T>& vertex, const 
 /// it leaves its first vertex: connecting the edges there, and meeting there.
 template <class T>
 struct NearFirst {
-  T home_edge{}, meeting{}, next_edge{};
+  T home_edge{}, translated{}, next_edge{};
   template <class F>
   constexpr void each_member(F f) {
-    f(home_edge), f(meeting), f(next_edge);
+    f(home_edge), f(translated), f(next_edge);
   }
 };
 
@@ -135,11 +135,11 @@ class Walks {
   }
   /// Walks from a telescope come to a vertex, their `first` or a later one: at that they meet no
   /// others, being shifted, if not all points of the lens can begin such a walk.
-  void keep_unshifted(const instrument::Telescope<T>& telescope, const Index<T>& walk,
-                      const Mask<T>& first, Vertex& vertex) const {
+  void limit_translation(const instrument::Telescope<T>& telescope, const Index<T>& walk,
+                         const Mask<T>& first, Vertex& vertex) const {
     if (!is_aslant(telescope) || all(first)) return;
     const T depth = -this->vertex(walk, Index<T>(0)).position.z;
-    vertex.meeting = select(first | all_points_reach(telescope, depth), vertex.meeting, T(0));
+    vertex.translated = select(first | all_points_reach(telescope, depth), vertex.translated, T(0));
   }
   /// Telescopes' walks leave vertex i by a ray: what they keep for being turned about it, if they
   /// may be. `of_elastic_light`: also where they scatter the laser's light first. Tells who may.
@@ -149,7 +149,7 @@ class Walks {
     const Mask<T> near_first = mask & (i < Index<T>(2)) & (first | (vertex.line == Index<T>(0)));
     if (any(near_first)) {
       near_first_.put(near_first, walk,
-                      {select(first, ray.last_edge, vertex.last.edges), vertex.last.meetings,
+                      {select(first, ray.last_edge, vertex.last.edges), vertex.last.translated,
                        select(first, T(0), ray.last_edge)});
     }
     const Mask<T> converts = mask & (vertex.line > ray.line);
@@ -215,21 +215,21 @@ class Walks {
   /// About which a telescope's walk may be turned.
   [[nodiscard]] Pivot<T> pivot(const Index<T>& walk) const { return pivot_.at(walk); }
   /// The vertical through that.
-  [[nodiscard]] Vertical<T> axis(const Index<T>& walk) const {
+  [[nodiscard]] RotationAxis<T> axis(const Index<T>& walk) const {
     const Mask<T> exists = gather_index<T>(pivot_vertex_.data(), walk) >= Index<T>(0);
     if (!any(exists)) return {};
     const Pivot<T> at = pivot(walk);
     return {exists, at.x, at.y};
   }
   /// Those of what NearFirst tells that lie behind ray m, beyond the first vertex; of meeting times
-  /// `shifts`.
+  /// `translations`.
   [[nodiscard]] NearFirst<T> near_first(const Index<T>& walk, const Index<T>& m,
-                                        const Usable<T>& usable, const T& shifts) const {
+                                        const Usable<T>& usable, const T& translations) const {
     const NearFirst<T> near = near_first_.at(walk);
     const Index<T> order = usable.order;
     const Mask<T> beyond = m > Index<T>(1);
     return {select(usable.connecting(order), near.home_edge, T(0)),
-            select(beyond & usable.meeting(order), shifts * near.meeting, T(0)),
+            select(beyond & usable.meeting(order), translations * near.translated, T(0)),
             select(beyond & usable.connecting(order - Index<T>(1)), near.next_edge, T(0))};
   }
 
@@ -249,14 +249,14 @@ class Walks {
   }
   /// The densities of turning a telescope's walk about an axis so that it meets this walk of the
   /// laser at a vertex before vertex i, over what has been passed.
-  [[nodiscard]] T turned_before(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
-                                const Vertical<T>& axis) const {
+  [[nodiscard]] T rotated_before(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
+                                 const RotationAxis<T>& axis) const {
     T sum(0);
     if (!any(axis.exists)) return sum;
     for (Index<T> k(1);; k = k + Index<T>(1)) {
       const Mask<T> before = k <= i;
       if (!any(before)) return sum;
-      const T density = vertex(walk, select(before, k, Index<T>(0))).last_turn.about(axis);
+      const T density = vertex(walk, select(before, k, Index<T>(0))).last_rotated.about(axis);
       sum = sum + select(before & usable.meeting(k), density, T(0));
     }
   }
@@ -267,13 +267,14 @@ class Walks {
                              const Freedom<T>& freedom) const {
     Side<T> side{ray, m == Index<T>(0), spread};
     side.spread.through_surface = through_surface_;
-    side.behind = behind(ray, walk, m, usable).all(freedom.shifts);
+    side.behind = behind(ray, walk, m, usable).all(freedom.translations);
     if (!from_telescope_)
-      side.behind = side.behind + turned_before(walk, m - Index<T>(1), usable, freedom.axis);
+      side.behind = side.behind + rotated_before(walk, m - Index<T>(1), usable, freedom.axis);
     side.behind = ray.passed * side.behind;
-    side.last = select(
-        usable.meeting(passed(m, usable)),
-        freedom.shifts * turning(ray.meeting, ray.left_z()) + ray.turn.about(freedom.axis), T(0));
+    side.last = select(usable.meeting(passed(m, usable)),
+                       freedom.translations * if_reversed(ray.translated, ray.left_z()) +
+                           ray.rotated.about(freedom.axis),
+                       T(0));
     return side;
   }
 
@@ -303,8 +304,8 @@ class Walks {
     const Mask<T> connecting = mask & usable.connecting(x - Index<T>(from_telescope_ ? 0 : 1));
     const Mask<T> meeting = mask & usable.meeting(x);
     sum.edges = sum.edges + select(connecting, v.last.edges, T(0));
-    sum.meetings = sum.meetings + select(meeting, v.last.meetings, T(0));
-    sum.turned = sum.turned + select(meeting, v.last.turned, T(0));
+    sum.translated = sum.translated + select(meeting, v.last.translated, T(0));
+    sum.rotated = sum.rotated + select(meeting, v.last.rotated, T(0));
   }
 
   bool from_telescope_, through_surface_;

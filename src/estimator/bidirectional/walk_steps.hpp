@@ -29,7 +29,7 @@ struct Walker : Track<T> {
   Index<T> event{}, vertices{};
   Ray<T> ray;  ///< its last one
   Leg<T> leg;
-  Vertical<T> axis;  ///< of a telescope's walk, where it has converted
+  RotationAxis<T> axis;  ///< of a telescope's walk, where it has converted
 };
 
 /// Of walks from one instrument. A Source tells how they begin, what they draw, and whether light
@@ -77,7 +77,7 @@ class WalkSteps {
     const Mask<T> first = w.colliding & (w.vertices == Index<T>(0));
     const Spread<T> spread = any(first) ? walks_.birth_record(w.walk).spread : Spread<T>{};
     vertex_ = vertex_on(sea_, w.ray, first, spread, w.photon, w.leg, w.axis, samples_);
-    source_.keep_unshifted(walks_, w.walk, first, vertex_);
+    source_.limit_translation(walks_, w.walk, first, vertex_);
     walks_.add(w.colliding, w.walk, w.vertices, vertex_);
     w.vertices = w.vertices + select(w.colliding, Index<T>(1), Index<T>(0));
   }
@@ -117,7 +117,7 @@ class WalkSteps {
     walks_.add(colliding, w.walk, w.vertices, ray);
     if (walks_.from_telescope()) {
       const Mask<T> pivots = walks_.pivot(sea_, colliding, w.walk, w.vertices - Index<T>(1),
-                                          vertex_, ray, world_.turns_scattered);
+                                          vertex_, ray, world_.rotates_scattered);
       w.axis = select(pivots, {Mask<T>(true), vertex_.position.x, vertex_.position.y}, w.axis);
     }
     if (world_.compares) [[unlikely]]

@@ -15,7 +15,7 @@ namespace {
 using test::Random;
 
 struct Counts {
-  int connected = 0, met = 0, turned = 0;
+  int connected = 0, met = 0, rotated = 0;
 };
 
 /// Every strategy that draws the path with walks of at most `most` vertices gives what the direct
@@ -23,7 +23,7 @@ struct Counts {
 Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_vertices) {
   Counts counts;
   sea.world.most_vertices = most;
-  const auto& samples = sea.world.turns_scattered ? turned : shifted;
+  const auto& samples = sea.world.rotates_scattered ? rotating : translating;
   const StrategiesOfPath expected(sea.world, sea.medium, samples, path, most);
   const double value = expected.value();
   Scores scores(sea.world, samples, sea.medium, path, expected.group_path());
@@ -34,10 +34,10 @@ Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_v
   }
   for (std::int32_t i = 1; i <= path.order(); ++i) {
     const Path other =
-        shifted_sideways(sea.world, path, {0.1 * std::sin(i), 0.1 * std::cos(3 * i), 0});
-    if (expected.meeting(i) == 0) {
+        translated_path(sea.world, path, {0.1 * std::sin(i), 0.1 * std::cos(3 * i), 0});
+    if (expected.translated(i) == 0) {
       if (most == most_vertices) {
-        EXPECT_EQ(scores.meeting(i, other), 0) << "meeting at " << i;
+        EXPECT_EQ(scores.translated(i, other), 0) << "translated to meet at " << i;
       }
       continue;
     }
@@ -48,18 +48,19 @@ Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_v
                              : expected.drawn_to_last_vertex() /
                                    StrategiesOfPath(sea.world, sea.medium, samples, other, most)
                                        .drawn_to_last_vertex();
-    EXPECT_NEAR(scores.meeting(i, other) / (drawn * value), 1, 1e-10) << "meeting at " << i;
+    EXPECT_NEAR(scores.translated(i, other) / (drawn * value), 1, 1e-10)
+        << "translated to meet at " << i;
     ++counts.met;
   }
   for (std::int32_t i = 1; i < path.pivot(); ++i) {
-    if (expected.turning(i) == 0) continue;
-    const Path other = turned_before_pivot(path, 1.0 + i);
+    if (expected.rotated(i) == 0) continue;
+    const Path other = rotated_path(path, 1.0 + i);
     // It is drawn so often, and counts so little.
     const double drawn =
         expected.drawn_at_pivot() /
         StrategiesOfPath(sea.world, sea.medium, samples, other, most).drawn_at_pivot();
-    EXPECT_NEAR(scores.turning(i, other) / (drawn * value), 1, 1e-8) << "turning to meet at " << i;
-    ++counts.turned;
+    EXPECT_NEAR(scores.rotated(i, other) / (drawn * value), 1, 1e-8) << "rotated to meet at " << i;
+    ++counts.rotated;
   }
   return counts;
 }
@@ -127,7 +128,7 @@ std::vector<Place> looking_at_the_surface() {
 // long as before a shift, in time, in the spread of a first ray, in the edge behind a later one.
 TEST(StrategiesOfPath, OfElasticLightAgree) {
   Random random(101);
-  int met = 0, turns = 0;
+  int met = 0, rotated = 0;
   for (const Place& place : above_water()) {
     Sea sea(place.source, place.telescope);
     for (int n = 0; n < 300; ++n) {
@@ -136,27 +137,27 @@ TEST(StrategiesOfPath, OfElasticLightAgree) {
       const auto counts = expect_same_of_all(sea, path);
       EXPECT_EQ(counts.connected, path.order() + 1);
       met += counts.met;
-      turns += counts.turned;
+      rotated += counts.rotated;
     }
   }
   EXPECT_GT(met, 200);
-  EXPECT_GT(turns, 50);
+  EXPECT_GT(rotated, 50);
 }
 
 // Where nothing is drawn about the beam, walks are turned that look for a tilted one, too.
 TEST(StrategiesOfPath, OfATiltedLaserInWaterThatConvertsNothingAgree) {
   Random random(109);
-  int turns = 0;
+  int rotated = 0;
   const Place place = above_water()[1];
   Sea sea(place.source, place.telescope);
   sea.world.inverse_conversion.scattered = 0;
-  sea.world.turns_scattered = true;
+  sea.world.rotates_scattered = true;
   for (int n = 0; n < 300; ++n) {
     const auto path = random_path(random, 1 + n % 3, 1, n % 2 == 0 ? 4.9 : 25);
     SCOPED_TRACE("path " + std::to_string(n));
-    turns += expect_same_of_all(sea, path).turned;
+    rotated += expect_same_of_all(sea, path).rotated;
   }
-  EXPECT_GT(turns, 30);
+  EXPECT_GT(rotated, 30);
 }
 
 // Seen red: with the way from the fictitious vertex to the disc left out of the laser's spread. And
@@ -231,7 +232,7 @@ TEST(StrategiesOfPath, OfACollimatedLaserAgree) {
 // behind it; with an edge by way of the surface connected beside a meeting.
 TEST(StrategiesOfPath, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
   Random random(106);
-  int met = 0, turns = 0;
+  int met = 0, rotated = 0;
   for (const Place& place : above_water()) {
     Sea sea(place.source, place.telescope);
     for (int n = 0; n < 100; ++n) {
@@ -243,11 +244,11 @@ TEST(StrategiesOfPath, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
       if (path.line > 0 && path.x(path.converted).z < -12) continue;
       const auto counts = expect_same_of_all(sea, path);
       met += counts.met;
-      turns += counts.turned;
+      rotated += counts.rotated;
     }
   }
   EXPECT_GT(met, 100);
-  EXPECT_GT(turns, 20);
+  EXPECT_GT(rotated, 20);
 }
 
 // Each vertex converts in turn. Seen red: without a departure's density; with the chance of a ray
@@ -318,8 +319,8 @@ TEST(StrategiesOfPath, OfPathsThatAWalkGoesBeyondAgree) {
     longer.converted = n % 2 == 0 ? 2 : 4;
     SCOPED_TRACE("path " + std::to_string(n));
     sea.world.most_vertices = most_vertices;
-    const StrategiesOfPath expected(sea.world, sea.medium, turned, path, most_vertices);
-    Scores scores(sea.world, turned, sea.medium, path, expected.group_path());
+    const StrategiesOfPath expected(sea.world, sea.medium, rotating, path, most_vertices);
+    Scores scores(sea.world, rotating, sea.medium, path, expected.group_path());
     EXPECT_NEAR(scores.connecting_first_of_a_longer(longer) / expected.value(), 1, 1e-10);
   }
 }

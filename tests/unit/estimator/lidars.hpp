@@ -25,7 +25,7 @@ struct Sea {
     world.path_to_origin = {path_to_origin(source, telescope)};
     world.deepest = 40;
     world.most_vertices = most_vertices;
-    world.turns_scattered =
+    world.rotates_scattered =
         world.inverse_conversion.beam.x == 0 && world.inverse_conversion.beam.y == 0;
   }
   Sea(const Sea&) = delete;  // the world looks into the medium
@@ -33,7 +33,7 @@ struct Sea {
 };
 
 /// Also of walks that may be turned: as many as of those that may be shifted.
-inline const Samples<double> shifted{1, 0.3, 2, 0, grid}, turned{1, 0.3, 2, 2, grid};
+inline const Samples<double> translating{1, 0.3, 2, 0, grid}, rotating{1, 0.3, 2, 2, grid};
 
 inline scene::Source laser_at(const V& position, const V& direction) {
   scene::Source source;

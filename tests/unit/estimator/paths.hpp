@@ -40,16 +40,16 @@ struct Path {
 
 /// The path with all that is drawn from the telescope beyond the pivot turned about the vertical
 /// through it.
-inline Path turned_before_pivot(const Path& path, double angle) {
-  Path turned = path;
+inline Path rotated_path(const Path& path, double angle) {
+  Path rotated = path;
   const V& axis = path.x(path.pivot());
   for (std::int32_t i = 1; i < path.pivot(); ++i) {
     const V from = path.x(i) - axis;
-    V& to = turned.vertex[static_cast<std::size_t>(i - 1)];
+    V& to = rotated.vertex[static_cast<std::size_t>(i - 1)];
     to.x = axis.x + (std::cos(angle) * from.x - std::sin(angle) * from.y);
     to.y = axis.y + (std::sin(angle) * from.x + std::cos(angle) * from.y);
   }
-  return turned;
+  return rotated;
 }
 
 /// The direction from one place to another, by way of the surface if it is mirrored.
@@ -71,14 +71,14 @@ inline geometry::Sightline<double> way_to_lens(const World<double>& world, const
 }
 
 /// The path shifted sideways, with the point of the lens' plane by which its last ray then comes.
-inline Path shifted_sideways(const World<double>& world, const Path& path, const V& shift) {
+inline Path translated_path(const World<double>& world, const Path& path, const V& translation) {
   const auto& telescope = world.telescopes[0];
   const V outward = -way_to_lens(world, path).arriving;
-  const V on_ray = in_space(telescope, path.lens) + shift;
+  const V on_ray = in_space(telescope, path.lens) + translation;
   const V at = on_ray + dot(telescope.position - on_ray, telescope.axis) /
                             dot(outward, telescope.axis) * outward;
   Path other = path;
-  for (V& x : other.vertex) x = x + shift;
+  for (V& x : other.vertex) x = x + translation;
   other.lens = {dot(at - telescope.position, telescope.across),
                 dot(at - telescope.position, telescope.up)};
   return other;
@@ -112,7 +112,7 @@ class Writer {
     vertex_ = vertex_on(world_.sea, ray_, walks.vertices(0) == 0, spread_, photon_, leg,
                         walks.axis(0), samples_);
     if (walks.from_telescope())
-      walks.keep_unshifted(world_.telescopes[0], 0, walks.vertices(0) == 0, vertex_);
+      walks.limit_translation(world_.telescopes[0], 0, walks.vertices(0) == 0, vertex_);
     walks.add(true, 0, walks.vertices(0), vertex_);
   }
 
@@ -146,7 +146,7 @@ class Writer {
     walks.add(true, 0, walks.vertices(0), ray_);
     if (walks.from_telescope())
       walks.pivot(world_.sea, true, 0, walks.vertices(0) - 1, vertex_, ray_,
-                  world_.turns_scattered);
+                  world_.rotates_scattered);
   }
 
   Walks<double> walks;
@@ -211,7 +211,7 @@ inline Walks<double> telescope_walk(const World<double>& world, const Samples<do
   BirthRecord<double> record;
   record.lens = path.lens;
   record.outward = outward;
-  record.shift_area = shift_area(telescope, outward);
+  record.translation_area = translation_area(telescope, outward);
   record.grid_offset = grid_offset;
   record.line = path.line;
   Writer writer(world, samples,

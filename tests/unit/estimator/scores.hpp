@@ -70,22 +70,22 @@ class Scores {
   }
 
   /// The telescope's walk is that of another path, which is shifted sideways.
-  double meeting(std::int32_t i, const Path& other) {
+  double translated(std::int32_t i, const Path& other) {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
     const double number = grid.number(-path_.x(i).z, path_.order());
     const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true,
                                      number - std::floor(number));
     Connections<double>(world_, receiver_, samples_, laser, back, tally_)
-        .meetings(0, 1, 0, Moves::shifts);
+        .meetings(0, 1, 0, Moves::translations);
     return taken();
   }
 
   /// The telescope's walk is that of another path, which is otherwise turned.
-  double turning(std::int32_t i, const Path& other) {
+  double rotated(std::int32_t i, const Path& other) {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
     const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true);
     Connections<double>(world_, receiver_, samples_, laser, back, tally_)
-        .meetings(0, 1, 0, Moves::turns);
+        .meetings(0, 1, 0, Moves::rotations);
     return taken();
   }
 

@@ -20,7 +20,7 @@ struct StrategiesOfPath {
   const medium::Medium& medium;
   const Samples<double>& samples;
   const Path& path;
-  double shift_area = 0;
+  double translation_area = 0;
   std::vector<Edge> edge;  ///< 0 … k
   double common = 1;       ///< n h / g of a strategy times what it gives if it is the only one
   std::int32_t most;       ///< vertices of a walk: it does not set out from the last one
@@ -50,26 +50,26 @@ struct StrategiesOfPath {
            ((e > 0 ? phase(e) : 1) * (e < path.order() ? phase(e + 1) : 1));
   }
   /// The same of meeting at vertex i.
-  [[nodiscard]] double meeting(std::int32_t i) const {
+  [[nodiscard]] double translated(std::int32_t i) const {
     const double steep = -at(i - 1).arriving.z * at(i).leaving.z;
     const double last = -path.x(path.order()).z;
-    const bool shifts = i == path.order() || all_points_reach(world.telescopes[0], last);
-    if (steep <= 0 || !shifts) return 0;
-    return samples.meetings(path.order()) * shift_area * steep * drawn_but(i);
+    const bool translates = i == path.order() || all_points_reach(world.telescopes[0], last);
+    if (steep <= 0 || !translates) return 0;
+    return samples.translated(path.order()) * translation_area * steep * drawn_but(i);
   }
   /// Whether telescopes' walks may be turned about the pivot.
-  [[nodiscard]] bool turns() const {
+  [[nodiscard]] bool rotates() const {
     if (path.line > 0) return true;
     const V& home = at(path.order()).leaving;
     const V& on = at(path.order() - 1).arriving;
-    return world.turns_scattered && std::hypot(on.x, on.y) > 3 * std::hypot(home.x, home.y);
+    return world.rotates_scattered && std::hypot(on.x, on.y) > 3 * std::hypot(home.x, home.y);
   }
   /// The same of turning about the pivot so that rays meet at vertex i.
-  [[nodiscard]] double turning(std::int32_t i) const {
-    if (i >= path.pivot() || !turns()) return 0;
+  [[nodiscard]] double rotated(std::int32_t i) const {
+    if (i >= path.pivot() || !rotates()) return 0;
     const V radius = path.x(i) - path.x(path.pivot());
     const V around{-radius.y, radius.x, 0};
-    return samples.turned * 2 * pi *
+    return samples.rotated * 2 * pi *
            std::abs(dot(around, cross(at(i - 1).arriving, at(i).leaving))) * drawn_but(i);
   }
   /// The density with which the direction is drawn in which a telescope's walk leaves the pivot,
@@ -86,7 +86,7 @@ struct StrategiesOfPath {
   [[nodiscard]] double value() const {
     double sum = 0;
     for (std::int32_t e = 0; e <= path.order(); ++e) sum += connecting(e);
-    for (std::int32_t i = 1; i <= path.order(); ++i) sum += meeting(i) + turning(i);
+    for (std::int32_t i = 1; i <= path.order(); ++i) sum += translated(i) + rotated(i);
     return common / sum;
   }
 
@@ -137,7 +137,7 @@ struct StrategiesOfPath {
     return chance;
   }
   /// That it does at the conversion and finds the path's direction, over the phase function.
-  [[nodiscard]] double turns_back() const {
+  [[nodiscard]] double converts_back() const {
     const auto& r = world.inverse_conversion;
     return inverse_conversion(path.converted) *
            ((1 - r.directed) / (4 * pi) + r.directed * lobe(path.converted)) /
@@ -162,13 +162,13 @@ struct StrategiesOfPath {
     if (path.converted == 0) return scatters(e + 2);
     if (e > path.converted) return 0;
     if (e == path.converted) return ratio() * stays_converted(path.converted + 2);
-    return stays_converted(path.converted + 1) * (e < path.converted - 1 ? turns_back() : 1) *
+    return stays_converted(path.converted + 1) * (e < path.converted - 1 ? converts_back() : 1) *
            scatters(e + 2);
   }
   [[nodiscard]] double chance_of_meeting(std::int32_t i) const {
     if (path.converted == 0) return scatters(i + 1);
     if (i > path.converted) return 0;
-    return stays_converted(path.converted + 1) * (i < path.converted ? turns_back() : 1) *
+    return stays_converted(path.converted + 1) * (i < path.converted ? converts_back() : 1) *
            scatters(i + 1);
   }
 
@@ -235,7 +235,7 @@ struct StrategiesOfPath {
                                    solid_angle));
     edge.back().leaving = way.direction;
     common *= way.passed * telescope.area() * cosine * solid_angle / way.index_squared;
-    shift_area = instrument::shift_area(telescope, way.arriving);
+    translation_area = instrument::translation_area(telescope, way.arriving);
   }
 };
 

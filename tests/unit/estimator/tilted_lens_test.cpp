@@ -34,11 +34,12 @@ TEST(StrategiesOfPath, BesideATiltedLensInTheWaterAgree) {
     path.vertex = {in_space(telescope, path.lens) + from_lens * outward};
     drawn.lens = on_lens();
     drawn.vertex = {in_space(telescope, drawn.lens) + outward};
-    const StrategiesOfPath expected(sea.world, sea.medium, shifted, path, most_vertices);
-    const bool meets = from_lens > 0 && expected.meeting(1) > 0;
+    const StrategiesOfPath expected(sea.world, sea.medium, translating, path, most_vertices);
+    const bool meets = from_lens > 0 && expected.translated(1) > 0;
     const double length =
         expected.group_path() - (from_lens > 0 ? 0 : 2 * expected.edge.back().path);
-    const double scored = Scores(sea.world, shifted, sea.medium, path, length).meeting(1, drawn);
+    const double scored =
+        Scores(sea.world, translating, sea.medium, path, length).translated(1, drawn);
     EXPECT_NEAR(scored / expected.value(), meets ? 1 : 0, 1e-10) << n;
     met += meets;
     behind += from_lens < 0;
@@ -49,20 +50,20 @@ TEST(StrategiesOfPath, BesideATiltedLensInTheWaterAgree) {
 
 // What walks draw about a tilted beam after a conversion changes if they are turned. Seen red: with
 // turns wherever the laser looks.
-TEST(Turns, AreForNoTiltedLaserInWaterThatConverts) {
-  const auto turns = [](const std::string& direction, const std::string& channels) {
+TEST(Rotations, AreForNoTiltedLaserInWaterThatConverts) {
+  const auto rotates = [](const std::string& direction, const std::string& channels) {
     auto scene =
         test::read(test::ship_instrument + channels + "[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n" +
                    test::depth_gates(16, 2) + test::simulation(1000, 1, "", "bidirectional"));
     if (direction == "tilted") scene.source.direction = {0.1, 0, -1};
     const Model model = make_model(scene);
-    return make_world<double>(model).turns;
+    return make_world<double>(model).rotates;
   };
   const std::string elastic = test::channel("elastic");
-  EXPECT_TRUE(turns("upright", elastic));
-  EXPECT_TRUE(turns("tilted", elastic));
-  EXPECT_TRUE(turns("upright", elastic + test::channel("raman")));
-  EXPECT_FALSE(turns("tilted", elastic + test::channel("raman")));
+  EXPECT_TRUE(rotates("upright", elastic));
+  EXPECT_TRUE(rotates("tilted", elastic));
+  EXPECT_TRUE(rotates("upright", elastic + test::channel("raman")));
+  EXPECT_FALSE(rotates("tilted", elastic + test::channel("raman")));
 }
 
 }  // namespace

@@ -42,11 +42,11 @@ TEST(RingPoint, IsEvenInArea) {
       const auto p = ring_point(inner, outer, random.uniform(), random.uniform());
       const double share =
           (p.x * p.x + p.y * p.y - inner * inner) / (outer * outer - inner * inner);
-      const double turn = std::atan2(p.y, p.x) / (2 * pi) + 0.5;
+      const double azimuth = std::atan2(p.y, p.x) / (2 * pi) + 0.5;
       ASSERT_GT(share, -1e-12);
       ASSERT_LT(share, 1 + 1e-12);
       const auto ring = static_cast<std::size_t>(std::clamp(share * 10, 0.0, 9.5));
-      count[ring * 8 + static_cast<std::size_t>(std::min(turn * 8, 7.5))] += 1;
+      count[ring * 8 + static_cast<std::size_t>(std::min(azimuth * 8, 7.5))] += 1;
     }
     test::expect_uniform(count, samples, 0.001, "ring from " + std::to_string(inner));
   }
@@ -170,7 +170,7 @@ TEST(Sight, OverTheLensIsTheOverlap) {
 
 // The same of parallel light. Seen red: at the range of the focal length; with the sine for
 // the tangent.
-TEST(ShiftArea, IsWhereTheLensLetsParallelRaysThrough) {
+TEST(TranslationArea, IsWhereTheLensLetsParallelRaysThrough) {
   Random random(66);
   test::ZFamily family(0.01);
   for (int n = 0; n < 500; ++n) {
@@ -180,7 +180,7 @@ TEST(ShiftArea, IsWhereTheLensLetsParallelRaysThrough) {
     const double tangent = random_tangent(t, 0, random);
     const double azimuth = random.between(0, 2 * pi);
     const V arriving = moving_aside(t, {tangent * std::cos(azimuth), tangent * std::sin(azimuth)});
-    const double area = shift_area(t, arriving);
+    const double area = translation_area(t, arriving);
     ASSERT_NEAR(area, t.area() * t.overlap(0, tangent), 1e-6 * t.area());
     const auto mean = seen_share(t, random, [&](const Point&) { return arriving; });
     compare(family, mean, area / t.area(), "telescope " + std::to_string(n));
@@ -198,7 +198,7 @@ V at_surface(const Telescope<double>& t, const Point& p, const V& outward) {
 // A tilted lens lets rays of a direction through an area that is larger or smaller on a horizontal
 // plane: by finite differences. Seen red: with the inverse of that; with the tilt of the lens for
 // the angle of the ray.
-TEST(ShiftArea, IsThatOfALevelPlane) {
+TEST(TranslationArea, IsThatOfALevelPlane) {
   Random random(68);
   int tilted = 0, flat = 0;
   for (int n = 0; n < 500; ++n) {
@@ -206,8 +206,8 @@ TEST(ShiftArea, IsThatOfALevelPlane) {
     const double tangent = random_tangent(t, 0, random);
     const double azimuth = random.between(0, 2 * pi);
     const V outward = -moving_aside(t, {tangent * std::cos(azimuth), tangent * std::sin(azimuth)});
-    const double area = shift_area(t, outward);
-    if (std::abs(outward.z) < flattest_shifted) {
+    const double area = translation_area(t, outward);
+    if (std::abs(outward.z) < flattest_translated) {
       flat += t.overlap(0, tangent) > 0;
       ASSERT_EQ(area, 0);
       continue;
@@ -225,9 +225,9 @@ TEST(ShiftArea, IsThatOfALevelPlane) {
   EXPECT_GT(flat, 2);
 }
 
-// Light goes the same way beyond the lens, shifted. Seen red: with the way as long as before; with
-// the shift's part in the lens' plane alone.
-TEST(LensShift, IsAPointOfTheSameRay) {
+// Light goes the same way beyond the lens, translated. Seen red: with the way as long as before;
+// with the translation's part in the lens' plane alone.
+TEST(LensTranslation, IsAPointOfTheSameRay) {
   Random random(69);
   for (int n = 0; n < 500; ++n) {
     scene::Telescope scene;
@@ -236,12 +236,12 @@ TEST(LensShift, IsAPointOfTheSameRay) {
         instrument::outward(t, ring_point(0.0, 0.3, random.uniform(), random.uniform()));
     const Point p = random_lens_point(t, random);
     const V by{random.between(-1, 1), random.between(-1, 1), 0};
-    const auto shift = lens_shift(t, outward, by);
-    const Point q = p + shift.aside;
-    const V apart = in_space(t, q) + shift.longer * outward - (in_space(t, p) + by);
+    const auto lens = lens_translation(t, outward, by);
+    const Point q = p + lens.aside;
+    const V apart = in_space(t, q) + lens.longer * outward - (in_space(t, p) + by);
     ASSERT_LT(length(apart), 1e-12 * t.distance);
-    if (!open_at(t, q) || std::abs(outward.z) < flattest_shifted) continue;
-    ASSERT_LT(std::abs(shift.longer), most_longer(scene) * (1 + 1e-12) + 1e-300);
+    if (!open_at(t, q) || std::abs(outward.z) < flattest_translated) continue;
+    ASSERT_LT(std::abs(lens.longer), most_longer(scene) * (1 + 1e-12) + 1e-300);
   }
 }
 
@@ -254,8 +254,8 @@ TEST(AllPointsReach, WhereNoPointOfTheLensIsAsDeep) {
     scene.position_m.z = -random.between(1, 20);
     const auto t = make_telescope<double>(scene);
     double highest = -1e9, lowest = 1e9;
-    for (int turn = 0; turn < 100; ++turn) {
-      const double angle = 2 * pi * turn / 100;
+    for (int step = 0; step < 100; ++step) {
+      const double angle = 2 * pi * step / 100;
       const Point p{t.lens_radius * std::cos(angle), t.lens_radius * std::sin(angle)};
       highest = std::max(highest, in_space(t, p).z);
       lowest = std::min(lowest, in_space(t, p).z);
@@ -273,7 +273,7 @@ TEST(AllPointsReach, WhereNoPointOfTheLensIsAsDeep) {
 
 // The view of a telescope that looks at infinity ends sharply. Seen red: with the sine from
 // 1 - cos^2.
-TEST(ShiftArea, EndsWhereTheViewDoesInFloat) {
+TEST(TranslationArea, EndsWhereTheViewDoesInFloat) {
   const auto wide = make_telescope<double>(table_1());
   const auto t = make_telescope<float>(table_1());
   const double edge = wide.detector_radius / wide.detector_distance;
@@ -283,9 +283,9 @@ TEST(ShiftArea, EndsWhereTheViewDoesInFloat) {
     for (const double share : {0.5, 1 - beside, 1 + beside}) {
       const double tangent = share * edge;
       const V ray = normalised(V{tangent * std::cos(azimuth), tangent * std::sin(azimuth), -1});
-      const double area = shift_area(wide, ray);
+      const double area = translation_area(wide, ray);
       ASSERT_NEAR(area, share < 1 ? wide.area() : 0, 1e-12);
-      ASSERT_NEAR(static_cast<double>(shift_area(t, vec3_cast<float>(ray))), area,
+      ASSERT_NEAR(static_cast<double>(translation_area(t, vec3_cast<float>(ray))), area,
                   1e-6 * wide.area());
     }
   }

@@ -68,11 +68,11 @@ template <class P, class S, class F>
   requires is_packed<P, estimator::Densities>
 void fields(P& a, S& b, F f) {
   f(a.edges, b.edges, "edges");
-  f(a.meetings, b.meetings, "meetings");
-  f(a.turned, b.turned, "turned");
+  f(a.translated, b.translated, "translated");
+  f(a.rotated, b.rotated, "rotated");
 }
 template <class P, class S, class F>
-  requires is_packed<P, estimator::Vertical>
+  requires is_packed<P, estimator::RotationAxis>
 void fields(P& a, S& b, F f) {
   f(a.exists, b.exists, "axis exists");
   f(a.x, b.x, "axis x");
@@ -81,17 +81,17 @@ void fields(P& a, S& b, F f) {
 template <class P, class S, class F>
   requires is_packed<P, estimator::Freedom>
 void fields(P& a, S& b, F f) {
-  f(a.shifts, b.shifts, "shifts");
+  f(a.translations, b.translations, "translations");
   fields(a.axis, b.axis, f);
 }
 template <class P, class S, class F>
-  requires is_packed<P, estimator::Turn>
+  requires is_packed<P, estimator::RotatedMeeting>
 void fields(P& a, S& b, F f) {
-  f(a.density, b.density, "turn density");
-  f(a.sweep.x, b.sweep.x, "sweep x");
-  f(a.sweep.y, b.sweep.y, "sweep y");
-  f(a.sweep.along, b.sweep.along, "sweep along");
-  f(a.sweep.aside, b.sweep.aside, "sweep aside");
+  f(a.density, b.density, "rotated density");
+  f(a.jacobian.x, b.jacobian.x, "place x");
+  f(a.jacobian.y, b.jacobian.y, "place y");
+  f(a.jacobian.cross_x, b.jacobian.cross_x, "cross x");
+  f(a.jacobian.cross_y, b.jacobian.cross_y, "cross y");
 }
 /// Of four that all go through the surface, or none.
 template <class P, class S, class F>
@@ -121,8 +121,8 @@ void fields(P& a, S& b, F f) {
   f(a.per_p, b.per_p, "per p");
   f(a.last_edge, b.last_edge, "last edge");
   fields(a.behind, b.behind, f);
-  f(a.meeting, b.meeting, "meeting");
-  fields(a.turn, b.turn, f);
+  f(a.translated, b.translated, "translated");
+  fields(a.rotated, b.rotated, f);
 }
 template <class P, class S, class F>
   requires is_packed<P, estimator::Vertex>
@@ -131,9 +131,9 @@ void fields(P& a, S& b, F f) {
   f(a.chance, b.chance, "chance");
   f(a.passed, b.passed, "passed");
   f(a.open, b.open, "open");
-  f(a.meeting, b.meeting, "meeting");
-  f(a.turn, b.turn, "turn");
-  fields(a.last_turn, b.last_turn, f);
+  f(a.translated, b.translated, "translated");
+  f(a.rotated, b.rotated, "rotated");
+  fields(a.last_rotated, b.last_rotated, f);
   fields(a.last, b.last, f);
   fields(a.behind, b.behind, f);
 }
@@ -188,7 +188,7 @@ void fields(P& a, S& b, F f) {
   f(a.to_instrument, b.to_instrument, "to instrument");
   f(a.between, b.between, "between");
   f(a.pairs, b.pairs, "pairs");
-  f(a.turned, b.turned, "turned");
+  f(a.rotated, b.rotated, "rotated");
   fields(a.grid, b.grid, f);
 }
 template <class P, class S, class F>

@@ -20,15 +20,16 @@ estimator::InverseConversion<double> random_reversal(Random& random) {
 estimator::Densities<double> random_densities(Random& random) {
   return {random.scale(1e-3, 1e3), random.scale(1e-3, 1e3), random.scale(1e-3, 1e3)};
 }
-estimator::Vertical<double> random_vertical(Random& random) {
+estimator::RotationAxis<double> random_axis(Random& random) {
   return {random.chance(0.7), random.between(-5, 5), random.between(-5, 5)};
 }
 estimator::Freedom<double> random_freedom(Random& random) {
-  return {random.uniform(), random_vertical(random)};
+  return {random.uniform(), random_axis(random)};
 }
-estimator::Turn<double> random_turn(Random& random) {
+estimator::RotatedMeeting<double> random_rotated(Random& random) {
   const auto place = 5 * random.direction();
-  return {random.uniform(), estimator::sweep(place, random.direction(), random.direction())};
+  return {random.uniform(),
+          estimator::rotation_jacobian(place, random.direction(), random.direction())};
 }
 
 estimator::Ray<double> random_ray(const Sea& sea, Random& random) {
@@ -39,8 +40,8 @@ estimator::Ray<double> random_ray(const Sea& sea, Random& random) {
   ray.per_p = random.scale(1e-3, 1e3);
   ray.last_edge = random.scale(1e-3, 1e3);
   ray.behind = random_densities(random);
-  ray.meeting = random.between(-1, 1);
-  ray.turn = random_turn(random);
+  ray.translated = random.between(-1, 1);
+  ray.rotated = random_rotated(random);
   return ray;
 }
 
@@ -53,7 +54,7 @@ estimator::Vertex<double> random_vertex(const Sea& sea, Random& random) {
       random.chance(0.2) ? 0 : random.uniform(),
       random.between(-1, 1),
       random.uniform(),
-      random_turn(random),
+      random_rotated(random),
       random_densities(random),
       random_densities(random)};
 }
@@ -89,7 +90,7 @@ TEST(LanesOf, VertexOn) {
     const auto samples = random_samples(random);
     const auto ray = four([&] { return random_ray(sea, random); });
     const auto before = four([&] { return random_photon(sea, random); });
-    const auto axis = four([&] { return random_vertical(random); });
+    const auto axis = four([&] { return random_axis(random); });
     auto photon = four([&] { return random_photon(sea, random); });
     Four<estimator::Leg<double>> leg;
     for (auto& one : leg) one.reflected = random.chance(0.3);
@@ -105,7 +106,7 @@ TEST(LanesOf, VertexOn) {
     estimator::add_flight(sea.view(), pack(before), pack(photon), leg4);
     const auto vertex4 = estimator::vertex_on(
         sea.view(), pack_fields<estimator::Ray>(ray), pack_mask(first), spread4, pack(photon), leg4,
-        pack_fields<estimator::Vertical>(axis), in_all_lanes(samples));
+        pack_fields<estimator::RotationAxis>(axis), in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
       estimator::add_flight(sea.view(), before[i], photon[i], leg[i]);
       expect_same_fields(leg4, i, leg[i]);
@@ -272,30 +273,30 @@ TEST(LanesOf, CrossingsAndTurns) {
     auto back = four([&] { return random_ray(sea, random); });
     for (std::size_t i = 0; i < lanes; ++i)
       if (random.chance(0.8)) back[i].direction.z = laser[i].direction.z;
-    const auto axis = four([&] { return random_vertical(random); });
+    const auto axis = four([&] { return random_axis(random); });
     const auto depth = four([&] { return random.between(0, 39); });
     const auto laser4 = pack_fields<estimator::Ray>(laser),
                back4 = pack_fields<estimator::Ray>(back);
-    const auto axis4 = pack_fields<estimator::Vertical>(axis);
+    const auto axis4 = pack_fields<estimator::RotationAxis>(axis);
     const auto line4 = estimator::depth_line(sea.view(), laser4, Lanes4(40));
-    const auto crossings4 = estimator::crossings(
+    const auto depths4 = estimator::equidistant_depths(
         line4, estimator::depth_line(sea.view(), back4, Lanes4(40)), axis4, Lanes4(250));
-    const auto turn4 = estimator::turn_to_meet(laser4, back4, axis4, pack(depth));
-    const auto place4 = turn4.of_place(back4.position);
+    const auto rotation4 = estimator::rotation_to_meet(laser4, back4, axis4, pack(depth));
+    const auto place4 = rotation4.of_place(back4.position);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto line = estimator::depth_line(sea.view(), laser[i], 40.0);
       expect_same_fields(line4, i, line);
-      const auto c = estimator::crossings(line, estimator::depth_line(sea.view(), back[i], 40.0),
-                                          axis[i], 250.0);
+      const auto c = estimator::equidistant_depths(
+          line, estimator::depth_line(sea.view(), back[i], 40.0), axis[i], 250.0);
       for (std::size_t n = 0; n < 2; ++n) {
-        expect_same(crossings4.exists[n][i], c.exists[n], "crosses");
+        expect_same(depths4.exists[n][i], c.exists[n], "crosses");
         if (!c.exists[n]) continue;
-        expect_same(crossings4.depth[n][i], c.depth[n], "depth");
+        expect_same(depths4.depth[n][i], c.depth[n], "depth");
         ++crossed;
       }
-      const auto turn = estimator::turn_to_meet(laser[i], back[i], axis[i], depth[i]);
-      expect_same_fields(turn4, i, turn);
-      expect_same(place4, i, turn.of_place(back[i].position), "place");
+      const auto rotation = estimator::rotation_to_meet(laser[i], back[i], axis[i], depth[i]);
+      expect_same_fields(rotation4, i, rotation);
+      expect_same(place4, i, rotation.of_place(back[i].position), "place");
     }
   }
   EXPECT_GT(crossed, groups / 4);

@@ -99,15 +99,16 @@ TEST(DepthLines, AreTheRays) {
   EXPECT_GT(images, 300);
 }
 
-/// Where the telescope's walk comes through the lens' plane if it is shifted to meet the other at a
-/// depth, and how much longer its way from there is.
-instrument::LensShift<double> shifted_to(const Pair& pair,
-                                         const instrument::Telescope<double>& telescope,
-                                         const estimator::AtLens<double>& start, double depth) {
-  V shift = pair.laser.position + reach(pair.laser, depth) * pair.laser.direction -
-            pair.back.position - reach(pair.back, depth) * pair.back.direction;
-  shift.z = 0;  // but for rounding
-  const V ray_through = in_space(telescope, start.lens) + shift;
+/// Where the telescope's walk comes through the lens' plane if it is translated to meet the other
+/// at a depth, and how much longer its way from there is.
+instrument::LensTranslation<double> translated_to(const Pair& pair,
+                                                  const instrument::Telescope<double>& telescope,
+                                                  const estimator::AtLens<double>& start,
+                                                  double depth) {
+  V translation = pair.laser.position + reach(pair.laser, depth) * pair.laser.direction -
+                  pair.back.position - reach(pair.back, depth) * pair.back.direction;
+  translation.z = 0;  // but for rounding
+  const V ray_through = in_space(telescope, start.lens) + translation;
   // Along the ray to the plane (x - centre) . axis = 0.
   const double along =
       dot(telescope.position - ray_through, telescope.axis) / dot(start.outward, telescope.axis);
@@ -116,18 +117,19 @@ instrument::LensShift<double> shifted_to(const Pair& pair,
 }
 
 /// Whether light turns back up or down where rays meet at a depth if the telescope's walk is
-/// shifted so that it still comes through the lens' rim.
+/// translated so that it still comes through the lens' rim.
 bool can_meet(const Pair& pair, const instrument::Telescope<double>& telescope,
-              const instrument::PlanePoint<double>& shifted, double depth) {
+              const instrument::PlanePoint<double>& translated, double depth) {
   return pair.laser.direction.z * pair.back.direction.z > 0 && reach(pair.laser, depth) > 0 &&
-         reach(pair.back, depth) > 0 && std::hypot(shifted.x, shifted.y) < telescope.lens_radius;
+         reach(pair.back, depth) > 0 &&
+         std::hypot(translated.x, translated.y) < telescope.lens_radius;
 }
 
 // Seen red: with images of the laser's rays that meet others above the surface; with rays that go
 // different ways; with rays beyond the upper one's beginning; with
 // depths above the lower; with the middle mirrored in the surface; with one division by the square
 // missing; with the lens' rim asked of parallel rays; and of tilted lenses with the way as long as
-// before, with its group index left out, with the shift taken for one within the lens' plane.
+// before, with its group index left out, with the translation taken for one within the lens' plane.
 TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
   Random random(502);
   int exists = 0, inside = 0, outside = 0, parallel = 0, late = 0, tilted = 0;
@@ -149,7 +151,7 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
       ASSERT_EQ(of_upright.from, c.from) << n;
       ASSERT_EQ(of_upright.to, c.to) << n;
     }
-    const bool may = estimator::turns_back(pair.laser, pair.back);
+    const bool may = estimator::reverses(pair.laser, pair.back);
     exists += may && c.exists;
     if (c.exists) {
       ASSERT_GE(c.from, 0) << n;
@@ -161,8 +163,8 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
                                                   : random.between(0, deepest);
       if (depth < 0 || depth > deepest) continue;
       if (std::abs(depth - c.from) < 1e-8 || std::abs(depth - c.to) < 1e-8) continue;
-      const auto [shifted, longer] = shifted_to(pair, telescope, start, depth);
-      const bool can = can_meet(pair, telescope, shifted, depth);
+      const auto [translated, longer] = translated_to(pair, telescope, start, depth);
+      const bool can = can_meet(pair, telescope, translated, depth);
       const bool meets = can && path_to(pair, depth) + start.index * longer < last_path;
       late += can && !meets;
       ASSERT_EQ(meets, may && c.exists && depth > c.from && depth < c.to) << n << " " << depth;
@@ -171,11 +173,11 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
         continue;
       }
       ++inside;
-      ASSERT_NEAR(c.lens.at(depth).x, shifted.x, 1e-7);
-      ASSERT_NEAR(c.lens.at(depth).y, shifted.y, 1e-7);
-      const auto aside = shifted + -1.0 * start.lens;
-      if (std::abs(start.outward.z) >= instrument::flattest_shifted) {
-        ASSERT_NEAR(longer_by_shift(telescope, start.outward, aside), longer, 1e-7);
+      ASSERT_NEAR(c.lens.at(depth).x, translated.x, 1e-7);
+      ASSERT_NEAR(c.lens.at(depth).y, translated.y, 1e-7);
+      const auto aside = translated + -1.0 * start.lens;
+      if (std::abs(start.outward.z) >= instrument::flattest_translated) {
+        ASSERT_NEAR(longer_by_translation(telescope, start.outward, aside), longer, 1e-7);
       }
       tilted += !telescope.upright;
     }
@@ -189,16 +191,16 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
 }
 
 /// How far a ray's place at a depth is from a vertical, squared.
-double off_axis(const estimator::Ray<double>& ray, const estimator::Vertical<double>& axis,
+double off_axis(const estimator::Ray<double>& ray, const estimator::RotationAxis<double>& axis,
                 double depth) {
   const V place = ray.position + (-depth - ray.position.z) / ray.direction.z * ray.direction;
   const double x = place.x - axis.x, y = place.y - axis.y;
   return x * x + y * y;
 }
 
-// Against a search in small steps; and the turn brings the rays together. Seen red: with the depths
-// above the one for those below it where paths shrink with depth.
-TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
+// Against a search in small steps; and the rotation brings the rays together. Seen red: with the
+// depths above the one for those below it where paths shrink with depth.
+TEST(EquidistantDepths, AreWhereBothRaysAreAsFarFromTheAxis) {
   Random random(503);
   constexpr int steps = 2000;
   int crossed = 0, twice = 0, none = 0;
@@ -206,9 +208,10 @@ TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
   const auto telescope = instrument::make_telescope<double>(scene);
   for (int n = 0; n < 2000; ++n) {
     const Pair pair = random_pair(telescope, random);
-    const estimator::Vertical<double> axis{true, random.between(-5, 5), random.between(-5, 5)};
+    const estimator::RotationAxis<double> axis{true, random.between(-5, 5), random.between(-5, 5)};
     const double last_path = random.between(20, 160);
-    const auto c = estimator::crossings(line_of(pair.laser), line_of(pair.back), axis, last_path);
+    const auto c =
+        estimator::equidistant_depths(line_of(pair.laser), line_of(pair.back), axis, last_path);
     int found = 0, unsure = 0;
     const bool laser_down = pair.laser.direction.z < 0, back_down = pair.back.direction.z < 0;
     const double a = -pair.laser.position.z, b = -pair.back.position.z;
@@ -239,13 +242,13 @@ TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
     for (std::size_t i = 0; i < 2; ++i) {
       if (!c.exists[i]) continue;
       EXPECT_LT(path_to(pair, c.depth[i]), last_path) << n;
-      const auto turn = estimator::turn_to_meet(pair.laser, pair.back, axis, c.depth[i]);
+      const auto rotation = estimator::rotation_to_meet(pair.laser, pair.back, axis, c.depth[i]);
       const auto at = [&](const estimator::Ray<double>& r) {
         return r.position + (-c.depth[i] - r.position.z) / r.direction.z * r.direction;
       };
       estimator::Ray<double> back = pair.back;
-      back.position = turn.of_place(back.position);
-      back.direction = turn.of_direction(back.direction);
+      back.position = rotation.of_place(back.position);
+      back.direction = rotation.of_direction(back.direction);
       EXPECT_LT(length(at(back) - at(pair.laser)), 1e-5) << n;
       EXPECT_NEAR(length(back.direction), 1, 1e-14);
       EXPECT_NEAR(off_axis(back, axis, 3), off_axis(pair.back, axis, 3),
@@ -259,34 +262,35 @@ TEST(Crossings, AreWhereBothRaysAreAsFarFromTheVertical) {
 
 // Floats have no squares of squares of what is that near. Seen red: with one root of the product of
 // both distances' squares.
-TEST(TurnToMeet, IsATurnHoweverNearTheVertical) {
+TEST(RotationToMeet, IsARotationHoweverNearTheVertical) {
   for (const float off : {1.0F, 1e-6F, 1e-12F, 1e-16F, 0.0F}) {
     estimator::Ray<float> laser, back;
     laser.position = {off, 0, -1};
     back.position = {0, off, -1};
     laser.direction = back.direction = {0, 0, -1};
-    const auto turn =
-        estimator::turn_to_meet(laser, back, estimator::Vertical<float>{true, 0, 0}, 2.0F);
-    EXPECT_NEAR(turn.cosine * turn.cosine + turn.sine * turn.sine, 1, 1e-6) << off;
+    const auto rotation =
+        estimator::rotation_to_meet(laser, back, estimator::RotationAxis<float>{true, 0, 0}, 2.0F);
+    EXPECT_NEAR(rotation.cosine * rotation.cosine + rotation.sine * rotation.sine, 1, 1e-6) << off;
   }
 }
 
 // The volume that two rays sweep about where they meet, against finite differences: how the place
-// where they meet, and the turn, follow from both directions.
-TEST(Sweep, IsVolumePerSolidAngleAndTurn) {
+// where they meet, and the rotation, follow from both directions.
+TEST(RotationJacobian, IsVolumePerSolidAngleAndRotation) {
   Random random(504);
   for (int n = 0; n < 1000; ++n) {
     const V laser{random.between(-1, 1), random.between(-1, 1), -1};
     const V back{random.between(-1, 1), random.between(-1, 1), -2};
     const V met{random.between(-8, 8), random.between(-8, 8), -random.between(10, 30)};
-    const estimator::Vertical<double> axis{true, random.between(-1, 1), random.between(-1, 1)};
-    // Columns: how both directions change with the place in x, y, z, and with the turn of `back`.
+    const estimator::RotationAxis<double> axis{true, random.between(-1, 1), random.between(-1, 1)};
+    // Columns: how both directions change with the place in x, y, z, and with the rotation of
+    // `back`.
     const auto directions = [&](const V& place, double angle) {
       const V foot{axis.x, axis.y, 0};
       const V r = place - foot;
-      const V turned{std::cos(angle) * r.x - std::sin(angle) * r.y,
-                     std::sin(angle) * r.x + std::cos(angle) * r.y, r.z};
-      return std::array<V, 2>{normalised(place - laser), normalised(foot + turned - back)};
+      const V rotated{std::cos(angle) * r.x - std::sin(angle) * r.y,
+                      std::sin(angle) * r.x + std::cos(angle) * r.y, r.z};
+      return std::array<V, 2>{normalised(place - laser), normalised(foot + rotated - back)};
     };
     const auto [w, v] = directions(met, 0);
     // Two directions across each.
@@ -313,7 +317,7 @@ TEST(Sweep, IsVolumePerSolidAngleAndTurn) {
         for (std::size_t j = 4; j-- > k;) m[i][j] -= m[i][k] / m[k][k] * m[k][j];
     }
     const double t = length(met - laser), s = length(met - back);
-    const double expected = estimator::sweep(met, w, v).about(axis);
+    const double expected = estimator::rotation_jacobian(met, w, v).about(axis);
     ASSERT_NEAR(std::abs(determinant) * t * t * s * s, expected, 1e-6 * (1 + expected)) << n;
   }
 }
