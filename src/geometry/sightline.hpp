@@ -23,7 +23,7 @@ struct Sightline {
   T secant_water{};    ///< 1 over the cosine to the vertical; only of ways through the surface
   T area_per_solid_angle{};  ///< across the ray at the instrument, in the water [m^2/sr]
   T index_squared{1};        ///< of the water against the instrument's medium
-  T passed{1};               ///< share that passes the surface, or is reflected by it
+  T throughput{1};           ///< share that passes the surface, or is reflected by it
   Region<T> to{};            ///< where the instrument stands
   Route route = Route::direct;
 };
@@ -57,7 +57,7 @@ Sightline<T> sightline_through_surface(const medium::MediumView& sea, const Vec3
       (n * n) *
       refracted_area_per_solid_angle(inverse_n, way.length_water, way.length_air, widening(ray));
   way.index_squared = n * n;
-  way.passed = surface.transmittance(ray.cos_water, ray.cos_air);
+  way.throughput = surface.transmittance(ray.cos_water, ray.cos_air);
   return way;
 }
 
@@ -78,7 +78,7 @@ Sightline<T> sightline_in_water(const medium::MediumView& sea, const Vec3<T>& fr
   way.arriving = {way.direction.x, way.direction.y, mirrored ? -way.direction.z : way.direction.z};
   way.area_per_solid_angle = safe;
   if (mirrored)
-    way.passed = surface::flat_surface<T>(sea, line).reflectance(T(abs(way.direction.z)));
+    way.throughput = surface::flat_surface<T>(sea, line).reflectance(T(abs(way.direction.z)));
   way.route = route;
   return way;
 }

@@ -33,7 +33,8 @@ Connection<T> connect_ray(const geometry::Slabs& sea, const instrument::Telescop
   const auto tau =
       geometry::depths_along(sea, way, line, at.layer, T(-at.position.z), way.length_water);
   connection.acceptance = select(
-      detected, telescope.area() * seen.cos_off_axis * way.passed / way.area_per_solid_angle, T(0));
+      detected, telescope.area() * seen.cos_off_axis * way.throughput / way.area_per_solid_angle,
+      T(0));
   connection.optical_depth = tau.all;
   connection.length_water = way.length_water;
   connection.path =

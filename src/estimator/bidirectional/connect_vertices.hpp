@@ -60,9 +60,10 @@ void Connections<T>::by_sightline(const Ends<T>& ends, const Mask<T>& mask, cons
                  from.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_telescope(ends, v, way);
-  score(ends, Walked::laser, seen,
-        from.weight * way.passed * etendue * balance(area, tau.all, tau.walk, from.end, End<T>{}),
-        path, depth, in_path.order);
+  score(
+      ends, Walked::laser, seen,
+      from.weight * way.throughput * etendue * balance(area, tau.all, tau.walk, from.end, End<T>{}),
+      path, depth, in_path.order);
 }
 
 template <class T>
@@ -120,7 +121,7 @@ void Connections<T>::by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& m
   if (world_.compares) [[unlikely]]
     complete_to_laser(ends, w, way, water);
   score(ends, Walked::telescope, lit,
-        to.weight * way.passed * balance(area, tau.all, tau.walk, End<T>{}, to.end), path,
+        to.weight * way.throughput * balance(area, tau.all, tau.walk, End<T>{}, to.end), path,
         last_depth(ends.back), ends.m + Index<T>(1));
 }
 

@@ -226,8 +226,8 @@ class Connections {
   /// be moved so.
   [[nodiscard]] T behind_laser_vertex(const Ends<T>& ends, const Vertex& v,
                                       const Usable<T>& in_path, const Freedom<T>& freedom) const {
-    return v.passed * (v.behind.all(freedom.translations) +
-                       laser_.rotated_before(ends.laser, ends.i, in_path, freedom.axis));
+    return v.reverse_chance * (v.behind.all(freedom.translations) +
+                               laser_.rotated_before(ends.laser, ends.i, in_path, freedom.axis));
   }
   [[nodiscard]] Line line_of(const Ray& ray) const { return depth_line(sea_, ray, world_.deepest); }
   /// Of a telescope's ray m that may be shifted: a first one may then begin elsewhere.

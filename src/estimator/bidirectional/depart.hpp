@@ -84,7 +84,7 @@ Departure<T> depart(const geometry::Slabs& sea, transport::Photon<T>& photon,
         select(scatters,
                inverse_conversion.scattered_over_phase(sea, photon.direction, departure.p), T(1));
   } else {
-    departure.passed = inverse_conversion.scattered_over_phase(sea, -old, departure.p);
+    departure.reverse_chance = inverse_conversion.scattered_over_phase(sea, -old, departure.p);
   }
   return departure;
 }

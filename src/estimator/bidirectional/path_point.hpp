@@ -36,7 +36,7 @@ template <class T>
 struct Ray : WalkPoint<T> {
   T left_chance{1};       ///< h of a walk that ends at the vertex
   T chance{1};            ///< h of this ray
-  T passed{1};            ///< h of telescopes' walks that pass a laser's walk as far as this ray
+  T reverse_chance{1};    ///< h of telescopes' walks that pass a laser's walk as far as this ray
   T per_p{1};             ///< 1 over the phase function's value at the vertex [sr]
   T last_edge{};          ///< of connecting the edge before, over `passed`
   Densities<T> behind{};  ///< of all that is complete, over `passed`
@@ -54,7 +54,7 @@ struct Ray : WalkPoint<T> {
   template <class F>
   constexpr void each_member(F f) {
     WalkPoint<T>::each_member(f);
-    f(left_chance), f(chance), f(passed), f(per_p), f(last_edge), f(translated);
+    f(left_chance), f(chance), f(reverse_chance), f(per_p), f(last_edge), f(translated);
     behind.each_member(f);
     rotated.each_member(f);
   }
@@ -63,12 +63,12 @@ struct Ray : WalkPoint<T> {
 /// A walk as it arrives where it collides, before this collision.
 template <class T>
 struct Vertex : WalkPoint<T> {
-  T chance{1};     ///< h of a walk that ends here
-  T passed{1};     ///< h of telescopes' walks that pass a laser's walk as far as here
-  T open{};        ///< n h / g of connecting the last edge, times P here; 0: it cannot be
-  T translated{};  ///< n h / g of meeting here over `translations`, but for P and for the edge
-                   ///< beyond; its sign is that of the arriving direction's z
-  T rotated{};     ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
+  T chance{1};          ///< h of a walk that ends here
+  T reverse_chance{1};  ///< h of telescopes' walks that pass a laser's walk as far as here
+  T open{};             ///< n h / g of connecting the last edge, times P here; 0: it cannot be
+  T translated{};       ///< n h / g of meeting here over `translations`, but for P and for the edge
+                        ///< beyond; its sign is that of the arriving direction's z
+  T rotated{};          ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
   // Over `passed`:
   RotatedMeeting<T>
       last_rotated{};     ///< of turning to meet at the vertex before, complete by the last edge
@@ -77,7 +77,7 @@ struct Vertex : WalkPoint<T> {
   template <class F>
   constexpr void each_member(F f) {
     WalkPoint<T>::each_member(f);
-    f(chance), f(passed), f(open), f(translated), f(rotated);
+    f(chance), f(reverse_chance), f(open), f(translated), f(rotated);
     last.each_member(f);
     last_rotated.each_member(f);  // read alone, too: words 18 to 22 lie in one pack of any width
     behind.each_member(f);

@@ -28,9 +28,9 @@ RotatedMeeting<T> rotation_at(const Vertex<T>& v, const Vec3<T>& direction) {
 /// How a walk left a vertex.
 template <class T>
 struct Departure {
-  T p{1};        ///< phase function's value [1/sr]
-  T chance{1};   ///< of the choices that the phase function does not make
-  T passed{1};   ///< the same of a telescope's walk that passes a vertex of the laser's
+  T p{1};               ///< phase function's value [1/sr]
+  T chance{1};          ///< of the choices that the phase function does not make
+  T reverse_chance{1};  ///< the same of a telescope's walk that passes a vertex of the laser's
   T density{1};  ///< c' of the line that a walk from the laser would have come with, over that of
                  ///< the walk's own; 0: the path's edges behind can be drawn by no other strategy
 };
@@ -42,9 +42,9 @@ Ray<T> next_ray(const transport::Photon<T>& photon, const Vertex<T>& from,
   Ray<T> ray{walk_point(photon)};
   ray.left_chance = from.chance;
   ray.chance = from.chance * departure.chance;
-  ray.passed = from.passed * departure.passed;
+  ray.reverse_chance = from.reverse_chance * departure.reverse_chance;
   ray.per_p = T(1) / departure.p;
-  ray.last_edge = departure.density * from.open * ray.per_p / ray.passed;
+  ray.last_edge = departure.density * from.open * ray.per_p / ray.reverse_chance;
   ray.behind = from.behind;
   ray.behind.edges = from.behind.edges + ray.last_edge;
   const Mask<T> known = departure.density > T(0);
@@ -76,7 +76,7 @@ Vertex<T> vertex_on(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>
                     const RotationAxis<T>& axis, const estimator::Samples<T>& samples) {
   Vertex<T> v{walk_point(photon)};
   v.chance = ray.chance;
-  v.passed = ray.passed;
+  v.reverse_chance = ray.reverse_chance;
   const T growth = T(1) / exp_minus(leg.walk_tau);
   const T straight = select(leg.reflected, T(0), growth);
   // A reflected first edge can be connected: to the instrument's mirror image.
@@ -87,10 +87,10 @@ Vertex<T> vertex_on(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>
   v.translated = drawn * photon.direction.z;
   v.rotated = samples.rotated * T(2 * pi) * drawn;
   v.last_rotated = ray.rotated;
-  const T over_passed = growth / ray.passed;
-  v.last_rotated.density = ray.rotated.density * over_passed;
+  const T growth_per_reverse = growth / ray.reverse_chance;
+  v.last_rotated.density = ray.rotated.density * growth_per_reverse;
   v.last.edges = ray.last_edge;
-  v.last.translated = if_reversed(ray.translated, over_passed * ray.left_z());
+  v.last.translated = if_reversed(ray.translated, growth_per_reverse * ray.left_z());
   v.last.rotated = v.last_rotated.about(axis);
   v.behind.edges = ray.behind.edges;
   v.behind.translated = ray.behind.translated + v.last.translated;

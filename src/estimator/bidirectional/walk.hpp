@@ -270,8 +270,8 @@ class Walks {
     side.behind = behind(ray, walk, m, usable).all(freedom.translations);
     if (!from_telescope_)
       side.behind = side.behind + rotated_before(walk, m - Index<T>(1), usable, freedom.axis);
-    side.behind = ray.passed * side.behind;
-    side.last = select(usable.meeting(passed(m, usable)),
+    side.behind = ray.reverse_chance * side.behind;
+    side.last = select(usable.meeting(number_in_path(m, usable)),
                        freedom.translations * if_reversed(ray.translated, ray.left_z()) +
                            ray.rotated.about(freedom.axis),
                        T(0));
@@ -290,17 +290,17 @@ class Walks {
     if (all(whole)) return ray.behind;
     auto sum = in_path(walk, select(first, m, m - Index<T>(1)), usable).behind;
     const Mask<T> connecting =
-        usable.connecting(passed(m, usable) - Index<T>(from_telescope_ ? 0 : 1));
+        usable.connecting(number_in_path(m, usable) - Index<T>(from_telescope_ ? 0 : 1));
     sum.edges = sum.edges + select(connecting, ray.last_edge, T(0));
     return select(whole, ray.behind, sum);
   }
   /// The path's number of the vertex that ray m leaves.
-  [[nodiscard]] Index<T> passed(const Index<T>& m, const Usable<T>& usable) const {
+  [[nodiscard]] Index<T> number_in_path(const Index<T>& m, const Usable<T>& usable) const {
     return from_telescope_ ? usable.order + Index<T>(1) - m : m;
   }
   void add_last(const Mask<T>& mask, const Vertex& v, const Index<T>& m, const Usable<T>& usable,
                 Densities<T>& sum) const {
-    const Index<T> x = passed(m, usable);
+    const Index<T> x = number_in_path(m, usable);
     const Mask<T> connecting = mask & usable.connecting(x - Index<T>(from_telescope_ ? 0 : 1));
     const Mask<T> meeting = mask & usable.meeting(x);
     sum.edges = sum.edges + select(connecting, v.last.edges, T(0));

@@ -33,10 +33,10 @@ Escape<T> escape(const geometry::Slabs& sea, const transport::Photon<T>& photon)
   };
   const T rises = select(out.surface, photon.direction.z, T(1));
   const T reflectance = surface::flat_surface<T>(sea, photon.line).reflectance(rises);
-  const T passed = select(level, T(0), select(out.surface, T(1) - reflectance, T(1)));
-  out.probability = passed * chance(sea.walk_optical_depth(photon.line, at),
-                                    gather<T>(sea.by_walk_tau.end, photon.line));
-  out.weight = photon.weight * passed *
+  const T transmitted = select(level, T(0), select(out.surface, T(1) - reflectance, T(1)));
+  out.probability = transmitted * chance(sea.walk_optical_depth(photon.line, at),
+                                         gather<T>(sea.by_walk_tau.end, photon.line));
+  out.weight = photon.weight * transmitted *
                chance(sea.optical_depth(photon.line, at), gather<T>(sea.bed_tau, photon.line));
   return out;
 }

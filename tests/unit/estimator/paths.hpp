@@ -139,7 +139,7 @@ class Writer {
       const auto drawn = [&](const V& direction) {
         return world_.inverse_conversion.scattered_over_phase(world_.sea, direction, p);
       };
-      if (!walks.from_telescope()) departure.passed = drawn(-old);
+      if (!walks.from_telescope()) departure.reverse_chance = drawn(-old);
       if (walks.from_telescope() && photon_.line == 0) departure.chance *= drawn(photon_.direction);
     }
     ray_ = next_ray(photon_, vertex_, departure);

@@ -223,7 +223,7 @@ struct StrategiesOfPath {
     edge.push_back(instrument_edge(path.x(1), 0, way, vertex - hidden * way.arriving,
                                    path.is_mirrored(0), 2 * pi * laser.one_minus_cos_divergence));
     edge.back().arriving = -way.direction;
-    common *= way.passed;
+    common *= way.throughput;
   }
   void add_last() {
     const auto& telescope = world.telescopes[0];
@@ -234,7 +234,7 @@ struct StrategiesOfPath {
                                    in_space(telescope, path.lens), path.is_mirrored(path.order()),
                                    solid_angle));
     edge.back().leaving = way.direction;
-    common *= way.passed * telescope.area() * cosine * solid_angle / way.index_squared;
+    common *= way.throughput * telescope.area() * cosine * solid_angle / way.index_squared;
     translation_area = instrument::translation_area(telescope, way.arriving);
   }
 };

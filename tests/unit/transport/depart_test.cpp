@@ -205,7 +205,7 @@ TEST(Depart, ScattersTheLasersLightAsDenseAsItSays) {
     ASSERT_NEAR(departure.p / p, 1, 1e-5);
     ASSERT_NEAR(departure.chance / back.scattered_over_phase(sea.view(), photon.direction, p), 1,
                 1e-4);
-    ASSERT_EQ(departure.passed, 1);
+    ASSERT_EQ(departure.reverse_chance, 1);
     count[static_cast<std::size_t>(one_minus_cos(back.beam, photon.direction) / cell)] += 1;
   }
   test::expect_chi_squared(count, probability, samples, 0.001, "scattered light");
@@ -226,7 +226,7 @@ TEST(Depart, FromTheLaserTellsHowWalksPassIt) {
     ASSERT_EQ(photon.direction, plain.direction);
     ASSERT_EQ(departure.chance, 1);
     const double lobe = phase(sea, henyey_greenstein, back.beam, -before.direction);
-    ASSERT_NEAR(departure.passed / (0.8 + 0.2 * lobe / departure.p), 1, 1e-12);
+    ASSERT_NEAR(departure.reverse_chance / (0.8 + 0.2 * lobe / departure.p), 1, 1e-12);
   }
 }
 

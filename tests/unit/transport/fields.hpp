@@ -56,7 +56,7 @@ void fields(P& a, S& b, F f) {
   f(a.secant_water, b.secant_water, "secant in water");
   f(a.area_per_solid_angle, b.area_per_solid_angle, "area per solid angle");
   f(a.index_squared, b.index_squared, "index squared");
-  f(a.passed, b.passed, "passed");
+  f(a.throughput, b.throughput, "throughput");
 }
 template <class P, class S, class F>
   requires is_packed<P, geometry::OpticalDepths>
@@ -117,7 +117,7 @@ void fields(P& a, S& b, F f) {
   walk_point_fields(a, b, f);
   f(a.left_chance, b.left_chance, "chance before");
   f(a.chance, b.chance, "chance");
-  f(a.passed, b.passed, "passed");
+  f(a.reverse_chance, b.reverse_chance, "reverse chance");
   f(a.per_p, b.per_p, "per p");
   f(a.last_edge, b.last_edge, "last edge");
   fields(a.behind, b.behind, f);
@@ -129,7 +129,7 @@ template <class P, class S, class F>
 void fields(P& a, S& b, F f) {
   walk_point_fields(a, b, f);
   f(a.chance, b.chance, "chance");
-  f(a.passed, b.passed, "passed");
+  f(a.reverse_chance, b.reverse_chance, "reverse chance");
   f(a.open, b.open, "open");
   f(a.translated, b.translated, "translated");
   f(a.rotated, b.rotated, "rotated");
@@ -149,7 +149,7 @@ template <class P, class S, class F>
 void fields(P& a, S& b, F f) {
   f(a.p, b.p, "p");
   f(a.chance, b.chance, "chance");
-  f(a.passed, b.passed, "passed");
+  f(a.reverse_chance, b.reverse_chance, "reverse chance");
   f(a.density, b.density, "density");
 }
 template <class P, class S, class F>

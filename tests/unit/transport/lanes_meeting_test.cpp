@@ -36,7 +36,7 @@ estimator::Ray<double> random_ray(const Sea& sea, Random& random) {
   estimator::Ray<double> ray{estimator::walk_point(random_photon(sea, random))};
   ray.left_chance = random.uniform();
   ray.chance = random.uniform();
-  ray.passed = random.between(0.5, 5);
+  ray.reverse_chance = random.between(0.5, 5);
   ray.per_p = random.scale(1e-3, 1e3);
   ray.last_edge = random.scale(1e-3, 1e3);
   ray.behind = random_densities(random);

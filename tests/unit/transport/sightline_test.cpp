@@ -63,7 +63,7 @@ TEST(WayThroughSurface, IsTheWayOfALightRay) {
     down.position = to;
     down.direction = -air;
     enter_water(sea.view(), {true, 0}, down);
-    ASSERT_NEAR(way.passed, down.weight, 1e-9);
+    ASSERT_NEAR(way.throughput, down.weight, 1e-9);
 
     expect_depths(
         geometry::depths_through_surface(sea.view(), way, line, sea.layer_at(-from.z), -from.z),
@@ -91,7 +91,7 @@ TEST(WayInWater, IsTheStraightLine) {
     ASSERT_EQ(way.arriving, way.direction);
     ASSERT_EQ(way.length_air, 0);
     ASSERT_EQ(way.index_squared, 1);
-    ASSERT_EQ(way.passed, 1);
+    ASSERT_EQ(way.throughput, 1);
     ASSERT_NEAR(way.area_per_solid_angle / dot(to - from, to - from), 1, 1e-12);
     // Also of its first part alone: the last part to a laser's vertex lies behind its disc.
     for (const double share : {1.0, 0.7}) {
@@ -126,11 +126,12 @@ TEST(WayInWater, MirroredIsTheStraightLineToTheMirrorImage) {
     const double n = sea.line[static_cast<std::size_t>(line)].refractive_index;
     const double sine = n * std::hypot(way.direction.x, way.direction.y);
     if (sine >= 1) {
-      ASSERT_EQ(way.passed, 1);
+      ASSERT_EQ(way.throughput, 1);
       ++total;
     } else {
       const double cos_air = std::sqrt(1 - sine * sine);
-      ASSERT_NEAR(way.passed, optics::fresnel_reflectance(n, 1.0, way.direction.z, cos_air), 1e-9);
+      ASSERT_NEAR(way.throughput, optics::fresnel_reflectance(n, 1.0, way.direction.z, cos_air),
+                  1e-9);
       ++partly;
     }
     const V surface = from + (-from.z / way.direction.z) * way.direction;
