@@ -10,8 +10,8 @@
 #include "estimator/analog/collide_by_chance.hpp"
 #include "estimator/book.hpp"
 #include "estimator/draws.hpp"
-#include "estimator/ends.hpp"
 #include "estimator/event.hpp"
+#include "estimator/termination.hpp"
 #include "estimator/world.hpp"
 #include "instrument/lens.hpp"
 #include "lanes/each_score.hpp"
@@ -25,8 +25,8 @@ namespace photic::estimator {
 /// stand, so long, in the water, or from the surface `in_air`; `depth` is that of the collision
 /// they come from. Telescopes do not stand in each other's way, nor in the light's.
 template <class T>
-void receive(const World<T>& world, const transport::Photon<T>& photon, Mask<T> flying,
-             const T& length, bool in_air, const T& depth, tally::BatchTally& tally) {
+void detect(const World<T>& world, const transport::Photon<T>& photon, Mask<T> flying,
+            const T& length, bool in_air, const T& depth, tally::BatchTally& tally) {
   flying = flying & (photon.order > Index<T>(0));
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const instrument::Telescope<T>& telescope = world.telescopes[t];
@@ -102,7 +102,7 @@ struct AnalogSteps {
     transport::Photon<T> out = p.photon;
     out.direction = split.transmitted;
     const T endless(std::numeric_limits<Element<T>>::max());
-    receive(world, out, leaves, endless, true, depth, tally);
+    detect(world, out, leaves, endless, true, depth, tally);
     book_out(p, leaves, ledger.escaped);
     transport::Photon<T> down = p.photon;
     down.direction = split.reflected;
@@ -136,7 +136,7 @@ struct AnalogSteps {
                                            const T& number, const T& depth) {
     const transport::Photon<T> before = photon;
     const auto end = transport::fly(world.sea, photon, minus_log(number));
-    receive(world, before, flying, end.length, false, depth, tally);
+    detect(world, before, flying, end.length, false, depth, tally);
     return end;
   }
 };

@@ -12,7 +12,7 @@
 #include "estimator/bidirectional/walk.hpp"
 #include "estimator/bidirectional/walker.hpp"
 #include "estimator/draws.hpp"
-#include "estimator/ends.hpp"
+#include "estimator/termination.hpp"
 
 namespace photic::estimator {
 

@@ -8,11 +8,11 @@
 namespace photic::estimator {
 
 template <class T>
-PHOTIC_APART void Connections<T>::complete_to_telescope(const Ends<T>& ends, const Vertex& v,
+PHOTIC_APART void Connections<T>::complete_to_telescope(const Pairing<T>& pairing, const Vertex& v,
                                                         const geometry::Sightline<T>& way) {
-  const Index<T> line = back_.line(ends.back);
+  const Index<T> line = back_.line(pairing.back);
   completion_.clear();
-  add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
+  add_leg(sea_, laser_.ray(pairing.laser, pairing.i), v, completion_.ways);
   add_way(sea_, line, v.layer, T(-v.position.z), way.direction, way.length_water, way.to, way.route,
           completion_.ways);
   completion_.collide(
@@ -21,11 +21,11 @@ PHOTIC_APART void Connections<T>::complete_to_telescope(const Ends<T>& ends, con
 
 /// `length`: in the water.
 template <class T>
-PHOTIC_APART void Connections<T>::complete_to_laser(const Ends<T>& ends, const Vertex& w,
+PHOTIC_APART void Connections<T>::complete_to_laser(const Pairing<T>& pairing, const Vertex& w,
                                                     const geometry::Sightline<T>& way,
                                                     const T& length) {
   completion_.clear();
-  add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);
+  add_leg(sea_, back_.ray(pairing.back, pairing.m), w, completion_.ways);
   add_way(sea_, Index<T>(0), w.layer, T(-w.position.z), way.direction, length, way.to, way.route,
           completion_.ways);
   completion_.collide(sea_, {w.line, w.layer, w.line > Index<T>(0), w.line,
@@ -34,13 +34,13 @@ PHOTIC_APART void Connections<T>::complete_to_laser(const Ends<T>& ends, const V
 
 /// By an edge of light of a line.
 template <class T>
-PHOTIC_APART void Connections<T>::complete_between(const Ends<T>& ends, const Index<T>& line,
+PHOTIC_APART void Connections<T>::complete_between(const Pairing<T>& pairing, const Index<T>& line,
                                                    const Vertex& v, const Vertex& w,
                                                    const T& length) {
   const Vec3<T> direction = (T(1) / length) * (w.position - v.position);
   completion_.clear();
-  add_leg(sea_, laser_.ray(ends.laser, ends.i), v, completion_.ways);
-  add_leg(sea_, back_.ray(ends.back, ends.m), w, completion_.ways);
+  add_leg(sea_, laser_.ray(pairing.laser, pairing.i), v, completion_.ways);
+  add_leg(sea_, back_.ray(pairing.back, pairing.m), w, completion_.ways);
   completion_.pass(sea_, {line, v.layer, T(-v.position.z), w.layer, T(-w.position.z), length});
   completion_.collide(
       sea_, {v.line, v.layer, line > v.line, line, one_minus_cos(v.direction, direction)});
@@ -50,7 +50,7 @@ PHOTIC_APART void Connections<T>::complete_between(const Ends<T>& ends, const In
 
 /// By a meeting of a laser's ray and a telescope's.
 template <class T>
-PHOTIC_APART void Connections<T>::complete_by_meeting(const Pair<T>& pair, const Moved<T>& moved,
+PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPair<T>& pair, const Moved<T>& moved,
                                                       const T& depth, const Index<T>& layer) {
   const Ray& out = pair.out;
   const Ray& home = moved.ray;
@@ -70,8 +70,8 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const Pair<T>& pair, const
   pass(home);
   if (is_aslant(telescope_)) {
     const Index<T>& at = receiver_.region.layer;
-    const T longer = select(pair.ends.m == Index<T>(0), T(0), moved.longer);
-    completion_.pass(sea_, {back_.line(pair.ends.back), at, T(0), at, T(0), longer});
+    const T longer = select(pair.pairing.m == Index<T>(0), T(0), moved.longer);
+    completion_.pass(sea_, {back_.line(pair.pairing.back), at, T(0), at, T(0), longer});
   }
   completion_.collide(sea_, {out.line, layer, home.line > Index<T>(0), home.line,
                              one_minus_cos(out.direction, -home.direction)});
@@ -80,11 +80,11 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const Pair<T>& pair, const
 /// Scores with the ratios of the completed paths.
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(
-    const Ends<T>& ends, Walked walked, const Mask<T>& mask, const T& value, const T& path,
+    const Pairing<T>& pairing, Walked walked, const Mask<T>& mask, const T& value, const T& path,
     const T& last, const Index<T>& order) {
-  const auto out = each_lane(Walks<T>::slot(ends.laser, ends.i));
-  const auto home = each_lane(Walks<T>::slot(ends.back, ends.m));
-  lanes::each_score(tally_, mask, scores_of(ends, walked, value, path, last, order),
+  const auto out = each_lane(Walks<T>::slot(pairing.laser, pairing.i));
+  const auto home = each_lane(Walks<T>::slot(pairing.back, pairing.m));
+  lanes::each_score(tally_, mask, scores_of(pairing, walked, value, path, last, order),
                     [&](std::size_t lane, const tally::Score& score, const auto& at) {
                       const auto of_walks = [&](std::int32_t e) {
                         const auto of_laser = [&] { return laser_.ratios().at(out[lane], e); };

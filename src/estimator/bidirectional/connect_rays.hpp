@@ -21,7 +21,7 @@ std::int32_t Connections<T>::list_laser_rays(std::size_t first, std::size_t walk
   return count;
 }
 
-/// Calls act(ends, mask, line of ray i, line of ray m) for all rays i of so many of the laser's
+/// Calls act(pairing, mask, line of ray i, line of ray m) for all rays i of so many of the laser's
 /// walks and m of the telescope's that may meet in time: as they are, and those that go up as the
 /// surface reflects them.
 template <class T>
@@ -46,13 +46,13 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
           const Mask<T> in_time =
               mask & in_order(i + Index<T>(m + 1)) & (out.start + home.start < receiver_.longest);
           if (!any(in_time)) break;
-          const Ends<T> ends{laser, i, Index<T>(back), Index<T>(m)};
+          const Pairing<T> pairing{laser, i, Index<T>(back), Index<T>(m)};
           const bool home_rises = all(home.rise > T(0));
           const auto home_image = reflected(home, world_.deepest);
           for (std::int32_t which = 0; which < (home_rises ? 4 : 2); ++which) {
             const Mask<T> some = which % 2 == 0 ? in_time : in_time & rises;
             if (any(some))
-              act(RayEnds<T>{ends, Index<T>(which)}, some, which % 2 == 0 ? out : image,
+              act(RayPairing<T>{pairing, Index<T>(which)}, some, which % 2 == 0 ? out : image,
                   which < 2 ? home : home_image);
           }
         }
@@ -71,9 +71,9 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
   const Index<T> pivot(back_.pivot_vertex(back));
   const auto start = at_lens(birth, back_.line(Index<T>(back)));
   each_pair(first_laser, walks, back,
-            [&](const auto& ends, const auto& mask, const Line& out, const Line& home) {
-              if (translates) translate(ends, mask & reverses(out, home), out, home, start);
-              if (rotates) rotate(ends, mask & (ends.m > pivot), out, home, axis);
+            [&](const auto& pairing, const auto& mask, const Line& out, const Line& home) {
+              if (translates) translate(pairing, mask & reverses(out, home), out, home, start);
+              if (rotates) rotate(pairing, mask & (pairing.m > pivot), out, home, axis);
             });
 }
 
@@ -86,19 +86,19 @@ Chord<T> Connections<T>::chord_of(const Line& out, const Line& home, const Index
 }
 /// Rays that meet where the telescope's walk comes through the lens, at depths that lie on a grid.
 template <class T>
-void Connections<T>::translate(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
+void Connections<T>::translate(const RayPairing<T>& pairing, const Mask<T>& mask, const Line& out,
                                const Line& home, const AtLens<T>& start) {
   if (!any(mask)) return;
-  const auto chord = chord_of(out, home, ends.m, start);
+  const auto chord = chord_of(out, home, pairing.m, start);
   const Mask<T> meet = mask & chord.exists;
   if (any(meet))
-    translated_.push(meet, ends,
+    translated_.push(meet, pairing,
                      [this](const auto& e, const auto& all) { serve_translated(e, all); });
 }
 
 /// A telescope's walk that is shifted sideways.
 template <class T>
-Moved<T> Connections<T>::translated(const Pair<T>& pair, const Vec3<T>& translation) const {
+Moved<T> Connections<T>::translated(const RayPair<T>& pair, const Vec3<T>& translation) const {
   Moved<T> moved{pair.back, pair.axis()};
   moved.axis.x = moved.axis.x + translation.x;
   moved.axis.y = moved.axis.y + translation.y;
@@ -107,48 +107,49 @@ Moved<T> Connections<T>::translated(const Pair<T>& pair, const Vec3<T>& translat
 
 /// Rays that meet where both are as far from an axis.
 template <class T>
-void Connections<T>::rotate(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out,
+void Connections<T>::rotate(const RayPairing<T>& pairing, const Mask<T>& mask, const Line& out,
                             const Line& home, const RotationAxis<T>& axis) {
   if (!any(mask)) return;
   const auto meetings = estimator::equidistant_depths(out, home, axis, receiver_.last_path);
   for (std::size_t n = 0; n < meetings.depth.size(); ++n) {
     const Mask<T> meet = mask & meetings.exists[n];
     if (any(meet))
-      rotated_.push(meet, Crossing<T>{ends, meetings.depth[n]},
+      rotated_.push(meet, RotatedPairing<T>{pairing, meetings.depth[n]},
                     [this](const auto& e, const auto& all) { serve_rotated(e, all); });
   }
 }
 
 /// The rays again that each_pair had found.
 template <class T>
-Pair<T> Connections<T>::pair_of(const RayEnds<T>& ends) const {
-  const auto axis = back_.axis(ends.back);
-  Pair<T> pair{laser_.ray(ends.laser, ends.i),
-               back_.ray(ends.back, ends.m),
-               laser_.birth_record(ends.laser).spread,
-               back_.birth_record(ends.back),
-               select(axis.exists, Index<T>(1), Index<T>(0)),
-               axis.x,
-               axis.y,
-               ends,
-               {}};
-  const Mask<T> home = ends.reflected >= Index<T>(2);
-  const Mask<T> out = (ends.reflected == Index<T>(1)) | (ends.reflected == Index<T>(3));
+RayPair<T> Connections<T>::pair_of(const RayPairing<T>& pairing) const {
+  const auto axis = back_.axis(pairing.back);
+  RayPair<T> pair{laser_.ray(pairing.laser, pairing.i),
+                  back_.ray(pairing.back, pairing.m),
+                  laser_.birth_record(pairing.laser).spread,
+                  back_.birth_record(pairing.back),
+                  select(axis.exists, Index<T>(1), Index<T>(0)),
+                  axis.x,
+                  axis.y,
+                  pairing,
+                  {}};
+  const Mask<T> home = pairing.reflected >= Index<T>(2);
+  const Mask<T> out = (pairing.reflected == Index<T>(1)) | (pairing.reflected == Index<T>(3));
   if (any(out)) lanes::assign<T>(out, reflected(sea_, pair.out), pair.out);
   if (any(home)) lanes::assign<T>(home, reflected(sea_, pair.back), pair.back);
   return pair;
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_translated(const RayEnds<T>& ends, const Mask<T>& mask) {
+PHOTIC_FLATTEN void Connections<T>::serve_translated(const RayPairing<T>& pairing,
+                                                     const Mask<T>& mask) {
   const auto& grid = samples_.grid;
-  Pair<T> pairs = pair_of(ends);
-  const auto chord = chord_of(line_of(pairs.out), line_of(pairs.back), ends.m,
-                              at_lens(pairs.birth, back_.line(ends.back)));
+  RayPair<T> pairs = pair_of(pairing);
+  const auto chord = chord_of(line_of(pairs.out), line_of(pairs.back), pairing.m,
+                              at_lens(pairs.birth, back_.line(pairing.back)));
   pairs.lens = chord.lens;
   const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
     const auto& pair = lanes::of_lanes<T>(pairs, lane);
-    const T depth = grid.depth(number + pair.birth.grid_offset, pair.ends.order());
+    const T depth = grid.depth(number + pair.birth.grid_offset, pair.pairing.order());
     const auto lens = pair.lens.at(depth);
     const Mask<T> passes = points & open_at(telescope_, lens) &
                            sight(telescope_, lens, -pair.birth.outward).on_detector;
@@ -157,30 +158,31 @@ PHOTIC_FLATTEN void Connections<T>::serve_translated(const RayEnds<T>& ends, con
     const Vec3<T> translation = in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens);
     meet_at<true>(pair, passes, translated(pair, translation), depth);
   };
-  lanes::each_number(mask, grid.number(chord.from, ends.order()) - pairs.birth.grid_offset,
-                     grid.number(chord.to, ends.order()) - pairs.birth.grid_offset, meet_on_grid);
+  lanes::each_number(mask, grid.number(chord.from, pairing.order()) - pairs.birth.grid_offset,
+                     grid.number(chord.to, pairing.order()) - pairs.birth.grid_offset,
+                     meet_on_grid);
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_rotated(const Crossing<T>& crossing,
+PHOTIC_FLATTEN void Connections<T>::serve_rotated(const RotatedPairing<T>& pairing,
                                                   const Mask<T>& mask) {
-  Pair<T> pair = pair_of(crossing);
-  const auto rotation = rotation_to_meet(pair.out, pair.back, pair.axis(), crossing.depth);
+  RayPair<T> pair = pair_of(pairing);
+  const auto rotation = rotation_to_meet(pair.out, pair.back, pair.axis(), pairing.depth);
   const auto [gain, near_pivot] = rotate_pivot(pair, rotation);
   Moved<T> moved{pair.back, pair.axis(), gain, near_pivot};
   moved.ray.position = rotation.of_place(pair.back.position);
   moved.ray.direction = rotation.of_direction(pair.back.direction);
-  if (!telescope_.upright) return meet_under_tilted(pair, mask, moved, crossing.depth);
-  meet_at<true>(pair, mask, moved, crossing.depth);
+  if (!telescope_.upright) return meet_under_tilted(pair, mask, moved, pairing.depth);
+  meet_at<true>(pair, mask, moved, pairing.depth);
 }
 
 /// A turn changes the angle at the pivot, and with it the phase function's value there; tells what
 /// that gains, and what the densities behind the telescope's ray do. A conversion's change all
 /// alike.
 template <class T>
-std::array<T, 2> Connections<T>::rotate_pivot(Pair<T>& pair, const Rotation<T>& rotation) const {
-  const auto& ends = pair.ends;
-  const Pivot<T> pivot = back_.pivot(ends.back);
+std::array<T, 2> Connections<T>::rotate_pivot(RayPair<T>& pair, const Rotation<T>& rotation) const {
+  const auto& pairing = pair.pairing;
+  const Pivot<T> pivot = back_.pivot(pairing.back);
   const Vec3<T> rotated = rotation.of_direction(pivot.leaving);
   const T p = sea_.phases.template value<T>(one_minus_cos(pivot.arriving, rotated), pivot.phase);
   const T gain = pivot.per_p * p;
@@ -191,37 +193,39 @@ std::array<T, 2> Connections<T>::rotate_pivot(Pair<T>& pair, const Rotation<T>& 
   const T gained =
       inverse_conversion.scattered_over_phase(sea_, pivot.leaving, T(1) / pivot.per_p) /
       (gain * inverse_conversion.scattered_over_phase(sea_, rotated, p));
-  const T of_ray = select(ends.m == Index<T>(1), gained, T(1));
+  const T of_ray = select(pairing.m == Index<T>(1), gained, T(1));
   pair.back.per_p = of_ray * pair.back.per_p;
   pair.back.translated = of_ray * pair.back.translated;
-  const auto in_path = usable(ends.order());
-  const auto near = back_.near_first(ends.back, ends.m, in_path,
+  const auto in_path = usable(pairing.order());
+  const auto near = back_.near_first(pairing.back, pairing.m, in_path,
                                      translations_in(in_path.order, pair.birth.translation_area));
   return {gain, (gained - T(1)) * (near.home_edge + near.translated + near.next_edge)};
 }
 
 template <class T>
 template <bool upright>
-void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved,
+void Connections<T>::meet_at(const RayPair<T>& pair, const Mask<T>& mask, const Moved<T>& moved,
                              const T& depth) {
   const Ray& out = pair.out;
   const auto& birth = pair.birth;
-  const auto& ends = pair.ends;
+  const auto& pairing = pair.pairing;
   const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
   const Mask<T> emitting = mask & emits(moved.ray.line, layer);
   if (!any(emitting)) return;
   const T reach = (-out.position.z - depth) / out.direction.z;
-  const auto in_path = usable(ends.order());
+  const auto in_path = usable(pairing.order());
   const T translations_last = translations_in(in_path.order, birth.translation_area);
-  Freedom<T> freedom{translations_last, select(is_pivot(moved.ray.line, ends.m),
+  Freedom<T> freedom{translations_last, select(is_pivot(moved.ray.line, pairing.m),
                                                axis_at(out.position + reach * out.direction,
                                                        moved.ray.direction, out.direction),
                                                moved.axis)};
-  const auto last = [&] { return select(ends.m > Index<T>(0), last_depth(ends.back), depth); };
+  const auto last = [&] {
+    return select(pairing.m > Index<T>(0), last_depth(pairing.back), depth);
+  };
   const bool aslant = !upright && is_aslant(telescope_);
   if (aslant) freedom = freedom_before(last(), freedom);
-  const auto laser = laser_.side(out, pair.spread, ends.laser, ends.i, in_path, freedom);
-  auto home = back_.side(pair.back, birth.spread, ends.back, ends.m, in_path,
+  const auto laser = laser_.side(out, pair.spread, pairing.laser, pairing.i, in_path, freedom);
+  auto home = back_.side(pair.back, birth.spread, pairing.back, pairing.m, in_path,
                          {translations_last, pair.axis()});
   home.ray = moved.ray;
   home.behind = home.behind + moved.near_pivot;
@@ -235,12 +239,12 @@ void Connections<T>::meet_at(const Pair<T>& pair, const Mask<T>& mask, const Mov
     home.last = home.last + longer.last;
   }
   if (aslant)
-    freedom.translations = select(ends.m > Index<T>(0), freedom.translations, translations_last);
+    freedom.translations = select(pairing.m > Index<T>(0), freedom.translations, translations_last);
   const auto meeting =
       meet(sea_, laser, home, depth, layer, freedom, world_.inverse_conversion, samples_);
   if (world_.compares) [[unlikely]]
     complete_by_meeting(pair, moved, depth, layer);
-  score(pair.ends, Walked::both, emitting & (meeting.path < receiver_.last_path),
+  score(pair.pairing, Walked::both, emitting & (meeting.path < receiver_.last_path),
         gain * meeting.value, meeting.path, last(), in_path.order);
 }
 

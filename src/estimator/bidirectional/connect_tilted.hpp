@@ -16,11 +16,11 @@ PHOTIC_APART Chord<T> Connections<T>::tilted_chord(Line out, Line home, Index<T>
 /// Whether a telescope's ray that has been shifted goes through a depth; later ones only in walks
 /// that all points of the lens can begin.
 template <class T>
-Mask<T> Connections<T>::can_meet(const Pair<T>& pair, const Ray& moved, const T& depth) const {
+Mask<T> Connections<T>::can_meet(const RayPair<T>& pair, const Ray& moved, const T& depth) const {
   if (!is_aslant(telescope_)) return Mask<T>(true);
   const Mask<T> ahead = (-moved.position.z - depth) * moved.direction.z > T(0);
-  return ahead &
-         ((pair.ends.m == Index<T>(0)) | all_points_reach(telescope_, last_depth(pair.ends.back)));
+  return ahead & ((pair.pairing.m == Index<T>(0)) |
+                  all_points_reach(telescope_, last_depth(pair.pairing.back)));
 }
 
 template <class T>
@@ -40,11 +40,11 @@ HomeWay<T> Connections<T>::home_way(const BirthRecord<T>& birth, const Index<T>&
 /// water also how much of it is, and how likely walks go so far; and n h / g of connecting this way
 /// and of meeting at its end, which rays behind it keep.
 template <class T>
-PHOTIC_APART Longer<T> Connections<T>::lengthened(const Pair<T>& pair, T length) const {
-  const auto& ends = pair.ends;
-  const Index<T> line = back_.line(ends.back);
+PHOTIC_APART Longer<T> Connections<T>::lengthened(const RayPair<T>& pair, T length) const {
+  const auto& pairing = pair.pairing;
+  const Index<T> line = back_.line(pairing.back);
   const Index<T> here = sea_.at(line, receiver_.region.layer);
-  const Mask<T> first = ends.m == Index<T>(0);
+  const Mask<T> first = pairing.m == Index<T>(0);
   Longer<T> longer;
   T growth(1);  // of what walks draw along it
   if (telescope_.submerged) {
@@ -55,28 +55,28 @@ PHOTIC_APART Longer<T> Connections<T>::lengthened(const Pair<T>& pair, T length)
   longer.length = length;
   longer.path = length * at_lens(pair.birth, line).index;
   if (all(first)) return longer;
-  const HomeWay<T> way = home_way(pair.birth, ends.back);
+  const HomeWay<T> way = home_way(pair.birth, pairing.back);
   const auto area = [&](const T& more) {
     auto spread = pair.birth.spread;
     spread.through_surface = !telescope_.submerged;
     spread.before = spread.before + more;
     return area_per_solid_angle(sea_, spread, line, way.length, way.steep);
   };
-  const auto in_path = usable(ends.order());
+  const auto in_path = usable(pairing.order());
   const T translations_here = translations_in(in_path.order, pair.birth.translation_area);
-  const auto near = back_.near_first(ends.back, ends.m, in_path, translations_here);
+  const auto near = back_.near_first(pairing.back, pairing.m, in_path, translations_here);
   const T of_edge = growth * area(length) / area(T(0)) - T(1);
   const T of_meeting = growth - T(1);
   longer.behind = select(first, T(0), of_edge * near.home_edge + of_meeting * near.translated);
   longer.last = select(
-      (ends.m == Index<T>(1)) & in_path.meeting(in_path.order),
+      (pairing.m == Index<T>(1)) & in_path.meeting(in_path.order),
       of_meeting * translations_here * if_reversed(pair.back.translated, pair.back.left_z()), T(0));
   return longer;
 }
 
 /// Rays that meet at a depth, where the telescope's walk comes through a point of a tilted lens.
 template <class T>
-PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const Pair<T>& pair, Mask<T> mask,
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const RayPair<T>& pair, Mask<T> mask,
                                                              instrument::PlanePoint<T> lens,
                                                              T depth) {
   const Vec3<T>& outward = pair.birth.outward;
@@ -85,13 +85,13 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const Pair<T>& pair
   auto moved = translated(pair, in_plane(telescope_, aside) + longer * outward);
   moved.longer = longer;
   if (telescope_.submerged) {  // there a first ray begins at the lens
-    const T begins = select(pair.ends.m == Index<T>(0), longer, T(0));
+    const T begins = select(pair.pairing.m == Index<T>(0), longer, T(0));
     moved.ray.position = pair.back.position - begins * pair.back.direction;
   }
   meet_at<false>(pair, mask & can_meet(pair, moved.ray, depth), moved, depth);
 }
 template <class T>
-PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_under_tilted(const Pair<T>& pair,
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_under_tilted(const RayPair<T>& pair,
                                                                    Mask<T> mask, Moved<T> moved,
                                                                    T depth) {
   meet_at<false>(pair, mask, moved, depth);

@@ -1,7 +1,7 @@
 // How a vertex of a walk takes part in a connection: its weight and densities if light leaves it,
 // or comes to it, along a new edge (docs/theory.md, "The bidirectional estimator").
 //
-// An edge of the laser's light ends at a vertex of the telescope's walk that scatters it or
+// An edge of the laser's light pairing at a vertex of the telescope's walk that scatters it or
 // converts it; an edge of converted light begins at a vertex of the laser's walk.
 #pragma once
 
@@ -12,9 +12,9 @@ namespace photic::estimator {
 
 template <class T>
 struct ConnectionEnd {
-  End<T> end;
+  EndDensities<T> densities;
   T weight{};    ///< of the walk with this collision
-  T share{1};    ///< h of a connection
+  T chance{1};   ///< h of a connection
   T goes_on{1};  ///< h on the laser's side of the edge, as far as this end decides it
   T meeting{};   ///< n h / g of meeting at this end, as far as this end decides it
 };
@@ -46,14 +46,15 @@ ConnectionEnd<T> scattering_from_laser(const geometry::Slabs& sea, const Vertex<
                                        const estimator::InverseConversion<T>& inverse_conversion,
                                        const T& goes_on, const Freedom<T>& freedom) {
   const Index<T> here = sea.at(v.line, v.layer);
-  ConnectionEnd<T> joint;
-  joint.end.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
-  joint.end.open = goes_on * v.open;
-  joint.end.behind =
-      goes_on * inverse_conversion.scattered_over_phase(sea, -v.direction, joint.end.p) * behind;
-  joint.meeting = goes_on * freedom.meeting(v, direction);
-  joint.weight = v.weight * gather<T>(sea.albedo, here);
-  return joint;
+  ConnectionEnd<T> end;
+  end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
+  end.densities.open = goes_on * v.open;
+  end.densities.behind =
+      goes_on * inverse_conversion.scattered_over_phase(sea, -v.direction, end.densities.p) *
+      behind;
+  end.meeting = goes_on * freedom.meeting(v, direction);
+  end.weight = v.weight * gather<T>(sea.albedo, here);
+  return end;
 }
 
 /// The laser's walk, converted to a line and sent into a direction. The other end's walk scatters
@@ -67,15 +68,15 @@ ConnectionEnd<T> conversion_from_laser(const geometry::Slabs& sea, const Vertex<
                                        const T& chance, const T& goes_on,
                                        const Freedom<T>& freedom) {
   const T ratio = walk_c_ratio<T>(sea, line, v.layer);
-  ConnectionEnd<T> joint;
-  joint.end.p = phase_value(sea, v, direction, gather_index<T>(sea.conversion_phase, line));
-  joint.end.open = goes_on * v.open;
-  joint.end.behind = goes_on * inverse_conversion.chance(sea, line, v.layer) *
-                     inverse_conversion.over_phase(sea, -v.direction, joint.end.p) * behind;
-  joint.meeting = goes_on * ratio * freedom.meeting(v, direction);
-  joint.weight = v.weight * ratio * gather<T>(sea.conversion, sea.at(line, v.layer));
-  joint.share = chance * ratio;
-  return joint;
+  ConnectionEnd<T> end;
+  end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.conversion_phase, line));
+  end.densities.open = goes_on * v.open;
+  end.densities.behind = goes_on * inverse_conversion.chance(sea, line, v.layer) *
+                         inverse_conversion.over_phase(sea, -v.direction, end.densities.p) * behind;
+  end.meeting = goes_on * ratio * freedom.meeting(v, direction);
+  end.weight = v.weight * ratio * gather<T>(sea.conversion, sea.at(line, v.layer));
+  end.chance = chance * ratio;
+  return end;
 }
 
 /// The telescope's walk with the laser's light that comes to it: scattered if the walk has turned
@@ -88,19 +89,19 @@ ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>&
   const Index<T> here = sea.at(v.line, v.layer);
   const Mask<T> converts = v.line > Index<T>(0);
   const T ratio = walk_c_ratio<T>(sea, v.line, v.layer);  // 1 for the laser's line
-  ConnectionEnd<T> joint;
-  joint.end.p = phase_value(sea, v, direction,
-                            select(converts, gather_index<T>(sea.conversion_phase, v.line),
-                                   gather_index<T>(sea.elastic_phase, here)));
-  joint.end.open = ratio * v.open;
-  joint.end.behind = v.behind.all(freedom.translations);  // 0 before a conversion
-  joint.meeting = freedom.meeting(v, direction);
-  joint.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),
-                                   gather<T>(sea.albedo, here));
-  joint.share = v.chance;
-  joint.goes_on =
-      v.chance * inverse_conversion.goes_on(sea, v.line, v.layer, converts, direction, joint.end.p);
-  return joint;
+  ConnectionEnd<T> end;
+  end.densities.p = phase_value(sea, v, direction,
+                                select(converts, gather_index<T>(sea.conversion_phase, v.line),
+                                       gather_index<T>(sea.elastic_phase, here)));
+  end.densities.open = ratio * v.open;
+  end.densities.behind = v.behind.all(freedom.translations);  // 0 before a conversion
+  end.meeting = freedom.meeting(v, direction);
+  end.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),
+                                 gather<T>(sea.albedo, here));
+  end.chance = v.chance;
+  end.goes_on = v.chance * inverse_conversion.goes_on(sea, v.line, v.layer, converts, direction,
+                                                      end.densities.p);
+  return end;
 }
 
 /// The telescope's walk with converted light that it scatters here: nothing behind can be drawn by
@@ -109,10 +110,10 @@ template <class T>
 ConnectionEnd<T> scattering_of_converted(const geometry::Slabs& sea, const Vertex<T>& v,
                                          const Vec3<T>& direction) {
   const Index<T> here = sea.at(v.line, v.layer);
-  ConnectionEnd<T> joint;
-  joint.end.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
-  joint.weight = v.weight * gather<T>(sea.albedo, here);
-  return joint;
+  ConnectionEnd<T> end;
+  end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
+  end.weight = v.weight * gather<T>(sea.albedo, here);
+  return end;
 }
 
 }  // namespace photic::estimator

@@ -25,7 +25,7 @@ namespace photic::estimator {
 
 /// What may be connected: vertex or ray i of a laser's walk and m of a telescope's.
 template <class T>
-struct Ends {
+struct Pairing {
   Index<T> laser{}, i{}, back{}, m{};
 
   template <class F>
@@ -35,32 +35,32 @@ struct Ends {
 };
 
 template <class T>
-Ends<T> ends_of(std::size_t laser, const Index<T>& i, std::size_t back, const Index<T>& m) {
+Pairing<T> pairing_of(std::size_t laser, const Index<T>& i, std::size_t back, const Index<T>& m) {
   return {Index<T>(laser), i, Index<T>(back), m};
 }
 
 /// Rays i and m that may be made to meet, as they are or as the surface has reflected them.
 template <class T>
-struct RayEnds : Ends<T> {
+struct RayPairing : Pairing<T> {
   Index<T> reflected{};  ///< 1: the laser's, 2: the telescope's, 3: both
 
   /// Vertices of the path that they make.
-  [[nodiscard]] Index<T> order() const { return Ends<T>::i + Ends<T>::m + Index<T>(1); }
+  [[nodiscard]] Index<T> order() const { return Pairing<T>::i + Pairing<T>::m + Index<T>(1); }
   template <class F>
   constexpr void each_member(F f) {
-    Ends<T>::each_member(f);
+    Pairing<T>::each_member(f);
     f(reflected);
   }
 };
 
 /// Rays that meet at a depth if the telescope's walk is turned.
 template <class T>
-struct Crossing : RayEnds<T> {
+struct RotatedPairing : RayPairing<T> {
   T depth{};  ///< [m]
 
   template <class F>
   constexpr void each_member(F f) {
-    RayEnds<T>::each_member(f);
+    RayPairing<T>::each_member(f);
     f(depth);
   }
 };
@@ -71,14 +71,14 @@ enum class Moves : std::int8_t { translations, rotations, all };
 
 /// Two rays that may be made to meet.
 template <class T>
-struct Pair {
+struct RayPair {
   using Ray = estimator::Ray<T>;
   Ray out, back;
   Spread<T> spread;      ///< of the laser's walk
   BirthRecord<T> birth;  ///< of the telescope's walk
   Index<T> rotates{};    ///< 1: it may be turned about the vertical at ...
   T axis_x{}, axis_y{};
-  RayEnds<T> ends;
+  RayPairing<T> pairing;
   LensLine<T> lens;  ///< where it comes through, if it is shifted
 
   /// About which the telescope's walk may be turned.
@@ -90,7 +90,7 @@ struct Pair {
     spread.each_member(f);
     birth.each_member(f);
     f(rotates), f(axis_x), f(axis_y);
-    ends.each_member(f);
+    pairing.each_member(f);
     f(lens.at_surface.x), f(lens.at_surface.y), f(lens.per_depth.x), f(lens.per_depth.y);
   }
 };
@@ -159,44 +159,44 @@ class Connections {
   using Ray = estimator::Ray<T>;
   using Line = DepthLine<T>;
   using ConnectionEnd = estimator::ConnectionEnd<T>;
-  using Room = lanes::Queue<T, Ends<T>>;
-  using RayQueue = lanes::Queue<T, RayEnds<T>>;
+  using Room = lanes::Queue<T, Pairing<T>>;
+  using RayQueue = lanes::Queue<T, RayPairing<T>>;
 
   template <class Act>
   void each_pair(std::size_t first_laser, std::size_t walks, std::size_t back, Act act);
   std::int32_t list_laser_rays(std::size_t first, std::size_t walks);
-  void translate(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
-                 const AtLens<T>& start);
+  void translate(const RayPairing<T>& pairing, const Mask<T>& mask, const Line& out,
+                 const Line& home, const AtLens<T>& start);
   Chord<T> chord_of(const Line& out, const Line& home, const Index<T>& m,
                     const AtLens<T>& start) const;
   Chord<T> tilted_chord(Line out, Line home, Index<T> m, AtLens<T> start) const;
-  void rotate(const RayEnds<T>& ends, const Mask<T>& mask, const Line& out, const Line& home,
+  void rotate(const RayPairing<T>& pairing, const Mask<T>& mask, const Line& out, const Line& home,
               const RotationAxis<T>& axis);
 
-  // What is done with the ends of a mask once they fill a pack.
-  void serve_to_telescope(const Ends<T>& ends, const Mask<T>& mask);
-  void serve_to_laser(const Ends<T>& ends, const Mask<T>& mask);
-  void serve_between(const Ends<T>& ends, const Mask<T>& mask);
-  void serve_translated(const RayEnds<T>& ends, const Mask<T>& mask);
-  void serve_rotated(const Crossing<T>& crossing, const Mask<T>& mask);
+  // What is done with the pairing of a mask once they fill a pack.
+  void serve_to_telescope(const Pairing<T>& pairing, const Mask<T>& mask);
+  void serve_to_laser(const Pairing<T>& pairing, const Mask<T>& mask);
+  void serve_between(const Pairing<T>& pairing, const Mask<T>& mask);
+  void serve_translated(const RayPairing<T>& pairing, const Mask<T>& mask);
+  void serve_rotated(const RotatedPairing<T>& pairing, const Mask<T>& mask);
 
-  void by_sightline(const Ends<T>& ends, const Mask<T>& mask, const Vertex& v,
+  void by_sightline(const Pairing<T>& pairing, const Mask<T>& mask, const Vertex& v,
                     const BirthRecord<T>& birth, const geometry::Sightline<T>& way);
-  void by_sightline_to_laser(const Ends<T>& ends, const Mask<T>& mask, const Vertex& w,
+  void by_sightline_to_laser(const Pairing<T>& pairing, const Mask<T>& mask, const Vertex& w,
                              const geometry::Sightline<T>& way);
-  void along(const Ends<T>& ends, const Mask<T>& mask, const Index<T>& line,
+  void along(const Pairing<T>& pairing, const Mask<T>& mask, const Index<T>& line,
              const ConnectionEnd& from, const ConnectionEnd& to, const Vertex& v, const Vertex& w,
              const T& length, const Usable<T>& usable);
-  Pair<T> pair_of(const RayEnds<T>& ends) const;
-  Moved<T> translated(const Pair<T>& pair, const Vec3<T>& translation) const;
-  void meet_tilted(const Pair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens, T depth);
-  void meet_under_tilted(const Pair<T>& pair, Mask<T> mask, Moved<T> moved, T depth);
-  [[nodiscard]] Mask<T> can_meet(const Pair<T>& pair, const Ray& moved, const T& depth) const;
-  Longer<T> lengthened(const Pair<T>& pair, T length) const;
+  RayPair<T> pair_of(const RayPairing<T>& pairing) const;
+  Moved<T> translated(const RayPair<T>& pair, const Vec3<T>& translation) const;
+  void meet_tilted(const RayPair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens, T depth);
+  void meet_under_tilted(const RayPair<T>& pair, Mask<T> mask, Moved<T> moved, T depth);
+  [[nodiscard]] Mask<T> can_meet(const RayPair<T>& pair, const Ray& moved, const T& depth) const;
+  Longer<T> lengthened(const RayPair<T>& pair, T length) const;
   [[nodiscard]] HomeWay<T> home_way(const BirthRecord<T>& birth, const Index<T>& back) const;
-  std::array<T, 2> rotate_pivot(Pair<T>& pair, const Rotation<T>& rotation) const;
+  std::array<T, 2> rotate_pivot(RayPair<T>& pair, const Rotation<T>& rotation) const;
   template <bool upright>
-  void meet_at(const Pair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);
+  void meet_at(const RayPair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);
 
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
     return {order, world_.most_vertices};
@@ -224,10 +224,11 @@ class Connections {
   }
   /// The densities behind a vertex of the laser's walk, in a path in which the telescope's walk may
   /// be moved so.
-  [[nodiscard]] T behind_laser_vertex(const Ends<T>& ends, const Vertex& v,
+  [[nodiscard]] T behind_laser_vertex(const Pairing<T>& pairing, const Vertex& v,
                                       const Usable<T>& in_path, const Freedom<T>& freedom) const {
-    return v.reverse_chance * (v.behind.all(freedom.translations) +
-                               laser_.rotated_before(ends.laser, ends.i, in_path, freedom.axis));
+    return v.reverse_chance *
+           (v.behind.all(freedom.translations) +
+            laser_.rotated_before(pairing.laser, pairing.i, in_path, freedom.axis));
   }
   [[nodiscard]] Line line_of(const Ray& ray) const { return depth_line(sea_, ray, world_.deepest); }
   /// Of a telescope's ray m that may be shifted: a first one may then begin elsewhere.
@@ -261,31 +262,31 @@ class Connections {
   [[nodiscard]] static Mask<T> is_pivot(const Index<T>& line, const Index<T>& m) {
     return (line > Index<T>(0)) | (m == Index<T>(0));
   }
-  // What the ends of paths, made one, do in environments.
-  void complete_to_telescope(const Ends<T>& ends, const Vertex& v,
+  // What the pairing of paths, made one, do in environments.
+  void complete_to_telescope(const Pairing<T>& pairing, const Vertex& v,
                              const geometry::Sightline<T>& way);
-  void complete_to_laser(const Ends<T>& ends, const Vertex& w, const geometry::Sightline<T>& way,
-                         const T& length);
-  void complete_between(const Ends<T>& ends, const Index<T>& line, const Vertex& v, const Vertex& w,
-                        const T& length);
-  void complete_by_meeting(const Pair<T>& pair, const Moved<T>& moved, const T& depth,
+  void complete_to_laser(const Pairing<T>& pairing, const Vertex& w,
+                         const geometry::Sightline<T>& way, const T& length);
+  void complete_between(const Pairing<T>& pairing, const Index<T>& line, const Vertex& v,
+                        const Vertex& w, const T& length);
+  void complete_by_meeting(const RayPair<T>& pair, const Moved<T>& moved, const T& depth,
                            const Index<T>& layer);
-  void score_in_environments(const Ends<T>& ends, Walked walked, const Mask<T>& mask,
+  void score_in_environments(const Pairing<T>& pairing, Walked walked, const Mask<T>& mask,
                              const T& value, const T& path, const T& last, const Index<T>& order);
 
   /// `last`: the depth at which light was last scattered.
-  void score(const Ends<T>& ends, Walked walked, const Mask<T>& mask, const T& value, const T& path,
-             const T& last, const Index<T>& order) {
+  void score(const Pairing<T>& pairing, Walked walked, const Mask<T>& mask, const T& value,
+             const T& path, const T& last, const Index<T>& order) {
     if (world_.compares) [[unlikely]]
-      return score_in_environments(ends, walked, mask, value, path, last, order);
-    scores_.push(mask, scores_of(ends, walked, value, path, last, order), tally_);
+      return score_in_environments(pairing, walked, mask, value, path, last, order);
+    scores_.push(mask, scores_of(pairing, walked, value, path, last, order), tally_);
   }
-  [[nodiscard]] lanes::LaneScores<T> scores_of(const Ends<T>& ends, Walked walked, const T& value,
-                                               const T& path, const T& last,
+  [[nodiscard]] lanes::LaneScores<T> scores_of(const Pairing<T>& pairing, Walked walked,
+                                               const T& value, const T& path, const T& last,
                                                const Index<T>& order) const {
     return {receiver_.telescope,
             world_.path_to_origin[receiver_.telescope],
-            back_.line(ends.back),
+            back_.line(pairing.back),
             order,
             last,
             path,
@@ -303,7 +304,7 @@ class Connections {
   tally::BatchTally& tally_;
   Room to_telescope_, to_laser_, between_;
   RayQueue translated_;
-  lanes::Queue<T, Crossing<T>> rotated_;
+  lanes::Queue<T, RotatedPairing<T>> rotated_;
   std::vector<std::int32_t> walk_of_, ray_of_;  ///< the laser's rays that may meet a telescope's
   lanes::LaneColumns<T, Line, most_vertices + 1 + lanes_of<T>> lines_;  ///< of a telescope's walk
   lanes::ScoreQueue<T> scores_;

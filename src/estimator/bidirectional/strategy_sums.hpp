@@ -51,7 +51,7 @@ struct Densities {
 
 /// One end of a connection: the phase function there, and the densities behind it.
 template <class T>
-struct End {
+struct EndDensities {
   T p{1};
   T open{};    ///< n h / g of connecting the last edge, times p
   T behind{};  ///< sum of n h / g of what is complete
@@ -62,7 +62,8 @@ struct End {
 /// walked part. `area` = n h / g of what is made at this edge, times both phase functions and the
 /// walked exp(-tau).
 template <class T>
-T balance(const T& area, const T& tau, const T& walk_tau, const End<T>& a, const End<T>& b) {
+T balance(const T& area, const T& tau, const T& walk_tau, const EndDensities<T>& a,
+          const EndDensities<T>& b) {
   const T both = a.p * b.p;
   return both * exp_minus(tau) /
          (area +

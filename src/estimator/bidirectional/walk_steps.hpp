@@ -10,8 +10,8 @@
 #include "estimator/bidirectional/leg_terms.hpp"
 #include "estimator/bidirectional/walk.hpp"
 #include "estimator/draws.hpp"
-#include "estimator/ends.hpp"
 #include "estimator/event.hpp"
+#include "estimator/termination.hpp"
 
 namespace photic::estimator {
 

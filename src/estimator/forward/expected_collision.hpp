@@ -2,9 +2,9 @@
 // free paths, and of conversions in the telescopes' views. Its history is not changed by it.
 #pragma once
 
-#include "estimator/ends.hpp"
 #include "estimator/forward/estimate.hpp"
 #include "estimator/forward/forced.hpp"
+#include "estimator/termination.hpp"
 #include "transport/flight.hpp"
 
 namespace photic::estimator {

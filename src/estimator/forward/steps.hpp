@@ -4,11 +4,11 @@
 
 #include <cstdint>
 
-#include "estimator/ends.hpp"
 #include "estimator/event.hpp"
 #include "estimator/forward/estimate.hpp"
 #include "estimator/forward/expected_collision.hpp"
 #include "estimator/forward/tools.hpp"
+#include "estimator/termination.hpp"
 #include "transport/collide.hpp"
 #include "transport/scatter.hpp"
 

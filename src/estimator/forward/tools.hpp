@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "core/random.hpp"
-#include "estimator/ends.hpp"
 #include "estimator/forward/escape.hpp"
 #include "estimator/forward/estimate.hpp"
+#include "estimator/termination.hpp"
 
 namespace photic::estimator {
 

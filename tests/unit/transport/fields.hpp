@@ -153,7 +153,7 @@ void fields(P& a, S& b, F f) {
   f(a.density, b.density, "density");
 }
 template <class P, class S, class F>
-  requires is_packed<P, estimator::End>
+  requires is_packed<P, estimator::EndDensities>
 void fields(P& a, S& b, F f) {
   f(a.p, b.p, "p");
   f(a.open, b.open, "open");
@@ -162,9 +162,9 @@ void fields(P& a, S& b, F f) {
 template <class P, class S, class F>
   requires is_packed<P, estimator::ConnectionEnd>
 void fields(P& a, S& b, F f) {
-  fields(a.end, b.end, f);
+  fields(a.densities, b.densities, f);
   f(a.weight, b.weight, "weight");
-  f(a.share, b.share, "share");
+  f(a.chance, b.chance, "chance");
   f(a.goes_on, b.goes_on, "goes on");
   f(a.meeting, b.meeting, "meeting");
 }
