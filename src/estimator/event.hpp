@@ -80,15 +80,15 @@ void end_flight(Steps& steps, Track<T>& t, const transport::FlightEnd<T>& end) {
   steps.tally.collisions += count(t.colliding);
 }
 
-/// Those who stand at the surface are reflected, but for the weight that passes; who is `kept`
+/// Those who stand at the surface are reflected, but for the weight that passes; who is `lossless`
 /// stays with all of it. Tells who stood there.
 template <class T, class Ledger>
-Mask<T> reflect_at_surface(const medium::MediumView& sea, Track<T>& t, const Mask<T>& kept,
+Mask<T> reflect_at_surface(const medium::MediumView& sea, Track<T>& t, const Mask<T>& lossless,
                            Ledger& ledger) {
   const Mask<T> reflected = t.on & !t.colliding;
   if (!any(reflected)) return reflected;
   transport::Photon<T> down = t.photon;
-  book(ledger.escaped, reflected, transport::reflect_down(sea, down, kept));
+  book(ledger.escaped, reflected, transport::reflect_down(sea, down, lossless));
   transport::Photon<T>& photon = t.photon;
   photon.direction.z = select(reflected, down.direction.z, photon.direction.z);
   photon.weight = select(reflected, down.weight, photon.weight);

@@ -24,17 +24,17 @@ struct PlanePoint {
 
 /// An even choice of a point of the ring between two radii, from two uniforms.
 template <class T>
-PlanePoint<T> ring_point(const T& inner, const T& outer, const T& u_radius, const T& u_turn) {
+PlanePoint<T> ring_point(const T& inner, const T& outer, const T& u_radius, const T& u_azimuth) {
   using std::sqrt;
   const T radius = sqrt(inner * inner + u_radius * (outer * outer - inner * inner));
-  const auto [cosine, sine] = cos_sin_of_turns(u_turn);
+  const auto [cosine, sine] = cos_sin_of_turns(u_azimuth);
   return {radius * cosine, radius * sine};
 }
 
 /// An even choice of a point of the open lens.
 template <class T>
-PlanePoint<T> lens_point(const Telescope<T>& telescope, const T& u_radius, const T& u_turn) {
-  return ring_point(telescope.obstruction_radius, telescope.lens_radius, u_radius, u_turn);
+PlanePoint<T> lens_point(const Telescope<T>& telescope, const T& u_radius, const T& u_azimuth) {
+  return ring_point(telescope.obstruction_radius, telescope.lens_radius, u_radius, u_azimuth);
 }
 
 /// Whether a point of the lens' plane is open.

@@ -94,7 +94,7 @@ class Records {
   static constexpr std::size_t packs_of_record = (members_of<R>.all() + lanes - 1) / lanes;
   static_assert(sizeof(Element<T>) == sizeof(std::int32_t));
 
-  struct alignas(64) Line {
+  struct alignas(64) CacheLine {
     std::array<std::int32_t, words_of_line> word{};
   };
   using Places = std::array<std::int32_t, lanes>;
@@ -131,7 +131,7 @@ class Records {
     });
   }
 
-  std::vector<Line> line_;
+  std::vector<CacheLine> line_;
 };
 
 /// Of one lane.

@@ -37,7 +37,7 @@ class Pool {
         newborn_(packs, estimator::Travellers<T>(world)),
         estimates_(world) {
     for (std::size_t k = 0; k < packs; ++k) {
-      pack_[k].ratios.kept = newborn_[k].ratios.kept = &ratios_;
+      pack_[k].ratios.paths = newborn_[k].ratios.paths = &ratios_;
       pack_[k].ratios.first = k * width;
       newborn_[k].ratios.first = slots + k * width;
     }

@@ -36,8 +36,8 @@ class ScalarSimulator final : public Simulator {
  private:
   void forward(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const {
     estimator::Travellers<T> photon(world_);
-    estimator::PathRatios<T> kept(world_.sea.environments, 1);
-    photon.ratios.kept = &kept;
+    estimator::PathRatios<T> paths(world_.sea.environments, 1);
+    photon.ratios.paths = &paths;
     std::vector<estimator::Travellers<T>> copies;
     estimator::Estimates<T> estimates(world_);
     const estimator::Draws<T> draws = draws_of_laser(world_, first);

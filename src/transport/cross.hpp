@@ -30,12 +30,12 @@ Mask<T> enter_water(const medium::MediumView& sea, const geometry::Region<T>& fr
 
 /// Reflects a photon that stands at the surface back into the water: its weight takes the
 /// reflectance, 1 in total reflection. Returns the weight that leaves through the surface; clear
-/// air returns nothing. From photons that are `kept` that has been taken before.
+/// air returns nothing. From photons that are `lossless` that has been taken before.
 template <class T>
 T reflect_down(const medium::MediumView& sea, Photon<T>& photon,
-               const Mask<T>& kept = Mask<T>(false)) {
+               const Mask<T>& lossless = Mask<T>(false)) {
   const auto split = surface::flat_surface<T>(sea, photon.line).from_below(photon.direction);
-  const T r = select(kept, T(1), split.reflectance);
+  const T r = select(lossless, T(1), split.reflectance);
   const T leaving = photon.weight * (T(1) - r);
   photon.weight = photon.weight * r;
   photon.analog_weight = photon.analog_weight * r;

@@ -130,21 +130,21 @@ Mask<T> advance(const geometry::Slabs& sea, Photon<T>& photon, const T& distance
 /// has no memory: reflect(mask, photon) sends them back.
 template <class T, class Reflect>
 void fly_on(const geometry::Slabs& sea, Photon<T>& photon, FlightEnd<T>& end, Reflect reflect) {
-  const Mask<T> turned = end.surface;
-  if (!any(turned)) return;
+  const Mask<T> reflected = end.surface;
+  if (!any(reflected)) return;
   Photon<T> down = photon;
-  reflect(turned, down);
+  reflect(reflected, down);
   const FreePath<T> rest{end.rest, T(0) - end.rest * down.direction.z, end.layer};
   const FlightEnd<T> onward = fly(sea, down, flight_start_at_surface<T>(sea, down.line), rest);
-  photon.position = select<T>(turned, down.position, photon.position);
-  photon.direction.z = select(turned, down.direction.z, photon.direction.z);
-  photon.layer = select(turned, down.layer, photon.layer);
-  photon.path = select(turned, down.path, photon.path);
-  photon.weight = select(turned, down.weight, photon.weight);
-  photon.analog_weight = select(turned, down.analog_weight, photon.analog_weight);
+  photon.position = select<T>(reflected, down.position, photon.position);
+  photon.direction.z = select(reflected, down.direction.z, photon.direction.z);
+  photon.layer = select(reflected, down.layer, photon.layer);
+  photon.path = select(reflected, down.path, photon.path);
+  photon.weight = select(reflected, down.weight, photon.weight);
+  photon.analog_weight = select(reflected, down.analog_weight, photon.analog_weight);
   end.surface = Mask<T>(false);
-  end.sea_bed = (end.sea_bed & !turned) | (onward.sea_bed & turned);
-  end.length = end.length + select(turned, onward.length, T(0));
+  end.sea_bed = (end.sea_bed & !reflected) | (onward.sea_bed & reflected);
+  end.length = end.length + select(reflected, onward.length, T(0));
 }
 
 }  // namespace photic::transport

@@ -101,7 +101,7 @@ class Bidirectional {
   /// Photons `first` … `first + count - 1`, the first of a batch and up.
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) {
     const auto laser = draws_of_laser(world_, first);
-    std::vector<Home> back;
+    std::vector<WantedReceiver> back;
     for (const Receiver<T>& receiver : world_.receivers)
       if (is_wanted(receiver, tally)) back.push_back({receiver, draws_of(world_, receiver, first)});
     Ledger ledger;
@@ -118,7 +118,7 @@ class Bidirectional {
 
  private:
   /// A receiver whose light is asked for, and the random numbers of its walks.
-  struct Home {
+  struct WantedReceiver {
     const Receiver<T>& receiver;
     Draws<T> draws;
   };
@@ -133,16 +133,16 @@ class Bidirectional {
   }
 
   void follow(std::int32_t first, std::size_t count, std::size_t walks, const Draws<T>& laser,
-              const std::vector<Home>& back, Ledger& ledger, tally::BatchTally& tally) {
+              const std::vector<WantedReceiver>& back, Ledger& ledger, tally::BatchTally& tally) {
     // An echo is per photon emitted, and so are the samples.
     const Samples<T> samples{T(1), world_.connected, T(walks), T(world_.rotates ? walks : 0),
                              world_.meeting_grid};
-    FromLaser<T, Ledger> out{{laser, first}, world_, ledger};
-    WalkTaker(world_, samples, out, laser_, tally).take(count);
+    FromLaser<T, Ledger> from_laser{{laser, first}, world_, ledger};
+    WalkTracer(world_, samples, from_laser, laser_, tally).trace(count);
     for (const auto& [receiver, draws] : back) {
       Walks<T>& walks_back = back_[receiver.telescope];
-      FromTelescope<T, Ledger> home{{draws, first}, world_, receiver};
-      WalkTaker(world_, samples, home, walks_back, tally).take(count);
+      FromTelescope<T, Ledger> from_telescope{{draws, first}, world_, receiver};
+      WalkTracer(world_, samples, from_telescope, walks_back, tally).trace(count);
       connect(receiver, samples, walks_back, count, walks, tally);
     }
   }

@@ -53,12 +53,12 @@ template <class T>
 PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPair<T>& pair, const Moved<T>& moved,
                                                       const T& depth, const Index<T>& layer) {
   const Ray& out = pair.out;
-  const Ray& home = moved.ray;
+  const Ray& back = moved.ray;
   const auto pass = [&](const Ray& ray) {
     const Mask<T> reflected = ray.is_reflected();
     WalkPoint<T> left = ray;
     left.position.z = select(reflected, T(-ray.position.z), ray.position.z);
-    left.direction.z = ray.left_z();
+    left.direction.z = ray.leaving_z();
     const T reach = (-ray.position.z - depth) / ray.direction.z;
     WalkPoint<T> arrived = ray;
     arrived.position = ray.position + reach * ray.direction;
@@ -67,14 +67,14 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPair<T>& pair, co
   };
   completion_.clear();
   pass(out);
-  pass(home);
+  pass(back);
   if (is_aslant(telescope_)) {
     const Index<T>& at = receiver_.region.layer;
     const T longer = select(pair.pairing.m == Index<T>(0), T(0), moved.longer);
     completion_.pass(sea_, {back_.line(pair.pairing.back), at, T(0), at, T(0), longer});
   }
-  completion_.collide(sea_, {out.line, layer, home.line > Index<T>(0), home.line,
-                             one_minus_cos(out.direction, -home.direction)});
+  completion_.collide(sea_, {out.line, layer, back.line > Index<T>(0), back.line,
+                             one_minus_cos(out.direction, -back.direction)});
 }
 
 /// Scores with the ratios of the completed paths.
@@ -83,12 +83,12 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(
     const Pairing<T>& pairing, Walked walked, const Mask<T>& mask, const T& value, const T& path,
     const T& last, const Index<T>& order) {
   const auto out = each_lane(Walks<T>::slot(pairing.laser, pairing.i));
-  const auto home = each_lane(Walks<T>::slot(pairing.back, pairing.m));
+  const auto back = each_lane(Walks<T>::slot(pairing.back, pairing.m));
   lanes::each_score(tally_, mask, scores_of(pairing, walked, value, path, last, order),
                     [&](std::size_t lane, const tally::Score& score, const auto& at) {
                       const auto of_walks = [&](std::int32_t e) {
                         const auto of_laser = [&] { return laser_.ratios().at(out[lane], e); };
-                        const auto of_telescope = [&] { return back_.ratios().at(home[lane], e); };
+                        const auto of_telescope = [&] { return back_.ratios().at(back[lane], e); };
                         if (walked == Walked::laser) return of_laser();
                         if (walked == Walked::telescope) return of_telescope();
                         return joined(sea_.environments, e, of_laser(), of_telescope());

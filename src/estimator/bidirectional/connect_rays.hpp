@@ -30,30 +30,30 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
                                Act act) {
   lanes::each_index<T>(back_.rays(back), [&](const Index<T>& m, const Mask<T>&) {
     const auto first = static_cast<std::size_t>(each_lane(m)[0]);
-    Line line = line_of(back_.ray(Index<T>(back), m));
+    DepthLine line = depth_line_of(back_.ray(Index<T>(back), m));
     lines_.each(line, [first](const T& member, auto* column) { store(member, column + first); });
   });
   lanes::each_index<T>(
       list_laser_rays(first_laser, walks), [&](const Index<T>& k, const Mask<T>& mask) {
         const Index<T> laser = gather_index<T>(walk_of_.data(), k);
         const Index<T> i = gather_index<T>(ray_of_.data(), k);
-        const auto out = line_of(laser_.ray(laser, i));
-        const auto image = reflected(out, world_.deepest);
-        const Mask<T> rises = mask & (out.rise > T(0));
+        const auto out_line = depth_line_of(laser_.ray(laser, i));
+        const auto image = reflected(out_line, world_.deepest);
+        const Mask<T> rises = mask & (out_line.rise > T(0));
         for (std::int32_t m = 0; m < back_.rays(back); ++m) {
-          Line home;
-          lines_.each(home, [m](T& member, const auto* column) { member = T(column[m]); });
-          const Mask<T> in_time =
-              mask & in_order(i + Index<T>(m + 1)) & (out.start + home.start < receiver_.longest);
+          DepthLine back_line;
+          lines_.each(back_line, [m](T& member, const auto* column) { member = T(column[m]); });
+          const Mask<T> in_time = mask & in_order(i + Index<T>(m + 1)) &
+                                  (out_line.start + back_line.start < receiver_.longest);
           if (!any(in_time)) break;
           const Pairing<T> pairing{laser, i, Index<T>(back), Index<T>(m)};
-          const bool home_rises = all(home.rise > T(0));
-          const auto home_image = reflected(home, world_.deepest);
-          for (std::int32_t which = 0; which < (home_rises ? 4 : 2); ++which) {
+          const bool back_rises = all(back_line.rise > T(0));
+          const auto back_image = reflected(back_line, world_.deepest);
+          for (std::int32_t which = 0; which < (back_rises ? 4 : 2); ++which) {
             const Mask<T> some = which % 2 == 0 ? in_time : in_time & rises;
             if (any(some))
-              act(RayPairing<T>{pairing, Index<T>(which)}, some, which % 2 == 0 ? out : image,
-                  which < 2 ? home : home_image);
+              act(RayPairing<T>{pairing, Index<T>(which)}, some, which % 2 == 0 ? out_line : image,
+                  which < 2 ? back_line : back_image);
           }
         }
       });
@@ -71,25 +71,29 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
   const Index<T> pivot(back_.pivot_vertex(back));
   const auto start = at_lens(birth, back_.line(Index<T>(back)));
   each_pair(first_laser, walks, back,
-            [&](const auto& pairing, const auto& mask, const Line& out, const Line& home) {
-              if (translates) translate(pairing, mask & reverses(out, home), out, home, start);
-              if (rotates) rotate(pairing, mask & (pairing.m > pivot), out, home, axis);
+            [&](const auto& pairing, const auto& mask, const DepthLine& out_line,
+                const DepthLine& back_line) {
+              if (translates)
+                translate(pairing, mask & reverses(out_line, back_line), out_line, back_line,
+                          start);
+              if (rotates) rotate(pairing, mask & (pairing.m > pivot), out_line, back_line, axis);
             });
 }
 
 /// Where a telescope's ray can meet a laser's so that its walk comes through the lens.
 template <class T>
-Chord<T> Connections<T>::chord_of(const Line& out, const Line& home, const Index<T>& m,
-                                  const AtLens<T>& start) const {
-  if (!telescope_.upright) return tilted_chord(out, home, m, start);
-  return chord(out, home, telescope_, start.lens, receiver_.last_path);
+Chord<T> Connections<T>::chord_of(const DepthLine& out_line, const DepthLine& back_line,
+                                  const Index<T>& m, const AtLens<T>& start) const {
+  if (!telescope_.upright) return tilted_chord(out_line, back_line, m, start);
+  return chord(out_line, back_line, telescope_, start.lens, receiver_.last_path);
 }
 /// Rays that meet where the telescope's walk comes through the lens, at depths that lie on a grid.
 template <class T>
-void Connections<T>::translate(const RayPairing<T>& pairing, const Mask<T>& mask, const Line& out,
-                               const Line& home, const AtLens<T>& start) {
+void Connections<T>::translate(const RayPairing<T>& pairing, const Mask<T>& mask,
+                               const DepthLine& out_line, const DepthLine& back_line,
+                               const AtLens<T>& start) {
   if (!any(mask)) return;
-  const auto chord = chord_of(out, home, pairing.m, start);
+  const auto chord = chord_of(out_line, back_line, pairing.m, start);
   const Mask<T> meet = mask & chord.exists;
   if (any(meet))
     translated_.push(meet, pairing,
@@ -107,10 +111,12 @@ Moved<T> Connections<T>::translated(const RayPair<T>& pair, const Vec3<T>& trans
 
 /// Rays that meet where both are as far from an axis.
 template <class T>
-void Connections<T>::rotate(const RayPairing<T>& pairing, const Mask<T>& mask, const Line& out,
-                            const Line& home, const RotationAxis<T>& axis) {
+void Connections<T>::rotate(const RayPairing<T>& pairing, const Mask<T>& mask,
+                            const DepthLine& out_line, const DepthLine& back_line,
+                            const RotationAxis<T>& axis) {
   if (!any(mask)) return;
-  const auto meetings = estimator::equidistant_depths(out, home, axis, receiver_.last_path);
+  const auto meetings =
+      estimator::equidistant_depths(out_line, back_line, axis, receiver_.last_path);
   for (std::size_t n = 0; n < meetings.depth.size(); ++n) {
     const Mask<T> meet = mask & meetings.exists[n];
     if (any(meet))
@@ -132,10 +138,11 @@ RayPair<T> Connections<T>::pair_of(const RayPairing<T>& pairing) const {
                   axis.y,
                   pairing,
                   {}};
-  const Mask<T> home = pairing.reflected >= Index<T>(2);
-  const Mask<T> out = (pairing.reflected == Index<T>(1)) | (pairing.reflected == Index<T>(3));
-  if (any(out)) lanes::assign<T>(out, reflected(sea_, pair.out), pair.out);
-  if (any(home)) lanes::assign<T>(home, reflected(sea_, pair.back), pair.back);
+  const Mask<T> back_reflected = pairing.reflected >= Index<T>(2);
+  const Mask<T> out_reflected =
+      (pairing.reflected == Index<T>(1)) | (pairing.reflected == Index<T>(3));
+  if (any(out_reflected)) lanes::assign<T>(out_reflected, reflected(sea_, pair.out), pair.out);
+  if (any(back_reflected)) lanes::assign<T>(back_reflected, reflected(sea_, pair.back), pair.back);
   return pair;
 }
 
@@ -144,7 +151,7 @@ PHOTIC_FLATTEN void Connections<T>::serve_translated(const RayPairing<T>& pairin
                                                      const Mask<T>& mask) {
   const auto& grid = samples_.grid;
   RayPair<T> pairs = pair_of(pairing);
-  const auto chord = chord_of(line_of(pairs.out), line_of(pairs.back), pairing.m,
+  const auto chord = chord_of(depth_line_of(pairs.out), depth_line_of(pairs.back), pairing.m,
                               at_lens(pairs.birth, back_.line(pairing.back)));
   pairs.lens = chord.lens;
   const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
@@ -199,7 +206,7 @@ std::array<T, 2> Connections<T>::rotate_pivot(RayPair<T>& pair, const Rotation<T
   const auto in_path = usable(pairing.order());
   const auto near = back_.near_first(pairing.back, pairing.m, in_path,
                                      translations_in(in_path.order, pair.birth.translation_area));
-  return {gain, (gained - T(1)) * (near.home_edge + near.translated + near.next_edge)};
+  return {gain, (gained - T(1)) * (near.lens_edge + near.translated + near.next_edge)};
 }
 
 template <class T>
@@ -225,23 +232,23 @@ void Connections<T>::meet_at(const RayPair<T>& pair, const Mask<T>& mask, const 
   const bool aslant = !upright && is_aslant(telescope_);
   if (aslant) freedom = freedom_before(last(), freedom);
   const auto laser = laser_.side(out, pair.spread, pairing.laser, pairing.i, in_path, freedom);
-  auto home = back_.side(pair.back, birth.spread, pairing.back, pairing.m, in_path,
+  auto back = back_.side(pair.back, birth.spread, pairing.back, pairing.m, in_path,
                          {translations_last, pair.axis()});
-  home.ray = moved.ray;
-  home.behind = home.behind + moved.near_pivot;
+  back.ray = moved.ray;
+  back.behind = back.behind + moved.near_pivot;
   T gain = moved.gain;
   if (!upright) {
     const Longer<T> longer = lengthened(pair, moved.longer);
     gain = gain * longer.gain;
-    home.ray.path = home.ray.path + longer.path;
-    home.spread.before = home.spread.before + longer.length;
-    home.behind = home.behind + longer.behind;
-    home.last = home.last + longer.last;
+    back.ray.path = back.ray.path + longer.path;
+    back.spread.before = back.spread.before + longer.length;
+    back.behind = back.behind + longer.behind;
+    back.meeting = back.meeting + longer.meeting;
   }
   if (aslant)
     freedom.translations = select(pairing.m > Index<T>(0), freedom.translations, translations_last);
   const auto meeting =
-      meet(sea_, laser, home, depth, layer, freedom, world_.inverse_conversion, samples_);
+      meet(sea_, laser, back, depth, layer, freedom, world_.inverse_conversion, samples_);
   if (world_.compares) [[unlikely]]
     complete_by_meeting(pair, moved, depth, layer);
   score(pair.pairing, Walked::both, emitting & (meeting.path < receiver_.last_path),

@@ -8,9 +8,9 @@
 namespace photic::estimator {
 
 template <class T>
-PHOTIC_APART Chord<T> Connections<T>::tilted_chord(Line out, Line home, Index<T> m,
-                                                   AtLens<T> start) const {
-  return chord(out, translatable(home, m), telescope_, start, receiver_.last_path);
+PHOTIC_APART Chord<T> Connections<T>::tilted_chord(DepthLine out_line, DepthLine back_line,
+                                                   Index<T> m, AtLens<T> start) const {
+  return chord(out_line, translatable(back_line, m), telescope_, start, receiver_.last_path);
 }
 
 /// Whether a telescope's ray that has been shifted goes through a depth; later ones only in walks
@@ -24,7 +24,7 @@ Mask<T> Connections<T>::can_meet(const RayPair<T>& pair, const Ray& moved, const
 }
 
 template <class T>
-HomeWay<T> Connections<T>::home_way(const BirthRecord<T>& birth, const Index<T>& back) const {
+FirstLeg<T> Connections<T>::first_leg(const BirthRecord<T>& birth, const Index<T>& back) const {
   using std::abs;
   const Vertex v = back_.vertex(back, Index<T>(0));
   T from(0);
@@ -55,7 +55,7 @@ PHOTIC_APART Longer<T> Connections<T>::lengthened(const RayPair<T>& pair, T leng
   longer.length = length;
   longer.path = length * at_lens(pair.birth, line).index;
   if (all(first)) return longer;
-  const HomeWay<T> way = home_way(pair.birth, pairing.back);
+  const FirstLeg<T> way = first_leg(pair.birth, pairing.back);
   const auto area = [&](const T& more) {
     auto spread = pair.birth.spread;
     spread.through_surface = !telescope_.submerged;
@@ -67,10 +67,11 @@ PHOTIC_APART Longer<T> Connections<T>::lengthened(const RayPair<T>& pair, T leng
   const auto near = back_.near_first(pairing.back, pairing.m, in_path, translations_here);
   const T of_edge = growth * area(length) / area(T(0)) - T(1);
   const T of_meeting = growth - T(1);
-  longer.behind = select(first, T(0), of_edge * near.home_edge + of_meeting * near.translated);
-  longer.last = select(
+  longer.behind = select(first, T(0), of_edge * near.lens_edge + of_meeting * near.translated);
+  longer.meeting = select(
       (pairing.m == Index<T>(1)) & in_path.meeting(in_path.order),
-      of_meeting * translations_here * if_reversed(pair.back.translated, pair.back.left_z()), T(0));
+      of_meeting * translations_here * if_reversed(pair.back.translated, pair.back.leaving_z()),
+      T(0));
   return longer;
 }
 

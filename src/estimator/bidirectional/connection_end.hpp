@@ -48,7 +48,7 @@ ConnectionEnd<T> scattering_from_laser(const geometry::Slabs& sea, const Vertex<
   const Index<T> here = sea.at(v.line, v.layer);
   ConnectionEnd<T> end;
   end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
-  end.densities.open = goes_on * v.open;
+  end.densities.arriving_edge = goes_on * v.arriving_edge;
   end.densities.behind =
       goes_on * inverse_conversion.scattered_over_phase(sea, -v.direction, end.densities.p) *
       behind;
@@ -70,7 +70,7 @@ ConnectionEnd<T> conversion_from_laser(const geometry::Slabs& sea, const Vertex<
   const T ratio = walk_c_ratio<T>(sea, line, v.layer);
   ConnectionEnd<T> end;
   end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.conversion_phase, line));
-  end.densities.open = goes_on * v.open;
+  end.densities.arriving_edge = goes_on * v.arriving_edge;
   end.densities.behind = goes_on * inverse_conversion.chance(sea, line, v.layer) *
                          inverse_conversion.over_phase(sea, -v.direction, end.densities.p) * behind;
   end.meeting = goes_on * ratio * freedom.meeting(v, direction);
@@ -93,7 +93,7 @@ ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>&
   end.densities.p = phase_value(sea, v, direction,
                                 select(converts, gather_index<T>(sea.conversion_phase, v.line),
                                        gather_index<T>(sea.elastic_phase, here)));
-  end.densities.open = ratio * v.open;
+  end.densities.arriving_edge = ratio * v.arriving_edge;
   end.densities.behind = v.behind.all(freedom.translations);  // 0 before a conversion
   end.meeting = freedom.meeting(v, direction);
   end.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),

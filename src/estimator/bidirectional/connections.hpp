@@ -108,16 +108,16 @@ struct Moved {
 /// What a longer way from the lens makes of a telescope's side of a meeting.
 template <class T>
 struct Longer {
-  T gain{1};   ///< of the sample
-  T path{};    ///< more of it [m]
-  T length{};  ///< of the way, more of it [m]
-  T behind{};  ///< what n h / g of all strategies behind the ray gains
-  T last{};    ///< and that of meeting where it begins, but for P and the edge beyond
+  T gain{1};    ///< of the sample
+  T path{};     ///< more of it [m]
+  T length{};   ///< of the way, more of it [m]
+  T behind{};   ///< what n h / g of all strategies behind the ray gains
+  T meeting{};  ///< and that of meeting where it begins, but for P and the edge beyond
 };
 
 /// A telescope's walk's first way in the water.
 template <class T>
-struct HomeWay {
+struct FirstLeg {
   T length{};  ///< [m]
   T steep{};   ///< cosine to the vertical
 };
@@ -157,21 +157,21 @@ class Connections {
  private:
   using Vertex = estimator::Vertex<T>;
   using Ray = estimator::Ray<T>;
-  using Line = DepthLine<T>;
+  using DepthLine = estimator::DepthLine<T>;
   using ConnectionEnd = estimator::ConnectionEnd<T>;
-  using Room = lanes::Queue<T, Pairing<T>>;
+  using VertexQueue = lanes::Queue<T, Pairing<T>>;
   using RayQueue = lanes::Queue<T, RayPairing<T>>;
 
   template <class Act>
   void each_pair(std::size_t first_laser, std::size_t walks, std::size_t back, Act act);
   std::int32_t list_laser_rays(std::size_t first, std::size_t walks);
-  void translate(const RayPairing<T>& pairing, const Mask<T>& mask, const Line& out,
-                 const Line& home, const AtLens<T>& start);
-  Chord<T> chord_of(const Line& out, const Line& home, const Index<T>& m,
+  void translate(const RayPairing<T>& pairing, const Mask<T>& mask, const DepthLine& out_line,
+                 const DepthLine& back_line, const AtLens<T>& start);
+  Chord<T> chord_of(const DepthLine& out_line, const DepthLine& back_line, const Index<T>& m,
                     const AtLens<T>& start) const;
-  Chord<T> tilted_chord(Line out, Line home, Index<T> m, AtLens<T> start) const;
-  void rotate(const RayPairing<T>& pairing, const Mask<T>& mask, const Line& out, const Line& home,
-              const RotationAxis<T>& axis);
+  Chord<T> tilted_chord(DepthLine out_line, DepthLine back_line, Index<T> m, AtLens<T> start) const;
+  void rotate(const RayPairing<T>& pairing, const Mask<T>& mask, const DepthLine& out_line,
+              const DepthLine& back_line, const RotationAxis<T>& axis);
 
   // What is done with the pairing of a mask once they fill a pack.
   void serve_to_telescope(const Pairing<T>& pairing, const Mask<T>& mask);
@@ -193,7 +193,7 @@ class Connections {
   void meet_under_tilted(const RayPair<T>& pair, Mask<T> mask, Moved<T> moved, T depth);
   [[nodiscard]] Mask<T> can_meet(const RayPair<T>& pair, const Ray& moved, const T& depth) const;
   Longer<T> lengthened(const RayPair<T>& pair, T length) const;
-  [[nodiscard]] HomeWay<T> home_way(const BirthRecord<T>& birth, const Index<T>& back) const;
+  [[nodiscard]] FirstLeg<T> first_leg(const BirthRecord<T>& birth, const Index<T>& back) const;
   std::array<T, 2> rotate_pivot(RayPair<T>& pair, const Rotation<T>& rotation) const;
   template <bool upright>
   void meet_at(const RayPair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);
@@ -230,9 +230,11 @@ class Connections {
            (v.behind.all(freedom.translations) +
             laser_.rotated_before(pairing.laser, pairing.i, in_path, freedom.axis));
   }
-  [[nodiscard]] Line line_of(const Ray& ray) const { return depth_line(sea_, ray, world_.deepest); }
+  [[nodiscard]] DepthLine depth_line_of(const Ray& ray) const {
+    return depth_line(sea_, ray, world_.deepest);
+  }
   /// Of a telescope's ray m that may be shifted: a first one may then begin elsewhere.
-  [[nodiscard]] Line translatable(Line line, const Index<T>& m) const {
+  [[nodiscard]] DepthLine translatable(DepthLine line, const Index<T>& m) const {
     if (!is_aslant(telescope_)) return line;
     const T most = select(m == Index<T>(0), T(2) * telescope_.lens_rise, T(0));
     const T from = line.from - most, to = line.to + most;
@@ -251,9 +253,10 @@ class Connections {
   }
   /// How a telescope's walk may be turned in paths that convert at a place, or of which that is the
   /// last vertex. `home`, `on`: directions of the edges there, to the telescope and to the laser.
-  [[nodiscard]] RotationAxis<T> axis_at(const Vec3<T>& place, const Vec3<T>& home,
-                                        const Vec3<T>& on) const {
-    const Mask<T> scatters = world_.rotates_scattered ? leads_aside(home, on) : Mask<T>(false);
+  [[nodiscard]] RotationAxis<T> axis_at(const Vec3<T>& place, const Vec3<T>& telescope_edge,
+                                        const Vec3<T>& laser_edge) const {
+    const Mask<T> scatters =
+        world_.rotates_scattered ? leads_aside(telescope_edge, laser_edge) : Mask<T>(false);
     return {Mask<T>((receiver_.line > Index<T>(0)) | scatters), place.x, place.y};
   }
   /// Whether a path's pivot is where light comes upon its telescope's walk of so many vertices, as
@@ -302,11 +305,12 @@ class Connections {
   const Walks<T>& laser_;
   const Walks<T>& back_;
   tally::BatchTally& tally_;
-  Room to_telescope_, to_laser_, between_;
+  VertexQueue to_telescope_, to_laser_, between_;
   RayQueue translated_;
   lanes::Queue<T, RotatedPairing<T>> rotated_;
   std::vector<std::int32_t> walk_of_, ray_of_;  ///< the laser's rays that may meet a telescope's
-  lanes::LaneColumns<T, Line, most_vertices + 1 + lanes_of<T>> lines_;  ///< of a telescope's walk
+  lanes::LaneColumns<T, DepthLine, most_vertices + 1 + lanes_of<T>>
+      lines_;  ///< of a telescope's walk
   lanes::ScoreQueue<T> scores_;
   Completion<T> completion_;
   std::vector<Element<T>> ratios_;  ///< of one lane, [environment]

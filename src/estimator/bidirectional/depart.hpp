@@ -45,7 +45,7 @@ Departure<T> depart(const geometry::Slabs& sea, transport::Photon<T>& photon,
   const Mask<T> inelastic = photon.line > Index<T>(0);
   Departure<T> departure;
   departure.chance = select(converts, chance, T(1) - chance);
-  departure.density = select(
+  departure.c_ratio = select(
       inelastic, select(converts, walk_c_ratio<T>(sea, photon.line, photon.layer), T(0)), T(1));
   const Index<T> phase = select(converts, gather_index<T>(sea.conversion_phase, photon.line),
                                 gather_index<T>(sea.elastic_phase, here));

@@ -164,7 +164,7 @@ Chord<T> within_rim(const LensLine<T>& line, const T& radius, const Span<T>& spa
 
 /// From a telescope's ray to a laser's, at the surface's level and per metre of depth.
 template <class T>
-std::array<Vec3<T>, 2> level_way(const DepthLine<T>& back, const DepthLine<T>& laser) {
+std::array<Vec3<T>, 2> horizontal_offset(const DepthLine<T>& back, const DepthLine<T>& laser) {
   return {
       Vec3<T>{laser.x - back.x, laser.y - back.y, T(0)},
       Vec3<T>{laser.x_per_depth - back.x_per_depth, laser.y_per_depth - back.y_per_depth, T(0)}};
@@ -176,7 +176,7 @@ template <class T>
 Chord<T> chord(const DepthLine<T>& laser, const DepthLine<T>& back,
                const instrument::Telescope<T>& telescope, const instrument::PlanePoint<T>& lens,
                const T& last_path) {
-  const auto [at_surface, per_depth] = level_way(back, laser);
+  const auto [at_surface, per_depth] = horizontal_offset(back, laser);
   return within_rim<T>(
       {lens + parts_in_plane(telescope, at_surface), parts_in_plane(telescope, per_depth)},
       telescope.lens_radius, common_span(laser, back, last_path));
@@ -186,7 +186,7 @@ template <class T>
 Chord<T> chord(const DepthLine<T>& laser, DepthLine<T> back,
                const instrument::Telescope<T>& telescope, const AtLens<T>& start,
                const T& last_path) {
-  const auto [at_surface, per_depth] = level_way(back, laser);
+  const auto [at_surface, per_depth] = horizontal_offset(back, laser);
   const auto there = lens_translation(telescope, start.outward, at_surface);
   const auto slope = lens_translation(telescope, start.outward, per_depth);
   back.path = back.path + start.index * there.longer;
@@ -255,12 +255,12 @@ template <class T>
 Rotation<T> rotation_to_meet(const Ray<T>& laser, const Ray<T>& back, const RotationAxis<T>& axis,
                              const T& depth) {
   using std::sqrt;
-  const T out = (-laser.position.z - depth) / laser.direction.z;
-  const T home = (-back.position.z - depth) / back.direction.z;
-  const T ax = laser.position.x + out * laser.direction.x - axis.x;
-  const T ay = laser.position.y + out * laser.direction.y - axis.y;
-  const T bx = back.position.x + home * back.direction.x - axis.x;
-  const T by = back.position.y + home * back.direction.y - axis.y;
+  const T length_out = (-laser.position.z - depth) / laser.direction.z;
+  const T length_back = (-back.position.z - depth) / back.direction.z;
+  const T ax = laser.position.x + length_out * laser.direction.x - axis.x;
+  const T ay = laser.position.y + length_out * laser.direction.y - axis.y;
+  const T bx = back.position.x + length_back * back.direction.x - axis.x;
+  const T by = back.position.y + length_back * back.direction.y - axis.y;
   const T square = sqrt(ax * ax + ay * ay) * sqrt(bx * bx + by * by);
   const Mask<T> aside = square > T(0);  // else any turn does
   const T per = T(1) / select(aside, square, T(1));
@@ -280,8 +280,8 @@ struct Side {
   Ray<T> ray;
   Mask<T> first{};  ///< it leaves the instrument, as light that spreads so
   Spread<T> spread;
-  T behind{};  ///< densities behind the ray
-  T last{};    ///< of meeting where the ray begins, but for what is beyond it
+  T behind{};   ///< densities behind the ray
+  T meeting{};  ///< of meeting where the ray begins, but for what is beyond it
 
   /// n h / g of connecting the edge along the ray, times P and the walked exp(-tau): what the
   /// surface reflects can only be connected to an instrument, by its mirror image.
@@ -303,12 +303,12 @@ Meeting<T> meet(const geometry::Slabs& sea, const Side<T>& laser_side, const Sid
   const Index<T> line = back.line;
   const Index<T> here = sea.at(line, layer);
   const Mask<T> converts = line > Index<T>(0);
-  const T out = (-laser.position.z - depth) / laser.direction.z;
-  const T home = (-back.position.z - depth) / back.direction.z;
-  const auto tau_out = depths_along(sea, laser, layer, depth, out);
-  const auto tau_home = depths_along(sea, back, layer, depth, home);
+  const T length_out = (-laser.position.z - depth) / laser.direction.z;
+  const T length_back = (-back.position.z - depth) / back.direction.z;
+  const auto tau_out = depths_along(sea, laser, layer, depth, length_out);
+  const auto tau_back = depths_along(sea, back, layer, depth, length_back);
   const T walked_out = exp_minus(tau_out.walk);
-  const T walked_home = exp_minus(tau_home.walk);
+  const T walked_back = exp_minus(tau_back.walk);
   const T walk_mean_path = gather<T>(sea.walk_mean_path, here);
   const T coefficient =
       select(converts, gather<T>(sea.conversion, here) * gather<T>(sea.c.first, layer),
@@ -320,24 +320,24 @@ Meeting<T> meet(const geometry::Slabs& sea, const Side<T>& laser_side, const Sid
 
   // Strategies, each with n h / g times p and the walked exp(-tau) of both rays.
   const T steep = select(reverses(laser, back), T(laser.direction.z * back.direction.z), T(0));
-  const T jacobian =
-      rotation_jacobian(laser.position + out * laser.direction, laser.direction, back.direction)
-          .about(freedom.axis);
+  const T jacobian = rotation_jacobian(laser.position + length_out * laser.direction,
+                                       laser.direction, back.direction)
+                         .about(freedom.axis);
   const T here_met = (freedom.translations * steep + samples.rotated * T(2 * pi) * jacobian) *
                      back.chance * walk_mean_path;
   const T ratio = walk_c_ratio<T>(sea, line, layer);
-  const T connected = back.chance * laser_side.connecting(sea, out, samples) * walked_home +
-                      ratio * side.connecting(sea, home, samples) * walked_out;
+  const T connected = back.chance * laser_side.connecting(sea, length_out, samples) * walked_back +
+                      ratio * side.connecting(sea, length_back, samples) * walked_out;
   const T goes_on =
       back.chance * inverse_conversion.goes_on(sea, line, layer, converts, -laser.direction, p);
-  const T met_next = goes_on * laser_side.last * walked_home + side.last * walked_out;
-  const T met_behind = walked_out * walked_home * (goes_on * laser_side.behind + side.behind);
+  const T met_next = goes_on * laser_side.meeting * walked_back + side.meeting * walked_out;
+  const T met_behind = walked_out * walked_back * (goes_on * laser_side.behind + side.behind);
   Meeting<T> meeting;
   meeting.value = laser.weight * back.weight * coefficient * p *
-                  exp_minus(tau_out.all + tau_home.all) /
+                  exp_minus(tau_out.all + tau_back.all) /
                   (here_met + connected + p * (met_next + met_behind));
-  meeting.path = laser.path + back.path + out * gather<T>(sea.group_index, Index<T>(0)) +
-                 home * gather<T>(sea.group_index, line);
+  meeting.path = laser.path + back.path + length_out * gather<T>(sea.group_index, Index<T>(0)) +
+                 length_back * gather<T>(sea.group_index, line);
   return meeting;
 }
 

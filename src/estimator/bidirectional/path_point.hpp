@@ -34,7 +34,7 @@ WalkPoint<T> walk_point(const transport::Photon<T>& photon) {
 /// A walk as it leaves a vertex, the collision's weight included, or enters the water.
 template <class T>
 struct Ray : WalkPoint<T> {
-  T left_chance{1};       ///< h of a walk that ends at the vertex
+  T vertex_chance{1};     ///< h of a walk that ends at the vertex
   T chance{1};            ///< h of this ray
   T reverse_chance{1};    ///< h of telescopes' walks that pass a laser's walk as far as this ray
   T per_p{1};             ///< 1 over the phase function's value at the vertex [sr]
@@ -47,14 +47,14 @@ struct Ray : WalkPoint<T> {
   /// That the surface has reflected it: it stands for the ray that set out from its mirror image.
   Mask<T> is_reflected() const { return WalkPoint<T>::position.z > T(0); }
   /// z of the direction in which it left the vertex.
-  T left_z() const {
+  T leaving_z() const {
     const T z = WalkPoint<T>::direction.z;
     return select(is_reflected(), T(0) - z, z);
   }
   template <class F>
   constexpr void each_member(F f) {
     WalkPoint<T>::each_member(f);
-    f(left_chance), f(chance), f(reverse_chance), f(per_p), f(last_edge), f(translated);
+    f(vertex_chance), f(chance), f(reverse_chance), f(per_p), f(last_edge), f(translated);
     behind.each_member(f);
     rotated.each_member(f);
   }
@@ -65,21 +65,21 @@ template <class T>
 struct Vertex : WalkPoint<T> {
   T chance{1};          ///< h of a walk that ends here
   T reverse_chance{1};  ///< h of telescopes' walks that pass a laser's walk as far as here
-  T open{};             ///< n h / g of connecting the last edge, times P here; 0: it cannot be
+  T arriving_edge{};    ///< n h / g of connecting the last edge, times P here; 0: it cannot be
   T translated{};       ///< n h / g of meeting here over `translations`, but for P and for the edge
                         ///< beyond; its sign is that of the arriving direction's z
   T rotated{};          ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
   // Over `passed`:
   RotatedMeeting<T>
-      last_rotated{};     ///< of turning to meet at the vertex before, complete by the last edge
-  Densities<T> last{};    ///< of what has become complete by the last edge
+      added_rotated{};    ///< of turning to meet at the vertex before, complete by the last edge
+  Densities<T> added{};   ///< of what has become complete by the last edge
   Densities<T> behind{};  ///< of all that is complete
   template <class F>
   constexpr void each_member(F f) {
     WalkPoint<T>::each_member(f);
-    f(chance), f(reverse_chance), f(open), f(translated), f(rotated);
-    last.each_member(f);
-    last_rotated.each_member(f);  // read alone, too: words 18 to 22 lie in one pack of any width
+    f(chance), f(reverse_chance), f(arriving_edge), f(translated), f(rotated);
+    added.each_member(f);
+    added_rotated.each_member(f);  // read alone, too: words 18 to 22 lie in one pack of any width
     behind.each_member(f);
   }
 };

@@ -25,9 +25,10 @@ struct RotationAxis {
 /// aside, the turn hardly changes the angle between. Both directions' own angles to the vertical
 /// tell, which no turn changes.
 template <class T>
-Mask<T> leads_aside(const Vec3<T>& home, const Vec3<T>& on) {
+Mask<T> leads_aside(const Vec3<T>& arriving, const Vec3<T>& leaving) {
   constexpr double as_far = 3;  // decision 33
-  return on.x * on.x + on.y * on.y > T(as_far * as_far) * (home.x * home.x + home.y * home.y);
+  return leaving.x * leaving.x + leaving.y * leaving.y >
+         T(as_far * as_far) * (arriving.x * arriving.x + arriving.y * arriving.y);
 }
 
 /// |e_z x (x - axis) . (w x w')|, S: the volume that two rays of directions w and w' sweep about

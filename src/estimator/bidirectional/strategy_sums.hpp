@@ -53,8 +53,8 @@ struct Densities {
 template <class T>
 struct EndDensities {
   T p{1};
-  T open{};    ///< n h / g of connecting the last edge, times p
-  T behind{};  ///< sum of n h / g of what is complete
+  T arriving_edge{};  ///< n h / g of connecting the last edge, times p
+  T behind{};         ///< sum of n h / g of what is complete
 };
 
 /// Weight of a connection by the balance heuristic over all strategies that can be used for its
@@ -66,8 +66,8 @@ T balance(const T& area, const T& tau, const T& walk_tau, const EndDensities<T>&
           const EndDensities<T>& b) {
   const T both = a.p * b.p;
   return both * exp_minus(tau) /
-         (area +
-          exp_minus(walk_tau) * (a.open * b.p + b.open * a.p + (a.behind + b.behind) * both));
+         (area + exp_minus(walk_tau) * (a.arriving_edge * b.p + b.arriving_edge * a.p +
+                                        (a.behind + b.behind) * both));
 }
 
 }  // namespace photic::estimator

@@ -31,7 +31,7 @@ struct Departure {
   T p{1};               ///< phase function's value [1/sr]
   T chance{1};          ///< of the choices that the phase function does not make
   T reverse_chance{1};  ///< the same of a telescope's walk that passes a vertex of the laser's
-  T density{1};  ///< c' of the line that a walk from the laser would have come with, over that of
+  T c_ratio{1};  ///< c' of the line that a walk from the laser would have come with, over that of
                  ///< the walk's own; 0: the path's edges behind can be drawn by no other strategy
 };
 
@@ -40,14 +40,14 @@ template <class T>
 Ray<T> next_ray(const transport::Photon<T>& photon, const Vertex<T>& from,
                 const Departure<T>& departure) {
   Ray<T> ray{walk_point(photon)};
-  ray.left_chance = from.chance;
+  ray.vertex_chance = from.chance;
   ray.chance = from.chance * departure.chance;
   ray.reverse_chance = from.reverse_chance * departure.reverse_chance;
   ray.per_p = T(1) / departure.p;
-  ray.last_edge = departure.density * from.open * ray.per_p / ray.reverse_chance;
+  ray.last_edge = departure.c_ratio * from.arriving_edge * ray.per_p / ray.reverse_chance;
   ray.behind = from.behind;
   ray.behind.edges = from.behind.edges + ray.last_edge;
-  const Mask<T> known = departure.density > T(0);
+  const Mask<T> known = departure.c_ratio > T(0);
   ray.translated = select(known, from.translated * ray.per_p, T(0));
   ray.rotated = rotation_at(from, photon.direction);
   ray.rotated.density = select(known, ray.rotated.density * ray.per_p, T(0));
@@ -60,7 +60,7 @@ template <class T>
 T connecting_area(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& first,
                   const Spread<T>& spread, const T& length, const estimator::Samples<T>& samples) {
   using std::abs;
-  const T area = samples.between * ray.left_chance * ray.per_p * (length * length);
+  const T area = samples.between * ray.vertex_chance * ray.per_p * (length * length);
   if (!any(first)) return area;
   const T from_instrument =
       samples.to_instrument * spread.solid_angle *
@@ -80,21 +80,21 @@ Vertex<T> vertex_on(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>
   const T growth = T(1) / exp_minus(leg.walk_tau);
   const T straight = select(leg.reflected, T(0), growth);
   // A reflected first edge can be connected: to the instrument's mirror image.
-  v.open = connecting_area(sea, ray, first, spread, leg.length, samples) *
-           select(first, growth, straight);
+  v.arriving_edge = connecting_area(sea, ray, first, spread, leg.length, samples) *
+                    select(first, growth, straight);
   const T drawn =
       ray.chance * growth * gather<T>(sea.walk_mean_path, sea.at(photon.line, photon.layer));
   v.translated = drawn * photon.direction.z;
   v.rotated = samples.rotated * T(2 * pi) * drawn;
-  v.last_rotated = ray.rotated;
+  v.added_rotated = ray.rotated;
   const T growth_per_reverse = growth / ray.reverse_chance;
-  v.last_rotated.density = ray.rotated.density * growth_per_reverse;
-  v.last.edges = ray.last_edge;
-  v.last.translated = if_reversed(ray.translated, growth_per_reverse * ray.left_z());
-  v.last.rotated = v.last_rotated.about(axis);
+  v.added_rotated.density = ray.rotated.density * growth_per_reverse;
+  v.added.edges = ray.last_edge;
+  v.added.translated = if_reversed(ray.translated, growth_per_reverse * ray.leaving_z());
+  v.added.rotated = v.added_rotated.about(axis);
   v.behind.edges = ray.behind.edges;
-  v.behind.translated = ray.behind.translated + v.last.translated;
-  v.behind.rotated = ray.behind.rotated + v.last.rotated;
+  v.behind.translated = ray.behind.translated + v.added.translated;
+  v.behind.rotated = ray.behind.rotated + v.added.rotated;
   return v;
 }
 

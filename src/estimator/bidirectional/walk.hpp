@@ -78,10 +78,10 @@ Pivot<T> pivot_at(const medium::MediumView& sea, const Vertex<T>& vertex, const 
 /// it leaves its first vertex: connecting the edges there, and meeting there.
 template <class T>
 struct NearFirst {
-  T home_edge{}, translated{}, next_edge{};
+  T lens_edge{}, translated{}, next_edge{};
   template <class F>
   constexpr void each_member(F f) {
-    f(home_edge), f(translated), f(next_edge);
+    f(lens_edge), f(translated), f(next_edge);
   }
 };
 
@@ -149,7 +149,7 @@ class Walks {
     const Mask<T> near_first = mask & (i < Index<T>(2)) & (first | (vertex.line == Index<T>(0)));
     if (any(near_first)) {
       near_first_.put(near_first, walk,
-                      {select(first, ray.last_edge, vertex.last.edges), vertex.last.translated,
+                      {select(first, ray.last_edge, vertex.added.edges), vertex.added.translated,
                        select(first, T(0), ray.last_edge)});
     }
     const Mask<T> converts = mask & (vertex.line > ray.line);
@@ -228,7 +228,7 @@ class Walks {
     const NearFirst<T> near = near_first_.at(walk);
     const Index<T> order = usable.order;
     const Mask<T> beyond = m > Index<T>(1);
-    return {select(usable.connecting(order), near.home_edge, T(0)),
+    return {select(usable.connecting(order), near.lens_edge, T(0)),
             select(beyond & usable.meeting(order), translations * near.translated, T(0)),
             select(beyond & usable.connecting(order - Index<T>(1)), near.next_edge, T(0))};
   }
@@ -241,10 +241,10 @@ class Walks {
     if (all(whole)) return v;
     Densities<T> sum;
     for (Index<T> k(1); any(k <= i); k = k + Index<T>(1))
-      add_last(k <= i, vertex(walk, select(k <= i, k, i)), k, usable, sum);
+      add_usable(k <= i, vertex(walk, select(k <= i, k, i)), k, usable, sum);
     v.behind = select(whole, v.behind, sum);
-    const Mask<T> open = usable.connecting(from_telescope_ ? usable.order - i : i);
-    v.open = select(whole | open, v.open, T(0));
+    const Mask<T> connecting = usable.connecting(from_telescope_ ? usable.order - i : i);
+    v.arriving_edge = select(whole | connecting, v.arriving_edge, T(0));
     return v;
   }
   /// The densities of turning a telescope's walk about an axis so that it meets this walk of the
@@ -256,7 +256,7 @@ class Walks {
     for (Index<T> k(1);; k = k + Index<T>(1)) {
       const Mask<T> before = k <= i;
       if (!any(before)) return sum;
-      const T density = vertex(walk, select(before, k, Index<T>(0))).last_rotated.about(axis);
+      const T density = vertex(walk, select(before, k, Index<T>(0))).added_rotated.about(axis);
       sum = sum + select(before & usable.meeting(k), density, T(0));
     }
   }
@@ -271,10 +271,10 @@ class Walks {
     if (!from_telescope_)
       side.behind = side.behind + rotated_before(walk, m - Index<T>(1), usable, freedom.axis);
     side.behind = ray.reverse_chance * side.behind;
-    side.last = select(usable.meeting(number_in_path(m, usable)),
-                       freedom.translations * if_reversed(ray.translated, ray.left_z()) +
-                           ray.rotated.about(freedom.axis),
-                       T(0));
+    side.meeting = select(usable.meeting(number_in_path(m, usable)),
+                          freedom.translations * if_reversed(ray.translated, ray.leaving_z()) +
+                              ray.rotated.about(freedom.axis),
+                          T(0));
     return side;
   }
 
@@ -298,14 +298,14 @@ class Walks {
   [[nodiscard]] Index<T> number_in_path(const Index<T>& m, const Usable<T>& usable) const {
     return from_telescope_ ? usable.order + Index<T>(1) - m : m;
   }
-  void add_last(const Mask<T>& mask, const Vertex& v, const Index<T>& m, const Usable<T>& usable,
-                Densities<T>& sum) const {
+  void add_usable(const Mask<T>& mask, const Vertex& v, const Index<T>& m, const Usable<T>& usable,
+                  Densities<T>& sum) const {
     const Index<T> x = number_in_path(m, usable);
     const Mask<T> connecting = mask & usable.connecting(x - Index<T>(from_telescope_ ? 0 : 1));
     const Mask<T> meeting = mask & usable.meeting(x);
-    sum.edges = sum.edges + select(connecting, v.last.edges, T(0));
-    sum.translated = sum.translated + select(meeting, v.last.translated, T(0));
-    sum.rotated = sum.rotated + select(meeting, v.last.rotated, T(0));
+    sum.edges = sum.edges + select(connecting, v.added.edges, T(0));
+    sum.translated = sum.translated + select(meeting, v.added.translated, T(0));
+    sum.rotated = sum.rotated + select(meeting, v.added.rotated, T(0));
   }
 
   bool from_telescope_, through_surface_;

@@ -142,9 +142,9 @@ class WalkSteps {
       const auto k = static_cast<std::size_t>(lane);
       const auto slot = static_cast<std::size_t>(next[k]);
       walks.ratios().copy(sea.environments, slot - 1, slot);
-      const auto kept = walks.ratios().of(slot);
-      kept.pass(sea.environments, way, k);
-      kept.collide(sea.environments, collision, k);
+      const auto ratios = walks.ratios().of(slot);
+      ratios.pass(sea.environments, way, k);
+      ratios.collide(sea.environments, collision, k);
     });
   }
 

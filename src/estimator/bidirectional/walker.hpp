@@ -11,14 +11,14 @@ namespace photic::estimator {
 
 /// Takes the walks from one instrument; see WalkSteps of the Source.
 template <class T, class Source>
-class WalkTaker {
+class WalkTracer {
  public:
-  WalkTaker(const World<T>& world, const Samples<T>& samples, Source& source, Walks<T>& walks,
-            tally::BatchTally& tally)
+  WalkTracer(const World<T>& world, const Samples<T>& samples, Source& source, Walks<T>& walks,
+             tally::BatchTally& tally)
       : world_(world), samples_(samples), source_(source), walks_(walks), tally_(tally) {}
 
   /// Takes so many to their ends.
-  PHOTIC_FLATTEN void take(std::size_t count) {
+  PHOTIC_FLATTEN void trace(std::size_t count) {
     std::size_t begun = 0;
     WalkSteps steps(world_, samples_, source_, walks_, tally_);
     const auto each = [this](auto stage) { stage(walker_); };

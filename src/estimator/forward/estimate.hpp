@@ -142,7 +142,7 @@ struct Estimates {
   std::vector<lanes::ScoreQueue<T>> scores;          ///< in each telescope
 
   // Of the light that is scored, in environments.
-  PathRatios<T>* kept = nullptr;
+  PathRatios<T>* paths = nullptr;
   std::size_t first = 0;  ///< path of the first lane
   Terms<T> unflown;       ///< of ways that the photons have not gone, but the light has
   Completion<T> completion;
@@ -185,7 +185,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
                       const std::size_t path = estimates.first + lane;
                       tally.not_finite += complete<T>(
                           sea.environments, completion, lane,
-                          [&](std::int32_t e) { return estimates.kept->at(path, e); },
+                          [&](std::int32_t e) { return estimates.paths->at(path, e); },
                           estimates.ratios.data());
                       tally.score(score, at, estimates.ratios.data());
                     });
@@ -338,7 +338,7 @@ template <class Events, class T>
 void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask<T>& scored,
                       Estimates<T>& estimates, tally::BatchTally& tally) {
   if (compares<Events>(world)) {
-    estimates.kept = at.ratios.kept;
+    estimates.paths = at.ratios.paths;
     estimates.first = at.ratios.first;
     estimates.unflown.clear();
   }

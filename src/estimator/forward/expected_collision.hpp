@@ -15,7 +15,7 @@ void ratios_at(const World<T>& world, const Travellers<T>& from, const transport
                Estimates<T>& estimates) {
   if (!compares<Events>(world)) return;
   const transport::Photon<T>& before = from.photon;
-  estimates.kept = from.ratios.kept;
+  estimates.paths = from.ratios.paths;
   estimates.first = from.ratios.first;
   estimates.unflown.clear();
   add_passage(world.sea,

@@ -32,7 +32,7 @@ void keep_copies(const World<T>& world, const Travellers<T>& photon,
                  std::vector<Travellers<T>>& waiting) {
   for (std::int32_t i = 0; i < photon.copies; ++i) {
     waiting.push_back(photon);
-    if (world.compares) photon.ratios.kept->copy(world.sea.environments, 0, waiting.size());
+    if (world.compares) photon.ratios.paths->copy(world.sea.environments, 0, waiting.size());
     waiting.back().place.photon =
         copy_number(photon.place.key, photon.place.photon, photon.place.event, i);
   }
@@ -54,7 +54,7 @@ PHOTIC_FLATTEN void follow(const World<T>& world, const Draws<T>& draws, std::in
       [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); });
 
   birth(world, draws, n, true, photon, tally.ledger);
-  if (compares<Events>(world)) photon.ratios.kept->of(0).begin(world.sea.environments);
+  if (compares<Events>(world)) photon.ratios.paths->of(0).begin(world.sea.environments);
   if (photon.on) flights(first, each);
   for (;;) {
     while (photon.on) {
@@ -66,7 +66,7 @@ PHOTIC_FLATTEN void follow(const World<T>& world, const Draws<T>& draws, std::in
     }
     if (!Events::tools || waiting.empty()) return;
     if (compares<Events>(world))
-      photon.ratios.kept->copy(world.sea.environments, waiting.size(), 0);
+      photon.ratios.paths->copy(world.sea.environments, waiting.size(), 0);
     photon = std::move(waiting.back());
     waiting.pop_back();
     flights(steps, each);

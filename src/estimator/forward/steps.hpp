@@ -46,8 +46,8 @@ struct ForwardSteps {
     if (compares<Events>(world)) t.ratios.before = photon;
     auto end = transport::fly(world.sea, photon, t.free_path);
     if (flies_on()) {
-      transport::fly_on(world.sea, photon, end, [&](const Mask<T>& turned, auto& down) {
-        t.on = (t.on & !turned) | reflect_in_flight(t, t.on & turned, down);
+      transport::fly_on(world.sea, photon, end, [&](const Mask<T>& reflected, auto& down) {
+        t.on = (t.on & !reflected) | reflect_in_flight(t, t.on & reflected, down);
       });
     }
     if (compares<Events>(world)) t.ratios.flown(world.sea, photon, end.length, t.on);
@@ -59,8 +59,8 @@ struct ForwardSteps {
 
   void cross(Travellers<T>& t) {
     if (flies_on()) return;
-    const Mask<T> kept = Events::tools ? are_forced(world, t.place) : Mask<T>(false);
-    reflect_at_surface(world.sea, t, kept, ledger);
+    const Mask<T> lossless = Events::tools ? are_forced(world, t.place) : Mask<T>(false);
+    reflect_at_surface(world.sea, t, lossless, ledger);
   }
 
   /// If that has not been done on the way.

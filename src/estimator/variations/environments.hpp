@@ -282,7 +282,7 @@ std::uint64_t complete(const medium::EnvironmentsView& environments,
 /// by value stays in the registers of scenes that have no environments.
 template <class T>
 struct Ratios {
-  PathRatios<T>* kept = nullptr;
+  PathRatios<T>* paths = nullptr;
   std::size_t first = 0;        ///< path of the first lane
   transport::Photon<T> before;  ///< what happens to them
   Terms<T> terms;
@@ -297,7 +297,7 @@ struct Ratios {
         terms);
     for_each_lane(mask, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
-      kept->of(first + i).pass(sea.environments, terms, i);
+      paths->of(first + i).pass(sea.environments, terms, i);
     });
   }
   /// Those of a mask were scattered or converted where they stand.
@@ -310,7 +310,7 @@ struct Ratios {
                   terms);
     for_each_lane(mask, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
-      kept->of(first + i).collide(sea.environments, terms, i);
+      paths->of(first + i).collide(sea.environments, terms, i);
     });
   }
 };

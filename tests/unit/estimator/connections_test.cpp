@@ -79,7 +79,7 @@ struct Place {
   const char* what;
   scene::Source source;
   scene::Telescope telescope;
-  bool mirrored_out = false, mirrored_home = false;
+  bool mirrored_out = false, mirrored_back = false;
 };
 
 std::vector<Place> above_water() {
@@ -192,8 +192,8 @@ TEST(StrategiesOfPath, ByWayOfTheSurfaceAgree) {
     for (int n = 0; n < 100; ++n) {
       auto path = random_path(random, 3, 6, 20);
       path.mirrored[0] = place.mirrored_out;
-      path.mirrored[3] = place.mirrored_home;
-      if (place.mirrored_home && n % 4 == 0) path.vertex[2].z = -4 + random.between(-0.02, 0.02);
+      path.mirrored[3] = place.mirrored_back;
+      if (place.mirrored_back && n % 4 == 0) path.vertex[2].z = -4 + random.between(-0.02, 0.02);
       if (n % 8 == 0) path.vertex[1].z = -random.between(1, 3);  // then light turns back at both
       if (n % 2 == 1 && path.x(1 + n / 2 % 3).z > -12) {
         path.converted = 1 + n / 2 % 3;

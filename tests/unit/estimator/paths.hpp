@@ -84,7 +84,7 @@ inline Path translated_path(const World<double>& world, const Path& path, const 
   return other;
 }
 
-/// Writes a walk along given places as a WalkTaker would have drawn it.
+/// Writes a walk along given places as a WalkTracer would have drawn it.
 class Writer {
  public:
   Writer(const World<double>& world, const Samples<double>& samples, const Birth<double>& birth,
@@ -127,11 +127,11 @@ class Writer {
     const double chance = world_.inverse_conversion.chance(world_.sea, photon_.line, photon_.layer);
     departure.p = p;
     departure.chance = 1 - chance;
-    departure.density = photon_.line > 0 ? 0 : 1;
+    departure.c_ratio = photon_.line > 0 ? 0 : 1;
     if (converts) {
       departure.chance =
           chance * world_.inverse_conversion.over_phase(world_.sea, photon_.direction, p);
-      departure.density = walk_c_ratio<double>(world_.sea, photon_.line, photon_.layer);
+      departure.c_ratio = walk_c_ratio<double>(world_.sea, photon_.line, photon_.layer);
       photon_.weight *= conversion_per_emitted_c<double>(world_.sea, photon_.line, photon_.layer);
       photon_.line = 0;
     } else {

@@ -60,9 +60,10 @@ struct StrategiesOfPath {
   /// Whether telescopes' walks may be turned about the pivot.
   [[nodiscard]] bool rotates() const {
     if (path.line > 0) return true;
-    const V& home = at(path.order()).leaving;
-    const V& on = at(path.order() - 1).arriving;
-    return world.rotates_scattered && std::hypot(on.x, on.y) > 3 * std::hypot(home.x, home.y);
+    const V& to_telescope = at(path.order()).leaving;
+    const V& to_laser = at(path.order() - 1).arriving;
+    return world.rotates_scattered &&
+           std::hypot(to_laser.x, to_laser.y) > 3 * std::hypot(to_telescope.x, to_telescope.y);
   }
   /// The same of turning about the pivot so that rays meet at vertex i.
   [[nodiscard]] double rotated(std::int32_t i) const {

@@ -60,7 +60,7 @@ TEST(Depart, ScattersWhatCannotBeConvertedLight) {
       ASSERT_EQ(photon.line, line);
       ASSERT_EQ(photon.order, 5);
       ASSERT_EQ(departure.chance, 1);
-      ASSERT_EQ(departure.density, line == 0 ? 1 : 0);
+      ASSERT_EQ(departure.c_ratio, line == 0 ? 1 : 0);
       ASSERT_NEAR(photon.weight, 0.7 * of(sea.albedo, line, layer), 1e-15);
       ASSERT_NEAR(photon.analog_weight, 0.6 * of(sea.albedo, line, layer), 1e-15);
       const std::int32_t table = sea.elastic_phase[static_cast<std::size_t>(3 * line + layer)];
@@ -91,13 +91,13 @@ TEST(Depart, TurnsConversionsBackWithItsChance) {
       if (!converted) {
         ASSERT_EQ(photon.line, line);
         ASSERT_EQ(departure.chance, 0.7);
-        ASSERT_EQ(departure.density, 0);
+        ASSERT_EQ(departure.c_ratio, 0);
         ASSERT_NEAR(photon.weight, 0.7 * of(sea.albedo, line, layer), 1e-15);
         ASSERT_NEAR(photon.analog_weight, 0.6 * of(sea.albedo, line, layer), 1e-15);
         continue;
       }
       const auto walk_c = walk_coefficients(sea);
-      ASSERT_NEAR(departure.density, of(walk_c, 0, layer) / of(walk_c, line, layer), 1e-14);
+      ASSERT_NEAR(departure.c_ratio, of(walk_c, 0, layer) / of(walk_c, line, layer), 1e-14);
       const double emitted = of(sea.conversion, line, layer) * of(sea.c, 0, layer);
       ASSERT_NEAR(photon.weight, 0.7 * emitted / of(sea.c, line, layer), 1e-16);
       ASSERT_EQ(photon.analog_weight, 0.6);

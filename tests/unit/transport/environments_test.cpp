@@ -57,7 +57,7 @@ double depth_of_way(const Sea& sea, const Photon<double>& a, const Photon<double
 /// A path on its own.
 struct Kept {
   explicit Kept(const medium::MediumView& sea) : paths(sea.environments, 1) {
-    ratios.kept = &paths;
+    ratios.paths = &paths;
     paths.of(0).begin(sea.environments);
   }
   estimator::PathRatios<double> paths;
@@ -184,7 +184,7 @@ TEST(LanesOf, Ratios) {
     const auto mask = four([&] { return random.chance(0.7); });
     const auto flight = uniforms4(random);
     estimator::Ratios<Lanes4> packed;
-    packed.kept = &kept;
+    packed.paths = &kept;
     for (std::size_t i = 0; i < lanes; ++i) kept.of(i).begin(view.environments);
     packed.before = pack(start);
     packed.flown(view, pack(end), pack(flight), pack(flying));

@@ -115,7 +115,7 @@ template <class P, class S, class F>
   requires is_packed<P, estimator::Ray>
 void fields(P& a, S& b, F f) {
   walk_point_fields(a, b, f);
-  f(a.left_chance, b.left_chance, "chance before");
+  f(a.vertex_chance, b.vertex_chance, "vertex chance");
   f(a.chance, b.chance, "chance");
   f(a.reverse_chance, b.reverse_chance, "reverse chance");
   f(a.per_p, b.per_p, "per p");
@@ -130,11 +130,11 @@ void fields(P& a, S& b, F f) {
   walk_point_fields(a, b, f);
   f(a.chance, b.chance, "chance");
   f(a.reverse_chance, b.reverse_chance, "reverse chance");
-  f(a.open, b.open, "open");
+  f(a.arriving_edge, b.arriving_edge, "arriving edge");
   f(a.translated, b.translated, "translated");
   f(a.rotated, b.rotated, "rotated");
-  fields(a.last_rotated, b.last_rotated, f);
-  fields(a.last, b.last, f);
+  fields(a.added_rotated, b.added_rotated, f);
+  fields(a.added, b.added, f);
   fields(a.behind, b.behind, f);
 }
 template <class P, class S, class F>
@@ -150,13 +150,13 @@ void fields(P& a, S& b, F f) {
   f(a.p, b.p, "p");
   f(a.chance, b.chance, "chance");
   f(a.reverse_chance, b.reverse_chance, "reverse chance");
-  f(a.density, b.density, "density");
+  f(a.c_ratio, b.c_ratio, "c ratio");
 }
 template <class P, class S, class F>
   requires is_packed<P, estimator::EndDensities>
 void fields(P& a, S& b, F f) {
   f(a.p, b.p, "p");
-  f(a.open, b.open, "open");
+  f(a.arriving_edge, b.arriving_edge, "arriving edge");
   f(a.behind, b.behind, "behind");
 }
 template <class P, class S, class F>

@@ -208,7 +208,7 @@ TEST(ReflectDown, KeepsTheReflectedShare) {
 // that the second part ends at.
 TEST(FlyOn, GoesOnAlongTheMirroredLine) {
   Random random(63);
-  int turned = 0, bed = 0, others = 0;
+  int reflected = 0, bed = 0, others = 0;
   for (const double bottom : {25.0, std::numeric_limits<double>::infinity()}) {
     const auto sea = make_sea(bottom);
     const auto walk = walk_coefficients(sea);
@@ -229,7 +229,7 @@ TEST(FlyOn, GoesOnAlongTheMirroredLine) {
         ++others;
         continue;
       }
-      ++turned;
+      ++reflected;
       bed += end.sea_bed ? 1 : 0;
       const V crossing = before.position - (before.position.z / direction.z) * direction;
       const V way = photon.position - crossing;
@@ -259,7 +259,7 @@ TEST(FlyOn, GoesOnAlongTheMirroredLine) {
       }
     }
   }
-  EXPECT_GT(turned, 20000);
+  EXPECT_GT(reflected, 20000);
   EXPECT_GT(others, 20000);
   EXPECT_GT(bed, 50);
 }
