@@ -80,8 +80,8 @@ void end_flight(Steps& steps, Track<T>& t, const transport::FlightEnd<T>& end) {
   steps.tally.collisions += count(t.colliding);
 }
 
-/// Those who stand at the surface are reflected, but for the weight that passes; who is `lossless`
-/// stays with all of it. Tells who stood there.
+/// Those who stand at the surface are reflected, but for the weight that passes; those that are
+/// `lossless` keep all of it. Tells who stood there.
 template <class T, class Ledger>
 Mask<T> reflect_at_surface(const medium::MediumView& sea, Track<T>& t, const Mask<T>& lossless,
                            Ledger& ledger) {

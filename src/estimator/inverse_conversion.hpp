@@ -1,4 +1,4 @@
-// How walks from telescopes turn conversions back.
+// How walks from telescopes invert conversions.
 #pragma once
 
 #include "core/constants.hpp"
@@ -7,7 +7,7 @@
 
 namespace photic::estimator {
 
-/// How a walk from a telescope turns conversions back: how often, and where to. Converted light
+/// How a walk from a telescope inverts conversions: how often, and where to. Converted light
 /// leaves in all directions, but the light it was made of comes along the laser's beam, which some
 /// scatterings of the laser's light look for, too. Where that is vertical, the densities depend on
 /// the angle to the vertical alone.
@@ -40,7 +40,8 @@ struct InverseConversion {
     return T(1) + scattered * (sea.phases.template value<T>(x, lobe) / p - T(1));
   }
   /// The chance over the phase function's value that a walk from a telescope which detects `line`
-  /// turns back a vertex where the path `converts`, or scatters the laser's light elsewhere.
+  /// inverts a conversion at a vertex where the path `converts`, or scatters the laser's light
+  /// elsewhere.
   T goes_on(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
             const Mask<T>& converts, const Vec3<T>& direction, const T& p) const {
     const T scatters = scattered_over_phase(sea, direction, p);

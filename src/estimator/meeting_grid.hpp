@@ -27,10 +27,10 @@ struct Samples {
   T to_instrument{1};  ///< connecting a walk to the instrument at the other end
   T between{1};        ///< connecting two walks
   T pairs{1};          ///< of walks whose rays meet at each depth of the grid
-  T rotated{};         ///< of walks turned so that their rays meet
+  T rotated{};         ///< of walks rotated so that their rays meet
   MeetingGrid<T> grid;
 
-  /// Of meetings, per metre of depth, in paths of so many vertices.
+  /// Of meetings by translation, per metre of depth, in paths of so many vertices.
   T translated(const Index<T>& order) const { return pairs * grid.density(order); }
 };
 

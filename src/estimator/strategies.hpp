@@ -1,5 +1,5 @@
 // In which ways the bidirectional estimator draws paths: which of them a scene leaves out, and why.
-// What needs a symmetry of the scene says so here (docs/theory.md, "The bidirectional estimator").
+// What needs a symmetry of the scene says so here.
 #pragma once
 
 #include <string>

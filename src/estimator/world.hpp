@@ -37,7 +37,7 @@ struct Receiver {
   Index<T> line{};             ///< 0, or the first of the band
   std::int32_t band = -1;      ///< of the medium's, if it is one
   T last_path{};               ///< of both walks together, at the end of the last gate [m]
-  T longest{};                 ///< the same of walks that have not been shifted yet [m]
+  T longest{};                 ///< the same of walks that have not been translated yet [m]
   Deadline<T> deadline{};      ///< of its walks' light, to be at the laser
 };
 
@@ -86,7 +86,7 @@ struct World {
   std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
   T deepest{};                     ///< where light may turn back within the last gate, at most [m]
   MeetingGrid<T> meeting_grid;     ///< of the bidirectional estimator
-  bool rotates = false;            ///< a telescope's walk may be turned about where it converts
+  bool rotates = false;            ///< a telescope's walk may be rotated about where it converts
   bool rotates_scattered = false;  ///< one of the laser's line also about its first vertex
   T connected{1};         ///< share of the telescope's walks that are connected with a laser's walk
   std::size_t walks = 0;  ///< of the laser in a set
@@ -145,7 +145,7 @@ inline constexpr double directed_inverse_conversion = 0.6;
 inline constexpr double directed_scattering = 0.1;
 
 /// Of a vertex of a telescope's walk in emitted light: where that is hardly scattered, as many
-/// conversions are turned back as if its free paths were drawn like those of the laser's light.
+/// conversions are inverted as if its free paths were drawn like those of the laser's light.
 inline double inverse_conversion_probability(double conversion_probability) {
   return 1 - std::pow(1 - conversion_probability, 1 / emitted_walk_share);
 }

@@ -23,7 +23,7 @@ struct Sightline {
   T secant_water{};    ///< 1 over the cosine to the vertical; only of ways through the surface
   T area_per_solid_angle{};  ///< across the ray at the instrument, in the water [m^2/sr]
   T index_squared{1};        ///< of the water against the instrument's medium
-  T throughput{1};           ///< share that passes the surface, or is reflected by it
+  T throughput{1};           ///< share of light that the surface lets pass, or reflects
   Region<T> to{};            ///< where the instrument stands
   Route route = Route::direct;
 };

@@ -98,11 +98,11 @@ T detector_solid_angle(const Telescope<T>& telescope, const T& cos_off_axis) {
   return T(pi) * ratio * ratio * cos_off_axis * cos_off_axis * cos_off_axis;
 }
 
-/// Rays of a tilted lens that are flatter, by their cosine to the vertical, are not shifted: their
-/// ways would become longer by many of its radii.
+/// Rays of a tilted lens that are flatter, by their cosine to the vertical, are not translated:
+/// their ways would become longer by many of its radii.
 inline constexpr double flattest_translated = 0.2;
 
-/// How far a ray from the lens may be shifted sideways, as an area: with directions chosen as
+/// How far a ray from the lens may be translated sideways, as an area: with directions chosen as
 /// outward() does for even points of lens and detector, and the lens' points evenly, rays of this
 /// direction are as dense on a horizontal plane as 1 over this [m^2]. `direction`: of the ray,
 /// either way; of narrow views its cosine to the axis has too few digits.
@@ -121,7 +121,7 @@ T translation_area(const Telescope<T>& telescope, const Vec3<T>& direction) {
   return select(translates, across_ray * cosine / select(translates, steep, T(1)), T(0));
 }
 
-/// How a ray comes through the lens if all of its light's way beyond is shifted sideways: so far
+/// How a ray comes through the lens if all of its light's way beyond is translated sideways: so far
 /// from where it did before; and how much longer its way from there is, along the ray.
 template <class T>
 struct LensTranslation {
@@ -141,7 +141,7 @@ T longer_by_translation(const Telescope<T>& telescope, const Vec3<T>& outward,
                         const PlanePoint<T>& aside) {
   return T(0) - in_plane(telescope, aside).z / outward.z;
 }
-/// No shift makes a way longer or shorter by more than this [m].
+/// No translation makes a way longer or shorter by more than this [m].
 inline double most_longer(const scene::Telescope& telescope) {
   return 2 / flattest_translated * lens_rise(telescope);
 }
@@ -152,7 +152,7 @@ bool is_aslant(const Telescope<T>& telescope) {
   return telescope.submerged && !telescope.upright;
 }
 /// Whether walks from all points of the lens come to a depth, so that those which collide there
-/// first may be shifted.
+/// first may be translated.
 template <class T>
 Mask<T> all_points_reach(const Telescope<T>& telescope, const T& depth) {
   using std::abs;

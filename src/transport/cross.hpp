@@ -30,7 +30,7 @@ Mask<T> enter_water(const medium::MediumView& sea, const geometry::Region<T>& fr
 
 /// Reflects a photon that stands at the surface back into the water: its weight takes the
 /// reflectance, 1 in total reflection. Returns the weight that leaves through the surface; clear
-/// air returns nothing. From photons that are `lossless` that has been taken before.
+/// air returns nothing. Photons that are `lossless` keep all: of them it has been taken before.
 template <class T>
 T reflect_down(const medium::MediumView& sea, Photon<T>& photon,
                const Mask<T>& lossless = Mask<T>(false)) {

@@ -6,8 +6,8 @@
 
 namespace photic::estimator {
 
-/// How a walk's light spreads from its instrument: from a point, in directions that are dense as
-/// 1 / solid_angle.
+/// How a walk's light spreads from its instrument: from a point, in directions that are drawn with
+/// the density 1 / solid_angle.
 template <class T>
 struct Spread {
   bool through_surface = false;

@@ -1,5 +1,5 @@
 // The bidirectional estimator: walks from the laser and from the telescopes, and all connections
-// between them (docs/theory.md, "The bidirectional estimator").
+// between them (docs/bidirectional.md).
 #pragma once
 
 #include <algorithm>

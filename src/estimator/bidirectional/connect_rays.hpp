@@ -1,4 +1,4 @@
-// Rays that are made to meet: by shifting the telescope's walk, or by turning it (a part of
+// Rays that are made to meet: by translating the telescope's walk, or by rotating it (a part of
 // connections.hpp).
 #pragma once
 
@@ -100,7 +100,7 @@ void Connections<T>::translate(const RayPairing<T>& pairing, const Mask<T>& mask
                      [this](const auto& e, const auto& all) { serve_translated(e, all); });
 }
 
-/// A telescope's walk that is shifted sideways.
+/// A telescope's walk that is translated sideways.
 template <class T>
 Moved<T> Connections<T>::translated(const RayPair<T>& pair, const Vec3<T>& translation) const {
   Moved<T> moved{pair.back, pair.axis()};
@@ -109,7 +109,7 @@ Moved<T> Connections<T>::translated(const RayPair<T>& pair, const Vec3<T>& trans
   return moved;
 }
 
-/// Rays that meet where both are as far from an axis.
+/// Rays that meet where both are as far from the axis of a rotation.
 template <class T>
 void Connections<T>::rotate(const RayPairing<T>& pairing, const Mask<T>& mask,
                             const DepthLine& out_line, const DepthLine& back_line,
@@ -183,9 +183,10 @@ PHOTIC_FLATTEN void Connections<T>::serve_rotated(const RotatedPairing<T>& pairi
   meet_at<true>(pair, mask, moved, pairing.depth);
 }
 
-/// A turn changes the angle at the pivot, and with it the phase function's value there; tells what
-/// that gains, and what the densities behind the telescope's ray do. A conversion's change all
-/// alike.
+/// A rotation changes the scattering angle at the pivot, and with it the phase function's value
+/// there. Tells by which factor the sample gains, and what the densities behind the telescope's ray
+/// gain in all: 0 where light is converted, since then all strategies draw this angle alike (eq.
+/// 79).
 template <class T>
 std::array<T, 2> Connections<T>::rotate_pivot(RayPair<T>& pair, const Rotation<T>& rotation) const {
   const auto& pairing = pair.pairing;

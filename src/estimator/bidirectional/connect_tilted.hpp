@@ -1,5 +1,5 @@
-// Meetings under tilted lenses: a shift makes the way from the lens longer or shorter (a part of
-// connections.hpp; docs/theory.md, eq. 80). They stand apart from those under upright lenses, whose
+// Meetings under tilted lenses: a translation makes the way from the lens longer or shorter (a part
+// of connections.hpp; eq. 80). They stand apart from those under upright lenses, whose
 // loops stay short.
 #pragma once
 
@@ -13,8 +13,8 @@ PHOTIC_APART Chord<T> Connections<T>::tilted_chord(DepthLine out_line, DepthLine
   return chord(out_line, translatable(back_line, m), telescope_, start, receiver_.last_path);
 }
 
-/// Whether a telescope's ray that has been shifted goes through a depth; later ones only in walks
-/// that all points of the lens can begin.
+/// Whether a telescope's ray that has been translated goes through a depth; later ones only in
+/// walks that all points of the lens can begin.
 template <class T>
 Mask<T> Connections<T>::can_meet(const RayPair<T>& pair, const Ray& moved, const T& depth) const {
   if (!is_aslant(telescope_)) return Mask<T>(true);
@@ -37,8 +37,8 @@ FirstLeg<T> Connections<T>::first_leg(const BirthRecord<T>& birth, const Index<T
 }
 
 /// The way from a tilted lens becomes longer, or shorter. That changes when light is there; in the
-/// water also how much of it is, and how likely walks go so far; and n h / g of connecting this way
-/// and of meeting at its end, which rays behind it keep.
+/// water also how much of it is, and how likely walks go so far; and the densities of connecting
+/// this edge and of meeting at its end, which later rays carry on.
 template <class T>
 PHOTIC_APART Longer<T> Connections<T>::lengthened(const RayPair<T>& pair, T length) const {
   const auto& pairing = pair.pairing;

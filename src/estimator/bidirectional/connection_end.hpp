@@ -1,7 +1,7 @@
-// How a vertex of a walk takes part in a connection: its weight and densities if light leaves it,
-// or comes to it, along a new edge (docs/theory.md, "The bidirectional estimator").
+// How a vertex of a walk takes part in a connection: its weight and the densities of strategies, if
+// light leaves it, or comes to it, along a new edge.
 //
-// An edge of the laser's light pairing at a vertex of the telescope's walk that scatters it or
+// An edge of the laser's light ends at a vertex of the telescope's walk that scatters it or
 // converts it; an edge of converted light begins at a vertex of the laser's walk.
 #pragma once
 
@@ -13,19 +13,20 @@ namespace photic::estimator {
 template <class T>
 struct ConnectionEnd {
   EndDensities<T> densities;
-  T weight{};    ///< of the walk with this collision
-  T chance{1};   ///< h of a connection
-  T goes_on{1};  ///< h on the laser's side of the edge, as far as this end decides it
-  T meeting{};   ///< n h / g of meeting at this end, as far as this end decides it
+  T weight{};    ///< of the walk, this collision included
+  T chance{1};   ///< h of connecting this edge, of choices on this side
+  T goes_on{1};  ///< h of strategies on the laser's side: the telescope's walk goes on beyond
+  T meeting{};   ///< density of meeting at this end, but for what the other end adds
 };
 
 /// How the telescope's walk of a path may be moved as a whole.
 template <class T>
 struct Freedom {
-  T translations{};      ///< n A of shifting it sideways, n per metre of depth [m]
-  RotationAxis<T> axis;  ///< or turned, beyond where it converts
+  T translations{};      ///< n per metre of depth, over an area A: n A [m]
+  RotationAxis<T> axis;  ///< of its rotation beyond the pivot
 
-  /// n h / g of meeting at a vertex that is left in a direction, but for P and the edge beyond.
+  /// Density of meeting at a vertex that is left in a direction, but for the phase function there
+  /// and for what the edge beyond adds.
   T meeting(const Vertex<T>& v, const Vec3<T>& direction) const {
     return translations * if_reversed(v.translated, direction.z) +
            rotation_at(v, direction).about(axis);
@@ -79,8 +80,8 @@ ConnectionEnd<T> conversion_from_laser(const geometry::Slabs& sea, const Vertex<
   return end;
 }
 
-/// The telescope's walk with the laser's light that comes to it: scattered if the walk has turned
-/// its conversion back, else converted here. `direction`: in which the walk would go on.
+/// The telescope's walk with the laser's light that comes to it: scattered if the walk has
+/// already converted, else converted here. `direction`: in which the walk would go on.
 template <class T>
 ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>& v,
                                     const Vec3<T>& direction,

@@ -1,5 +1,5 @@
 // The connections of telescopes' walks: with the laser, with the laser's walks, and of those with
-// the telescope (docs/theory.md, "The bidirectional estimator").
+// the telescope.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace photic::estimator {
 
-/// What may be connected: vertex or ray i of a laser's walk and m of a telescope's.
+/// What may be put together: vertex or ray i of a laser's walk and m of a telescope's.
 template <class T>
 struct Pairing {
   Index<T> laser{}, i{}, back{}, m{};
@@ -53,7 +53,7 @@ struct RayPairing : Pairing<T> {
   }
 };
 
-/// Rays that meet at a depth if the telescope's walk is turned.
+/// Rays that meet at a depth if the telescope's walk is rotated.
 template <class T>
 struct RotatedPairing : RayPairing<T> {
   T depth{};  ///< [m]
@@ -65,8 +65,8 @@ struct RotatedPairing : RayPairing<T> {
   }
 };
 
-/// How telescopes' walks are moved to meet others: sideways so that they still come through the
-/// lens, or turned beyond their pivots.
+/// How telescopes' walks are moved to meet others: translated sideways so that they still come
+/// through the lens, or rotated beyond their pivots.
 enum class Moves : std::int8_t { translations, rotations, all };
 
 /// Two rays that may be made to meet.
@@ -76,12 +76,12 @@ struct RayPair {
   Ray out, back;
   Spread<T> spread;      ///< of the laser's walk
   BirthRecord<T> birth;  ///< of the telescope's walk
-  Index<T> rotates{};    ///< 1: it may be turned about the vertical at ...
+  Index<T> rotates{};    ///< 1: it may be rotated about the vertical at ...
   T axis_x{}, axis_y{};
   RayPairing<T> pairing;
-  LensLine<T> lens;  ///< where it comes through, if it is shifted
+  LensLine<T> lens;  ///< where it comes through, if it is translated
 
-  /// About which the telescope's walk may be turned.
+  /// About which the telescope's walk may be rotated.
   [[nodiscard]] RotationAxis<T> axis() const { return {rotates == Index<T>(1), axis_x, axis_y}; }
   template <class F>
   constexpr void each_member(F f) {
@@ -95,13 +95,13 @@ struct RayPair {
   }
 };
 
-/// A telescope's ray, and the vertical of its walk, as it has been moved to meet another.
+/// A telescope's ray, and the rotation axis of its walk, as they have been moved to meet another.
 template <class T>
 struct Moved {
   Ray<T> ray;
   RotationAxis<T> axis;
-  T gain{1};        ///< of the phase function at the pivot
-  T near_pivot{0};  ///< what n h / g of all strategies gain by the pivot's angle having changed
+  T gain{1};        ///< new over old value of the phase function at the pivot
+  T near_pivot{0};  ///< what all densities behind the ray gain by the pivot's new angle
   T longer{0};      ///< so much longer is its way from the lens [m]
 };
 
@@ -111,8 +111,8 @@ struct Longer {
   T gain{1};    ///< of the sample
   T path{};     ///< more of it [m]
   T length{};   ///< of the way, more of it [m]
-  T behind{};   ///< what n h / g of all strategies behind the ray gains
-  T meeting{};  ///< and that of meeting where it begins, but for P and the edge beyond
+  T behind{};   ///< what the densities behind the ray gain
+  T meeting{};  ///< and that of meeting where it begins, but for what it adds itself
 };
 
 /// A telescope's walk's first way in the water.
@@ -173,7 +173,7 @@ class Connections {
   void rotate(const RayPairing<T>& pairing, const Mask<T>& mask, const DepthLine& out_line,
               const DepthLine& back_line, const RotationAxis<T>& axis);
 
-  // What is done with the pairing of a mask once they fill a pack.
+  // What is done with the pairings of a mask once they fill a pack.
   void serve_to_telescope(const Pairing<T>& pairing, const Mask<T>& mask);
   void serve_to_laser(const Pairing<T>& pairing, const Mask<T>& mask);
   void serve_between(const Pairing<T>& pairing, const Mask<T>& mask);
@@ -201,7 +201,7 @@ class Connections {
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
     return {order, world_.most_vertices};
   }
-  /// n A of meetings by a walk that may be shifted over A, in paths of an order [m].
+  /// Freedom::translations of a walk that may be translated over an area, in paths of an order [m].
   [[nodiscard]] T translations_in(const Index<T>& order, const T& translation_area) const {
     return samples_.translated(order) * translation_area;
   }
@@ -233,7 +233,7 @@ class Connections {
   [[nodiscard]] DepthLine depth_line_of(const Ray& ray) const {
     return depth_line(sea_, ray, world_.deepest);
   }
-  /// Of a telescope's ray m that may be shifted: a first one may then begin elsewhere.
+  /// Of a telescope's ray m that may be translated: a first one may then begin elsewhere.
   [[nodiscard]] DepthLine translatable(DepthLine line, const Index<T>& m) const {
     if (!is_aslant(telescope_)) return line;
     const T most = select(m == Index<T>(0), T(2) * telescope_.lens_rise, T(0));
@@ -251,8 +251,8 @@ class Connections {
   [[nodiscard]] T last_depth(const Index<T>& back) const {
     return -back_.vertex(back, Index<T>(0)).position.z;
   }
-  /// How a telescope's walk may be turned in paths that convert at a place, or of which that is the
-  /// last vertex. `home`, `on`: directions of the edges there, to the telescope and to the laser.
+  /// How a telescope's walk may be rotated in paths that convert at a place, or of which that is
+  /// the last vertex. Directions are those of the edges there.
   [[nodiscard]] RotationAxis<T> axis_at(const Vec3<T>& place, const Vec3<T>& telescope_edge,
                                         const Vec3<T>& laser_edge) const {
     const Mask<T> scatters =
@@ -265,7 +265,7 @@ class Connections {
   [[nodiscard]] static Mask<T> is_pivot(const Index<T>& line, const Index<T>& m) {
     return (line > Index<T>(0)) | (m == Index<T>(0));
   }
-  // What the pairing of paths, made one, do in environments.
+  // What whole paths, put together of two walks, are in environments.
   void complete_to_telescope(const Pairing<T>& pairing, const Vertex& v,
                              const geometry::Sightline<T>& way);
   void complete_to_laser(const Pairing<T>& pairing, const Vertex& w,

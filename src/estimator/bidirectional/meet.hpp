@@ -1,5 +1,5 @@
-// Meetings of a ray of the laser's walk with one of a telescope's walk, which is shifted sideways
-// for it, or turned about where it converts (vertex.hpp tells why).
+// Meetings of a ray of the laser's walk with one of a telescope's walk, which is translated
+// sideways for it, or rotated about where it converts (strategy_sums.hpp tells why).
 #pragma once
 
 #include <array>
@@ -101,7 +101,7 @@ Span<T> common_span(const DepthLine<T>& laser, const DepthLine<T>& back, const T
   return {Mask<T>(to > from), from, to};
 }
 
-/// Where a telescope's walk comes through the lens if it is shifted to meet a ray at a depth.
+/// Where a telescope's walk comes through the lens if it is translated to meet a ray at a depth.
 template <class T>
 struct LensLine {
   instrument::PlanePoint<T> at_surface{};  ///< for a meeting at the surface's level
@@ -112,7 +112,8 @@ struct LensLine {
   }
 };
 
-/// Whether light turns back, up or down, where two rays meet: else no walk is shifted for it.
+/// Whether light reverses, between up and down, where two rays meet: else no walk is translated for
+/// it.
 template <class T>
 Mask<T> reverses(const Ray<T>& laser, const Ray<T>& back) {
   return laser.direction.z * back.direction.z > T(0);
@@ -195,8 +196,8 @@ Chord<T> chord(const DepthLine<T>& laser, DepthLine<T> back,
                        common_span(laser, back, last_path));
 }
 
-/// The depths, at most two, at which a telescope's ray meets a laser's if it is turned about a
-/// vertical: where both are as far from it.
+/// The depths, at most two, at which a telescope's ray meets a laser's if it is rotated about an
+/// axis: where both are as far from it.
 template <class T>
 struct EquidistantDepths {
   std::array<Mask<T>, 2> exists;
@@ -234,7 +235,7 @@ EquidistantDepths<T> equidistant_depths(const DepthLine<T>& laser, const DepthLi
   return c;
 }
 
-/// A turn about a vertical.
+/// A rotation about a vertical axis.
 template <class T>
 struct Rotation {
   RotationAxis<T> axis;
@@ -249,8 +250,8 @@ struct Rotation {
   }
 };
 
-/// The turn that brings a telescope's ray to a laser's at a depth where both are as far from the
-/// vertical.
+/// The rotation that brings a telescope's ray to a laser's at a depth where both are as far from
+/// the axis.
 template <class T>
 Rotation<T> rotation_to_meet(const Ray<T>& laser, const Ray<T>& back, const RotationAxis<T>& axis,
                              const T& depth) {
@@ -262,7 +263,7 @@ Rotation<T> rotation_to_meet(const Ray<T>& laser, const Ray<T>& back, const Rota
   const T bx = back.position.x + length_back * back.direction.x - axis.x;
   const T by = back.position.y + length_back * back.direction.y - axis.y;
   const T square = sqrt(ax * ax + ay * ay) * sqrt(bx * bx + by * by);
-  const Mask<T> aside = square > T(0);  // else any turn does
+  const Mask<T> aside = square > T(0);  // else any rotation does
   const T per = T(1) / select(aside, square, T(1));
   return {axis, select(aside, per * (ax * bx + ay * by), T(1)), per * (bx * ay - by * ax)};
 }
@@ -280,11 +281,12 @@ struct Side {
   Ray<T> ray;
   Mask<T> first{};  ///< it leaves the instrument, as light that spreads so
   Spread<T> spread;
-  T behind{};   ///< densities behind the ray
-  T meeting{};  ///< of meeting where the ray begins, but for what is beyond it
+  T behind{};   ///< sum of the densities behind the ray
+  T meeting{};  ///< density of meeting where the ray begins, but for what its edge adds
 
-  /// n h / g of connecting the edge along the ray, times P and the walked exp(-tau): what the
-  /// surface reflects can only be connected to an instrument, by its mirror image.
+  /// Density of connecting the edge along the ray, times the phase function and exp(-tau) of the
+  /// walk's coefficient. What the surface reflects can only be connected to an instrument, by its
+  /// mirror image.
   T connecting(const geometry::Slabs& sea, const T& length,
                const estimator::Samples<T>& samples) const {
     const T area = connecting_area(sea, ray, first, spread, length, samples);
@@ -318,7 +320,8 @@ Meeting<T> meet(const geometry::Slabs& sea, const Side<T>& laser_side, const Sid
                                 gather_index<T>(sea.elastic_phase, here));
   const T p = sea.phases.template value<T>(one_minus_cos(laser.direction, -back.direction), phase);
 
-  // Strategies, each with n h / g times p and the walked exp(-tau) of both rays.
+  // Densities of the strategies, each times p and both rays' exp(-tau) of the walk's coefficient:
+  // meeting here, connecting either ray's edge, meeting where either ray begins, all behind them.
   const T steep = select(reverses(laser, back), T(laser.direction.z * back.direction.z), T(0));
   const T jacobian = rotation_jacobian(laser.position + length_out * laser.direction,
                                        laser.direction, back.direction)

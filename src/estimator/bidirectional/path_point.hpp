@@ -13,7 +13,7 @@ template <class T>
 struct WalkPoint {
   Vec3<T> position;
   Vec3<T> direction;  ///< in which it arrives or leaves
-  T weight{};  ///< the path's contribution over the density drawn from, without the chances h
+  T weight{};  ///< contribution over the density of what was drawn, but for discrete choices (h)
   T path{};    ///< [m]
   Index<T> line{}, layer{};
 
@@ -34,17 +34,20 @@ WalkPoint<T> walk_point(const transport::Photon<T>& photon) {
 /// A walk as it leaves a vertex, the collision's weight included, or enters the water.
 template <class T>
 struct Ray : WalkPoint<T> {
-  T vertex_chance{1};     ///< h of a walk that ends at the vertex
-  T chance{1};            ///< h of this ray
-  T reverse_chance{1};    ///< h of telescopes' walks that pass a laser's walk as far as this ray
-  T per_p{1};             ///< 1 over the phase function's value at the vertex [sr]
-  T last_edge{};          ///< of connecting the edge before, over `passed`
-  Densities<T> behind{};  ///< of all that is complete, over `passed`
-  T translated{};  ///< n h / g of meeting at the vertex over `translations`, but for what is this
-                   ///< ray's: P included
-  RotatedMeeting<T> rotated{};  ///< the same of turning
+  // Chances h of the discrete choices of a walk:
+  T vertex_chance{1};   ///< of this walk up to the vertex, whose choice does not count
+  T chance{1};          ///< of this walk up to this ray
+  T reverse_chance{1};  ///< of a telescope's walk that comes through a laser's walk the other way
+  T per_p{1};           ///< 1 over the phase function's value at the vertex [sr]
+  // Densities over reverse_chance:
+  T last_edge{};          ///< of connecting the edge that came to the vertex
+  Densities<T> behind{};  ///< of all strategies behind this ray
+  // Densities of meeting at the vertex, but for what the edge of this ray adds:
+  T translated{};  ///< over Freedom::translations [m]; and but for |cos| of this ray
+  RotatedMeeting<T> rotated{};
 
-  /// That the surface has reflected it: it stands for the ray that set out from its mirror image.
+  /// Whether it stands for a ray that the surface has reflected: then it comes from the mirror
+  /// image of the vertex.
   Mask<T> is_reflected() const { return WalkPoint<T>::position.z > T(0); }
   /// z of the direction in which it left the vertex.
   T leaving_z() const {
@@ -63,17 +66,18 @@ struct Ray : WalkPoint<T> {
 /// A walk as it arrives where it collides, before this collision.
 template <class T>
 struct Vertex : WalkPoint<T> {
-  T chance{1};          ///< h of a walk that ends here
-  T reverse_chance{1};  ///< h of telescopes' walks that pass a laser's walk as far as here
-  T arriving_edge{};    ///< n h / g of connecting the last edge, times P here; 0: it cannot be
-  T translated{};       ///< n h / g of meeting here over `translations`, but for P and for the edge
-                        ///< beyond; its sign is that of the arriving direction's z
-  T rotated{};          ///< n h / g of turning to meet here, but for P, sweep and the edge beyond
-  // Over `passed`:
-  RotatedMeeting<T>
-      added_rotated{};    ///< of turning to meet at the vertex before, complete by the last edge
-  Densities<T> added{};   ///< of what has become complete by the last edge
-  Densities<T> behind{};  ///< of all that is complete
+  // Chances h of the discrete choices of a walk:
+  T chance{1};          ///< of this walk up to here
+  T reverse_chance{1};  ///< of a telescope's walk that comes through a laser's walk the other way
+  // Densities, but for the phase function here:
+  T arriving_edge{};  ///< of connecting the edge that came here; 0: it cannot be connected
+  // And but for what the edge beyond adds, of meeting here:
+  T translated{};  ///< over Freedom::translations [m]; has the sign of the arriving direction's z
+  T rotated{};     ///< over the Jacobian of the rotation [m]
+  // Densities over reverse_chance:
+  RotatedMeeting<T> added_rotated{};  ///< of meeting at the vertex before, by rotation
+  Densities<T> added{};               ///< of all that the arriving edge has completed
+  Densities<T> behind{};              ///< of all strategies behind this vertex
   template <class F>
   constexpr void each_member(F f) {
     WalkPoint<T>::each_member(f);

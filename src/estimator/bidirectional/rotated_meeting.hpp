@@ -1,5 +1,4 @@
-// Walks that are rotated about a vertical so that two rays meet (docs/theory.md, "The bidirectional
-// estimator").
+// Telescopes' walks that are rotated about a vertical axis so that two rays meet (eq. 41).
 #pragma once
 
 #include "core/lanes.hpp"
@@ -7,8 +6,8 @@
 
 namespace photic::estimator {
 
-/// A vertical about which a walk may be turned: that through its pivot, where it converts, or of
-/// light of the laser's line the vertex next to the telescope.
+/// The vertical about which a telescope's walk may be rotated. It goes through the pivot: where the
+/// walk converts, or, of light of the laser's line, the vertex next to the telescope.
 template <class T>
 struct RotationAxis {
   Mask<T> exists{};
@@ -20,10 +19,10 @@ struct RotationAxis {
   }
 };
 
-/// Whether a telescope's walk that comes to a vertex along `home`, scatters there and goes on along
-/// `on` may be turned about the vertical through it: where it comes along the vertical and leaves
-/// aside, the turn hardly changes the angle between. Both directions' own angles to the vertical
-/// tell, which no turn changes.
+/// Whether a telescope's walk that arrives at a vertex and leaves it in directions may be rotated
+/// about the vertical through it. Where it arrives along the vertical and leaves aside, the
+/// rotation hardly changes the scattering angle. Both directions' angles to the vertical tell. No
+/// rotation changes these.
 template <class T>
 Mask<T> leads_aside(const Vec3<T>& arriving, const Vec3<T>& leaving) {
   constexpr double as_far = 3;  // decision 33
@@ -31,13 +30,13 @@ Mask<T> leads_aside(const Vec3<T>& arriving, const Vec3<T>& leaving) {
          T(as_far * as_far) * (arriving.x * arriving.x + arriving.y * arriving.y);
 }
 
-/// |e_z x (x - axis) . (w x w')|, S: the volume that two rays of directions w and w' sweep about
-/// where they meet, per solid angle of both and turn about the axis. A walk turned about the axis
-/// keeps it.
+/// S = |e_z x (x - axis) . (w x w')|: the Jacobian of the directions w and w' of two rays with
+/// respect to the place x where they meet and to the angle of a rotation of one of them, times the
+/// squares of both lengths. It stays when both rays are rotated about the axis.
 template <class T>
 struct RotationJacobian {
   T x{}, y{};              ///< where they meet [m]
-  T cross_x{}, cross_y{};  ///< w x w', its horizontal part
+  T cross_x{}, cross_y{};  ///< w x w', horizontal components
 
   T about(const RotationAxis<T>& axis) const {
     using std::abs;
@@ -49,10 +48,10 @@ RotationJacobian<T> rotation_jacobian(const Vec3<T>& place, const Vec3<T>& a, co
   return {place.x, place.y, a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z};
 }
 
-/// n h / g of turning a walk so that rays meet at a vertex.
+/// Density of rotating a walk so that two rays meet at a vertex.
 template <class T>
 struct RotatedMeeting {
-  T density{};  ///< over the sweep [1/m]
+  T density{};  ///< over the Jacobian [m]
   RotationJacobian<T> jacobian{};
 
   T about(const RotationAxis<T>& axis) const { return density * jacobian.about(axis); }

@@ -1,27 +1,35 @@
-// The vertices and rays of walks that are to be connected (docs/theory.md, "The bidirectional
-// estimator").
+// With which densities the strategies draw a path, summed along walks for multiple importance
+// sampling (Veach & Guibas, SIGGRAPH 95; docs/bidirectional.md maps the names to the equations).
 //
-// A path x_1 … x_k has edges 0 (laser to x_1), 1 … k-1 and k (x_k to the telescope). Two families
-// of strategies draw it. Strategy j draws everything but edge j by walks, x_1 … x_j from the laser
-// and x_k … x_{j+1} from the telescope, and connects what is left open. And since the sea is the
-// same all over a horizontal plane, a telescope's walk may be shifted sideways as long as it still
-// comes through the lens: strategy "meeting at x_i" draws everything but x_i, a ray of the laser's
-// walk and one of the telescope's towards it included, and translations the second so that they
-// meet at a chosen depth. It draws the peaks of phase functions on both sides of the point where
-// light turns back. "Turning about x_q at x_i", i < q, does the same for light that is converted at
-// x_q: it leaves there with densities that depend on the angle to the vertical alone, so that the
-// telescope's walk beyond x_q may be turned about the vertical through it, until the two rays meet.
+// A path has vertices x_1 … x_k, counted from the laser, and edges 0 (laser to x_1), 1 … k-1 and k
+// (x_k to the telescope). Three families of strategies draw it.
 //
-// The density of a strategy is in proportion to n h / g: n samples of it exist in a set of walks; h
-// is the chance that walks choose as the path does, between scattering and conversion, and
-// directions that are drawn about the beam; and
-//   1 / g = d^2 exp(tau) / (P_j P_{j+1})                 connecting edge j of length d,
-//   1 / g = A |cos cos'| exp(tau + tau') / (c' P_i)      meeting at x_i, per metre of depth,
-//   1 / g = 2 pi S exp(tau + tau') / (c' P_i)            turning so that they meet at x_i,
-// with tau by the coefficient c' that free paths are drawn from, cos, cos', tau, tau' of the edges
-// on both sides, A the telescope's translation_area and S the RotationJacobian of both directions.
-// Vertices carry the sums of n h / g over what lies behind them, so that a connection knows the
-// densities of all strategies at once.
+// Connected (eq. 39): walks draw all but edge j, that is x_1 … x_j from the laser and x_k … x_{j+1}
+// from the telescope. The edge is set between them.
+//
+// Translated (eq. 40): walks draw all but the vertex x_i, including a ray towards it from each
+// side. The sea is the same all over a horizontal plane. So the telescope's walk may be translated
+// sideways, as long as it still comes through the lens, until both rays meet at a chosen depth.
+// Phase functions' peaks on both sides of x_i are drawn, and x_i is where light reverses between up
+// and down.
+//
+// Rotated (eq. 41): light that is converted at x_q leaves there with densities that depend on the
+// angle to the vertical alone. So the telescope's walk beyond x_q may be rotated about the vertical
+// through x_q until both rays meet at x_i, i < q.
+//
+// A strategy's density here is n p of multiple importance sampling, but for a factor that all
+// strategies of a path share: n h / g (eq. 42). n is how many samples of it a set of walks makes. h
+// is the chance that walks choose as the path does, between scattering and conversion, and of
+// directions that are drawn about the beam. 1 / g is what the strategy does not draw:
+//   connected:   1 / g = d^2 exp(tau) / (P_j P_{j+1})               edge j has the length d
+//   translated:  1 / g = A |cos cos'| exp(tau + tau') / (c' P_i)    per metre of depth
+//   rotated:     1 / g = 2 pi S exp(tau + tau') / (c' P_i)
+// P_i is the phase function at x_i, c' the coefficient that free paths are drawn from, tau the
+// optical depth of an edge by c'. cos, cos', tau, tau' are those of both edges at x_i. A is the
+// translation_area of the telescope, S the RotationJacobian of both directions.
+//
+// Vertices carry the sums of these densities over all that lies behind them on their walk. So a
+// connection knows the densities of all strategies at once, however long its walks are.
 #pragma once
 
 #include "core/elementary.hpp"
@@ -29,14 +37,14 @@
 
 namespace photic::estimator {
 
-/// Sums of n h / g.
+/// Sums of the densities of strategies.
 template <class T>
 struct Densities {
   T edges{};       ///< of connecting edges
-  T translated{};  ///< of meetings, over `translations` [1/m]
-  T rotated{};     ///< of turning, about the walk's own vertical
+  T translated{};  ///< of meetings by translation, over Freedom::translations [m]
+  T rotated{};     ///< of meetings by rotation about the walk's own axis
 
-  /// `translations`: of a path, as Freedom has it [m].
+  /// `translations`: Freedom::translations of the path [m].
   T all(const T& translations) const { return edges + translations * translated + rotated; }
 
   template <class F>
@@ -49,18 +57,19 @@ struct Densities {
   }
 };
 
-/// One end of a connection: the phase function there, and the densities behind it.
+/// What balance() takes of one end of a connection.
 template <class T>
 struct EndDensities {
-  T p{1};
-  T arriving_edge{};  ///< n h / g of connecting the last edge, times p
-  T behind{};         ///< sum of n h / g of what is complete
+  T p{1};             ///< phase function there [1/sr]
+  T arriving_edge{};  ///< density of connecting the last edge before this end, times p
+  T behind{};         ///< sum of the densities of all strategies behind it
 };
 
-/// Weight of a connection by the balance heuristic over all strategies that can be used for its
-/// path (Veach & Guibas, SIGGRAPH 95): 1 / sum of n h / g, times the exp(-tau) of the edge over its
-/// walked part. `area` = n h / g of what is made at this edge, times both phase functions and the
-/// walked exp(-tau).
+/// What a connection scores by the balance heuristic, over the weights of its ends: the edge's
+/// exp(-tau) over the sum of the densities of all strategies that can be used for its path
+/// (eq. 42). `walk_tau`: the edge's optical depth by the coefficient that free paths are drawn
+/// from. `area`: density of connecting this edge, and of meeting at its ends, times both phase
+/// functions and exp(-walk_tau).
 template <class T>
 T balance(const T& area, const T& tau, const T& walk_tau, const EndDensities<T>& a,
           const EndDensities<T>& b) {

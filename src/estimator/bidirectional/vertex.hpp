@@ -10,16 +10,17 @@
 
 namespace photic::estimator {
 
-/// The part of n h / g of a meeting that follows from both directions' z: only where light turns
-/// back up or down do rays meet.
+/// A density of meeting by translation times the cosine of one more direction. 0 where light goes
+/// on up or down: walks are translated only to where it reverses. `density` has the sign of the
+/// other direction's z.
 template <class T>
 T if_reversed(const T& density, const T& z) {
   const T product = T(0) - density * z;
   return select(product > T(0), product, T(0));
 }
 
-/// n h / g of turning walks to meet at a vertex that is left in a direction, but for P and the edge
-/// beyond.
+/// Density of rotating walks to meet at a vertex that is left in a direction, but for the phase
+/// function there and for what the edge beyond adds.
 template <class T>
 RotatedMeeting<T> rotation_at(const Vertex<T>& v, const Vec3<T>& direction) {
   return {v.rotated, rotation_jacobian(v.position, v.direction, direction)};
@@ -29,10 +30,11 @@ RotatedMeeting<T> rotation_at(const Vertex<T>& v, const Vec3<T>& direction) {
 template <class T>
 struct Departure {
   T p{1};               ///< phase function's value [1/sr]
-  T chance{1};          ///< of the choices that the phase function does not make
-  T reverse_chance{1};  ///< the same of a telescope's walk that passes a vertex of the laser's
-  T c_ratio{1};  ///< c' of the line that a walk from the laser would have come with, over that of
-                 ///< the walk's own; 0: the path's edges behind can be drawn by no other strategy
+  T chance{1};          ///< h of its choices: of what the phase function does not draw
+  T reverse_chance{1};  ///< the same of a telescope's walk through this vertex of a laser's walk
+  T c_ratio{
+      1};  ///< c' (that free paths are drawn from) of the line in which a laser's walk arrives
+           ///< here, over that of this walk; 0: no laser's walk draws the path as far as here
 };
 
 /// The ray in which the photon has departed from a vertex.
@@ -54,8 +56,9 @@ Ray<T> next_ray(const transport::Photon<T>& photon, const Vertex<T>& from,
   return ray;
 }
 
-/// n h / g of connecting the edge along a ray to a point `length` away, times P there and the
-/// walked exp(-tau). `first`: the ray leaves the instrument, as light that spreads so.
+/// Density of connecting the edge along a ray to a point `length` away, times the phase function
+/// there and exp(-tau) by the coefficient that free paths are drawn from. `first`: the ray leaves
+/// the instrument, and its light has spread so.
 template <class T>
 T connecting_area(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& first,
                   const Spread<T>& spread, const T& length, const estimator::Samples<T>& samples) {

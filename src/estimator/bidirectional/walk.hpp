@@ -48,7 +48,7 @@ struct BirthRecord {
   }
 };
 
-/// The vertex about which a telescope's walk may be turned, and how the walk came and left.
+/// The vertex about which a telescope's walk may be rotated, and how the walk came and left.
 template <class T>
 struct Pivot {
   T x{}, y{};  ///< [m]
@@ -74,8 +74,9 @@ Pivot<T> pivot_at(const medium::MediumView& sea, const Vertex<T>& vertex, const 
                  gather_index<T>(sea.elastic_phase, sea.at(vertex.line, vertex.layer)))};
 }
 
-/// Of the densities behind the rays of a telescope's walk those of strategies that do not draw how
-/// it leaves its first vertex: connecting the edges there, and meeting there.
+/// Of the densities behind the rays of a telescope's walk those of the strategies that do not draw
+/// how it leaves its first vertex: connecting the edge from the lens or the next one, and meeting
+/// there by translation.
 template <class T>
 struct NearFirst {
   T lens_edge{}, translated{}, next_edge{};
@@ -134,14 +135,14 @@ class Walks {
     scatter(mask, walk, i + Index<T>(1), vertices_.data());
   }
   /// Walks from a telescope come to a vertex, their `first` or a later one: at that they meet no
-  /// others, being shifted, if not all points of the lens can begin such a walk.
+  /// others by translation if not all points of the lens can begin such a walk.
   void limit_translation(const instrument::Telescope<T>& telescope, const Index<T>& walk,
                          const Mask<T>& first, Vertex& vertex) const {
     if (!is_aslant(telescope) || all(first)) return;
     const T depth = -this->vertex(walk, Index<T>(0)).position.z;
     vertex.translated = select(first | all_points_reach(telescope, depth), vertex.translated, T(0));
   }
-  /// Telescopes' walks leave vertex i by a ray: what they keep for being turned about it, if they
+  /// Telescopes' walks leave vertex i by a ray: what they keep to be rotated about it, if they
   /// may be. `of_elastic_light`: also where they scatter the laser's light first. Tells who may.
   Mask<T> pivot(const medium::MediumView& sea, const Mask<T>& mask, const Index<T>& walk,
                 const Index<T>& i, const Vertex& vertex, const Ray& ray, bool of_elastic_light) {
@@ -181,7 +182,7 @@ class Walks {
   // Of one walk.
   [[nodiscard]] std::int32_t rays(std::size_t walk) const { return rays_[walk]; }
   [[nodiscard]] std::int32_t vertices(std::size_t walk) const { return vertices_[walk]; }
-  /// The vertex about which a telescope's walk may be turned, or -1.
+  /// The vertex about which a telescope's walk may be rotated, or -1.
   [[nodiscard]] std::int32_t pivot_vertex(std::size_t walk) const { return pivot_vertex_[walk]; }
   [[nodiscard]] bool connected(std::size_t walk) const { return connected_[walk] != 0; }
 
@@ -212,17 +213,17 @@ class Walks {
   [[nodiscard]] Index<T> line(const Index<T>& walk) const {
     return gather_index<T>(line_.data(), walk);
   }
-  /// About which a telescope's walk may be turned.
+  /// About which a telescope's walk may be rotated.
   [[nodiscard]] Pivot<T> pivot(const Index<T>& walk) const { return pivot_.at(walk); }
-  /// The vertical through that.
+  /// The vertical axis through that.
   [[nodiscard]] RotationAxis<T> axis(const Index<T>& walk) const {
     const Mask<T> exists = gather_index<T>(pivot_vertex_.data(), walk) >= Index<T>(0);
     if (!any(exists)) return {};
     const Pivot<T> at = pivot(walk);
     return {exists, at.x, at.y};
   }
-  /// Those of what NearFirst tells that lie behind ray m, beyond the first vertex; of meeting times
-  /// `translations`.
+  /// Those of what NearFirst tells that lie behind ray m, beyond the first vertex; of meetings
+  /// times `translations`.
   [[nodiscard]] NearFirst<T> near_first(const Index<T>& walk, const Index<T>& m,
                                         const Usable<T>& usable, const T& translations) const {
     const NearFirst<T> near = near_first_.at(walk);
@@ -247,8 +248,8 @@ class Walks {
     v.arriving_edge = select(whole | connecting, v.arriving_edge, T(0));
     return v;
   }
-  /// The densities of turning a telescope's walk about an axis so that it meets this walk of the
-  /// laser at a vertex before vertex i, over what has been passed.
+  /// The densities of rotating a telescope's walk about an axis so that it meets this walk of the
+  /// laser at a vertex before vertex i, over reverse_chance.
   [[nodiscard]] T rotated_before(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
                                  const RotationAxis<T>& axis) const {
     T sum(0);
@@ -294,7 +295,7 @@ class Walks {
     sum.edges = sum.edges + select(connecting, ray.last_edge, T(0));
     return select(whole, ray.behind, sum);
   }
-  /// The path's number of the vertex that ray m leaves.
+  /// Which vertex of the path ray m leaves, counted from the laser.
   [[nodiscard]] Index<T> number_in_path(const Index<T>& m, const Usable<T>& usable) const {
     return from_telescope_ ? usable.order + Index<T>(1) - m : m;
   }

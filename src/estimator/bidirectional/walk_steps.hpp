@@ -29,7 +29,7 @@ struct Walker : Track<T> {
   Index<T> event{}, vertices{};
   Ray<T> ray;  ///< its last one
   Leg<T> leg;
-  RotationAxis<T> axis;  ///< of a telescope's walk, where it has converted
+  RotationAxis<T> axis;  ///< of a telescope's walk that has its pivot behind it
 };
 
 /// Of walks from one instrument. A Source tells how they begin, what they draw, and whether light

@@ -118,14 +118,15 @@ std::vector<Place> looking_at_the_surface() {
 }
 
 // In one layer and through all three. Seen red: with n for n^2 in the spread of a ray through the
-// surface; with the way in the air left out of it; with the sign in turning() lost. And of what
+// surface; with the way in the air left out of it; with the sign in if_reversed() lost. And of what
 // telescopes' walks draw about the beam: without it where a connection arrives, where it leaves, at
-// a meeting; without what has been passed, behind a ray, behind a vertex, in an edge. And of walks
-// that are turned: without either edge or the meeting near the pivot, or what a turn does to them;
-// without the phase function's gain; with the pivot forgotten where a walk has one vertex alone;
-// with leaving for arriving in what leads aside. With the number of meetings in paths of one vertex
-// more, at each of the places that know it. And of tilted lenses: with the way from the lens as
-// long as before a shift, in time, in the spread of a first ray, in the edge behind a later one.
+// a meeting; without the reverse chance, behind a ray, behind a vertex, in an edge. And of walks
+// that are rotated: without either edge or the meeting near the pivot, or what a rotation does to
+// them; without the phase function's gain; with the pivot forgotten where a walk has one vertex
+// alone; with leaving for arriving in what leads aside. With the number of meetings in paths of one
+// vertex more, at each of the places that know it. And of tilted lenses: with the way from the lens
+// as long as before a translation, in time, in the spread of a first ray, in the edge behind a
+// later one.
 TEST(StrategiesOfPath, OfElasticLightAgree) {
   Random random(101);
   int met = 0, rotated = 0;
@@ -144,7 +145,7 @@ TEST(StrategiesOfPath, OfElasticLightAgree) {
   EXPECT_GT(rotated, 50);
 }
 
-// Where nothing is drawn about the beam, walks are turned that look for a tilted one, too.
+// Where nothing is drawn about the beam, walks are rotated that look for a tilted one, too.
 TEST(StrategiesOfPath, OfATiltedLaserInWaterThatConvertsNothingAgree) {
   Random random(109);
   int rotated = 0;
@@ -161,8 +162,8 @@ TEST(StrategiesOfPath, OfATiltedLaserInWaterThatConvertsNothingAgree) {
 }
 
 // Seen red: with the way from the fictitious vertex to the disc left out of the laser's spread. And
-// of tilted lenses: with a first ray that begins where it did before a shift; with the light as it
-// was; without what walks draw of the way, in edges, in meetings at its end or behind it.
+// of tilted lenses: with a first ray that begins where it did before a translation; with the light
+// as it was; without what walks draw of the way, in edges, in meetings at its end or behind it.
 TEST(StrategiesOfPath, InTheWaterAgree) {
   Random random(102);
   int met = 0;
@@ -181,9 +182,9 @@ TEST(StrategiesOfPath, InTheWaterAgree) {
 
 // Connections need a straight edge or an instrument, meetings do not. Seen red: without the
 // meetings behind a mirrored way to an instrument; without those at such a way's vertex; with a
-// mirrored leg taken for a straight one; with no connection of a mirrored first edge; with shifts
-// to last vertices between the levels of a tilted lens' points, at each of the places that know
-// them.
+// mirrored leg taken for a straight one; with no connection of a mirrored first edge; with
+// translations to last vertices between the levels of a tilted lens' points, at each of the places
+// that know them.
 TEST(StrategiesOfPath, ByWayOfTheSurfaceAgree) {
   Random random(103);
   int met = 0;
@@ -251,13 +252,13 @@ TEST(StrategiesOfPath, OfLightThatTheSurfaceTurnsBackBetweenCollisionsAgree) {
   EXPECT_GT(rotated, 20);
 }
 
-// Each vertex converts in turn. Seen red: without a departure's density; with the chance of a ray
-// for that of a walk that ends at its vertex, in edges and in meetings; with meetings behind a
-// scattering of converted light; without the ratio of walk coefficients in a connection, in a
-// meeting behind it; without the telescope's chance, or where it turns conversions back; with the
-// last scattering of converted light taken for certain; with shifted rays where light goes on;
-// without what has been passed in last turns; with what lies behind a tilted lens' first vertex
-// kept only of the laser's light.
+// Each vertex converts in turn. Seen red: without a departure's ratio of coefficients; with the
+// chance of a ray for that of a walk that ends at its vertex, in edges and in meetings; with
+// meetings behind a scattering of converted light; without the ratio of walk coefficients in a
+// connection, in a meeting behind it; without the telescope's chance, or where it inverts
+// conversions; with the last scattering of converted light taken for certain; with translated rays
+// where light goes on; without the reverse chance in the last rotations; with what lies behind a
+// tilted lens' first vertex kept only of the laser's light.
 TEST(StrategiesOfPath, OfConvertedLightAgree) {
   Random random(104);
   int met = 0;
@@ -281,7 +282,7 @@ TEST(StrategiesOfPath, OfConvertedLightAgree) {
 
 // Seen red: with a walk that sets out from its last vertex; with edges that no two walks reach;
 // with the last vertex' densities left out; with unusable meetings beside a connection, beside a
-// meeting; with unusable edges or meetings near the pivot of a walk that is turned; with an
+// meeting; with unusable edges or meetings near the pivot of a walk that is rotated; with an
 // unusable meeting at the end of a longer way from a tilted lens.
 TEST(StrategiesOfPath, OfWalksThatEndEarlyAgree) {
   Random random(105);
@@ -303,7 +304,7 @@ TEST(StrategiesOfPath, OfWalksThatEndEarlyAgree) {
   EXPECT_GT(met, 30);
 }
 
-// What a walk does beyond a path's vertices is no part of the path. Seen red: with the vertical of
+// What a walk does beyond a path's vertices is no part of the path. Seen red: with the axis of
 // the telescope's walk for that of the path, where the laser's light arrives.
 TEST(StrategiesOfPath, OfPathsThatAWalkGoesBeyondAgree) {
   Random random(108);

@@ -32,7 +32,7 @@ struct Sea {
   Sea& operator=(const Sea&) = delete;
 };
 
-/// Also of walks that may be turned: as many as of those that may be shifted.
+/// Also of walks that may be rotated: as many as of those that may be translated.
 inline const Samples<double> translating{1, 0.3, 2, 0, grid}, rotating{1, 0.3, 2, 2, grid};
 
 inline scene::Source laser_at(const V& position, const V& direction) {

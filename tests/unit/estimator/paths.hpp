@@ -30,7 +30,7 @@ struct Path {
   [[nodiscard]] std::int32_t line_of(std::int32_t edge) const {
     return edge < converted ? 0 : line;
   }
-  /// The vertex about which telescopes' walks may be turned: where light is converted, else the
+  /// The vertex about which telescopes' walks may be rotated: where light is converted, else the
   /// last.
   [[nodiscard]] std::int32_t pivot() const { return line > 0 ? converted : order(); }
   [[nodiscard]] bool is_mirrored(std::int32_t edge) const {
@@ -38,7 +38,7 @@ struct Path {
   }
 };
 
-/// The path with all that is drawn from the telescope beyond the pivot turned about the vertical
+/// The path with all that is drawn from the telescope beyond the pivot rotated about the vertical
 /// through it.
 inline Path rotated_path(const Path& path, double angle) {
   Path rotated = path;
@@ -70,7 +70,8 @@ inline geometry::Sightline<double> way_to_lens(const World<double>& world, const
                 path.is_mirrored(path.order()));
 }
 
-/// The path shifted sideways, with the point of the lens' plane by which its last ray then comes.
+/// The path translated sideways, with the point of the lens' plane by which its last ray then
+/// comes.
 inline Path translated_path(const World<double>& world, const Path& path, const V& translation) {
   const auto& telescope = world.telescopes[0];
   const V outward = -way_to_lens(world, path).arriving;

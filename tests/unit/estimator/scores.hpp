@@ -69,7 +69,7 @@ class Scores {
     return taken();
   }
 
-  /// The telescope's walk is that of another path, which is shifted sideways.
+  /// The telescope's walk is that of another path, which is translated sideways.
   double translated(std::int32_t i, const Path& other) {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
     const double number = grid.number(-path_.x(i).z, path_.order());
@@ -80,7 +80,7 @@ class Scores {
     return taken();
   }
 
-  /// The telescope's walk is that of another path, which is otherwise turned.
+  /// The telescope's walk is that of another path, which is otherwise rotated.
   double rotated(std::int32_t i, const Path& other) {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
     const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true);

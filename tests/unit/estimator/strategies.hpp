@@ -49,7 +49,7 @@ struct StrategiesOfPath {
     return spread * std::exp(walk_tau) * chance_of_connecting(e) /
            ((e > 0 ? phase(e) : 1) * (e < path.order() ? phase(e + 1) : 1));
   }
-  /// The same of meeting at vertex i.
+  /// The same of translating to meet at vertex i.
   [[nodiscard]] double translated(std::int32_t i) const {
     const double steep = -at(i - 1).arriving.z * at(i).leaving.z;
     const double last = -path.x(path.order()).z;
@@ -57,7 +57,7 @@ struct StrategiesOfPath {
     if (steep <= 0 || !translates) return 0;
     return samples.translated(path.order()) * translation_area * steep * drawn_but(i);
   }
-  /// Whether telescopes' walks may be turned about the pivot.
+  /// Whether telescopes' walks may be rotated about the pivot.
   [[nodiscard]] bool rotates() const {
     if (path.line > 0) return true;
     const V& to_telescope = at(path.order()).leaving;
@@ -65,7 +65,7 @@ struct StrategiesOfPath {
     return world.rotates_scattered &&
            std::hypot(to_laser.x, to_laser.y) > 3 * std::hypot(to_telescope.x, to_telescope.y);
   }
-  /// The same of turning about the pivot so that rays meet at vertex i.
+  /// The same of rotating about the pivot so that rays meet at vertex i.
   [[nodiscard]] double rotated(std::int32_t i) const {
     if (i >= path.pivot() || !rotates()) return 0;
     const V radius = path.x(i) - path.x(path.pivot());
@@ -74,14 +74,14 @@ struct StrategiesOfPath {
            std::abs(dot(around, cross(at(i - 1).arriving, at(i).leaving))) * drawn_but(i);
   }
   /// The density with which the direction is drawn in which a telescope's walk leaves the pivot,
-  /// but for what no turn changes [1/sr].
+  /// but for what no rotation changes [1/sr].
   [[nodiscard]] double drawn_at_pivot() const {
     const double share = world.inverse_conversion.scattered;
     const std::int32_t k = path.order();
     return path.line > 0 ? 1 : (1 - share) * phase(k) + share * lobe(k);
   }
   /// The density with which a telescope's walk in the water comes as far as its first vertex, but
-  /// for what no shift changes.
+  /// for what no translation changes.
   [[nodiscard]] double drawn_to_last_vertex() const { return std::exp(-edge.back().walk_tau); }
   /// What each strategy gives.
   [[nodiscard]] double value() const {
@@ -125,7 +125,7 @@ struct StrategiesOfPath {
     return world.sea.phases.value<double>(
         x, i == path.converted ? medium.conversion_phase[l] : medium.elastic_phase[here]);
   }
-  /// That a telescope's walk turns the detected light back into the laser's at vertex i.
+  /// That a telescope's walk converts the detected light back into the laser's at vertex i.
   [[nodiscard]] double inverse_conversion(std::int32_t i) const {
     return path.line > 0 && of(medium.conversion, path.line, i) > 0
                ? world.inverse_conversion.probability

@@ -1,5 +1,5 @@
 // Meetings right before a tilted lens in the water, of which some points are deeper than others;
-// and turns under tilted lasers.
+// and rotations under tilted lasers.
 #include <gtest/gtest.h>
 
 #include "estimator/model.hpp"
@@ -48,8 +48,8 @@ TEST(StrategiesOfPath, BesideATiltedLensInTheWaterAgree) {
   EXPECT_GT(behind, 100);
 }
 
-// What walks draw about a tilted beam after a conversion changes if they are turned. Seen red: with
-// turns wherever the laser looks.
+// What walks draw about a tilted beam after a conversion changes if they are rotated. Seen red:
+// with rotations wherever the laser looks.
 TEST(Rotations, AreForNoTiltedLaserInWaterThatConverts) {
   const auto rotates = [](const std::string& direction, const std::string& channels) {
     auto scene =

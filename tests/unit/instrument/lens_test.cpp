@@ -95,7 +95,7 @@ TEST(Sight, EndsAtTheDetectorsRim) {
   }
 }
 
-// Seen red: with the directions of the plane turned; without the lens point in the slope; in
+// Seen red: with the directions of the plane swapped; without the lens point in the slope; in
 // sight(), with the sign of the power.
 TEST(Outward, IsTheWayBackOfWhatFallsOnADetectorPoint) {
   Random random(64);

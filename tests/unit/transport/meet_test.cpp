@@ -116,7 +116,7 @@ instrument::LensTranslation<double> translated_to(const Pair& pair,
   return {{dot(from_centre, telescope.across), dot(from_centre, telescope.up)}, -along};
 }
 
-/// Whether light turns back up or down where rays meet at a depth if the telescope's walk is
+/// Whether light reverses up or down where rays meet at a depth if the telescope's walk is
 /// translated so that it still comes through the lens' rim.
 bool can_meet(const Pair& pair, const instrument::Telescope<double>& telescope,
               const instrument::PlanePoint<double>& translated, double depth) {
@@ -190,7 +190,7 @@ TEST(Chord, HoldsTheDepthsAtWhichRaysCanMeet) {
   EXPECT_GT(tilted, 3000);
 }
 
-/// How far a ray's place at a depth is from a vertical, squared.
+/// How far a ray's place at a depth is from an axis, squared.
 double off_axis(const estimator::Ray<double>& ray, const estimator::RotationAxis<double>& axis,
                 double depth) {
   const V place = ray.position + (-depth - ray.position.z) / ray.direction.z * ray.direction;
