@@ -24,7 +24,7 @@ struct Setting {
     return make_model(scene);
   }();
   World<Lanes> world = make_world<Lanes>(model);
-  const medium::MediumView& sea = world.sea;
+  const geometry::Slabs& sea = world.sea;
   Draws<Lanes> draws = draws_of_laser(world, 0);
   std::array<Index<Lanes>, packs> n;
   std::array<std::array<Lanes, 4>, packs> u;
