@@ -46,9 +46,9 @@ void score_further_points(const World<T>& world, const Travellers<T>& travellers
   for (std::int32_t k = 1; k < world.scored_points; ++k) {
     const T rest = T(static_cast<double>(k) / world.scored_points);
     const T& u = travellers.u[0];
-    const T turned = select(u > rest, u - rest, u + (T(1) - rest));
+    const T u_k = select(u > rest, u - rest, u + (T(1) - rest));
     transport::Photon<T> at = travellers.photon;
-    const T free_path = minus_log(path_number<Events>(travellers, turned));
+    const T free_path = minus_log(path_number<Events>(travellers, u_k));
     auto end = transport::fly(world.sea, at, from, free_path);
     if (!Events::tools && world.flies_on) {
       transport::fly_on(world.sea, at, end, [&](const Mask<T>&, transport::Photon<T>& down) {
