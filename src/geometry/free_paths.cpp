@@ -20,12 +20,8 @@ FreePaths::FreePaths(const medium::Medium& medium, std::span<const double> share
 }
 
 Slabs FreePaths::slabs(const medium::Medium& medium) const {
-  return {medium.view(),
-          walk_c_.view(),
-          continuous_c_.view(),
-          walk_mean_path_.view(),
-          collision_gain_.view(),
-          by_walk_tau_.view(edges_.view())};
+  return {medium.view(),          walk_c_.view(),         continuous_c_.view(),
+          walk_mean_path_.view(), collision_gain_.view(), by_walk_tau_.view(edges_.view())};
 }
 
 }  // namespace photic::geometry
