@@ -1,6 +1,6 @@
 // One event of a history, as the physics tells it: a flight, and what stands at its end.
 //
-//   birth --> flight --+--> the sea bed, or too late: the end
+//   birth --> flight --+--> a black sea bed, or too late: the end
 //               ^      +--> the surface: reflected, but for what passes --+
 //               |      +--> a collision: scattered, converted, absorbed --+
 //               +--------------- Russian roulette <-----------------------+
@@ -15,7 +15,6 @@
 
 #include "estimator/book.hpp"
 #include "estimator/world.hpp"
-#include "surface/black.hpp"
 #include "transport/cross.hpp"
 #include "transport/emit.hpp"
 #include "transport/flight.hpp"
@@ -73,7 +72,6 @@ void collisions(Steps& steps, Each each) {
 
 template <class Steps, class T>
 void end_flight(Steps& steps, Track<T>& t, const transport::FlightEnd<T>& end) {
-  static_assert(!surface::Black::reflects);
   book_out(t, end.sea_bed, steps.ledger.sea_bed);
   book_out(t, !steps.in_time(t.photon), steps.ledger.cut_by_time);
   t.colliding = t.on & !end.surface;

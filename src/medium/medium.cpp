@@ -72,13 +72,14 @@ std::vector<double> Medium::depth_integrals(const std::vector<double>& coefficie
   return out;
 }
 
-TwinPairs Medium::with_integrals(const std::vector<double>& coefficient) const {
-  const auto n_layers = static_cast<std::size_t>(layers());
-  std::vector<double> to_tops;
-  const auto to_edges = depth_integrals(coefficient);
-  for (std::size_t i = 0; i < coefficient.size(); ++i)
-    to_tops.push_back(to_edges[i + i / n_layers]);
-  return {coefficient, to_tops};
+TwinPairs Medium::with_integrals(const std::vector<double>& coefficient, double at_bed) const {
+  auto to_tops = depth_integrals(coefficient);  // and, of each line, to the bed
+  if (bed_albedo.empty()) {
+    const auto n_layers = static_cast<std::size_t>(layers());
+    for (std::size_t i = 0; i < coefficient.size(); ++i) to_tops[i] = to_tops[i + i / n_layers];
+    to_tops.resize(coefficient.size());
+  }
+  return {with_bed(coefficient, at_bed), to_tops};
 }
 
 std::vector<double> Medium::environment_rows() const {
@@ -86,17 +87,31 @@ std::vector<double> Medium::environment_rows() const {
   const auto stride = static_cast<std::size_t>(padded(environments.count));
   std::vector<double> out;
   /// Of a table [environment][row].
-  const auto add = [&](const std::vector<double>& table) {
+  const auto add_rows = [&](const std::vector<double>& table) {
     const std::size_t rows = count > 0 ? table.size() / count : 0;
     for (std::size_t row = 0; row < rows; ++row) {
       for (std::size_t e = 0; e < stride; ++e)
         out.push_back(e < count ? table[e * rows + row] : 0.0);
     }
   };
+  const auto add = [&](const std::vector<double>& table, std::size_t numbers = 1) {
+    add_rows(with_bed(table, 0.0, numbers));
+  };
   add(environments.excess_c);
-  add(depth_integrals(environments.excess_c));
+  auto to_edges = depth_integrals(environments.excess_c);
+  if (!bed_albedo.empty()) {  // one more number behind each line's layers + 1
+    std::vector<double> longer;
+    const auto row = static_cast<std::size_t>(layers()) + 1;
+    for (std::size_t i = 0; i < to_edges.size(); ++i) {
+      longer.push_back(to_edges[i]);
+      if ((i + 1) % row == 0) longer.push_back(0);
+    }
+    to_edges = std::move(longer);
+  }
+  add_rows(to_edges);
   add(environments.excess_emitted);
-  add(environments.excess_part);
+  add(environments.excess_part, static_cast<std::size_t>(environments.parts));
+  add_rows(environments.excess_bed);
   return out;
 }
 
@@ -126,17 +141,19 @@ void Medium::finish() {
   inverse_index_ = of_lines([](const Line& l) { return 1 / l.refractive_index; });
   group_index_ = of_lines([](const Line& l) { return l.group_index; });
   top_ = TwinTable(top);
-  c_ = with_integrals(c);
-  albedo_ = TwinTable(albedo);
-  absorption_ = TwinTable(absorption);
+  bed_albedo_ = TwinTable(bed_albedo);
+  c_ = with_integrals(c, 1);
+  albedo_ = TwinTable(with_bed(albedo, 1.0));
+  absorption_ = TwinTable(with_bed(absorption, 0.0));
   const auto to_edges = depth_integrals(c);
   std::vector<double> to_bed;
   for (std::size_t l = 1; l <= n_lines; ++l) to_bed.push_back(to_edges[l * (n_layers + 1) - 1]);
   bed_tau_ = TwinTable(to_bed);
   by_depth_ = Layering(top, layers());
   environment_rows_ = TwinTable(environment_rows());
-  part_phase_ = IndexTableOwner(environments.part_phase);
-  elastic_phase_ = IndexTableOwner(elastic_phase);
+  part_phase_ = IndexTableOwner(with_bed(environments.part_phase, std::int32_t{0},
+                                         static_cast<std::size_t>(environments.parts)));
+  elastic_phase_ = IndexTableOwner(with_bed(elastic_phase, elastic_phase.front()));
   conversion_phase_ = IndexTableOwner(conversion_phase);
   finish_bands();
 }
@@ -164,12 +181,13 @@ void Medium::finish_bands() {
     }
   }
   std::vector<std::int32_t> padded_lists, list_lengths;
+  if (!bed_albedo.empty()) convertible.emplace_back();  // nothing is converted there
   for (auto& list : convertible) {
     list_lengths.push_back(static_cast<std::int32_t>(list.size()));
     list.resize(static_cast<std::size_t>(bands_));
     padded_lists.insert(padded_lists.end(), list.begin(), list.end());
   }
-  conversion_ = TwinTable(emitted);
+  conversion_ = TwinTable(with_bed(emitted, 0.0));
   line_of_spectral_bin_ = IndexTableOwner(line_of_spectral_bin);
   convertible_ = IndexTableOwner(padded_lists);
   convertible_count_ = IndexTableOwner(list_lengths);
@@ -180,6 +198,9 @@ MediumView Medium::view() const {
   v.layers = layers();
   v.lines = static_cast<std::int32_t>(line.size());
   v.bands = bands_;
+  v.places = v.layers + (bed_albedo.empty() ? 0 : 1);
+  v.bed_angles = static_cast<std::int32_t>(bed_albedo.size() / line.size());
+  v.bed_albedo = bed_albedo_.view();
   v.top = top_.view();
   v.c = c_.view();
   v.albedo = albedo_.view();
@@ -200,10 +221,11 @@ MediumView Medium::view() const {
   e.first_tangent = environments.first_tangent;
   e.stride = padded(e.count);
   e.parts = environments.parts;
-  const std::int32_t cells = v.lines * v.layers;
+  const std::int32_t cells = v.lines * v.places;
   e.first_depth = cells;
-  e.first_emitted = e.first_depth + v.lines * (v.layers + 1);
+  e.first_emitted = e.first_depth + v.lines * (v.places + 1);
   e.first_part = e.first_emitted + cells;
+  e.first_bed = e.first_part + cells * e.parts;
   e.number = environment_rows_.table();
   e.part_phase = part_phase_.view();
   v.phases.line = phase_lines_.table();

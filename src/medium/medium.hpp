@@ -2,7 +2,8 @@
 //
 // Lines are the wavelengths light can have: line 0 is the laser's, the others those that inelastic
 // processes emit. Layers run from the surface (0) down. A value of line l in layer k stands at
-// l * layers + k.
+// l * layers + k. Where the sea bed reflects light, it stands in the view's tables as one more
+// layer below the last, without thickness.
 #pragma once
 
 #include <cmath>
@@ -34,7 +35,7 @@ struct EnvironmentsView {
   std::int32_t stride = 0;       ///< from row to row: padded with zeros
   std::int32_t parts = 0;        ///< of the scattering that are more or less in some environment
   std::int32_t first_depth = 0;  ///< row of ...
-  std::int32_t first_emitted = 0, first_part = 0;
+  std::int32_t first_emitted = 0, first_part = 0, first_bed = 0;
   Table number;           ///< [row][environment]
   IndexTable part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
@@ -69,6 +70,9 @@ struct Column {
 /// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
   std::int32_t layers = 0, lines = 0, bands = 0;
+  std::int32_t places = 0;      ///< where light is scattered: the layers, and a bed that reflects
+  std::int32_t bed_angles = 0;  ///< 0: the sea bed is black
+  ShortTable bed_albedo;        ///< [line][bed_angles], see surface/lambert.hpp
   ShortTable top;     ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
   ShortTable albedo;  ///< b / c, [line][layer]
   // Coefficients and their integrals from the surface to a layer's top, [line][layer]:
@@ -92,7 +96,7 @@ struct MediumView {
 
   template <class I>
   I at(const I& line, const I& layer) const {
-    return line * I(layers) + layer;
+    return line * I(places) + layer;
   }
 
   /// The line that a photon of a spectral_bin emits in, if it is the i-th band of its layer that it
@@ -131,7 +135,7 @@ struct MediumView {
   }
   template <class I>
   I excess_depth_tau(const I& line, const I& layer) const {
-    return I(environments.first_depth) + line * I(layers + 1) + layer;
+    return I(environments.first_depth) + line * I(places + 1) + layer;
   }
   template <class I>
   I excess_emitted(const I& line, const I& layer) const {
@@ -140,6 +144,11 @@ struct MediumView {
   template <class I>
   I excess_part(const I& line, const I& layer, std::int32_t part) const {
     return I(environments.first_part + part) + at(line, layer) * I(environments.parts);
+  }
+  /// The bed's albedo less the medium's, at an angle of it.
+  template <class I>
+  I excess_bed(const I& line, const I& angle) const {
+    return I(environments.first_bed) + line * I(bed_angles) + angle;
   }
 
  protected:
@@ -186,6 +195,7 @@ struct EnvironmentTables {
   std::int32_t parts = 0;
   std::vector<double> excess_c,  ///< attenuation less the medium's, [environment][line][layer]
       excess_emitted,            ///< emitted light over the medium's, less 1, as above
+      excess_bed,                ///< the bed's albedo less the medium's, [environment][line][angle]
       excess_part;  ///< a part's scattering less the medium's, over all scattering of the medium,
                     ///< [environment][line][layer][part]
   std::vector<std::int32_t> part_phase;  ///< table in the medium's phases, [line][layer][part]
@@ -197,6 +207,9 @@ class Medium {
   std::vector<Line> line;
   std::vector<double> top, c, albedo, conversion, absorption;
   std::vector<std::int32_t> elastic_phase, conversion_phase;
+  /// Of a sea bed that reflects light, its albedo at angles (surface/lambert.hpp), [line][angle];
+  /// empty if it is black.
+  std::vector<double> bed_albedo;
   std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam
   EnvironmentTables environments;
   std::vector<Source> sources;  ///< of all that it is made of
@@ -216,8 +229,22 @@ class Medium {
   /// Integrals over depth from the surface to the layers' edges, [line][layers + 1], for as many
   /// lines as there are coefficients of.
   [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
-  /// A coefficient and its integrals to the layers' tops.
-  [[nodiscard]] TwinPairs with_integrals(const std::vector<double>& coefficient) const;
+  /// A table [line][layer], so many numbers each, with those of a bed that reflects.
+  template <class Number>
+  [[nodiscard]] std::vector<Number> with_bed(const std::vector<Number>& table, Number at_bed,
+                                             std::size_t numbers = 1) const {
+    if (bed_albedo.empty()) return table;
+    const std::size_t row = static_cast<std::size_t>(layers()) * numbers;
+    std::vector<Number> out;
+    for (auto from = table.begin(); from != table.end(); from += static_cast<std::ptrdiff_t>(row)) {
+      out.insert(out.end(), from, from + static_cast<std::ptrdiff_t>(row));
+      out.insert(out.end(), numbers, at_bed);
+    }
+    return out;
+  }
+  /// A coefficient and its integrals to the layers' tops, [line][place]; on the bed it is `at_bed`.
+  [[nodiscard]] TwinPairs with_integrals(const std::vector<double>& coefficient,
+                                         double at_bed) const;
 
  private:
   /// The environments' numbers, [row][environment].
@@ -226,8 +253,8 @@ class Medium {
   void finish_bands();
 
   /// The tables of the view, in both precisions.
-  TwinTable top_, albedo_, conversion_, absorption_, bed_tau_, index_, inverse_index_, group_index_,
-      environment_rows_;
+  TwinTable bed_albedo_, top_, albedo_, conversion_, absorption_, bed_tau_, index_, inverse_index_,
+      group_index_, environment_rows_;
   TwinPairs c_;
   IndexTableOwner convertible_, convertible_count_, line_of_spectral_bin_, elastic_phase_,
       conversion_phase_, part_phase_;

@@ -15,11 +15,11 @@ namespace photic::transport {
 template <class T>
 struct FlightEnd {
   Mask<T> surface;   ///< the photon stands at the surface, from below
-  Mask<T> sea_bed;   ///< the photon stands on the sea bed
+  Mask<T> sea_bed;   ///< the photon has come to a black sea bed
   T length{};        ///< of the flight [m]
   T rest{};          ///< of the free path, of photons at the surface
   Index<T> layer{};  ///< the photon's; of one at the surface, where its free path ends if reflected
-};                   ///< neither surface nor sea bed: it collides where it stands
+};  ///< neither surface nor black bed: it collides where it stands, in water or on the bed
 
 /// Where flights begin.
 template <class T>
@@ -87,6 +87,10 @@ FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const FlightStar
   end.length = distance;
   photon.position = there;
   photon.layer = layer;
+  if (sea.bed_angles > 0) {
+    photon.layer = select(end.sea_bed, Index<T>(sea.layers), layer);
+    end.sea_bed = Mask<T>(false);
+  }
   photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
   const T gain = gather<T>(sea.collision_gain, here);
   const T ratio = exp_minus(absorbed_tau) * select(stopped, T(1), gain);

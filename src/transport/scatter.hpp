@@ -6,6 +6,7 @@
 
 #include "core/turn.hpp"
 #include "medium/medium.hpp"
+#include "surface/lambert.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::transport {
@@ -37,6 +38,31 @@ struct Targets {
   }
 };
 
+/// The share of light in a direction that is scattered where it comes to: b / c, or the bed's
+/// albedo.
+template <class T>
+T scattered_share(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
+                  const Vec3<T>& direction) {
+  const T albedo = gather<T>(sea.albedo, sea.at(line, layer));
+  if (sea.bed_angles == 0) return albedo;
+  const T of_bed = surface::bed_albedo(sea, line, T(-direction.z));
+  return select(surface::on_bed<T>(sea, layer), of_bed, albedo);
+}
+/// Density of the directions that it leaves in: a phase function, or Lambert's law [1/sr].
+template <class T>
+T scattered_density(const medium::MediumView& sea, const Index<T>& layer, const Index<T>& phase,
+                    const Vec3<T>& old, const Vec3<T>& fresh) {
+  const T p = sea.phases.template value<T>(one_minus_cos(old, fresh), phase);
+  if (sea.bed_angles == 0) return p;
+  return select(surface::on_bed<T>(sea, layer), surface::lambert_density(fresh), p);
+}
+/// The layer that light is in when it has left: the bed's is the last one's.
+template <class T>
+Index<T> left_layer(const medium::MediumView& sea, const Index<T>& layer) {
+  if (sea.bed_angles == 0) return layer;
+  return select(surface::on_bed<T>(sea, layer), layer - Index<T>(1), layer);
+}
+
 /// Uniforms of one scattering.
 template <class T>
 struct ScatterUniforms {
@@ -54,9 +80,10 @@ struct Deflection {
 ///   q = (1 - e) p(old, new) + e weighted mean over targets of lobe or cone(target, new),
 /// p and lobe being tables of the medium, e = `directed` where there are targets and 0 elsewhere.
 template <class T, int capacity>
-Deflection<T> deflect(const medium::MediumView& sea, const Vec3<T>& old, const Index<T>& phase,
-                      const Index<T>& lobe, const Targets<T, capacity>& targets, const T& directed,
-                      const ScatterUniforms<T>& u) {
+Deflection<T> deflect_in_water(const medium::MediumView& sea, const Vec3<T>& old,
+                               const Index<T>& phase, const Index<T>& lobe,
+                               const Targets<T, capacity>& targets, const T& directed,
+                               const ScatterUniforms<T>& u) {
   const auto [cos_azimuth, sin_azimuth] = cos_sin_of_turns(u.azimuth);
   const T share = targets.share(directed);
   if (!any(share > T(0)))
@@ -76,6 +103,20 @@ Deflection<T> deflect(const medium::MediumView& sea, const Vec3<T>& old, const I
   return {axis, select(cone > T(0), u.polar * cone, from_table), cos_azimuth, sin_azimuth};
 }
 
+/// The same anywhere; from the bed by Lambert's law alone.
+template <class T, int capacity>
+Deflection<T> deflect(const medium::MediumView& sea, const Index<T>& layer, const Vec3<T>& old,
+                      const Index<T>& phase, const Index<T>& lobe,
+                      const Targets<T, capacity>& targets, const T& directed,
+                      const ScatterUniforms<T>& u) {
+  Deflection<T> out = deflect_in_water(sea, old, phase, lobe, targets, directed, u);
+  if (sea.bed_angles == 0) return out;
+  const Mask<T> bed = surface::on_bed<T>(sea, layer);
+  out.axis = select(bed, Vec3<T>{T(0), T(0), T(1)}, out.axis);
+  out.one_minus_cos = select(bed, surface::lambert_one_minus_cos(u.polar), out.one_minus_cos);
+  return out;
+}
+
 /// Where it leads.
 template <class T>
 Vec3<T> turned(const Deflection<T>& by) {
@@ -83,11 +124,11 @@ Vec3<T> turned(const Deflection<T>& by) {
 }
 
 /// p / q <= 1 / (1 - e) of a new direction, both terms always in q (Veach & Guibas, SIGGRAPH 95,
-/// balance heuristic); 1 where there are no targets.
+/// balance heuristic); 1 where there are no targets, and on the bed.
 template <class T, int capacity>
-T true_over_drawn(const medium::MediumView& sea, const Vec3<T>& old, const Vec3<T>& fresh,
-                  const Index<T>& phase, const Index<T>& lobe, const Targets<T, capacity>& targets,
-                  const T& directed) {
+T true_over_drawn(const medium::MediumView& sea, const Index<T>& layer, const Vec3<T>& old,
+                  const Vec3<T>& fresh, const Index<T>& phase, const Index<T>& lobe,
+                  const Targets<T, capacity>& targets, const T& directed) {
   const T share = targets.share(directed);
   if (!any(share > T(0))) return T(1);
   const T p = sea.phases.value<T>(one_minus_cos(old, fresh), phase);
@@ -104,7 +145,8 @@ T true_over_drawn(const medium::MediumView& sea, const Vec3<T>& old, const Vec3<
     towards_density = towards_density + targets.weight[k] * density;
   }
   const T weighted = p * select(targets.total_weight > T(0), targets.total_weight, T(1));
-  return weighted / ((T(1) - share) * weighted + share * towards_density);
+  const T ratio = weighted / ((T(1) - share) * weighted + share * towards_density);
+  return sea.bed_angles == 0 ? ratio : select(surface::on_bed<T>(sea, layer), T(1), ratio);
 }
 
 }  // namespace photic::transport

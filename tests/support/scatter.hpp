@@ -11,8 +11,8 @@ void scatter(const medium::MediumView& sea, transport::Photon<T>& photon, const 
              const T& directed, const transport::ScatterUniforms<T>& u) {
   const Vec3<T> old = photon.direction;
   photon.direction =
-      transport::turned(transport::deflect(sea, old, phase, lobe, targets, directed, u));
-  photon.weight = photon.weight * transport::true_over_drawn(sea, old, photon.direction, phase,
+      transport::turned(transport::deflect(sea, photon.layer, old, phase, lobe, targets, directed, u));
+  photon.weight = photon.weight * transport::true_over_drawn(sea, photon.layer, old, photon.direction, phase,
                                                              lobe, targets, directed);
 }
 

@@ -120,8 +120,10 @@ struct AnalogSteps {
   void collide(AnalogPhotons<T>& p) {
     const Mask<T> last = p.photon.order == Index<T>(world.last_order);
     if (world.last_order > 0) book_out(p, last, ledger.cut_by_order);
+    const Mask<T> bed = surface::on_bed<T>(world.sea, p.photon.layer);
     const Mask<T> stays =
         collide_by_chance(world.sea, p.photon, p.spectral_bin, p.on, u[3], v[0], v[1]);
+    book_out(p, bed & !stays, ledger.sea_bed);
     book_out(p, !stays, ledger.absorbed);
   }
   template <class Each>

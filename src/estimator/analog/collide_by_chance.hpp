@@ -1,9 +1,9 @@
 // What a collision makes of an analog photon: nothing is weighed, all is decided.
 #pragma once
 
-#include "core/turn.hpp"
 #include "medium/medium.hpp"
 #include "transport/photon.hpp"
+#include "transport/scatter.hpp"
 
 namespace photic::estimator {
 
@@ -15,7 +15,7 @@ Mask<T> collide_by_chance(const medium::MediumView& sea, transport::Photon<T>& p
                           const T& u_polar, const T& u_azimuth) {
   const Index<T> here = sea.at(photon.line, photon.layer);
   Index<T> phase = gather_index<T>(sea.elastic_phase, here);
-  T rest = u - gather<T>(sea.albedo, here);
+  T rest = u - transport::scattered_share(sea, photon.line, photon.layer, photon.direction);
   Mask<T> goes_on = rest < T(0);
   const Index<T> count = select(photon.line == Index<T>(0),
                                 gather_index<T>(sea.convertible_count, photon.layer), Index<T>(0));
@@ -32,8 +32,11 @@ Mask<T> collide_by_chance(const medium::MediumView& sea, transport::Photon<T>& p
     i = i + Index<T>(1);
   }
   photon.order = photon.order + Index<T>(1);
-  const auto [cosine, sine] = cos_sin_of_turns(u_azimuth);
-  photon.direction = turned(photon.direction, sea.phases.sample<T>(u_polar, phase), cosine, sine);
+  const transport::Targets<T, 1> none{};
+  photon.direction =
+      transport::turned(transport::deflect(sea, photon.layer, photon.direction, phase, phase, none,
+                                           T(0), {u_polar, u_azimuth, T(0), T(0)}));
+  photon.layer = transport::left_layer<T>(sea, photon.layer);
   return colliding & goes_on;
 }
 

@@ -1,4 +1,5 @@
-// The chance that a flight leaves the water, for flights that are not to.
+// The chance that a flight leaves the water, for flights that are not to: through the surface, or
+// onto a black sea bed.
 #pragma once
 
 #include <cmath>
@@ -33,7 +34,8 @@ Escape<T> escape(const geometry::Slabs& sea, const transport::Photon<T>& photon)
   };
   const T rises = select(out.surface, photon.direction.z, T(1));
   const T reflectance = surface::flat_surface<T>(sea, photon.line).reflectance(rises);
-  const T transmitted = select(level, T(0), select(out.surface, T(1) - reflectance, T(1)));
+  const T onto_bed(sea.bed_angles > 0 ? 0 : 1);
+  const T transmitted = select(level, T(0), select(out.surface, T(1) - reflectance, onto_bed));
   out.probability = transmitted * chance(sea.walk_optical_depth(photon.line, at),
                                          gather<T>(sea.by_walk_tau.end, photon.line));
   out.weight = photon.weight * transmitted *

@@ -73,7 +73,7 @@ struct SourcesDiffer {
 };
 template <class T>
 SourcesDiffer sources_differ(const World<T>& world) {
-  return {world.sea.lines > 1, world.sea.layers > 1, world.single_rays};
+  return {world.sea.lines > 1, world.sea.places > 1, world.single_rays};
 }
 
 /// Light of one line that leaves collisions, one in each lane: scattered, or converted from another
@@ -119,8 +119,9 @@ struct Emission {
 template <class T>
 Emission<T> emission(const medium::MediumView& sea, const Sources<T>& from) {
   const Index<T> here = sea.at(from.line, from.photon.layer);
-  const Emission<T> scattered{gather<T>(sea.albedo, here),
-                              gather_index<T>(sea.elastic_phase, here)};
+  const Emission<T> scattered{
+      transport::scattered_share(sea, from.line, from.photon.layer, from.photon.direction),
+      gather_index<T>(sea.elastic_phase, here)};
   if (!from.differ.lines) return scattered;
   const Mask<T> same = from.line == from.photon.line;
   return {select(same, scattered.share, gather<T>(sea.conversion, here)),
@@ -178,8 +179,9 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
   completion.ways = estimates.unflown;
   add_way(sea, from.line, photon.layer, T(-photon.position.z), way.direction, way.length_water,
           world.telescope_region[t], route, completion.ways);
-  completion.collide(sea, {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)),
-                           from.line, one_minus_cos(photon.direction, way.direction)});
+  completion.collide(sea,
+                     {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)), from.line,
+                      one_minus_cos(photon.direction, way.direction), T(-photon.direction.z)});
   lanes::each_score(tally, seen, scores_of(world, t, from, way.path, value),
                     [&](std::size_t lane, const tally::Score& score, const auto& at) {
                       const std::size_t path = estimates.first + lane;
@@ -203,8 +205,7 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
   const auto score = [&](const Connection<T>& way, geometry::Route route) {
     const Mask<T> seen = mask & (way.acceptance > T(0));
     if (!any(seen)) return;
-    const T p =
-        world.sea.phases.template value<T>(one_minus_cos(photon.direction, way.direction), phase);
+    const T p = scattered_density(world.sea, photon.layer, phase, photon.direction, way.direction);
     const T value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
     if (compares<Events>(world)) {
       score_in_environments(world, t, seen, from, way, route, value, estimates, tally);
@@ -215,10 +216,12 @@ void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, cons
   const auto& telescope = world.telescopes[t];
   const auto& region = world.telescope_region[t];
   for (const auto route : geometry::routes_to(region.in_air)) {
-    score(world.single_rays
-              ? connect_ray(world.sea, telescope, region, photon, from.line, from.lens, route, mask)
-              : connect(world.sea, telescope, region, photon, from.line, route, mask),
-          route);
+    if (world.single_rays) {
+      score(connect_ray(world.sea, telescope, region, photon, from.line, from.lens, route, mask),
+            route);
+    } else {
+      score(connect(world.sea, telescope, region, photon, from.line, route, mask), route);
+    }
   }
 }
 

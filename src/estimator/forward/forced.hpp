@@ -12,6 +12,7 @@
 #include "estimator/view.hpp"
 #include "geometry/depths.hpp"
 #include "medium/medium.hpp"
+#include "surface/lambert.hpp"
 #include "transport/flight.hpp"
 #include "transport/photon.hpp"
 
@@ -127,7 +128,8 @@ Mask<T> force_collision(const geometry::Slabs& sea, transport::Photon<T>& photon
   const transport::FlightEnd<T> end = transport::fly(sea, flown, minus_log(u.distance));
   transport::Photon<T> placed = photon;
   const Mask<T> in_water = transport::advance(sea, placed, distance);
-  const Mask<T> reached = select(forced, in_water, !(end.surface | end.sea_bed));
+  const Mask<T> collides = !(end.surface | end.sea_bed | surface::on_bed<T>(sea, flown.layer));
+  const Mask<T> reached = select(forced, in_water, collides);
   const T moved = select(forced, distance,
                          (flown.path - photon.path) / gather<T>(sea.group_index, photon.line));
   photon.position = select(forced, placed.position, flown.position);

@@ -63,10 +63,12 @@ struct ForwardSteps {
     reflect_at_surface(world.sea, t, lossless, ledger);
   }
 
-  /// If that has not been done on the way.
+  /// If that has not been done on the way, where only collisions in the water are.
   void score(const Travellers<T>& t) {
-    if (!any(t.colliding) || (Events::tools && world.tools.scores_on_the_way)) return;
-    score_scattering<Events>(world, t, t.colliding, estimates, tally);
+    Mask<T> scored = t.colliding;
+    if (Events::tools && world.tools.scores_on_the_way)
+      scored = scored & surface::on_bed<T>(world.sea, t.photon.layer);
+    if (any(scored)) score_scattering<Events>(world, t, scored, estimates, tally);
   }
 
   /// Some go on as light of another wavelength, what is absorbed is lost.
@@ -81,6 +83,7 @@ struct ForwardSteps {
     transport::Photon<T> photon = t.photon;
     const Index<T> here = world.sea.at(photon.line, photon.layer);
     book(ledger.absorbed, colliding, photon.weight * gather<T>(world.sea.absorption, here));
+    if (world.sea.bed_angles > 0) book_bed(photon, colliding);
     if (compares<Events>(world)) t.ratios.before = photon;
     t.branch = transport::collide(world.sea, photon, t.spectral_bin, world.conversion, t.choices[0],
                                   t.choices[1]);
@@ -98,6 +101,7 @@ struct ForwardSteps {
     each([&](auto& t) { deflect(t); });
     each([&](auto& t) { turn(t); });
     if (world.directs) each([&](auto& t) { weigh_direction(t); });
+    if (world.sea.bed_angles > 0) each([&](auto& t) { leave_bed(t); });
   }
 
   void play_roulette(Travellers<T>& t) {
@@ -111,6 +115,13 @@ struct ForwardSteps {
 
  private:
   [[nodiscard]] bool flies_on() const { return !Events::tools && world.flies_on; }
+
+  /// What the bed absorbs.
+  void book_bed(const transport::Photon<T>& photon, const Mask<T>& colliding) {
+    const T albedo = surface::bed_albedo(world.sea, photon.line, T(-photon.direction.z));
+    book(ledger.sea_bed, colliding & surface::on_bed<T>(world.sea, photon.layer),
+         photon.weight * (T(1) - albedo));
+  }
 
   /// Reflects photons of a mask at the surface, but for the weight that passes. Those who are left
   /// with far less than the threshold play roulette at once, before more is done for little light;
@@ -131,9 +142,9 @@ struct ForwardSteps {
 
   void deflect(Travellers<T>& t) {
     if (!any(t.colliding)) return;
-    t.deflection =
-        transport::deflect(world.sea, t.photon.direction, t.branch.phase, t.branch.lobe, t.targets,
-                           world.directed, {t.u[1], t.u[2], t.u[3], t.choices[2]});
+    t.deflection = transport::deflect(world.sea, t.photon.layer, t.photon.direction, t.branch.phase,
+                                      t.branch.lobe, t.targets, world.directed,
+                                      {t.u[1], t.u[2], t.u[3], t.choices[2]});
   }
   void turn(Travellers<T>& t) {
     const Mask<T>& colliding = t.colliding;
@@ -147,9 +158,13 @@ struct ForwardSteps {
   void weigh_direction(Travellers<T>& t) {
     if (!any(t.colliding)) return;
     const T ratio =
-        transport::true_over_drawn(world.sea, t.old_direction, t.photon.direction, t.branch.phase,
-                                   t.branch.lobe, t.targets, world.directed);
+        transport::true_over_drawn(world.sea, t.photon.layer, t.old_direction, t.photon.direction,
+                                   t.branch.phase, t.branch.lobe, t.targets, world.directed);
     t.photon.weight = t.photon.weight * select(t.colliding, ratio, T(1));
+  }
+  void leave_bed(Travellers<T>& t) {
+    t.photon.layer =
+        select(t.colliding, transport::left_layer<T>(world.sea, t.photon.layer), t.photon.layer);
   }
   /// What is left of the number that decided whether directions were drawn towards targets.
   T left_of_direction(const Travellers<T>& t) const {

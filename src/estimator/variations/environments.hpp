@@ -21,6 +21,7 @@
 #include "geometry/region.hpp"
 #include "medium/medium.hpp"
 #include "optics/phase_table.hpp"
+#include "surface/lambert.hpp"
 #include "transport/photon.hpp"
 
 namespace photic::estimator {
@@ -210,7 +211,21 @@ struct Encounter {
   Mask<T> converted{};
   Index<T> emitted{};  ///< line of emitted light, where that is what happens
   T x{};               ///< 1 - cos of the scattering angle
+  T steep{1};          ///< on the bed: |cos| to the vertical of the light that comes to it
 };
+
+/// How much more the bed reflects, of what it does in the medium.
+template <class T>
+void add_reflection(const medium::MediumView& sea, const Encounter<T>& c, Terms<T>& collision) {
+  const T albedo = surface::bed_albedo(sea, c.line, c.steep);
+  const Mask<T> reflects = surface::on_bed<T>(sea, c.layer) & (albedo > T(0));
+  if (!any(reflects)) return;
+  const auto [first, rest] = surface::bed_angle(sea, c.steep);
+  const T per_albedo = select(reflects, T(1), T(0)) / select(reflects, albedo, T(1));
+  collision.add(sea.excess_bed(c.line, first), (T(1) - rest) * per_albedo);
+  if (sea.bed_angles > 1)
+    collision.add(sea.excess_bed(c.line, first + Index<T>(1)), rest * per_albedo);
+}
 
 /// How much more it has there, of all there is in the medium.
 template <class T>
@@ -218,6 +233,7 @@ void add_encounter(const medium::MediumView& sea, const Encounter<T>& c, Terms<T
   if (any(c.converted))
     collision.add(sea.excess_emitted(c.emitted, c.layer), select(c.converted, T(1), T(0)));
   if (all(c.converted)) return;
+  if (sea.bed_angles > 0) add_reflection(sea, c, collision);
   const Index<T> here = sea.at(c.line, c.layer);
   const T whole = sea.phases.template value<T>(c.x, gather_index<T>(sea.elastic_phase, here));
   const Mask<T> scatters = (whole > T(0)) & !c.converted;
@@ -306,7 +322,7 @@ struct Ratios {
     terms.clear();
     add_encounter(sea,
                   {before.line, before.layer, Mask<T>(!(before.line == after.line)), after.line,
-                   one_minus_cos(before.direction, after.direction)},
+                   one_minus_cos(before.direction, after.direction), T(-before.direction.z)},
                   terms);
     for_each_lane(mask, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
