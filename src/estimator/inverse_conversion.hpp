@@ -4,6 +4,7 @@
 #include "core/constants.hpp"
 #include "core/vec3.hpp"
 #include "medium/medium.hpp"
+#include "surface/lambert.hpp"
 
 namespace photic::estimator {
 
@@ -32,19 +33,20 @@ struct InverseConversion {
     return ((T(1) - directed) * T(0.25 / pi) + directed * sea.phases.template value<T>(x, lobe)) /
            p;
   }
-  /// The same where a walk from a telescope scatters the laser's light.
-  T scattered_over_phase(const medium::MediumView& sea, const Vec3<T>& direction,
-                         const T& p) const {
+  /// The same where a walk from a telescope scatters the laser's light; the bed draws all alike.
+  T scattered_over_phase(const medium::MediumView& sea, const Index<T>& layer,
+                         const Vec3<T>& direction, const T& p) const {
     if (!any(scattered > T(0))) return T(1);
     const T x = one_minus_cos(beam, direction);
-    return T(1) + scattered * (sea.phases.template value<T>(x, lobe) / p - T(1));
+    const T over = T(1) + scattered * (sea.phases.template value<T>(x, lobe) / p - T(1));
+    return sea.bed_angles == 0 ? over : select(surface::on_bed<T>(sea, layer), T(1), over);
   }
   /// The chance over the phase function's value that a walk from a telescope which detects `line`
   /// inverts a conversion at a vertex where the path `converts`, or scatters the laser's light
   /// elsewhere.
   T goes_on(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
             const Mask<T>& converts, const Vec3<T>& direction, const T& p) const {
-    const T scatters = scattered_over_phase(sea, direction, p);
+    const T scatters = scattered_over_phase(sea, layer, direction, p);
     if (!any(converts)) return scatters;
     return select(converts, chance(sea, line, layer) * over_phase(sea, direction, p), scatters);
   }

@@ -25,7 +25,7 @@ template <class T>
 Branch<T> collide(const medium::MediumView& sea, Photon<T>& photon, const Index<T>& spectral_bin,
                   const T& conversion, const T& u_branch, const T& u_band) {
   const Index<T> here = sea.at(photon.line, photon.layer);
-  const T albedo = scattered_share(sea, photon.line, photon.layer, photon.direction);
+  const T albedo = scattered_share(sea, photon.line, photon.layer, T(-photon.direction.z));
   photon.order = photon.order + Index<T>(1);
   Branch<T> branch;
   if (sea.lines == 1) {

@@ -38,14 +38,14 @@ struct Targets {
   }
 };
 
-/// The share of light in a direction that is scattered where it comes to: b / c, or the bed's
-/// albedo.
+/// The share of light that is scattered where it comes to: b / c, or the bed's albedo for light
+/// that comes down under a cosine to the vertical.
 template <class T>
 T scattered_share(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
-                  const Vec3<T>& direction) {
+                  const T& cosine) {
   const T albedo = gather<T>(sea.albedo, sea.at(line, layer));
   if (sea.bed_angles == 0) return albedo;
-  const T of_bed = surface::bed_albedo(sea, line, T(-direction.z));
+  const T of_bed = surface::bed_albedo(sea, line, cosine);
   return select(surface::on_bed<T>(sea, layer), of_bed, albedo);
 }
 /// Density of the directions that it leaves in: a phase function, or Lambert's law [1/sr].

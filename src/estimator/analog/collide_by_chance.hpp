@@ -15,7 +15,7 @@ Mask<T> collide_by_chance(const medium::MediumView& sea, transport::Photon<T>& p
                           const T& u_polar, const T& u_azimuth) {
   const Index<T> here = sea.at(photon.line, photon.layer);
   Index<T> phase = gather_index<T>(sea.elastic_phase, here);
-  T rest = u - transport::scattered_share(sea, photon.line, photon.layer, photon.direction);
+  T rest = u - transport::scattered_share(sea, photon.line, photon.layer, T(-photon.direction.z));
   Mask<T> goes_on = rest < T(0);
   const Index<T> count = select(photon.line == Index<T>(0),
                                 gather_index<T>(sea.convertible_count, photon.layer), Index<T>(0));

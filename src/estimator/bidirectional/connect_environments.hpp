@@ -15,8 +15,8 @@ PHOTIC_APART void Connections<T>::complete_to_telescope(const Pairing<T>& pairin
   add_leg(sea_, laser_.ray(pairing.laser, pairing.i), v, completion_.ways);
   add_way(sea_, line, v.layer, T(-v.position.z), way.direction, way.length_water, way.to, way.route,
           completion_.ways);
-  completion_.collide(
-      sea_, {v.line, v.layer, line > Index<T>(0), line, one_minus_cos(v.direction, way.direction)});
+  completion_.collide(sea_, {v.line, v.layer, line > Index<T>(0), line,
+                             one_minus_cos(v.direction, way.direction), T(-v.direction.z)});
 }
 
 /// `length`: in the water.
@@ -29,7 +29,7 @@ PHOTIC_APART void Connections<T>::complete_to_laser(const Pairing<T>& pairing, c
   add_way(sea_, Index<T>(0), w.layer, T(-w.position.z), way.direction, length, way.to, way.route,
           completion_.ways);
   completion_.collide(sea_, {w.line, w.layer, w.line > Index<T>(0), w.line,
-                             one_minus_cos(w.direction, way.direction)});
+                             one_minus_cos(w.direction, way.direction), way.direction.z});
 }
 
 /// By an edge of light of a line.
@@ -42,10 +42,10 @@ PHOTIC_APART void Connections<T>::complete_between(const Pairing<T>& pairing, co
   add_leg(sea_, laser_.ray(pairing.laser, pairing.i), v, completion_.ways);
   add_leg(sea_, back_.ray(pairing.back, pairing.m), w, completion_.ways);
   completion_.pass(sea_, {line, v.layer, T(-v.position.z), w.layer, T(-w.position.z), length});
-  completion_.collide(
-      sea_, {v.line, v.layer, line > v.line, line, one_minus_cos(v.direction, direction)});
-  completion_.collide(
-      sea_, {w.line, w.layer, w.line > line, w.line, one_minus_cos(w.direction, -direction)});
+  completion_.collide(sea_, {v.line, v.layer, line > v.line, line,
+                             one_minus_cos(v.direction, direction), T(-v.direction.z)});
+  completion_.collide(sea_, {w.line, w.layer, w.line > line, w.line,
+                             one_minus_cos(w.direction, -direction), T(-direction.z)});
 }
 
 /// By a meeting of a laser's ray and a telescope's.
@@ -74,7 +74,7 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPair<T>& pair, co
     completion_.pass(sea_, {back_.line(pair.pairing.back), at, T(0), at, T(0), longer});
   }
   completion_.collide(sea_, {out.line, layer, back.line > Index<T>(0), back.line,
-                             one_minus_cos(out.direction, -back.direction)});
+                             one_minus_cos(out.direction, -back.direction), T(1)});
 }
 
 /// Scores with the ratios of the completed paths.

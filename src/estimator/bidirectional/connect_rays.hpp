@@ -192,15 +192,18 @@ std::array<T, 2> Connections<T>::rotate_pivot(RayPair<T>& pair, const Rotation<T
   const auto& pairing = pair.pairing;
   const Pivot<T> pivot = back_.pivot(pairing.back);
   const Vec3<T> rotated = rotation.of_direction(pivot.leaving);
-  const T p = sea_.phases.template value<T>(one_minus_cos(pivot.arriving, rotated), pivot.phase);
+  const Mask<T> bed = pivot.phase < Index<T>(0);
+  const Index<T> layer = select(bed, Index<T>(sea_.layers), Index<T>(0));
+  const T p = transport::scattered_density(sea_, layer, select(bed, Index<T>(0), pivot.phase),
+                                           pivot.arriving, rotated);
   const T gain = pivot.per_p * p;
   if (any(receiver_.line > Index<T>(0))) return {gain, T(0)};
   // The density of the walk's direction as it was drawn over that as it is now: strategies that do
   // not draw it gain so much beside the others.
   const auto& inverse_conversion = world_.inverse_conversion;
   const T gained =
-      inverse_conversion.scattered_over_phase(sea_, pivot.leaving, T(1) / pivot.per_p) /
-      (gain * inverse_conversion.scattered_over_phase(sea_, rotated, p));
+      inverse_conversion.scattered_over_phase(sea_, layer, pivot.leaving, T(1) / pivot.per_p) /
+      (gain * inverse_conversion.scattered_over_phase(sea_, layer, rotated, p));
   const T of_ray = select(pairing.m == Index<T>(1), gained, T(1));
   pair.back.per_p = of_ray * pair.back.per_p;
   pair.back.translated = of_ray * pair.back.translated;

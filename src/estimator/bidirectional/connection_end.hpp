@@ -7,6 +7,7 @@
 
 #include "estimator/bidirectional/depart.hpp"
 #include "estimator/bidirectional/vertex.hpp"
+#include "transport/scatter.hpp"
 
 namespace photic::estimator {
 
@@ -36,7 +37,7 @@ struct Freedom {
 template <class T>
 T phase_value(const geometry::Slabs& sea, const Vertex<T>& v, const Vec3<T>& direction,
               const Index<T>& phase) {
-  return sea.phases.template value<T>(one_minus_cos(v.direction, direction), phase);
+  return transport::scattered_density(sea, v.layer, phase, v.direction, direction);
 }
 
 /// The laser's walk, scattered into a direction of the laser's light. `goes_on`: of the other end;
@@ -51,10 +52,10 @@ ConnectionEnd<T> scattering_from_laser(const geometry::Slabs& sea, const Vertex<
   end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
   end.densities.arriving_edge = goes_on * v.arriving_edge;
   end.densities.behind =
-      goes_on * inverse_conversion.scattered_over_phase(sea, -v.direction, end.densities.p) *
-      behind;
+      goes_on *
+      inverse_conversion.scattered_over_phase(sea, v.layer, -v.direction, end.densities.p) * behind;
   end.meeting = goes_on * freedom.meeting(v, direction);
-  end.weight = v.weight * gather<T>(sea.albedo, here);
+  end.weight = v.weight * transport::scattered_share(sea, v.line, v.layer, T(-v.direction.z));
   return end;
 }
 
@@ -98,7 +99,7 @@ ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>&
   end.densities.behind = v.behind.all(freedom.translations);  // 0 before a conversion
   end.meeting = freedom.meeting(v, direction);
   end.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),
-                                 gather<T>(sea.albedo, here));
+                                 transport::scattered_share(sea, v.line, v.layer, direction.z));
   end.chance = v.chance;
   end.goes_on = v.chance * inverse_conversion.goes_on(sea, v.line, v.layer, converts, direction,
                                                       end.densities.p);
@@ -113,7 +114,7 @@ ConnectionEnd<T> scattering_of_converted(const geometry::Slabs& sea, const Verte
   const Index<T> here = sea.at(v.line, v.layer);
   ConnectionEnd<T> end;
   end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
-  end.weight = v.weight * gather<T>(sea.albedo, here);
+  end.weight = v.weight * transport::scattered_share(sea, v.line, v.layer, direction.z);
   return end;
 }
 

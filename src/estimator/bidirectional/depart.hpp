@@ -8,6 +8,7 @@
 #include "estimator/bidirectional/vertex.hpp"
 #include "estimator/inverse_conversion.hpp"
 #include "medium/medium.hpp"
+#include "transport/scatter.hpp"
 
 namespace photic::estimator {
 
@@ -31,6 +32,28 @@ struct DepartUniforms {
   T polar, azimuth, branch, mixture;
 };
 
+/// A walk that stood `before` on the bed leaves it.
+template <class T>
+void depart_from_bed(const geometry::Slabs& sea, const transport::Photon<T>& before,
+                     const DepartUniforms<T>& u, bool from_telescope, transport::Photon<T>& photon,
+                     Departure<T>& departure) {
+  const Mask<T> bed = surface::on_bed<T>(sea, before.layer);
+  if (!any(bed)) return;
+  const auto [cosine, sine] = cos_sin_of_turns(u.azimuth);
+  const Vec3<T> up{T(0), T(0), T(1)};
+  const Vec3<T> fresh = turned(up, surface::lambert_one_minus_cos(u.polar), cosine, sine);
+  const T albedo =
+      surface::bed_albedo(sea, before.line, from_telescope ? fresh.z : T(-before.direction.z));
+  photon.direction = select(bed, fresh, photon.direction);
+  photon.weight = select(bed, before.weight * albedo, photon.weight);
+  photon.analog_weight = select(bed, before.analog_weight * albedo, photon.analog_weight);
+  photon.line = select(bed, before.line, photon.line);
+  photon.layer = transport::left_layer<T>(sea, photon.layer);
+  departure.p = select(bed, surface::lambert_density(fresh), departure.p);
+  departure.chance = select(bed, T(1), departure.chance);
+  departure.reverse_chance = select(bed, T(1), departure.reverse_chance);
+}
+
 /// Sends a walk on from the vertex it stands at. Its weight takes b / c, or for a conversion its
 /// coefficient over c; that it was drawn with a chance is left to the connections, which know the
 /// chances of all strategies. `from_telescope`: the walk, which else comes from the laser.
@@ -38,6 +61,7 @@ template <class T>
 Departure<T> depart(const geometry::Slabs& sea, transport::Photon<T>& photon,
                     const estimator::InverseConversion<T>& inverse_conversion,
                     const DepartUniforms<T>& u, bool from_telescope) {
+  const transport::Photon<T> before = photon;
   const Index<T> here = sea.at(photon.line, photon.layer);
   const T albedo = gather<T>(sea.albedo, here);
   const T chance = inverse_conversion.chance(sea, photon.line, photon.layer);
@@ -80,12 +104,15 @@ Departure<T> depart(const geometry::Slabs& sea, transport::Photon<T>& photon,
   }
   if (from_telescope) {
     departure.chance =
-        departure.chance *
-        select(scatters,
-               inverse_conversion.scattered_over_phase(sea, photon.direction, departure.p), T(1));
+        departure.chance * select(scatters,
+                                  inverse_conversion.scattered_over_phase(
+                                      sea, photon.layer, photon.direction, departure.p),
+                                  T(1));
   } else {
-    departure.reverse_chance = inverse_conversion.scattered_over_phase(sea, -old, departure.p);
+    departure.reverse_chance =
+        inverse_conversion.scattered_over_phase(sea, photon.layer, -old, departure.p);
   }
+  if (sea.bed_angles > 0) depart_from_bed(sea, before, u, from_telescope, photon, departure);
   return departure;
 }
 

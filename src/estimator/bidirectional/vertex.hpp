@@ -85,8 +85,9 @@ Vertex<T> vertex_on(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>
   // A reflected first edge can be connected: to the instrument's mirror image.
   v.arriving_edge = connecting_area(sea, ray, first, spread, leg.length, samples) *
                     select(first, growth, straight);
-  const T drawn =
-      ray.chance * growth * gather<T>(sea.walk_mean_path, sea.at(photon.line, photon.layer));
+  T drawn = ray.chance * growth * gather<T>(sea.walk_mean_path, sea.at(photon.line, photon.layer));
+  if (sea.bed_angles > 0)  // its depth cannot be chosen
+    drawn = select(surface::on_bed<T>(sea, photon.layer), T(0), drawn);
   v.translated = drawn * photon.direction.z;
   v.rotated = samples.rotated * T(2 * pi) * drawn;
   v.added_rotated = ray.rotated;

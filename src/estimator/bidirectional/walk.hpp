@@ -54,7 +54,7 @@ struct Pivot {
   T x{}, y{};  ///< [m]
   Vec3<T> arriving{}, leaving{};
   T per_p{};         ///< 1 over the phase function's value [sr]
-  Index<T> phase{};  ///< its table
+  Index<T> phase{};  ///< its table; -1 on the bed
   template <class F>
   constexpr void each_member(F f) {
     f(x), f(y), f(arriving.x), f(arriving.y), f(arriving.z);
@@ -65,13 +65,14 @@ struct Pivot {
 /// `ray`: leaves the vertex, where light is converted if it comes in another line than the laser's.
 template <class T>
 Pivot<T> pivot_at(const medium::MediumView& sea, const Vertex<T>& vertex, const Ray<T>& ray) {
+  const Index<T> elastic = gather_index<T>(sea.elastic_phase, sea.at(vertex.line, vertex.layer));
   return {vertex.position.x,
           vertex.position.y,
           vertex.direction,
           ray.direction,
           ray.per_p,
           select(vertex.line > Index<T>(0), gather_index<T>(sea.conversion_phase, vertex.line),
-                 gather_index<T>(sea.elastic_phase, sea.at(vertex.line, vertex.layer)))};
+                 select(surface::on_bed<T>(sea, vertex.layer), Index<T>(-1), elastic))};
 }
 
 /// Of the densities behind the rays of a telescope's walk those of the strategies that do not draw

@@ -111,7 +111,9 @@ class WalkSteps {
     transport::Photon<T> photon = w.photon;
     const auto departure = depart(sea_, photon, world_.inverse_conversion,
                                   {u_[1], u_[2], v[0], v[1]}, walks_.from_telescope());
-    book(ledger.absorbed, colliding, w.photon.weight - photon.weight);
+    const Mask<T> bed = surface::on_bed<T>(sea_, w.photon.layer);
+    book(ledger.absorbed, colliding & !bed, w.photon.weight - photon.weight);
+    book(ledger.sea_bed, colliding & bed, w.photon.weight - photon.weight);
     w.photon = any(w.on & !colliding) ? select(colliding, photon, w.photon) : photon;
     const Ray<T> ray = next_ray(photon, vertex_, departure);
     walks_.add(colliding, w.walk, w.vertices, ray);
@@ -135,7 +137,8 @@ class WalkSteps {
     add_leg(sea, w.ray, vertex, way);
     add_encounter(sea,
                   {vertex.line, vertex.layer, Mask<T>(!(vertex.line == ray.line)), vertex.line,
-                   one_minus_cos(vertex.direction, ray.direction)},
+                   one_minus_cos(vertex.direction, ray.direction),
+                   walks.from_telescope() ? ray.direction.z : T(-vertex.direction.z)},
                   collision);
     const auto next = each_lane(Walks<T>::slot(w.walk, w.vertices));
     for_each_lane(mask, [&](int lane) {

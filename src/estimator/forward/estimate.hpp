@@ -120,7 +120,7 @@ template <class T>
 Emission<T> emission(const medium::MediumView& sea, const Sources<T>& from) {
   const Index<T> here = sea.at(from.line, from.photon.layer);
   const Emission<T> scattered{
-      transport::scattered_share(sea, from.line, from.photon.layer, from.photon.direction),
+      transport::scattered_share(sea, from.line, from.photon.layer, T(-from.photon.direction.z)),
       gather_index<T>(sea.elastic_phase, here)};
   if (!from.differ.lines) return scattered;
   const Mask<T> same = from.line == from.photon.line;

@@ -211,16 +211,16 @@ struct Encounter {
   Mask<T> converted{};
   Index<T> emitted{};  ///< line of emitted light, where that is what happens
   T x{};               ///< 1 - cos of the scattering angle
-  T steep{1};          ///< on the bed: |cos| to the vertical of the light that comes to it
+  T cosine{1};         ///< on the bed: to the vertical, of the light that comes down to it
 };
 
 /// How much more the bed reflects, of what it does in the medium.
 template <class T>
 void add_reflection(const medium::MediumView& sea, const Encounter<T>& c, Terms<T>& collision) {
-  const T albedo = surface::bed_albedo(sea, c.line, c.steep);
+  const T albedo = surface::bed_albedo(sea, c.line, c.cosine);
   const Mask<T> reflects = surface::on_bed<T>(sea, c.layer) & (albedo > T(0));
   if (!any(reflects)) return;
-  const auto [first, rest] = surface::bed_angle(sea, c.steep);
+  const auto [first, rest] = surface::bed_angle(sea, c.cosine);
   const T per_albedo = select(reflects, T(1), T(0)) / select(reflects, albedo, T(1));
   collision.add(sea.excess_bed(c.line, first), (T(1) - rest) * per_albedo);
   if (sea.bed_angles > 1)
