@@ -7,6 +7,7 @@
 #include "medium/environments.hpp"
 #include "medium/layer_optics.hpp"
 #include "optics/phase_functions.hpp"
+#include "scene/bed_albedo.hpp"
 
 namespace photic::medium {
 namespace {
@@ -66,6 +67,10 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   for (const EmissionSource& of : light.sources)
     for (const double nm : {of.first_nm, of.last_nm})
       add_source(fmt::format("{} light", scene::word_of(of.process)), of.source, nm,
+                 medium.sources);
+  if (scene.bottom)
+    for (const Line& line : medium.line)
+      add_source("albedo of the sea bed", scene::albedo_told(*scene.bottom), line.wavelength_nm,
                  medium.sources);
   for (std::size_t l = 0; l < medium.line.size(); ++l) {
     add_line_tables(scene, optics_of, light.lines, l, medium);

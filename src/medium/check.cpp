@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "medium/layer_optics.hpp"
 #include "medium/lines.hpp"
+#include "scene/bed_albedo.hpp"
 
 namespace photic::medium {
 namespace {
@@ -30,6 +31,7 @@ class Checker {
     drop_bad_channels();
     for (std::size_t k = 0; k < scene_.sea.layer.size(); ++k)
       readable_.push_back(findings.good({below(layer_path(k), "iop")}));
+    bed_readable_ = findings.good({"bottom"});
   }
 
   void check_tables();
@@ -44,6 +46,7 @@ class Checker {
                      const Wavelength& light);
   void check_inelastic_light(const std::vector<std::optional<WaterOptics>>& at_laser);
   void check_index(Process process, const Wavelength& light);
+  void check_bed(const Wavelength& light);
   std::vector<std::optional<WaterOptics>> check_layers(const Wavelength& light);
   std::optional<WaterOptics> check_layer(std::size_t k, const Wavelength& light);
   [[nodiscard]] Wavelength asked_by_channel(const EmittedLine& line) const;
@@ -65,6 +68,7 @@ class Checker {
   scene::Scene scene_;  ///< without the channels that are bad
   std::vector<std::string> channel_path_;
   std::vector<bool> readable_;  ///< the layers whose optics can be asked for
+  bool bed_readable_ = false;
   const optics::Library& library_;
   scene::Findings& findings_;
   LayerOptics optics_of_;
@@ -145,6 +149,28 @@ void Checker::check_index(Process process, const Wavelength& light) {
         light.path, [&] { return make_line(scene_.sea, process, light.nm); }, light.why_here);
 }
 
+/// Whether its albedo is known, and no environment's reflects where the scene's does not.
+void Checker::check_bed(const Wavelength& light) {
+  const auto& bed = scene_.bottom;
+  const auto known = [&] { return !bed || albedo_of(*bed, light.nm, 0) >= 0; };
+  if (!bed_readable_ || !ask("bottom.albedo", known, light.why_there)) return;
+  for (std::size_t i = 0; i < scene_.environment.size(); ++i) {
+    const auto& environment = scene_.environment[i];
+    if (environment.bottom == bed) continue;
+    const std::string set = below(below("environment", i), "set");
+    const auto lit = [&] { return angle_lit_by_one_alone(environment.bottom, bed, light.nm); };
+    const auto deg = ask(set, lit, light.why_there);
+    if (!deg || !*deg || !told_.insert("bed of " + set).second) continue;
+    const auto change = std::ranges::find_if(
+        environment.set, [](const auto& c) { return c.path.starts_with("bottom."); });
+    findings_.add(set, findings_.place_in(set, change == environment.set.end() ? "" : change->path),
+                  fmt::format("in environment {}: the sea bed reflects light of {:.6g} nm and a "
+                              "zenith angle of {:g} degrees, and not in the scene itself",
+                              scene::quoted(environment.name), light.nm, **deg),
+                  "no history of the scene goes that way: give its bed a little albedo, too");
+  }
+}
+
 std::optional<WaterOptics> Checker::check_layer(std::size_t k, const Wavelength& light) {
   const auto& layer = scene_.sea.layer[k];
   const auto all = [&] { return optics_of_(layer, light.nm); };
@@ -217,6 +243,7 @@ void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>
     const std::size_t before = told_.size();
     const Wavelength asked = asked_by_channel(line);
     check_index(line.process, asked);
+    check_bed(asked);
     check_layers(asked);
     if (told_.size() > before) told = line.process;
   }
@@ -234,6 +261,7 @@ void Checker::check_light() {
   if (!findings_.good({path}) || scene_.sea.layer.empty()) return;
   const Wavelength laser{scene_.source.wavelength_nm, path, "", "the source emits there"};
   check_index(Process::elastic, laser);
+  check_bed(laser);
   const auto at_laser = check_layers(laser);
   for (const auto& water : at_laser)
     if (water) highest_albedo_ = std::max(highest_albedo_, water->albedo());

@@ -21,6 +21,9 @@ std::optional<Refusal> check(const Changes& rule, const Node& node, std::vector<
 Node schema_of(const Changes& rule);
 Node to_node(const std::vector<Change>& value);
 
+/// Whether a path leads to what may differ in other water: sea, optics and bed.
+bool leads_to_water(const std::string& path);
+
 /// Why a path must not be changed in other water, as far as it alone tells.
 std::optional<Refusal> check_path(const std::string& path);
 

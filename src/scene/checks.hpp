@@ -9,6 +9,7 @@
 namespace photic::scene {
 
 void check_sea(const Scene& scene, Findings& findings);
+void check_bottom(const Scene& scene, Findings& findings);
 void check_instrument(const Scene& scene, Findings& findings);
 void check_gates(const Scene& scene, Findings& findings);
 /// Whether the estimator has what the scene asks for.

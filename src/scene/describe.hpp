@@ -134,7 +134,7 @@ void describe(V& v, Environment& e) {
              "what results call it; by default environment0, environment1 …");
   v.required("set", e.set, Changes{},
              "the values that differ in this water, by their paths: those of --set that begin with "
-             "sea. or optics.");
+             "sea., optics. or bottom.");
 }
 
 template <class V>
@@ -142,20 +142,21 @@ void describe(V& v, Scene& s) {
   v.optional("title", s.title, Text{.may_be_empty = true}, "what is simulated, in one line");
   v.optional(expert("sensitivity"), s.sensitivity, Parameters{},
              "the parameters of the water with respect to which echoes are derived, by their "
-             "paths: those of --set that begin with sea. or optics.");
+             "paths: those of --set that begin with sea., optics. or bottom.");
   v.section("source", s.source, Need::required, "the source of light");
   v.sections("telescope", s.telescope, Need::required, "a telescope; any number of them");
   v.sections("channel", s.channel, Need::required,
              "the light one detector counts; any number of them");
   v.section("optics", s.optics, Need::optional, "the data and models of the water's optics");
   v.section("sea", s.sea, Need::optional, "the sea: its surface and its layers of water");
+  v.section("bottom", s.bottom, Need::optional,
+            "the sea bed, where the last layer ends; black without this section");
   v.section("gates", s.gates, Need::required, "the range gates");
   v.section("simulation", s.simulation, Need::required, "how long and how to simulate");
   v.sections(expert("environment"), s.environment, Need::optional,
              "other water, whose echoes are computed from the same histories; any number of them");
   v.expanded(expert("environment_grid"), Grid{},
              "more such environments: one for each choice of a value of each path");
-  v.unavailable("bottom", "the sea bed is black in this version");
   v.unavailable("atmosphere", "the air is clear vacuum in this version");
 }
 

@@ -1,4 +1,4 @@
-// The keys of [optics], [sea] and [[sea.layer]] (see describe_instrument.hpp).
+// The keys of [optics], [sea], [[sea.layer]] and [bottom] (see describe_instrument.hpp).
 #pragma once
 
 #include "optics/fournier_forand.hpp"
@@ -240,6 +240,20 @@ void describe(V& v, Sea& s) {
              "into, against their greatest value, temperatures against 20 C, salinities against "
              "35 PSU",
              default_profile_tolerance);
+}
+
+template <class V>
+void describe(V& v, Bottom& b) {
+  v.required("albedo", b.albedo,
+             NumberOrTable{from_to(0.0, 1.0),
+                           {{{"wavelength_nm", "wavelengths in nm, ascending", true},
+                             {"zenith_deg",
+                              "zenith angles in the water of the light that comes in, in degrees, "
+                              "ascending from 0 to 90",
+                              true},
+                             {"albedo", "the albedo there, 0 to 1"}}}},
+             "the share of the light that the sea bed reflects, alike in all directions (Lambert): "
+             "a number, a table of wavelength_nm, zenith_deg or both, or { file = \"….csv\" }");
 }
 
 }  // namespace photic::scene

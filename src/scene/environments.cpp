@@ -59,7 +59,7 @@ bool hold(const Node& written_scene, const Environment& environment) {
       assign(change.path, std::move(*value), {}, document, findings);
   const Scene read = scene_of(document, std::nullopt, findings);
   return findings.problems().empty() && read.optics == environment.optics &&
-         read.sea == environment.sea;
+         read.sea == environment.sea && read.bottom == environment.bottom;
 }
 
 /// Every key of one table is in the other one.
@@ -167,6 +167,7 @@ void read_environment(const Reference& reference, const Entry& set, const std::s
   Teller(water, place_of(set), environment.name, findings).tell(path);
   environment.optics = read.optics;
   environment.sea = read.sea;
+  environment.bottom = read.bottom;
 }
 
 const Entry& set_of(const Node& document, std::size_t i) {

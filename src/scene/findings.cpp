@@ -97,6 +97,14 @@ Place Findings::place_of(const std::string& path) const {
   return node == &document_ ? end_ : node->place;
 }
 
+Place Findings::place_in(const std::string& path, const std::string& key) const {
+  const Node* table = node_at(document_, path);
+  if (const auto* entries = table ? table->as<Node::Table>() : nullptr)
+    for (const Entry& entry : *entries)
+      if (entry.key == key) return entry.value.place.line > 0 ? entry.place : entry.value.place;
+  return place_of(path);
+}
+
 void Findings::raise() const {
   if (problems_.empty()) return;
   std::vector<Diagnostic> sorted;

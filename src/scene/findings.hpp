@@ -41,6 +41,8 @@ class Findings {
   [[nodiscard]] bool good(std::initializer_list<std::string> paths) const;
   [[nodiscard]] bool given(const std::string& path) const;
   [[nodiscard]] Place place_of(const std::string& path) const;
+  /// Of a key, dots and all, in the table at `path`; of the table if it does not have it.
+  [[nodiscard]] Place place_in(const std::string& path, const std::string& key) const;
   [[nodiscard]] const Place& end() const { return end_; }
 
   /// Throws InputError with all that was found, in the order of the file; then what was found in

@@ -127,6 +127,7 @@ Scene OtherWater::read() {
   if (reference_.cuts) expand_layers(document_, reference_.files, reference_.cuts, findings_);
   Scene scene = scene_of(document_, reference_.files.folder, findings_);
   check_sea(scene, findings_);
+  check_bottom(scene, findings_);
   check_instrument(scene, findings_);
   check_gates(scene, findings_);
   const Node here = written(scene);

@@ -60,6 +60,11 @@ class KeyPlaces {
     below_key(key, "[", "]", value);
   }
   template <class T>
+  void section(const Key& key, std::optional<T>&, Need need, const char* meaning) {
+    T value{};
+    section(key, value, need, meaning);
+  }
+  template <class T>
   void sections(const Key& key, std::vector<T>&, Need, const char*) {
     T value{};
     below_key(key, "[[", "]]", value);

@@ -152,6 +152,7 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   layered.cuts = expand_layers(document, layered.files, nullptr, findings);
   Reading reading{scene_of(document, folder, findings), {}, std::move(files)};
   check_sea(reading.scene, findings);
+  check_bottom(reading.scene, findings);
   check_instrument(reading.scene, findings);
   check_gates(reading.scene, findings);
   check_memory(reading.scene, findings);

@@ -51,6 +51,13 @@ class Reader : public TableReader {
     descend(key, node, value, name);
   }
 
+  /// A section that may be left out as a whole.
+  template <class T>
+  void section(const char* key, std::optional<T>& value, Need, const char*) {
+    if (const Node* node = look(key))
+      descend(key, node, value.emplace(), section_name(key, "[", "]"));
+  }
+
   template <class T>
   void sections(const char* key, std::vector<T>& values, Need need, const char* meaning) {
     const TableName name = section_name(key, "[[", "]]");
@@ -127,6 +134,8 @@ class Reader : public TableReader {
     std::optional<Refusal> problem;
     if constexpr (std::is_same_v<Rule, TableOrFile>)
       problem = read_user_table(rule, node, inline_name(key), shared_, plain);
+    else if constexpr (std::is_same_v<Rule, NumberOrTable>)
+      problem = read_number_or_table(rule, node, inline_name(key), shared_, plain);
     else if constexpr (std::is_same_v<Rule, File>)
       problem = check(rule, node, plain, shared_.folder);
     else

@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/vec3.hpp"
@@ -101,6 +102,19 @@ struct TableOrFile {
   std::vector<Column> columns;
 };
 
+/// A number, or what it is at one or more of the columns that a table may lack: { file = "a.csv" },
+/// or the columns.
+struct NumberOrTable {
+  using Value = std::variant<double, UserTable>;
+  Number number;
+  TableOrFile table;
+
+  static constexpr const char* file_key = "file";
+  static constexpr const char* file_meaning = "a CSV file of these columns";
+  /// The columns of which there must be one.
+  [[nodiscard]] std::vector<std::string> depends_on() const;
+};
+
 /// [x, y, z], finite.
 struct Position {
   using Value = Vec3<double>;
@@ -115,6 +129,7 @@ struct Direction {
 template <class Rule>
 inline constexpr bool is_quantity = requires {
   requires std::is_arithmetic_v<typename Rule::Value> ||
+               std::is_same_v<typename Rule::Value, NumberOrTable::Value> ||
                std::is_same_v<typename Rule::Value, std::vector<double>> ||
                std::is_same_v<typename Rule::Value, Vec3<double>>;
 };
@@ -155,6 +170,7 @@ Node schema_of(const Choice& rule);
 Node schema_of(const Text& rule);
 Node schema_of(const File& rule);
 Node schema_of(const TableOrFile& rule);
+Node schema_of(const NumberOrTable& rule);
 Node schema_of(const Position& rule);
 Node schema_of(const Direction& rule);
 

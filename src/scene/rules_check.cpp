@@ -144,6 +144,13 @@ std::optional<Refusal> check(const File&, const Node& node, std::string& value,
   return std::nullopt;
 }
 
+std::vector<std::string> NumberOrTable::depends_on() const {
+  std::vector<std::string> columns;
+  for (const TableOrFile::Column& column : table.columns)
+    if (column.may_lack) columns.emplace_back(column.name);
+  return columns;
+}
+
 std::optional<Refusal> check(const Position&, const Node& node, Vec3<double>& value) {
   const auto v = finite_vector(node);
   if (!v) return refusal("three finite numbers [x, y, z]", node);

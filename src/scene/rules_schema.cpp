@@ -21,6 +21,29 @@ Node three_numbers() {
   return schema;
 }
 
+/// A table that holds the columns.
+Node columns_schema(const TableOrFile& rule) {
+  Node columns = empty_table();
+  std::vector<std::string> needed;
+  for (const TableOrFile::Column& column : rule.columns) {
+    Node schema = schema_of(Numbers{});
+    annotate(schema, column.meaning, unit_of(column.name), Level::basic);
+    columns.add(column.name, std::move(schema));
+    if (!column.may_lack) needed.emplace_back(column.name);
+  }
+  Node table = typed("object");
+  table.add("properties", std::move(columns));
+  table.add("required", to_node(needed));
+  table.add("additionalProperties", to_node(false));
+  return table;
+}
+
+Node one_of_these(Node::Array schemas) {
+  Node schema = empty_table();
+  schema.add("anyOf", {.value = std::move(schemas)});
+  return schema;
+}
+
 }  // namespace
 
 Node schema_of(const Number& rule) {
@@ -69,21 +92,22 @@ Node schema_of(const Text& rule) {
 Node schema_of(const File&) { return schema_of(Text{}); }
 
 Node schema_of(const TableOrFile& rule) {
-  Node columns = empty_table();
-  std::vector<std::string> needed;
-  for (const TableOrFile::Column& column : rule.columns) {
-    Node schema = schema_of(Numbers{});
-    annotate(schema, column.meaning, unit_of(column.name), Level::basic);
-    columns.add(column.name, std::move(schema));
-    if (!column.may_lack) needed.emplace_back(column.name);
-  }
-  Node table = typed("object");
-  table.add("properties", std::move(columns));
-  table.add("required", to_node(needed));
-  table.add("additionalProperties", to_node(false));
-  Node schema = empty_table();
-  schema.add("anyOf", {.value = Node::Array{schema_of(File{}), std::move(table)}});
-  return schema;
+  return one_of_these({schema_of(File{}), columns_schema(rule)});
+}
+
+Node schema_of(const NumberOrTable& rule) {
+  Node name = schema_of(File{});
+  annotate(name, NumberOrTable::file_meaning, "", Level::basic);
+  Node file = typed("object");
+  file.add("properties", empty_table()).add(NumberOrTable::file_key, std::move(name));
+  file.add("required", to_node(std::vector<std::string>{NumberOrTable::file_key}));
+  file.add("additionalProperties", to_node(false));
+  Node::Array ways;
+  for (const std::string& column : rule.depends_on())
+    ways.emplace_back(empty_table()).add("required", to_node(std::vector<std::string>{column}));
+  Node table = columns_schema(rule.table);
+  table.add("anyOf", {.value = std::move(ways)});
+  return one_of_these({schema_of(rule.number), std::move(file), std::move(table)});
 }
 
 Node schema_of(const Position&) { return three_numbers(); }

@@ -42,6 +42,7 @@ Scene scene_alone(const Scene& scene) {
           .channel = scene.channel,
           .optics = scene.optics,
           .sea = scene.sea,
+          .bottom = scene.bottom,
           .gates = scene.gates,
           .simulation = scene.simulation,
           .environment = {}};
@@ -51,6 +52,7 @@ Scene scene_in(const Scene& scene, const Environment& environment) {
   Scene there = scene_alone(scene);
   there.optics = environment.optics;
   there.sea = environment.sea;
+  there.bottom = environment.bottom;
   return there;
 }
 

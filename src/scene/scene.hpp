@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/vec3.hpp"
@@ -137,6 +138,13 @@ struct Sea {
   friend bool operator==(const Sea&, const Sea&) = default;
 };
 
+/// The sea bed where the last layer ends.
+struct Bottom {
+  /// Of light that comes in: one number, or of wavelength_nm, zenith_deg or both, and albedo.
+  std::variant<double, UserTable> albedo = 0.0;
+  friend bool operator==(const Bottom&, const Bottom&) = default;
+};
+
 /// Range gates by depth, by range along telescope 0's axis, or by time: exactly one kind
 /// is given.
 struct Gates {
@@ -209,13 +217,14 @@ struct Change {
   friend bool operator==(const Change&, const Change&) = default;
 };
 
-/// Other water, whose echoes are computed from the same histories.
+/// Other water and another bed, whose echoes are computed from the same histories.
 struct Environment {
   std::string name;
   /// In the order of the file; all that they come to where the scene as it is written needs more.
   std::vector<Change> set;
   Optics optics;  ///< with the changes; all else is the scene's
   Sea sea;
+  std::optional<Bottom> bottom = std::nullopt;
   friend bool operator==(const Environment&, const Environment&) = default;
 };
 
@@ -236,6 +245,7 @@ struct Scene {
   std::vector<Channel> channel;
   Optics optics;
   Sea sea;
+  std::optional<Bottom> bottom;  ///< none: black
   Gates gates;
   Simulation simulation;
   std::vector<Environment> environment;

@@ -37,6 +37,11 @@ class SchemaBuilder {
     if (table(key, value, meaning) || need == Need::required) required_.emplace_back(key.name);
   }
   template <class T>
+  void section(const Key& key, std::optional<T>&, Need, const char* meaning) {
+    T value{};
+    table(key, value, meaning);
+  }
+  template <class T>
   void sections(const Key& key, std::vector<T>& values, Need need, const char* meaning) {
     tables(key, values, meaning, [](auto& child, T& value) { describe(child, value); });
     if (need == Need::optional) required_.pop_back();

@@ -44,11 +44,11 @@ class ParameterReader {
     if (!path)
       return refuse(fmt::format("'sensitivity' must hold paths, not {}", found_text(element_)),
                     R"(write "sea.layer.0.chlorophyll_mg_m3")");
-    if (path->rfind("sea.", 0) != 0 && path->rfind("optics.", 0) != 0)
-      return refuse(fmt::format("there is no derivative with respect to '{}': only the water may "
-                                "differ, for the histories are the same",
+    if (!leads_to_water(*path))
+      return refuse(fmt::format("there is no derivative with respect to '{}': only the water and "
+                                "the bed may differ, for the histories are the same",
                                 *path),
-                    "name paths that begin with sea. or optics.");
+                    "name paths that begin with sea., optics. or bottom.");
     return *path;
   }
 
@@ -121,7 +121,8 @@ class ParameterReader {
     environment = {.name = fmt::format("{} = {:.6g}", sensitivity.path, value),
                    .set = {{sensitivity.path, format_value(to_node(value))}},
                    .optics = read.optics,
-                   .sea = read.sea};
+                   .sea = read.sea,
+                   .bottom = read.bottom};
     return true;
   }
 
@@ -163,7 +164,7 @@ void read_sensitivities(const Node& document, const Check& check, Scene& scene,
                         Findings& findings) {
   if (scene.sensitivity.empty()) return;
   // Where the water is wrong nobody knows what is in it; where anything is, what other water does.
-  const bool water_good = findings.good({"sea", "optics"});
+  const bool water_good = findings.good({"sea", "optics", "bottom"});
   const bool all_good = findings.problems().empty();
   const Node as_written = written(scene);
   const NetcdfFiles no_files;  // a scene that is written names none

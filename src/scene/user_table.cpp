@@ -42,4 +42,8 @@ Node to_node(const UserTable& table) {
   return node;
 }
 
+Node to_node(const std::variant<double, UserTable>& value) {
+  return std::visit([](const auto& one) { return to_node(one); }, value);
+}
+
 }  // namespace photic::scene

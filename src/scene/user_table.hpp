@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "optics/data_table.hpp"
@@ -45,5 +46,6 @@ class UserTable {
 
 /// As the scene file has it: { angle_deg = [ … ], … }.
 Node to_node(const UserTable& table);
+Node to_node(const std::variant<double, UserTable>& value);
 
 }  // namespace photic::scene

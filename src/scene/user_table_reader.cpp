@@ -11,10 +11,8 @@
 namespace photic::scene {
 namespace {
 
-std::optional<Refusal> read_file(const TableOrFile& rule, const Node& node, const TableName& name,
-                                 ReadContext& shared, UserTable& value) {
-  std::string path;
-  if (auto problem = check(File{}, node, path, shared.folder)) return problem;
+void read_file(const TableOrFile& rule, const std::string& path, const TableName& name,
+               ReadContext& shared, UserTable& value) {
   try {
     const auto data = optics::DataTable::read(path);
     std::vector<std::string> taken;
@@ -25,7 +23,6 @@ std::optional<Refusal> read_file(const TableOrFile& rule, const Node& node, cons
     for (const Diagnostic& d : error.diagnostics())
       shared.findings.add(name.path, {d.file, d.line, d.column}, d.reason, d.suggestion);
   }
-  return std::nullopt;
 }
 
 /// "angle_deg 3, phase_function_per_sr 2"; empty if all are equally long.
@@ -74,18 +71,63 @@ void read_columns(const TableOrFile& rule, const Node& node, const TableName& na
   value = UserTable(optics::DataTable::of_columns(columns, node.place.file), names);
 }
 
+/// A table of one column tells nothing.
+void check_dependence(const NumberOrTable& rule, const Node& node, const TableName& name,
+                      ReadContext& shared, const UserTable& table) {
+  if (table.columns().size() != 1) return;
+  const std::string needed = fmt::format("{}", fmt::join(rule.depends_on(), " or "));
+  if (const auto& data = table.data(); data.column_line() > 0)
+    shared.findings.add(name.path, {data.name(), data.column_line(), 1},
+                        fmt::format("no column {}", needed),
+                        fmt::format("there are: {}", fmt::join(data.columns(), ", ")));
+  else
+    shared.findings.add(name.path, node.place, fmt::format("{} needs {}", name.label, needed), "");
+}
+
 }  // namespace
 
 std::optional<Refusal> read_user_table(const TableOrFile& rule, const Node& node,
                                        const TableName& name, ReadContext& shared,
                                        UserTable& value) {
   if (!node.as<Node::Table>()) {
-    if (node.as<std::string>()) return read_file(rule, node, name, shared, value);
+    if (node.as<std::string>()) {
+      std::string path;
+      if (auto problem = check(File{}, node, path, shared.folder)) return problem;
+      read_file(rule, path, name, shared, value);
+      return std::nullopt;
+    }
     return Refusal{
         fmt::format("must be a file or a table, not {}", found_text(node)),
         fmt::format("name a CSV file, or write {{ {} = [ … ], … }}", rule.columns.front().name)};
   }
   read_columns(rule, node, name, shared, value);
+  return std::nullopt;
+}
+
+std::optional<Refusal> read_number_or_table(const NumberOrTable& rule, const Node& node,
+                                            const TableName& name, ReadContext& shared,
+                                            std::variant<double, UserTable>& value) {
+  if (!node.as<Node::Table>()) {
+    double number{};
+    auto problem = check(rule.number, node, number);
+    if (const auto* text = node.as<std::string>())
+      problem->suggestion = fmt::format("a file is named in a table: {{ {} = {} }}",
+                                        NumberOrTable::file_key, quoted(*text));
+    value = number;
+    return problem;
+  }
+  UserTable table;
+  if (node.find(NumberOrTable::file_key)) {
+    std::string path;
+    Reader reader(node, name, shared);
+    reader.required(NumberOrTable::file_key, path, File{}, NumberOrTable::file_meaning);
+    reader.finish();
+    if (!path.empty()) read_file(rule.table, path, name, shared, table);
+  } else {
+    read_columns(rule.table, node, name, shared, table);
+  }
+  check_dependence(rule, node, name, shared, table);
+  value = std::move(table);
   return std::nullopt;
 }
 

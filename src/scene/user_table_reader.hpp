@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "scene/rules.hpp"
 #include "scene/table_reader.hpp"
@@ -13,5 +14,10 @@ namespace photic::scene {
 std::optional<Refusal> read_user_table(const TableOrFile& rule, const Node& node,
                                        const TableName& name, ReadContext& shared,
                                        UserTable& value);
+
+/// The same of what may be a number.
+std::optional<Refusal> read_number_or_table(const NumberOrTable& rule, const Node& node,
+                                            const TableName& name, ReadContext& shared,
+                                            std::variant<double, UserTable>& value);
 
 }  // namespace photic::scene

@@ -40,6 +40,10 @@ class Writer {
     table_.add(key, written(value, describe_it)).section = true;
   }
   template <class T>
+  void section(const char* key, std::optional<T>& value, Need need, const char*) {
+    if (value) section(key, *value, need, "");
+  }
+  template <class T>
   void sections(const char* key, std::vector<T>& values, Need need, const char*) {
     if (need == Need::optional && values.empty()) return;
     tables(key, values, "", describe_it);

@@ -13,6 +13,7 @@ SECTIONS = {
     "`[[channel]]`": ["channel"],
     "`[optics]`": ["optics"],
     "`[sea]` and `[[sea.layer]]`": ["sea", "sea.layer", "sea.layer.iop", "sea.surface"],
+    "`[bottom]`": ["bottom"],
     "`[gates]`": ["gates"],
     "`[simulation]`": ["simulation"],
     "`[simulation.tools]`": ["simulation.tools", "simulation.tools.importance"],
@@ -163,4 +164,4 @@ def test_defaults_agree(schema, guide, heading):
             else:
                 assert literal(value) == default, key
             told += default is not None
-    assert told > 0 or heading in {"`[gates]`", "`[[environment]]`"}
+    assert told > 0 or heading in {"`[bottom]`", "`[gates]`", "`[[environment]]`"}

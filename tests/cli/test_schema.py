@@ -46,6 +46,8 @@ GOOD = {
         'phase_function = "petzold"',
     ),
     "float": ("photons = 20000", "photons = 1e7"),
+    "bed": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = 0.1\n[gates]"),
+    "bed by angle": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = { zenith_deg = [0, 90], albedo = [0.1, 0.2] }\n[gates]"),
 }
 FAULTY = {
     "unknown key": ("diameter_m = 0.04", "diameter_m = 0.04\ndiametre_m = 0.04"),
@@ -75,6 +77,10 @@ FAULTY = {
     "no section": ("[simulation]", "[simulations]"),
     "profile of one depth": (
         "chlorophyll_mg_m3 = 0.1", "chlorophyll_mg_m3 = { depth_m = [0], value = [1], above = 'constant' }"),
+    "bed that reflects more than it gets": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = 1.1\n[gates]"),
+    "bed without albedo": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\n[gates]"),
+    "bed of nothing known": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = { albedo = [0.1, 0.2] }\n[gates]"),
+    "bed of a file and more": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = { file = 'a.csv', albedo = [0.1, 0.2] }\n[gates]"),
     "file without its choice": ("[gates]", '[optics]\nphytoplankton_file = "a.csv"\n[gates]'),
 }
 

@@ -110,3 +110,21 @@ def test_how_paths_are_drawn(photic, scene):
     at = lines.index("# How the bidirectional estimator draws paths:")
     assert lines[at + 1] == "#   walks from telescopes connected to the laser: yes"
     assert "draws paths" not in photic("show", "quick.toml", "--set", "simulation.estimator=forward").stdout
+
+
+def test_the_beds_albedo_and_where_it_comes_from(photic, scene, tmp_path):
+    """Seen red: with every bed's albedo given."""
+    (tmp_path / "sand.csv").write_text("wavelength_nm,albedo\n500,0.1\n700,0.25\n")
+    scene.write_text(scene.read_text().replace("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = 0.1\n[gates]"))
+    told = "albedo of the sea bed, "
+    lines = [line for line in photic("show", "quick.toml").stdout.splitlines() if told in line]
+    assert len(lines) == 1
+    assert lines[0].startswith(f"#   {told}532-")
+    assert lines[0].endswith(" nm: 0.1, given")
+    of_file = photic("show", "quick.toml", "--set", 'bottom.albedo={ file = "sand.csv" }').stdout
+    assert "[bottom]\nalbedo = { wavelength_nm = [500.0, 700.0], albedo = [0.1, 0.25] }\n" in of_file
+    assert f"nm: 0.1 to 0.25, given in {tmp_path / 'sand.csv'}" in of_file.replace("\n#     ", " ")
+    refused = photic("show", "quick.toml", "--set", "bottom.albedo=1.5")
+    assert refused.returncode == 2
+    assert refused.stderr.startswith(
+        "--set bottom.albedo: 'albedo' must be a finite number, at least 0 and at most 1, not 1.5")

@@ -108,14 +108,19 @@ struct ChangeCase {
 const std::vector<ChangeCase>& change_cases() {
   static const std::vector<ChangeCase> all{
       {R"("gates.depth_max_m" = 50)",
-       {"scene.toml:32:9: 'gates.depth_max_m' cannot be set in an environment: only the water may "
-        "differ, for the histories are the same (set paths that begin with sea. or optics.)"}},
+       {"scene.toml:32:9: 'gates.depth_max_m' cannot be set in an environment: only the water and "
+        "the bed may "
+        "differ, for the histories are the same (set paths that begin with sea., optics. or "
+        "bottom.)"}},
       {R"("environment.0.name" = "x")",
-       {"scene.toml:32:9: 'environment.0.name' cannot be set in an environment: only the water may "
-        "differ, for the histories are the same (set paths that begin with sea. or optics.)"}},
+       {"scene.toml:32:9: 'environment.0.name' cannot be set in an environment: only the water and "
+        "the bed may "
+        "differ, for the histories are the same (set paths that begin with sea., optics. or "
+        "bottom.)"}},
       {R"("" = 1)",
-       {"scene.toml:32:9: '' cannot be set in an environment: only the water may differ, for the "
-        "histories are the same (set paths that begin with sea. or optics.)"}},
+       {"scene.toml:32:9: '' cannot be set in an environment: only the water and the bed may "
+        "differ, for the "
+        "histories are the same (set paths that begin with sea., optics. or bottom.)"}},
       {R"("sea" = { layer = [{}] })",
        {R"(scene.toml:32:9: 'sea' cannot be set as a whole in an environment (quote the whole path: "sea.layer.0.chlorophyll_mg_m3" = 0.5))"}},
       {R"(optics.set = "paper")",
@@ -223,7 +228,8 @@ TEST(Environment, NamesTwiceAndKeysAmiss) {
   EXPECT_EQ(
       told("[[environment]]\nname = \"a\""),
       (Texts{"scene.toml:31:1: 'set' is missing in [[environment]] (add it: the values that differ "
-             "in this water, by their paths: those of --set that begin with sea. or optics.)"}));
+             "in this water, by their paths: those of --set that begin with sea., optics. or "
+             "bottom.)"}));
   EXPECT_EQ(
       told("[[environment]]\nset = 5"),
       (Texts{

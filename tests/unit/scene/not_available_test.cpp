@@ -24,11 +24,6 @@ surface = { model = "cox-munk", wind_speed_m_s = 5, wind_direction_deg = 0 })"}}
         "version)",
         "scene.toml:20:53: 'wind_direction_deg' is not available yet (the sea surface is flat in "
         "this version)"}},
-      {"Bottom",
-       {{25, 25, R"(phase_function = { model = "henyey-greenstein", g = 0.9 }
-[bottom]
-albedo = 0.1)"}},
-       {"scene.toml:26:2: 'bottom' is not available yet (the sea bed is black in this version)"}},
       {"Atmosphere",
        {{25, 25, R"(phase_function = { model = "henyey-greenstein", g = 0.9 }
 [atmosphere]

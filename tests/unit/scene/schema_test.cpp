@@ -70,6 +70,8 @@ std::set<std::string> keys_of_scenes() {
             "phase_function_per_sr = [0.1, 0.06] } }"},
            {"sea.layer.1={ iop = [{ wavelength_nm = 532, a_per_m = 1, b_per_m = 1, bb_per_m = 0.02 "
             "}] }"},
+           {"sea.layer.1.bottom_depth_m=60",
+            "bottom={ albedo = { zenith_deg = [0, 90], albedo = [0.1, 0.2] } }"},
            {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"}})
     collect_keys(json::parse(write_scene_json(base_scene(overrides))), keys);
@@ -138,6 +140,8 @@ TEST(Schema, TellsTheUnitOfEveryQuantity) {
                                                  {"phase_function_per_sr", "1/sr"},
                                                  {"photons", "1"},
                                                  {"g", "1"},
+                                                 {"zenith_deg", "deg"},
+                                                 {"albedo", "1"},
                                                  {"from", "nm"}};
   std::set<std::string> seen;
   for (const auto& [key, schema] : properties) {

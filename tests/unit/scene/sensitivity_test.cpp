@@ -91,8 +91,9 @@ TEST(Sensitivity, IsWrittenAsItWasReadAndReadsBack) {
 // Seen red, each for itself: with any path allowed; zeros allowed; all told at the array.
 TEST(Sensitivity, EveryTextOfWhatIsWrong) {
   const std::string only_water =
-      ": only the water may differ, for the histories are the same (name paths that begin with "
-      "sea. or optics.)";
+      ": only the water and the bed may differ, for the histories are the same (name paths that "
+      "begin with "
+      "sea., optics. or bottom.)";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"'gates.depth_max_m'",
        "there is no derivative with respect to 'gates.depth_max_m'" + only_water},

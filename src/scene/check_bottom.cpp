@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "core/error.hpp"
+#include "optics/library.hpp"
+#include "optics/table_text.hpp"
+#include "scene/checks.hpp"
+
+namespace photic::scene {
+namespace {
+
+constexpr const char* nm_column = "wavelength_nm";
+constexpr const char* deg_column = "zenith_deg";
+
+/// A column, from 0 to `most`.
+std::vector<double> numbers_to(double most, const char* column, const optics::DataTable& table,
+                               const char* suggestion) {
+  std::vector<double> out = table.numbers_from_0(column);
+  std::vector<Diagnostic> found;
+  for (std::size_t row = 0; row < out.size(); ++row) {
+    if (out[row] <= most) continue;
+    const auto [line, at] = table.place(row, column);
+    found.push_back({table.name(), line, at,
+                     fmt::format("{} {} is above {}", column, out[row], most), suggestion});
+  }
+  optics::raise_together(std::move(found), out.size());
+  return out;
+}
+
+/// Angles from 0 to 90, the same for every wavelength, if there are any.
+void check_angles(const optics::DataTable& table) {
+  const auto deg = numbers_to(90, deg_column, table, "0 is straight down, 90 along the bed");
+  const auto nm =
+      table.has(nm_column) ? table.numbers_from_0(nm_column) : std::vector<double>(deg.size(), 0.0);
+  std::size_t count = 0;
+  while (count < nm.size() && nm[count] == nm[0]) ++count;
+  for (std::size_t i = 0; i < deg.size(); ++i) {
+    const std::size_t k = i % count;
+    if (i > 0 && nm[i] < nm[i - 1])
+      table.fail(i, nm_column, fmt::format("wavelength_nm {} comes after {}", nm[i], nm[i - 1]),
+                 "wavelengths ascend, all angles of one together");
+    if (i >= count && (deg[i] != deg[k] || (nm[i] == nm[i - 1]) != (k > 0)))
+      table.fail(i, deg_column, "every wavelength must have the same angles", "");
+    if (i > 0 && k > 0 && deg[i] <= deg[i - 1])
+      table.fail(i, deg_column,
+                 fmt::format("zenith_deg {} is not above the {} before it", deg[i], deg[i - 1]),
+                 "angles ascend");
+    const char* whole = "tell the albedo from 0 to 90 degrees";
+    if (k == 0 && deg[i] != 0)
+      table.fail(i, deg_column, fmt::format("the angles begin at {}, not at 0", deg[i]), whole);
+    if (k + 1 == count && deg[i] != 90)
+      table.fail(i, deg_column, fmt::format("the angles end at {}, not at 90", deg[i]), whole);
+  }
+  const std::size_t last = deg.size() - 1;
+  if (deg.size() % count != 0)
+    table.fail(last, deg_column, "every wavelength must have the same angles", "");
+  if (table.has(nm_column) && deg.size() == count)
+    table.fail(last, nm_column, "there is one wavelength alone",
+               "add others, or leave wavelength_nm out if the albedo is the same at all");
+}
+
+void check_albedo(const UserTable& table, Findings& findings) {
+  try {
+    numbers_to(1, "albedo", table.data(), "it is the share of the light that is reflected");
+    if (table.data().has(deg_column))
+      check_angles(table.data());
+    else
+      optics::wavelengths_of(table.data());
+  } catch (const InputError& error) {
+    const std::string path = "bottom.albedo";
+    for (const Diagnostic& d : error.diagnostics()) {
+      const Place place{d.file, d.line, d.column};
+      findings.add(path, d.line > 0 ? place : findings.place_of(path), d.reason, d.suggestion);
+    }
+  }
+}
+
+}  // namespace
+
+void check_bottom(const Scene& scene, Findings& findings) {
+  if (!scene.bottom || !findings.good({"bottom"})) return;
+  if (const auto* table = std::get_if<UserTable>(&scene.bottom->albedo))
+    check_albedo(*table, findings);
+  const auto& layers = scene.sea.layer;
+  if (layers.empty() || layers.back().bottom_depth_m || !findings.good({"sea"})) return;
+  findings.add("bottom", "the sea has no bed: its last layer is bottomless",
+               "give the last [[sea.layer]] its bottom_depth_m, or leave [bottom] out");
+}
+
+}  // namespace photic::scene
