@@ -53,6 +53,9 @@ Index<T> spectral_bin_of(const T& u) {
   return floor_index(u * T(spectral_bins));
 }
 
+/// An albedo of the sea bed that depends on the angle is known at the ends of so many steps.
+inline constexpr std::int32_t bed_angle_steps = 256;
+
 /// A depth [m] in a layer.
 template <class T>
 struct Level {

@@ -62,6 +62,8 @@ double albedo_of(const Bottom& bottom, double wavelength_nm, double zenith_deg) 
   });
 }
 
+bool depends_on_angle(const Bottom& bottom) { return !grid_of(bottom).deg.empty(); }
+
 std::optional<double> angle_lit_by_one_alone(const std::optional<Bottom>& one,
                                              const std::optional<Bottom>& other,
                                              double wavelength_nm) {

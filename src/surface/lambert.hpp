@@ -20,8 +20,6 @@ Mask<T> on_bed(const medium::MediumView& sea, const Index<T>& layer) {
 }
 
 /// An albedo that depends on the angle stands at even steps of sqrt(1 - cos), of 0 to 90 degrees.
-inline constexpr std::int32_t bed_angle_steps = 256;
-
 /// Where an angle lies among those of the table: between two of them, so far from the first.
 template <class T>
 struct BedAngle {
