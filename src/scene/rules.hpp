@@ -74,9 +74,9 @@ struct Choice {
 template <class E>
 struct ChoiceOf : Choice {
   using Value = E;
-  explicit ChoiceOf(std::vector<std::string> not_yet = {}) {
+  explicit ChoiceOf(const std::vector<std::string>& not_yet = {}) {
     for (const auto& [value, word, meaning] : alternatives(E{})) words.push_back({word, meaning});
-    later = std::move(not_yet);
+    later = not_yet;
   }
 };
 
