@@ -111,8 +111,15 @@ struct MediumView {
     return gather_index<T>(line_of_spectral_bin, band * Index<T>(spectral_bins) + spectral_bin);
   }
 
+  /// The layer that ways from a place go through: of the bed the last one.
   template <class T>
-  Level<T> level(const Index<T>& layer, const T& depth) const {
+  Index<T> layer_of(const Index<T>& place) const {
+    if (bed_angles == 0) return place;
+    return select(place == Index<T>(layers), place - Index<T>(1), place);
+  }
+  template <class T>
+  Level<T> level(const Index<T>& place, const T& depth) const {
+    const Index<T> layer = layer_of<T>(place);
     return {layer, depth, depth - gather<T>(top, layer)};
   }
 

@@ -56,13 +56,6 @@ T scattered_density(const medium::MediumView& sea, const Index<T>& layer, const 
   if (sea.bed_angles == 0) return p;
   return select(surface::on_bed<T>(sea, layer), surface::lambert_density(fresh), p);
 }
-/// The layer that light is in when it has left: the bed's is the last one's.
-template <class T>
-Index<T> left_layer(const medium::MediumView& sea, const Index<T>& layer) {
-  if (sea.bed_angles == 0) return layer;
-  return select(surface::on_bed<T>(sea, layer), layer - Index<T>(1), layer);
-}
-
 /// Uniforms of one scattering.
 template <class T>
 struct ScatterUniforms {

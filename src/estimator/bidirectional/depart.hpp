@@ -48,7 +48,7 @@ void depart_from_bed(const geometry::Slabs& sea, const transport::Photon<T>& bef
   photon.weight = select(bed, before.weight * albedo, photon.weight);
   photon.analog_weight = select(bed, before.analog_weight * albedo, photon.analog_weight);
   photon.line = select(bed, before.line, photon.line);
-  photon.layer = transport::left_layer<T>(sea, photon.layer);
+  photon.layer = sea.layer_of<T>(photon.layer);
   departure.p = select(bed, surface::lambert_density(fresh), departure.p);
   departure.chance = select(bed, T(1), departure.chance);
   departure.reverse_chance = select(bed, T(1), departure.reverse_chance);

@@ -164,7 +164,7 @@ struct ForwardSteps {
   }
   void leave_bed(Travellers<T>& t) {
     t.photon.layer =
-        select(t.colliding, transport::left_layer<T>(world.sea, t.photon.layer), t.photon.layer);
+        select(t.colliding, world.sea.template layer_of<T>(t.photon.layer), t.photon.layer);
   }
   /// What is left of the number that decided whether directions were drawn towards targets.
   T left_of_direction(const Travellers<T>& t) const {

@@ -167,8 +167,10 @@ struct Passage {
 
 /// How much deeper it is.
 template <class T>
-void add_passage(const medium::MediumView& sea, const Passage<T>& s, Terms<T>& ways) {
+void add_passage(const medium::MediumView& sea, Passage<T> s, Terms<T>& ways) {
   using std::abs;
+  s.layer1 = sea.layer_of<T>(s.layer1);
+  s.layer2 = sea.layer_of<T>(s.layer2);
   const Mask<T> same = s.layer1 == s.layer2;
   const T rise = select(same, T(1), abs(s.depth1 - s.depth2));
   const T per_depth = select(s.depth1 > s.depth2, s.length, -s.length) / rise;
