@@ -73,8 +73,9 @@ void collisions(Steps& steps, Each each) {
 
 template <class Steps, class T>
 void end_flight(Steps& steps, Track<T>& t, const transport::FlightEnd<T>& end) {
-  static_assert(!surface::Black::reflects);
-  book_out(t, end.sea_bed, steps.ledger.sea_bed);
+  const auto bed = surface::Black::from_above(t.photon.direction);
+  book(steps.ledger.sea_bed, t.on & end.sea_bed, t.photon.weight * bed.absorptance());
+  t.on = t.on & !(end.sea_bed & !(bed.reflectance > T(0)));
   book_out(t, !steps.in_time(t.photon), steps.ledger.cut_by_time);
   t.colliding = t.on & !end.surface;
   steps.tally.collisions += count(t.colliding);

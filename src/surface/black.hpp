@@ -1,11 +1,16 @@
 // The black sea bed.
 #pragma once
 
+#include "surface/interface.hpp"
+
 namespace photic::surface {
 
 /// Absorbs all light that comes to it.
 struct Black {
-  static constexpr bool reflects = false;
+  template <class T>
+  static Split<T> from_above(const Vec3<T>&) {
+    return {};
+  }
 };
 
 }  // namespace photic::surface
