@@ -11,6 +11,8 @@ template <class T>
 struct Split {
   Vec3<T> reflected, transmitted;
   T reflectance{}, transmittance{};
+
+  [[nodiscard]] T absorptance() const { return T(1) - reflectance - transmittance; }
 };
 
 }  // namespace photic::surface

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "estimator/model.hpp"
-#include "optics/phase_functions.hpp"
 #include "scene/read.hpp"
 #include "unit/medium/scenes.hpp"
+#include "unit/medium/two_layers.hpp"
 #include "unit/scene/base_scene.hpp"
 
 namespace photic::estimator {
@@ -83,17 +83,10 @@ TEST(WalkAttenuation, RemarksOnWalksWhoseWeightsGrow) {
   EXPECT_EQ(with("estimator = \"forward\"\nwalk_attenuation = 0.5"), Texts{});
 }
 
-medium::Medium two_layers() {
-  medium::Medium m;
-  m.line = {{medium::Process::elastic, 532, 1.34, 1.36}, {medium::Process::raman, 649, 1.33, 1.35}};
-  m.top = {0, 10, 30};
-  m.c = {0.2, 0.5, 0.7, 0.9};
-  m.albedo = {0.5, 0.6, 0.3, 0.01};
-  m.conversion = {0, 0, 0, 1e-3};
-  m.absorption = {0.5, 0.399, 0.7, 0.6};
-  const auto phase = m.add_phase(optics::PhaseTable(optics::isotropic()));
-  m.elastic_phase = {phase, phase, phase, phase};
-  m.conversion_phase = {phase, phase};
+/// Of an albedo in each line and layer.
+medium::Medium two_layers(const std::vector<double>& albedo) {
+  auto m = medium::two_layers();
+  m.albedo = albedo;
   m.finish();
   return m;
 }
@@ -113,7 +106,7 @@ struct TwoLayers {
 TEST(FreePaths, AreDrawnFromScatteringAlone) {
   scene::Simulation forward;
   forward.estimator = scene::Estimator::forward;
-  const TwoLayers two(two_layers(), forward);
+  const TwoLayers two(two_layers({0.5, 0.6, 0.3, 0.01}), forward);
   const geometry::Slabs& v = two.slabs;
   EXPECT_NEAR(v.walk_c.first[0], 0.1, 1e-16);
   EXPECT_NEAR(v.walk_c.first[1], 0.3, 1e-16);
@@ -128,8 +121,7 @@ TEST(FreePaths, AreDrawnFromScatteringAlone) {
 // Where walks are connected, those in emitted light go farther, unless it is scattered much. Seen
 // red: with the laser's share for all lines; without regard to scattering.
 TEST(FreePaths, GoFartherInEmittedLight) {
-  auto m = two_layers();
-  m.albedo = {0.9, 0.6, 0.3, 0.5};
+  auto m = two_layers({0.9, 0.6, 0.3, 0.5});
   scene::Simulation walks;
   walks.estimator = scene::Estimator::bidirectional;
   walks.walk_attenuation = 0.6;
@@ -146,7 +138,7 @@ TEST(FreePaths, GoFartherInEmittedLight) {
 TEST(FreePaths, OfAnalogPhotonsAreTheLightsOwn) {
   scene::Simulation analog;
   analog.estimator = scene::Estimator::analog;
-  EXPECT_EQ(shares_of_free_paths(two_layers(), analog), (Shares{1, 1, 1, 1}));
+  EXPECT_EQ(shares_of_free_paths(two_layers({0.5, 0.6, 0.3, 0.01}), analog), (Shares{1, 1, 1, 1}));
 }
 
 // Seen red: without the limit of the change; with what attenuates most left out; with the scene's
@@ -161,12 +153,13 @@ TEST(FreePaths, LieBetweenThoseOfAllEnvironments) {
     auto scene = scene_of({water(0.06, 0.10)}, {test::channel_of(medium::Process::elastic)});
     scene.simulation.estimator = scene::Estimator::forward;
     for (const auto& other : others) {
-      scene::Environment out{"", {}, scene.optics, scene.sea};
-      out.sea.layer[0] = other;
+      const scene::Environment same{"", {}, scene.optics, scene.sea};
+      auto changed = same;
+      changed.sea.layer[0] = other;
       if (tangent)
-        scene.sensitivity.push_back({"sea.layer.0.b", 0.1, 1e-4, out, out});
+        scene.sensitivity.push_back({"sea.layer.0.b", 0.1, 1e-4, same, changed});
       else
-        scene.environment.push_back(out);
+        scene.environment.push_back(changed);
     }
     const auto medium = medium_of(scene);
     return medium.c[0] * shares_of_free_paths(medium, scene.simulation).front();
