@@ -104,7 +104,7 @@ def _explain_gate(panel, one, k):
 
 
 def _explain_orders(panel, one):
-    share = (100 * one.echo_by_order[0] / one.echo).values
+    share = (100 * one.echo_by_order.sel(order=1) / one.echo).values
     depth = one.gate_depth.values
     panel.plot(share, depth, color=ELASTIC, linewidth=1.8)
     panel.fill_betweenx(depth, share, 100, color=ELASTIC, alpha=0.18, linewidth=0)

@@ -5,6 +5,7 @@ import itertools
 
 import numpy
 from matplotlib import colormaps
+from matplotlib.colors import to_rgba
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import LogLocator, NullFormatter
@@ -237,8 +238,8 @@ def environments_legend(result, colours):
 
 
 def orders(panel, part, count):
-    """Shares of the orders of scattering, side by side: single scattering first. `count`: of how many
-    orders the figure tells."""
+    """Shares of the orders of scattering, side by side: the lowest first. `count`: the highest order
+    that the figure tells."""
     total = part.echo_by_order.sum("order")
     edges = (100 * part.echo_by_order / total.where(total > 0)).cumsum("order", skipna=False).values
     left = numpy.where(numpy.isnan(edges[0]), numpy.nan, 0.0)
@@ -256,12 +257,14 @@ def orders(panel, part, count):
 
 def orders_legend(results):
     """For all panels of orders."""
-    count = max(result.sizes["order"] for result in results)
-    names = [str(order) for order in range(1, count + 1)]
+    count = max(int(result.order[-1]) for result in results)
+    names = [str(order) for order in range(count + 1)]
     if count > 1:
         names[-1] += " and above"
     lines = list(zip(names, _shades(count)))
-    kept = spread(count, MOST_NAMED)
+    if not any((result.echo_by_order.sel(order=0) > 0).any() for result in results):
+        del lines[0]
+    kept = spread(len(lines), MOST_NAMED)
     handles = [Patch(color=lines[k][1], label=lines[k][0]) for k in kept]
     if any(unsettled(result.echo, result.converged) for result in results):
         handles.append(Patch(facecolor="0.75", label=NOT_CONVERGED, **HATCH))
@@ -269,7 +272,8 @@ def orders_legend(results):
 
 
 def _shades(count):
-    return colormaps["viridis"](numpy.linspace(0.12, 0.95, count))
+    """Of the orders 0, 1, …, count."""
+    return [to_rgba("0.6"), *colormaps["viridis"](numpy.linspace(0.12, 0.95, count))]
 
 
 def family(count):

@@ -126,7 +126,7 @@ def _parts(result, mixed, by_order, said):
     shown = result.sel(channel=by_order)
     for channel in by_order:
         legend = panels.orders_legend([shown]) if channel == by_order[0] else None
-        part, count = result.sel(channel=channel), result.sizes["order"]
+        part, count = result.sel(channel=channel), int(result.order[-1])
         draws = partial(_panel, panels.orders, result, part, count)
         cells.append(Cell(said(f"{channel} echo by order of scattering"), SLIM, draws, legend))
     return cells

@@ -50,9 +50,9 @@ def _cells(of_all, channel, slim, said):
     legend = panels.lines_legend([(name, colour) for _, name, colour in of_all], faded)
     echoes = partial(_echoes, every, parts, colours)
     cells = [Cell(said(f"{channel} echo"), WIDE, echoes, legend)]
-    orders = max(one.sizes["order"] for one in every)
+    orders = max(int(one.order[-1]) for one in every)
     for part, (_, name, colour) in zip(parts, of_all):
-        last = part.sizes["order"]
+        last = int(part.order[-1])
         title = f"{name} by order" + ("" if last == orders else f" ({last} and above in one)")
         legend = panels.orders_legend(parts) if len(cells) == 1 else None
         draws = partial(_orders, every, part, orders)

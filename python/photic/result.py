@@ -12,7 +12,7 @@ FORMAT = 2  # the newest layout this package reads
 def open(path):
     """The result in a netCDF file as an xarray.Dataset, in memory; the file is closed again.
 
-    Dimensions: telescope, channel and process (indexed by name), order (1, 2, … and above), gate,
+    Dimensions: telescope, channel and process (indexed by name), order (0, 1, … and above), gate,
     depth (of the last scattering) [m], unless the scene left it out. Coordinates: gate_time [ns],
     gate_depth [m] of each telescope and channel, channel_wavelength [nm], and the bounds of gates.
     Variables: echo, echo_by_process, echo_by_order, echo_by_depth, each with _standard_error, and

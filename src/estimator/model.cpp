@@ -13,27 +13,43 @@
 #include "medium/environments.hpp"
 #include "optics/data_folder.hpp"
 #include "scene/forward_settings.hpp"
+#include "transport/touched.hpp"
 
 namespace photic::estimator {
 namespace {
 
-/// The processes that the lines stand for, in the order of medium::Process, each once.
-std::vector<medium::Process> processes_of(const std::vector<medium::Line>& lines) {
-  std::vector<medium::Process> out;
-  for (const auto& line : lines) out.push_back(line.process);
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+/// The process of a line's light that has touched something.
+std::string process_of(const medium::Line& line, transport::Touched touched) {
+  if (line.process == medium::Process::elastic && touched == transport::Touched::bed)
+    return "bottom";
+  return std::string(scene::word_of(line.process));
+}
+
+/// What light touches in a medium.
+std::vector<transport::Touched> touched_in(const medium::Medium& medium) {
+  if (medium.bed_albedo.empty()) return {transport::Touched::water};
+  return {transport::Touched::water, transport::Touched::bed};
+}
+
+/// The processes of all light, in the order of medium::Process, each once.
+std::vector<std::string> processes_in(const medium::Medium& medium) {
+  auto lines = medium.line;
+  std::ranges::stable_sort(lines, {}, &medium::Line::process);
+  std::vector<std::string> out;
+  for (const auto& line : lines)
+    for (const auto touched : touched_in(medium)) out.push_back(process_of(line, touched));
+  out.erase(std::ranges::unique(out).begin(), out.end());
   return out;
 }
 
 tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
                         const tally::Gates& gates) {
   tally::Shape shape;
-  const auto processes = processes_of(medium.line);
+  const auto processes = processes_in(medium);
   shape.telescopes = scene.telescope.size();
   shape.channels = scene.channel.size();
   shape.processes = processes.size();
-  shape.orders = static_cast<std::size_t>(scene.simulation.orders_kept);
+  shape.orders = static_cast<std::size_t>(scene.simulation.orders_kept) + 1;  // and 0
   shape.gates = static_cast<std::size_t>(gates.count());
   if (const auto depth = gates.depth_edges(scene.gates.depth_cells); !depth.empty()) {
     shape.depths = depth.size() - 1;
@@ -51,9 +67,12 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
         counted_by.push_back({static_cast<std::int32_t>(c), line.counted_by[c]});
     }
     shape.channels_of_line.push_back(std::move(counted_by));
-    const auto at = std::find(processes.begin(), processes.end(), line.process);
-    shape.process_of_line.push_back(static_cast<std::int32_t>(at - processes.begin()));
   }
+  for (const auto touched : touched_in(medium))
+    for (const auto& line : medium.line) {
+      const auto at = std::ranges::find(processes, process_of(line, touched));
+      shape.process_of_light.push_back(static_cast<std::int32_t>(at - processes.begin()));
+    }
   if (std::ranges::any_of(medium.line, [](const auto& line) { return line.lifetime_ns > 0; }))
     for (const auto& line : medium.line) shape.decay_of_line.emplace_back(line.lifetime_ns, gates);
   return shape;
@@ -135,8 +154,7 @@ tally::Result describe(const Model& model) {
     result.parameter_name.push_back(s.path);
     result.parameter_value.push_back(s.value);
   }
-  for (const auto process : processes_of(medium.line))
-    result.process_name.emplace_back(scene::word_of(process));
+  result.process_name = processes_in(medium);
   result.orders = static_cast<std::int64_t>(shape.orders);
   result.gate_depth_is_range = gates.depth_is_range();
   for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {

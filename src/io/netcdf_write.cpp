@@ -52,7 +52,9 @@ void add_axes(NetcdfImage& file, const tally::Result& result) {
   file.add_variable("channel_name", {"channel"}, result.channel_name,
                     {{"long_name", "name of the channel"}});
   file.add_variable("process_name", {"process"}, result.process_name,
-                    {{"long_name", "process in which the light turned towards the telescope"}});
+                    {{"long_name",
+                      "process in which the light turned towards the telescope; of the laser's "
+                      "wavelength: bottom, if the light touched it, else elastic"}});
   file.add_variable("channel_wavelength", {"channel"}, result.channel_wavelength_nm,
                     {{"standard_name", "radiation_wavelength"},
                      {"long_name", "mean wavelength of the light that the channel counts"},
@@ -60,12 +62,12 @@ void add_axes(NetcdfImage& file, const tally::Result& result) {
                      {"_FillValue", nan},
                      {"coordinates", "channel_name"}});
   std::vector<std::int32_t> order;
-  for (std::int32_t k = 1; k <= result.orders; ++k) order.push_back(k);
+  for (std::int32_t k = 0; k < result.orders; ++k) order.push_back(k);
   file.add_variable(
       "order", {"order"}, order,
       {{"long_name", fmt::format("scatterings, conversions and bottom reflections of the light; "
                                  "the last, {0}, stands for {0} and above",
-                                 result.orders)},
+                                 result.orders - 1)},
        {"units", "1"}});
 }
 

@@ -17,7 +17,7 @@ template <class T>
 struct LaneScores {
   std::size_t telescope = 0;
   double path_to_origin = 0;  ///< what the paths are short of (estimator/world.hpp) [m]
-  Index<T> line{}, order{};
+  Index<T> light{}, order{};
   T depth{}, path{}, value{};
   tally::Walked walked = tally::Walked::laser;
 };
@@ -36,13 +36,13 @@ void each_score(const tally::BatchTally& tally, const Mask<T>& mask, const LaneS
   const auto wide_path = whole_path(scores), wide_depth = to_double(scores.depth);
   const auto places = tally.places(wide_path, wide_depth);
   const auto gates = each_lane(places.gate), cells = each_lane(places.depth);
-  const auto lines = each_lane(scores.line), orders = each_lane(scores.order);
+  const auto lights = each_lane(scores.light), orders = each_lane(scores.order);
   const auto depths = each_lane(wide_depth), paths = each_lane(wide_path),
              values = each_lane(to_double(scores.value));
   for_each_lane(mask, [&](int lane) {
     const auto i = static_cast<std::size_t>(lane);
     act(i,
-        tally::Score{scores.telescope, lines[i], orders[i], depths[i], paths[i], values[i],
+        tally::Score{scores.telescope, lights[i], orders[i], depths[i], paths[i], values[i],
                      scores.walked},
         tally::Places<std::int32_t>{gates[i], cells[i]});
   });
@@ -62,12 +62,12 @@ class ScoreQueue {
     const auto places = tally.places(path, to_double(scores.depth));
     if constexpr (lanes == 1) {
       if (mask)
-        tally.score({telescope_, scores.line, scores.order, scores.depth, path, scores.value,
+        tally.score({telescope_, scores.light, scores.order, scores.depth, path, scores.value,
                      scores.walked},
                     places);
     } else {
       const std::size_t at = waiting_;
-      compress(mask, scores.line, &line_[at]);
+      compress(mask, scores.light, &light_[at]);
       compress(mask, scores.order, &order_[at]);
       compress(mask, scores.depth, &depth_[at]);
       compress(mask, scores.path, &path_[at]);
@@ -83,7 +83,7 @@ class ScoreQueue {
   /// Hands over those who wait.
   void flush(tally::BatchTally& tally) {
     for (std::size_t i = 0; i < waiting_; ++i)
-      tally.score({telescope_, line_[i], order_[i], depth_[i], path_to_origin_ + path_[i],
+      tally.score({telescope_, light_[i], order_[i], depth_[i], path_to_origin_ + path_[i],
                    value_[i], walked_[i]},
                   {gate_[i], cell_[i]});
     waiting_ = 0;
@@ -97,7 +97,7 @@ class ScoreQueue {
 
   std::size_t telescope_;
   double path_to_origin_;
-  Column<std::int32_t> line_{}, order_{}, gate_{}, cell_{};
+  Column<std::int32_t> light_{}, order_{}, gate_{}, cell_{};
   Column<tally::Walked> walked_{};
   Column<Element<T>> depth_{}, path_{}, value_{};
   std::size_t waiting_ = 0;

@@ -23,10 +23,12 @@ BatchTally::BatchTally(const Shape& shape, const Gates& gates)
       cells_of_telescope_(shape.channels * shape.gates),
       last_order_(shape.max_order > 0 ? shape.max_order
                                       : std::numeric_limits<std::int32_t>::max()) {
-  for (std::size_t line = 0; line < shape.channels_of_line.size(); ++line) {
+  const std::size_t lines = shape.channels_of_line.size();
+  for (std::size_t each = 0; each < shape.process_of_light.size(); ++each) {
+    const std::size_t line = each % lines;
     const Decay* decay = shape.decay_of_line.empty() ? nullptr : &shape.decay_of_line[line];
     Light& light = light_.emplace_back();
-    light.process = static_cast<std::size_t>(shape.process_of_line[line]);
+    light.process = static_cast<std::size_t>(shape.process_of_light[each]);
     for (const auto& [channel, share] : shape.channels_of_line[line])
       light.counting.push_back({shape.cell(0, static_cast<std::size_t>(channel), 0), share});
     if (decay != nullptr && !decay->at_once()) light.decay = decay;

@@ -44,10 +44,11 @@ struct CellScores {
   }
 };
 
-/// One contribution of a collision to a telescope, at one line.
+/// One contribution of a collision to a telescope, of one light.
 struct Score {
   std::size_t telescope = 0;
-  std::int32_t line = 0, order = 0;
+  std::int32_t light = 0;  ///< index in Shape::process_of_light
+  std::int32_t order = 0;
   double depth = 0;  ///< of the collision [m]
   double path = 0;   ///< group path from the laser's disc to the aperture [m], as if emitters
                      ///< gave light back at once
@@ -149,7 +150,7 @@ class BatchTally {
     std::size_t first_cell = 0;
     double share = 1;
   };
-  /// Light of one line, as scores need it.
+  /// As scores need it.
   struct Light {
     std::size_t process = 0;
     std::vector<CountingRow> counting;
@@ -164,7 +165,7 @@ class BatchTally {
       if (std::isnan(s.value)) ++not_finite;
       return;
     }
-    if (const Decay* decay = light_[static_cast<std::size_t>(s.line)].decay) {
+    if (const Decay* decay = light_[static_cast<std::size_t>(s.light)].decay) {
       decay->spread(s.path, *gates_, shares_);
       for (const auto& [gate, share] : shares_) act(gate, share);
     } else if (at_once >= 0) {
@@ -175,7 +176,7 @@ class BatchTally {
   template <class Act>
   void each_cell(const Score& s, std::int32_t gate, Act act) const {
     const std::size_t at = s.telescope * cells_of_telescope_ + static_cast<std::size_t>(gate);
-    for (const auto& [first_cell, share] : light_[static_cast<std::size_t>(s.line)].counting)
+    for (const auto& [first_cell, share] : light_[static_cast<std::size_t>(s.light)].counting)
       act(at + first_cell, share);
   }
   /// Adds a share of a score to a cell. Tells whether its echo has it.
@@ -184,7 +185,7 @@ class BatchTally {
   const Shape* shape_;
   const Gates* gates_;
   std::size_t orders_, processes_, depths_, cells_of_telescope_;
-  std::vector<Light> light_;       ///< [line]
+  std::vector<Light> light_;       ///< [light]
   std::int32_t last_order_;        ///< beyond it scores are cut off
   std::vector<GateShare> shares_;  ///< of the last score that was not emitted at once
 };
@@ -199,8 +200,8 @@ inline bool BatchTally::add(const Score& s, std::int32_t depth, std::size_t cell
     return false;
   }
   here.add(value, s.walked);
-  by_order[cell * orders_ + std::min(static_cast<std::size_t>(s.order), orders_) - 1] += value;
-  by_process[cell * processes_ + light_[static_cast<std::size_t>(s.line)].process] += value;
+  by_order[cell * orders_ + std::min(static_cast<std::size_t>(s.order), orders_ - 1)] += value;
+  by_process[cell * processes_ + light_[static_cast<std::size_t>(s.light)].process] += value;
   if (depth >= 0) {
     const std::size_t k = cell * depths_ + static_cast<std::size_t>(depth);
     if (by_depth[k] == 0) touched_depths.push_back(static_cast<std::uint32_t>(k));

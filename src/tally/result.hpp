@@ -39,7 +39,7 @@ struct Result {
   // Axes.
   std::vector<std::string> telescope_name, channel_name, process_name;
   std::vector<double> channel_wavelength_nm;  ///< mean over the light it counts
-  std::int64_t orders = 0;                    ///< orders 1 … orders-1, and `orders and above`
+  std::int64_t orders = 0;                    ///< so many: 0, 1, … and the last one and above
   std::vector<double> gate_time_edge_ns;      ///< gates + 1
   /// [telescope][channel][gates + 1]: depth of first-order light, or range; NaN where a telescope
   /// has none.

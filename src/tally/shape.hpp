@@ -19,10 +19,13 @@ struct Counting {
 struct Shape {
   std::size_t telescopes = 0, channels = 0, processes = 0, orders = 0, gates = 0, depths = 0,
               environments = 0;
+  /// Orders count from 0: light that has been neither scattered nor converted.
   std::size_t walked = 1;  ///< kinds of walks that scores are counted apart for: 1 or 2
   std::vector<std::vector<Counting>> channels_of_line;  ///< that count a line's light
-  std::vector<std::int32_t> process_of_line;            ///< index in the result's process axis
-  std::vector<Decay> decay_of_line;                     ///< empty if all lines are emitted at once
+  /// Index in the result's process axis, of each light: a line that has touched something
+  /// (transport::Touched), [touched][line].
+  std::vector<std::int32_t> process_of_light;
+  std::vector<Decay> decay_of_line;          ///< empty if all lines are emitted at once
   std::int32_t max_order = 0;                ///< 0: none; order max_order + 1 is what is cut off
   double depth_min = 0, per_depth_step = 1;  ///< of the depths, if there are any
 

@@ -16,6 +16,7 @@ struct Photon {
   Index<T> line{};     ///< wavelength, a line of the medium
   Index<T> layer{};    ///< where it is in the water
   Index<T> order{};    ///< scatterings and conversions so far
+  Index<T> touched{};  ///< by this light, Touched
 
   /// Calls f(member) for each.
   template <class F>
@@ -37,7 +38,7 @@ struct Photon {
     f(p.position.x...), f(p.position.y...), f(p.position.z...);
     f(p.direction.x...), f(p.direction.y...), f(p.direction.z...);
     f(p.weight...), f(p.analog_weight...), f(p.path...);
-    f(p.line...), f(p.layer...), f(p.order...);
+    f(p.line...), f(p.layer...), f(p.order...), f(p.touched...);
   }
 };
 

@@ -28,7 +28,7 @@ def test_names_are_indices(sample):
 
 def test_coordinates(sample):
     ds = photic.open(sample)
-    assert list(ds.order.values) == [1, 2, 3, 4, 5, 6]
+    assert list(ds.order.values) == [0, 1, 2, 3, 4, 5, 6]
     echo = ds.echo.sel(telescope="narrow", channel="raman")
     assert echo.gate_depth.dims == ("gate",)
     assert echo.gate_depth.values[0] == pytest.approx(1.004 * 0.25, rel=1e-12)

@@ -19,8 +19,11 @@ namespace {
 /// A scene with the sea of others as environments.
 scene::Scene with(scene::Scene scene, const std::vector<scene::Scene>& others) {
   for (const auto& other : others)
-    scene.environment.push_back(
-        {fmt::format("environment{}", scene.environment.size()), {}, other.optics, other.sea});
+    scene.environment.push_back({fmt::format("environment{}", scene.environment.size()),
+                                 {},
+                                 other.optics,
+                                 other.sea,
+                                 other.bottom});
   return scene;
 }
 
@@ -92,6 +95,16 @@ const std::vector<std::string> three_layers_changed = {
     one_layer(0.08, 0.22, 0.65, "bottom_depth_m = 1.5\n") + layers(0.1, 0.3, 0.5, 0.04, 0.12, 0.6),
     one_layer(0.06, 0.2, 0.6, "bottom_depth_m = 1.5\n") + layers(0.1, 0.3, 0.5, 0.06, 0.12, 0.65)};
 
+/// Shallow water over a bed.
+std::string over_bed(double a, const std::string& albedo) {
+  return one_layer(a, 0.2, 0.6, "bottom_depth_m = 3.3\n") + "[bottom]\nalbedo = " + albedo + "\n";
+}
+const std::string bed_here = over_bed(0.06, "0.2");
+const std::vector<std::string> beds_changed = {
+    over_bed(0.06, "0.1"), over_bed(0.07, "0.25"),
+    over_bed(0.06, "{ wavelength_nm = [500, 700], albedo = [0.1, 0.5] }"),
+    over_bed(0.06, "{ zenith_deg = [0, 30, 90], albedo = [0.1, 0.3, 0.6] }")};
+
 INSTANTIATE_TEST_SUITE_P(
     , Environments,
     testing::Values(
@@ -114,7 +127,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"bidirectional", three, chlorophyll(0.5, 0.02), changed_algae, 10, 1.5e5, 70,
              "bidirectional"},
         Case{"bidirectional_three_layers", three, three_layers_here, three_layers_changed, 8, 2.5e5,
-             25, "bidirectional"}),
+             25, "bidirectional"},
+        // Seen red: with the albedo of the scene for light that is reflected, in one of the
+        // estimators.
+        Case{"bed", three, bed_here, beds_changed, 6, 2e6, 40},
+        Case{"bidirectional_bed", three, bed_here, beds_changed, 6, 2e5, 40, "bidirectional"}),
     [](const auto& test) { return test.param.name; });
 
 scene::Scene algae_scene(double mg_m3, std::uint64_t seed) {

@@ -164,7 +164,7 @@ seed = 3
                            result.echo.standard_error[k], share, error));
     // Most of it is multiple scattering, or the test would show little.
     if (k == gates - 1) {
-      EXPECT_LT(result.echo_by_order.mean[k], 0.5 * result.echo.mean[k]);
+      EXPECT_LT(result.echo_by_order.mean[gates + k], 0.5 * result.echo.mean[k]);
     }
   }
   family.judge();

@@ -42,8 +42,14 @@ void detect(const World<T>& world, const transport::Photon<T>& photon, Mask<T> f
     if (!any(seen)) continue;
     const T way = in_air ? longer_way(telescope, photon.position, point, distance)
                          : T(distance * gather<T>(world.sea.group_index, photon.line));
-    const lanes::LaneScores<T> scores{t,     world.path_to_origin[t], photon.line, photon.order,
-                                      depth, photon.path + way,       T(1)};
+    const lanes::LaneScores<T> scores{
+        t,
+        world.path_to_origin[t],
+        transport::light_of<T>(world.sea, photon.line, photon.touched),
+        photon.order,
+        depth,
+        photon.path + way,
+        T(1)};
     lanes::each_score(
         tally, seen, scores,
         [&](std::size_t, const tally::Score& score, const auto& at) { tally.score(score, at); });

@@ -93,9 +93,9 @@ class Bidirectional {
   Bidirectional(const World<T>& world, std::size_t at_once)
       : world_(world),
         at_once_(at_once * world.walks),
-        laser_(at_once_, false, world.laser_region.in_air, world.sea.environments) {
+        laser_(at_once_, false, world.laser_region.in_air, world.sea) {
     for (const auto& region : world.telescope_region)
-      back_.emplace_back(at_once_, true, region.in_air, world.sea.environments);
+      back_.emplace_back(at_once_, true, region.in_air, world.sea);
   }
 
   /// Photons `first` … `first + count - 1`, the first of a batch and up.

@@ -79,12 +79,12 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPair<T>& pair, co
 
 /// Scores with the ratios of the completed paths.
 template <class T>
-PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(
-    const Pairing<T>& pairing, Walked walked, const Mask<T>& mask, const T& value, const T& path,
-    const T& last, const Index<T>& order) {
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(Pairing<T> pairing,
+                                                                       Walked walked, Mask<T> mask,
+                                                                       FoundPath<T> path) {
   const auto out = each_lane(Walks<T>::slot(pairing.laser, pairing.i));
   const auto back = each_lane(Walks<T>::slot(pairing.back, pairing.m));
-  lanes::each_score(tally_, mask, scores_of(pairing, walked, value, path, last, order),
+  lanes::each_score(tally_, mask, scores_of(pairing, walked, path),
                     [&](std::size_t lane, const tally::Score& score, const auto& at) {
                       const auto of_walks = [&](std::int32_t e) {
                         const auto of_laser = [&] { return laser_.ratios().at(out[lane], e); };

@@ -256,7 +256,7 @@ void Connections<T>::meet_at(const RayPair<T>& pair, const Mask<T>& mask, const 
   if (world_.compares) [[unlikely]]
     complete_by_meeting(pair, moved, depth, layer);
   score(pair.pairing, Walked::both, emitting & (meeting.path < receiver_.last_path),
-        gain * meeting.value, meeting.path, last(), in_path.order);
+        {gain * meeting.value, meeting.path, last(), in_path.order, pairing.i, pairing.m});
 }
 
 }  // namespace photic::estimator

@@ -62,9 +62,9 @@ void Connections<T>::by_sightline(const Pairing<T>& pairing, const Mask<T>& mask
   if (world_.compares) [[unlikely]]
     complete_to_telescope(pairing, v, way);
   score(pairing, Walked::laser, seen,
-        from.weight * way.throughput * etendue *
-            balance(area, tau.all, tau.walk, from.densities, EndDensities<T>{}),
-        path, depth, in_path.order);
+        {from.weight * way.throughput * etendue *
+             balance(area, tau.all, tau.walk, from.densities, EndDensities<T>{}),
+         path, depth, in_path.order, in_path.order, Index<T>(0)});
 }
 
 template <class T>
@@ -109,8 +109,9 @@ void Connections<T>::by_sightline_to_laser(const Pairing<T>& pairing, const Mask
   lit = lit & (water > T(0)) & (path < receiver_.last_path);
   if (!any(lit)) return;
   const auto tau = depths_along(sea_, way, line, w.layer, T(-w.position.z), water);
+  const Index<T> order = pairing.m + Index<T>(1);
   const Freedom<T> freedom{
-      translations_in(pairing.m + Index<T>(1), back_.birth_record(pairing.back).translation_area),
+      translations_in(order, back_.birth_record(pairing.back).translation_area),
       select(is_pivot(w.line, pairing.m), axis_at(w.position, w.direction, way.direction),
              back_.axis(pairing.back))};
   const ConnectionEnd to =
@@ -122,9 +123,9 @@ void Connections<T>::by_sightline_to_laser(const Pairing<T>& pairing, const Mask
   if (world_.compares) [[unlikely]]
     complete_to_laser(pairing, w, way, water);
   score(pairing, Walked::telescope, lit,
-        to.weight * way.throughput *
-            balance(area, tau.all, tau.walk, EndDensities<T>{}, to.densities),
-        path, last_depth(pairing.back), pairing.m + Index<T>(1));
+        {to.weight * way.throughput *
+             balance(area, tau.all, tau.walk, EndDensities<T>{}, to.densities),
+         path, last_depth(pairing.back), order, Index<T>(0), order});
 }
 
 template <class T>
@@ -196,8 +197,8 @@ void Connections<T>::along(const Pairing<T>& pairing, const Mask<T>& mask, const
   if (world_.compares) [[unlikely]]
     complete_between(pairing, line, v, w, length);
   score(pairing, Walked::both, in_time,
-        from.weight * to.weight * balance(area, tau.all, tau.walk, from.densities, to.densities),
-        path, last_depth(pairing.back), usable.order);
+        {from.weight * to.weight * balance(area, tau.all, tau.walk, from.densities, to.densities),
+         path, last_depth(pairing.back), usable.order, edge, pairing.m + Index<T>(1)});
 }
 
 }  // namespace photic::estimator

@@ -122,6 +122,15 @@ struct FirstLeg {
   T steep{};   ///< cosine to the vertical
 };
 
+/// A path from the laser to a telescope, and what it scores.
+template <class T>
+struct FoundPath {
+  T value{};                                     ///< expected photons
+  T length{};                                    ///< group path [m]
+  T last{};                                      ///< depth at which light was last scattered [m]
+  Index<T> order{}, of_laser{}, of_telescope{};  ///< vertices: all, and those of the two walks
+};
+
 using tally::Walked;
 
 template <class T>
@@ -274,26 +283,25 @@ class Connections {
                         const Vertex& w, const T& length);
   void complete_by_meeting(const RayPair<T>& pair, const Moved<T>& moved, const T& depth,
                            const Index<T>& layer);
-  void score_in_environments(const Pairing<T>& pairing, Walked walked, const Mask<T>& mask,
-                             const T& value, const T& path, const T& last, const Index<T>& order);
+  void score_in_environments(Pairing<T> pairing, Walked walked, Mask<T> mask, FoundPath<T> path);
 
-  /// `last`: the depth at which light was last scattered.
-  void score(const Pairing<T>& pairing, Walked walked, const Mask<T>& mask, const T& value,
-             const T& path, const T& last, const Index<T>& order) {
+  void score(const Pairing<T>& pairing, Walked walked, const Mask<T>& mask,
+             const FoundPath<T>& path) {
     if (world_.compares) [[unlikely]]
-      return score_in_environments(pairing, walked, mask, value, path, last, order);
-    scores_.push(mask, scores_of(pairing, walked, value, path, last, order), tally_);
+      return score_in_environments(pairing, walked, mask, path);
+    scores_.push(mask, scores_of(pairing, walked, path), tally_);
   }
   [[nodiscard]] lanes::LaneScores<T> scores_of(const Pairing<T>& pairing, Walked walked,
-                                               const T& value, const T& path, const T& last,
-                                               const Index<T>& order) const {
+                                               const FoundPath<T>& path) const {
+    const Index<T> touched = laser_.touched(pairing.laser, path.of_laser) |
+                             back_.touched(pairing.back, path.of_telescope);
     return {receiver_.telescope,
             world_.path_to_origin[receiver_.telescope],
-            back_.line(pairing.back),
-            order,
-            last,
-            path,
-            value,
+            transport::light_of<T>(sea_, back_.line(pairing.back), touched),
+            path.order,
+            path.last,
+            path.length,
+            path.value,
             walked};
   }
 

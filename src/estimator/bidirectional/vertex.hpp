@@ -7,6 +7,7 @@
 #include "estimator/bidirectional/path_point.hpp"
 #include "estimator/meeting_grid.hpp"
 #include "medium/medium.hpp"
+#include "surface/lambert.hpp"
 
 namespace photic::estimator {
 

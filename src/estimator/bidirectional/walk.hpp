@@ -11,6 +11,7 @@
 #include "estimator/variations/environments.hpp"
 #include "estimator/world.hpp"
 #include "lanes/records.hpp"
+#include "transport/touched.hpp"
 
 namespace photic::estimator {
 
@@ -96,8 +97,7 @@ class Walks {
   using Vertex = estimator::Vertex<T>;
 
   /// `through_surface`: the instrument is in the air.
-  Walks(std::size_t walks, bool from_telescope, bool through_surface,
-        const medium::EnvironmentsView& environments)
+  Walks(std::size_t walks, bool from_telescope, bool through_surface, const medium::MediumView& sea)
       : from_telescope_(from_telescope),
         through_surface_(through_surface),
         record_(walks),
@@ -110,7 +110,8 @@ class Walks {
         pivot_vertex_(walks),
         connected_(walks),
         line_(walks),
-        ratios_(environments, walks * stride) {}
+        first_on_bed_(sea.bed_angles > 0 ? walks : 0),
+        ratios_(sea.environments, walks * stride) {}
 
   // Written by walkers, in the lanes of a mask.
   void birth(const Mask<T>& mask, const Index<T>& walk, const BirthRecord<T>& record,
@@ -120,6 +121,7 @@ class Walks {
     scatter(mask, walk, record.line, line_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
     scatter(mask, walk, Index<T>(-1), pivot_vertex_.data());
+    if (!first_on_bed_.empty()) scatter(mask, walk, Index<T>(most_vertices), first_on_bed_.data());
     add(mask, walk, Index<T>(0), first);
   }
   /// No walk sets out.
@@ -134,6 +136,12 @@ class Walks {
   void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i, const Vertex& vertex) {
     vertex_.put(mask, slot(walk, i), vertex);
     scatter(mask, walk, i + Index<T>(1), vertices_.data());
+  }
+  /// Vertex i, where walks of a mask stand, is on the bed.
+  void come_to_bed(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i) {
+    if (!any(mask)) return;
+    const Index<T> first = gather_index<T>(first_on_bed_.data(), walk);
+    scatter(mask & (i < first), walk, i, first_on_bed_.data());
   }
   /// Walks from a telescope come to a vertex, their `first` or a later one: at that they meet no
   /// others by translation if not all points of the lens can begin such a walk.
@@ -213,6 +221,12 @@ class Walks {
   /// The line of the light that a telescope's walk detects.
   [[nodiscard]] Index<T> line(const Index<T>& walk) const {
     return gather_index<T>(line_.data(), walk);
+  }
+  /// What so many of its vertices touch: a transport::Touched.
+  [[nodiscard]] Index<T> touched(const Index<T>& walk, const Index<T>& vertices) const {
+    if (first_on_bed_.empty()) return Index<T>(0);
+    const Index<T> bed(static_cast<std::int32_t>(transport::Touched::bed));
+    return select(gather_index<T>(first_on_bed_.data(), walk) < vertices, bed, Index<T>(0));
   }
   /// About which a telescope's walk may be rotated.
   [[nodiscard]] Pivot<T> pivot(const Index<T>& walk) const { return pivot_.at(walk); }
@@ -317,7 +331,8 @@ class Walks {
   lanes::Records<T, Pivot<T>> pivot_;
   lanes::Records<T, NearFirst<T>> near_first_;
   std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, line_;  ///< of each walk
-  PathRatios<T> ratios_;                                                         ///< of each ray
+  std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many
+  PathRatios<T> ratios_;                    ///< of each ray
 };
 
 }  // namespace photic::estimator

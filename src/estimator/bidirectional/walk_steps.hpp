@@ -79,6 +79,9 @@ class WalkSteps {
     vertex_ = vertex_on(sea_, w.ray, first, spread, w.photon, w.leg, w.axis, samples_);
     source_.limit_translation(walks_, w.walk, first, vertex_);
     walks_.add(w.colliding, w.walk, w.vertices, vertex_);
+    if (sea_.bed_angles > 0)
+      walks_.come_to_bed(w.colliding & surface::on_bed<T>(sea_, w.photon.layer), w.walk,
+                         w.vertices);
     w.vertices = w.vertices + select(w.colliding, Index<T>(1), Index<T>(0));
   }
   void collide(Walker<T>& w) {

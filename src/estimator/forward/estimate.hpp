@@ -17,6 +17,7 @@
 #include "transport/collide.hpp"
 #include "transport/connect_ray.hpp"
 #include "transport/scatter.hpp"
+#include "transport/touched.hpp"
 
 namespace photic::estimator {
 
@@ -58,7 +59,7 @@ struct Travellers : Track<T> {
 
 /// What differs between the sources of a scene's scores at all.
 struct SourcesDiffer {
-  bool lines = true, layers = true, points = true;
+  bool lines = true, layers = true, points = true, touched = true;
 
   /// Calls f(member) for what does of a source's photon, its weight, line, and point of the lens.
   template <class Photon, class T, class Line, class Point, class F>
@@ -69,11 +70,12 @@ struct SourcesDiffer {
     if (points) f(lens.x), f(lens.y);
     if (layers) f(photon.layer);
     if (lines) f(photon.line), f(line);
+    if (touched) f(photon.touched);
   }
 };
 template <class T>
 SourcesDiffer sources_differ(const World<T>& world) {
-  return {world.sea.lines > 1, world.sea.places > 1, world.single_rays};
+  return {world.sea.lines > 1, world.sea.places > 1, world.single_rays, world.sea.bed_angles > 0};
 }
 
 /// Light of one line that leaves collisions, one in each lane: scattered, or converted from another
@@ -156,7 +158,7 @@ lanes::LaneScores<T> scores_of(const World<T>& world, std::size_t telescope, con
                                const T& path_back, const T& value) {
   return {telescope,
           world.path_to_origin[telescope],
-          from.line,
+          transport::light_of<T>(world.sea, from.line, from.photon.touched),
           from.photon.order + Index<T>(1),
           -from.photon.position.z,
           from.photon.path + path_back,

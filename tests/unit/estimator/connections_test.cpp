@@ -280,6 +280,55 @@ TEST(StrategiesOfPath, OfConvertedLightAgree) {
   EXPECT_GT(met, 100);
 }
 
+/// The albedo at even steps of sqrt(1 - cos), of three lines.
+std::vector<double> bed_by_angle() {
+  std::vector<double> out;
+  for (const double at_zenith : {0.1, 0.3, 0.2})
+    for (int k = 0; k <= 8; ++k) out.push_back(at_zenith + 0.07 * k);
+  return out;
+}
+
+// Each vertex lies on the bed in turn, or two do; half of the paths convert. Their light counts as
+// the bed's, whatever it touched before or after. Seen red: with the albedo of the way to the
+// telescope, by each strategy; with meetings at the bed; with what walks draw about the beam there;
+// with a density of the bed that is the phase function's; with a walk's second vertex on the bed
+// for its first.
+TEST(StrategiesOfPath, OfLightThatTheBedReflectsAgree) {
+  Random random(110);
+  int met = 0, rotated = 0;
+  auto places = above_water();
+  for (const Place& place : submerged()) places.push_back(place);
+  for (const Place& place : places) {
+    Sea sea(place.source, place.telescope, transport::make_sea(13, bed_by_angle()));
+    const auto looks = [](const auto& instrument) {
+      return instrument.position_m.z > 0 || instrument.direction.z < 0;
+    };
+    for (int n = 0; n < 120; ++n) {
+      const std::int32_t order = 1 + n % 4;
+      auto path = random_path(random, order, place.telescope.position_m.z < 0 ? 6 : 1, 11.9);
+      if (n % 2 == 1) {
+        path.converted = 1 + n / 8 % order;
+        path.line = 1 + n / 2 % 2;
+        V& x = path.vertex[static_cast<std::size_t>(path.converted - 1)];
+        x.z = -random.between(5.1, 11.9);
+      }
+      std::vector<std::int32_t> on_bed = {1 + n / 4 % order};
+      if (order == 4) on_bed.push_back(1 + (on_bed[0] + 1) % order);
+      for (const auto i : on_bed) path.vertex[static_cast<std::size_t>(i - 1)].z = -13;
+      if (path.converted > 0 && path.x(path.converted).z == -13) continue;
+      const bool seen = (path.x(1).z != -13 || looks(place.source)) &&
+                        (path.x(order).z != -13 || looks(place.telescope));
+      if (!seen) continue;
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      const auto counts = expect_same_of_all(sea, path);
+      met += counts.met;
+      rotated += counts.rotated;
+    }
+  }
+  EXPECT_GT(met, 200);
+  EXPECT_GT(rotated, 20);
+}
+
 // Seen red: with a walk that sets out from its last vertex; with edges that no two walks reach;
 // with the last vertex' densities left out; with unusable meetings beside a connection, beside a
 // meeting; with unusable edges or meetings near the pivot of a walk that is rotated; with an

@@ -9,9 +9,11 @@ namespace photic::estimator {
 
 struct Sea {
   World<double> world;
-  transport::Sea medium = transport::make_sea(40);
+  transport::Sea medium;
 
-  Sea(const scene::Source& source, const scene::Telescope& telescope) {
+  Sea(const scene::Source& source, const scene::Telescope& telescope,
+      const transport::Sea& with = transport::make_sea(40))
+      : medium(with) {
     world.sea = medium.view();
     world.laser = instrument::make_laser<double>(source);
     world.laser_region = transport::region_at(medium, source.position_m);

@@ -85,12 +85,16 @@ inline Path translated_path(const World<double>& world, const Path& path, const 
   return other;
 }
 
+inline bool on_bed(const geometry::Slabs& sea, const V& place) {
+  return sea.bed_angles > 0 && place.z == -sea.top[sea.layers];
+}
+
 /// Writes a walk along given places as a WalkTracer would have drawn it.
 class Writer {
  public:
   Writer(const World<double>& world, const Samples<double>& samples, const Birth<double>& birth,
          BirthRecord<double> record, bool from_telescope)
-      : walks(1, from_telescope, birth.spread.through_surface, world.sea.environments),
+      : walks(1, from_telescope, birth.spread.through_surface, world.sea),
         world_(world),
         samples_(samples),
         photon_(birth.photon),
@@ -110,11 +114,14 @@ class Writer {
     }
     fly_to(place, leg);
     photon_.weight *= world_.sea.collision_gain[here()];
+    const bool bed = on_bed(world_.sea, place);
+    if (bed) photon_.layer = world_.sea.layers;
     vertex_ = vertex_on(world_.sea, ray_, walks.vertices(0) == 0, spread_, photon_, leg,
                         walks.axis(0), samples_);
     if (walks.from_telescope())
       walks.limit_translation(world_.telescopes[0], 0, walks.vertices(0) == 0, vertex_);
     walks.add(true, 0, walks.vertices(0), vertex_);
+    if (bed) walks.come_to_bed(true, 0, walks.vertices(0) - 1);
   }
 
   /// Goes on towards the next place. Only a telescope's walk `converts`.
@@ -122,9 +129,10 @@ class Writer {
     const V old = photon_.direction;
     photon_.direction = direction_to(photon_.position, next, mirrored);
     Departure<double> departure;
-    const double p = world_.sea.phases.value<double>(
-        one_minus_cos(old, photon_.direction),
-        converts ? world_.sea.conversion_phase[photon_.line] : world_.sea.elastic_phase[here()]);
+    const double p = transport::scattered_density(
+        world_.sea, photon_.layer,
+        converts ? world_.sea.conversion_phase[photon_.line] : world_.sea.elastic_phase[here()],
+        old, photon_.direction);
     const double chance = world_.inverse_conversion.chance(world_.sea, photon_.line, photon_.layer);
     departure.p = p;
     departure.chance = 1 - chance;
@@ -136,13 +144,17 @@ class Writer {
       photon_.weight *= conversion_per_emitted_c<double>(world_.sea, photon_.line, photon_.layer);
       photon_.line = 0;
     } else {
-      photon_.weight *= world_.sea.albedo[here()];
+      const double laser_side = walks.from_telescope() ? photon_.direction.z : -old.z;
+      photon_.weight *=
+          transport::scattered_share(world_.sea, photon_.line, photon_.layer, laser_side);
       const auto drawn = [&](const V& direction) {
-        return world_.inverse_conversion.scattered_over_phase(world_.sea, direction, p);
+        return world_.inverse_conversion.scattered_over_phase(world_.sea, photon_.layer, direction,
+                                                              p);
       };
       if (!walks.from_telescope()) departure.reverse_chance = drawn(-old);
       if (walks.from_telescope() && photon_.line == 0) departure.chance *= drawn(photon_.direction);
     }
+    photon_.layer = world_.sea.layer_of<double>(photon_.layer);
     ray_ = next_ray(photon_, vertex_, departure);
     walks.add(true, 0, walks.vertices(0), ray_);
     if (walks.from_telescope())

@@ -14,12 +14,13 @@ namespace photic::estimator {
 /// connections of the same walks are left out, and wrong path lengths too.
 struct Window {
   Window(const medium::Medium& medium, double path) : gates(scene(path), medium.line) {
-    shape.telescopes = shape.channels = shape.processes = shape.gates = shape.depths = 1;
+    shape.telescopes = shape.channels = shape.gates = shape.depths = 1;
+    shape.processes = transport::kinds_touched;
     shape.orders = 8;
-    for (std::size_t l = 0; l < medium.line.size(); ++l) {
+    for (std::size_t l = 0; l < medium.line.size(); ++l)
       shape.channels_of_line.push_back({tally::Counting{0}});
-      shape.process_of_line.push_back(0);
-    }
+    for (std::int32_t touched = 0; touched < transport::kinds_touched; ++touched)
+      shape.process_of_light.insert(shape.process_of_light.end(), medium.line.size(), touched);
   }
   static scene::Scene scene(double path) {
     auto scene = test::ship_scene();
@@ -91,7 +92,10 @@ class Scores {
 
  private:
   double taken() {
-    const double sum = tally_.by_order[static_cast<std::size_t>(path_.order() - 1)];
+    const double sum = tally_.by_order[static_cast<std::size_t>(path_.order())];
+    const bool bed = std::ranges::any_of(
+        path_.vertex, [this](const V& place) { return on_bed(world_.sea, place); });
+    EXPECT_EQ(tally_.by_process[bed ? 1 : 0], sum) << "of what it has touched";
     tally_.clear();
     return sum;
   }

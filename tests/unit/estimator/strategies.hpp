@@ -32,7 +32,8 @@ struct StrategiesOfPath {
     for (std::int32_t e = 1; e < path.order(); ++e) add_inner(e);
     add_last();
     for (const Edge& e : edge) common *= std::exp(e.walk_tau - e.tau);
-    for (std::int32_t i = 1; i <= path.order(); ++i) common *= coefficient(i) / walk_c(i);
+    for (std::int32_t i = 1; i <= path.order(); ++i)
+      common *= is_on_bed(i) ? bed_albedo(i) : coefficient(i) / walk_c(i);
   }
 
   [[nodiscard]] double group_path() const {
@@ -47,7 +48,7 @@ struct StrategiesOfPath {
     if (e > most || path.order() - e > most) return 0;
     if (mirrored && e > 0 && e < path.order()) return 0;
     return spread * std::exp(walk_tau) * chance_of_connecting(e) /
-           ((e > 0 ? phase(e) : 1) * (e < path.order() ? phase(e + 1) : 1));
+           ((e > 0 ? phase(e, e) : 1) * (e < path.order() ? phase(e + 1, e) : 1));
   }
   /// The same of translating to meet at vertex i.
   [[nodiscard]] double translated(std::int32_t i) const {
@@ -78,7 +79,9 @@ struct StrategiesOfPath {
   [[nodiscard]] double drawn_at_pivot() const {
     const double share = world.inverse_conversion.scattered;
     const std::int32_t k = path.order();
-    return path.line > 0 ? 1 : (1 - share) * phase(k) + share * lobe(k);
+    return path.line > 0  ? 1
+           : is_on_bed(k) ? phase(k, k - 1)
+                          : (1 - share) * phase(k, k - 1) + share * lobe(k);
   }
   /// The density with which a telescope's walk in the water comes as far as its first vertex, but
   /// for what no translation changes.
@@ -94,9 +97,9 @@ struct StrategiesOfPath {
  private:
   /// Where rays can meet at vertex i: 1 over what is not drawn of it.
   [[nodiscard]] double drawn_but(std::int32_t i) const {
-    if (i > most || path.order() - i + 1 > most) return 0;
+    if (is_on_bed(i) || i > most || path.order() - i + 1 > most) return 0;
     return std::exp(at(i - 1).walk_tau + at(i).walk_tau) * chance_of_meeting(i) /
-           (walk_c(i) * phase(i));
+           (walk_c(i) * phase(i, i));
   }
   [[nodiscard]] const Edge& at(std::int32_t e) const { return edge[static_cast<std::size_t>(e)]; }
   [[nodiscard]] std::int32_t layer(std::int32_t i) const { return medium.layer_at(-path.x(i).z); }
@@ -117,7 +120,20 @@ struct StrategiesOfPath {
   [[nodiscard]] double ratio() const {
     return of(transport::walk_coefficients(medium), 0, path.converted) / walk_c(path.converted);
   }
-  [[nodiscard]] double phase(std::int32_t i) const {
+  [[nodiscard]] bool is_on_bed(std::int32_t i) const { return on_bed(world.sea, path.x(i)); }
+  /// A table at even steps of sqrt(1 - cos), for the light that comes from the laser.
+  [[nodiscard]] double bed_albedo(std::int32_t i) const {
+    const double last = static_cast<double>(world.sea.bed_angles) - 1;
+    const double at = last * std::sqrt(1 + this->at(i - 1).arriving.z);
+    const double below = std::floor(at);
+    const double* row = &medium.bed_albedo[static_cast<std::size_t>(path.line_of(i)) *
+                                           static_cast<std::size_t>(last + 1)];
+    const auto k = static_cast<std::size_t>(below);
+    return row[k] + (at - below) * (row[k + 1] - row[k]);
+  }
+  /// Density at vertex i of the directions of edge e; they differ on the bed alone.
+  [[nodiscard]] double phase(std::int32_t i, std::int32_t e) const {
+    if (is_on_bed(i)) return std::abs(e < i ? at(e).arriving.z : at(e).leaving.z) / pi;
     const double x = one_minus_cos(at(i - 1).arriving, at(i).leaving);
     const auto l = static_cast<std::size_t>(path.line_of(i));
     const auto here =
@@ -127,7 +143,7 @@ struct StrategiesOfPath {
   }
   /// That a telescope's walk converts the detected light back into the laser's at vertex i.
   [[nodiscard]] double inverse_conversion(std::int32_t i) const {
-    return path.line > 0 && of(medium.conversion, path.line, i) > 0
+    return path.line > 0 && !is_on_bed(i) && of(medium.conversion, path.line, i) > 0
                ? world.inverse_conversion.probability
                : 0;
   }
@@ -142,7 +158,7 @@ struct StrategiesOfPath {
     const auto& r = world.inverse_conversion;
     return inverse_conversion(path.converted) *
            ((1 - r.directed) / (4 * pi) + r.directed * lobe(path.converted)) /
-           phase(path.converted);
+           phase(path.converted, path.converted);
   }
   /// Of the direction in which a telescope's walk leaves vertex i.
   [[nodiscard]] double lobe(std::int32_t i) const {
@@ -156,7 +172,8 @@ struct StrategiesOfPath {
     const double share = world.inverse_conversion.scattered;
     double chance = 1;
     for (std::int32_t i = from; i <= path.order(); ++i)
-      if (path.line_of(i) == 0) chance *= 1 - share + share * lobe(i) / phase(i);
+      if (path.line_of(i) == 0 && !is_on_bed(i))
+        chance *= 1 - share + share * lobe(i) / phase(i, i);
     return chance;
   }
   [[nodiscard]] double chance_of_connecting(std::int32_t e) const {

@@ -45,7 +45,7 @@ class Maker {
     result_.channel_name = {"elastic", "raman", "chlorophyll"};
     result_.process_name = {"elastic", "raman", "chlorophyll"};
     result_.channel_wavelength_nm = {532.0, 649.8, 685.0};
-    result_.orders = 6;
+    result_.orders = 7;
     for (std::size_t k = 0; k <= gates; ++k) {
       const double depth_m = step_m * static_cast<double>(k);
       result_.depth_edge_m.push_back(depth_m);
@@ -93,6 +93,7 @@ class Maker {
   }
 
   void orders(const Look& look, const std::vector<double>& echo, const std::vector<double>& error) {
+    for (std::size_t k = 0; k < gates; ++k) push(result_.echo_by_order, 0, 0);
     for (int order = 1; order <= 6; ++order)
       for (std::size_t k = 0; k < gates; ++k) {
         // A geometric series whose first term loses ground with depth; the last order takes the
@@ -248,7 +249,7 @@ tally::Shape sample_shape(std::size_t environments) {
   shape.telescopes = 2;
   shape.channels = 3;
   shape.processes = 3;
-  shape.orders = 6;
+  shape.orders = 7;
   shape.gates = gates;
   shape.depths = gates;
   shape.environments = environments;

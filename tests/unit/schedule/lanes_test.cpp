@@ -52,11 +52,23 @@ scene::Scene plain_scene(const std::string& more = "", const std::string& estima
                     test::water(0.06, 0.10, test::peaked_phase) + test::depth_gates(50, 1) +
                     test::simulation(estimator == "forward" ? 20000 : 2200, 5, more, estimator));
 }
+/// Over a bed whose albedo depends on the angle, with environments of it.
+scene::Scene bed_scene(const std::string& more = "", const std::string& estimator = "forward") {
+  return test::read(test::ship_instrument + test::submerged_telescope + test::channel("elastic") +
+                    test::channel("raman") + test::three_layers +
+                    "[bottom]\nalbedo = { zenith_deg = [0, 40, 90], albedo = [0.2, 0.5, 0.9] }\n" +
+                    std::string(estimator == "analog"
+                                    ? ""
+                                    : "[[environment]]\nset = { \"bottom.albedo\" = 0.1 }\n") +
+                    test::depth_gates(12, 1) +
+                    test::simulation(estimator == "forward" ? 20000 : 2200, 5, more, estimator));
+}
 /// Sets of three walks do not divide a batch.
 std::vector<scene::Scene> bidirectional_scenes() {
   const std::string name = "bidirectional";
   return {plain_scene("", name), plain_scene("walks = 3\nsampling = \"random\"", name),
-          rich_scene("max_order = 5", name), rich_scene("walks = 3\nmax_order = 3", name)};
+          rich_scene("max_order = 5", name), rich_scene("walks = 3\nmax_order = 3", name),
+          bed_scene("walks = 2", name)};
 }
 
 /// All of the forward estimator's tools at once.
@@ -162,7 +174,7 @@ TEST(Lanes, HistoriesAreThoseOfTheScalarEngineInFloat) {
        {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(),
         rich_scene("reception = \"overlap\"\nmax_order = 4"), rich_scene(tools),
         plain_scene("[simulation.tools]\nweight_threshold = 0.5\nat_threshold = \"end\""),
-        rich_scene("max_order = 4", "analog")}) {
+        rich_scene("max_order = 4", "analog"), bed_scene(), bed_scene("", "analog")}) {
     const estimator::Model model = estimator::make_model(scene);
     const EventLog scalar = log_scalar(model, photons);
     const scene::Simulation& run = model.scene.simulation;
@@ -245,8 +257,9 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
 // Seen red: as above, with what waits at the end of a batch forgotten, and with photons that have
 // moved to another pack colliding where they were, too.
 TEST(Lanes, EchoesAreThoseOfTheScalarEngineInFloat) {
-  for (const auto& scene : {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(),
-                            rich_scene(tools), rich_scene(tools_of_points)})
+  for (const auto& scene :
+       {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(), rich_scene(tools),
+        rich_scene(tools_of_points), bed_scene(), bed_scene(tools_of_points)})
     expect_echoes_of_the_scalar_engine(scene);
 }
 TEST(Lanes, BidirectionalEchoesAreThoseOfTheScalarEngineInFloat) {

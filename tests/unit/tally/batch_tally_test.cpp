@@ -14,13 +14,13 @@ double sum(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-// [telescope][channel][gate], then order, process or depth. Seen red: with orders counted from 0;
+// [telescope][channel][gate], then order, process or depth. Seen red: with orders counted from 1;
 // with the depth's cell rounded.
 TEST(BatchTally, PutsAScoreIntoItsCells) {
   Tallies t;
   t.batch.score({1, 0, 2, 9.0, t.path_in(3), 0.25});
   const std::size_t cell = (1 * 3 + 0) * 4 + 3;
-  EXPECT_EQ(t.batch.by_order[cell * 3 + 1], 0.25);
+  EXPECT_EQ(t.batch.by_order[cell * 4 + 2], 0.25);
   EXPECT_EQ(t.batch.by_process[cell * 3 + 0], 0.25);
   EXPECT_EQ(t.batch.by_depth[cell * 4 + 1], 0.25);
   EXPECT_EQ(t.batch.cells[cell].largest, 0.25);
@@ -34,9 +34,9 @@ TEST(BatchTally, CountsALineInEveryChannelThatSeesIt) {
   t.score(2, 0.5, 1, 1);   // Raman: channels 1 and 2
   t.score(2, 0.25, 1, 2);  // chlorophyll: channel 2
   const auto at = [](std::size_t channel) { return channel * 4 + 2; };
-  EXPECT_EQ(t.batch.by_order[at(0) * 3], 0);
-  EXPECT_EQ(t.batch.by_order[at(1) * 3], 0.5);
-  EXPECT_EQ(t.batch.by_order[at(2) * 3], 0.75);
+  EXPECT_EQ(t.batch.by_order[at(0) * 4 + 1], 0);
+  EXPECT_EQ(t.batch.by_order[at(1) * 4 + 1], 0.5);
+  EXPECT_EQ(t.batch.by_order[at(2) * 4 + 1], 0.75);
   EXPECT_EQ(t.batch.by_process[at(2) * 3 + 1], 0.5);
   EXPECT_EQ(t.batch.by_process[at(2) * 3 + 2], 0.25);
   EXPECT_EQ(t.batch.cells[at(2)].largest, 0.5);
@@ -44,10 +44,11 @@ TEST(BatchTally, CountsALineInEveryChannelThatSeesIt) {
 
 TEST(BatchTally, KeepsHighOrdersTogether) {
   Tallies t;
-  for (const std::int32_t order : {1, 2, 3, 4, 50}) t.score(0, 1.0, order);
+  for (const std::int32_t order : {0, 1, 1, 2, 3, 4, 50}) t.score(0, 1.0, order);
   EXPECT_EQ(t.batch.by_order[0], 1);
-  EXPECT_EQ(t.batch.by_order[1], 1);
-  EXPECT_EQ(t.batch.by_order[2], 3);
+  EXPECT_EQ(t.batch.by_order[1], 2);
+  EXPECT_EQ(t.batch.by_order[2], 1);
+  EXPECT_EQ(t.batch.by_order[3], 3);
 }
 
 TEST(BatchTally, LeavesOutWhatLiesInNoGate) {

@@ -112,7 +112,7 @@ TEST(BatchTally, SpreadsWhatDecays) {
     SCOPED_TRACE(g);
     const std::size_t cell = 2 * 4 + g;
     const double expected = 0.5 * shares.at(g);
-    EXPECT_EQ(t.batch.by_order[cell * 3 + 1], expected);
+    EXPECT_EQ(t.batch.by_order[cell * 4 + 2], expected);
     EXPECT_EQ(t.batch.by_process[cell * 3 + 2], expected);
     EXPECT_EQ(t.batch.by_depth[cell * 4 + 1], expected);
     EXPECT_EQ(t.batch.cells[cell].largest, std::max(expected, g == 0 ? 0.25 : 0.0));

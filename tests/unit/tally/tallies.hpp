@@ -10,7 +10,7 @@
 namespace photic::tally {
 
 /// Two telescopes; channel 0 counts line 0, channel 1 line 1, channel 2 lines 1 and 2; four gates
-/// of 5 m; three orders kept.
+/// of 5 m; orders 0, 1, 2 and above.
 struct Tallies {
   explicit Tallies(std::int32_t max_order = 0, std::size_t environments = 0, std::size_t walked = 1)
       : shape(make_shape(max_order, environments, walked)),
@@ -33,11 +33,11 @@ struct Tallies {
     shape.telescopes = 2;
     shape.channels = 3;
     shape.processes = 3;
-    shape.orders = 3;
+    shape.orders = 4;
     shape.gates = 4;
     shape.depths = 4;
     shape.channels_of_line = {{Counting{0}}, {Counting{1}, Counting{2}}, {Counting{2}}};
-    shape.process_of_line = {0, 1, 2};
+    shape.process_of_light = {0, 1, 2};
     shape.max_order = max_order;
     shape.depth_min = 0;
     shape.per_depth_step = 0.2;
@@ -49,10 +49,10 @@ struct Tallies {
     return (gates.edge_path(gate) + gates.edge_path(gate + 1)) / 2;
   }
 
-  /// Light of line 0 and order 1 in a gate of telescope 0.
-  void score(std::int32_t gate, double value, std::int32_t order = 1, std::int32_t line = 0,
+  /// Light 0, of order 1 in a gate of telescope 0.
+  void score(std::int32_t gate, double value, std::int32_t order = 1, std::int32_t light = 0,
              std::size_t telescope = 0) {
-    batch.score({telescope, line, order, 5.0 * gate + 2.5, path_in(gate), value});
+    batch.score({telescope, light, order, 5.0 * gate + 2.5, path_in(gate), value});
   }
   /// The same, of a path that is made of such walks.
   void score(std::int32_t gate, double value, Walked walked) {

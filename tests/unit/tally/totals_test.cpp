@@ -162,14 +162,14 @@ TEST(Totals, SplitTheEchoByOrderAndByProcess) {
   fill_at_random(t, 40);
   const Result r = t.result();
   ASSERT_EQ(r.echo.mean.size(), 24U);
-  ASSERT_EQ(r.echo_by_order.mean.size(), 72U);
+  ASSERT_EQ(r.echo_by_order.mean.size(), 96U);
   ASSERT_EQ(r.echo_by_process.mean.size(), 72U);
   ASSERT_EQ(r.echo_by_depth.mean.size(), 96U);
   for (std::size_t tc = 0; tc < 6; ++tc) {
     for (std::size_t g = 0; g < 4; ++g) {
       const double echo = r.echo.mean[tc * 4 + g];
       double orders = 0, processes = 0, depths = 0;
-      for (std::size_t k = 0; k < 3; ++k) orders += r.echo_by_order.mean[(tc * 3 + k) * 4 + g];
+      for (std::size_t k = 0; k < 4; ++k) orders += r.echo_by_order.mean[(tc * 4 + k) * 4 + g];
       for (std::size_t k = 0; k < 3; ++k) processes += r.echo_by_process.mean[(tc * 3 + k) * 4 + g];
       for (std::size_t k = 0; k < 4; ++k) depths += r.echo_by_depth.mean[(tc * 4 + g) * 4 + k];
       EXPECT_GT(echo, 0);
@@ -199,7 +199,7 @@ TEST(Totals, PutASingleScoreWhereItBelongs) {
     }
   };
   only(r.echo.mean, {(1 * 3 + 1) * 4 + 3, (1 * 3 + 2) * 4 + 3});
-  only(r.echo_by_order.mean, {((1 * 3 + 1) * 3 + 1) * 4 + 3, ((1 * 3 + 2) * 3 + 1) * 4 + 3});
+  only(r.echo_by_order.mean, {((1 * 3 + 1) * 4 + 2) * 4 + 3, ((1 * 3 + 2) * 4 + 2) * 4 + 3});
   only(r.echo_by_process.mean, {((1 * 3 + 1) * 3 + 1) * 4 + 3, ((1 * 3 + 2) * 3 + 1) * 4 + 3});
   only(r.echo_by_depth.mean, {((1 * 3 + 1) * 4 + 3) * 4 + 2, ((1 * 3 + 2) * 4 + 3) * 4 + 2});
 }

@@ -30,8 +30,8 @@ struct Sea : medium::Medium {
 
 /// Layers 0-5, 5-12 and 12-bottom m. Line 0 converts into line 1 in the first layer, into both
 /// others in the second, and into none in the third. Layers scatter as Fournier-Forand,
-/// Henyey-Greenstein (g = 0.8) and molecules.
-inline Sea make_sea(double bottom_m) {
+/// Henyey-Greenstein (g = 0.8) and molecules. The bed is black, or has albedos [line][angle].
+inline Sea make_sea(double bottom_m, const std::vector<double>& bed_albedo = {}) {
   using medium::Process;
   Sea sea;
   sea.line = {{Process::elastic, 532, 1.3415, 1.3638},
@@ -50,6 +50,7 @@ inline Sea make_sea(double bottom_m) {
     sea.elastic_phase.insert(sea.elastic_phase.end(), {peaked, smooth, molecules});
   sea.conversion_phase = {0, sea.add_phase(optics::PhaseTable(optics::raman_phase(0.17))),
                           sea.add_phase(optics::PhaseTable(optics::isotropic()))};
+  sea.bed_albedo = bed_albedo;
   sea.finish();
   return sea;
 }

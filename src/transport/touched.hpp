@@ -1,0 +1,22 @@
+// What light has touched on its way: this tells the processes of light of the laser's wavelength
+// apart.
+#pragma once
+
+#include <cstdint>
+
+#include "medium/medium.hpp"
+
+namespace photic::transport {
+
+/// Of several the highest counts.
+enum class Touched : std::int32_t { water, bed };
+inline constexpr std::int32_t kinds_touched = 2;
+
+/// A line and what its light has touched, as tallies count them: an index [touched][line].
+template <class T>
+Index<T> light_of(const medium::MediumView& sea, const Index<T>& line, const Index<T>& touched) {
+  if (sea.bed_angles == 0) return line;
+  return touched * Index<T>(sea.lines) + line;
+}
+
+}  // namespace photic::transport
