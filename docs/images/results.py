@@ -25,11 +25,11 @@ LARGEST_ERROR = 0.10  # above it a gate is flagged large_error: src/tally/result
 SHIP = 5e5  # photons of the runs that two pictures share
 
 
-def run(scene, photons, estimator="auto", **changes):
-    """What the first telescope of a scene sees; changes: values by their paths. Nothing but the
+def run(scene, photons, estimator="auto", telescope=0, **changes):
+    """What a telescope of a scene sees; changes: values by their paths. Nothing but the
     photons ends it, not the time, so that it is the same anywhere."""
     changes["simulation"] = {"seed": 1, "photons": int(photons / run.fewer), "estimator": estimator}
-    return _run(scene, json.dumps(changes)).isel(telescope=0)
+    return _run(scene, json.dumps(changes)).isel(telescope=telescope)
 
 
 run.fewer = 1  # divides all numbers of photons, for drafts
@@ -274,6 +274,41 @@ def layers():
     downwards(left, LAYERS_TO)
     for panel in (left, right):
         emptied(panel)
+    return drawing
+
+
+WIDE_VIEW = 1  # of the telescopes of bathymetric.toml
+ALBEDOS = {0.05: "#7a5230", 0.3: ORANGE}  # beside the scene's 0.15
+
+
+def bed():
+    """The echo of a sea bed upon that of the water, and what other beds make of it."""
+    environments = [{"name": str(albedo), "set": {"bottom.albedo": albedo}} for albedo in ALBEDOS]
+    gates = {"depth_min_m": 6.15, "depth_max_m": 14.65, "depth_step_m": 0.5}  # the bed in the middle of one
+    result = run("bathymetric.toml", 4e7, "forward", WIDE_VIEW, environment=environments, gates=gates)
+    one = result.sel(channel="elastic")
+    drawing = Figure(figsize=(WIDTH, 4.6), layout="constrained")
+    left, right = drawing.subplots(1, 2, sharey=True)
+    parts = {"elastic": ("scattered in the water alone", ELASTIC), "bottom": ("touched the bed", "#7a5230")}
+    for process, (_, colour) in parts.items():
+        error = one.echo_by_process_standard_error.sel(process=process)
+        panels.line(left, one, one.echo_by_process.sel(process=process), error, colour)
+    panels.finish_lines(left, [one.echo_by_process.sel(process=process) for process in parts])
+    left.set_title("Light of two processes")
+    left.legend(handles=panels.lines_legend(list(parts.values()), True).handles, fontsize=8, loc="upper right")
+    depth = one.gate_depth.values
+    for albedo, colour in ALBEDOS.items():
+        other = one.sel(environment=str(albedo))
+        good = (one.converged & other.environment_converged).values
+        _gate_by_gate(right, (other.environment_echo / one.echo).values, depth, good, colour, f"albedo {albedo}")
+    right.axvline(1, color="black", linewidth=1.2, label="the scene: 0.15")
+    right.set(xlabel="echo over the scene's", title="Other beds, the same photons", xlim=(0, 2.2))
+    right.legend(fontsize=8, loc="upper left")
+    left.set(xlim=(1e-13, 3e-10), ylim=(15, 6), ylabel="depth [m]")
+    for panel in (left, right):
+        panel.axhline(12.4, color="0.4", linestyle=":", linewidth=1.0)
+        emptied(panel)
+    left.text(0.03, 12.35, "the bed", transform=left.get_yaxis_transform(), **NOTE)
     return drawing
 
 

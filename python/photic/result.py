@@ -6,7 +6,7 @@ import xarray
 
 from photic.errors import Error
 
-FORMAT = 2  # the newest layout this package reads
+FORMAT = 3  # the newest layout this package reads
 
 
 def open(path):

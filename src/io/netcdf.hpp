@@ -13,7 +13,7 @@ namespace photic::io {
 
 /// The layout's number, in the file as `photic_format`: raised when a program that knows the old
 /// layout would misread the new one.
-inline constexpr std::int32_t photic_format = 2;
+inline constexpr std::int32_t photic_format = 3;
 
 struct WriteInfo {
   std::string history = {};     ///< how the file came to be; see history_line

@@ -199,7 +199,8 @@ MediumView Medium::view() const {
   v.lines = static_cast<std::int32_t>(line.size());
   v.bands = bands_;
   v.places = v.layers + (bed_albedo.empty() ? 0 : 1);
-  v.bed_angles = static_cast<std::int32_t>(bed_albedo.size() / line.size());
+  v.bed_angles =
+      bed_albedo.empty() ? 0 : static_cast<std::int32_t>(bed_albedo.size() / line.size());
   v.bed_albedo = bed_albedo_.view();
   v.top = top_.view();
   v.c = c_.view();

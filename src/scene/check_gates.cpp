@@ -60,6 +60,24 @@ bool check_interval(const Gates::Interval& interval, const Keys& keys, Findings&
   return false;
 }
 
+/// Of gates by depth over a bed that reflects: light that goes straight there and back all comes at
+/// one time.
+void tell_of_bed(const Gates::Interval& depth, double bed, const Keys& keys, Findings& findings) {
+  const std::string at = fmt::format("the sea bed at {} m", plain_number(bed));
+  if (depth.max <= bed)
+    return findings.remark(keys.max, "the last gate ends before the light of " + at +
+                                         " comes: end the gates below it to see that");
+  if (depth.min > bed)
+    return findings.remark(
+        keys.min, "the gates begin below " + at + ": of its light they hold only what comes late");
+  const double length = (depth.max - depth.min) / depth.steps();
+  const double from_edge = std::remainder(bed - depth.min, length);
+  if (std::abs(from_edge) < 1e-4)
+    findings.remark(keys.step, "a gate begins at " + at +
+                                   ": rounding may put some of its light into the gate before; let "
+                                   "no gate begin within 0.1 mm of the bed");
+}
+
 /// Depth gates need a path that goes down along the axis of the source and comes back up along
 /// that of telescope 0.
 void check_depth_gates(const Scene& scene, const Keys& keys, Findings& findings) {
@@ -86,7 +104,9 @@ void check_depth_gates(const Scene& scene, const Keys& keys, Findings& findings)
                                   scene.telescope[t].name));
   }
   const auto bed = sea_bed_m(scene, findings);
-  if (bed && depth.min >= *bed)
+  if (!bed) return;
+  if (scene.bottom) return tell_of_bed(depth, *bed, keys, findings);
+  if (depth.min >= *bed)
     findings.add(keys.min,
                  fmt::format("all gates lie below the sea bed at {} m", plain_number(*bed)), "");
 }

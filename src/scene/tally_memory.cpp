@@ -16,7 +16,6 @@ constexpr double per_cell_of_batch = 1048.0;
 /// Of a cell in other water: tally::EnvironmentSums as sums above, and four numbers of the result.
 constexpr double per_water = 2 * 168.0 + 2 * 56.0 + 32.0;
 constexpr double per_water_of_batch = 56.0;
-constexpr double processes = 4.0;  // elastic, bottom, raman, chlorophyll
 
 }  // namespace
 
@@ -26,6 +25,7 @@ TallyMemory tally_memory(const Scene& scene) {
       number(scene.telescope.size() * scene.channel.size()) * number(scene.gates.count());
   const double depths = number(scene.gates.depth_cells);
   const double orders = number(scene.simulation.orders_kept) + 1;  // and 0
+  const double processes = scene.bottom ? 4 : 3;  // elastic, raman, chlorophyll; bottom
   const double waters = number(scene.environment.size() + scene.sensitivity.size());
   return {.depths = cells * depths * per_sum,
           .orders = cells * orders * per_sum,

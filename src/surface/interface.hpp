@@ -1,4 +1,4 @@
-// What the interfaces between layers make of light: the flat surface, the black sea bed.
+// What an interface that is smooth makes of light: the flat surface.
 #pragma once
 
 #include "core/vec3.hpp"
@@ -11,8 +11,6 @@ template <class T>
 struct Split {
   Vec3<T> reflected, transmitted;
   T reflectance{}, transmittance{};
-
-  [[nodiscard]] T absorptance() const { return T(1) - reflectance - transmittance; }
 };
 
 }  // namespace photic::surface

@@ -17,7 +17,7 @@ struct Ledger {
   double absorbed = 0;  ///< in the water, and not emitted again
   double escaped =
       0;  ///< through the surface (what a telescope detects is part of it) or never in the water
-  double sea_bed = 0;        ///< absorbed by the black sea bed
+  double sea_bed = 0;        ///< absorbed by the sea bed
   double cut_by_time = 0;    ///< could no longer come back within the last gate
   double cut_by_order = 0;   ///< ended at max_order
   double cut_by_weight = 0;  ///< ended below the weight threshold

@@ -150,10 +150,10 @@ def test_newer_format(sample, tmp_path):
     path = tmp_path / "new.nc"
     path.write_bytes(sample.read_bytes())
     with netCDF4.Dataset(path, "a") as file:
-        file.photic_format = 3
+        file.photic_format = 4
     with pytest.raises(photic.Error) as error:
         photic.open(path)
-    reason = "written by a newer Photic (result format 3; this package reads up to 2)"
+    reason = "written by a newer Photic (result format 4; this package reads up to 3)"
     assert str(error.value) == f"{path}: {reason}"
 
 

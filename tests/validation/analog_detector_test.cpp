@@ -25,12 +25,26 @@ constexpr double laser_divergence = 0.02;
 constexpr int gates = 8;
 constexpr double gate_depth = 1.5;
 
+constexpr double bed_depth = 4.1;  // where there is one
+
+/// Its albedo by the cosine to the vertical of the light that comes down: straight lines over the
+/// angle, as the scene has it.
+double bed_albedo(double cosine) {
+  const double zenith_deg = std::acos(cosine) * 180 / M_PI;
+  return zenith_deg < 40 ? 0.3 + 0.3 * zenith_deg / 40 : 0.6 + 0.4 * (zenith_deg - 40) / 50;
+}
+
 struct Counts {
-  std::array<double, gates> by_gate{};
+  std::array<double, gates> by_gate{}, of_bed{};  ///< all, and what touched the bed
 };
 
-/// One photon's life; returns the gate in which the detector counts it, or -1.
-int analog_photon(std::mt19937_64& random) {
+struct Detected {
+  int gate = -1;  ///< -1: it is not
+  bool of_bed = false;
+};
+
+/// One photon's life, over a bed or in deep water.
+Detected analog_photon(std::mt19937_64& random, bool over_bed) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const auto direction_cosine = [&] {
     const double s = (1 - g * g) / (1 - g + 2 * g * uniform(random));
@@ -50,7 +64,8 @@ int analog_photon(std::mt19937_64& random) {
     const double rp = (n1 * c2 - n2 * c1) / (n1 * c2 + n2 * c1);
     return (rs * rs + rp * rp) / 2;
   };
-  if (uniform(random) < reflectance(1, index, -kz)) return -1;
+  bool of_bed = false;
+  if (uniform(random) < reflectance(1, index, -kz)) return {};
   kx /= index, ky /= index, kz = -std::sqrt(1 - kx * kx - ky * ky);
   while (true) {
     const double s = -std::log(1 - uniform(random)) / (a + b);
@@ -61,9 +76,19 @@ int analog_photon(std::mt19937_64& random) {
       kz = -kz;
       continue;
     }
+    if (over_bed && z + s * kz < -bed_depth) {
+      const double to_bed = (-bed_depth - z) / kz;
+      x += to_bed * kx, y += to_bed * ky, z = -bed_depth, path += to_bed * group;
+      if (uniform(random) >= bed_albedo(-kz)) return {};
+      of_bed = true;
+      const double sine = std::sqrt(uniform(random));
+      azimuth = 2 * M_PI * uniform(random);
+      kx = sine * std::cos(azimuth), ky = sine * std::sin(azimuth), kz = std::sqrt(1 - sine * sine);
+      continue;
+    }
     x += s * kx, y += s * ky, z += s * kz, path += s * group;
-    if (path > 2 * height + 2 * (gates * gate_depth + 1) * group) return -1;
-    if (uniform(random) >= b / (a + b)) return -1;
+    if (path > 2 * height + 2 * (gates * gate_depth + 1) * group) return {};
+    if (uniform(random) >= b / (a + b)) return {};
     const double c = direction_cosine();
     const double sine = std::sqrt(1 - c * c);
     azimuth = 2 * M_PI * uniform(random);
@@ -82,39 +107,46 @@ int analog_photon(std::mt19937_64& random) {
   const double to_lens = height / kz;
   x += to_lens * kx, y += to_lens * ky, path += to_lens;
   const double r = std::hypot(x, y);
-  if (r > lens_radius || r < obstruction_radius) return -1;
+  if (r > lens_radius || r < obstruction_radius) return {};
   const double distance = focal_length + detector_shift;
   const double dx = x + distance * (kx / kz - x / focal_length),
                dy = y + distance * (ky / kz - y / focal_length);
-  if (std::hypot(dx, dy) > detector_radius) return -1;
+  if (std::hypot(dx, dy) > detector_radius) return {};
   const double depth = (path - 2 * height) / (2 * group);
-  return depth < gates * gate_depth ? static_cast<int>(depth / gate_depth) : -1;
+  return {depth < gates * gate_depth ? static_cast<int>(depth / gate_depth) : -1, of_bed};
 }
 
-Counts analog_counts(std::uint64_t photons) {
+Counts analog_counts(std::uint64_t photons, bool over_bed) {
   constexpr unsigned streams = 4;
   std::array<Counts, streams> counts;
   std::vector<std::jthread> threads;
   for (unsigned i = 0; i < streams; ++i) {
-    threads.emplace_back([&counts, i, photons] {
+    threads.emplace_back([&counts, i, photons, over_bed] {
       std::mt19937_64 random(1234 + i);
       for (std::uint64_t n = 0; n < photons / streams; ++n) {
-        const int gate = analog_photon(random);
-        if (gate >= 0) counts[i].by_gate[static_cast<std::size_t>(gate)] += 1;
+        const auto [gate, of_bed] = analog_photon(random, over_bed);
+        if (gate < 0) continue;
+        counts[i].by_gate[static_cast<std::size_t>(gate)] += 1;
+        if (of_bed) counts[i].of_bed[static_cast<std::size_t>(gate)] += 1;
       }
     });
   }
   threads.clear();
   for (unsigned i = 1; i < streams; ++i) {
-    for (std::size_t k = 0; k < gates; ++k) counts[0].by_gate[k] += counts[i].by_gate[k];
+    for (std::size_t k = 0; k < gates; ++k) {
+      counts[0].by_gate[k] += counts[i].by_gate[k];
+      counts[0].of_bed[k] += counts[i].of_bed[k];
+    }
   }
   return counts[0];
 }
 
-// Seen red: obstruction ignored; refraction factor without n^2.
-TEST(AnalogDetector, CountsWhatTheLocalEstimateExpects) {
-  const auto scene = read(
-      fmt::format(R"(
+std::string scene_of(const std::string& estimator, double photons, bool over_bed) {
+  const std::string bed = fmt::format(
+      "bottom_depth_m = {}\n[bottom]\nalbedo = {{ zenith_deg = [0, 40, 90], albedo = "
+      "[0.3, 0.6, 1.0] }}\n",
+      bed_depth);
+  return fmt::format(R"(
 [source]
 wavelength_nm = 532.0
 position_m = [0.0, 0.0, {height}]
@@ -138,36 +170,65 @@ group_index = {group}
 [[sea.layer]]
 iop = [ {{ wavelength_nm = 532.0, a_per_m = {a}, b_per_m = {b} }} ]
 phase_function = {{ model = "henyey-greenstein", g = {g} }}
-[gates]
+{bed}[gates]
 depth_max_m = {depth}
 depth_step_m = {step}
 [simulation]
-photons = 2000000
+estimator = "{estimator}"
+photons = {photons:.0f}
 seed = 3
 )",
-                  fmt::arg("height", height), fmt::arg("divergence", laser_divergence * 1e3),
-                  fmt::arg("lens", 2 * lens_radius), fmt::arg("focal", focal_length),
-                  fmt::arg("detector", 2 * detector_radius), fmt::arg("shift", detector_shift),
-                  fmt::arg("obstruction", 2 * obstruction_radius), fmt::arg("index", index),
-                  fmt::arg("group", group), fmt::arg("a", a), fmt::arg("b", b), fmt::arg("g", g),
-                  fmt::arg("depth", gates * gate_depth), fmt::arg("step", gate_depth)));
-  const auto result = run_in_lanes(scene);
-  constexpr std::uint64_t photons = 40'000'000;
-  const Counts counts = analog_counts(photons);
-  ZFamily family(0.01);
+                     fmt::arg("height", height), fmt::arg("divergence", laser_divergence * 1e3),
+                     fmt::arg("lens", 2 * lens_radius), fmt::arg("focal", focal_length),
+                     fmt::arg("detector", 2 * detector_radius), fmt::arg("shift", detector_shift),
+                     fmt::arg("obstruction", 2 * obstruction_radius), fmt::arg("index", index),
+                     fmt::arg("group", group), fmt::arg("a", a), fmt::arg("b", b), fmt::arg("g", g),
+                     fmt::arg("depth", gates * gate_depth), fmt::arg("step", gate_depth),
+                     fmt::arg("bed", over_bed ? bed : ""), fmt::arg("estimator", estimator),
+                     fmt::arg("photons", photons));
+}
+
+/// Adds an echo, or a part of it, and counts of so many photons that it is to be the mean of.
+void add(ZFamily& family, const tally::Estimates& echo, std::size_t first,
+         const std::array<double, gates>& counts, std::uint64_t photons) {
   for (std::size_t k = 0; k < gates; ++k) {
-    const double share = counts.by_gate[k] / static_cast<double>(photons);
+    if (counts[k] == 0 && echo.mean[first + k] == 0) continue;
+    const double share = counts[k] / static_cast<double>(photons);
     const double error = std::sqrt(share / static_cast<double>(photons));
-    EXPECT_GT(counts.by_gate[k], 200) << "gate " << k;
-    family.add(result.echo.mean[k], share, std::hypot(error, result.echo.standard_error[k]),
-               fmt::format("gate {}: {} +- {}, analog {} +- {}", k, result.echo.mean[k],
-                           result.echo.standard_error[k], share, error));
-    // Most of it is multiple scattering, or the test would show little.
-    if (k == gates - 1) {
-      EXPECT_LT(result.echo_by_order.mean[gates + k], 0.5 * result.echo.mean[k]);
-    }
+    EXPECT_GT(counts[k], 200) << "gate " << k;
+    family.add(echo.mean[first + k], share, std::hypot(error, echo.standard_error[first + k]),
+               fmt::format("gate {}: {} +- {}, analog {} +- {}", k, echo.mean[first + k],
+                           echo.standard_error[first + k], share, error));
   }
+}
+
+// Seen red: obstruction ignored; refraction factor without n^2.
+TEST(AnalogDetector, CountsWhatTheLocalEstimateExpects) {
+  const auto result = run_in_lanes(read(scene_of("forward", 2e6, false)));
+  constexpr std::uint64_t photons = 40'000'000;
+  ZFamily family(0.01);
+  add(family, result.echo, 0, analog_counts(photons, false).by_gate, photons);
+  // Most of it is multiple scattering, or the test would show little.
+  EXPECT_LT(result.echo_by_order.mean[2 * gates - 1], 0.5 * result.echo.mean[gates - 1]);
   family.judge();
+}
+
+// All three estimators, over a bed whose albedo depends on the angle. Seen red: with the cosine
+// left out of Lambert's law, in photons and in walks; with a bed that absorbs what was scattered.
+TEST(AnalogDetector, CountsWhatTheBedReflects) {
+  constexpr std::uint64_t photons = 10'000'000;
+  const Counts counts = analog_counts(photons, true);
+  for (const auto& [estimator, histories] :
+       {std::pair{"forward", 1e6}, {"bidirectional", 2e5}, {"analog", 6e6}}) {
+    SCOPED_TRACE(estimator);
+    const auto result = run_in_lanes(read(scene_of(estimator, histories, true)));
+    ZFamily family(0.01);
+    add(family, result.echo, 0, counts.by_gate, photons);
+    ASSERT_EQ(result.process_name[1], "bottom");
+    add(family, result.echo_by_process, gates, counts.of_bed, photons);
+    EXPECT_GE(family.size(), 12U);
+    family.judge();
+  }
 }
 
 }  // namespace

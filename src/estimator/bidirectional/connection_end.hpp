@@ -50,7 +50,7 @@ ConnectionEnd<T> scattering_from_laser(const geometry::Slabs& sea, const Vertex<
   const Index<T> here = sea.at(v.line, v.layer);
   ConnectionEnd<T> end;
   end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.elastic_phase, here));
-  end.densities.arriving_edge = goes_on * v.arriving_edge;
+  end.densities.arriving_edge = goes_on * arriving_edge(sea, v, end.densities.p);
   end.densities.behind =
       goes_on *
       inverse_conversion.scattered_over_phase(sea, v.layer, -v.direction, end.densities.p) * behind;
@@ -72,7 +72,7 @@ ConnectionEnd<T> conversion_from_laser(const geometry::Slabs& sea, const Vertex<
   const T ratio = walk_c_ratio<T>(sea, line, v.layer);
   ConnectionEnd<T> end;
   end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.conversion_phase, line));
-  end.densities.arriving_edge = goes_on * v.arriving_edge;
+  end.densities.arriving_edge = goes_on * arriving_edge(sea, v, end.densities.p);
   end.densities.behind = goes_on * inverse_conversion.chance(sea, line, v.layer) *
                          inverse_conversion.over_phase(sea, -v.direction, end.densities.p) * behind;
   end.meeting = goes_on * ratio * freedom.meeting(v, direction);
@@ -95,7 +95,7 @@ ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>&
   end.densities.p = phase_value(sea, v, direction,
                                 select(converts, gather_index<T>(sea.conversion_phase, v.line),
                                        gather_index<T>(sea.elastic_phase, here)));
-  end.densities.arriving_edge = ratio * v.arriving_edge;
+  end.densities.arriving_edge = ratio * arriving_edge(sea, v, end.densities.p);
   end.densities.behind = v.behind.all(freedom.translations);  // 0 before a conversion
   end.meeting = freedom.meeting(v, direction);
   end.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),

@@ -38,16 +38,28 @@ struct Departure {
            ///< here, over that of this walk; 0: no laser's walk draws the path as far as here
 };
 
+/// Density of connecting the edge that came to a vertex, times the density p of the direction in
+/// which it is left. On the bed the edge has a density of its own there: walks draw directions by
+/// their cosine, on the one side or the other.
+template <class T>
+T arriving_edge(const geometry::Slabs& sea, const Vertex<T>& v, const T& p) {
+  using std::abs;
+  if (sea.bed_angles == 0) return v.arriving_edge;
+  const T of_edge = T(pi) / abs(v.direction.z);
+  return v.arriving_edge * select(surface::on_bed<T>(sea, v.layer), p * of_edge, T(1));
+}
+
 /// The ray in which the photon has departed from a vertex.
 template <class T>
-Ray<T> next_ray(const transport::Photon<T>& photon, const Vertex<T>& from,
-                const Departure<T>& departure) {
+Ray<T> next_ray(const geometry::Slabs& sea, const transport::Photon<T>& photon,
+                const Vertex<T>& from, const Departure<T>& departure) {
   Ray<T> ray{walk_point(photon)};
   ray.vertex_chance = from.chance;
   ray.chance = from.chance * departure.chance;
   ray.reverse_chance = from.reverse_chance * departure.reverse_chance;
   ray.per_p = T(1) / departure.p;
-  ray.last_edge = departure.c_ratio * from.arriving_edge * ray.per_p / ray.reverse_chance;
+  ray.last_edge =
+      departure.c_ratio * arriving_edge(sea, from, departure.p) * ray.per_p / ray.reverse_chance;
   ray.behind = from.behind;
   ray.behind.edges = from.behind.edges + ray.last_edge;
   const Mask<T> known = departure.c_ratio > T(0);

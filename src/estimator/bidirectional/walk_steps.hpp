@@ -118,7 +118,7 @@ class WalkSteps {
     book(ledger.absorbed, colliding & !bed, w.photon.weight - photon.weight);
     book(ledger.sea_bed, colliding & bed, w.photon.weight - photon.weight);
     w.photon = any(w.on & !colliding) ? select(colliding, photon, w.photon) : photon;
-    const Ray<T> ray = next_ray(photon, vertex_, departure);
+    const Ray<T> ray = next_ray(sea_, photon, vertex_, departure);
     walks_.add(colliding, w.walk, w.vertices, ray);
     if (walks_.from_telescope()) {
       const Mask<T> pivots = walks_.pivot(sea_, colliding, w.walk, w.vertices - Index<T>(1),

@@ -113,9 +113,11 @@ class Writer {
       leg.reflected = true;
     }
     fly_to(place, leg);
-    photon_.weight *= world_.sea.collision_gain[here()];
     const bool bed = on_bed(world_.sea, place);
-    if (bed) photon_.layer = world_.sea.layers;
+    if (bed)
+      photon_.layer = world_.sea.layers;
+    else
+      photon_.weight *= world_.sea.collision_gain[here()];
     vertex_ = vertex_on(world_.sea, ray_, walks.vertices(0) == 0, spread_, photon_, leg,
                         walks.axis(0), samples_);
     if (walks.from_telescope())
@@ -155,7 +157,7 @@ class Writer {
       if (walks.from_telescope() && photon_.line == 0) departure.chance *= drawn(photon_.direction);
     }
     photon_.layer = world_.sea.layer_of<double>(photon_.layer);
-    ray_ = next_ray(photon_, vertex_, departure);
+    ray_ = next_ray(world_.sea, photon_, vertex_, departure);
     walks.add(true, 0, walks.vertices(0), ray_);
     if (walks.from_telescope())
       walks.pivot(world_.sea, true, 0, walks.vertices(0) - 1, vertex_, ray_,

@@ -48,7 +48,7 @@ TEST_F(WrittenResult, Axes) {
   EXPECT_EQ(file.size("telescope"), 2u);
   EXPECT_EQ(file.size("channel"), 3u);
   EXPECT_EQ(file.size("process"), 3u);
-  EXPECT_EQ(file.size("order"), 6u);
+  EXPECT_EQ(file.size("order"), 7u);
   EXPECT_EQ(file.size("gate"), 100u);
   EXPECT_EQ(file.size("depth"), 100u);
   EXPECT_EQ(file.size("bnds"), 2u);
@@ -56,7 +56,7 @@ TEST_F(WrittenResult, Axes) {
   EXPECT_EQ(file.texts("channel_name"), result_.channel_name);
   EXPECT_EQ(file.texts("process_name"), result_.process_name);
   expect_same(file.numbers("channel_wavelength"), result_.channel_wavelength_nm);
-  expect_same(file.numbers("order"), std::vector<double>{1, 2, 3, 4, 5, 6});
+  expect_same(file.numbers("order"), std::vector<double>{0, 1, 2, 3, 4, 5, 6});
 }
 
 TEST_F(WrittenResult, Gates) {
@@ -173,7 +173,7 @@ TEST_F(WrittenResult, Run) {
   const auto integer = [&](const char* name) {
     return file.attribute<std::int32_t>(NC_GLOBAL, name).at(0);
   };
-  EXPECT_EQ(integer("photic_format"), 2);
+  EXPECT_EQ(integer("photic_format"), 3);
   EXPECT_EQ(integer("partial"), 1);
   EXPECT_EQ(integer("threads"), 2);
 }

@@ -81,10 +81,10 @@ TEST(ReadScene, SomeoneElsesNetcdf) {
 TEST(ReadScene, NewerFormat) {
   const TemporaryFolder folder;
   const std::string path = folder.file("new.nc");
-  write_other(path, 3);
+  write_other(path, 4);
   EXPECT_EQ(error_of<InputError>(path),
             path +
-                ": written by a newer Photic (result format 3; this program reads up to 2) "
+                ": written by a newer Photic (result format 4; this program reads up to 3) "
                 "(use the newer Photic)");
 }
 

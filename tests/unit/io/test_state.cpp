@@ -174,7 +174,7 @@ TEST_F(WrittenState, OfAnEarlierFormatIsRefused) {
     nc_put_att_int(file, NC_GLOBAL, "photic_format", NC_INT, 1, &format);
   });
   EXPECT_EQ(refusal(),
-            "written by Photic 0.1.0 in result format 1; this program goes on from format 2: start "
+            "written by Photic 0.1.0 in result format 1; this program goes on from format 3: start "
             "anew");
 }
 

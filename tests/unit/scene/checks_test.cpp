@@ -177,7 +177,7 @@ step_ns = 1)"}},
       {"MemoryByGates",
        {{28, 28, "depth_step_m = 1e-4\ndepth_cells = 20"}},
        {"scene.toml:28:16: the tallies (telescopes 1, channels 1, gates 500000, orders 6, cells of "
-        "depth 20) would take 3.76 GiB; the limit is 2 GiB (take fewer gates)"}},
+        "depth 20) would take 3.79 GiB; the limit is 2 GiB (take fewer gates)"}},
       {"MemoryByDepths",
        {{28, 28, "depth_step_m = 0.01\ndepth_cells = 10000"}},
        {"scene.toml:29:15: the tallies (telescopes 1, channels 1, gates 5000, orders 6, cells of "

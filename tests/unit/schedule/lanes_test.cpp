@@ -52,15 +52,14 @@ scene::Scene plain_scene(const std::string& more = "", const std::string& estima
                     test::water(0.06, 0.10, test::peaked_phase) + test::depth_gates(50, 1) +
                     test::simulation(estimator == "forward" ? 20000 : 2200, 5, more, estimator));
 }
-/// Over a bed whose albedo depends on the angle, with environments of it.
-scene::Scene bed_scene(const std::string& more = "", const std::string& estimator = "forward") {
+/// Over a bed whose albedo depends on the angle.
+const std::string beds = "[[environment]]\nset = { \"bottom.albedo\" = 0.1 }\n";
+scene::Scene bed_scene(const std::string& estimator = "forward", const std::string& more = "",
+                       const std::string& environments = "") {
   return test::read(test::ship_instrument + test::submerged_telescope + test::channel("elastic") +
                     test::channel("raman") + test::three_layers +
                     "[bottom]\nalbedo = { zenith_deg = [0, 40, 90], albedo = [0.2, 0.5, 0.9] }\n" +
-                    std::string(estimator == "analog"
-                                    ? ""
-                                    : "[[environment]]\nset = { \"bottom.albedo\" = 0.1 }\n") +
-                    test::depth_gates(12, 1) +
+                    environments + test::depth_gates(12, 1) +
                     test::simulation(estimator == "forward" ? 20000 : 2200, 5, more, estimator));
 }
 /// Sets of three walks do not divide a batch.
@@ -68,7 +67,7 @@ std::vector<scene::Scene> bidirectional_scenes() {
   const std::string name = "bidirectional";
   return {plain_scene("", name), plain_scene("walks = 3\nsampling = \"random\"", name),
           rich_scene("max_order = 5", name), rich_scene("walks = 3\nmax_order = 3", name),
-          bed_scene("walks = 2", name)};
+          bed_scene(name, "walks = 2", beds)};
 }
 
 /// All of the forward estimator's tools at once.
@@ -174,7 +173,7 @@ TEST(Lanes, HistoriesAreThoseOfTheScalarEngineInFloat) {
        {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(),
         rich_scene("reception = \"overlap\"\nmax_order = 4"), rich_scene(tools),
         plain_scene("[simulation.tools]\nweight_threshold = 0.5\nat_threshold = \"end\""),
-        rich_scene("max_order = 4", "analog"), bed_scene(), bed_scene("", "analog")}) {
+        rich_scene("max_order = 4", "analog"), bed_scene(), bed_scene("analog")}) {
     const estimator::Model model = estimator::make_model(scene);
     const EventLog scalar = log_scalar(model, photons);
     const scene::Simulation& run = model.scene.simulation;
@@ -239,9 +238,11 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
       EXPECT_LT(difference(lanes.echo.mean, scalar.echo.mean), 1e-5);
       EXPECT_LT(difference(lanes.echo_by_depth.mean, scalar.echo_by_depth.mean), 1e-5);
       EXPECT_LT(difference(lanes.echo_by_order.mean, scalar.echo_by_order.mean), 1e-5);
+      EXPECT_LT(difference(lanes.echo_by_process.mean, scalar.echo_by_process.mean), 1e-5);
     } else {
       expect_near(lanes.echo_by_depth.mean, scalar.echo_by_depth.mean, 1e-13);
       expect_near(lanes.echo_by_order.mean, scalar.echo_by_order.mean, 1e-13);
+      expect_near(lanes.echo_by_process.mean, scalar.echo_by_process.mean, 1e-13);
     }
     const double of_weight = contracts(isa) ? 1e-6 : 1e-12;
     EXPECT_NEAR(lanes.ledger.absorbed, scalar.ledger.absorbed, of_weight);
@@ -259,7 +260,7 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
 TEST(Lanes, EchoesAreThoseOfTheScalarEngineInFloat) {
   for (const auto& scene :
        {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(), rich_scene(tools),
-        rich_scene(tools_of_points), bed_scene(), bed_scene(tools_of_points)})
+        rich_scene(tools_of_points), bed_scene(), bed_scene("forward", tools_of_points, beds)})
     expect_echoes_of_the_scalar_engine(scene);
 }
 TEST(Lanes, BidirectionalEchoesAreThoseOfTheScalarEngineInFloat) {

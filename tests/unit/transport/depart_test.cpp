@@ -189,7 +189,7 @@ TEST(Depart, ScattersTheLasersLightAsDenseAsItSays) {
       const V direction = turned(back.beam, x, std::cos(azimuth), std::sin(azimuth));
       const double p = phase(sea, table, old, direction);
       probability[static_cast<std::size_t>(i / steps)] +=
-          p * back.scattered_over_phase(sea.view(), direction, p);
+          p * back.scattered_over_phase(sea.view(), 1, direction, p);
     }
   }
   double whole = 0;
@@ -203,7 +203,7 @@ TEST(Depart, ScattersTheLasersLightAsDenseAsItSays) {
     const auto departure = estimator::depart(sea.view(), photon, back, uniforms(random), true);
     const double p = phase(sea, table, old, photon.direction);
     ASSERT_NEAR(departure.p / p, 1, 1e-5);
-    ASSERT_NEAR(departure.chance / back.scattered_over_phase(sea.view(), photon.direction, p), 1,
+    ASSERT_NEAR(departure.chance / back.scattered_over_phase(sea.view(), 1, photon.direction, p), 1,
                 1e-4);
     ASSERT_EQ(departure.reverse_chance, 1);
     count[static_cast<std::size_t>(one_minus_cos(back.beam, photon.direction) / cell)] += 1;
