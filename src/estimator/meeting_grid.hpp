@@ -19,6 +19,15 @@ struct MeetingGrid {
   /// The number of points between the surface's level and a depth; and the inverse.
   T number(const T& depth, const Index<T>& order) const { return density(order) * depth; }
   T depth(const T& number, const Index<T>& order) const { return number / density(order); }
+  /// On a sea bed, where there is no depth to choose, rays meet if a point of the grid lies less
+  /// than so far below it: always in paths of three and more vertices [m].
+  T below_bed() const { return T(1) / most; }
+  /// `offset`: of the grid's points.
+  Mask<T> meets_on_bed(const T& depth, const Index<T>& order, const T& offset) const {
+    const T next = number(depth, order) - offset;
+    const T to_next = to_real<T>(floor_index(next + T(1))) - next;
+    return to_next < density(order) * below_bed();
+  }
 };
 
 /// How many samples a set of walks makes of a strategy, per photon that the laser emits.

@@ -74,7 +74,7 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPair<T>& pair, co
     completion_.pass(sea_, {back_.line(pair.pairing.back), at, T(0), at, T(0), longer});
   }
   completion_.collide(sea_, {out.line, layer, back.line > Index<T>(0), back.line,
-                             one_minus_cos(out.direction, -back.direction), T(1)});
+                             one_minus_cos(out.direction, -back.direction), T(-out.direction.z)});
 }
 
 /// Scores with the ratios of the completed paths.

@@ -74,8 +74,8 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
             [&](const auto& pairing, const auto& mask, const DepthLine& out_line,
                 const DepthLine& back_line) {
               if (translates)
-                translate(pairing, mask & reverses(out_line, back_line), out_line, back_line,
-                          start);
+                translate(pairing, mask & reverses(out_line, back_line), out_line, back_line, start,
+                          birth.grid_offset);
               if (rotates) rotate(pairing, mask & (pairing.m > pivot), out_line, back_line, axis);
             });
 }
@@ -91,13 +91,22 @@ Chord<T> Connections<T>::chord_of(const DepthLine& out_line, const DepthLine& ba
 template <class T>
 void Connections<T>::translate(const RayPairing<T>& pairing, const Mask<T>& mask,
                                const DepthLine& out_line, const DepthLine& back_line,
-                               const AtLens<T>& start) {
+                               const AtLens<T>& start, const T& grid_offset) {
   if (!any(mask)) return;
   const auto chord = chord_of(out_line, back_line, pairing.m, start);
   const Mask<T> meet = mask & chord.exists;
   if (any(meet))
     translated_.push(meet, pairing,
                      [this](const auto& e, const auto& all) { serve_translated(e, all); });
+  if (!comes_to_bed()) return;
+  const auto lens = chord.lens.at(world_.deepest);
+  const Mask<T> on_bed =
+      mask & (out_line.rise < T(0)) &
+      (lens.x * lens.x + lens.y * lens.y < telescope_.lens_radius * telescope_.lens_radius) &
+      samples_.grid.meets_on_bed(world_.deepest, pairing.order(), grid_offset);
+  if (any(on_bed))
+    met_on_bed_.push(on_bed, pairing,
+                     [this](const auto& e, const auto& all) { serve_met_on_bed(e, all); });
 }
 
 /// A telescope's walk that is translated sideways.
@@ -157,17 +166,34 @@ PHOTIC_FLATTEN void Connections<T>::serve_translated(const RayPairing<T>& pairin
   const auto meet_on_grid = [&](const Index<T>& lane, const T& number, const Mask<T>& points) {
     const auto& pair = lanes::of_lanes<T>(pairs, lane);
     const T depth = grid.depth(number + pair.birth.grid_offset, pair.pairing.order());
-    const auto lens = pair.lens.at(depth);
-    const Mask<T> passes = points & open_at(telescope_, lens) &
-                           sight(telescope_, lens, -pair.birth.outward).on_detector;
-    if (!any(passes)) return;
-    if (!telescope_.upright) return meet_tilted(pair, passes, lens, depth);
-    const Vec3<T> translation = in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens);
-    meet_at<true>(pair, passes, translated(pair, translation), depth);
+    meet_translated(pair, points, depth, transport::layer_at(sea_, pair.out.layer, depth));
   };
   lanes::each_number(mask, grid.number(chord.from, pairing.order()) - pairs.birth.grid_offset,
                      grid.number(chord.to, pairing.order()) - pairs.birth.grid_offset,
                      meet_on_grid);
+}
+
+template <class T>
+PHOTIC_FLATTEN void Connections<T>::serve_met_on_bed(const RayPairing<T>& pairing,
+                                                     const Mask<T>& mask) {
+  RayPair<T> pair = pair_of(pairing);
+  pair.lens = chord_of(depth_line_of(pair.out), depth_line_of(pair.back), pairing.m,
+                       at_lens(pair.birth, back_.line(pairing.back)))
+                  .lens;
+  meet_translated(pair, mask, world_.deepest, Index<T>(sea_.layers));
+}
+
+/// Rays that meet at a depth, if the telescope's walk then comes through the lens and is seen.
+template <class T>
+void Connections<T>::meet_translated(const RayPair<T>& pair, const Mask<T>& mask, const T& depth,
+                                     const Index<T>& place) {
+  const auto lens = pair.lens.at(depth);
+  const Mask<T> passes =
+      mask & open_at(telescope_, lens) & sight(telescope_, lens, -pair.birth.outward).on_detector;
+  if (!any(passes)) return;
+  if (!telescope_.upright) return meet_tilted(pair, passes, lens, depth, place);
+  const Vec3<T> translation = in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens);
+  meet_at<true>(pair, passes, translated(pair, translation), depth, place);
 }
 
 template <class T>
@@ -179,8 +205,9 @@ PHOTIC_FLATTEN void Connections<T>::serve_rotated(const RotatedPairing<T>& pairi
   Moved<T> moved{pair.back, pair.axis(), gain, near_pivot};
   moved.ray.position = rotation.of_place(pair.back.position);
   moved.ray.direction = rotation.of_direction(pair.back.direction);
-  if (!telescope_.upright) return meet_under_tilted(pair, mask, moved, pairing.depth);
-  meet_at<true>(pair, mask, moved, pairing.depth);
+  const Index<T> layer = transport::layer_at(sea_, pair.out.layer, pairing.depth);
+  if (!telescope_.upright) return meet_under_tilted(pair, mask, moved, pairing.depth, layer);
+  meet_at<true>(pair, mask, moved, pairing.depth, layer);
 }
 
 /// A rotation changes the scattering angle at the pivot, and with it the phase function's value
@@ -216,11 +243,10 @@ std::array<T, 2> Connections<T>::rotate_pivot(RayPair<T>& pair, const Rotation<T
 template <class T>
 template <bool upright>
 void Connections<T>::meet_at(const RayPair<T>& pair, const Mask<T>& mask, const Moved<T>& moved,
-                             const T& depth) {
+                             const T& depth, const Index<T>& layer) {
   const Ray& out = pair.out;
   const auto& birth = pair.birth;
   const auto& pairing = pair.pairing;
-  const Index<T> layer = transport::layer_at(sea_, out.layer, depth);
   const Mask<T> emitting = mask & emits(moved.ray.line, layer);
   if (!any(emitting)) return;
   const T reach = (-out.position.z - depth) / out.direction.z;
@@ -256,7 +282,8 @@ void Connections<T>::meet_at(const RayPair<T>& pair, const Mask<T>& mask, const 
   if (world_.compares) [[unlikely]]
     complete_by_meeting(pair, moved, depth, layer);
   score(pair.pairing, Walked::both, emitting & (meeting.path < receiver_.last_path),
-        {gain * meeting.value, meeting.path, last(), in_path.order, pairing.i, pairing.m});
+        {gain * meeting.value, meeting.path, last(), in_path.order, pairing.i, pairing.m,
+         surface::on_bed<T>(sea_, layer)});
 }
 
 }  // namespace photic::estimator

@@ -79,7 +79,7 @@ PHOTIC_APART Longer<T> Connections<T>::lengthened(const RayPair<T>& pair, T leng
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const RayPair<T>& pair, Mask<T> mask,
                                                              instrument::PlanePoint<T> lens,
-                                                             T depth) {
+                                                             T depth, Index<T> place) {
   const Vec3<T>& outward = pair.birth.outward;
   const auto aside = lens + T(-1) * pair.birth.lens;
   const T longer = longer_by_translation(telescope_, outward, aside);
@@ -89,13 +89,13 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const RayPair<T>& p
     const T begins = select(pair.pairing.m == Index<T>(0), longer, T(0));
     moved.ray.position = pair.back.position - begins * pair.back.direction;
   }
-  meet_at<false>(pair, mask & can_meet(pair, moved.ray, depth), moved, depth);
+  meet_at<false>(pair, mask & can_meet(pair, moved.ray, depth), moved, depth, place);
 }
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_under_tilted(const RayPair<T>& pair,
                                                                    Mask<T> mask, Moved<T> moved,
-                                                                   T depth) {
-  meet_at<false>(pair, mask, moved, depth);
+                                                                   T depth, Index<T> place) {
+  meet_at<false>(pair, mask, moved, depth, place);
 }
 
 }  // namespace photic::estimator

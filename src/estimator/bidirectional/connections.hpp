@@ -129,6 +129,7 @@ struct FoundPath {
   T length{};                                    ///< group path [m]
   T last{};                                      ///< depth at which light was last scattered [m]
   Index<T> order{}, of_laser{}, of_telescope{};  ///< vertices: all, and those of the two walks
+  Mask<T> met_on_bed{};
 };
 
 using tally::Walked;
@@ -175,7 +176,7 @@ class Connections {
   void each_pair(std::size_t first_laser, std::size_t walks, std::size_t back, Act act);
   std::int32_t list_laser_rays(std::size_t first, std::size_t walks);
   void translate(const RayPairing<T>& pairing, const Mask<T>& mask, const DepthLine& out_line,
-                 const DepthLine& back_line, const AtLens<T>& start);
+                 const DepthLine& back_line, const AtLens<T>& start, const T& grid_offset);
   Chord<T> chord_of(const DepthLine& out_line, const DepthLine& back_line, const Index<T>& m,
                     const AtLens<T>& start) const;
   Chord<T> tilted_chord(DepthLine out_line, DepthLine back_line, Index<T> m, AtLens<T> start) const;
@@ -187,6 +188,7 @@ class Connections {
   void serve_to_laser(const Pairing<T>& pairing, const Mask<T>& mask);
   void serve_between(const Pairing<T>& pairing, const Mask<T>& mask);
   void serve_translated(const RayPairing<T>& pairing, const Mask<T>& mask);
+  void serve_met_on_bed(const RayPairing<T>& pairing, const Mask<T>& mask);
   void serve_rotated(const RotatedPairing<T>& pairing, const Mask<T>& mask);
 
   void by_sightline(const Pairing<T>& pairing, const Mask<T>& mask, const Vertex& v,
@@ -198,14 +200,19 @@ class Connections {
              const T& length, const Usable<T>& usable);
   RayPair<T> pair_of(const RayPairing<T>& pairing) const;
   Moved<T> translated(const RayPair<T>& pair, const Vec3<T>& translation) const;
-  void meet_tilted(const RayPair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens, T depth);
-  void meet_under_tilted(const RayPair<T>& pair, Mask<T> mask, Moved<T> moved, T depth);
+  void meet_translated(const RayPair<T>& pair, const Mask<T>& mask, const T& depth,
+                       const Index<T>& place);
+  void meet_tilted(const RayPair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens, T depth,
+                   Index<T> place);
+  void meet_under_tilted(const RayPair<T>& pair, Mask<T> mask, Moved<T> moved, T depth,
+                         Index<T> place);
   [[nodiscard]] Mask<T> can_meet(const RayPair<T>& pair, const Ray& moved, const T& depth) const;
   Longer<T> lengthened(const RayPair<T>& pair, T length) const;
   [[nodiscard]] FirstLeg<T> first_leg(const BirthRecord<T>& birth, const Index<T>& back) const;
   std::array<T, 2> rotate_pivot(RayPair<T>& pair, const Rotation<T>& rotation) const;
   template <bool upright>
-  void meet_at(const RayPair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth);
+  void meet_at(const RayPair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth,
+               const Index<T>& place);
 
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
     return {order, world_.most_vertices};
@@ -230,6 +237,10 @@ class Connections {
   /// Whether light of the laser's line can leave a layer as light of a line.
   [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {
     return (line == Index<T>(0)) | (gather<T>(sea_.conversion, sea_.at(line, layer)) > T(0));
+  }
+  /// Whether there is a bed that reflects light within the gates.
+  [[nodiscard]] bool comes_to_bed() const {
+    return sea_.bed_angles > 0 && all(world_.deepest >= T(sea_.top[sea_.layers]));
   }
   /// The densities behind a vertex of the laser's walk, in a path in which the telescope's walk may
   /// be moved so.
@@ -293,8 +304,12 @@ class Connections {
   }
   [[nodiscard]] lanes::LaneScores<T> scores_of(const Pairing<T>& pairing, Walked walked,
                                                const FoundPath<T>& path) const {
-    const Index<T> touched = laser_.touched(pairing.laser, path.of_laser) |
-                             back_.touched(pairing.back, path.of_telescope);
+    Index<T> touched(0);
+    if (sea_.bed_angles > 0)
+      touched =
+          select(path.met_on_bed, Index<T>(static_cast<std::int32_t>(transport::Touched::bed)),
+                 laser_.touched(pairing.laser, path.of_laser) |
+                     back_.touched(pairing.back, path.of_telescope));
     return {receiver_.telescope,
             world_.path_to_origin[receiver_.telescope],
             transport::light_of<T>(sea_, back_.line(pairing.back), touched),
@@ -314,7 +329,7 @@ class Connections {
   const Walks<T>& back_;
   tally::BatchTally& tally_;
   VertexQueue to_telescope_, to_laser_, between_;
-  RayQueue translated_;
+  RayQueue translated_, met_on_bed_;
   lanes::Queue<T, RotatedPairing<T>> rotated_;
   std::vector<std::int32_t> walk_of_, ray_of_;  ///< the laser's rays that may meet a telescope's
   lanes::LaneColumns<T, DepthLine, most_vertices + 1 + lanes_of<T>>
@@ -330,6 +345,7 @@ void Connections<T>::flush() {
   to_laser_.flush([this](const auto& e, const auto& mask) { serve_to_laser(e, mask); });
   between_.flush([this](const auto& e, const auto& mask) { serve_between(e, mask); });
   translated_.flush([this](const auto& e, const auto& mask) { serve_translated(e, mask); });
+  met_on_bed_.flush([this](const auto& e, const auto& mask) { serve_met_on_bed(e, mask); });
   rotated_.flush([this](const auto& e, const auto& mask) { serve_rotated(e, mask); });
   scores_.flush(tally_);
 }

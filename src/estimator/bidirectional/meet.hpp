@@ -314,11 +314,12 @@ Meeting<T> meet(const geometry::Slabs& sea, const Side<T>& laser_side, const Sid
   const T walk_mean_path = gather<T>(sea.walk_mean_path, here);
   const T coefficient =
       select(converts, gather<T>(sea.conversion, here) * gather<T>(sea.c.first, layer),
-             gather<T>(sea.albedo, here) * gather<T>(sea.c.first, here)) *
+             transport::scattered_share(sea, line, layer, T(-laser.direction.z)) *
+                 gather<T>(sea.c.first, here)) *
       walk_mean_path;
   const Index<T> phase = select(converts, gather_index<T>(sea.conversion_phase, line),
                                 gather_index<T>(sea.elastic_phase, here));
-  const T p = sea.phases.template value<T>(one_minus_cos(laser.direction, -back.direction), phase);
+  const T p = transport::scattered_density(sea, layer, phase, laser.direction, -back.direction);
 
   // Densities of the strategies, each times p and both rays' exp(-tau) of the walk's coefficient:
   // meeting here, connecting either ray's edge, meeting where either ray begins, all behind them.
@@ -326,11 +327,19 @@ Meeting<T> meet(const geometry::Slabs& sea, const Side<T>& laser_side, const Sid
   const T jacobian = rotation_jacobian(laser.position + length_out * laser.direction,
                                        laser.direction, back.direction)
                          .about(freedom.axis);
-  const T here_met = (freedom.translations * steep + samples.rotated * T(2 * pi) * jacobian) *
-                     back.chance * walk_mean_path;
+  T moved = freedom.translations * steep + samples.rotated * T(2 * pi) * jacobian;
+  T out_over_back(1);  // what p of the laser's edge is to that of the telescope's, on the bed
+  if (sea.bed_angles > 0) {
+    const Mask<T> bed = surface::on_bed<T>(sea, layer);
+    const T on_bed = T(-samples.grid.below_bed()) * back.direction.z;
+    moved = select(bed, freedom.translations * on_bed, moved);
+    out_over_back = select(bed, back.direction.z / laser.direction.z, T(1));
+  }
+  const T here_met = moved * back.chance * walk_mean_path;
   const T ratio = walk_c_ratio<T>(sea, line, layer);
-  const T connected = back.chance * laser_side.connecting(sea, length_out, samples) * walked_back +
-                      ratio * side.connecting(sea, length_back, samples) * walked_out;
+  const T connected =
+      back.chance * out_over_back * laser_side.connecting(sea, length_out, samples) * walked_back +
+      ratio * side.connecting(sea, length_back, samples) * walked_out;
   const T goes_on =
       back.chance * inverse_conversion.goes_on(sea, line, layer, converts, -laser.direction, p);
   const T met_next = goes_on * laser_side.meeting * walked_back + side.meeting * walked_out;

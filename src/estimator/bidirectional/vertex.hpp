@@ -99,9 +99,13 @@ Vertex<T> vertex_on(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>
   v.arriving_edge = connecting_area(sea, ray, first, spread, leg.length, samples) *
                     select(first, growth, straight);
   T drawn = ray.chance * growth * gather<T>(sea.walk_mean_path, sea.at(photon.line, photon.layer));
-  if (sea.bed_angles > 0)  // its depth cannot be chosen
-    drawn = select(surface::on_bed<T>(sea, photon.layer), T(0), drawn);
   v.translated = drawn * photon.direction.z;
+  if (sea.bed_angles > 0) {
+    const Mask<T> bed = surface::on_bed<T>(sea, photon.layer);
+    // Translated rays come to one point of it, whatever their angles; rotated ones do not.
+    v.translated = select(bed, T(-samples.grid.below_bed()) * drawn, v.translated);
+    drawn = select(bed, T(0), drawn);
+  }
   v.rotated = samples.rotated * T(2 * pi) * drawn;
   v.added_rotated = ray.rotated;
   const T growth_per_reverse = growth / ray.reverse_chance;

@@ -73,7 +73,9 @@ class Scores {
   /// The telescope's walk is that of another path, which is translated sideways.
   double translated(std::int32_t i, const Path& other) {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
-    const double number = grid.number(-path_.x(i).z, path_.order());
+    // On the bed by a point of the grid below it.
+    const double number =
+        grid.number(-path_.x(i).z, path_.order()) + (on_bed(world_.sea, path_.x(i)) ? 0.05 : 0);
     const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true,
                                      number - std::floor(number));
     Connections<double>(world_, receiver_, samples_, laser, back, tally_)

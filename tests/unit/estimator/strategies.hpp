@@ -56,6 +56,9 @@ struct StrategiesOfPath {
     const double last = -path.x(path.order()).z;
     const bool translates = i == path.order() || all_points_reach(world.telescopes[0], last);
     if (steep <= 0 || !translates) return 0;
+    if (is_on_bed(i))  // A pi exp(tau + tau'), as often as a point of the grid lies that far below
+      return samples.translated(path.order()) * samples.grid.below_bed() * translation_area * pi *
+             met_but(i);
     return samples.translated(path.order()) * translation_area * steep * drawn_but(i);
   }
   /// Whether telescopes' walks may be rotated about the pivot.
@@ -97,9 +100,11 @@ struct StrategiesOfPath {
  private:
   /// Where rays can meet at vertex i: 1 over what is not drawn of it.
   [[nodiscard]] double drawn_but(std::int32_t i) const {
-    if (is_on_bed(i) || i > most || path.order() - i + 1 > most) return 0;
-    return std::exp(at(i - 1).walk_tau + at(i).walk_tau) * chance_of_meeting(i) /
-           (walk_c(i) * phase(i, i));
+    return is_on_bed(i) ? 0 : met_but(i) / (walk_c(i) * phase(i, i));
+  }
+  [[nodiscard]] double met_but(std::int32_t i) const {
+    if (i > most || path.order() - i + 1 > most) return 0;
+    return std::exp(at(i - 1).walk_tau + at(i).walk_tau) * chance_of_meeting(i);
   }
   [[nodiscard]] const Edge& at(std::int32_t e) const { return edge[static_cast<std::size_t>(e)]; }
   [[nodiscard]] std::int32_t layer(std::int32_t i) const { return medium.layer_at(-path.x(i).z); }
