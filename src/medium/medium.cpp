@@ -79,7 +79,7 @@ TwinPairs Medium::with_integrals(const std::vector<double>& coefficient, double 
     for (std::size_t i = 0; i < coefficient.size(); ++i) to_tops[i] = to_tops[i + i / n_layers];
     to_tops.resize(coefficient.size());
   }
-  return {with_bed(coefficient, at_bed), to_tops};
+  return {with_bed<double>(coefficient, at_bed), to_tops};
 }
 
 std::vector<double> Medium::environment_rows() const {
@@ -95,7 +95,7 @@ std::vector<double> Medium::environment_rows() const {
     }
   };
   const auto add = [&](const std::vector<double>& table, std::size_t numbers = 1) {
-    add_rows(with_bed(table, 0.0, numbers));
+    add_rows(with_bed<double>(table, 0.0, numbers));
   };
   add(environments.excess_c);
   auto to_edges = depth_integrals(environments.excess_c);
@@ -143,17 +143,17 @@ void Medium::finish() {
   top_ = TwinTable(top);
   bed_albedo_ = TwinTable(bed_albedo);
   c_ = with_integrals(c, 1);
-  albedo_ = TwinTable(with_bed(albedo, 1.0));
-  absorption_ = TwinTable(with_bed(absorption, 0.0));
+  albedo_ = TwinTable(with_bed<double>(albedo, 1.0));
+  absorption_ = TwinTable(with_bed<double>(absorption, 0.0));
   const auto to_edges = depth_integrals(c);
   std::vector<double> to_bed;
   for (std::size_t l = 1; l <= n_lines; ++l) to_bed.push_back(to_edges[l * (n_layers + 1) - 1]);
   bed_tau_ = TwinTable(to_bed);
   by_depth_ = Layering(top, layers());
   environment_rows_ = TwinTable(environment_rows());
-  part_phase_ = IndexTableOwner(with_bed(environments.part_phase, std::int32_t{0},
-                                         static_cast<std::size_t>(environments.parts)));
-  elastic_phase_ = IndexTableOwner(with_bed(elastic_phase, elastic_phase.front()));
+  part_phase_ = IndexTableOwner(with_bed<std::int32_t>(
+      environments.part_phase, 0, static_cast<std::size_t>(environments.parts)));
+  elastic_phase_ = IndexTableOwner(with_bed<std::int32_t>(elastic_phase, {}));
   conversion_phase_ = IndexTableOwner(conversion_phase);
   finish_bands();
 }
@@ -187,7 +187,7 @@ void Medium::finish_bands() {
     list.resize(static_cast<std::size_t>(bands_));
     padded_lists.insert(padded_lists.end(), list.begin(), list.end());
   }
-  conversion_ = TwinTable(with_bed(emitted, 0.0));
+  conversion_ = TwinTable(with_bed<double>(emitted, 0.0));
   line_of_spectral_bin_ = IndexTableOwner(line_of_spectral_bin);
   convertible_ = IndexTableOwner(padded_lists);
   convertible_count_ = IndexTableOwner(list_lengths);

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -239,16 +240,19 @@ class Medium {
   /// Integrals over depth from the surface to the layers' edges, [line][layers + 1], for as many
   /// lines as there are coefficients of.
   [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
-  /// A table [line][layer], so many numbers each, with those of a bed that reflects.
+  /// A table [line][layer], so many numbers each, with those of a bed that reflects; none: as in
+  /// the last layer.
   template <class Number>
-  [[nodiscard]] std::vector<Number> with_bed(const std::vector<Number>& table, Number at_bed,
+  [[nodiscard]] std::vector<Number> with_bed(const std::vector<Number>& table,
+                                             std::optional<Number> at_bed,
                                              std::size_t numbers = 1) const {
     if (bed_albedo.empty()) return table;
     const std::size_t row = static_cast<std::size_t>(layers()) * numbers;
     std::vector<Number> out;
     for (auto from = table.begin(); from != table.end(); from += static_cast<std::ptrdiff_t>(row)) {
       out.insert(out.end(), from, from + static_cast<std::ptrdiff_t>(row));
-      out.insert(out.end(), numbers, at_bed);
+      for (std::size_t k = 0; k < numbers; ++k)
+        out.push_back(at_bed ? *at_bed : *(from + static_cast<std::ptrdiff_t>(row - numbers + k)));
     }
     return out;
   }

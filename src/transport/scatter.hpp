@@ -71,42 +71,36 @@ struct Deflection {
 
 /// Draws one from the mixture
 ///   q = (1 - e) p(old, new) + e weighted mean over targets of lobe or cone(target, new),
-/// p and lobe being tables of the medium, e = `directed` where there are targets and 0 elsewhere.
-template <class T, int capacity>
-Deflection<T> deflect_in_water(const medium::MediumView& sea, const Vec3<T>& old,
-                               const Index<T>& phase, const Index<T>& lobe,
-                               const Targets<T, capacity>& targets, const T& directed,
-                               const ScatterUniforms<T>& u) {
-  const auto [cos_azimuth, sin_azimuth] = cos_sin_of_turns(u.azimuth);
-  const T share = targets.share(directed);
-  if (!any(share > T(0)))
-    return {old, sea.phases.sample<T>(u.polar, phase), cos_azimuth, sin_azimuth};
-  const Mask<T> towards = u.mixture < share;
-  Vec3<T> axis = old;
-  T cone(0);
-  T rest = u.target * targets.total_weight;
-  for (int i = 0; i < targets.count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const Mask<T> taken = towards & (rest >= T(0)) & (rest < targets.weight[k]);
-    axis = select(taken, targets.direction[k], axis);
-    cone = select(taken, targets.cone[k], cone);
-    rest = rest - targets.weight[k];
-  }
-  const T from_table = sea.phases.sample<T>(u.polar, select(towards, lobe, phase));
-  return {axis, select(cone > T(0), u.polar * cone, from_table), cos_azimuth, sin_azimuth};
-}
-
-/// The same anywhere; from the bed by Lambert's law alone.
+/// p and lobe being tables of the medium, p on the bed Lambert's law; e = `directed` where there
+/// are targets and 0 elsewhere.
 template <class T, int capacity>
 Deflection<T> deflect(const medium::MediumView& sea, const Index<T>& layer, const Vec3<T>& old,
                       const Index<T>& phase, const Index<T>& lobe,
                       const Targets<T, capacity>& targets, const T& directed,
                       const ScatterUniforms<T>& u) {
-  Deflection<T> out = deflect_in_water(sea, old, phase, lobe, targets, directed, u);
+  const auto [cos_azimuth, sin_azimuth] = cos_sin_of_turns(u.azimuth);
+  Deflection<T> out{old, {}, cos_azimuth, sin_azimuth};
+  const T share = targets.share(directed);
+  const bool aims = any(share > T(0));
+  const Mask<T> towards = u.mixture < share;
+  T cone(0);
+  if (aims) {
+    T rest = u.target * targets.total_weight;
+    for (int i = 0; i < targets.count; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const Mask<T> taken = towards & (rest >= T(0)) & (rest < targets.weight[k]);
+      out.axis = select(taken, targets.direction[k], out.axis);
+      cone = select(taken, targets.cone[k], cone);
+      rest = rest - targets.weight[k];
+    }
+  }
+  out.one_minus_cos = sea.phases.sample<T>(u.polar, aims ? select(towards, lobe, phase) : phase);
+  if (aims) out.one_minus_cos = select(cone > T(0), u.polar * cone, out.one_minus_cos);
   if (sea.bed_angles == 0) return out;
-  const Mask<T> bed = surface::on_bed<T>(sea, layer);
-  out.axis = select(bed, Vec3<T>{T(0), T(0), T(1)}, out.axis);
-  out.one_minus_cos = select(bed, surface::lambert_one_minus_cos(u.polar), out.one_minus_cos);
+  const Mask<T> by_lambert = surface::on_bed<T>(sea, layer) & !towards;
+  out.axis = select(by_lambert, Vec3<T>{T(0), T(0), T(1)}, out.axis);
+  out.one_minus_cos =
+      select(by_lambert, surface::lambert_one_minus_cos(u.polar), out.one_minus_cos);
   return out;
 }
 
@@ -117,14 +111,14 @@ Vec3<T> turned(const Deflection<T>& by) {
 }
 
 /// p / q <= 1 / (1 - e) of a new direction, both terms always in q (Veach & Guibas, SIGGRAPH 95,
-/// balance heuristic); 1 where there are no targets, and on the bed.
+/// balance heuristic); 1 where there are no targets.
 template <class T, int capacity>
 T true_over_drawn(const medium::MediumView& sea, const Index<T>& layer, const Vec3<T>& old,
                   const Vec3<T>& fresh, const Index<T>& phase, const Index<T>& lobe,
                   const Targets<T, capacity>& targets, const T& directed) {
   const T share = targets.share(directed);
   if (!any(share > T(0))) return T(1);
-  const T p = sea.phases.value<T>(one_minus_cos(old, fresh), phase);
+  const T p = scattered_density(sea, layer, phase, old, fresh);
   T towards_density(0);
   for (int i = 0; i < targets.count; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -138,8 +132,7 @@ T true_over_drawn(const medium::MediumView& sea, const Index<T>& layer, const Ve
     towards_density = towards_density + targets.weight[k] * density;
   }
   const T weighted = p * select(targets.total_weight > T(0), targets.total_weight, T(1));
-  const T ratio = weighted / ((T(1) - share) * weighted + share * towards_density);
-  return sea.bed_angles == 0 ? ratio : select(surface::on_bed<T>(sea, layer), T(1), ratio);
+  return weighted / ((T(1) - share) * weighted + share * towards_density);
 }
 
 }  // namespace photic::transport

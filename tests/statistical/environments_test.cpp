@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
         // Seen red: with the albedo of the scene for light that is reflected, in one of the
         // estimators.
         Case{"bed", three, bed_here, beds_changed, 6, 2e6, 40},
-        Case{"bidirectional_bed", three, bed_here, beds_changed, 6, 2e5, 40, "bidirectional"}),
+        Case{"bidirectional_bed", three, bed_here, beds_changed, 6, 2e5, 30, "bidirectional"}),
     [](const auto& test) { return test.param.name; });
 
 scene::Scene algae_scene(double mg_m3, std::uint64_t seed) {

@@ -24,6 +24,7 @@
 //   connected:   1 / g = d^2 exp(tau) / (P_j P_{j+1})               edge j has the length d
 //   translated:  1 / g = A |cos cos'| exp(tau + tau') / (c' P_i)    per metre of depth
 //   rotated:     1 / g = 2 pi S exp(tau + tau') / (c' P_i)
+//   on the bed:  1 / g = A l pi exp(tau + tau')    translated, l = MeetingGrid::below_bed()
 // P_i is the phase function at x_i, on the bed |cos| / pi of the connected edge itself. c' is the
 // coefficient that free paths are drawn from, tau the optical depth of an edge by c'. cos, cos',
 // tau, tau' are those of both edges at x_i. A is the translation_area of the telescope, S the

@@ -162,7 +162,9 @@ struct ForwardSteps {
                                    t.branch.phase, t.branch.lobe, t.targets, world.directed);
     t.photon.weight = t.photon.weight * select(t.colliding, ratio, T(1));
   }
+  /// Those who were sent towards a target below it end: no light goes there.
   void leave_bed(Travellers<T>& t) {
+    t.on = t.on & !(t.colliding & (t.photon.weight == T(0)));
     t.photon.layer =
         select(t.colliding, world.sea.template layer_of<T>(t.photon.layer), t.photon.layer);
   }

@@ -102,6 +102,42 @@ TEST(SeaBed, SendsPhotonsOutAsLambertSays) {
   counts.judge();
 }
 
+// Towards a telescope, as often as in the water; what is drawn too often weighs less. Seen red:
+// with the phase function's density for the bed's; with light that goes down on weighing something.
+TEST(SeaBed, SendsPhotonsTowardsTargets) {
+  Random random(79);
+  const Sea sea = make_sea(30, albedos());
+  const auto view = sea.view();
+  constexpr int samples = 200000;
+  constexpr double directed = 0.5;
+  Targets<double, 1> targets{};
+  targets.add(normalised(V{0.5, 0.2, 1}), 0.0, 1.0);
+  const std::int32_t phase = sea.elastic_phase[1];
+  double sum = 0, squares = 0, of_cosine = 0, squares_of_cosine = 0;
+  int towards = 0;
+  for (int i = 0; i < samples; ++i) {
+    const V old = photon_on_bed(sea, random).direction;
+    const V fresh = turned(
+        deflect<double>(view, sea.layers(), old, phase, phase, targets, directed,
+                        {random.uniform(), random.uniform(), random.uniform(), random.uniform()}));
+    const double weight =
+        true_over_drawn<double>(view, sea.layers(), old, fresh, phase, phase, targets, directed);
+    ASSERT_LE(weight, 1 / (1 - directed) + 1e-12);
+    if (fresh.z < 0) {
+      ASSERT_EQ(weight, 0);
+    }
+    towards += one_minus_cos(targets.direction[0], fresh) < 0.1 ? 1 : 0;
+    sum += weight, squares += weight * weight;
+    of_cosine += weight * fresh.z, squares_of_cosine += weight * fresh.z * (weight * fresh.z);
+  }
+  const auto error = [](double s, double s2) {
+    return std::sqrt((s2 / samples - s * s / samples / samples) / samples);
+  };
+  EXPECT_NEAR(sum / samples, 1, 4 * error(sum, squares));
+  EXPECT_NEAR(of_cosine / samples, 2.0 / 3, 4 * error(of_cosine, squares_of_cosine));
+  EXPECT_GT(towards, 0.3 * samples);
+}
+
 // A walk from a telescope draws the direction from which light comes, and takes its albedo. Seen
 // red: with the angle on the telescope's side; with a lobe about the beam.
 TEST(SeaBed, SendsWalksOutAsLambertSays) {
