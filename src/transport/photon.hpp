@@ -18,7 +18,8 @@ struct Photon {
   Index<T> order{};    ///< scatterings and conversions so far
   Index<T> touched{};  ///< by this light, Touched
 
-  /// Calls f(member) for each.
+  /// Calls f(member) for each, but for what it has touched: that is the same of all where there is
+  /// nothing but water.
   template <class F>
   constexpr void each_member(F f) {
     each_member_of(f, *this);
@@ -28,6 +29,7 @@ struct Photon {
     each_member_of(
         [&mask](auto& member, const auto& a, const auto& b) { member = select(mask, a, b); }, out,
         yes, no);
+    out.touched = select(mask, yes.touched, no.touched);
     return out;
   }
 
@@ -38,7 +40,7 @@ struct Photon {
     f(p.position.x...), f(p.position.y...), f(p.position.z...);
     f(p.direction.x...), f(p.direction.y...), f(p.direction.z...);
     f(p.weight...), f(p.analog_weight...), f(p.path...);
-    f(p.line...), f(p.layer...), f(p.order...), f(p.touched...);
+    f(p.line...), f(p.layer...), f(p.order...);
   }
 };
 

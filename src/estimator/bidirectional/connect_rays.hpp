@@ -66,6 +66,7 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
   const bool translates = moves != Moves::rotations && any(birth.translation_area > T(0));
   const bool rotates =
       moves != Moves::translations && any(samples_.rotated > T(0)) && back_.pivot_vertex(back) >= 0;
+  if (translates && comes_to_bed()) meetings_on_bed(first_laser, walks, back);
   if (!translates && !rotates) return;
   const auto axis = back_.axis(Index<T>(back));
   const Index<T> pivot(back_.pivot_vertex(back));
@@ -74,8 +75,8 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
             [&](const auto& pairing, const auto& mask, const DepthLine& out_line,
                 const DepthLine& back_line) {
               if (translates)
-                translate(pairing, mask & reverses(out_line, back_line), out_line, back_line, start,
-                          birth.grid_offset);
+                translate(pairing, mask & reverses(out_line, back_line), out_line, back_line,
+                          start);
               if (rotates) rotate(pairing, mask & (pairing.m > pivot), out_line, back_line, axis);
             });
 }
@@ -91,22 +92,38 @@ Chord<T> Connections<T>::chord_of(const DepthLine& out_line, const DepthLine& ba
 template <class T>
 void Connections<T>::translate(const RayPairing<T>& pairing, const Mask<T>& mask,
                                const DepthLine& out_line, const DepthLine& back_line,
-                               const AtLens<T>& start, const T& grid_offset) {
+                               const AtLens<T>& start) {
   if (!any(mask)) return;
   const auto chord = chord_of(out_line, back_line, pairing.m, start);
   const Mask<T> meet = mask & chord.exists;
   if (any(meet))
     translated_.push(meet, pairing,
                      [this](const auto& e, const auto& all) { serve_translated(e, all); });
-  if (!comes_to_bed()) return;
-  const auto lens = chord.lens.at(world_.deepest);
-  const Mask<T> on_bed =
-      mask & (out_line.rise < T(0)) &
-      (lens.x * lens.x + lens.y * lens.y < telescope_.lens_radius * telescope_.lens_radius) &
-      samples_.grid.meets_on_bed(world_.deepest, pairing.order(), grid_offset);
-  if (any(on_bed))
-    met_on_bed_.push(on_bed, pairing,
-                     [this](const auto& e, const auto& all) { serve_met_on_bed(e, all); });
+}
+
+/// Rays that both come to the bed so that the telescope's walk comes through the lens if they meet
+/// there.
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meetings_on_bed(std::size_t first_laser,
+                                                                 std::size_t walks,
+                                                                 std::size_t back) {
+  const auto birth = back_.birth_record_in_all_lanes(back);
+  const auto start = at_lens(birth, back_.line(Index<T>(back)));
+  const T bed = world_.deepest;
+  const T radius = telescope_.lens_radius;
+  each_pair(
+      first_laser, walks, back,
+      [&](const auto& pairing, const auto& mask, const DepthLine& out_line,
+          const DepthLine& back_line) {
+        const Mask<T> down = mask & (out_line.rise < T(0)) & (back_line.rise < T(0)) &
+                             samples_.grid.meets_on_bed(bed, pairing.order(), birth.grid_offset);
+        if (!any(down)) return;
+        const auto lens = chord_of(out_line, back_line, pairing.m, start).lens.at(bed);
+        const Mask<T> meet = down & (lens.x * lens.x + lens.y * lens.y < radius * radius);
+        if (any(meet))
+          met_on_bed_.push(meet, pairing,
+                           [this](const auto& e, const auto& all) { serve_met_on_bed(e, all); });
+      });
 }
 
 /// A telescope's walk that is translated sideways.

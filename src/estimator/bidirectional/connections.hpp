@@ -175,8 +175,9 @@ class Connections {
   template <class Act>
   void each_pair(std::size_t first_laser, std::size_t walks, std::size_t back, Act act);
   std::int32_t list_laser_rays(std::size_t first, std::size_t walks);
+  void meetings_on_bed(std::size_t first_laser, std::size_t walks, std::size_t back);
   void translate(const RayPairing<T>& pairing, const Mask<T>& mask, const DepthLine& out_line,
-                 const DepthLine& back_line, const AtLens<T>& start, const T& grid_offset);
+                 const DepthLine& back_line, const AtLens<T>& start);
   Chord<T> chord_of(const DepthLine& out_line, const DepthLine& back_line, const Index<T>& m,
                     const AtLens<T>& start) const;
   Chord<T> tilted_chord(DepthLine out_line, DepthLine back_line, Index<T> m, AtLens<T> start) const;

@@ -216,6 +216,32 @@ TEST(Bottom, EveryTextOfWhatIsWrong) {
             "lower the last layer's bottom_depth_m)");
 }
 
+// Seen red, each for itself: with a black bed remarked on; without the look at each of the edges.
+TEST(Bottom, IsRemarkedOnWhereGatesMissIt) {
+  const auto remarks = [](const std::string& depth, double min, double max, double step) {
+    return read_scene_text(
+               over_bed("0.1", depth), "scene.toml", "/",
+               {fmt::format("gates.depth_min_m={}", min), fmt::format("gates.depth_max_m={}", max),
+                fmt::format("gates.depth_step_m={}", step)})
+        .remarks;
+  };
+  EXPECT_EQ(remarks("60", 0.3, 61.3, 0.5), Texts{});
+  EXPECT_EQ(remarks("60.3", 0, 62, 0.5), Texts{});
+  EXPECT_EQ(
+      remarks("60", 0, 60, 0.5),
+      Texts{"--set gates.depth_max_m: the last gate ends before the light of the sea bed at 60 "
+            "m comes: end the gates below it to see that"});
+  EXPECT_EQ(
+      remarks("60", 61, 70, 0.5),
+      Texts{"--set gates.depth_min_m: the gates begin below the sea bed at 60 m: of its light "
+            "they hold only what comes late"});
+  EXPECT_EQ(
+      remarks("60", 0, 70, 0.5),
+      Texts{"--set gates.depth_step_m: a gate begins at the sea bed at 60 m: rounding may put "
+            "some of its light into the gate before; let no gate begin within 0.1 mm of the "
+            "bed"});
+}
+
 // Seen red, each for itself: with paths of the bed refused; with the scene's bed in environments.
 TEST(Bottom, MayDifferInEnvironments) {
   const std::string environments =
