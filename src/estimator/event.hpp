@@ -30,6 +30,7 @@ struct Track {
   transport::Photon<T> photon;
   Mask<T> on{};         ///< who is on the way
   Mask<T> colliding{};  ///< of them, whose flight has ended in a collision
+  Index<T> touched{};   ///< by their light, transport::Touched; of walks not kept
 };
 
 /// Those of a mask end here; an account of the ledger takes their weight.
@@ -48,6 +49,7 @@ void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
   const Mask<T> entered = transport::enter_water(world.sea, world.laser_region, t.photon);
   book(ledger.escaped, exist, select(entered, emitted - t.photon.weight, emitted));
   t.on = exist & entered;
+  t.touched = Index<T>(0);
 }
 
 /// Flights of all: at their ends, who has not come to the sea bed, nor comes too late, stands at

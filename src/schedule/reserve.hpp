@@ -55,7 +55,7 @@ class Reserve {
     member(t.place.event);
     // What is the same for all of them stays where it is.
     if (world_.sea.bands > 0) member(t.spectral_bin);
-    if (world_.sea.bed_angles > 0) member(t.photon.touched);
+    if (world_.sea.bed_angles > 0) member(t.touched);
     for (auto& point : t.lens) member(point.x), member(point.y);
     for (std::size_t i = 1; i < t.u.size(); ++i) member(t.u[i]);
     if (world_.makes_choices)

@@ -9,7 +9,6 @@
 #include "geometry/depths.hpp"
 #include "geometry/free_paths.hpp"
 #include "transport/photon.hpp"
-#include "transport/touched.hpp"
 
 namespace photic::transport {
 
@@ -90,8 +89,6 @@ FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const FlightStar
   photon.layer = layer;
   if (sea.bed_angles > 0) {
     photon.layer = select(end.sea_bed, Index<T>(sea.layers), layer);
-    const Index<T> bed(static_cast<std::int32_t>(Touched::bed));
-    photon.touched = select(end.sea_bed, bed, photon.touched);
     end.sea_bed = Mask<T>(false);
   }
   photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);

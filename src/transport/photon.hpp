@@ -16,10 +16,8 @@ struct Photon {
   Index<T> line{};     ///< wavelength, a line of the medium
   Index<T> layer{};    ///< where it is in the water
   Index<T> order{};    ///< scatterings and conversions so far
-  Index<T> touched{};  ///< by this light, Touched
 
-  /// Calls f(member) for each, but for what it has touched: that is the same of all where there is
-  /// nothing but water.
+  /// Calls f(member) for each.
   template <class F>
   constexpr void each_member(F f) {
     each_member_of(f, *this);
@@ -29,7 +27,6 @@ struct Photon {
     each_member_of(
         [&mask](auto& member, const auto& a, const auto& b) { member = select(mask, a, b); }, out,
         yes, no);
-    out.touched = select(mask, yes.touched, no.touched);
     return out;
   }
 

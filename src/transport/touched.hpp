@@ -5,12 +5,20 @@
 #include <cstdint>
 
 #include "medium/medium.hpp"
+#include "surface/lambert.hpp"
 
 namespace photic::transport {
 
 /// Of several the highest counts.
 enum class Touched : std::int32_t { water, bed };
 inline constexpr std::int32_t kinds_touched = 2;
+
+/// What light has touched that comes to a place.
+template <class T>
+Index<T> touched_at(const medium::MediumView& sea, const Index<T>& layer, const Index<T>& before) {
+  const Index<T> bed(static_cast<std::int32_t>(Touched::bed));
+  return select(surface::on_bed<T>(sea, layer), bed, before);
+}
 
 /// A line and what its light has touched, as tallies count them: an index [touched][line].
 template <class T>

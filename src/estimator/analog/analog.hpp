@@ -18,6 +18,7 @@
 #include "surface/flat.hpp"
 #include "tally/batch_tally.hpp"
 #include "transport/flight.hpp"
+#include "transport/touched.hpp"
 
 namespace photic::estimator {
 
@@ -25,8 +26,9 @@ namespace photic::estimator {
 /// stand, so long, in the water, or from the surface `in_air`; `depth` is that of the collision
 /// they come from. Telescopes do not stand in each other's way, nor in the light's.
 template <class T>
-void detect(const World<T>& world, const transport::Photon<T>& photon, Mask<T> flying,
-            const T& length, bool in_air, const T& depth, tally::BatchTally& tally) {
+void detect(const World<T>& world, const transport::Photon<T>& photon, const Index<T>& touched,
+            Mask<T> flying, const T& length, bool in_air, const T& depth,
+            tally::BatchTally& tally) {
   flying = flying & (photon.order > Index<T>(0));
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const instrument::Telescope<T>& telescope = world.telescopes[t];
@@ -42,14 +44,13 @@ void detect(const World<T>& world, const transport::Photon<T>& photon, Mask<T> f
     if (!any(seen)) continue;
     const T way = in_air ? longer_way(telescope, photon.position, point, distance)
                          : T(distance * gather<T>(world.sea.group_index, photon.line));
-    const lanes::LaneScores<T> scores{
-        t,
-        world.path_to_origin[t],
-        transport::light_of<T>(world.sea, photon.line, photon.touched),
-        photon.order,
-        depth,
-        photon.path + way,
-        T(1)};
+    const lanes::LaneScores<T> scores{t,
+                                      world.path_to_origin[t],
+                                      transport::light_of<T>(world.sea, photon.line, touched),
+                                      photon.order,
+                                      depth,
+                                      photon.path + way,
+                                      T(1)};
     lanes::each_score(
         tally, seen, scores,
         [&](std::size_t, const tally::Score& score, const auto& at) { tally.score(score, at); });
@@ -98,7 +99,7 @@ struct AnalogSteps {
   /// To the next collision, by way of the surface if need be.
   transport::FlightEnd<T> fly(AnalogPhotons<T>& p) {
     const T depth = -p.photon.position.z;
-    auto end = fly_to_detectors(p.photon, p.on, u[0], depth);
+    auto end = fly_to_detectors(p.photon, p.touched, p.on, u[0], depth);
     const Mask<T> at_surface = p.on & end.surface;
     end.surface = Mask<T>(false);
     if (!any(at_surface)) return end;
@@ -108,11 +109,11 @@ struct AnalogSteps {
     transport::Photon<T> out = p.photon;
     out.direction = split.transmitted;
     const T endless(std::numeric_limits<Element<T>>::max());
-    detect(world, out, leaves, endless, true, depth, tally);
+    detect(world, out, p.touched, leaves, endless, true, depth, tally);
     book_out(p, leaves, ledger.escaped);
     transport::Photon<T> down = p.photon;
     down.direction = split.reflected;
-    const auto onward = fly_to_detectors(down, at_surface & p.on, u[2], depth);
+    const auto onward = fly_to_detectors(down, p.touched, at_surface & p.on, u[2], depth);
     p.photon = select(at_surface, down, p.photon);
     end.sea_bed = end.sea_bed | (at_surface & onward.sea_bed);
     return end;
@@ -127,6 +128,7 @@ struct AnalogSteps {
     const Mask<T> last = p.photon.order == Index<T>(world.last_order);
     if (world.last_order > 0) book_out(p, last, ledger.cut_by_order);
     const Mask<T> bed = surface::on_bed<T>(world.sea, p.photon.layer);
+    p.touched = transport::touched_at<T>(world.sea, p.photon.layer, p.touched);
     const Mask<T> stays =
         collide_by_chance(world.sea, p.photon, p.spectral_bin, p.on, u[3], v[0], v[1]);
     book_out(p, bed & !stays, ledger.sea_bed);
@@ -140,11 +142,11 @@ struct AnalogSteps {
 
  private:
   /// A flight in the water, whose photons may meet a detector there.
-  transport::FlightEnd<T> fly_to_detectors(transport::Photon<T>& photon, const Mask<T>& flying,
-                                           const T& number, const T& depth) {
+  transport::FlightEnd<T> fly_to_detectors(transport::Photon<T>& photon, const Index<T>& touched,
+                                           const Mask<T>& flying, const T& number, const T& depth) {
     const transport::Photon<T> before = photon;
     const auto end = transport::fly(world.sea, photon, minus_log(number));
-    detect(world, before, flying, end.length, false, depth, tally);
+    detect(world, before, touched, flying, end.length, false, depth, tally);
     return end;
   }
 };

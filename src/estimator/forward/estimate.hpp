@@ -61,16 +61,18 @@ struct Travellers : Track<T> {
 struct SourcesDiffer {
   bool lines = true, layers = true, points = true, touched = true;
 
-  /// Calls f(member) for what does of a source's photon, its weight, line, and point of the lens.
-  template <class Photon, class T, class Line, class Point, class F>
-  constexpr void each(Photon& photon, T& weight, Line& line, Point& lens, F f) const {
+  /// Calls f(member) for what does of a source's photon, its weight, line, what it has touched, and
+  /// its point of the lens.
+  template <class Photon, class T, class Number, class Point, class F>
+  constexpr void each(Photon& photon, T& weight, Number& line, Number& touched, Point& lens,
+                      F f) const {
     f(photon.position.x), f(photon.position.y), f(photon.position.z);
     f(photon.direction.x), f(photon.direction.y), f(photon.direction.z);
     f(weight), f(photon.path), f(photon.order);
     if (points) f(lens.x), f(lens.y);
     if (layers) f(photon.layer);
     if (lines) f(photon.line), f(line);
-    if (touched) f(photon.touched);
+    if (this->touched) f(touched);
   }
 };
 template <class T>
@@ -83,13 +85,13 @@ SourcesDiffer sources_differ(const World<T>& world) {
 template <class T>
 struct Sources {
   transport::Photon<T> photon{};  ///< before the collision
-  Index<T> line{};
+  Index<T> line{}, touched{};
   instrument::PlanePoint<T> lens{};
   SourcesDiffer differ;
 
   template <class F>
   constexpr void each_member(F f) {
-    differ.each(photon, photon.weight, line, lens, f);
+    differ.each(photon, photon.weight, line, touched, lens, f);
   }
 };
 /// The same, where it stands.
@@ -98,15 +100,16 @@ struct SourcesOf {
   const transport::Photon<T>& photon;
   const T weight;
   const Index<T>& line;
+  const Index<T> touched;
   const instrument::PlanePoint<T>& lens;
   SourcesDiffer differ;
 
   template <class F>
   constexpr void each_member(F f) const {
-    differ.each(photon, weight, line, lens, f);
+    differ.each(photon, weight, line, touched, lens, f);
   }
   explicit operator Sources<T>() const {
-    Sources<T> out{photon, line, lens, differ};
+    Sources<T> out{photon, line, touched, lens, differ};
     out.photon.weight = weight;
     return out;
   }
@@ -158,7 +161,7 @@ lanes::LaneScores<T> scores_of(const World<T>& world, std::size_t telescope, con
                                const T& path_back, const T& value) {
   return {telescope,
           world.path_to_origin[telescope],
-          transport::light_of<T>(world.sea, from.line, from.photon.touched),
+          transport::light_of<T>(world.sea, from.line, from.touched),
           from.photon.order + Index<T>(1),
           -from.photon.position.z,
           from.photon.path + path_back,
@@ -245,18 +248,23 @@ PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_
   score_in<PlainEvents>(world, t, from, mask, tally, estimates);
 }
 
-/// Scores light of a line, and so much of photons' weight, from the collisions of a mask in all
-/// telescopes that may see it; it waits for company, but for light that has ratios.
+/// Scores light of a line, and so much of photons' weight, from the collisions of a mask, of those
+/// who travel, in all telescopes that may see it; it waits for company, but for light that has
+/// ratios.
 template <class Events, class T>
-void score_light(const World<T>& world, const transport::Photon<T>& photon, const T& weight,
-                 const std::vector<instrument::PlanePoint<T>>& lens, const Mask<T>& colliding,
-                 const Index<T>& line, Estimates<T>& estimates, tally::BatchTally& tally) {
+void score_light(const World<T>& world, const Travellers<T>& of, const transport::Photon<T>& photon,
+                 const T& weight, const Mask<T>& colliding, const Index<T>& line,
+                 Estimates<T>& estimates, tally::BatchTally& tally) {
   const instrument::PlanePoint<T> centre{};
+  const auto& lens = of.lens;
+  Index<T> touched(0);
+  if (world.sea.bed_angles > 0)
+    touched = transport::touched_at<T>(world.sea, photon.layer, of.touched);
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const Mask<T> seen = colliding & near_view(world, t, photon.position, line, lens);
     if (!any(seen)) continue;
-    const SourcesOf<T> from{photon, weight, line, world.single_rays ? lens[t] : centre,
-                            sources_differ(world)};
+    const SourcesOf<T> from{
+        photon, weight, line, touched, world.single_rays ? lens[t] : centre, sources_differ(world)};
     if (compares<Events>(world)) {
       score_in<Events>(world, t, Sources<T>(from), seen, tally, estimates);
       continue;
@@ -347,7 +355,7 @@ void score_scattering(const World<T>& world, const Travellers<T>& at, const Mask
     estimates.first = at.ratios.first;
     estimates.unflown.clear();
   }
-  score_light<Events>(world, at.photon, weight_at_point(world, at.photon), at.lens, scored,
+  score_light<Events>(world, at, at.photon, weight_at_point(world, at.photon), scored,
                       at.photon.line, estimates, tally);
 }
 

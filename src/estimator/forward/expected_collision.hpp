@@ -58,7 +58,7 @@ void score_further_points(const World<T>& world, const Travellers<T>& travellers
     const Mask<T> scored = travellers.on & !(end.surface | end.sea_bed) & in_time(world, at);
     if (!any(scored)) continue;
     ratios_at<Events>(world, travellers, at, estimates);
-    score_light<Events>(world, at, weight_at_point(world, at), travellers.lens, scored, at.line,
+    score_light<Events>(world, travellers, at, weight_at_point(world, at), scored, at.line,
                         estimates, tally);
   }
 }
@@ -80,14 +80,14 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const T
   const Mask<T> reached = wanted & force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
   ratios_at<Events>(world, from, at, estimates);
   if (all_collisions)
-    score_light<Events>(world, at, at.weight, from.lens, reached, at.line, estimates, tally);
+    score_light<Events>(world, from, at, at.weight, reached, at.line, estimates, tally);
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);
   const Mask<T> converting = reached & convertible;
   Index<T> i(0);
   for (Mask<T> on = converting & (i < count); any(on); on = converting & (i < count)) {
     const Index<T> line =
         sea.emitted_line<T>(at.layer, select(on, i, Index<T>(0)), from.spectral_bin);
-    score_light<Events>(world, at, at.weight, from.lens, on, line, estimates, tally);
+    score_light<Events>(world, from, at, at.weight, on, line, estimates, tally);
     i = i + Index<T>(1);
   }
 }

@@ -165,6 +165,8 @@ struct ForwardSteps {
   /// Those who were sent towards a target below it end: no light goes there.
   void leave_bed(Travellers<T>& t) {
     t.on = t.on & !(t.colliding & (t.photon.weight == T(0)));
+    t.touched = select(t.colliding, transport::touched_at<T>(world.sea, t.photon.layer, t.touched),
+                       t.touched);
     t.photon.layer =
         select(t.colliding, world.sea.template layer_of<T>(t.photon.layer), t.photon.layer);
   }
