@@ -285,7 +285,7 @@ def bed():
     """The echo of a sea bed upon that of the water, and what other beds make of it."""
     environments = [{"name": str(albedo), "set": {"bottom.albedo": albedo}} for albedo in ALBEDOS]
     gates = {"depth_min_m": 6.15, "depth_max_m": 14.65, "depth_step_m": 0.5}  # the bed in the middle of one
-    result = run("bathymetric.toml", 4e7, "forward", WIDE_VIEW, environment=environments, gates=gates)
+    result = run("bathymetric.toml", 4e6, "bidirectional", WIDE_VIEW, environment=environments, gates=gates)
     one = result.sel(channel="elastic")
     drawing = Figure(figsize=(WIDTH, 4.6), layout="constrained")
     left, right = drawing.subplots(1, 2, sharey=True)
@@ -295,16 +295,17 @@ def bed():
         panels.line(left, one, one.echo_by_process.sel(process=process), error, colour)
     panels.finish_lines(left, [one.echo_by_process.sel(process=process) for process in parts])
     left.set_title("Light of two processes")
-    left.legend(handles=panels.lines_legend(list(parts.values()), True).handles, fontsize=8, loc="upper right")
+    left.legend(handles=panels.lines_legend(list(parts.values()), False).handles, fontsize=8, loc="upper left")
     depth = one.gate_depth.values
     for albedo, colour in ALBEDOS.items():
         other = one.sel(environment=str(albedo))
         good = (one.converged & other.environment_converged).values
         _gate_by_gate(right, (other.environment_echo / one.echo).values, depth, good, colour, f"albedo {albedo}")
     right.axvline(1, color="black", linewidth=1.2, label="the scene: 0.15")
+    right.plot([], [], "o", color="0.4", markerfacecolor="white", markersize=5, label="not converged")
     right.set(xlabel="echo over the scene's", title="Other beds, the same photons", xlim=(0, 2.2))
     right.legend(fontsize=8, loc="upper left")
-    left.set(xlim=(1e-13, 3e-10), ylim=(15, 6), ylabel="depth [m]")
+    left.set(xlim=(5e-14, 3e-10), ylim=(15, 6), ylabel="depth [m]")
     for panel in (left, right):
         panel.axhline(12.4, color="0.4", linestyle=":", linewidth=1.0)
         emptied(panel)
