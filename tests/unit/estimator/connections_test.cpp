@@ -294,6 +294,20 @@ TEST(MeetingGrid, HasAPointBelowTheBedSoOften) {
   }
 }
 
+// Seen red: with the last vertex on the bed for the first.
+TEST(WalksOverABed, KnowWhereTheyFirstCameToIt) {
+  const auto sea = transport::make_sea(13, {0.1, 0.2, 0.3});
+  Walks<double> walks(2, false, true, sea.view());
+  for (const std::int32_t walk : {0, 1}) walks.birth(true, walk, {}, {});
+  walks.come_to_bed(true, 1, 2);
+  walks.come_to_bed(true, 1, 5);
+  const auto bed = static_cast<std::int32_t>(transport::Touched::bed);
+  for (const std::int32_t vertices : {0, 1, 2, 3, 4, 9}) {
+    EXPECT_EQ(walks.touched(1, vertices), vertices > 2 ? bed : 0) << vertices;
+    EXPECT_EQ(walks.touched(0, vertices), 0) << vertices;
+  }
+}
+
 /// The albedo at even steps of sqrt(1 - cos), of three lines.
 std::vector<double> bed_by_angle() {
   std::vector<double> out;
@@ -304,9 +318,10 @@ std::vector<double> bed_by_angle() {
 
 // Each vertex lies on the bed in turn, or two do; half of the paths convert. Their light counts as
 // the bed's, whatever it touched before or after. Seen red: with the albedo of the way to the
-// telescope, by each strategy; with meetings at the bed; with what walks draw about the beam there;
-// with a density of the bed that is the phase function's; with a walk's second vertex on the bed
-// for its first.
+// telescope, where walks are connected and where they meet; with the cosine of both rays in
+// meetings on the bed, and with such meetings taken for ones in the water alone; with the density
+// of the edge that is left for that of the edge that arrives, in a walk, at its end, at a meeting;
+// with what walks draw about the beam there.
 TEST(StrategiesOfPath, OfLightThatTheBedReflectsAgree) {
   Random random(110);
   int met = 0, rotated = 0;
