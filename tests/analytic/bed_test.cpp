@@ -62,8 +62,8 @@ std::string scene_over(const Bed& bed) {
                      bed.depth - 1.5, bed.depth + 1.5);
 }
 
-// The first two are numbers worked out by others (world.md, D). Seen red: with the cosine of the
-// direction left out of Lambert's law; with pi left out; with the albedo of the way back too.
+// The first two are numbers worked out apart from this. Seen red: with the cosine left out of
+// the density of Lambert's law.
 TEST(SeaBed, ReflectsWhatTheLidarEquationSays) {
   const double half_lens = lens / 0.2;  // they have a lens of 0.2 m in radius
   EXPECT_NEAR(expected({0, 0.2, 5, 0.1}), 6.34630e-6 * half_lens * half_lens, 1e-11);

@@ -87,9 +87,7 @@ TEST(SeaBed, IsSeenByConvertedLight) {
 }
 
 // Against the difference of two beds from the same histories, which is not quite linear: light may
-// touch the bed twice. Seen red: with the ratio of a bed's albedo to the scene's left out where a
-// walk leaves the bed; where walks are connected on it; where they meet on it; in the forward
-// estimator.
+// touch the bed twice.
 TEST(SeaBed, HasTheDerivativeThatItsAlbedosHave) {
   const auto with = [](const char* albedo) {
     return fmt::format("[[environment]]\nset = {{ \"bottom.albedo\" = {} }}\n", albedo);

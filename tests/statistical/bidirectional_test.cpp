@@ -187,8 +187,6 @@ INSTANTIATE_TEST_SUITE_P(
                  three_channels + inelastic_water(0.06, wide_phase, 0) +
                  "[gates]\nrange_min_m = 14.0\nrange_max_m = 24.0\nrange_step_m = 2.0\n",
              4e6, 4e5, 10, 20},
-        // Seen red: with light of the bed that counts as elastic where it was reflected before it
-        // was scattered; with meetings at the bed; with the albedo of the way to the telescope.
         Case{"SeaBed", ship_instrument + channel("elastic") + over_bed("0.3"), 4e6, 4e5, 4, 12},
         Case{"SeaBedByWavelength",
              ship_tilted_15_degrees + three_channels +

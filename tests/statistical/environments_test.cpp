@@ -128,8 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
              "bidirectional"},
         Case{"bidirectional_three_layers", three, three_layers_here, three_layers_changed, 8, 2.5e5,
              25, "bidirectional"},
-        // Seen red: with the albedo of the scene for light that is reflected, in one of the
-        // estimators.
+        // Seen red: with the albedo of the angle on the telescope's side, in each estimator.
         Case{"bed", three, bed_here, beds_changed, 6, 2e6, 40},
         Case{"bidirectional_bed", three, bed_here, beds_changed, 6, 2e5, 30, "bidirectional"}),
     [](const auto& test) { return test.param.name; });

@@ -216,7 +216,7 @@ TEST(AnalogDetector, CountsWhatTheLocalEstimateExpects) {
 }
 
 // All three estimators, over a bed whose albedo depends on the angle. Seen red: with the cosine
-// left out of Lambert's law, in photons and in walks; with a bed that absorbs what was scattered.
+// left out of the density of Lambert's law, in photons and in walks.
 TEST(AnalogDetector, CountsWhatTheBedReflects) {
   constexpr std::uint64_t photons = 20'000'000;
   const Counts counts = analog_counts(photons, true);

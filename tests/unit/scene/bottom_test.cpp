@@ -216,7 +216,6 @@ TEST(Bottom, EveryTextOfWhatIsWrong) {
             "lower the last layer's bottom_depth_m)");
 }
 
-// Seen red, each for itself: with a black bed remarked on; without the look at each of the edges.
 TEST(Bottom, IsRemarkedOnWhereGatesMissIt) {
   const auto remarks = [](const std::string& depth, double min, double max, double step) {
     return read_scene_text(

@@ -69,7 +69,7 @@ Photon<double> photon_on_bed(const Sea& sea, Random& random) {
   return photon;
 }
 
-// Seen red: with the table of the line before; without what lies between two of its angles.
+// Seen red: with the table of the line before.
 TEST(SeaBed, KnowsItsAlbedoAtEveryAngle) {
   const Sea sea = make_sea(30, albedos());
   const auto view = sea.view();
@@ -81,7 +81,7 @@ TEST(SeaBed, KnowsItsAlbedoAtEveryAngle) {
   EXPECT_EQ(surface::bed_albedo<double>(constant.view(), 2, 0.4), 0.3);
 }
 
-// Seen red: with even directions for even sines squared; with the last layer for the bed.
+// Seen red: with even directions for even sines squared.
 TEST(SeaBed, SendsPhotonsOutAsLambertSays) {
   Random random(77);
   const Sea sea = make_sea(30, albedos());
@@ -104,7 +104,7 @@ TEST(SeaBed, SendsPhotonsOutAsLambertSays) {
 }
 
 // Towards a telescope, as often as in the water; what is drawn too often weighs less. Seen red:
-// with the phase function's density for the bed's; with light that goes down on weighing something.
+// with the phase function's density for the bed's.
 TEST(SeaBed, SendsPhotonsTowardsTargets) {
   Random random(79);
   const Sea sea = make_sea(30, albedos());
@@ -140,7 +140,7 @@ TEST(SeaBed, SendsPhotonsTowardsTargets) {
 }
 
 // A walk from a telescope draws the direction from which light comes, and takes its albedo. Seen
-// red: with the angle on the telescope's side; with a lobe about the beam.
+// red: with the angle on the telescope's side.
 TEST(SeaBed, SendsWalksOutAsLambertSays) {
   Random random(78);
   const Sea sea = make_sea(30, albedos());
@@ -167,7 +167,7 @@ TEST(SeaBed, SendsWalksOutAsLambertSays) {
   }
 }
 
-// Seen red: with the bed as the last layer; with the gain of a collision on it.
+// Seen red: with the bed as the last layer.
 TEST(SeaBed, EndsFlightsThatReachIt) {
   const Sea sea = make_sea(30, albedos()), black = make_sea(30);
   for (const Sea* each : {&sea, &black}) {
