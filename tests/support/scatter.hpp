@@ -10,10 +10,11 @@ void scatter(const medium::MediumView& sea, transport::Photon<T>& photon, const 
              const Index<T>& lobe, const transport::Targets<T, capacity>& targets,
              const T& directed, const transport::ScatterUniforms<T>& u) {
   const Vec3<T> old = photon.direction;
-  photon.direction =
-      transport::turned(transport::deflect(sea, photon.layer, old, phase, lobe, targets, directed, u));
-  photon.weight = photon.weight * transport::true_over_drawn(sea, photon.layer, old, photon.direction, phase,
-                                                             lobe, targets, directed);
+  photon.direction = transport::turned(
+      transport::deflect(sea, photon.layer, old, phase, lobe, targets, directed, u));
+  photon.weight =
+      photon.weight * transport::true_over_drawn(sea, photon.layer, old, photon.direction, phase,
+                                                 lobe, targets, directed);
 }
 
 }  // namespace photic::test

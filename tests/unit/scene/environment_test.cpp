@@ -109,18 +109,16 @@ const std::vector<ChangeCase>& change_cases() {
   static const std::vector<ChangeCase> all{
       {R"("gates.depth_max_m" = 50)",
        {"scene.toml:32:9: 'gates.depth_max_m' cannot be set in an environment: only the water and "
-        "the bed may "
-        "differ, for the histories are the same (set paths that begin with sea., optics. or "
-        "bottom.)"}},
+        "the bed may differ, for the histories are the same (set paths that begin with sea., "
+        "optics. or bottom.)"}},
       {R"("environment.0.name" = "x")",
        {"scene.toml:32:9: 'environment.0.name' cannot be set in an environment: only the water and "
-        "the bed may "
-        "differ, for the histories are the same (set paths that begin with sea., optics. or "
-        "bottom.)"}},
+        "the bed may differ, for the histories are the same (set paths that begin with sea., "
+        "optics. or bottom.)"}},
       {R"("" = 1)",
        {"scene.toml:32:9: '' cannot be set in an environment: only the water and the bed may "
-        "differ, for the "
-        "histories are the same (set paths that begin with sea., optics. or bottom.)"}},
+        "differ, for the histories are the same (set paths that begin with sea., optics. or "
+        "bottom.)"}},
       {R"("sea" = { layer = [{}] })",
        {R"(scene.toml:32:9: 'sea' cannot be set as a whole in an environment (quote the whole path: "sea.layer.0.chlorophyll_mg_m3" = 0.5))"}},
       {R"(optics.set = "paper")",
