@@ -35,6 +35,9 @@ void check_angles(const optics::DataTable& table) {
       table.has(nm_column) ? table.numbers_from_0(nm_column) : std::vector<double>(deg.size(), 0.0);
   std::size_t count = 0;
   while (count < nm.size() && nm[count] == nm[0]) ++count;
+  if (count == 1 && deg.size() > 1)
+    table.fail(1, nm_column, fmt::format("wavelength_nm {} has no row at every angle", nm[0]),
+               "give a row for each pair, sorted by wavelength, then angle");
   for (std::size_t i = 0; i < deg.size(); ++i) {
     const std::size_t k = i % count;
     if (i > 0 && nm[i] < nm[i - 1])
@@ -60,13 +63,28 @@ void check_angles(const optics::DataTable& table) {
                "add others, or leave wavelength_nm out if the albedo is the same at all");
 }
 
+/// The medium's table has even steps of sqrt(1 - cos), of about so many degrees at most.
+constexpr double finest_deg = 0.5;
+
+void remark_on_fine_angles(const optics::DataTable& table, Findings& findings) {
+  const auto deg = table.numbers_from_0(deg_column);
+  for (std::size_t i = 1; i < deg.size(); ++i)
+    if (deg[i] > deg[i - 1] && deg[i] - deg[i - 1] < finest_deg)
+      return findings.remark(
+          "bottom.albedo",
+          fmt::format("the albedo is smoothed over {} degrees: {} and {} are closer", finest_deg,
+                      deg[i - 1], deg[i]));
+}
+
 void check_albedo(const UserTable& table, Findings& findings) {
   try {
     numbers_to(1, "albedo", table.data(), "it is the share of the light that is reflected");
-    if (table.data().has(deg_column))
+    if (table.data().has(deg_column)) {
       check_angles(table.data());
-    else
+      remark_on_fine_angles(table.data(), findings);
+    } else {
       optics::wavelengths_of(table.data());
+    }
   } catch (const InputError& error) {
     const std::string path = "bottom.albedo";
     for (const Diagnostic& d : error.diagnostics()) {
@@ -85,7 +103,8 @@ void check_bottom(const Scene& scene, Findings& findings) {
   const auto& layers = scene.sea.layer;
   if (layers.empty() || layers.back().bottom_depth_m || !findings.good({"sea"})) return;
   findings.add("bottom", "the sea has no bed: its last layer is bottomless",
-               "give the last [[sea.layer]] its bottom_depth_m, or leave [bottom] out");
+               "give the last [[sea.layer]] its bottom_depth_m (a sea by iop_table has none), or "
+               "leave [bottom] out");
 }
 
 }  // namespace photic::scene

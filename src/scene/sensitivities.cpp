@@ -99,7 +99,8 @@ class ParameterReader {
       const std::string path = below(parent, key);
       const Node* next = node_at(reference_.written, path);
       if (!next)
-        return refuse(fmt::format("there is no '{}' in '{}'", key, parent),
+        return refuse(fmt::format("there is no '{}' in {}", key,
+                                  parent.empty() ? "the scene" : fmt::format("'{}'", parent)),
                       suggestion_for(key, keys_in(*node), "known there"));
       parent = path;
       node = next;

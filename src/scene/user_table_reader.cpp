@@ -61,7 +61,7 @@ void read_columns(const TableOrFile& rule, const Node& node, const TableName& na
     names.emplace_back(column.name);
   }
   reader.finish();
-  if (shared.findings.problems().size() > before) return;
+  if (shared.findings.problems().size() > before) return shared.findings.spoil(name.path);
   const std::string lengths = unequal_lengths(columns);
   if (!lengths.empty())
     return shared.findings.add(

@@ -134,7 +134,9 @@ TEST_F(BedOfAFile, IsRefusedAtItsLine) {
       {"zenith_deg,albedo\n0,0.1\n",
        "sand.csv:2:1: the angles end at 0, not at 90 (tell the albedo from 0 to 90 degrees)"},
       {"wavelength_nm,zenith_deg,albedo\n500,0,0.1\n600,0,0.1\n",
-       "sand.csv:2:5: the angles end at 0, not at 90 (tell the albedo from 0 to 90 degrees)"},
+       "sand.csv:3:1: wavelength_nm 500 has no row at every angle (give a row for each pair, "
+       "sorted "
+       "by wavelength, then angle)"},
       {"zenith_deg,albedo\n0,0.1\n90,-0.1\n", "sand.csv:3:4: albedo -0.1 is negative"},
       {"wavelength_nm,zenith_deg,albedo\n500,0,0.1\n500,90,0.1\n600,0,0.1\n",
        "sand.csv:4:5: every wavelength must have the same angles"},
@@ -188,6 +190,13 @@ TEST(Bottom, EveryTextOfWhatIsWrong) {
       {"{ wavelength_nm = [500, 500], zenith_deg = [0, 90], albedo = [0.1, 0.1] }",
        "34: there is one wavelength alone (add others, or leave wavelength_nm out if the albedo is "
        "the same at all)"},
+      {"{ wavelength_nm = [450, 532, 650], zenith_deg = [0, 45, 90], albedo = [0.1, 0.2, 0.3] }",
+       "34: wavelength_nm 450 has no row at every angle (give a row for each pair, sorted by "
+       "wavelength, then angle)"},
+      {"{ wavelength_nm = [450, 532], albedo = [0.1, 0.2], colour = 1 }",
+       "61: unknown key 'colour' in 'albedo' (known here: wavelength_nm, zenith_deg, albedo)"},
+      {"{ zenith = [0, 90], albedo = [0.1, 0.2] }",
+       "12: unknown key 'zenith' in 'albedo' (did you mean 'zenith_deg'?)"},
       {"{ wavelength_nm = [500, 500, 400, 400], zenith_deg = [0, 90, 0, 90], albedo = [0, 0, 0, 0] "
        "}",
        "39: wavelength_nm 400 comes after 500 (wavelengths ascend, all angles of one together)"},
@@ -210,7 +219,8 @@ TEST(Bottom, EveryTextOfWhatIsWrong) {
   EXPECT_EQ(
       diagnostics_of(edited({{25, 25, base_lines()[24] + "\n[bottom]\nalbedo = 1"}})),
       Texts{"scene.toml:26:1: the sea has no bed: its last layer is bottomless (give the last "
-            "[[sea.layer]] its bottom_depth_m, or leave [bottom] out)"});
+            "[[sea.layer]] its bottom_depth_m (a sea by iop_table has none), or leave [bottom] "
+            "out)"});
   EXPECT_EQ(diagnostics_of(over_bed("0.1"), {"source.position_m=[0, 0, -60]"}).front(),
             "--set source.position_m: the source is 60 m deep and the sea bed 60 m (raise it, or "
             "lower the last layer's bottom_depth_m)");
@@ -239,6 +249,13 @@ TEST(Bottom, IsRemarkedOnWhereGatesMissIt) {
       Texts{"--set gates.depth_step_m: a gate begins at the sea bed at 60 m: rounding may put "
             "some of its light into the gate before; let no gate begin within 0.1 mm of the "
             "bed"});
+}
+
+TEST(Bottom, IsRemarkedOnWhereItsAnglesAreClose) {
+  const std::string close = "{ zenith_deg = [0, 0.3, 90], albedo = [1, 0, 0] }";
+  EXPECT_EQ(
+      read_scene_text(over_bed(close, "45.3"), "scene.toml", "/").remarks,
+      Texts{"scene.toml:28:10: the albedo is smoothed over 0.5 degrees: 0 and 0.3 are closer"});
 }
 
 // Seen red, each for itself: with paths of the bed refused; with the scene's bed in environments.
@@ -275,7 +292,8 @@ TEST(Bottom, OfAnEnvironmentIsRefusedAtTheChange) {
   EXPECT_EQ(
       diagnostics_of(edited({}) + set + "\"bottom.albedo\" = 0.2 }"),
       Texts{"scene.toml:32:9: the sea has no bed: its last layer is bottomless (give the last "
-            "[[sea.layer]] its bottom_depth_m, or leave [bottom] out)"});
+            "[[sea.layer]] its bottom_depth_m (a sea by iop_table has none), or leave [bottom] "
+            "out)"});
   EXPECT_EQ(diagnostics_of(over_bed("0.1") + set + "bottom.albedo = 0.2 }"),
             Texts{"scene.toml:35:9: 'bottom' cannot be set as a whole in an environment (quote the "
                   "whole path: \"sea.layer.0.chlorophyll_mg_m3\" = 0.5)"});

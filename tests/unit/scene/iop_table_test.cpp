@@ -25,6 +25,16 @@ PhaseFunction petzold_by_name() {
   return function;
 }
 
+TEST(IopTable, HasNoBed) {
+  WrittenFiles files("iop_bed");
+  files.write("lib.csv", good_rows);
+  EXPECT_EQ(
+      files.problems(tabled(with_phase + "\n[bottom]\nalbedo = 0.1")),
+      Texts{"scene.toml:21:1: the sea has no bed: its last layer is bottomless (give the last "
+            "[[sea.layer]] its bottom_depth_m (a sea by iop_table has none), or leave "
+            "[bottom] out)"});
+}
+
 // Seen red: with the end of a layer 1 m below its top.
 TEST(IopTable, OfCsvIsAStackOfLayers) {
   WrittenFiles files("iop_csv");
