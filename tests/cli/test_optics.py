@@ -114,7 +114,7 @@ def follows_the_cf_conventions(library):
 
 def test_follows_the_cf_conventions(library):
     follows_the_cf_conventions(library)
-    assert library.scene and (library.photic_format, library.photic_content) == (2, "optics")
+    assert library.scene and (library.photic_format, library.photic_content) == (3, "optics")
     assert {v.bounds for v in library.variables.values() if "bounds" in v.ncattrs()} == {"depth_m_bounds"}
     assert library["depth_m"].positive == "down"
     standard = {v.standard_name for v in library.variables.values() if "standard_name" in v.ncattrs()}

@@ -218,17 +218,17 @@ TEST(AnalogDetector, CountsWhatTheLocalEstimateExpects) {
 // All three estimators, over a bed whose albedo depends on the angle. Seen red: with the cosine
 // left out of the density of Lambert's law, in photons and in walks.
 TEST(AnalogDetector, CountsWhatTheBedReflects) {
-  constexpr std::uint64_t photons = 20'000'000;
+  constexpr std::uint64_t photons = 12'000'000;
   const Counts counts = analog_counts(photons, true);
   for (const auto& [estimator, histories] :
-       {std::pair{"forward", 1e6}, {"bidirectional", 2e5}, {"analog", 6e6}}) {
+       {std::pair{"forward", 1e6}, {"bidirectional", 2e5}, {"analog", 4e6}}) {
     SCOPED_TRACE(estimator);
     const auto result = run_in_lanes(read(scene_of(estimator, histories, true)));
     ZFamily family(0.01);
     add(family, result.echo, 0, counts.by_gate, photons);
     ASSERT_EQ(result.process_name[1], "bottom");
     add(family, result.echo_by_process, gates, counts.of_bed, photons);
-    EXPECT_GE(family.size(), 11U);
+    EXPECT_GE(family.size(), 9U);
     family.judge();
   }
 }

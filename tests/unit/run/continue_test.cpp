@@ -14,7 +14,7 @@ scene::Scene scene_of(std::uint64_t photons, const std::string& more = "",
                       const std::string& estimator = "forward") {
   return test::read(
       test::ship_instrument + test::channel("elastic") + test::channel("raman") +
-      "[[sea.layer]]\nbottom_depth_m = 7.1\nchlorophyll_mg_m3 = 0.5\n[bottom]\nalbedo = 0.2\n" +
+      "[[sea.layer]]\nbottom_depth_m = 9.1\nchlorophyll_mg_m3 = 0.5\n[bottom]\nalbedo = 0.2\n" +
       test::depth_gates(10, 2) +
       test::simulation(static_cast<double>(photons), 5, "max_order = 3\n" + more, estimator));
 }

@@ -173,7 +173,7 @@ TEST(Lanes, HistoriesAreThoseOfTheScalarEngineInFloat) {
        {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(),
         rich_scene("reception = \"overlap\"\nmax_order = 4"), rich_scene(tools),
         plain_scene("[simulation.tools]\nweight_threshold = 0.5\nat_threshold = \"end\""),
-        rich_scene("max_order = 4", "analog"), bed_scene(), bed_scene("analog")}) {
+        bed_scene(), bed_scene("analog", "max_order = 4")}) {
     const estimator::Model model = estimator::make_model(scene);
     const EventLog scalar = log_scalar(model, photons);
     const scene::Simulation& run = model.scene.simulation;
@@ -260,7 +260,7 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
 TEST(Lanes, EchoesAreThoseOfTheScalarEngineInFloat) {
   for (const auto& scene :
        {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(), rich_scene(tools),
-        rich_scene(tools_of_points), bed_scene(), bed_scene("forward", tools_of_points, beds)})
+        bed_scene(), bed_scene("forward", tools_of_points, beds)})
     expect_echoes_of_the_scalar_engine(scene);
 }
 TEST(Lanes, BidirectionalEchoesAreThoseOfTheScalarEngineInFloat) {
