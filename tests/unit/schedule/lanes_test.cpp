@@ -66,8 +66,7 @@ scene::Scene bed_scene(const std::string& estimator = "forward", const std::stri
 std::vector<scene::Scene> bidirectional_scenes() {
   const std::string name = "bidirectional";
   return {plain_scene("", name), plain_scene("walks = 3\nsampling = \"random\"", name),
-          rich_scene("max_order = 5", name), rich_scene("walks = 3\nmax_order = 3", name),
-          bed_scene(name, "walks = 2", beds)};
+          rich_scene("max_order = 5", name), bed_scene(name, "walks = 3\nmax_order = 3", beds)};
 }
 
 /// All of the forward estimator's tools at once.
