@@ -260,11 +260,11 @@ std::array<T, 2> Connections<T>::rotate_pivot(RayPair<T>& pair, const Rotation<T
 template <class T>
 template <bool upright>
 void Connections<T>::meet_at(const RayPair<T>& pair, const Mask<T>& mask, const Moved<T>& moved,
-                             const T& depth, const Index<T>& layer) {
+                             const T& depth, const Index<T>& place) {
   const Ray& out = pair.out;
   const auto& birth = pair.birth;
   const auto& pairing = pair.pairing;
-  const Mask<T> emitting = mask & emits(moved.ray.line, layer);
+  const Mask<T> emitting = mask & emits(moved.ray.line, place);
   if (!any(emitting)) return;
   const T reach = (-out.position.z - depth) / out.direction.z;
   const auto in_path = usable(pairing.order());
@@ -295,12 +295,12 @@ void Connections<T>::meet_at(const RayPair<T>& pair, const Mask<T>& mask, const 
   if (aslant)
     freedom.translations = select(pairing.m > Index<T>(0), freedom.translations, translations_last);
   const auto meeting =
-      meet(sea_, laser, back, depth, layer, freedom, world_.inverse_conversion, samples_);
+      meet(sea_, laser, back, depth, place, freedom, world_.inverse_conversion, samples_);
   if (world_.compares) [[unlikely]]
-    complete_by_meeting(pair, moved, depth, layer);
+    complete_by_meeting(pair, moved, depth, place);
   score(pair.pairing, Walked::both, emitting & (meeting.path < receiver_.last_path),
         {gain * meeting.value, meeting.path, last(), in_path.order, pairing.i, pairing.m,
-         surface::on_bed<T>(sea_, layer)});
+         surface::on_bed<T>(sea_, place)});
 }
 
 }  // namespace photic::estimator

@@ -114,9 +114,13 @@ class WalkSteps {
     transport::Photon<T> photon = w.photon;
     const auto departure = depart(sea_, photon, world_.inverse_conversion,
                                   {u_[1], u_[2], v[0], v[1]}, walks_.from_telescope());
-    const Mask<T> bed = surface::on_bed<T>(sea_, w.photon.layer);
-    book(ledger.absorbed, colliding & !bed, w.photon.weight - photon.weight);
-    book(ledger.sea_bed, colliding & bed, w.photon.weight - photon.weight);
+    Mask<T> in_water = colliding;
+    if (sea_.bed_angles > 0) {
+      const Mask<T> bed = surface::on_bed<T>(sea_, w.photon.layer);
+      book(ledger.sea_bed, colliding & bed, w.photon.weight - photon.weight);
+      in_water = colliding & !bed;
+    }
+    book(ledger.absorbed, in_water, w.photon.weight - photon.weight);
     w.photon = any(w.on & !colliding) ? select(colliding, photon, w.photon) : photon;
     const Ray<T> ray = next_ray(sea_, photon, vertex_, departure);
     walks_.add(colliding, w.walk, w.vertices, ray);
