@@ -8,7 +8,7 @@ namespace photic::estimator {
 /// The depths at which rays are made to meet: a grid of equal steps.
 template <class T>
 struct MeetingGrid {
-  T most{};  ///< points per metre
+  T most{};  ///< points per metre; 0: no rays meet
 
   /// Points per metre for paths of so many vertices. Those of few vertices, near the axis of the
   /// instrument, meet over many metres of depth, others over centimetres (decision 35).
@@ -38,9 +38,16 @@ struct Samples {
   T pairs{1};          ///< of walks whose rays meet at each depth of the grid
   T rotated{};         ///< of walks rotated so that their rays meet
   MeetingGrid<T> grid;
+  MeetingGrid<T> free_telescope{}, free_laser{};  ///< the same of free walks
 
   /// Of meetings by translation, per metre of depth, in paths of so many vertices.
   T translated(const Index<T>& order) const { return pairs * grid.density(order); }
+  /// The same of free walks, of a telescope or of the laser; none in paths of one vertex.
+  T freed(const MeetingGrid<T>& of, const Index<T>& order) const {
+    return select(order > Index<T>(1), pairs * of.density(order), T(0));
+  }
+  /// Whether there are free walks at all.
+  bool frees() const { return any(free_telescope.most > T(0)) || any(free_laser.most > T(0)); }
 };
 
 }  // namespace photic::estimator

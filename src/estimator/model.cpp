@@ -138,12 +138,13 @@ Model make_model(const scene::Scene& scene) {
     effective.simulation.scored_points = scene::scored_points_in(scene);
   }
   auto paths = free_paths(medium, scene.simulation);
-  return {std::move(effective), std::move(medium), std::move(paths), std::move(gates),
-          std::move(shape)};
+  auto averaged = averaged_phases(scene, medium);
+  return {std::move(effective), std::move(medium), std::move(paths),
+          std::move(gates),     std::move(shape),  std::move(averaged)};
 }
 
 tally::Result describe(const Model& model) {
-  const auto& [scene, medium, paths, gates, shape] = model;
+  const auto& [scene, medium, paths, gates, shape, averaged] = model;
   tally::Result result;
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
   for (const auto& e : scene.environment) {

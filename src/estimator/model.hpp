@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "estimator/averaged_phases.hpp"
 #include "geometry/free_paths.hpp"
 #include "medium/medium.hpp"
 #include "scene/read.hpp"
@@ -26,6 +27,7 @@ struct Model {
   geometry::FreePaths paths;
   tally::Gates gates;
   tally::Shape shape;
+  AveragedPhaseTables averaged;  ///< of scenes with free walks
 };
 
 /// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. The

@@ -8,6 +8,8 @@
 
 #include "core/random.hpp"
 #include "core/sobol.hpp"
+#include "estimator/averaged_phases.hpp"
+#include "estimator/entry_cone.hpp"
 #include "estimator/inverse_conversion.hpp"
 #include "estimator/meeting_grid.hpp"
 #include "estimator/model.hpp"
@@ -84,6 +86,10 @@ struct World {
   bool single_rays = false;    ///< local estimates take one point of the lens instead of its mean
   bool makes_choices = false;  ///< whether collisions choose between lines or targets at all
   std::vector<Receiver<T>> receivers;  ///< of the bidirectional estimator
+  EntryCone<T> laser_cone;             ///< its walks begin in such directions
+  std::vector<EntryCone<T>> telescope_cones;
+  AveragedPhases averaged;                    ///< over these
+  MeetingGrid<T> free_telescope, free_laser;  ///< depths at which rays of free walks meet
   T deepest{};                     ///< where light may turn back within the last gate, at most [m]
   MeetingGrid<T> meeting_grid;     ///< of the bidirectional estimator
   bool rotates = false;            ///< a telescope's walk may be rotated about where it converts
@@ -102,6 +108,12 @@ struct World {
   RandomKey key{0};
   std::uint64_t batch_photons = 0;
   SobolPoints points;  ///< of a batch; none: all numbers are drawn independently
+
+  /// Of an instrument: of_laser, or a telescope behind it.
+  [[nodiscard]] const EntryCone<T>& cone(std::int32_t instrument) const {
+    return instrument == of_laser ? laser_cone
+                                  : telescope_cones[static_cast<std::size_t>(instrument - 1)];
+  }
 };
 
 /// What a photon of the forward estimator may meet, known before the loops: most worlds have
@@ -203,7 +215,7 @@ inline bool spreads_evenly(const scene::Scene& scene) {
 
 template <class T>
 World<T> make_world(const Model& model) {
-  const auto& [scene, medium, paths, gates, shape] = model;
+  const auto& [scene, medium, paths, gates, shape, averaged] = model;
   World<T> world;
   world.estimator = scene.simulation.estimator;
   world.sea = paths.slabs(medium);
@@ -248,6 +260,22 @@ World<T> make_world(const Model& model) {
   world.least_group_index = T(least);
   const Reach reach = reach_of(scene, medium, gates, least);
   world.deepest = T(reach.deepest);
+  // What free walks may become shorter by counts as more time for those that are not free yet.
+  const auto most_shorter = [&](const EntryCone<double>& cone) {
+    return world.averaged.tables == 0 ? 0 : std::min(cone.spot.most_shorter, gates.last_path());
+  };
+  world.averaged = model.averaged.view();
+  const auto laser_cone = entry_cone(from_origin(scene.source, origin), medium, reach.deepest);
+  std::vector<double> shorter;
+  world.laser_cone = cone_cast<T>(laser_cone);
+  for (const auto& t : scene.telescope) {
+    const auto cone = entry_cone(from_origin(t, origin), medium, reach.deepest);
+    world.telescope_cones.push_back(cone_cast<T>(cone));
+    shorter.push_back(most_shorter(cone));
+  }
+  const scene::Simulation& asked = scene.simulation;
+  if (connects) world.free_telescope = {T(asked.free_telescope_meetings)};
+  if (connects) world.free_laser = {T(asked.free_laser_meetings)};
   world.connected = T(scene.simulation.connected_fraction);
   world.meeting_grid = {T(scene.simulation.meetings / reach.range)};
   world.directed = T(scene::directed_fraction_in(scene));
@@ -272,12 +300,14 @@ World<T> make_world(const Model& model) {
     const auto& telescope = scene.telescope[receiver.telescope];
     const double both = gates.last_path() - world.path_to_origin[receiver.telescope];
     const double longest =
-        both + instrument::most_longer(telescope) * (telescope.position_m.z < 0 ? greatest : 1.0);
+        both + shorter[receiver.telescope] + most_shorter(laser_cone) +
+        instrument::most_longer(telescope) * (telescope.position_m.z < 0 ? greatest : 1.0);
     receiver.last_path = T(both);
     receiver.longest = T(longest);
     receiver.deadline = deadline_at_laser<T>(scene, longest);
   }
-  world.deadlines = deadlines_at_telescopes<T>(scene, gates.last_path(), greatest);
+  world.deadlines = deadlines_at_telescopes<T>(
+      scene, gates.last_path() + (connects ? most_shorter(laser_cone) : 0), greatest);
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
   world.key = scene.simulation.seed;

@@ -102,23 +102,19 @@ T detector_solid_angle(const Telescope<T>& telescope, const T& cos_off_axis) {
 /// their ways would become longer by many of its radii.
 inline constexpr double flattest_translated = 0.2;
 
-/// How far a ray from the lens may be translated sideways, as an area: with directions chosen as
-/// outward() does for even points of lens and detector, and the lens' points evenly, rays of this
-/// direction are as dense on a horizontal plane as 1 over this [m^2]. `direction`: of the ray,
-/// either way; of narrow views its cosine to the axis has too few digits.
+/// The area of the open lens as rays of a direction come through it on a horizontal plane: so far
+/// may they be translated sideways [m^2]. `direction`: either way; 0 of rays that are too flat for
+/// that under a tilted lens.
 template <class T>
 T translation_area(const Telescope<T>& telescope, const Vec3<T>& direction) {
   using std::abs;
-  using std::sqrt;
-  const T x = dot(direction, telescope.across);
-  const T y = dot(direction, telescope.up);
-  const T cosine = abs(dot(direction, telescope.axis));
-  const T tangent = sqrt(x * x + y * y) / select(cosine > T(0), cosine, T(1));
-  const T across_ray = telescope.area() * telescope.overlap(T(0), tangent);
-  if (telescope.upright) return across_ray;
+  if (telescope.upright) return telescope.area();
   const T steep = abs(direction.z);
   const Mask<T> translates = steep >= T(flattest_translated);
-  return select(translates, across_ray * cosine / select(translates, steep, T(1)), T(0));
+  return select(translates,
+                telescope.area() * abs(dot(direction, telescope.axis)) /
+                    select(translates, steep, T(1)),
+                T(0));
 }
 
 /// How a ray comes through the lens if all of its light's way beyond is translated sideways: so far
@@ -190,6 +186,14 @@ PlanePoint<T> outward_slope(const Telescope<T>& telescope, const PlanePoint<T>& 
 template <class T>
 Vec3<T> outward(const Telescope<T>& telescope, const PlanePoint<T>& slope) {
   return normalised(telescope.axis + in_plane(telescope, slope));
+}
+/// Whether the detector sees such a ray.
+template <class T>
+Mask<T> is_detected(const Telescope<T>& telescope, const PlanePoint<T>& p,
+                    const PlanePoint<T>& slope) {
+  const PlanePoint<T> image = slope + telescope.per_sharp_range * p;
+  const T radius = telescope.detector_radius / telescope.detector_distance;
+  return image.x * image.x + image.y * image.y < radius * radius;
 }
 
 }  // namespace photic::instrument

@@ -57,6 +57,10 @@ std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
   return static_cast<std::int32_t>(count);
 }
 
+std::int32_t Medium::phase_count() const {
+  return static_cast<std::int32_t>(phase_lines_.numbers().size() / phase_lines);
+}
+
 std::vector<double> Medium::depth_integrals(const std::vector<double>& coefficient) const {
   const auto n_layers = static_cast<std::size_t>(layers());
   std::vector<double> out;

@@ -228,6 +228,8 @@ class Medium {
   /// Adds a phase function, or finds the equal one that is there already; returns its number.
   std::int32_t add_phase(const optics::PhaseTable& table);
 
+  [[nodiscard]] std::int32_t phase_count() const;
+
   /// Fills in what follows from the tables above; call once they are complete.
   void finish();
 

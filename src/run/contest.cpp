@@ -62,6 +62,7 @@ estimator::Model model_of(const estimator::Model& open, const Contender& contend
   s.target_relative_error.reset();
   s.max_time_s.reset();
   out.paths = estimator::free_paths(out.medium, s);
+  out.averaged = estimator::averaged_phases(out.scene, out.medium);
   return out;
 }
 

@@ -201,6 +201,8 @@ struct Simulation {
   double conversion_probability = 0.3;  ///< of a branch into an inelastic process, per collision
   std::int64_t walks = 2;  ///< bidirectional: of the laser, and of each telescope, in a set
   double meetings = 100;   ///< bidirectional: of two rays, if all depths of the gates let them meet
+  /// Bidirectional: of two rays, by free walks of a telescope and of the laser, per metre of depth.
+  double free_telescope_meetings = 0, free_laser_meetings = 0;
   double connected_fraction =
       0.3;  ///< bidirectional: share of walks whose vertices are all connected
   std::optional<double> walk_attenuation;  ///< bidirectional: share of c that free paths are drawn

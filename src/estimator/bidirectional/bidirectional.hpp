@@ -34,16 +34,35 @@ struct FromLaser : WalkDraws<T> {
   const World<T>& world;
   Ledger& ledger;
 
-  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>&) {
+  bool of_own_rays = true;  ///< else the others, whose light is none of the laser's
+
+  [[nodiscard]] static std::int32_t instrument() { return of_laser; }
+  [[nodiscard]] const EntryCone<T>& cone() const { return world.laser_cone; }
+
+  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record) {
     const auto u = this->draw(walk, Index<T>(0), 0);
-    auto birth = birth_at_laser(world.sea, world.laser, world.laser_region, u[0], u[1]);
-    book(ledger.escaped, exist, T(1) - select(birth.exists, birth.photon.weight, T(0)));
+    const T n(gather<T>(world.sea.index, Index<T>(0)));
+    auto birth =
+        world.laser.collimated
+            ? birth_at_collimated_laser(world.sea, world.laser, world.laser_region, cone(), n, u[0],
+                                        u[1])
+            : birth_at_laser(world.sea, world.laser, world.laser_region, cone(),
+                             draw_entry(cone(), n, n, u[0], u[1]));
+    record.own = birth.exists;
+    if (of_own_rays) {
+      book(ledger.escaped, exist, T(1) - select(birth.exists, birth.photon.weight, T(0)));
+    } else {
+      birth.exists = !birth.exists;
+    }
     return birth;
+  }
+  /// Who does not set out.
+  [[nodiscard]] Mask<T> left_out(const Birth<T>& birth) const {
+    return of_own_rays ? !birth.exists : Mask<T>(false);
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return estimator::in_time(world, photon);
   }
-  void limit_translation(const Walks<T>&, const Index<T>&, const Mask<T>&, Vertex<T>&) const {}
 };
 
 /// How a telescope's walks begin.
@@ -53,22 +72,31 @@ struct FromTelescope : WalkDraws<T> {
   const Receiver<T>& receiver;
   Ledger ledger{};  ///< of no interest: the result's is the laser's light's
 
-  Birth<T> birth(const Index<T>& walk, const Mask<T>&, BirthRecord<T>& record) {
+  [[nodiscard]] std::int32_t instrument() const { return of_telescope(receiver.telescope); }
+  [[nodiscard]] const EntryCone<T>& cone() const {
+    return world.telescope_cones[receiver.telescope];
+  }
+
+  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record) {
     const auto& telescope = world.telescopes[receiver.telescope];
     const auto u = this->draw(walk, Index<T>(0), 0);
     record.lens = lens_point(telescope, u[0], u[1]);
-    const auto slope =
-        outward_slope(telescope, record.lens,
-                      instrument::ring_point(T(0), telescope.detector_radius, u[2], u[3]));
-    record.outward = outward(telescope, slope);
-    record.translation_area = translation_area(telescope, record.outward);
     const auto v = this->draw(walk, Index<T>(0), 1);
     record.grid_offset = v[0];
     record.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
     record.line = line_of(medium::spectral_bin_of(v[2]));
-    return birth_at_telescope(world.sea, telescope, receiver.region, record.line, record.lens,
-                              slope);
+    const auto ray =
+        draw_entry(cone(), gather<T>(world.sea.index, record.line),
+                   gather<T>(world.sea.index, Index<T>(0)), u[2], u[3]);
+    record.outward = ray.outside;
+    record.translation_area = translation_area(telescope, record.outward);
+    auto birth = birth_at_telescope(world.sea, telescope, receiver.region, cone(), ray,
+                                    record.line, record.lens);
+    record.own = birth.exists;
+    birth.exists = exist;
+    return birth;
   }
+  [[nodiscard]] static Mask<T> left_out(const Birth<T>&) { return Mask<T>(false); }
   /// The line that a walk of a spectral_bin detects.
   [[nodiscard]] Index<T> line_of(const Index<T>& spectral_bin) const {
     if (receiver.band < 0) return receiver.line;
@@ -78,10 +106,6 @@ struct FromTelescope : WalkDraws<T> {
   /// Whether light can still come from the laser within the last gate.
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return receiver.deadline.is_met(photon, world.least_group_index);
-  }
-  void limit_translation(const Walks<T>& walks, const Index<T>& walk, const Mask<T>& first,
-                         Vertex<T>& vertex) const {
-    walks.limit_translation(world.telescopes[receiver.telescope], walk, first, vertex);
   }
 };
 
@@ -136,9 +160,14 @@ class Bidirectional {
               const std::vector<WantedReceiver>& back, Ledger& ledger, tally::BatchTally& tally) {
     // An echo is per photon emitted, and so are the samples.
     const Samples<T> samples{T(1), world_.connected, T(walks), T(world_.rotates ? walks : 0),
-                             world_.meeting_grid};
+                             world_.meeting_grid, world_.free_telescope, world_.free_laser};
     FromLaser<T, Ledger> from_laser{{laser, first}, world_, ledger};
     WalkTracer(world_, samples, from_laser, laser_, tally).trace(count);
+    if (!world_.laser_cone.exact && any(samples.free_laser.most > T(0))) {
+      Ledger of_no_light;
+      FromLaser<T, Ledger> others{{laser, first}, world_, of_no_light, false};
+      WalkTracer(world_, samples, others, laser_, tally).trace(count);
+    }
     for (const auto& [receiver, draws] : back) {
       Walks<T>& walks_back = back_[receiver.telescope];
       FromTelescope<T, Ledger> from_telescope{{draws, first}, world_, receiver};

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "estimator/bidirectional/vertex.hpp"
+#include "estimator/entry_cone.hpp"
+#include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
-#include "transport/cross.hpp"
 #include "transport/emit.hpp"
 
 namespace photic::estimator {
@@ -12,60 +13,97 @@ namespace photic::estimator {
 /// A walk that stands in the water, and how its light has spread on the way there.
 template <class T>
 struct Birth {
-  Mask<T> exists{};
+  Mask<T> exists{};  ///< its ray is one of the instrument's own; else only free walks are made of it
   transport::Photon<T> photon;
   Spread<T> spread;
 };
 
-/// `before`: length from the point that the light spreads from to where the photon stands.
+/// A ray of an entry cone that leaves its instrument, or a plane across its axis `ahead` of it, at
+/// `start`; `before`: length from the point that light spreads from to there.
 template <class T>
 Birth<T> birth_in_water(const medium::MediumView& sea, const geometry::Region<T>& region,
-                        const transport::Photon<T>& photon, const T& solid_angle, const T& before) {
+                        const EntryRay<T>& ray, const Vec3<T>& start, const T& before,
+                        const Index<T>& line) {
   Birth<T> birth;
-  birth.photon = photon;
-  birth.exists = transport::enter_water(sea, region, birth.photon);
-  birth.spread.solid_angle = solid_angle;
+  birth.exists = ray.exists;
+  birth.photon.position = start;
+  birth.photon.direction = ray.direction;
+  birth.photon.line = line;
+  birth.photon.layer = region.layer;
+  birth.spread.solid_angle = ray.solid_angle;
   birth.spread.before = before;
   if (!region.in_air) return birth;
+  const T cos_air = T(0) - ray.outside.z;
+  const T distance = start.z / cos_air;
+  birth.photon.position = {start.x + distance * ray.outside.x, start.y + distance * ray.outside.y,
+                           T(0)};
+  birth.photon.path = distance;
+  birth.photon.weight = surface::flat_surface<T>(sea, line).transmittance(-ray.direction.z, cos_air);
   birth.spread.through_surface = true;
-  birth.spread.before = before + (birth.photon.path - photon.path);
-  birth.spread.cos_air = select(birth.exists, -photon.direction.z, T(1));
+  birth.spread.before = before + distance;
+  birth.spread.cos_air = cos_air;
   return birth;
 }
 
-/// The solid angle of a laser's cone; 0 of one that no connection can meet [sr].
+/// How far a ray of an instrument leads aside per length along the axis; 0 if that leads back.
 template <class T>
-T connectable_solid_angle(const instrument::Laser<T>& laser) {
-  return can_be_met(laser) ? T(2 * pi) * laser.one_minus_cos_divergence : T(0);
+T along_axis(const EntryCone<T>& cone, const EntryRay<T>& ray) {
+  const T cosine = T(1) + dot(ray.off_axis, cone.outside);
+  return select(cosine > T(0), cosine, T(0));
 }
 
-/// The laser's walk.
+/// The laser's walk. Its weight is what the laser emits in such directions over what is drawn.
 template <class T>
 Birth<T> birth_at_laser(const medium::MediumView& sea, const instrument::Laser<T>& laser,
-                        const geometry::Region<T>& region, const T& u_polar, const T& u_azimuth) {
-  const auto photon = transport::emit(laser, region.layer, u_polar, u_azimuth);
-  return birth_in_water(sea, region, photon, connectable_solid_angle(laser),
-                        (laser.vertex_distance + laser.ahead) / dot(photon.direction, laser.axis));
+                        const geometry::Region<T>& region, const EntryCone<T>& cone,
+                        const EntryRay<T>& ray) {
+  const T cosine = along_axis(cone, ray);
+  const Mask<T> ahead = cosine > T(0);
+  const T secant = T(1) / select(ahead, cosine, T(1));
+  const T to_start = laser.vertex_distance + laser.ahead;
+  const Vec3<T> aside = secant * (ray.off_axis - (cosine - T(1)) * cone.outside);
+  auto birth = birth_in_water(sea, region, ray, laser.start + to_start * aside, to_start * secant,
+                              Index<T>(0));
+  const T x = T(0.5) * dot(ray.off_axis, ray.off_axis);
+  const Mask<T> emitted = cone.exact ? Mask<T>(true) : x < laser.one_minus_cos_divergence;
+  birth.exists = birth.exists & ahead & emitted;
+  birth.photon.path = birth.photon.path + laser.ahead * (x * secant);
+  birth.photon.weight = birth.photon.weight * ray.solid_angle /
+                        (T(2 * pi) * laser.one_minus_cos_divergence);
+  if (!can_be_met(laser)) birth.spread.solid_angle = T(0);
+  return birth;
+}
+/// The same of parallel rays, from two uniforms.
+template <class T>
+Birth<T> birth_at_collimated_laser(const medium::MediumView& sea,
+                                   const instrument::Laser<T>& laser,
+                                   const geometry::Region<T>& region, const EntryCone<T>& cone,
+                                   const T& n, const T& u_radius, const T& u_azimuth) {
+  const auto photon = transport::emit(laser, region.layer, u_radius, u_azimuth);
+  const auto ray = entry_ray(cone, n, n, cone.axis, {T(0), T(0), T(0)});
+  return birth_in_water(sea, region, ray, photon.position, T(0), Index<T>(0));
 }
 
-/// A telescope's walk from a point of its lens by a slope outwards that its detector sees. It
-/// carries étendue: the weight begins with that of all such rays, and takes T (n_i / n_t)^2 at the
-/// surface. In the air its path is what it is longer than from the lens' centre to the origin.
+/// A telescope's walk from a point of its lens. It carries étendue: the weight begins with that of
+/// all rays of the cone, and takes T (n_i / n_t)^2 at the surface. In the air its path is what it is
+/// longer than from the lens' centre to the origin.
 template <class T>
 Birth<T> birth_at_telescope(const medium::MediumView& sea,
                             const instrument::Telescope<T>& telescope,
-                            const geometry::Region<T>& region, const Index<T>& line,
-                            const instrument::PlanePoint<T>& lens,
-                            const instrument::PlanePoint<T>& slope) {
-  transport::Photon<T> photon;
-  photon.position = telescope.start + in_plane(telescope, lens + telescope.ahead * slope);
-  photon.direction = outward(telescope, slope);
-  photon.line = line;
-  photon.layer = region.layer;
-  const T cos_off_axis = dot(photon.direction, telescope.axis);
-  const T solid_angle = detector_solid_angle(telescope, cos_off_axis);
-  photon.weight = telescope.area() * cos_off_axis * solid_angle;
-  auto birth = birth_in_water(sea, region, photon, solid_angle, telescope.ahead / cos_off_axis);
+                            const geometry::Region<T>& region, const EntryCone<T>& cone,
+                            const EntryRay<T>& ray, const Index<T>& line,
+                            const instrument::PlanePoint<T>& lens) {
+  const T cosine = along_axis(cone, ray);
+  const Mask<T> ahead = cosine > T(0);
+  const T cos_off_axis = select(ahead, cosine, T(1));
+  const auto slope = (T(1) / cos_off_axis) * parts_in_plane(telescope, ray.off_axis);
+  auto birth = birth_in_water(
+      sea, region, ray, telescope.start + in_plane(telescope, lens + telescope.ahead * slope),
+      telescope.ahead / cos_off_axis, line);
+  const Mask<T> seen = cone.exact ? Mask<T>(true) : is_detected(telescope, lens, slope);
+  birth.exists = birth.exists & ahead & seen;
+  birth.photon.weight =
+      birth.photon.weight * (telescope.area() * cos_off_axis * ray.solid_angle);
   if (!region.in_air) return birth;
   const T inverse_n = gather<T>(sea.inverse_index, line);
   birth.photon.weight = birth.photon.weight * (inverse_n * inverse_n);

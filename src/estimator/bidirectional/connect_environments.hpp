@@ -48,12 +48,17 @@ PHOTIC_APART void Connections<T>::complete_between(const Pairing<T>& pairing, co
                              one_minus_cos(w.direction, -direction), T(-direction.z)});
 }
 
+/// By the new way from its instrument that a free walk has, and the collision there.
+template <class T>
+PHOTIC_APART void Connections<T>::complete_free(const Vertex&, const T&,
+                                                const geometry::Sightline<T>&, const Ray&,
+                                                const Vec3<T>&) {}
+
 /// By a meeting of a laser's ray and a telescope's.
 template <class T>
-PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPair<T>& pair, const Moved<T>& moved,
-                                                      const T& depth, const Index<T>& layer) {
-  const Ray& out = pair.out;
-  const Ray& back = moved.ray;
+PHOTIC_APART void Connections<T>::complete_by_meeting(const Met<T>& met, const T& depth,
+                                                      const Index<T>& layer) {
+  const auto& [out, back] = std::tie(met.out, met.back);
   const auto pass = [&](const Ray& ray) {
     const Mask<T> reflected = ray.is_reflected();
     WalkPoint<T> left = ray;
@@ -70,8 +75,7 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPair<T>& pair, co
   pass(back);
   if (is_aslant(telescope_)) {
     const Index<T>& at = receiver_.region.layer;
-    const T longer = select(pair.pairing.m == Index<T>(0), T(0), moved.longer);
-    completion_.pass(sea_, {back_.line(pair.pairing.back), at, T(0), at, T(0), longer});
+    completion_.pass(sea_, {met.line, at, T(0), at, T(0), met.longer});
   }
   completion_.collide(sea_, {out.line, layer, back.line > Index<T>(0), back.line,
                              one_minus_cos(out.direction, -back.direction), T(-out.direction.z)});

@@ -63,21 +63,50 @@ template <class T>
 PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_t walks,
                                              std::size_t back, Moves moves) {
   const auto birth = back_.birth_record_in_all_lanes(back);
-  const bool translates = moves != Moves::rotations && any(birth.translation_area > T(0));
-  const bool rotates =
-      moves != Moves::translations && any(samples_.rotated > T(0)) && back_.pivot_vertex(back) >= 0;
+  const bool own = back_.is_own(back);
+  const bool translates =
+      includes(moves, Moves::translations) && any(birth.translation_area > T(0));
+  const bool rotates = own && includes(moves, Moves::rotations) &&
+                       any(samples_.rotated > T(0)) && back_.pivot_vertex(back) >= 0;
+  const bool of_telescope = includes(moves, Moves::free_telescope) && frees(instrument()) &&
+                            any(samples_.free_telescope.most > T(0)) && back_.vertices(back) > 0;
+  const bool of_laser = own && includes(moves, Moves::free_laser) &&
+                        frees(photic::estimator::of_laser) &&
+                        any(samples_.free_laser.most > T(0));
   if (translates && comes_to_bed()) meetings_on_bed(first_laser, walks, back);
-  if (!translates && !rotates) return;
+  if (!translates && !rotates && !of_telescope && !of_laser) return;
+  const auto telescope_start =
+      of_telescope ? free_telescope_start(back) : FreeStart<T>{};
   const auto axis = back_.axis(Index<T>(back));
   const Index<T> pivot(back_.pivot_vertex(back));
   const auto start = at_lens(birth, back_.line(Index<T>(back)));
   each_pair(first_laser, walks, back,
-            [&](const auto& pairing, const auto& mask, const DepthLine& out_line,
+            [&](const auto& pairing, const auto& all, const DepthLine& out_line,
                 const DepthLine& back_line) {
+              const Mask<T> mask =
+                  world_.laser_cone.exact ? all : all & laser_.is_own(pairing.laser);
               if (translates)
                 translate(pairing, mask & reverses(out_line, back_line), out_line, back_line,
                           start);
               if (rotates) rotate(pairing, mask & (pairing.m > pivot), out_line, back_line, axis);
+              if (of_telescope)
+                free_meetings(pairing, mask & (pairing.m > Index<T>(0)), out_line, back_line,
+                              telescope_start, T(1), samples_.free_telescope, birth.grid_offset,
+                              [this](const Mask<T>& meet, const FreePairing<T>& at) {
+                                free_telescope_.push(meet, at, [this](const auto& e, const auto& m) {
+                                  serve_free_telescope(e, m);
+                                });
+                              });
+              const Mask<T> later = all & (pairing.i > Index<T>(0));
+              if (of_laser && any(later))
+                free_meetings(pairing, later, out_line, back_line,
+                              free_laser_start(select(later, pairing.laser, pairing.laser)), T(-1),
+                              samples_.free_laser, birth.grid_offset,
+                              [this](const Mask<T>& meet, const FreePairing<T>& at) {
+                                free_laser_.push(meet, at, [this](const auto& e, const auto& m) {
+                                  serve_free_laser(e, m);
+                                });
+                              });
             });
 }
 
@@ -126,13 +155,27 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meetings_on_bed(std::size_t fir
       });
 }
 
-/// A telescope's walk that is translated sideways.
+/// Two rays before a walk is moved.
 template <class T>
-Moved<T> Connections<T>::translated(const RayPair<T>& pair, const Vec3<T>& translation) const {
-  Moved<T> moved{pair.back, pair.axis()};
-  moved.axis.x = moved.axis.x + translation.x;
-  moved.axis.y = moved.axis.y + translation.y;
-  return moved;
+Met<T> Connections<T>::met(const RayPair<T>& pair) const {
+  Met<T> met;
+  met.out = pair.out;
+  met.back = pair.back;
+  met.out_spread = pair.spread;
+  met.back_spread = pair.birth.spread;
+  met.out_first = laser_.first_vertex(pair.pairing.laser);
+  met.back_first = back_.first_vertex(pair.pairing.back);
+  met.translation_area = pair.birth.translation_area;
+  met.axis = met.own_axis = pair.axis();
+  if (world_.compares) met.line = back_.line(pair.pairing.back);
+  return met;
+}
+/// The telescope's walk is moved sideways. Its ray keeps its place: the rays' levels are all that
+/// counts.
+template <class T>
+void Connections<T>::translate(Met<T>& met, const Vec3<T>& translation) const {
+  met.axis.x = met.axis.x + translation.x;
+  met.axis.y = met.axis.y + translation.y;
 }
 
 /// Rays that meet where both are as far from the axis of a rotation.
@@ -209,98 +252,69 @@ void Connections<T>::meet_translated(const RayPair<T>& pair, const Mask<T>& mask
       mask & open_at(telescope_, lens) & sight(telescope_, lens, -pair.birth.outward).on_detector;
   if (!any(passes)) return;
   if (!telescope_.upright) return meet_tilted(pair, passes, lens, depth, place);
-  const Vec3<T> translation = in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens);
-  meet_at<true>(pair, passes, translated(pair, translation), depth, place);
+  auto met = this->met(pair);
+  translate(met, in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens));
+  meet_at(pair.pairing, passes, met, depth, place);
 }
 
 template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_rotated(const RotatedPairing<T>& pairing,
                                                   const Mask<T>& mask) {
-  RayPair<T> pair = pair_of(pairing);
+  const RayPair<T> pair = pair_of(pairing);
   const auto rotation = rotation_to_meet(pair.out, pair.back, pair.axis(), pairing.depth);
-  const auto [gain, near_pivot] = rotate_pivot(pair, rotation);
-  Moved<T> moved{pair.back, pair.axis(), gain, near_pivot};
-  moved.ray.position = rotation.of_place(pair.back.position);
-  moved.ray.direction = rotation.of_direction(pair.back.direction);
-  const Index<T> layer = transport::layer_at(sea_, pair.out.layer, pairing.depth);
-  if (!telescope_.upright) return meet_under_tilted(pair, mask, moved, pairing.depth, layer);
-  meet_at<true>(pair, mask, moved, pairing.depth, layer);
+  auto met = this->met(pair);
+  rotate_pivot(pairing, rotation, met);
+  met.back.position = rotation.of_place(pair.back.position);
+  met.back.direction = rotation.of_direction(pair.back.direction);
+  meet_at(pairing, mask, met, pairing.depth,
+          transport::layer_at(sea_, pair.out.layer, pairing.depth));
+}
+
+/// What a telescope's walk of two vertices or more draws near its first one has other densities if
+/// it comes there otherwise: of the direction in which it leaves it (1 over that, `per_p`), and of
+/// the choice how to (`chance`), both over what they were. `only`: the ray begins there.
+template <class T>
+void Connections<T>::change_first(const Mask<T>& only, const T& per_p, const T& chance, Ray& ray,
+                                  FirstVertex<T>& first) const {
+  const T of_ray = select(only, per_p, chance);
+  ray.chance = ray.chance * chance;
+  ray.vertex_chance = ray.vertex_chance * select(only, T(1), chance);
+  ray.per_p = ray.per_p * select(only, per_p, T(1));
+  ray.translated = ray.translated * of_ray;
+  ray.rotated.density = ray.rotated.density * of_ray;
+  first.averaged = first.averaged * per_p / chance;
+  first.instrument_edge = first.instrument_edge * per_p;
+  first.next_edge = first.next_edge * per_p;
+  first.translated = first.translated * per_p;
 }
 
 /// A rotation changes the scattering angle at the pivot, and with it the phase function's value
-/// there. Tells by which factor the sample gains, and what the densities behind the telescope's ray
-/// gain in all: 0 where light is converted, since then all strategies draw this angle alike (eq.
-/// 79).
+/// there. Where light is converted all strategies draw this angle alike (eq. 79).
 template <class T>
-std::array<T, 2> Connections<T>::rotate_pivot(RayPair<T>& pair, const Rotation<T>& rotation) const {
-  const auto& pairing = pair.pairing;
+void Connections<T>::rotate_pivot(const RayPairing<T>& pairing, const Rotation<T>& rotation,
+                                  Met<T>& met) const {
   const Pivot<T> pivot = back_.pivot(pairing.back);
   const Vec3<T> rotated = rotation.of_direction(pivot.leaving);
   const Mask<T> bed = pivot.phase < Index<T>(0);
   const Index<T> layer = select(bed, Index<T>(sea_.layers), Index<T>(0));
   const T p = transport::scattered_density(sea_, layer, select(bed, Index<T>(0), pivot.phase),
                                            pivot.arriving, rotated);
-  const T gain = pivot.per_p * p;
-  if (any(receiver_.line > Index<T>(0))) return {gain, T(0)};
-  // The density of the walk's direction as it was drawn over that as it is now: strategies that do
-  // not draw it gain so much beside the others.
-  const auto& inverse_conversion = world_.inverse_conversion;
-  const T gained =
-      inverse_conversion.scattered_over_phase(sea_, layer, pivot.leaving, T(1) / pivot.per_p) /
-      (gain * inverse_conversion.scattered_over_phase(sea_, layer, rotated, p));
-  const T of_ray = select(pairing.m == Index<T>(1), gained, T(1));
-  pair.back.per_p = of_ray * pair.back.per_p;
-  pair.back.translated = of_ray * pair.back.translated;
-  const auto in_path = usable(pairing.order());
-  const auto near = back_.near_first(pairing.back, pairing.m, in_path,
-                                     translations_in(in_path.order, pair.birth.translation_area));
-  return {gain, (gained - T(1)) * (near.lens_edge + near.translated + near.next_edge)};
-}
-
-template <class T>
-template <bool upright>
-void Connections<T>::meet_at(const RayPair<T>& pair, const Mask<T>& mask, const Moved<T>& moved,
-                             const T& depth, const Index<T>& place) {
-  const Ray& out = pair.out;
-  const auto& birth = pair.birth;
-  const auto& pairing = pair.pairing;
-  const Mask<T> emitting = mask & emits(moved.ray.line, place);
-  if (!any(emitting)) return;
-  const T reach = (-out.position.z - depth) / out.direction.z;
-  const auto in_path = usable(pairing.order());
-  const T translations_last = translations_in(in_path.order, birth.translation_area);
-  Freedom<T> freedom{translations_last, select(is_pivot(moved.ray.line, pairing.m),
-                                               axis_at(out.position + reach * out.direction,
-                                                       moved.ray.direction, out.direction),
-                                               moved.axis)};
-  const auto last = [&] {
-    return select(pairing.m > Index<T>(0), last_depth(pairing.back), depth);
+  const T p_before = T(1) / pivot.per_p;
+  met.gain = pivot.per_p * p;
+  if (any(receiver_.line > Index<T>(0))) return;
+  const auto chance = [&](const Vec3<T>& direction, const T& value) {
+    return world_.inverse_conversion.scattered_over_phase(sea_, layer, direction, value);
   };
-  const bool aslant = !upright && is_aslant(telescope_);
-  if (aslant) freedom = freedom_before(last(), freedom);
-  const auto laser = laser_.side(out, pair.spread, pairing.laser, pairing.i, in_path, freedom);
-  auto back = back_.side(pair.back, birth.spread, pairing.back, pairing.m, in_path,
-                         {translations_last, pair.axis()});
-  back.ray = moved.ray;
-  back.behind = back.behind + moved.near_pivot;
-  T gain = moved.gain;
-  if (!upright) {
-    const Longer<T> longer = lengthened(pair, moved.longer);
-    gain = gain * longer.gain;
-    back.ray.path = back.ray.path + longer.path;
-    back.spread.before = back.spread.before + longer.length;
-    back.behind = back.behind + longer.behind;
-    back.meeting = back.meeting + longer.meeting;
-  }
-  if (aslant)
-    freedom.translations = select(pairing.m > Index<T>(0), freedom.translations, translations_last);
-  const auto meeting =
-      meet(sea_, laser, back, depth, place, freedom, world_.inverse_conversion, samples_);
-  if (world_.compares) [[unlikely]]
-    complete_by_meeting(pair, moved, depth, place);
-  score(pair.pairing, Walked::both, emitting & (meeting.path < receiver_.last_path),
-        {gain * meeting.value, meeting.path, last(), in_path.order, pairing.i, pairing.m,
-         surface::on_bed<T>(sea_, place)});
+  const T gained = chance(rotated, p) / chance(pivot.leaving, p_before);
+  met.gain = met.gain * gained;
+  met.rest = gained;
+  change_first(pairing.m == Index<T>(1), T(p_before / p), gained, met.back, met.back_first);
+  if (!samples_.frees()) return;
+  // The mean over directions in which it could have come is that of another angle.
+  const Index<T> line(0);
+  const Vertex first = back_.vertex(pairing.back, Index<T>(0));
+  met.back_first.averaged =
+      averaged_over_drawn(world_, instrument(), line, first.layer, Mask<T>(true), rotated, p);
 }
 
 }  // namespace photic::estimator

@@ -40,39 +40,35 @@ FirstLeg<T> Connections<T>::first_leg(const BirthRecord<T>& birth, const Index<T
 /// water also how much of it is, and how likely walks go so far; and the densities of connecting
 /// this edge and of meeting at its end, which later rays carry on.
 template <class T>
-PHOTIC_APART Longer<T> Connections<T>::lengthened(const RayPair<T>& pair, T length) const {
-  const auto& pairing = pair.pairing;
+PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
+                                           const BirthRecord<T>& birth, T length,
+                                           Met<T>& met) const {
   const Index<T> line = back_.line(pairing.back);
   const Index<T> here = sea_.at(line, receiver_.region.layer);
   const Mask<T> first = pairing.m == Index<T>(0);
-  Longer<T> longer;
   T growth(1);  // of what walks draw along it
   if (telescope_.submerged) {
     length = select(first, T(0), length);  // first rays have been moved
-    longer.gain = exp_minus(length * gather<T>(sea_.c.first, here));
+    met.gain = exp_minus(length * gather<T>(sea_.c.first, here));
     growth = exp_minus(-length / gather<T>(sea_.walk_mean_path, here));
   }
-  longer.length = length;
-  longer.path = length * at_lens(pair.birth, line).index;
-  if (all(first)) return longer;
-  const FirstLeg<T> way = first_leg(pair.birth, pairing.back);
+  met.longer = length;
+  met.back.path = met.back.path + length * at_lens(birth, line).index;
+  met.back_spread.before = met.back_spread.before + length;
+  if (all(first)) return;
+  const FirstLeg<T> way = first_leg(birth, pairing.back);
   const auto area = [&](const T& more) {
-    auto spread = pair.birth.spread;
+    auto spread = birth.spread;
     spread.through_surface = !telescope_.submerged;
     spread.before = spread.before + more;
     return area_per_solid_angle(sea_, spread, line, way.length, way.steep);
   };
-  const auto in_path = usable(pairing.order());
-  const T translations_here = translations_in(in_path.order, pair.birth.translation_area);
-  const auto near = back_.near_first(pairing.back, pairing.m, in_path, translations_here);
-  const T of_edge = growth * area(length) / area(T(0)) - T(1);
-  const T of_meeting = growth - T(1);
-  longer.behind = select(first, T(0), of_edge * near.lens_edge + of_meeting * near.translated);
-  longer.meeting = select(
-      (pairing.m == Index<T>(1)) & in_path.meeting(in_path.order),
-      of_meeting * translations_here * if_reversed(pair.back.translated, pair.back.leaving_z()),
-      T(0));
-  return longer;
+  const T wider = area(length) / area(T(0));
+  met.back_first.footprint = met.back_first.footprint * wider;
+  met.back_first.instrument_edge = met.back_first.instrument_edge * wider * growth;
+  met.back_first.translated = met.back_first.translated * growth;
+  met.back.translated =
+      met.back.translated * select(pairing.m == Index<T>(1), growth, T(1));
 }
 
 /// Rays that meet at a depth, where the telescope's walk comes through a point of a tilted lens.
@@ -83,19 +79,15 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const RayPair<T>& p
   const Vec3<T>& outward = pair.birth.outward;
   const auto aside = lens + T(-1) * pair.birth.lens;
   const T longer = longer_by_translation(telescope_, outward, aside);
-  auto moved = translated(pair, in_plane(telescope_, aside) + longer * outward);
-  moved.longer = longer;
+  auto met = this->met(pair);
+  translate(met, in_plane(telescope_, aside) + longer * outward);
   if (telescope_.submerged) {  // there a first ray begins at the lens
     const T begins = select(pair.pairing.m == Index<T>(0), longer, T(0));
-    moved.ray.position = pair.back.position - begins * pair.back.direction;
+    met.back.position = pair.back.position - begins * pair.back.direction;
   }
-  meet_at<false>(pair, mask & can_meet(pair, moved.ray, depth), moved, depth, place);
-}
-template <class T>
-PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_under_tilted(const RayPair<T>& pair,
-                                                                   Mask<T> mask, Moved<T> moved,
-                                                                   T depth, Index<T> place) {
-  meet_at<false>(pair, mask, moved, depth, place);
+  const Mask<T> meets = mask & can_meet(pair, met.back, depth);
+  lengthen(pair.pairing, pair.birth, longer, met);
+  meet_at(pair.pairing, meets, met, depth, place);
 }
 
 }  // namespace photic::estimator

@@ -35,6 +35,7 @@ PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairing<T>& pairing
 template <class T>
 void Connections<T>::by_sightline(const Pairing<T>& pairing, const Mask<T>& mask, const Vertex& v,
                                   const BirthRecord<T>& birth, const geometry::Sightline<T>& way) {
+  using std::abs;
   const Index<T> line = back_.line(pairing.back);
   const auto sight = instrument::sight(telescope_, birth.lens, way.arriving);
   const T path = v.path + transport::longer_in_air(telescope_, way, birth.lens) +
@@ -43,27 +44,38 @@ void Connections<T>::by_sightline(const Pairing<T>& pairing, const Mask<T>& mask
   if (!any(seen)) return;
   const T depth = -v.position.z;
   const auto tau = depths_along(sea_, way, line, v.layer, depth, way.length_water);
-  const T solid_angle = detector_solid_angle(telescope_, sight.cos_off_axis);
+  const auto& cone = world_.cone(instrument());
+  const T solid_angle =
+      cone.solid_angle_outside(gather<T>(sea_.index, line), way.direction.z, way.arriving.z);
   const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
+  const T area_per_instrument = solid_angle * way.area_per_solid_angle / way.index_squared;
+  const T reach = cone.reach(tau.walk, way.direction.z, on_bed(v.layer));
   const auto in_path = usable(pairing.i + Index<T>(1));
-  const Freedom<T> freedom{
-      translations_in(in_path.order, instrument::translation_area(telescope_, way.arriving)),
-      axis_at(v.position, way.direction, v.direction)};
-  const T behind = behind_laser_vertex(pairing, v, in_path, freedom_before(depth, freedom));
+  const bool elastic = all(line == Index<T>(0));
+  const T telescope_area =
+      elastic ? free_area(instrument(), T(area_per_instrument / abs(way.direction.z)), line,
+                          v.layer, Mask<T>(true), -v.direction,
+                          phase_value(sea_, v, way.direction,
+                                      gather_index<T>(sea_.elastic_phase, sea_.at(line, v.layer))))
+              : free_area(instrument(), T(area_per_instrument / abs(way.direction.z)), line,
+                          v.layer, Mask<T>(false), -v.direction, T(1));
+  const auto freedom =
+      path_freedom(in_path.order, instrument::translation_area(telescope_, way.arriving), depth,
+                   telescope_area, free_area(laser_, of_laser, pairing.laser));
+  const Freedom<T> here{freedom.at_last, axis_at(v.position, way.direction, v.direction)};
+  const T behind = behind_laser_vertex(pairing, v, in_path, freedom, here.axis);
   const ConnectionEnd from =
-      all(line == Index<T>(0))
-          ? scattering_from_laser(sea_, v, behind, way.direction, world_.inverse_conversion, T(1),
-                                  freedom)
-          : conversion_from_laser(sea_, v, behind, way.direction, line, world_.inverse_conversion,
-                                  T(1), T(1), freedom);
-  const T area = samples_.to_instrument * from.chance * solid_angle * way.area_per_solid_angle /
-                     way.index_squared +
-                 from.meeting;
+      elastic ? scattering_from_laser(sea_, v, behind, way.direction, world_.inverse_conversion,
+                                      T(1), here)
+              : conversion_from_laser(sea_, v, behind, way.direction, line,
+                                      world_.inverse_conversion, T(1), T(1), here);
+  const T area =
+      samples_.to_instrument * from.chance * area_per_instrument + from.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_telescope(pairing, v, way);
   score(pairing, Walked::laser, seen,
         {from.weight * way.throughput * etendue *
-             balance(area, tau.all, tau.walk, from.densities, EndDensities<T>{}),
+             balance(area, tau.all, reach, from.densities, EndDensities<T>{}),
          path, depth, in_path.order, in_path.order, Index<T>(0)});
 }
 
@@ -78,7 +90,7 @@ void Connections<T>::to_laser(std::size_t walk) {
 template <class T>
 PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>& pairing, const Mask<T>& mask) {
   const auto& laser = world_.laser;
-  if (!any(connectable_solid_angle(laser) > T(0))) return;
+  if (!can_be_met(laser)) return;
   const Vec3<T> vertex = fictitious_vertex(laser);
   const Vertex w = back_.in_path(pairing.back, pairing.m, usable(pairing.m + Index<T>(1)));
   const Mask<T> wanted = mask & emits(w.line, w.layer);
@@ -89,43 +101,67 @@ PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>& pairing, co
         geometry::sightline(sea_, w.position, line, vertex, world_.laser_region, route, wanted));
 }
 
+/// By a way that leaves a vertex, or would if light went back.
 template <class T>
-void Connections<T>::by_sightline_to_laser(const Pairing<T>& pairing, const Mask<T>& mask,
-                                           const Vertex& w, const geometry::Sightline<T>& way) {
+WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& from,
+                                           const Index<T>& place,
+                                           const geometry::Sightline<T>& way) const {
   const auto& laser = world_.laser;
-  const Vec3<T> leaving = -way.arriving;
-  const T x = one_minus_cos(leaving, laser.axis);
-  const Mask<T> in_cone = x < laser.one_minus_cos_divergence;
-  Mask<T> lit = mask & way.exists & in_cone;
-  if (!any(lit)) return;
+  const auto& cone = world_.laser_cone;
+  const Index<T> line(0);
+  const T x = one_minus_cos(-way.arriving, laser.axis);
   // The way from the disc on; the fictitious vertex lies behind it.
   const T hidden = laser.vertex_distance / (T(1) - x);
   const Vec3<T> vertex = fictitious_vertex(laser);
   const T longer = longer_by(vertex, -way.crossing, length(vertex) + way.length_air);
   const T air = way.to.in_air ? longer + laser.vertex_detour - x * hidden : T(0);
-  const T water = way.to.in_air ? way.length_water : way.length_water - hidden;
-  const Index<T> line(0);
-  const T path = w.path + air + water * gather<T>(sea_.group_index, line);
-  lit = lit & (water > T(0)) & (path < receiver_.last_path);
+  WayToLaser<T> out;
+  out.water = way.to.in_air ? way.length_water : way.length_water - hidden;
+  out.path = air + out.water * gather<T>(sea_.group_index, line);
+  out.lit = mask & way.exists & (x < laser.one_minus_cos_divergence) & (out.water > T(0));
+  if (!any(out.lit)) return out;
+  const auto tau = depths_along(sea_, way, line, place, T(-from.z), out.water);
+  const T solid_angle =
+      cone.solid_angle_outside(gather<T>(sea_.index, line), way.direction.z, way.arriving.z);
+  out.tau = tau.all;
+  out.reach = cone.reach(tau.walk, way.direction.z, on_bed(place));
+  out.area = solid_angle * way.area_per_solid_angle / way.index_squared;
+  out.weight = way.throughput * solid_angle / (T(2 * pi) * laser.one_minus_cos_divergence);
+  return out;
+}
+
+template <class T>
+void Connections<T>::by_sightline_to_laser(const Pairing<T>& pairing, const Mask<T>& mask,
+                                           const Vertex& w, const geometry::Sightline<T>& way) {
+  using std::abs;
+  const auto to_laser = way_to_laser(mask, w.position, w.layer, way);
+  const T path = w.path + to_laser.path;
+  const Mask<T> lit = to_laser.lit & (path < receiver_.last_path);
   if (!any(lit)) return;
-  const auto tau = depths_along(sea_, way, line, w.layer, T(-w.position.z), water);
-  const Index<T> order = pairing.m + Index<T>(1);
-  const Freedom<T> freedom{
-      translations_in(order, back_.birth_record(pairing.back).translation_area),
-      select(is_pivot(w.line, pairing.m), axis_at(w.position, w.direction, way.direction),
-             back_.axis(pairing.back))};
+  const auto in_path = usable(pairing.m + Index<T>(1));
+  const Mask<T> scatters = w.line == Index<T>(0);
+  const T laser_area = free_area(
+      of_laser, T(to_laser.area / abs(way.direction.z)), Index<T>(0), w.layer, scatters,
+      -w.direction,
+      phase_value(sea_, w, way.direction,
+                  gather_index<T>(sea_.elastic_phase, sea_.at(Index<T>(0), w.layer))));
+  const auto freedom = path_freedom(
+      in_path.order, back_.birth_record(pairing.back).translation_area, last_depth(pairing.back),
+      free_area(back_, instrument(), pairing.back), laser_area);
+  const Freedom<T> here{freedom.at(Mask<T>(true), pairing.m == Index<T>(0)),
+                        select(is_pivot(w.line, pairing.m),
+                               axis_at(w.position, w.direction, way.direction),
+                               back_.axis(pairing.back))};
+  const T behind = back_.behind(w, pairing.back, pairing.m, in_path, freedom, here.axis);
   const ConnectionEnd to =
-      arrival_from_laser(sea_, w, way.direction, world_.inverse_conversion, freedom);
-  const T solid_angle = connectable_solid_angle(laser);
-  const T area = samples_.to_instrument * to.chance * solid_angle * way.area_per_solid_angle /
-                     way.index_squared +
-                 to.meeting;
+      arrival_from_laser(sea_, w, behind, way.direction, world_.inverse_conversion, here);
+  const T area = samples_.to_instrument * to.chance * to_laser.area + to.meeting;
   if (world_.compares) [[unlikely]]
-    complete_to_laser(pairing, w, way, water);
+    complete_to_laser(pairing, w, way, to_laser.water);
   score(pairing, Walked::telescope, lit,
-        {to.weight * way.throughput *
-             balance(area, tau.all, tau.walk, EndDensities<T>{}, to.densities),
-         path, last_depth(pairing.back), order, Index<T>(0), order});
+        {to.weight * to_laser.weight *
+             balance(area, to_laser.tau, to_laser.reach, EndDensities<T>{}, to.densities),
+         path, last_depth(pairing.back), in_path.order, Index<T>(0), in_path.order});
 }
 
 template <class T>
@@ -150,33 +186,54 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>& pairing, con
   const Vec3<T> there = w.position - v.position;
   const T length = photic::length(there);
   const Vec3<T> direction = (T(1) / length) * there;
-  const T translations =
-      translations_in(in_path.order, back_.birth_record(pairing.back).translation_area);
   const T last = last_depth(pairing.back);
+  const T translation_area = back_.birth_record(pairing.back).translation_area;
+  const Mask<T> first = pairing.i == Index<T>(0), at_last = pairing.m == Index<T>(0);
   const Mask<T> inelastic = w.line > Index<T>(0);
+  // By what free walks may be moved if light of a line goes along the edge.
+  const auto freedom_of = [&](const Index<T>& line) {
+    if (!samples_.frees()) return path_freedom(in_path.order, translation_area, last, T(0), T(0));
+    const auto of = [&](const Walks<T>& walks, std::int32_t instrument, const Index<T>& walk,
+                        const Vertex& at, const Vec3<T>& leaving, const Mask<T>& scatters,
+                        const Mask<T>& ends) {
+      const auto near = walks.first_vertex(walk);
+      const T p = phase_value(sea_, at, leaving,
+                              gather_index<T>(sea_.elastic_phase, sea_.at(at.line, at.layer)));
+      return select(ends,
+                    free_area(instrument, near.footprint, at.line, at.layer, scatters, leaving, p),
+                    free_area(walks, instrument, walk));
+    };
+    return path_freedom(
+        in_path.order, translation_area, last,
+        of(back_, instrument(), pairing.back, w, -direction, w.line == line, at_last),
+        of(laser_, of_laser, pairing.laser, v, direction, v.line == line, first));
+  };
   const Mask<T> arrives = mask & emits(w.line, w.layer);
   if (any(arrives)) {
-    const Freedom<T> freedom{translations, select(is_pivot(w.line, pairing.m),
-                                                  axis_at(w.position, w.direction, direction),
-                                                  back_.axis(pairing.back))};
-    const auto before = freedom_before(last, freedom);
-    const T behind = behind_laser_vertex(pairing, v, in_path, before);
+    const auto freedom = freedom_of(Index<T>(0));
+    const auto axis =
+        select(is_pivot(w.line, pairing.m), axis_at(w.position, w.direction, direction),
+               back_.axis(pairing.back));
+    const T behind = behind_laser_vertex(pairing, v, in_path, freedom, axis);
+    const T behind_arrival = back_.behind(w, pairing.back, pairing.m, in_path, freedom, axis);
     const ConnectionEnd to =
-        arrival_from_laser(sea_, w, -direction, world_.inverse_conversion, freedom);
+        arrival_from_laser(sea_, w, behind_arrival, -direction, world_.inverse_conversion,
+                           {freedom.at(Mask<T>(false), at_last), axis});
     along(pairing, arrives, Index<T>(0),
           scattering_from_laser(sea_, v, behind, direction, world_.inverse_conversion, to.goes_on,
-                                before),
+                                {freedom.at(first, Mask<T>(false)), axis}),
           to, v, w, length, in_path);
   }
   const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
   if (any(converts)) {
-    const auto freedom = freedom_before(
-        last, Freedom<T>{translations, axis_at(v.position, w.direction, v.direction)});
-    const T behind = behind_laser_vertex(pairing, v, in_path, freedom);
+    const auto freedom = freedom_of(w.line);
+    const auto axis = axis_at(v.position, w.direction, v.direction);
+    const T behind = behind_laser_vertex(pairing, v, in_path, freedom, axis);
     const T goes_on = T(1) - world_.inverse_conversion.chance(sea_, w.line, w.layer);
     along(pairing, converts, w.line,
           conversion_from_laser(sea_, v, behind, direction, w.line, world_.inverse_conversion,
-                                w.chance, w.chance * goes_on, freedom),
+                                w.chance, w.chance * goes_on,
+                                {freedom.at(first, Mask<T>(false)), axis}),
           scattering_of_converted(sea_, w, -direction), v, w, length, in_path);
   }
 }
@@ -197,7 +254,7 @@ void Connections<T>::along(const Pairing<T>& pairing, const Mask<T>& mask, const
   if (world_.compares) [[unlikely]]
     complete_between(pairing, line, v, w, length);
   score(pairing, Walked::both, in_time,
-        {from.weight * to.weight * balance(area, tau.all, tau.walk, from.densities, to.densities),
+        {from.weight * to.weight * balance(area, tau.all, exp_minus(tau.walk), from.densities, to.densities),
          path, last_depth(pairing.back), usable.order, edge, pairing.m + Index<T>(1)});
 }
 

@@ -20,11 +20,11 @@ struct ConnectionEnd {
   T meeting{};   ///< density of meeting at this end, but for what the other end adds
 };
 
-/// How the telescope's walk of a path may be moved as a whole.
+/// How walks of a path may be moved as wholes to meet at one of its vertices.
 template <class T>
 struct Freedom {
-  T translations{};      ///< n per metre of depth, over an area A: n A [m]
-  RotationAxis<T> axis;  ///< of its rotation beyond the pivot
+  T translations{};      ///< of PathFreedom, there [m]
+  RotationAxis<T> axis;  ///< of a telescope's walk's rotation beyond its pivot
 
   /// Density of meeting at a vertex that is left in a direction, but for the phase function there
   /// and for what the edge beyond adds.
@@ -82,10 +82,11 @@ ConnectionEnd<T> conversion_from_laser(const geometry::Slabs& sea, const Vertex<
 }
 
 /// The telescope's walk with the laser's light that comes to it: scattered if the walk has
-/// already converted, else converted here. `direction`: in which the walk would go on.
+/// already converted, else converted here. `direction`: in which the walk would go on; `behind`:
+/// the densities behind the vertex.
 template <class T>
 ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>& v,
-                                    const Vec3<T>& direction,
+                                    const T& behind, const Vec3<T>& direction,
                                     const estimator::InverseConversion<T>& inverse_conversion,
                                     const Freedom<T>& freedom) {
   const Index<T> here = sea.at(v.line, v.layer);
@@ -96,7 +97,7 @@ ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>&
                                 select(converts, gather_index<T>(sea.conversion_phase, v.line),
                                        gather_index<T>(sea.elastic_phase, here)));
   end.densities.arriving_edge = ratio * arriving_edge(sea, v, end.densities.p);
-  end.densities.behind = v.behind.all(freedom.translations);  // 0 before a conversion
+  end.densities.behind = behind;  // 0 before a conversion
   end.meeting = freedom.meeting(v, direction);
   end.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),
                                  transport::scattered_share(sea, v.line, v.layer, direction.z));

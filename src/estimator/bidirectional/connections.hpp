@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "core/flatten.hpp"
@@ -65,9 +66,23 @@ struct RotatedPairing : RayPairing<T> {
   }
 };
 
-/// How telescopes' walks are moved to meet others: translated sideways so that they still come
-/// through the lens, or rotated beyond their pivots.
-enum class Moves : std::int8_t { translations, rotations, all };
+/// Rays of which one belongs to a free walk, and the depth where they meet.
+template <class T>
+struct FreePairing : RayPairing<T> {
+  T depth{};       ///< [m]
+  Index<T> bed{};  ///< 1: on the bed
+
+  template <class F>
+  constexpr void each_member(F f) {
+    RayPairing<T>::each_member(f);
+    f(depth), f(bed);
+  }
+};
+
+/// How walks are moved to meet others: a telescope's translated sideways so that it still comes
+/// through the lens, or rotated beyond its pivot; or either as a free walk.
+enum class Moves : std::int8_t { translations, rotations, free_telescope, free_laser, all };
+inline bool includes(Moves asked, Moves one) { return asked == one || asked == Moves::all; }
 
 /// Two rays that may be made to meet.
 template <class T>
@@ -95,24 +110,43 @@ struct RayPair {
   }
 };
 
-/// A telescope's ray, and the rotation axis of its walk, as they have been moved to meet another.
+/// Two rays as they meet, after one of both walks has been moved, and what that makes of the path.
 template <class T>
-struct Moved {
-  Ray<T> ray;
-  RotationAxis<T> axis;
-  T gain{1};        ///< new over old value of the phase function at the pivot
-  T near_pivot{0};  ///< what all densities behind the ray gain by the pivot's new angle
-  T longer{0};      ///< so much longer is its way from the lens [m]
+struct Met {
+  Ray<T> out, back;
+  Spread<T> out_spread, back_spread;
+  FirstVertex<T> out_first, back_first;
+  T rest{1};       ///< by how much all other densities behind the telescope's ray grow
+  T translation_area{};
+  Vec3<T> out_moved{};  ///< from where the laser's walk was drawn; level
+  RotationAxis<T> axis;  ///< of the telescope's walk, where it is now
+  RotationAxis<T> own_axis;  ///< where it was drawn
+  bool rotates_anew = false;  ///< it may be rotated otherwise than it was drawn
+  T gain{1};       ///< of the sample
+  T longer{};      ///< so much longer is the way from a tilted lens [m]
+  Index<T> line{};  ///< of the light that comes back
 };
 
-/// What a longer way from the lens makes of a telescope's side of a meeting.
+/// Where two rays meet.
 template <class T>
-struct Longer {
-  T gain{1};    ///< of the sample
-  T path{};     ///< more of it [m]
-  T length{};   ///< of the way, more of it [m]
-  T behind{};   ///< what the densities behind the ray gain
-  T meeting{};  ///< and that of meeting where it begins, but for what it adds itself
+struct MeetingPoint {
+  T length_out{}, length_back{};  ///< of the rays [m]
+  T tau{};                        ///< optical depth of both
+  T reach_out{}, reach_back{};    ///< chances that walks would come along them
+  Mask<T> converts{}, bed{};
+  T coefficient{};  ///< of what light does there, over c'
+  T p{};            ///< its phase function's value [1/sr]
+  T path{};         ///< group path of both walks [m]
+};
+
+/// The way from a vertex to the laser.
+template <class T>
+struct WayToLaser {
+  Mask<T> lit{};  ///< it comes to the laser within its cone
+  T water{}, path{};  ///< length in the water, and group path as the laser's walks count it [m]
+  T tau{}, reach{};  ///< optical depth; chance that a walk of the laser would come along it
+  T area{};    ///< across it, of the laser's cone [m^2]
+  T weight{};  ///< of a walk of the laser in the water, before it is attenuated
 };
 
 /// A telescope's walk's first way in the water.
@@ -131,6 +165,9 @@ struct FoundPath {
   Index<T> order{}, of_laser{}, of_telescope{};  ///< vertices: all, and those of the two walks
   Mask<T> met_on_bed{};
 };
+
+template <class T>
+struct FreeStart;
 
 using tally::Walked;
 
@@ -191,6 +228,25 @@ class Connections {
   void serve_translated(const RayPairing<T>& pairing, const Mask<T>& mask);
   void serve_met_on_bed(const RayPairing<T>& pairing, const Mask<T>& mask);
   void serve_rotated(const RotatedPairing<T>& pairing, const Mask<T>& mask);
+  void serve_free_telescope(FreePairing<T> pairing, Mask<T> mask);
+  void serve_free_laser(FreePairing<T> pairing, Mask<T> mask);
+
+  [[nodiscard]] Mask<T> comes_by_surface(const Vertex& first, const T& leaves_z) const;
+  [[nodiscard]] FreeStart<T> free_telescope_start(std::size_t back) const;
+  [[nodiscard]] FreeStart<T> free_laser_start(const Index<T>& laser) const;
+  template <class Push>
+  void free_meetings(const RayPairing<T>& pairing, const Mask<T>& mask, const DepthLine& out_line,
+                     const DepthLine& back_line, const FreeStart<T>& start, const T& sign,
+                     const MeetingGrid<T>& grid, const T& offset, Push push);
+  [[nodiscard]] Vec3<T> apart(const RayPair<T>& pair, const T& depth) const;
+  [[nodiscard]] T collision_gain(const Vertex& first) const;
+  void meet_free(const FreePairing<T>& pairing, const Mask<T>& mask, const Met<T>& met);
+  void free_telescope_by(const FreePairing<T>& pairing, const Mask<T>& mask,
+                         const RayPair<T>& pair, const Vertex& first, const Vec3<T>& moved,
+                         const geometry::Sightline<T>& way);
+  void free_laser_by(const FreePairing<T>& pairing, const Mask<T>& mask, const RayPair<T>& pair,
+                     const Vertex& first, const Vec3<T>& moved, const geometry::Sightline<T>& way);
+  void put_first(const T& footprint, FirstVertex<T>& first) const;
 
   void by_sightline(const Pairing<T>& pairing, const Mask<T>& mask, const Vertex& v,
                     const BirthRecord<T>& birth, const geometry::Sightline<T>& way);
@@ -199,36 +255,72 @@ class Connections {
   void along(const Pairing<T>& pairing, const Mask<T>& mask, const Index<T>& line,
              const ConnectionEnd& from, const ConnectionEnd& to, const Vertex& v, const Vertex& w,
              const T& length, const Usable<T>& usable);
+  WayToLaser<T> way_to_laser(const Mask<T>& mask, const Vec3<T>& from, const Index<T>& place,
+                             const geometry::Sightline<T>& way) const;
   RayPair<T> pair_of(const RayPairing<T>& pairing) const;
-  Moved<T> translated(const RayPair<T>& pair, const Vec3<T>& translation) const;
+  Met<T> met(const RayPair<T>& pair) const;
+  void translate(Met<T>& met, const Vec3<T>& translation) const;
   void meet_translated(const RayPair<T>& pair, const Mask<T>& mask, const T& depth,
                        const Index<T>& place);
   void meet_tilted(const RayPair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens, T depth,
                    Index<T> place);
-  void meet_under_tilted(const RayPair<T>& pair, Mask<T> mask, Moved<T> moved, T depth,
-                         Index<T> place);
   [[nodiscard]] Mask<T> can_meet(const RayPair<T>& pair, const Ray& moved, const T& depth) const;
-  Longer<T> lengthened(const RayPair<T>& pair, T length) const;
+  void lengthen(const RayPairing<T>& pairing, const BirthRecord<T>& birth, T length,
+                Met<T>& met) const;
   [[nodiscard]] FirstLeg<T> first_leg(const BirthRecord<T>& birth, const Index<T>& back) const;
-  std::array<T, 2> rotate_pivot(RayPair<T>& pair, const Rotation<T>& rotation) const;
-  template <bool upright>
-  void meet_at(const RayPair<T>& pair, const Mask<T>& mask, const Moved<T>& moved, const T& depth,
-               const Index<T>& place);
+  void rotate_pivot(const RayPairing<T>& pairing, const Rotation<T>& rotation, Met<T>& met) const;
+  void change_first(const Mask<T>& only, const T& per_p, const T& chance, Ray& ray,
+                    FirstVertex<T>& first) const;
+  [[nodiscard]] MeetingPoint<T> meeting_point(const Met<T>& met, const Mask<T>& first,
+                                              const Mask<T>& last, const T& depth,
+                                              const Index<T>& place) const;
+  [[nodiscard]] PathFreedom<T> freedom_at(const RayPairing<T>& pairing, const Met<T>& met,
+                                          const MeetingPoint<T>& at, const T& last,
+                                          const Index<T>& place) const;
+  void meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met,
+               const T& depth, const Index<T>& place);
 
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
     return {order, world_.most_vertices};
   }
-  /// Freedom::translations of a walk that may be translated over an area, in paths of an order [m].
-  [[nodiscard]] T translations_in(const Index<T>& order, const T& translation_area) const {
-    return samples_.translated(order) * translation_area;
+  /// How far walks may be moved in paths of an order, whose last vertex is at a depth: by the lens,
+  /// whose rays have an area, and by free areas of both walks. Before the last vertex only walks
+  /// that all points of the lens can begin are translated.
+  [[nodiscard]] PathFreedom<T> path_freedom(const Index<T>& order, const T& translation_area,
+                                            const T& last, const T& telescope_area,
+                                            const T& laser_area) const {
+    const T by_lens = samples_.translated(order) * translation_area;
+    T before = by_lens;
+    if (is_aslant(telescope_)) before = select(all_points_reach(telescope_, last), before, T(0));
+    if (!samples_.frees()) return {before, before, by_lens};
+    const T of_telescope = samples_.freed(samples_.free_telescope, order) * telescope_area;
+    const T of_laser = samples_.freed(samples_.free_laser, order) * laser_area;
+    return {before + of_telescope + of_laser, before + of_telescope, by_lens + of_laser};
   }
-  /// The same of meetings before the last vertex of a path, which is at a depth.
-  [[nodiscard]] T translations_before(const T& last, const T& translations) const {
-    if (!is_aslant(telescope_)) return translations;
-    return select(all_points_reach(telescope_, last), translations, T(0));
+  /// By how much a free walk of an instrument may be moved if light of a line is scattered at its
+  /// first vertex, at a place, where its rays fill a level area [m^2]. `direction`: in which the
+  /// walk would go on; `p`: phase function's value. 0 where that is not asked for.
+  [[nodiscard]] T free_area(std::int32_t instrument, const T& footprint, const Index<T>& line,
+                            const Index<T>& place, const Mask<T>& scatters,
+                            const Vec3<T>& direction, const T& p) const {
+    if (!samples_.frees() || !frees(instrument)) return T(0);
+    return footprint *
+           averaged_over_drawn(world_, instrument, line, place, scatters, direction, p);
   }
-  [[nodiscard]] Freedom<T> freedom_before(const T& last, const Freedom<T>& freedom) const {
-    return {translations_before(last, freedom.translations), freedom.axis};
+  [[nodiscard]] T free_area(const Walks<T>& walks, std::int32_t instrument,
+                            const Index<T>& walk) const {
+    if (!samples_.frees() || !frees(instrument)) return T(0);
+    return walks.first_vertex(walk).free_area();
+  }
+  /// Whether an instrument's walks may be free: the depth of their first vertex has to be drawn
+  /// whatever the ray.
+  [[nodiscard]] bool frees(std::int32_t instrument) const {
+    return world_.cone(instrument).by_depth;
+  }
+  [[nodiscard]] std::int32_t instrument() const { return of_telescope(receiver_.telescope); }
+  /// Of the bed, where places are asked for.
+  [[nodiscard]] Mask<T> on_bed(const Index<T>& place) const {
+    return sea_.bed_angles > 0 ? surface::on_bed<T>(sea_, place) : Mask<T>(false);
   }
   /// `birth`: of a walk that detects a line.
   [[nodiscard]] AtLens<T> at_lens(const BirthRecord<T>& birth, const Index<T>& line) const {
@@ -243,13 +335,12 @@ class Connections {
   [[nodiscard]] bool comes_to_bed() const {
     return sea_.bed_angles > 0 && all(world_.deepest >= T(sea_.top[sea_.layers]));
   }
-  /// The densities behind a vertex of the laser's walk, in a path in which the telescope's walk may
-  /// be moved so.
+  /// The densities behind a vertex of the laser's walk, in a path whose walks may be moved so.
   [[nodiscard]] T behind_laser_vertex(const Pairing<T>& pairing, const Vertex& v,
-                                      const Usable<T>& in_path, const Freedom<T>& freedom) const {
+                                      const Usable<T>& in_path, const PathFreedom<T>& freedom,
+                                      const RotationAxis<T>& axis) const {
     return v.reverse_chance *
-           (v.behind.all(freedom.translations) +
-            laser_.rotated_before(pairing.laser, pairing.i, in_path, freedom.axis));
+           laser_.behind(v, pairing.laser, pairing.i, in_path, freedom, axis);
   }
   [[nodiscard]] DepthLine depth_line_of(const Ray& ray) const {
     return depth_line(sea_, ray, world_.deepest);
@@ -293,8 +384,9 @@ class Connections {
                          const geometry::Sightline<T>& way, const T& length);
   void complete_between(const Pairing<T>& pairing, const Index<T>& line, const Vertex& v,
                         const Vertex& w, const T& length);
-  void complete_by_meeting(const RayPair<T>& pair, const Moved<T>& moved, const T& depth,
-                           const Index<T>& layer);
+  void complete_free(const Vertex& first, const T& length, const geometry::Sightline<T>& way,
+                     const Ray& leaving, const Vec3<T>& arriving);
+  void complete_by_meeting(const Met<T>& met, const T& depth, const Index<T>& layer);
   void score_in_environments(Pairing<T> pairing, Walked walked, Mask<T> mask, FoundPath<T> path);
 
   void score(const Pairing<T>& pairing, Walked walked, const Mask<T>& mask,
@@ -332,6 +424,7 @@ class Connections {
   VertexQueue to_telescope_, to_laser_, between_;
   RayQueue translated_, met_on_bed_;
   lanes::Queue<T, RotatedPairing<T>> rotated_;
+  lanes::Queue<T, FreePairing<T>> free_telescope_, free_laser_;
   std::vector<std::int32_t> walk_of_, ray_of_;  ///< the laser's rays that may meet a telescope's
   lanes::LaneColumns<T, DepthLine, most_vertices + 1 + lanes_of<T>>
       lines_;  ///< of a telescope's walk
@@ -348,12 +441,16 @@ void Connections<T>::flush() {
   translated_.flush([this](const auto& e, const auto& mask) { serve_translated(e, mask); });
   met_on_bed_.flush([this](const auto& e, const auto& mask) { serve_met_on_bed(e, mask); });
   rotated_.flush([this](const auto& e, const auto& mask) { serve_rotated(e, mask); });
+  free_telescope_.flush([this](const auto& e, const auto& m) { serve_free_telescope(e, m); });
+  free_laser_.flush([this](const auto& e, const auto& m) { serve_free_laser(e, m); });
   scores_.flush(tally_);
 }
 
 }  // namespace photic::estimator
 
 #include "estimator/bidirectional/connect_environments.hpp"  // IWYU pragma: export
+#include "estimator/bidirectional/connect_free.hpp"          // IWYU pragma: export
+#include "estimator/bidirectional/connect_meeting.hpp"       // IWYU pragma: export
 #include "estimator/bidirectional/connect_rays.hpp"          // IWYU pragma: export
 #include "estimator/bidirectional/connect_tilted.hpp"        // IWYU pragma: export
 #include "estimator/bidirectional/connect_vertices.hpp"      // IWYU pragma: export

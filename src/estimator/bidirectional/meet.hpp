@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "estimator/bidirectional/connection_end.hpp"
-#include "estimator/bidirectional/depart.hpp"
 #include "estimator/bidirectional/vertex.hpp"
 #include "geometry/sightline.hpp"
 #include "instrument/lens.hpp"
@@ -268,13 +267,6 @@ Rotation<T> rotation_to_meet(const Ray<T>& laser, const Ray<T>& back, const Rota
   return {axis, select(aside, per * (ax * bx + ay * by), T(1)), per * (bx * ay - by * ax)};
 }
 
-/// What a meeting contributes, and where.
-template <class T>
-struct Meeting {
-  T value{};
-  T path{};  ///< [m]
-};
-
 /// One side of a meeting.
 template <class T>
 struct Side {
@@ -293,64 +285,5 @@ struct Side {
     return select(ray.is_reflected() & !first, T(0), area);
   }
 };
-
-/// A laser's ray and a telescope's that meet at a depth in a layer.
-template <class T>
-Meeting<T> meet(const geometry::Slabs& sea, const Side<T>& laser_side, const Side<T>& side,
-                const T& depth, const Index<T>& layer, const Freedom<T>& freedom,
-                const estimator::InverseConversion<T>& inverse_conversion,
-                const estimator::Samples<T>& samples) {
-  const Ray<T>& laser = laser_side.ray;
-  const Ray<T>& back = side.ray;
-  const Index<T> line = back.line;
-  const Index<T> here = sea.at(line, layer);
-  const Mask<T> converts = line > Index<T>(0);
-  const T length_out = (-laser.position.z - depth) / laser.direction.z;
-  const T length_back = (-back.position.z - depth) / back.direction.z;
-  const auto tau_out = depths_along(sea, laser, layer, depth, length_out);
-  const auto tau_back = depths_along(sea, back, layer, depth, length_back);
-  const T walked_out = exp_minus(tau_out.walk);
-  const T walked_back = exp_minus(tau_back.walk);
-  const T walk_mean_path = gather<T>(sea.walk_mean_path, here);
-  const T coefficient =
-      select(converts, gather<T>(sea.conversion, here) * gather<T>(sea.c.first, layer),
-             transport::scattered_share(sea, line, layer, T(-laser.direction.z)) *
-                 gather<T>(sea.c.first, here)) *
-      walk_mean_path;
-  const Index<T> phase = select(converts, gather_index<T>(sea.conversion_phase, line),
-                                gather_index<T>(sea.elastic_phase, here));
-  const T p = transport::scattered_density(sea, layer, phase, laser.direction, -back.direction);
-
-  // Densities of the strategies, each times p and both rays' exp(-tau) of the walk's coefficient:
-  // meeting here, connecting either ray's edge, meeting where either ray begins, all behind them.
-  const T steep = select(reverses(laser, back), T(laser.direction.z * back.direction.z), T(0));
-  const T jacobian = rotation_jacobian(laser.position + length_out * laser.direction,
-                                       laser.direction, back.direction)
-                         .about(freedom.axis);
-  T moved = freedom.translations * steep + samples.rotated * T(2 * pi) * jacobian;
-  T out_over_back(1);  // what p of the laser's edge is to that of the telescope's, on the bed
-  if (sea.bed_angles > 0) {
-    const Mask<T> bed = surface::on_bed<T>(sea, layer);
-    const T on_bed = T(-samples.grid.below_bed()) * back.direction.z;
-    moved = select(bed, freedom.translations * on_bed, moved);
-    out_over_back = select(bed, back.direction.z / laser.direction.z, T(1));
-  }
-  const T here_met = moved * back.chance * walk_mean_path;
-  const T ratio = walk_c_ratio<T>(sea, line, layer);
-  const T connected =
-      back.chance * out_over_back * laser_side.connecting(sea, length_out, samples) * walked_back +
-      ratio * side.connecting(sea, length_back, samples) * walked_out;
-  const T goes_on =
-      back.chance * inverse_conversion.goes_on(sea, line, layer, converts, -laser.direction, p);
-  const T met_next = goes_on * laser_side.meeting * walked_back + side.meeting * walked_out;
-  const T met_behind = walked_out * walked_back * (goes_on * laser_side.behind + side.behind);
-  Meeting<T> meeting;
-  meeting.value = laser.weight * back.weight * coefficient * p *
-                  exp_minus(tau_out.all + tau_back.all) /
-                  (here_met + connected + p * (met_next + met_behind));
-  meeting.path = laser.path + back.path + length_out * gather<T>(sea.group_index, Index<T>(0)) +
-                 length_back * gather<T>(sea.group_index, line);
-  return meeting;
-}
 
 }  // namespace photic::estimator

@@ -38,6 +38,10 @@ struct RotationJacobian {
   T x{}, y{};              ///< where they meet [m]
   T cross_x{}, cross_y{};  ///< w x w', horizontal components
 
+  template <class F>
+  constexpr void each_member(F f) {
+    f(x), f(y), f(cross_x), f(cross_y);
+  }
   T about(const RotationAxis<T>& axis) const {
     using std::abs;
     return select(axis.exists, T(abs((x - axis.x) * cross_y - (y - axis.y) * cross_x)), T(0));

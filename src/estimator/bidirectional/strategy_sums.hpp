@@ -39,14 +39,26 @@
 
 namespace photic::estimator {
 
-/// Sums of the densities of strategies.
+/// How far whole walks may be moved sideways so that rays meet at a vertex of a path: how many do
+/// per metre of depth, times an area [m]. At the first vertex the laser's walk cannot, at the last
+/// the telescope's: there they are connected to their instruments anew.
+template <class T>
+struct PathFreedom {
+  T inner{}, at_first{}, at_last{};
+
+  [[nodiscard]] T at(const Mask<T>& is_first, const Mask<T>& is_last) const {
+    return select(is_last, at_last, select(is_first, at_first, inner));
+  }
+};
+
+/// Sums of the densities of strategies, of those behind a walk's first vertex (first_vertex.hpp).
 template <class T>
 struct Densities {
   T edges{};       ///< of connecting edges
-  T translated{};  ///< of meetings by translation, over Freedom::translations [m]
+  T translated{};  ///< of meetings by translation, over PathFreedom [m]
   T rotated{};     ///< of meetings by rotation about the walk's own axis
 
-  /// `translations`: Freedom::translations of the path [m].
+  /// `translations`: PathFreedom::inner of the path [m].
   T all(const T& translations) const { return edges + translations * translated + rotated; }
 
   template <class F>
@@ -69,16 +81,14 @@ struct EndDensities {
 
 /// What a connection scores by the balance heuristic, over the weights of its ends: the edge's
 /// exp(-tau) over the sum of the densities of all strategies that can be used for its path
-/// (eq. 42). `walk_tau`: the edge's optical depth by the coefficient that free paths are drawn
-/// from. `area`: density of connecting this edge, and of meeting at its ends, times both phase
-/// functions and exp(-walk_tau).
+/// (eq. 42). `reach`: chance that a walk would come along the edge. `area`: density of connecting
+/// this edge, and of meeting at its ends, times both phase functions and `reach`.
 template <class T>
-T balance(const T& area, const T& tau, const T& walk_tau, const EndDensities<T>& a,
+T balance(const T& area, const T& tau, const T& reach, const EndDensities<T>& a,
           const EndDensities<T>& b) {
   const T both = a.p * b.p;
-  return both * exp_minus(tau) /
-         (area + exp_minus(walk_tau) * (a.arriving_edge * b.p + b.arriving_edge * a.p +
-                                        (a.behind + b.behind) * both));
+  return both * exp_minus(tau) / (area + reach * (a.arriving_edge * b.p + b.arriving_edge * a.p +
+                                                  (a.behind + b.behind) * both));
 }
 
 }  // namespace photic::estimator

@@ -4,6 +4,7 @@
 #include "core/constants.hpp"
 #include "core/elementary.hpp"
 #include "estimator/bidirectional/beam_spread.hpp"
+#include "estimator/entry_cone.hpp"
 #include "estimator/bidirectional/path_point.hpp"
 #include "estimator/meeting_grid.hpp"
 #include "medium/medium.hpp"
@@ -49,10 +50,11 @@ T arriving_edge(const geometry::Slabs& sea, const Vertex<T>& v, const T& p) {
   return v.arriving_edge * select(surface::on_bed<T>(sea, v.layer), p * of_edge, T(1));
 }
 
-/// The ray in which the photon has departed from a vertex.
+/// The ray in which the photon has departed from a vertex. `far`: that lies beyond the walk's
+/// second; nearer edges are kept in FirstVertex.
 template <class T>
 Ray<T> next_ray(const geometry::Slabs& sea, const transport::Photon<T>& photon,
-                const Vertex<T>& from, const Departure<T>& departure) {
+                const Vertex<T>& from, const Departure<T>& departure, const Mask<T>& far) {
   Ray<T> ray{walk_point(photon)};
   ray.vertex_chance = from.chance;
   ray.chance = from.chance * departure.chance;
@@ -61,7 +63,7 @@ Ray<T> next_ray(const geometry::Slabs& sea, const transport::Photon<T>& photon,
   ray.last_edge =
       departure.c_ratio * arriving_edge(sea, from, departure.p) * ray.per_p / ray.reverse_chance;
   ray.behind = from.behind;
-  ray.behind.edges = from.behind.edges + ray.last_edge;
+  ray.behind.edges = from.behind.edges + select(far, ray.last_edge, T(0));
   const Mask<T> known = departure.c_ratio > T(0);
   ray.translated = select(known, from.translated * ray.per_p, T(0));
   ray.rotated = rotation_at(from, photon.direction);
@@ -84,16 +86,35 @@ T connecting_area(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& 
   return select(first, from_instrument, area);
 }
 
-/// The vertex where a photon collides that came by a ray, which leaves the instrument if `first`.
-/// `axis`: that of the walk.
+/// How a walk came to a vertex where it collides.
 template <class T>
-Vertex<T> vertex_on(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& first,
-                    const Spread<T>& spread, const transport::Photon<T>& photon, const Leg<T>& leg,
-                    const RotationAxis<T>& axis, const estimator::Samples<T>& samples) {
+struct Arrival {
+  Ray<T> ray;        ///< by this one
+  Leg<T> leg;        ///< along it
+  Mask<T> first{};   ///< which leaves the instrument
+  Mask<T> far{};     ///< the vertex lies beyond the walk's second
+  T reach{};         ///< chance to come here by the leg, as the walk drew it
+};
+
+/// That chance. `cone`: of the walk's instrument.
+template <class T>
+T reach_of(const geometry::Slabs& sea, const EntryCone<T>& cone, const Mask<T>& first,
+           const transport::Photon<T>& photon, const Leg<T>& leg) {
+  return reach_along(
+      cone, first, leg.walk_tau, photon.direction.z,
+      sea.bed_angles > 0 ? surface::on_bed<T>(sea, photon.layer) : Mask<T>(false));
+}
+
+/// The vertex where a photon collides. `axis`: that of the walk.
+template <class T>
+Vertex<T> vertex_on(const geometry::Slabs& sea, const Arrival<T>& by, const Spread<T>& spread,
+                    const transport::Photon<T>& photon, const RotationAxis<T>& axis,
+                    const estimator::Samples<T>& samples) {
+  const auto& [ray, leg, first, far, reach] = by;
   Vertex<T> v{walk_point(photon)};
   v.chance = ray.chance;
   v.reverse_chance = ray.reverse_chance;
-  const T growth = T(1) / exp_minus(leg.walk_tau);
+  const T growth = T(1) / reach;
   const T straight = select(leg.reflected, T(0), growth);
   // A reflected first edge can be connected: to the instrument's mirror image.
   v.arriving_edge = connecting_area(sea, ray, first, spread, leg.length, samples) *
@@ -114,7 +135,7 @@ Vertex<T> vertex_on(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>
   v.added.translated = if_reversed(ray.translated, growth_per_reverse * ray.leaving_z());
   v.added.rotated = v.added_rotated.about(axis);
   v.behind.edges = ray.behind.edges;
-  v.behind.translated = ray.behind.translated + v.added.translated;
+  v.behind.translated = ray.behind.translated + select(far, v.added.translated, T(0));
   v.behind.rotated = ray.behind.rotated + v.added.rotated;
   return v;
 }

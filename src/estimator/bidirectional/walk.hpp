@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "estimator/bidirectional/birth.hpp"
+#include "estimator/bidirectional/first_vertex.hpp"
 #include "estimator/bidirectional/meet.hpp"
 #include "estimator/bidirectional/vertex.hpp"
 #include "estimator/variations/environments.hpp"
@@ -40,6 +41,7 @@ struct BirthRecord {
   T translation_area{};   ///< [m^2]
   T grid_offset{};        ///< of the depths where it meets others, 0 to 1 of a step
   Index<T> connected{1};  ///< with the vertices of a laser's walk: 1 or 0
+  Mask<T> own{true};      ///< its ray is one of its instrument's own: not all rays of cones are
   Index<T> line{};        ///< of the light that comes back
   template <class F>
   constexpr void each_member(F f) {
@@ -76,18 +78,6 @@ Pivot<T> pivot_at(const medium::MediumView& sea, const Vertex<T>& vertex, const 
                  select(surface::on_bed<T>(sea, vertex.layer), Index<T>(-1), elastic))};
 }
 
-/// Of the densities behind the rays of a telescope's walk those of the strategies that do not draw
-/// how it leaves its first vertex: connecting the edge from the lens or the next one, and meeting
-/// there by translation.
-template <class T>
-struct NearFirst {
-  T lens_edge{}, translated{}, next_edge{};
-  template <class F>
-  constexpr void each_member(F f) {
-    f(lens_edge), f(translated), f(next_edge);
-  }
-};
-
 /// The rays and vertices of walks from one instrument: ray m leads to vertex m, and ray 0 from the
 /// instrument.
 template <class T>
@@ -104,11 +94,12 @@ class Walks {
         ray_(walks * stride),
         vertex_(walks * stride),
         pivot_(walks),
-        near_first_(walks),
+        first_(walks),
         rays_(walks),
         vertices_(walks),
         pivot_vertex_(walks),
         connected_(walks),
+        own_(walks),
         line_(walks),
         first_on_bed_(sea.bed_angles > 0 ? walks : 0),
         ratios_(sea.environments, walks * stride) {}
@@ -118,6 +109,7 @@ class Walks {
              const Ray& first) {
     record_.put(mask, walk, record);
     scatter(mask, walk, record.connected, connected_.data());
+    scatter(mask, walk, select(record.own, Index<T>(1), Index<T>(0)), own_.data());
     scatter(mask, walk, record.line, line_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
     scatter(mask, walk, Index<T>(-1), pivot_vertex_.data());
@@ -137,31 +129,20 @@ class Walks {
     vertex_.put(mask, slot(walk, i), vertex);
     scatter(mask, walk, i + Index<T>(1), vertices_.data());
   }
+  void keep(const Mask<T>& mask, const Index<T>& walk, const FirstVertex<T>& first) {
+    first_.put(mask, walk, first);
+  }
   /// Vertex i, where walks of a mask stand, is on the bed.
   void come_to_bed(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i) {
     if (!any(mask)) return;
     const Index<T> first = gather_index<T>(first_on_bed_.data(), walk);
     scatter(mask & (i < first), walk, i, first_on_bed_.data());
   }
-  /// Walks from a telescope come to a vertex, their `first` or a later one: at that they meet no
-  /// others by translation if not all points of the lens can begin such a walk.
-  void limit_translation(const instrument::Telescope<T>& telescope, const Index<T>& walk,
-                         const Mask<T>& first, Vertex& vertex) const {
-    if (!is_aslant(telescope) || all(first)) return;
-    const T depth = -this->vertex(walk, Index<T>(0)).position.z;
-    vertex.translated = select(first | all_points_reach(telescope, depth), vertex.translated, T(0));
-  }
   /// Telescopes' walks leave vertex i by a ray: what they keep to be rotated about it, if they
   /// may be. `of_elastic_light`: also where they scatter the laser's light first. Tells who may.
   Mask<T> pivot(const medium::MediumView& sea, const Mask<T>& mask, const Index<T>& walk,
                 const Index<T>& i, const Vertex& vertex, const Ray& ray, bool of_elastic_light) {
     const Mask<T> first = i == Index<T>(0);
-    const Mask<T> near_first = mask & (i < Index<T>(2)) & (first | (vertex.line == Index<T>(0)));
-    if (any(near_first)) {
-      near_first_.put(near_first, walk,
-                      {select(first, ray.last_edge, vertex.added.edges), vertex.added.translated,
-                       select(first, T(0), ray.last_edge)});
-    }
     const Mask<T> converts = mask & (vertex.line > ray.line);
     const Mask<T> scatters = mask & first & (vertex.line == Index<T>(0)) &
                              Mask<T>(of_elastic_light) &
@@ -194,6 +175,8 @@ class Walks {
   /// The vertex about which a telescope's walk may be rotated, or -1.
   [[nodiscard]] std::int32_t pivot_vertex(std::size_t walk) const { return pivot_vertex_[walk]; }
   [[nodiscard]] bool connected(std::size_t walk) const { return connected_[walk] != 0; }
+  /// Whether its ray is one of its instrument's own.
+  [[nodiscard]] bool is_own(std::size_t walk) const { return own_[walk] != 0; }
 
   // Of one walk, in all lanes.
   [[nodiscard]] BirthRecord<T> birth_record_in_all_lanes(std::size_t walk) const {
@@ -218,6 +201,9 @@ class Walks {
   [[nodiscard]] Vertex vertex(const Index<T>& walk, const Index<T>& i) const {
     return vertex_.at(slot(walk, i));
   }
+  [[nodiscard]] Mask<T> is_own(const Index<T>& walk) const {
+    return gather_index<T>(own_.data(), walk) == Index<T>(1);
+  }
   /// The line of the light that a telescope's walk detects.
   [[nodiscard]] Index<T> line(const Index<T>& walk) const {
     return gather_index<T>(line_.data(), walk);
@@ -237,16 +223,14 @@ class Walks {
     const Pivot<T> at = pivot(walk);
     return {exists, at.x, at.y};
   }
-  /// Those of what NearFirst tells that lie behind ray m, beyond the first vertex; of meetings
-  /// times `translations`.
-  [[nodiscard]] NearFirst<T> near_first(const Index<T>& walk, const Index<T>& m,
-                                        const Usable<T>& usable, const T& translations) const {
-    const NearFirst<T> near = near_first_.at(walk);
-    const Index<T> order = usable.order;
-    const Mask<T> beyond = m > Index<T>(1);
-    return {select(usable.connecting(order), near.lens_edge, T(0)),
-            select(beyond & usable.meeting(order), translations * near.translated, T(0)),
-            select(beyond & usable.connecting(order - Index<T>(1)), near.next_edge, T(0))};
+  [[nodiscard]] FirstVertex<T> first_vertex(const Index<T>& walk) const { return first_.at(walk); }
+  /// Which of its densities lie behind ray m, or behind vertex i.
+  [[nodiscard]] Complete<T> complete_behind_ray(const Index<T>& m, const Usable<T>& usable) const {
+    return complete(m > Index<T>(0), m > Index<T>(1), m > Index<T>(1), usable);
+  }
+  [[nodiscard]] Complete<T> complete_behind_vertex(const Index<T>& i,
+                                                   const Usable<T>& usable) const {
+    return complete(i > Index<T>(0), i > Index<T>(1), i > Index<T>(0), usable);
   }
 
   /// Vertex i as it is in a path of which perhaps not all strategies can be used.
@@ -264,34 +248,53 @@ class Walks {
     return v;
   }
   /// The densities of rotating a telescope's walk about an axis so that it meets this walk of the
-  /// laser at a vertex before vertex i, over reverse_chance.
+  /// laser, or so that it is met itself, at a vertex before vertex i but not at the first, over
+  /// reverse_chance.
   [[nodiscard]] T rotated_before(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
                                  const RotationAxis<T>& axis) const {
     T sum(0);
     if (!any(axis.exists)) return sum;
-    for (Index<T> k(1);; k = k + Index<T>(1)) {
+    for (Index<T> k(2);; k = k + Index<T>(1)) {
       const Mask<T> before = k <= i;
       if (!any(before)) return sum;
       const T density = vertex(walk, select(before, k, Index<T>(0))).added_rotated.about(axis);
-      sum = sum + select(before & usable.meeting(k), density, T(0));
+      sum = sum + select(before & usable.meeting(number_in_path(k, usable)), density, T(0));
     }
   }
-  /// Ray m as one side of a meeting. `spread`: of the walk's first ray, but for what is the same of
-  /// all walks; `freedom`: of the telescope's walk, as this walk sees it.
+  /// Ray m as one side of a meeting, in a path whose walks may be moved so. `spread`: of the walk's
+  /// first ray; `first`: the walk's first vertex, as it is in the path; `rest`: by how much all
+  /// other densities grow by that; `axis`: in the places of this walk; `rotates_anew`: it is not
+  /// that of a telescope's walk as it was drawn.
   [[nodiscard]] Side<T> side(const Ray& ray, const Spread<T>& spread, const Index<T>& walk,
                              const Index<T>& m, const Usable<T>& usable,
-                             const Freedom<T>& freedom) const {
+                             const PathFreedom<T>& freedom, const RotationAxis<T>& axis,
+                             const FirstVertex<T>& first, const T& rest = T(1),
+                             bool rotates_anew = false) const {
     Side<T> side{ray, m == Index<T>(0), spread};
     side.spread.through_surface = through_surface_;
-    side.behind = behind(ray, walk, m, usable).all(freedom.translations);
-    if (!from_telescope_)
-      side.behind = side.behind + rotated_before(walk, m - Index<T>(1), usable, freedom.axis);
-    side.behind = ray.reverse_chance * side.behind;
+    const T& near_end = from_telescope_ ? freedom.at_last : freedom.at_first;
+    auto others = behind(ray, walk, m, usable);
+    if (rotates_anew) others.rotated = rotated_before(walk, m - Index<T>(1), usable, axis);
+    side.behind = ray.reverse_chance *
+                  (rest * others.all(freedom.inner) +
+                   complete_behind_ray(m, usable).sum(first, near_end) +
+                   rotated_behind(walk, m - Index<T>(1), usable, axis, first));
+    const T translations = select(m == Index<T>(1), near_end, freedom.inner);
     side.meeting = select(usable.meeting(number_in_path(m, usable)),
-                          freedom.translations * if_reversed(ray.translated, ray.leaving_z()) +
-                              ray.rotated.about(freedom.axis),
+                          translations * if_reversed(ray.translated, ray.leaving_z()) +
+                              ray.rotated.about(axis),
                           T(0));
     return side;
+  }
+  /// The densities behind vertex i, over reverse_chance, in such a path.
+  [[nodiscard]] T behind(const Vertex& v, const Index<T>& walk, const Index<T>& i,
+                         const Usable<T>& usable, const PathFreedom<T>& freedom,
+                         const RotationAxis<T>& axis) const {
+    const FirstVertex<T> first = first_vertex(walk);
+    return v.behind.all(freedom.inner) +
+           complete_behind_vertex(i, usable)
+               .sum(first, from_telescope_ ? freedom.at_last : freedom.at_first) +
+           rotated_behind(walk, i, usable, axis, first);
   }
 
  private:
@@ -307,8 +310,26 @@ class Walks {
     auto sum = in_path(walk, select(first, m, m - Index<T>(1)), usable).behind;
     const Mask<T> connecting =
         usable.connecting(number_in_path(m, usable) - Index<T>(from_telescope_ ? 0 : 1));
-    sum.edges = sum.edges + select(connecting, ray.last_edge, T(0));
+    sum.edges = sum.edges + select(connecting & (m > Index<T>(2)), ray.last_edge, T(0));
     return select(whole, ray.behind, sum);
+  }
+  /// Of a laser's walk, the densities of rotating a telescope's to meet it at a vertex before
+  /// vertex i, over reverse_chance.
+  [[nodiscard]] T rotated_behind(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
+                                 const RotationAxis<T>& axis, const FirstVertex<T>& first) const {
+    if (from_telescope_ || !any(axis.exists)) return T(0);
+    const Mask<T> beyond_first = (i > Index<T>(0)) & usable.meeting(Index<T>(1));
+    return rotated_before(walk, i, usable, axis) +
+           select(beyond_first, first.rotated.about(axis), T(0));
+  }
+  [[nodiscard]] Complete<T> complete(const Mask<T>& instrument_edge, const Mask<T>& next_edge,
+                                     const Mask<T>& meeting, const Usable<T>& usable) const {
+    const Index<T> edge = from_telescope_ ? usable.order : Index<T>(0);
+    const Index<T> next = from_telescope_ ? usable.order - Index<T>(1) : Index<T>(1);
+    const Index<T> vertex = from_telescope_ ? usable.order : Index<T>(1);
+    return {Mask<T>(instrument_edge & usable.connecting(edge)),
+            Mask<T>(next_edge & usable.connecting(next)),
+            Mask<T>(meeting & usable.meeting(vertex))};
   }
   /// Which vertex of the path ray m leaves, counted from the laser.
   [[nodiscard]] Index<T> number_in_path(const Index<T>& m, const Usable<T>& usable) const {
@@ -319,8 +340,10 @@ class Walks {
     const Index<T> x = number_in_path(m, usable);
     const Mask<T> connecting = mask & usable.connecting(x - Index<T>(from_telescope_ ? 0 : 1));
     const Mask<T> meeting = mask & usable.meeting(x);
-    sum.edges = sum.edges + select(connecting, v.added.edges, T(0));
-    sum.translated = sum.translated + select(meeting, v.added.translated, T(0));
+    // Those of the first vertex are told apart.
+    sum.edges = sum.edges + select(connecting & (m > Index<T>(2)), v.added.edges, T(0));
+    sum.translated =
+        sum.translated + select(meeting & (m > Index<T>(1)), v.added.translated, T(0));
     sum.rotated = sum.rotated + select(meeting, v.added.rotated, T(0));
   }
 
@@ -329,8 +352,8 @@ class Walks {
   lanes::Records<T, Ray> ray_;
   lanes::Records<T, Vertex> vertex_;
   lanes::Records<T, Pivot<T>> pivot_;
-  lanes::Records<T, NearFirst<T>> near_first_;
-  std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, line_;  ///< of each walk
+  lanes::Records<T, FirstVertex<T>> first_;
+  std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_, line_;  ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many
   PathRatios<T> ratios_;                    ///< of each ray
 };

@@ -30,6 +30,7 @@ struct Walker : Track<T> {
   Ray<T> ray;  ///< its last one
   Leg<T> leg;
   RotationAxis<T> axis;  ///< of a telescope's walk that has its pivot behind it
+  FirstVertex<T> first;  ///< as far as it is known
 };
 
 /// Of walks from one instrument. A Source tells how they begin, what they draw, and whether light
@@ -59,8 +60,19 @@ class WalkSteps {
 
   transport::FlightEnd<T> fly(Walker<T>& w) {
     const transport::Photon<T> before = w.photon;
-    const auto end = transport::fly(sea_, w.photon, minus_log(u_[0]));
+    T free_path = minus_log(u_[0]);
+    const Mask<T> first = w.vertices == Index<T>(0);
+    if (any(first))
+      free_path = free_path * select(first, source_.cone().longer_free_path(before.direction.z), T(1));
+    const auto end = transport::fly(sea_, w.photon, free_path);
+    const T walk_tau = w.leg.walk_tau;
     add_flight(sea_, before, w.photon, w.leg);
+    if (any(first)) {
+      Mask<T> stopped = end.surface | end.sea_bed;
+      if (sea_.bed_angles > 0) stopped = stopped | surface::on_bed<T>(sea_, w.photon.layer);
+      const T over = source_.cone().over_reach(w.leg.walk_tau - walk_tau, before.direction.z, stopped);
+      w.photon.weight = w.photon.weight * select(first, over, T(1));
+    }
     return end;
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
@@ -76,9 +88,15 @@ class WalkSteps {
     if (!any(w.colliding)) return;
     const Mask<T> first = w.colliding & (w.vertices == Index<T>(0));
     const Spread<T> spread = any(first) ? walks_.birth_record(w.walk).spread : Spread<T>{};
-    vertex_ = vertex_on(sea_, w.ray, first, spread, w.photon, w.leg, w.axis, samples_);
-    source_.limit_translation(walks_, w.walk, first, vertex_);
+    const T reach = reach_of(sea_, source_.cone(), first, w.photon, w.leg);
+    const Arrival<T> arrival{w.ray, w.leg, first, w.vertices > Index<T>(1), reach};
+    vertex_ = vertex_on(sea_, arrival, spread, w.photon, w.axis, samples_);
     walks_.add(w.colliding, w.walk, w.vertices, vertex_);
+    const Mask<T> near = w.colliding & (w.vertices < Index<T>(2));
+    if (any(near)) {
+      w.first.arrive(vertex_, arrival, samples_);
+      walks_.keep(near, w.walk, w.first);
+    }
     if (sea_.bed_angles > 0)
       walks_.come_to_bed(w.colliding & surface::on_bed<T>(sea_, w.photon.layer), w.walk,
                          w.vertices);
@@ -122,8 +140,20 @@ class WalkSteps {
     }
     book(ledger.absorbed, in_water, w.photon.weight - photon.weight);
     w.photon = any(w.on & !colliding) ? select(colliding, photon, w.photon) : photon;
-    const Ray<T> ray = next_ray(sea_, photon, vertex_, departure);
+    const Ray<T> ray = next_ray(sea_, photon, vertex_, departure,
+                                w.vertices > Index<T>(2));  // of those with the one that is left
     walks_.add(colliding, w.walk, w.vertices, ray);
+    const Mask<T> near = colliding & (w.vertices < Index<T>(3));
+    if (any(near)) {
+      const Mask<T> from_first = colliding & (w.vertices == Index<T>(1));
+      const T averaged =
+          samples_.frees() && any(from_first)
+              ? averaged_over_drawn(world_, source_.instrument(), vertex_.line, vertex_.layer,
+                                    vertex_.line == ray.line, ray.direction, departure.p)
+              : T(1);
+      w.first.depart(ray, averaged, from_first);
+      walks_.keep(near, w.walk, w.first);
+    }
     if (walks_.from_telescope()) {
       const Mask<T> pivots = walks_.pivot(sea_, colliding, w.walk, w.vertices - Index<T>(1),
                                           vertex_, ray, world_.rotates_scattered);

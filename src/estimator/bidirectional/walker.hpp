@@ -52,7 +52,7 @@ class WalkTracer {
     const Mask<T> born = exist & birth.exists;
     walker.photon = birth.photon;
     record.spread = birth.spread;
-    walks_.leave_out(exist & !birth.exists, walker.walk);
+    walks_.leave_out(exist & source_.left_out(birth), walker.walk);
     walks_.birth(born, walker.walk, record, {walk_point(birth.photon)});
     if (world_.compares) [[unlikely]]
       begin_ratios(walker.walk, born);

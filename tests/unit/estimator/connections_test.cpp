@@ -15,8 +15,15 @@ namespace {
 using test::Random;
 
 struct Counts {
-  int connected = 0, met = 0, rotated = 0;
+  int connected = 0, met = 0, rotated = 0, free_telescope = 0, free_laser = 0;
 };
+
+/// The path with all its vertices elsewhere, by so much sideways.
+Path moved_path(const Path& path, double x, double y) {
+  Path other = path;
+  for (V& place : other.vertex) place = place + V{x, y, 0};
+  return other;
+}
 
 /// Every strategy that draws the path with walks of at most `most` vertices gives what the direct
 /// sum says.
@@ -51,6 +58,19 @@ Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_v
     EXPECT_NEAR(scores.translated(i, other) / (drawn * value), 1, 1e-10)
         << "translated to meet at " << i;
     ++counts.met;
+  }
+  for (std::int32_t i = 1; i <= path.order(); ++i) {
+    const Path other = moved_path(path, 0.4 * std::sin(i), 0.4 * std::cos(3 * i));
+    if (expected.free_telescope(i) > 0) {
+      EXPECT_NEAR(scores.free_telescope(i, other) / value, 1, 1e-10)
+          << "a free walk of the telescope at " << i;
+      ++counts.free_telescope;
+    }
+    if (expected.free_laser(i) > 0) {
+      EXPECT_NEAR(scores.free_laser(i, other) / value, 1, 1e-10)
+          << "a free walk of the laser at " << i;
+      ++counts.free_laser;
+    }
   }
   for (std::int32_t i = 1; i < path.pivot(); ++i) {
     if (expected.rotated(i) == 0) continue;

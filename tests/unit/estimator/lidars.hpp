@@ -10,6 +10,7 @@ namespace photic::estimator {
 struct Sea {
   World<double> world;
   transport::Sea medium;
+  AveragedPhaseTables averaged;
 
   Sea(const scene::Source& source, const scene::Telescope& telescope,
       const transport::Sea& with = transport::make_sea(40))
@@ -24,6 +25,12 @@ struct Sea {
                                                         medium.line[0].refractive_index)
                                     .direction,
                                 1, 0.2};
+    const std::vector<EntryCone<double>> cones{entry_cone(source, medium, 40),
+                                               entry_cone(telescope, medium, 40)};
+    world.laser_cone = cones[0];
+    world.telescope_cones = {cones[1]};
+    averaged = {medium, cones};
+    world.averaged = averaged.view();
     world.path_to_origin = {path_to_origin(source, telescope)};
     world.deepest = 40;
     world.most_vertices = most_vertices;
@@ -35,7 +42,8 @@ struct Sea {
 };
 
 /// Also of walks that may be rotated: as many as of those that may be translated.
-inline const Samples<double> translating{1, 0.3, 2, 0, grid}, rotating{1, 0.3, 2, 2, grid};
+inline const Samples<double> translating{1, 0.3, 2, 0, grid, {0.6}, {1.5}},
+    rotating{1, 0.3, 2, 2, grid, {0.6}, {1.5}};
 
 inline scene::Source laser_at(const V& position, const V& direction) {
   scene::Source source;

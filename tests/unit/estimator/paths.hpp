@@ -97,10 +97,12 @@ class Writer {
       : walks(1, from_telescope, birth.spread.through_surface, world.sea),
         world_(world),
         samples_(samples),
+        instrument_(from_telescope ? of_telescope(0) : of_laser),
         photon_(birth.photon),
         spread_(birth.spread),
         ray_{walk_point(photon_)} {
     record.spread = birth.spread;
+    record.own = birth.exists;
     walks.birth(true, 0, record, ray_);
   }
 
@@ -118,11 +120,17 @@ class Writer {
       photon_.layer = world_.sea.layers;
     else
       photon_.weight *= world_.sea.collision_gain[here()];
-    vertex_ = vertex_on(world_.sea, ray_, walks.vertices(0) == 0, spread_, photon_, leg,
-                        walks.axis(0), samples_);
-    if (walks.from_telescope())
-      walks.limit_translation(world_.telescopes[0], 0, walks.vertices(0) == 0, vertex_);
-    walks.add(true, 0, walks.vertices(0), vertex_);
+    const auto& cone = world_.cone(instrument_);
+    const std::int32_t before = walks.vertices(0);
+    if (before == 0) photon_.weight *= cone.over_reach(leg.walk_tau, photon_.direction.z, bed);
+    const Arrival<double> arrival{ray_, leg, before == 0, before > 1,
+                                  reach_of(world_.sea, cone, before == 0, photon_, leg)};
+    vertex_ = vertex_on(world_.sea, arrival, spread_, photon_, walks.axis(0), samples_);
+    walks.add(true, 0, before, vertex_);
+    if (before < 2) {
+      first_.arrive(vertex_, arrival, samples_);
+      walks.keep(true, 0, first_);
+    }
     if (bed) walks.come_to_bed(true, 0, walks.vertices(0) - 1);
   }
 
@@ -157,8 +165,16 @@ class Writer {
       if (walks.from_telescope() && photon_.line == 0) departure.chance *= drawn(photon_.direction);
     }
     photon_.layer = world_.sea.layer_of<double>(photon_.layer);
-    ray_ = next_ray(world_.sea, photon_, vertex_, departure);
-    walks.add(true, 0, walks.vertices(0), ray_);
+    const std::int32_t left = walks.vertices(0);
+    ray_ = next_ray(world_.sea, photon_, vertex_, departure, left > 2);
+    walks.add(true, 0, left, ray_);
+    if (left < 3) {
+      first_.depart(ray_,
+                    averaged_over_drawn(world_, instrument_, vertex_.line, vertex_.layer, !converts,
+                                        photon_.direction, p),
+                    left == 1);
+      walks.keep(true, 0, first_);
+    }
     if (walks.from_telescope())
       walks.pivot(world_.sea, true, 0, walks.vertices(0) - 1, vertex_, ray_,
                   world_.rotates_scattered);
@@ -188,24 +204,32 @@ class Writer {
   Spread<double> spread_;
   Ray<double> ray_;
   Vertex<double> vertex_;
+  std::int32_t instrument_;
+  FirstVertex<double> first_;
 };
+
+/// The ray in which a walk of a path leaves its instrument. `way`: to it from the first vertex.
+inline EntryRay<double> entry_ray_of(const World<double>& world, std::int32_t instrument,
+                                     std::int32_t line, const geometry::Sightline<double>& way) {
+  const auto& cone = world.cone(instrument);
+  const V direction = cone.in_air ? -way.direction : -way.arriving;
+  return entry_ray(cone, double(world.sea.index[line]), double(world.sea.index[0]), direction,
+                   direction - cone.axis);
+}
 
 /// The laser's walk with the first vertices of a path, and on its way to the next if it `leaves`.
 inline Walks<double> laser_walk(const World<double>& world, const Samples<double>& samples,
                                 const Path& path, std::int32_t vertices, bool leaves) {
   const auto& laser = world.laser;
-  const V vertex = fictitious_vertex(laser);
-  transport::Photon<double> photon;
-  photon.direction = -way_to_laser(world, path).arriving;
-  photon.layer = world.laser_region.layer;
-  const double secant = 1 / dot(photon.direction, laser.axis);
-  const double before = (laser.vertex_distance + laser.ahead) * secant;
-  photon.position = vertex + before * photon.direction;
-  photon.path = laser.ahead * (secant - 1);
-  Writer writer(
-      world, samples,
-      birth_in_water(world.sea, world.laser_region, photon, connectable_solid_angle(laser), before),
-      {}, false);
+  const auto way = way_to_laser(world, path);
+  auto birth = birth_at_laser(world.sea, laser, world.laser_region, world.laser_cone,
+                              entry_ray_of(world, of_laser, 0, way));
+  if (laser.collimated) {
+    birth = birth_at_collimated_laser(world.sea, laser, world.laser_region, world.laser_cone,
+                                      double(world.sea.index[0]), 0.0, 0.0);
+    birth.photon.position = {path.x(1).x, path.x(1).y, birth.photon.position.z};
+  }
+  Writer writer(world, samples, birth, {}, false);
   for (std::int32_t i = 1; i <= vertices; ++i) {
     writer.collide_at(path.x(i), path.is_mirrored(i - 1));
     if (i < vertices || leaves) writer.leave_for(path.x(i + 1), path.is_mirrored(i), false);
@@ -219,19 +243,18 @@ inline Walks<double> telescope_walk(const World<double>& world, const Samples<do
                                     const Path& path, std::int32_t vertices, bool leaves,
                                     double grid_offset = 0) {
   const auto& telescope = world.telescopes[0];
-  const V outward = -way_to_lens(world, path).arriving;
-  const double per_axis = 1 / dot(outward, telescope.axis);
-  const instrument::PlanePoint<double> slope{per_axis * dot(outward, telescope.across),
-                                             per_axis * dot(outward, telescope.up)};
+  const auto way = way_to_lens(world, path);
   BirthRecord<double> record;
   record.lens = path.lens;
-  record.outward = outward;
-  record.translation_area = translation_area(telescope, outward);
+  record.outward = -way.arriving;
+  record.translation_area = translation_area(telescope, record.outward);
   record.grid_offset = grid_offset;
   record.line = path.line;
   Writer writer(world, samples,
-                birth_at_telescope(world.sea, telescope, world.telescope_region[0], path.line,
-                                   path.lens, slope),
+                birth_at_telescope(world.sea, telescope, world.telescope_region[0],
+                                   world.telescope_cones[0],
+                                   entry_ray_of(world, of_telescope(0), path.line, way), path.line,
+                                   path.lens),
                 record, true);
   const std::int32_t k = path.order();
   for (std::int32_t i = k; i > k - vertices; --i) {

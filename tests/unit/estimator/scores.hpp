@@ -73,13 +73,29 @@ class Scores {
   /// The telescope's walk is that of another path, which is translated sideways.
   double translated(std::int32_t i, const Path& other) {
     const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
-    // On the bed by a point of the grid below it.
-    const double number =
-        grid.number(-path_.x(i).z, path_.order()) + (on_bed(world_.sea, path_.x(i)) ? 0.05 : 0);
-    const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true,
-                                     number - std::floor(number));
+    const auto back =
+        telescope_walk(world_, samples_, other, path_.order() - i, true, offset_at(i, grid));
     Connections<double>(world_, receiver_, samples_, laser, back, tally_)
         .meetings(0, 1, 0, Moves::translations);
+    return taken();
+  }
+
+  /// The telescope's walk is that of another path, all of whose vertices are elsewhere.
+  double free_telescope(std::int32_t i, const Path& other) {
+    const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
+    const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true,
+                                     offset_at(i, samples_.free_telescope));
+    Connections<double>(world_, receiver_, samples_, laser, back, tally_)
+        .meetings(0, 1, 0, Moves::free_telescope);
+    return taken();
+  }
+  /// The laser's walk is.
+  double free_laser(std::int32_t i, const Path& other) {
+    const auto laser = laser_walk(world_, samples_, other, i - 1, true);
+    const auto back = telescope_walk(world_, samples_, path_, path_.order() - i, true,
+                                     offset_at(i, samples_.free_laser));
+    Connections<double>(world_, receiver_, samples_, laser, back, tally_)
+        .meetings(0, 1, 0, Moves::free_laser);
     return taken();
   }
 
@@ -93,6 +109,12 @@ class Scores {
   }
 
  private:
+  /// Of a grid's points of which one lies where rays meet at vertex i; on the bed, below it.
+  [[nodiscard]] double offset_at(std::int32_t i, const MeetingGrid<double>& of) const {
+    const double number = of.number(-path_.x(i).z, path_.order()) +
+                          (on_bed(world_.sea, path_.x(i)) ? 0.05 * of.density(path_.order()) * samples_.grid.below_bed() : 0);
+    return number - std::floor(number);
+  }
   double taken() {
     const double sum = tally_.by_order[static_cast<std::size_t>(path_.order())];
     const bool bed = std::ranges::any_of(

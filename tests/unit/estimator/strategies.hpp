@@ -52,14 +52,24 @@ struct StrategiesOfPath {
   }
   /// The same of translating to meet at vertex i.
   [[nodiscard]] double translated(std::int32_t i) const {
-    const double steep = -at(i - 1).arriving.z * at(i).leaving.z;
     const double last = -path.x(path.order()).z;
     const bool translates = i == path.order() || all_points_reach(world.telescopes[0], last);
-    if (steep <= 0 || !translates) return 0;
-    if (is_on_bed(i))  // A pi exp(tau + tau'), as often as a point of the grid lies that far below
-      return samples.translated(path.order()) * samples.grid.below_bed() * translation_area * pi *
-             met_but(i);
-    return samples.translated(path.order()) * translation_area * steep * drawn_but(i);
+    return translates ? samples.translated(path.order()) * translation_area * moved_to(i) : 0;
+  }
+  /// The same of a telescope's walk that is moved there, and connected to the telescope anew.
+  [[nodiscard]] double free_telescope(std::int32_t i) const {
+    if (i == path.order() || !world.telescope_cones[0].by_depth) return 0;
+    const Edge& e = edge.back();
+    return samples.pairs * samples.free_telescope.density(path.order()) *
+           (e.spread / samples.to_instrument / std::abs(e.leaving.z)) * mean_over_telescope() * moved_to(i);
+  }
+  /// The same of a laser's walk.
+  [[nodiscard]] double free_laser(std::int32_t i) const {
+    if (i == 1 || !world.laser_cone.by_depth) return 0;
+    const Edge& e = edge.front();
+    return samples.pairs * samples.free_laser.density(path.order()) *
+           (e.spread / samples.to_instrument / std::abs(e.arriving.z)) * mean_over_laser() *
+           moved_to(i);
   }
   /// Whether telescopes' walks may be rotated about the pivot.
   [[nodiscard]] bool rotates() const {
@@ -93,11 +103,41 @@ struct StrategiesOfPath {
   [[nodiscard]] double value() const {
     double sum = 0;
     for (std::int32_t e = 0; e <= path.order(); ++e) sum += connecting(e);
-    for (std::int32_t i = 1; i <= path.order(); ++i) sum += translated(i) + rotated(i);
+    for (std::int32_t i = 1; i <= path.order(); ++i) 
+      sum += translated(i) + rotated(i) + free_telescope(i) + free_laser(i);
     return common / sum;
   }
 
  private:
+  /// Where walks can be moved sideways to meet at vertex i: 1 over what is not drawn of it.
+  [[nodiscard]] double moved_to(std::int32_t i) const {
+    const double steep = -at(i - 1).arriving.z * at(i).leaving.z;
+    if (steep <= 0) return 0;
+    // On the bed pi exp(tau + tau'), as often as a point of the grid lies that far below.
+    return is_on_bed(i) ? samples.grid.below_bed() * pi * met_but(i) : steep * drawn_but(i);
+  }
+  /// The density of the direction in which a telescope's walk leaves the last vertex, as a mean over
+  /// those in which it may come there, over that with which it is drawn.
+  [[nodiscard]] double mean_over_telescope() const {
+    const std::int32_t k = path.order();
+    if (k == path.converted || is_on_bed(k)) return 1;
+    const double mean = mean_phase(of_telescope(0), k, -at(k - 1).arriving), p = phase(k, k - 1);
+    if (path.line_of(k) > 0) return mean / p;
+    const double share = world.inverse_conversion.scattered;
+    return ((1 - share) * mean + share * lobe(k)) / ((1 - share) * p + share * lobe(k));
+  }
+  [[nodiscard]] double mean_over_laser() const {
+    if (path.converted == 1) return 1;
+    if (is_on_bed(1)) return world.sea.bed_angles > 1 ? 0 : 1;  // albedo by angle
+    return mean_phase(of_laser, 1, at(1).leaving) / phase(1, 1);
+  }
+  [[nodiscard]] double mean_phase(std::int32_t instrument, std::int32_t i, const V& leaving) const {
+    const auto l = static_cast<std::size_t>(path.line_of(i));
+    const auto here =
+        l * static_cast<std::size_t>(medium.layers()) + static_cast<std::size_t>(layer(i));
+    return world.averaged.value(instrument, one_minus_cos(world.cone(instrument).axis, leaving),
+                                medium.elastic_phase[here]);
+  }
   /// Where rays can meet at vertex i: 1 over what is not drawn of it.
   [[nodiscard]] double drawn_but(std::int32_t i) const {
     return is_on_bed(i) ? 0 : met_but(i) / (walk_c(i) * phase(i, i));
@@ -238,25 +278,43 @@ struct StrategiesOfPath {
     }
     edge.push_back(inner);
   }
+  /// Directions outside are drawn with 1 over this density: those in the water evenly in a cone.
+  [[nodiscard]] double drawn_solid_angle(const EntryCone<double>& cone, std::int32_t line,
+                                         const geometry::Sightline<double>& way) const {
+    const double n = world.sea.index[line];
+    return 2 * pi * cone.one_minus_cos *
+           (cone.in_air ? n * n * std::abs(way.direction.z / way.arriving.z) : 1);
+  }
+  /// Depths of first vertices are drawn as those of light along the cone's axis.
+  static void draw_by_depth(const EntryCone<double>& cone, double steep, bool bed, Edge& e) {
+    if (!cone.by_depth) return;
+    const double ratio = std::abs(steep / cone.axis.z);
+    e.walk_tau = e.walk_tau * ratio - (bed ? 0 : std::log(ratio));
+  }
   void add_first() {
     const auto& laser = world.laser;
     const auto way = way_to_laser(world, path);
     const V vertex = fictitious_vertex(laser);
     const double hidden = laser.vertex_distance / -dot(way.arriving, laser.axis);
+    const double solid_angle = drawn_solid_angle(world.laser_cone, 0, way);
     edge.push_back(instrument_edge(path.x(1), 0, way, vertex - hidden * way.arriving,
-                                   path.is_mirrored(0), 2 * pi * laser.one_minus_cos_divergence));
+                                   path.is_mirrored(0), can_be_met(laser) ? solid_angle : 0));
     edge.back().arriving = -way.direction;
+    draw_by_depth(world.laser_cone, way.direction.z, is_on_bed(1), edge.back());
+    if (!laser.collimated)
+      common *= solid_angle / (2 * pi * laser.one_minus_cos_divergence);
     common *= way.throughput;
   }
   void add_last() {
     const auto& telescope = world.telescopes[0];
     const auto way = way_to_lens(world, path);
     const double cosine = -dot(way.arriving, telescope.axis);
-    const double solid_angle = detector_solid_angle(telescope, cosine);
+    const double solid_angle = drawn_solid_angle(world.telescope_cones[0], path.line, way);
     edge.push_back(instrument_edge(path.x(path.order()), path.line, way,
                                    in_space(telescope, path.lens), path.is_mirrored(path.order()),
                                    solid_angle));
     edge.back().leaving = way.direction;
+    draw_by_depth(world.telescope_cones[0], way.direction.z, is_on_bed(path.order()), edge.back());
     common *= way.throughput * telescope.area() * cosine * solid_angle / way.index_squared;
     translation_area = instrument::translation_area(telescope, way.arriving);
   }

@@ -1,0 +1,263 @@
+// Meetings of free walks (a part of connections.hpp; theory.md, "Free walks"): all of a walk beyond
+// its instrument's ray is put where its ray meets the other walk's, and its first vertex is then
+// connected with the instrument.
+#pragma once
+
+#include "estimator/bidirectional/connections.hpp"
+
+namespace photic::estimator {
+
+/// Where the first vertices of free walks of an instrument have to come to be seen or lit: within a
+/// circle.
+template <class T>
+struct FreeStart {
+  T x{}, y{};          ///< the first vertex, from the circle's centre [m]
+  T radius{};          ///< [m]
+  T longer_path{};     ///< the walk's way there is longer than the shortest by so much at most [m]
+};
+/// `position`, `path`: of the first vertex as it was drawn; `lens`: from the instrument's middle to
+/// where its rays begin.
+template <class T>
+FreeStart<T> free_start(const EntryCone<T>& cone, const Vec3<T>& position, const T& path,
+                        const T& way_down, const Vec3<T>& lens) {
+  const Spot<T>& spot = cone.spot;
+  const T steep = T(0) - cone.outside.z;
+  const T per_height = select(steep > T(0), T(1) / select(steep > T(0), steep, T(1)), T(0));
+  const T lift = cone.in_air ? lens.z * per_height : T(0);
+  return {position.x - (spot.x + lens.x + lift * cone.outside.x + way_down * spot.x_per_depth),
+          position.y - (spot.y + lens.y + lift * cone.outside.y + way_down * spot.y_per_depth),
+          spot.radius + way_down * spot.radius_per_depth,
+          path - (spot.least_path + way_down * spot.least_path_per_depth)};
+}
+/// The depth that a first way goes through: from the surface, or from an instrument's level `z` in
+/// the water, perhaps by way of the surface.
+template <class T>
+T way_down_of(bool in_air, const T& z, const T& first_z, const Mask<T>& by_surface) {
+  using std::abs;
+  if (in_air) return T(0) - first_z;
+  return select(by_surface, T(0) - (first_z + z), T(abs(first_z - z)));
+}
+
+template <class T>
+Mask<T> Connections<T>::comes_by_surface(const Vertex& first, const T& leaves_z) const {
+  return leaves_z * first.direction.z < T(0);
+}
+
+/// A telescope's walk as its free meetings see it.
+template <class T>
+FreeStart<T> Connections<T>::free_telescope_start(std::size_t back) const {
+  const auto birth = back_.birth_record_in_all_lanes(back);
+  const Vertex first = back_.vertex_in_all_lanes(back, 0);
+  const Vec3<T> lens = in_plane(telescope_, birth.lens);
+  return free_start(world_.cone(instrument()), first.position, first.path,
+                    way_down_of(receiver_.region.in_air, telescope_.position.z, first.position.z,
+                                comes_by_surface(first, birth.outward.z)),
+                    lens);
+}
+template <class T>
+FreeStart<T> Connections<T>::free_laser_start(const Index<T>& laser) const {
+  const Vertex first = laser_.vertex(laser, Index<T>(0));
+  return free_start(world_.laser_cone, first.position, first.path,
+                    way_down_of(world_.laser_region.in_air, world_.laser.start.z, first.position.z,
+                                comes_by_surface(first, world_.laser.axis.z)),
+                    {T(0), T(0), T(0)});
+}
+
+/// The depths of a grid, and the bed, at which rays meet so that a first vertex comes into the
+/// circle. `to`: from it to there as it moves with depth, `sign` of the offset of the rays.
+template <class T>
+template <class Push>
+void Connections<T>::free_meetings(const RayPairing<T>& pairing, const Mask<T>& mask,
+                                   const DepthLine& out_line, const DepthLine& back_line,
+                                   const FreeStart<T>& start, const T& sign,
+                                   const MeetingGrid<T>& grid, const T& offset, Push push) {
+  if (!any(mask)) return;
+  const auto [at_surface, per_depth] = horizontal_offset(back_line, out_line);
+  const LensLine<T> line{{start.x + sign * at_surface.x, start.y + sign * at_surface.y},
+                         {sign * per_depth.x, sign * per_depth.y}};
+  const auto chord = within_rim(
+      line, start.radius,
+      common_span(out_line, back_line, T(receiver_.last_path + start.longer_path)));
+  const Index<T> order = pairing.order();
+  const auto each_point = [&](const Mask<T>& some, const T& from, const T& to,
+                              const Index<T>& bed) {
+    if (!any(some)) return;
+    const T last = grid.number(to, order) - offset;
+    const T before = grid.number(from, order) - offset;
+    T number = to_real<T>(floor_index(before));
+    number = select(number < before, number + T(1), number);
+    for (Mask<T> more = some & (number < last); any(more); more = some & (number < last)) {
+      const T depth = select(bed == Index<T>(1), from, grid.depth(number + offset, order));
+      push(more, FreePairing<T>{pairing, depth, bed});
+      number = number + T(1);
+    }
+  };
+  each_point(mask & chord.exists & reverses(out_line, back_line), chord.from, chord.to,
+             Index<T>(0));
+  if (!comes_to_bed()) return;
+  const T bed = world_.deepest;
+  const auto there = line.at(bed);
+  each_point(mask & (out_line.rise < T(0)) & (back_line.rise < T(0)) &
+                 (there.x * there.x + there.y * there.y < start.radius * start.radius),
+             bed, bed + samples_.grid.below_bed(), Index<T>(1));
+}
+
+/// Level, from the telescope's ray to the laser's where they are at a depth.
+template <class T>
+Vec3<T> Connections<T>::apart(const RayPair<T>& pair, const T& depth) const {
+  const auto at = [&](const Ray& ray) {
+    return ray.position + ((-ray.position.z - depth) / ray.direction.z) * ray.direction;
+  };
+  const Vec3<T> there = at(pair.out) - at(pair.back);
+  return {there.x, there.y, T(0)};
+}
+template <class T>
+void Connections<T>::meet_free(const FreePairing<T>& pairing, const Mask<T>& mask,
+                               const Met<T>& met) {
+  const Mask<T> bed = pairing.bed == Index<T>(1);
+  meet_at(pairing, mask, met, pairing.depth,
+          select(bed, Index<T>(sea_.layers),
+                 transport::layer_at(sea_, met.out.layer, pairing.depth)));
+}
+/// c / c' of a collision at a first vertex, which is in the weight of a walk that has come there.
+template <class T>
+T Connections<T>::collision_gain(const Vertex& first) const {
+  return select(on_bed(first.layer), T(1),
+                gather<T>(sea_.collision_gain,
+                          sea_.at(first.line, sea_.layer_of<T>(first.layer))));
+}
+
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_telescope(FreePairing<T> pairing,
+                                                                      Mask<T> mask) {
+  const RayPair<T> pair = pair_of(pairing);
+  const Vertex first = back_.vertex(pairing.back, Index<T>(0));
+  const Vec3<T> moved = apart(pair, pairing.depth);
+  const Vec3<T> at_lens = in_space(telescope_, pair.birth.lens);
+  const Mask<T> by_surface = comes_by_surface(first, pair.birth.outward.z);
+  for (const auto route : geometry::routes_to(receiver_.region.in_air)) {
+    const Mask<T> by = route == geometry::Route::direct ? mask & !by_surface : mask & by_surface;
+    if (!any(by)) continue;
+    free_telescope_by(pairing, by, pair, first, moved,
+                      geometry::sightline(sea_, first.position + moved, first.line, at_lens,
+                                          receiver_.region, route, by));
+  }
+}
+
+/// The first vertex is seen by a new way to the lens.
+template <class T>
+void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const Mask<T>& mask,
+                                       const RayPair<T>& pair, const Vertex& first,
+                                       const Vec3<T>& moved, const geometry::Sightline<T>& way) {
+  using std::abs;
+  const auto& lens = pair.birth.lens;
+  const auto sight = instrument::sight(telescope_, lens, way.arriving);
+  const Mask<T> seen = mask & way.exists & sight.on_detector;
+  if (!any(seen)) return;
+  const Ray leaving = back_.ray(pairing.back, Index<T>(1));
+  const Vec3<T> arriving = -way.direction;
+  const Mask<T> bed = on_bed(first.layer), converts = first.line > leaving.line;
+  const T p = transport::scattered_density(
+      sea_, first.layer,
+      select(converts, gather_index<T>(sea_.conversion_phase, first.line),
+             gather_index<T>(sea_.elastic_phase, sea_.at(first.line, first.layer))),
+      arriving, leaving.direction);
+  const T per_p = T(1) / (p * leaving.per_p);
+  const auto drawn = [&](const T& value) {
+    return world_.inverse_conversion.scattered_over_phase(sea_, first.layer, leaving.direction,
+                                                          value);
+  };
+  const T chance =
+      select(converts, per_p,
+             select(first.line == Index<T>(0), T(drawn(p) / drawn(T(1) / leaving.per_p)), T(1)));
+  const auto& cone = world_.cone(instrument());
+  const T solid_angle =
+      cone.solid_angle_outside(gather<T>(sea_.index, first.line), arriving.z, way.arriving.z);
+  const auto tau =
+      depths_along(sea_, way, first.line, first.layer, T(-first.position.z), way.length_water);
+  auto met = this->met(pair);
+  change_first(pairing.m == Index<T>(1), per_p, chance, met.back, met.back_first);
+  met.rest = chance;
+  put_first(T(solid_angle * way.area_per_solid_angle / way.index_squared / abs(arriving.z)),
+            met.back_first);
+  met.translation_area = translation_area(telescope_, way.arriving);
+  met.back.weight =
+      met.back.weight / first.weight * collision_gain(first) * telescope_.area() *
+      sight.cos_off_axis * solid_angle * way.throughput / way.index_squared *
+      (exp_minus(tau.all) / cone.reach(tau.walk, arriving.z, bed));
+  met.back.path = met.back.path - first.path + transport::longer_in_air(telescope_, way, lens) +
+                  way.length_water * gather<T>(sea_.group_index, first.line);
+  met.back.position = met.back.position + moved;
+  if (all(receiver_.line == Index<T>(0))) {  // the pivot is the first vertex
+    const Mask<T> rotates =
+        world_.rotates_scattered ? leads_aside(arriving, leaving.direction) : Mask<T>(false);
+    met.own_axis = {rotates, first.position.x, first.position.y};
+    met.rotates_anew = true;
+    met.axis = met.own_axis;
+  }
+  translate(met, moved);
+  if (world_.compares) [[unlikely]]
+    complete_free(first, way.length_water, way, leaving, arriving);
+  meet_free(pairing, seen, met);
+}
+
+/// A first vertex has come where its instrument's cone has another footprint.
+template <class T>
+void Connections<T>::put_first(const T& footprint, FirstVertex<T>& first) const {
+  first.instrument_edge = first.instrument_edge * (footprint / first.footprint);
+  first.footprint = footprint;
+}
+
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_laser(FreePairing<T> pairing,
+                                                                  Mask<T> mask) {
+  const RayPair<T> pair = pair_of(pairing);
+  const Vertex first = laser_.vertex(pairing.laser, Index<T>(0));
+  const Vec3<T> moved = -apart(pair, pairing.depth);
+  const Mask<T> by_surface = comes_by_surface(first, world_.laser.axis.z);
+  for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
+    const Mask<T> by = route == geometry::Route::direct ? mask & !by_surface : mask & by_surface;
+    if (!any(by)) continue;
+    free_laser_by(pairing, by, pair, first, moved,
+                  geometry::sightline(sea_, first.position + moved, Index<T>(0),
+                                      fictitious_vertex(world_.laser), world_.laser_region, route,
+                                      by));
+  }
+}
+
+/// The first vertex is lit by a new way from the laser.
+template <class T>
+void Connections<T>::free_laser_by(const FreePairing<T>& pairing, const Mask<T>& mask,
+                                   const RayPair<T>& pair, const Vertex& first,
+                                   const Vec3<T>& moved, const geometry::Sightline<T>& way) {
+  using std::abs;
+  Mask<T> may = mask;
+  if (sea_.bed_angles > 1) may = may & !on_bed(first.layer);  // see averaged_over_drawn()
+  const auto to_laser = way_to_laser(may, first.position + moved, first.layer, way);
+  if (!any(to_laser.lit)) return;
+  const Ray leaving = laser_.ray(pairing.laser, Index<T>(1));
+  const Vec3<T> arriving = -way.direction;
+  const T p = transport::scattered_density(
+      sea_, first.layer, gather_index<T>(sea_.elastic_phase, sea_.at(first.line, first.layer)),
+      arriving, leaving.direction);
+  const T per_p = T(1) / (p * leaving.per_p);
+  const T steeper = abs(arriving.z / first.direction.z);
+  auto met = this->met(pair);
+  change_first(pairing.i == Index<T>(1), per_p, T(1), met.out, met.out_first);
+  put_first(T(to_laser.area / abs(arriving.z)), met.out_first);
+  const auto jacobian = rotation_jacobian(first.position, arriving, leaving.direction);
+  met.out_first.rotated = {met.out_first.rotated.density * per_p / steeper, jacobian};
+  const Mask<T> only = pairing.i == Index<T>(1);
+  met.out.rotated.density = met.out.rotated.density * select(only, T(1) / steeper, T(1));
+  lanes::assign<T>(only, jacobian, met.out.rotated.jacobian);
+  met.out.weight = met.out.weight / first.weight * collision_gain(first) * to_laser.weight *
+                   (exp_minus(to_laser.tau) / to_laser.reach);
+  met.out.path = met.out.path - first.path + to_laser.path;
+  met.out.position = met.out.position + moved;
+  met.out_moved = moved;
+  if (world_.compares) [[unlikely]]
+    complete_free(first, to_laser.water, way, leaving, arriving);
+  meet_free(pairing, to_laser.lit, met);
+}
+
+}  // namespace photic::estimator

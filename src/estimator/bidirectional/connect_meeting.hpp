@@ -1,0 +1,125 @@
+// What two rays that meet score (a part of connections.hpp).
+#pragma once
+
+#include "estimator/bidirectional/connections.hpp"
+
+namespace photic::estimator {
+
+/// `first`, `last`: the rays leave the laser, the telescope.
+template <class T>
+MeetingPoint<T> Connections<T>::meeting_point(const Met<T>& met, const Mask<T>& first,
+                                              const Mask<T>& last, const T& depth,
+                                              const Index<T>& place) const {
+  const auto& [out, back] = std::tie(met.out, met.back);
+  const Index<T> line = back.line;
+  const Index<T> here = sea_.at(line, place);
+  MeetingPoint<T> at;
+  at.length_out = (-out.position.z - depth) / out.direction.z;
+  at.length_back = (-back.position.z - depth) / back.direction.z;
+  at.bed = on_bed(place);
+  const auto tau_out = depths_along(sea_, out, place, depth, at.length_out);
+  const auto tau_back = depths_along(sea_, back, place, depth, at.length_back);
+  at.tau = tau_out.all + tau_back.all;
+  at.reach_out = reach_along(world_.laser_cone, first, tau_out.walk, out.direction.z, at.bed);
+  at.reach_back =
+      reach_along(world_.cone(instrument()), last, tau_back.walk, back.direction.z, at.bed);
+  at.converts = line > Index<T>(0);
+  at.coefficient =
+      select(at.converts, gather<T>(sea_.conversion, here) * gather<T>(sea_.c.first, place),
+             transport::scattered_share(sea_, line, place, T(-out.direction.z)) *
+                 gather<T>(sea_.c.first, here)) *
+      gather<T>(sea_.walk_mean_path, here);
+  at.p = transport::scattered_density(
+      sea_, place,
+      select(at.converts, gather_index<T>(sea_.conversion_phase, line),
+             gather_index<T>(sea_.elastic_phase, here)),
+      out.direction, -back.direction);
+  at.path = out.path + back.path + at.length_out * gather<T>(sea_.group_index, Index<T>(0)) +
+            at.length_back * gather<T>(sea_.group_index, line);
+  return at;
+}
+
+/// `last`: depth of the path's last vertex.
+template <class T>
+PathFreedom<T> Connections<T>::freedom_at(const RayPairing<T>& pairing, const Met<T>& met,
+                                          const MeetingPoint<T>& at, const T& last,
+                                          const Index<T>& place) const {
+  using std::abs;
+  T of_telescope(0), of_laser(0);
+  if (samples_.frees()) {
+    const auto footprint = [&](const Spread<T>& spread, const Ray& ray, const T& length) {
+      return spread.solid_angle *
+             area_per_solid_angle(sea_, spread, ray.line, length, T(abs(ray.direction.z))) /
+             abs(ray.direction.z);
+    };
+    const auto area = [&](std::int32_t instrument, const Mask<T>& here,
+                          const FirstVertex<T>& first, const Spread<T>& spread, const Ray& ray,
+                          const T& length, const Vec3<T>& leaving) {
+      if (!frees(instrument)) return T(0);
+      if (!any(here)) return first.free_area();
+      return select(here,
+                    free_area(instrument, footprint(spread, ray, length), met.back.line, place,
+                              !at.converts, leaving, at.p),
+                    first.free_area());
+    };
+    of_telescope = area(instrument(), pairing.m == Index<T>(0), met.back_first, met.back_spread,
+                        met.back, at.length_back, -met.out.direction);
+    of_laser = area(photic::estimator::of_laser, pairing.i == Index<T>(0), met.out_first,
+                    met.out_spread, met.out, at.length_out, -met.back.direction);
+  }
+  return path_freedom(pairing.order(), met.translation_area, last, of_telescope, of_laser);
+}
+
+template <class T>
+void Connections<T>::meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met,
+                             const T& depth, const Index<T>& place) {
+  const auto& [out, back] = std::tie(met.out, met.back);
+  const Mask<T> emitting = mask & emits(back.line, place);
+  if (!any(emitting)) return;
+  const auto in_path = usable(pairing.order());
+  const Mask<T> is_first = pairing.i == Index<T>(0), is_last = pairing.m == Index<T>(0);
+  const auto at = meeting_point(met, is_first, is_last, depth, place);
+  const T last = select(is_last, depth, last_depth(pairing.back));
+  const auto freedom = freedom_at(pairing, met, at, last, place);
+  const Vec3<T> where = out.position + at.length_out * out.direction;
+  const RotationAxis<T> axis =
+      select(is_pivot(back.line, pairing.m), axis_at(where, back.direction, out.direction),
+             met.axis);
+  RotationAxis<T> axis_of_laser = axis;
+  axis_of_laser.x = axis.x - met.out_moved.x;
+  axis_of_laser.y = axis.y - met.out_moved.y;
+  const auto laser_side = laser_.side(out, met.out_spread, pairing.laser, pairing.i, in_path,
+                                      freedom, axis_of_laser, met.out_first);
+  const auto side = back_.side(back, met.back_spread, pairing.back, pairing.m, in_path, freedom,
+                               met.own_axis, met.back_first, met.rest, met.rotates_anew);
+
+  // Densities of the strategies, each times p and both rays' chances: meeting here, connecting
+  // either ray's edge, meeting where either ray begins, all behind them.
+  const T steep = select(reverses(out, back), T(out.direction.z * back.direction.z), T(0));
+  const T jacobian = rotation_jacobian(where, out.direction, back.direction).about(axis);
+  const T translations = freedom.at(is_first, is_last);
+  T moved = translations * steep + samples_.rotated * T(2 * pi) * jacobian;
+  T out_over_back(1);  // what p of the laser's edge is to that of the telescope's, on the bed
+  if (sea_.bed_angles > 0) {
+    moved = select(at.bed, translations * T(-samples_.grid.below_bed()) * back.direction.z, moved);
+    out_over_back = select(at.bed, back.direction.z / out.direction.z, T(1));
+  }
+  const T here_met = moved * back.chance * gather<T>(sea_.walk_mean_path, sea_.at(back.line, place));
+  const T connected = back.chance * out_over_back *
+                          laser_side.connecting(sea_, at.length_out, samples_) * at.reach_back +
+                      walk_c_ratio<T>(sea_, back.line, place) *
+                          side.connecting(sea_, at.length_back, samples_) * at.reach_out;
+  const T goes_on =
+      back.chance * world_.inverse_conversion.goes_on(sea_, back.line, place, at.converts,
+                                                      -out.direction, at.p);
+  const T met_next = goes_on * laser_side.meeting * at.reach_back + side.meeting * at.reach_out;
+  const T met_behind = at.reach_out * at.reach_back * (goes_on * laser_side.behind + side.behind);
+  const T value = out.weight * back.weight * at.coefficient * at.p * exp_minus(at.tau) /
+                  (here_met + connected + at.p * (met_next + met_behind));
+  if (world_.compares) [[unlikely]]
+    complete_by_meeting(met, depth, place);
+  score(pairing, Walked::both, emitting & (at.path < receiver_.last_path),
+        {met.gain * value, at.path, last, in_path.order, pairing.i, pairing.m, at.bed});
+}
+
+}  // namespace photic::estimator

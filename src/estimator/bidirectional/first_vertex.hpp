@@ -1,0 +1,93 @@
+// What a walk keeps of its first vertex: all that depends on how it came there from its instrument.
+// A free walk, which is put elsewhere, has it anew; the rest of the walk stays as it was drawn.
+#pragma once
+
+#include "estimator/bidirectional/path_point.hpp"
+#include "estimator/bidirectional/vertex.hpp"
+#include "estimator/world.hpp"
+#include "surface/lambert.hpp"
+
+namespace photic::estimator {
+
+template <class T>
+struct FirstVertex {
+  T footprint{};  ///< level area that the rays of the instrument's cone fill there [m^2]
+  T averaged{1};  ///< density of the direction in which it is left, averaged over the cone, over
+                  ///< that with which it was drawn
+  // Densities over reverse_chance:
+  T instrument_edge{};          ///< of connecting the edge from the instrument
+  T next_edge{};                ///< of connecting the next one
+  T translated{};               ///< of meeting here, over Freedom::translations [m]
+  RotatedMeeting<T> rotated{};  ///< of a laser's walk: of meeting here by rotation
+
+  /// The walk comes to its first vertex or, else, its second. Others are left as they are.
+  void arrive(const Vertex<T>& v, const Arrival<T>& by, const Samples<T>& samples) {
+    using std::abs;
+    const T here = v.arriving_edge * by.reach / (samples.to_instrument * abs(v.direction.z));
+    footprint = select(by.first, here, footprint);
+    const auto& of_first = v.added_rotated;
+    translated = select(by.first, T(0), v.added.translated);
+    rotated.density = select(by.first, T(0), of_first.density);
+    rotated.jacobian = of_first.jacobian;
+  }
+  /// It leaves its first vertex or, else, its second by a ray.
+  void depart(const Ray<T>& ray, const T& averaged_over_drawn, const Mask<T>& from_first) {
+    averaged = select(from_first, averaged_over_drawn, averaged);
+    instrument_edge = select(from_first, ray.last_edge, instrument_edge);
+    next_edge = select(from_first, T(0), ray.last_edge);
+  }
+  /// The level area by which a free walk may be moved: F of theory.md.
+  [[nodiscard]] T free_area() const { return footprint * averaged; }
+
+  template <class F>
+  constexpr void each_member(F f) {
+    f(footprint), f(averaged), f(instrument_edge), f(next_edge), f(translated);
+    rotated.each_member(f);
+  }
+};
+
+/// Of how many rays and vertices on a first vertex' densities are complete, and can be used in a
+/// path.
+template <class T>
+struct Complete {
+  Mask<T> instrument_edge{}, next_edge{}, meeting{};
+
+  /// Sum of the first vertex' densities. `translations`: for meetings there [m].
+  [[nodiscard]] T sum(const FirstVertex<T>& first, const T& translations) const {
+    return select(instrument_edge, first.instrument_edge, T(0)) +
+           select(next_edge, first.next_edge, T(0)) +
+           select(meeting, translations * first.translated, T(0));
+  }
+};
+
+/// FirstVertex::averaged of an instrument's walk that leaves its first vertex, at a place, in a
+/// direction: if it scatters light of a line; else it does so whichever way it came. `p`: phase
+/// function's value. 0 of the laser's on a bed whose albedo depends on how light comes to it, and
+/// with it the walk's weight.
+template <class T>
+T averaged_over_drawn(const World<T>& world, std::int32_t instrument, const Index<T>& line,
+                      const Index<T>& place, const Mask<T>& scatters, const Vec3<T>& direction,
+                      const T& p) {
+  const auto& sea = world.sea;
+  Mask<T> in_water = scatters;
+  T else_drawn(1);
+  if (sea.bed_angles > 0) {
+    const Mask<T> bed = surface::on_bed<T>(sea, place);
+    in_water = in_water & !bed;
+    if (instrument == of_laser && sea.bed_angles > 1) else_drawn = select(bed, T(0), T(1));
+  }
+  if (!any(in_water)) return else_drawn;
+  const T mean = world.averaged.value(
+      instrument, one_minus_cos(world.cone(instrument).axis, direction),
+      gather_index<T>(sea.elastic_phase, sea.at(line, place)));
+  T ratio = mean / p;
+  if (instrument != of_laser && any(world.inverse_conversion.scattered > T(0))) {
+    const auto drawn = [&](const T& value) {
+      return world.inverse_conversion.scattered_over_phase(sea, place, direction, value);
+    };
+    ratio = ratio * select(line == Index<T>(0), drawn(mean) / drawn(p), T(1));
+  }
+  return select(in_water, ratio, else_drawn);
+}
+
+}  // namespace photic::estimator

@@ -1,0 +1,168 @@
+#include "estimator/entry_cone.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "geometry/axis.hpp"
+#include "instrument/laser.hpp"
+#include "instrument/telescope.hpp"
+
+namespace photic::estimator {
+namespace {
+
+/// An instrument: where its light spreads from, and by how much its rays may be off its axis [rad].
+struct Rays {
+  Vec3<double> position, axis;
+  double half_angle;
+  std::size_t lines;  ///< so many of the medium's
+
+  [[nodiscard]] bool in_air() const { return !geometry::stands_in_water(position); }
+  [[nodiscard]] bool vertical() const { return axis.x == 0 && axis.y == 0; }
+};
+
+/// Below the horizon by no less than this: flatter rays count as this one.
+constexpr double horizon = 1e-4;
+
+/// Calls f(outside, in water, line) for rays that lie evenly about the axis out to its farthest. Rays
+/// in the air that do not look down have the horizon's direction.
+template <class F>
+void each_ray(const Rays& rays, const medium::Medium& medium, F f) {
+  const int azimuths = rays.vertical() ? 1 : 256;
+  constexpr int radii = 32;
+  for (int i = 0; i <= radii; ++i) {
+    const double x = 2 * std::pow(std::sin(rays.half_angle * i / radii / 2), 2);
+    for (int j = 0; j < azimuths; ++j) {
+      const double azimuth = 2 * pi * j / azimuths;
+      auto outside = turned(rays.axis, x, std::cos(azimuth), std::sin(azimuth));
+      if (rays.in_air() && outside.z > -horizon) {
+        outside.z = 0;
+        const double level = length(outside);
+        if (level == 0) continue;
+        outside = normalised(Vec3<double>{outside.x / level, outside.y / level, -horizon});
+      }
+      for (std::size_t l = 0; l < rays.lines; ++l) {
+        const double n = medium.line[l].refractive_index;
+        f(outside,
+          rays.in_air() ? Vec3<double>{outside.x / n, outside.y / n,
+                                       -geometry::cosine_in_water(outside.z, n)}
+                        : outside,
+          l);
+      }
+    }
+  }
+}
+
+/// What lies between two azimuths is farther by no more than (pi / 256)^2 / 2 of all.
+constexpr double between = 1 + 1e-4;
+
+/// `path`: of a ray to the surface, or where it begins in the water, as walks count it.
+Spot<double> spot_of(const Rays& rays, const medium::Medium& medium, const Vec3<double>& in_water,
+                     double deepest, const std::function<double(const Vec3<double>&)>& path) {
+  Spot<double> spot;
+  const double height = rays.in_air() ? rays.position.z : 0;
+  const Vec3<double> axis =
+      rays.axis.z < 0 || !rays.in_air() ? rays.axis : Vec3<double>{0, 0, -1};
+  spot.x = rays.position.x + height * axis.x / -axis.z;
+  spot.y = rays.position.y + height * axis.y / -axis.z;
+  spot.x_per_depth = in_water.x / -in_water.z;
+  spot.y_per_depth = in_water.y / -in_water.z;
+  double most = 0, most_per_depth = 0;
+  spot.least_path = spot.least_path_per_depth = std::numeric_limits<double>::infinity();
+  each_ray(rays, medium, [&](const Vec3<double>& outside, const Vec3<double>& u, std::size_t l) {
+    const double aside =
+        std::hypot(outside.x / -outside.z - axis.x / -axis.z,
+                   outside.y / -outside.z - axis.y / -axis.z);
+    spot.radius = std::max(spot.radius, height * aside);
+    spot.radius_per_depth =
+        std::max(spot.radius_per_depth,
+                 std::hypot(u.x / u.z - in_water.x / in_water.z, u.y / u.z - in_water.y / in_water.z));
+    const double at_surface = path(outside);
+    const double per_depth = medium.line[l].group_index / std::abs(u.z);
+    spot.least_path = std::min(spot.least_path, at_surface);
+    spot.least_path_per_depth = std::min(spot.least_path_per_depth, per_depth);
+    most = std::max(most, at_surface);
+    most_per_depth = std::max(most_per_depth, per_depth);
+  });
+  spot.radius *= between;
+  spot.radius_per_depth *= between;
+  spot.most_shorter =
+      most - spot.least_path + deepest * (most_per_depth - spot.least_path_per_depth);
+  return spot;
+}
+
+EntryCone<double> cone_of(const Rays& rays, const medium::Medium& medium) {
+  EntryCone<double> cone;
+  cone.in_air = rays.in_air();
+  cone.outside = rays.axis;
+  if (!cone.in_air) {
+    cone.axis = rays.axis;
+    cone.steep = std::abs(rays.axis.z);
+    cone.one_minus_cos = 2 * std::pow(std::sin(rays.half_angle / 2), 2);
+    // Of a tilted instrument's points some are deeper than others; and flat rays come far by little
+    // depth.
+    constexpr double flattest = 0.2;
+    cone.by_depth = rays.vertical() && std::cos(rays.half_angle) >= flattest;
+    cone.exact = true;
+    return cone;
+  }
+  const double n = medium.line.front().refractive_index;
+  const bool looks_down = rays.axis.z < 0;
+  cone.axis = looks_down ? Vec3<double>{rays.axis.x / n, rays.axis.y / n,
+                                        -geometry::cosine_in_water(rays.axis.z, n)}
+                         : Vec3<double>{0, 0, -1};
+  if (!looks_down) cone.beside_x = -rays.axis.x, cone.beside_y = -rays.axis.y;
+  cone.steep = -cone.axis.z;
+  cone.by_depth = true;
+  each_ray(rays, medium, [&](const Vec3<double>&, const Vec3<double>& u, std::size_t) {
+    cone.one_minus_cos = std::max(cone.one_minus_cos, one_minus_cos(u, cone.axis));
+  });
+  if (!rays.vertical()) cone.one_minus_cos *= between;
+  cone.exact =
+      rays.vertical() && looks_down && rays.lines == 1 && rays.half_angle < pi / 2 - horizon;
+  return cone;
+}
+
+}  // namespace
+
+EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Medium& medium,
+                             double deepest) {
+  const auto t = instrument::make_telescope<double>(telescope);
+  const double widest = t.detector_radius / t.detector_distance +
+                        t.lens_radius * std::abs(t.per_sharp_range);
+  const Rays rays{telescope.position_m, t.axis, std::atan(widest), medium.line.size()};
+  auto cone = cone_of(rays, medium);
+  cone.exact = cone.exact && t.per_sharp_range == 0;
+  cone.spot = spot_of(rays, medium, cone.axis, deepest, [&](const Vec3<double>& outside) {
+    return rays.in_air() ? rays.position.z / -outside.z - t.distance : 0.0;
+  });
+  // From points of a tilted lens that are lower, or farther aside of the axis.
+  const double rise = instrument::lens_rise(telescope);
+  if (rays.in_air() && rise > 0) {
+    cone.spot.radius *= 1 + rise / rays.position.z;
+    const double shorter = rise / std::max(0.05, -t.axis.z);
+    cone.spot.least_path -= 2 * shorter;
+    cone.spot.most_shorter += 4 * shorter;
+  }
+  return cone;
+}
+
+EntryCone<double> entry_cone(const scene::Source& source, const medium::Medium& medium,
+                             double deepest) {
+  const auto laser = instrument::make_laser<double>(source);
+  const Rays rays{source.position_m, laser.axis, source.half_divergence_mrad * 1e-3, 1};
+  auto cone = cone_of(rays, medium);
+  Rays from_vertex = rays;
+  from_vertex.position = fictitious_vertex(laser);
+  if (rays.in_air() && !from_vertex.in_air()) from_vertex.position = rays.position;  // not used
+  cone.spot = spot_of(from_vertex, medium, cone.axis, deepest, [&](const Vec3<double>& outside) {
+    if (!rays.in_air()) return 0.0;
+    // Of the way from the disc on, what is longer than the axis' own to its start.
+    const double secant = 1 / dot(outside, laser.axis);
+    return from_vertex.position.z / -outside.z - laser.vertex_distance * secant - laser.ahead;
+  });
+  return cone;
+}
+
+}  // namespace photic::estimator
