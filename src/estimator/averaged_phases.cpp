@@ -33,8 +33,8 @@ Rings rings_at(double a, double d) {
   for (int j = 0; j < points; ++j) {
     const double phi = (j + 0.5) * pi / points;
     const double t = std::exp(centre + half * std::cos(phi));
-    const double inside = std::sin((d + a - t) / 2) * std::sin((d - a + t) / 2) /
-                          (std::sin(a) * std::sin(t));
+    const double inside =
+        std::sin((d + a - t) / 2) * std::sin((d - a + t) / 2) / (std::sin(a) * std::sin(t));
     const double share = std::asin(std::sqrt(std::clamp(inside, 0.0, 1.0)));
     out.x.push_back(x_of(t));
     out.weight.push_back(4 * std::sin(t) * share * t * std::sin(phi) * per_solid_angle);
@@ -86,7 +86,8 @@ Rule gauss(int n) {
     double x = std::cos(pi * (i + 0.75) / (n + 0.5)), slope = 1;
     for (int step = 0; step < 8; ++step) {
       double p0 = 1, p1 = x;
-      for (int k = 2; k <= n; ++k) p0 = std::exchange(p1, ((2 * k - 1) * x * p1 - (k - 1) * p0) / k);
+      for (int k = 2; k <= n; ++k)
+        p0 = std::exchange(p1, ((2 * k - 1) * x * p1 - (k - 1) * p0) / k);
       slope = n * (x * p1 - p0) / (x * x - 1);
       x -= p1 / slope;
     }
@@ -172,7 +173,7 @@ AveragedPhaseTables::AveragedPhaseTables(const medium::Medium& medium,
 AveragedPhaseTables averaged_phases(const scene::Scene& scene, const medium::Medium& medium) {
   const scene::Simulation& asked = scene.simulation;
   if (asked.estimator != scene::Estimator::bidirectional ||
-      asked.free_telescope_meetings + asked.free_laser_meetings == 0)
+      asked.free_telescope_meetings.value_or(0) + asked.free_laser_meetings.value_or(0) == 0)
     return {};
   std::vector<EntryCone<double>> cones{entry_cone(scene.source, medium, 0)};
   for (const auto& t : scene.telescope) cones.push_back(entry_cone(t, medium, 0));

@@ -25,8 +25,8 @@ struct Rays {
 /// Below the horizon by no less than this: flatter rays count as this one.
 constexpr double horizon = 1e-4;
 
-/// Calls f(outside, in water, line) for rays that lie evenly about the axis out to its farthest. Rays
-/// in the air that do not look down have the horizon's direction.
+/// Calls f(outside, in water, line) for rays that lie evenly about the axis out to its farthest.
+/// Rays in the air that do not look down have the horizon's direction.
 template <class F>
 void each_ray(const Rays& rays, const medium::Medium& medium, F f) {
   const int azimuths = rays.vertical() ? 1 : 256;
@@ -45,9 +45,9 @@ void each_ray(const Rays& rays, const medium::Medium& medium, F f) {
       for (std::size_t l = 0; l < rays.lines; ++l) {
         const double n = medium.line[l].refractive_index;
         f(outside,
-          rays.in_air() ? Vec3<double>{outside.x / n, outside.y / n,
-                                       -geometry::cosine_in_water(outside.z, n)}
-                        : outside,
+          rays.in_air()
+              ? Vec3<double>{outside.x / n, outside.y / n, -geometry::cosine_in_water(outside.z, n)}
+              : outside,
           l);
       }
     }
@@ -62,8 +62,7 @@ Spot<double> spot_of(const Rays& rays, const medium::Medium& medium, const Vec3<
                      double deepest, const std::function<double(const Vec3<double>&)>& path) {
   Spot<double> spot;
   const double height = rays.in_air() ? rays.position.z : 0;
-  const Vec3<double> axis =
-      rays.axis.z < 0 || !rays.in_air() ? rays.axis : Vec3<double>{0, 0, -1};
+  const Vec3<double> axis = rays.axis.z < 0 || !rays.in_air() ? rays.axis : Vec3<double>{0, 0, -1};
   spot.x = rays.position.x + height * axis.x / -axis.z;
   spot.y = rays.position.y + height * axis.y / -axis.z;
   spot.x_per_depth = in_water.x / -in_water.z;
@@ -71,13 +70,12 @@ Spot<double> spot_of(const Rays& rays, const medium::Medium& medium, const Vec3<
   double most = 0, most_per_depth = 0;
   spot.least_path = spot.least_path_per_depth = std::numeric_limits<double>::infinity();
   each_ray(rays, medium, [&](const Vec3<double>& outside, const Vec3<double>& u, std::size_t l) {
-    const double aside =
-        std::hypot(outside.x / -outside.z - axis.x / -axis.z,
-                   outside.y / -outside.z - axis.y / -axis.z);
+    const double aside = std::hypot(outside.x / -outside.z - axis.x / -axis.z,
+                                    outside.y / -outside.z - axis.y / -axis.z);
     spot.radius = std::max(spot.radius, height * aside);
-    spot.radius_per_depth =
-        std::max(spot.radius_per_depth,
-                 std::hypot(u.x / u.z - in_water.x / in_water.z, u.y / u.z - in_water.y / in_water.z));
+    spot.radius_per_depth = std::max(
+        spot.radius_per_depth,
+        std::hypot(u.x / u.z - in_water.x / in_water.z, u.y / u.z - in_water.y / in_water.z));
     const double at_surface = path(outside);
     const double per_depth = medium.line[l].group_index / std::abs(u.z);
     spot.least_path = std::min(spot.least_path, at_surface);
@@ -129,8 +127,8 @@ EntryCone<double> cone_of(const Rays& rays, const medium::Medium& medium) {
 EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Medium& medium,
                              double deepest) {
   const auto t = instrument::make_telescope<double>(telescope);
-  const double widest = t.detector_radius / t.detector_distance +
-                        t.lens_radius * std::abs(t.per_sharp_range);
+  const double widest =
+      t.detector_radius / t.detector_distance + t.lens_radius * std::abs(t.per_sharp_range);
   const Rays rays{telescope.position_m, t.axis, std::atan(widest), medium.line.size()};
   auto cone = cone_of(rays, medium);
   cone.exact = cone.exact && t.per_sharp_range == 0;

@@ -27,14 +27,15 @@ struct Spot {
 
 template <class T>
 struct EntryCone {
-  Vec3<T> axis;         ///< in the water, away from the instrument: a unit vector
-  Vec3<T> outside;      ///< the instrument's axis
+  Vec3<T> axis;              ///< in the water, away from the instrument: a unit vector
+  Vec3<T> outside;           ///< the instrument's axis
   T beside_x{}, beside_y{};  ///< n axis - outside, level components; 0 unless that looks away
-  T one_minus_cos{};    ///< of its half angle; 0: parallel rays
-  T steep{1};           ///< cosine of the axis to the vertical, > 0
+  T one_minus_cos{};         ///< of its half angle; 0: parallel rays
+  T steep{1};                ///< cosine of the axis to the vertical, > 0
   bool in_air = false;
-  bool by_depth = false;  ///< depths of first vertices are drawn as along the axis, whatever the ray
-  bool exact = false;   ///< all its rays are the instrument's own
+  bool by_depth =
+      false;           ///< depths of first vertices are drawn as along the axis, whatever the ray
+  bool exact = false;  ///< all its rays are the instrument's own
   Spot<T> spot;
 
   [[nodiscard]] T solid_angle() const { return T(2 * pi) * one_minus_cos; }
@@ -48,8 +49,8 @@ struct EntryCone {
   }
 
   /// What stands for exp(-tau') of a walk's first way where the cone draws depths: the chance to
-  /// come there, per chance to collide there along the ray. `walk_tau`: of the way; `steep_ray`: cosine of
-  /// the ray to the vertical, either way; `on_bed`: where nothing has to collide.
+  /// come there, per chance to collide there along the ray. `walk_tau`: of the way; `steep_ray`:
+  /// cosine of the ray to the vertical, either way; `on_bed`: where nothing has to collide.
   T reach(const T& walk_tau, const T& steep_ray, const Mask<T>& on_bed) const {
     using std::abs;
     if (!by_depth) return exp_minus(walk_tau);
@@ -72,8 +73,8 @@ struct EntryCone {
 
 /// The same of rays of which those of a mask leave the instrument.
 template <class T>
-T reach_along(const EntryCone<T>& cone, const Mask<T>& first, const T& walk_tau,
-              const T& steep_ray, const Mask<T>& on_bed) {
+T reach_along(const EntryCone<T>& cone, const Mask<T>& first, const T& walk_tau, const T& steep_ray,
+              const Mask<T>& on_bed) {
   const T straight = exp_minus(walk_tau);
   if (!cone.by_depth || !any(first)) return straight;
   return select(first, cone.reach(walk_tau, steep_ray, on_bed), straight);
@@ -82,11 +83,11 @@ T reach_along(const EntryCone<T>& cone, const Mask<T>& first, const T& walk_tau,
 /// A ray of a cone, and how it goes on outside.
 template <class T>
 struct EntryRay {
-  Vec3<T> direction;    ///< in the water, away from the instrument: a unit vector
-  Vec3<T> outside;      ///< the same of the ray outside
-  Vec3<T> off_axis;     ///< that less the instrument's axis
-  T solid_angle{};      ///< its directions outside are drawn with 1 over this density [sr]
-  Mask<T> exists{};     ///< light of a line can come through the surface by it
+  Vec3<T> direction;  ///< in the water, away from the instrument: a unit vector
+  Vec3<T> outside;    ///< the same of the ray outside
+  Vec3<T> off_axis;   ///< that less the instrument's axis
+  T solid_angle{};    ///< its directions outside are drawn with 1 over this density [sr]
+  Mask<T> exists{};   ///< light of a line can come through the surface by it
 };
 
 /// Completes one whose direction in the water is `off_axis` from the cone's axis. `n`: of the

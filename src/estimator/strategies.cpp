@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "estimator/entry_cone.hpp"
 #include "geometry/axis.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
@@ -44,6 +45,45 @@ Strategy rotated(bool converts, const Vec3<double>& beam) {
   return {name, true, {}};
 }
 
+/// Which instruments' walks cannot be free.
+Strategy free_telescopes(const scene::Scene& scene, const medium::Medium& medium) {
+  Strategy out{"free walks of telescopes", false, {}};
+  std::string bound;
+  for (const auto& t : scene.telescope) {
+    if (entry_cone(t, medium, 0).by_depth)
+      out.used = true;
+    else
+      bound += (bound.empty() ? "" : ", ") + t.name;
+  }
+  if (!bound.empty())
+    out.reason =
+        fmt::format("not from {}: in the water, and tilted or with a view to the side", bound);
+  return out;
+}
+Strategy free_laser(const scene::Scene& scene, const medium::Medium& medium) {
+  const std::string name = "free walks of the laser";
+  const auto laser = instrument::make_laser<double>(scene.source);
+  if (laser.collimated) return off(name, "its rays are parallel");
+  if (!instrument::can_be_met(laser))
+    return off(name, "its rays seem to come from below the surface");
+  if (!entry_cone(scene.source, medium, 0).by_depth)
+    return off(name, "it is in the water, and tilted or with rays to the side");
+  return {name, true, {}};
+}
+/// With how often they meet, as a scene has it.
+void tell_meetings(const std::optional<double>& per_metre, Strategy& strategy) {
+  if (!strategy.used) return;
+  const std::string limit = strategy.reason.empty() ? "" : "; " + strategy.reason;
+  if (!per_metre) {
+    strategy.reason = "as pilot runs tell" + limit;
+  } else if (*per_metre == 0) {
+    strategy = off(strategy.name, "they cost more than they give, or are not asked for");
+  } else {
+    strategy.reason =
+        fmt::format("two rays meet {:.2g} times per metre of depth{}", *per_metre, limit);
+  }
+}
+
 }  // namespace
 
 Vec3<double> beam_in_water(const scene::Scene& scene, const medium::Medium& medium) {
@@ -66,12 +106,15 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
     out.rotated_scattered = off(out.rotated_scattered.name,
                                 "environments or derivatives are asked for, in which the angle "
                                 "that this changes is not known apart");
+  out.free_telescope = free_telescopes(scene, medium);
+  out.free_laser = free_laser(scene, medium);
   return out;
 }
 
 std::vector<std::string> Strategies::told() const {
   std::vector<std::string> out;
-  for (const Strategy* s : {&to_laser, &between, &translated, &rotated, &rotated_scattered}) {
+  for (const Strategy* s : {&to_laser, &between, &translated, &rotated, &rotated_scattered,
+                            &free_telescope, &free_laser}) {
     const std::string reason = s->reason.empty() ? "" : ": " + s->reason;
     out.push_back(fmt::format("{}: {}{}", s->name, s->used ? "yes" : "no", reason));
   }
@@ -80,7 +123,10 @@ std::vector<std::string> Strategies::told() const {
 
 std::vector<std::string> strategies_told(const scene::Scene& scene, const medium::Medium& medium) {
   if (scene.simulation.estimator != scene::Estimator::bidirectional) return {};
-  return make_strategies(scene, medium).told();
+  auto strategies = make_strategies(scene, medium);
+  tell_meetings(scene.simulation.free_telescope_meetings, strategies.free_telescope);
+  tell_meetings(scene.simulation.free_laser_meetings, strategies.free_laser);
+  return strategies.told();
 }
 
 }  // namespace photic::estimator

@@ -25,6 +25,8 @@ struct Strategies {
   Strategy translated;         ///< telescopes' walks are translated so that two rays meet
   Strategy rotated;            ///< they are rotated about where they convert
   Strategy rotated_scattered;  ///< those of the laser's line about their first vertex
+  Strategy free_telescope;     ///< walks of telescopes are put where rays meet, and seen anew
+  Strategy free_laser;         ///< walks of the laser are, and lit anew
 
   /// A line for each.
   [[nodiscard]] std::vector<std::string> told() const;

@@ -200,6 +200,15 @@ void add_receivers(const medium::Medium& medium, World<T>& world) {
   }
 }
 
+/// How many receivers a model has.
+inline std::size_t count_receivers(const Model& model) {
+  World<double> world;
+  world.telescopes.resize(model.scene.telescope.size());
+  world.telescope_region.resize(model.scene.telescope.size());
+  add_receivers(model.medium, world);
+  return world.receivers.size();
+}
+
 /// Whether a batch's photons or walks begin at points that fill all possibilities evenly. Not
 /// where tails of the forward estimator's scores, which that leaves as they are, may hold more of
 /// the echo than the flags can tell: in environments, and where a telescope in the water may be as
@@ -274,8 +283,8 @@ World<T> make_world(const Model& model) {
     shorter.push_back(most_shorter(cone));
   }
   const scene::Simulation& asked = scene.simulation;
-  if (connects) world.free_telescope = {T(asked.free_telescope_meetings)};
-  if (connects) world.free_laser = {T(asked.free_laser_meetings)};
+  if (connects) world.free_telescope = {T(asked.free_telescope_meetings.value_or(0))};
+  if (connects) world.free_laser = {T(asked.free_laser_meetings.value_or(0))};
   world.connected = T(scene.simulation.connected_fraction);
   world.meeting_grid = {T(scene.simulation.meetings / reach.range)};
   world.directed = T(scene::directed_fraction_in(scene));

@@ -10,22 +10,56 @@
 #include "estimator/model.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "run/contest.hpp"
+#include "run/free_meetings.hpp"
 #include "scene/forward_settings.hpp"
 
 namespace photic::run {
 namespace {
 
+/// A bidirectional estimator as it is, and with free walks, where a scene leaves these open and
+/// they can be. `name`: of the former.
+void add_bidirectional(const scene::Simulation& simulation, const std::string& name,
+                       const std::optional<FreeMeetings>& free, std::vector<Contender>& out) {
+  out.push_back({name, simulation});
+  scene::Simulation& without = out.back().simulation;
+  without.free_telescope_meetings = simulation.free_telescope_meetings.value_or(0);
+  without.free_laser_meetings = simulation.free_laser_meetings.value_or(0);
+  if (!free) return;
+  out.push_back({name + " and free walks", simulation});
+  scene::Simulation& with = out.back().simulation;
+  with.free_telescope_meetings = simulation.free_telescope_meetings.value_or(free->telescope);
+  with.free_laser_meetings = simulation.free_laser_meetings.value_or(free->laser);
+}
+std::optional<FreeMeetings> open_free_meetings(const estimator::Model& model,
+                                               const scene::Simulation& bidirectional,
+                                               const RunOptions& options) {
+  const scene::Simulation& asked = model.scene.simulation;
+  if (asked.free_telescope_meetings && asked.free_laser_meetings) return std::nullopt;
+  return usual_free_meetings(model, bidirectional, options);
+}
+
+/// Of a model, as a scene has it that names the bidirectional estimator alone.
+scene::Simulation usual_bidirectional(const estimator::Model& model) {
+  scene::Simulation out = model.scene.simulation;
+  out.estimator = scene::Estimator::bidirectional;
+  out.walk_attenuation = estimator::walk_attenuation_in(model.medium, out);
+  return out;
+}
+
 /// What contends: those settings that the scene leaves open.
-std::vector<Contender> contenders(const estimator::Model& model) {
+std::vector<Contender> contenders(const estimator::Model& model, const RunOptions& options) {
   const scene::Simulation& asked = model.scene.simulation;
   std::vector<double> shares =
       estimator::walk_attenuations(estimator::highest_albedo(model.medium));
   if (asked.walk_attenuation) shares = {*asked.walk_attenuation};
   std::vector<Contender> out;
+  scene::Simulation bidirectional = usual_bidirectional(model);
+  const auto free = open_free_meetings(model, bidirectional, options);
   for (const double share : shares) {
-    out.push_back({fmt::format("bidirectional with walk_attenuation = {:.3g}", share), asked});
-    out.back().simulation.estimator = scene::Estimator::bidirectional;
-    out.back().simulation.walk_attenuation = share;
+    bidirectional.walk_attenuation = share;
+    add_bidirectional(bidirectional,
+                      fmt::format("bidirectional with walk_attenuation = {:.3g}", share), free,
+                      out);
   }
   for (const auto& [directed_fraction, scored_points] : scene::forward_settings(model.scene)) {
     out.push_back({fmt::format("forward with directed_fraction = {} and scored_points = {}",
@@ -63,18 +97,38 @@ std::string reason(const std::vector<Contender>& all, const Outcome& outcome,
   return out;
 }
 
-/// Where no pilot saw anything: what finds light that is hard to find, as a scene has it that names
-/// this estimator alone.
-scene::Scene unseen(scene::Scene scene) {
-  scene.simulation.estimator = scene::Estimator::bidirectional;
-  scene::Scene out = estimator::make_model(scene).scene;
-  out.simulation.estimator_reason = reason_unseen;
-  return out;
+/// The estimator and settings of the best of those that contend. Where no pilot saw anything: of
+/// what finds light that is hard to find.
+scene::Simulation best_of(const estimator::Model& model, const std::vector<Contender>& all,
+                          const scene::Simulation& where_unseen, const RunOptions& options) {
+  const Outcome outcome = contend(model, all, options);
+  scene::Simulation best = outcome.best ? all[*outcome.best].simulation : where_unseen;
+  best.estimator_reason =
+      outcome.best ? reason(all, outcome, model.scene.simulation) : reason_unseen;
+  return best;
+}
+
+/// A scene that names the bidirectional estimator, and leaves open whether walks are free.
+scene::Scene choose_free_walks(const scene::Scene& scene, const RunOptions& options) {
+  const scene::Simulation& asked = scene.simulation;
+  if (asked.free_telescope_meetings && asked.free_laser_meetings) return scene;
+  const estimator::Model model = estimator::make_model(scene);
+  const auto free = open_free_meetings(model, model.scene.simulation, options);
+  std::vector<Contender> all;
+  add_bidirectional(asked, "without free walks", free, all);
+  scene::Scene chosen = scene;
+  chosen.simulation = all.front().simulation;
+  if (!free) return chosen;
+  all.back().name = "with free walks";
+  chosen.simulation = best_of(model, all, all.back().simulation, options);
+  return chosen;
 }
 
 }  // namespace
 
 scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& options) {
+  if (scene.simulation.estimator == scene::Estimator::bidirectional)
+    return choose_free_walks(scene, options);
   if (scene.simulation.estimator != scene::Estimator::automatic) return scene;
   scene::Scene chosen = scene;
   scene::Simulation& simulation = chosen.simulation;
@@ -84,11 +138,7 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
     return chosen;
   }
   const estimator::Model model = estimator::make_model(scene);
-  const std::vector<Contender> all = contenders(model);
-  const Outcome outcome = contend(model, all, options);
-  if (!outcome.best) return unseen(scene);
-  simulation = all[*outcome.best].simulation;
-  simulation.estimator_reason = reason(all, outcome, scene.simulation);
+  simulation = best_of(model, contenders(model, options), usual_bidirectional(model), options);
   return chosen;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "estimator/walk_attenuation.hpp"
+#include "estimator/world.hpp"
 #include "run/batches.hpp"
 #include "scene/tally_memory.hpp"
 #include "tally/error_bars.hpp"
@@ -91,6 +92,7 @@ class Trial {
       result.echo.standard_error[cell] =
           tally::standard_error(totals.state().echo[cell].low, totals.counted(cell));
     const Costs& costs = forward_ ? forward_costs : bidirectional_costs;
+    scores_ = static_cast<double>(totals.scores());
     const double before = keeps_ ? pilot_.cost : 0;
     pilot_ = pilot_of(result, costs.photon * static_cast<double>(result.photons) +
                                   costs.collision * static_cast<double>(result.collisions) +
@@ -102,6 +104,7 @@ class Trial {
 
   [[nodiscard]] const Pilot& pilot() const { return pilot_; }
   [[nodiscard]] std::uint64_t photons() const { return photons_; }
+  [[nodiscard]] double scores() const { return scores_; }
   /// Of all stages.
   [[nodiscard]] double operations() const { return operations_; }
   [[nodiscard]] double cost_per_photon() const {
@@ -114,7 +117,7 @@ class Trial {
   std::uint64_t in_batch_, photons_ = 0;
   bool keeps_;
   std::optional<Start> so_far_;
-  double operations_ = 0;
+  double operations_ = 0, scores_ = 0;
   Pilot pilot_;
 };
 
@@ -209,6 +212,15 @@ class Contest {
 };
 
 }  // namespace
+
+PilotScores scores_of_first_pilot(const estimator::Model& model,
+                                  const scene::Simulation& simulation, const RunOptions& options) {
+  Trial trial(model, {{}, simulation}, least_in_batch);
+  trial.go_on_to(first_batches, options);
+  const double receivers = static_cast<double>(estimator::count_receivers(model));
+  return {trial.scores(),
+          static_cast<double>(trial.photons()) * receivers / static_cast<double>(simulation.walks)};
+}
 
 Outcome contend(const estimator::Model& model, const std::vector<Contender>& contenders,
                 const RunOptions& options) {

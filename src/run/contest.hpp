@@ -41,4 +41,11 @@ struct Outcome {
 Outcome contend(const estimator::Model& model, const std::vector<Contender>& contenders,
                 const RunOptions& options);
 
+/// Scores of the first pilot of a bidirectional estimator, and the sets of walks that made them.
+struct PilotScores {
+  double scores = 0, sets = 0;
+};
+PilotScores scores_of_first_pilot(const estimator::Model& model,
+                                  const scene::Simulation& simulation, const RunOptions& options);
+
 }  // namespace photic::run

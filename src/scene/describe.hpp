@@ -116,10 +116,9 @@ void describe(V& v, Simulation& s) {
   v.optional(expert("free_telescope_meetings"), s.free_telescope_meetings,
              Number{.low = 0.0, .high = 1e5},
              "of the bidirectional estimator: how often two rays are made to meet, per metre of "
-             "depth, by moving a telescope's walk that is then connected to the telescope anew");
-  v.optional(expert("free_laser_meetings"), s.free_laser_meetings,
-             Number{.low = 0.0, .high = 1e5},
-             "the same by moving a laser's walk");
+             "depth, by free walks of telescopes; by default as pilot runs tell");
+  v.optional(expert("free_laser_meetings"), s.free_laser_meetings, Number{.low = 0.0, .high = 1e5},
+             "the same by free walks of the laser");
   v.optional(
       expert("connected_fraction"), s.connected_fraction,
       Number{.low = 0.0, .high = 1.0, .low_open = true},

@@ -201,8 +201,8 @@ struct Simulation {
   double conversion_probability = 0.3;  ///< of a branch into an inelastic process, per collision
   std::int64_t walks = 2;  ///< bidirectional: of the laser, and of each telescope, in a set
   double meetings = 100;   ///< bidirectional: of two rays, if all depths of the gates let them meet
-  /// Bidirectional: of two rays, by free walks of a telescope and of the laser, per metre of depth.
-  double free_telescope_meetings = 0, free_laser_meetings = 0;
+  /// Bidirectional: of two rays by free walks, per metre of depth; none: by pilot runs, or 0.
+  std::optional<double> free_telescope_meetings, free_laser_meetings;
   double connected_fraction =
       0.3;  ///< bidirectional: share of walks whose vertices are all connected
   std::optional<double> walk_attenuation;  ///< bidirectional: share of c that free paths are drawn

@@ -42,12 +42,11 @@ struct FromLaser : WalkDraws<T> {
   Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record) {
     const auto u = this->draw(walk, Index<T>(0), 0);
     const T n(gather<T>(world.sea.index, Index<T>(0)));
-    auto birth =
-        world.laser.collimated
-            ? birth_at_collimated_laser(world.sea, world.laser, world.laser_region, cone(), n, u[0],
-                                        u[1])
-            : birth_at_laser(world.sea, world.laser, world.laser_region, cone(),
-                             draw_entry(cone(), n, n, u[0], u[1]));
+    auto birth = world.laser.collimated
+                     ? birth_at_collimated_laser(world.sea, world.laser, world.laser_region, cone(),
+                                                 n, u[0], u[1])
+                     : birth_at_laser(world.sea, world.laser, world.laser_region, cone(),
+                                      draw_entry(cone(), n, n, u[0], u[1]));
     record.own = birth.exists;
     if (of_own_rays) {
       book(ledger.escaped, exist, T(1) - select(birth.exists, birth.photon.weight, T(0)));
@@ -85,13 +84,12 @@ struct FromTelescope : WalkDraws<T> {
     record.grid_offset = v[0];
     record.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
     record.line = line_of(medium::spectral_bin_of(v[2]));
-    const auto ray =
-        draw_entry(cone(), gather<T>(world.sea.index, record.line),
-                   gather<T>(world.sea.index, Index<T>(0)), u[2], u[3]);
+    const auto ray = draw_entry(cone(), gather<T>(world.sea.index, record.line),
+                                gather<T>(world.sea.index, Index<T>(0)), u[2], u[3]);
     record.outward = ray.outside;
     record.translation_area = translation_area(telescope, record.outward);
-    auto birth = birth_at_telescope(world.sea, telescope, receiver.region, cone(), ray,
-                                    record.line, record.lens);
+    auto birth = birth_at_telescope(world.sea, telescope, receiver.region, cone(), ray, record.line,
+                                    record.lens);
     record.own = birth.exists;
     birth.exists = exist;
     return birth;
@@ -159,8 +157,13 @@ class Bidirectional {
   void follow(std::int32_t first, std::size_t count, std::size_t walks, const Draws<T>& laser,
               const std::vector<WantedReceiver>& back, Ledger& ledger, tally::BatchTally& tally) {
     // An echo is per photon emitted, and so are the samples.
-    const Samples<T> samples{T(1), world_.connected, T(walks), T(world_.rotates ? walks : 0),
-                             world_.meeting_grid, world_.free_telescope, world_.free_laser};
+    const Samples<T> samples{T(1),
+                             world_.connected,
+                             T(walks),
+                             T(world_.rotates ? walks : 0),
+                             world_.meeting_grid,
+                             world_.free_telescope,
+                             world_.free_laser};
     FromLaser<T, Ledger> from_laser{{laser, first}, world_, ledger};
     WalkTracer(world_, samples, from_laser, laser_, tally).trace(count);
     if (!world_.laser_cone.exact && any(samples.free_laser.most > T(0))) {
@@ -181,9 +184,10 @@ class Bidirectional {
     Connections<T> connections(world_, receiver, samples, laser_, back, tally);
     for (std::size_t g = 0; g < count; ++g) {
       if (back.rays(g) == 0) continue;
-      connections.to_telescope(g);
-      connections.to_laser(g);
-      if (back.connected(g)) connections.between(g);
+      const bool lit = laser_.is_own(g), seen = back.is_own(g);
+      if (lit) connections.to_telescope(g);
+      if (seen) connections.to_laser(g);
+      if (lit && seen && back.connected(g)) connections.between(g);
       connections.meetings(g / walks * walks, walks, g);
     }
     connections.flush();

@@ -13,7 +13,8 @@ namespace photic::estimator {
 /// A walk that stands in the water, and how its light has spread on the way there.
 template <class T>
 struct Birth {
-  Mask<T> exists{};  ///< its ray is one of the instrument's own; else only free walks are made of it
+  Mask<T>
+      exists{};  ///< its ray is one of the instrument's own; else only free walks are made of it
   transport::Photon<T> photon;
   Spread<T> spread;
 };
@@ -38,7 +39,8 @@ Birth<T> birth_in_water(const medium::MediumView& sea, const geometry::Region<T>
   birth.photon.position = {start.x + distance * ray.outside.x, start.y + distance * ray.outside.y,
                            T(0)};
   birth.photon.path = distance;
-  birth.photon.weight = surface::flat_surface<T>(sea, line).transmittance(-ray.direction.z, cos_air);
+  birth.photon.weight =
+      surface::flat_surface<T>(sea, line).transmittance(-ray.direction.z, cos_air);
   birth.spread.through_surface = true;
   birth.spread.before = before + distance;
   birth.spread.cos_air = cos_air;
@@ -68,15 +70,14 @@ Birth<T> birth_at_laser(const medium::MediumView& sea, const instrument::Laser<T
   const Mask<T> emitted = cone.exact ? Mask<T>(true) : x < laser.one_minus_cos_divergence;
   birth.exists = birth.exists & ahead & emitted;
   birth.photon.path = birth.photon.path + laser.ahead * (x * secant);
-  birth.photon.weight = birth.photon.weight * ray.solid_angle /
-                        (T(2 * pi) * laser.one_minus_cos_divergence);
+  birth.photon.weight =
+      birth.photon.weight * ray.solid_angle / (T(2 * pi) * laser.one_minus_cos_divergence);
   if (!can_be_met(laser)) birth.spread.solid_angle = T(0);
   return birth;
 }
 /// The same of parallel rays, from two uniforms.
 template <class T>
-Birth<T> birth_at_collimated_laser(const medium::MediumView& sea,
-                                   const instrument::Laser<T>& laser,
+Birth<T> birth_at_collimated_laser(const medium::MediumView& sea, const instrument::Laser<T>& laser,
                                    const geometry::Region<T>& region, const EntryCone<T>& cone,
                                    const T& n, const T& u_radius, const T& u_azimuth) {
   const auto photon = transport::emit(laser, region.layer, u_radius, u_azimuth);
@@ -85,8 +86,8 @@ Birth<T> birth_at_collimated_laser(const medium::MediumView& sea,
 }
 
 /// A telescope's walk from a point of its lens. It carries étendue: the weight begins with that of
-/// all rays of the cone, and takes T (n_i / n_t)^2 at the surface. In the air its path is what it is
-/// longer than from the lens' centre to the origin.
+/// all rays of the cone, and takes T (n_i / n_t)^2 at the surface. In the air its path is what it
+/// is longer than from the lens' centre to the origin.
 template <class T>
 Birth<T> birth_at_telescope(const medium::MediumView& sea,
                             const instrument::Telescope<T>& telescope,
@@ -97,13 +98,12 @@ Birth<T> birth_at_telescope(const medium::MediumView& sea,
   const Mask<T> ahead = cosine > T(0);
   const T cos_off_axis = select(ahead, cosine, T(1));
   const auto slope = (T(1) / cos_off_axis) * parts_in_plane(telescope, ray.off_axis);
-  auto birth = birth_in_water(
-      sea, region, ray, telescope.start + in_plane(telescope, lens + telescope.ahead * slope),
-      telescope.ahead / cos_off_axis, line);
+  auto birth = birth_in_water(sea, region, ray,
+                              telescope.start + in_plane(telescope, lens + telescope.ahead * slope),
+                              telescope.ahead / cos_off_axis, line);
   const Mask<T> seen = cone.exact ? Mask<T>(true) : is_detected(telescope, lens, slope);
   birth.exists = birth.exists & ahead & seen;
-  birth.photon.weight =
-      birth.photon.weight * (telescope.area() * cos_off_axis * ray.solid_angle);
+  birth.photon.weight = birth.photon.weight * (telescope.area() * cos_off_axis * ray.solid_angle);
   if (!region.in_air) return birth;
   const T inverse_n = gather<T>(sea.inverse_index, line);
   birth.photon.weight = birth.photon.weight * (inverse_n * inverse_n);

@@ -48,12 +48,6 @@ PHOTIC_APART void Connections<T>::complete_between(const Pairing<T>& pairing, co
                              one_minus_cos(w.direction, -direction), T(-direction.z)});
 }
 
-/// By the new way from its instrument that a free walk has, and the collision there.
-template <class T>
-PHOTIC_APART void Connections<T>::complete_free(const Vertex&, const T&,
-                                                const geometry::Sightline<T>&, const Ray&,
-                                                const Vec3<T>&) {}
-
 /// By a meeting of a laser's ray and a telescope's.
 template <class T>
 PHOTIC_APART void Connections<T>::complete_by_meeting(const Met<T>& met, const T& depth,
@@ -79,6 +73,13 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const Met<T>& met, const T
   }
   completion_.collide(sea_, {out.line, layer, back.line > Index<T>(0), back.line,
                              one_minus_cos(out.direction, -back.direction), T(-out.direction.z)});
+  if (met.free == Free::none) return;
+  const auto& [first, leaving, arriving, way, length] = *met.leg;
+  add_way(sea_, first.line, first.layer, T(-first.position.z), way.direction, length, way.to,
+          way.route, completion_.ways);
+  completion_.collide(sea_, {first.line, first.layer, Mask<T>(!(first.line == leaving.line)),
+                             first.line, one_minus_cos(arriving, leaving.direction),
+                             met.free == Free::telescope ? leaving.direction.z : T(-arriving.z)});
 }
 
 /// Scores with the ratios of the completed paths.
@@ -86,13 +87,19 @@ template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(Pairing<T> pairing,
                                                                        Walked walked, Mask<T> mask,
                                                                        FoundPath<T> path) {
-  const auto out = each_lane(Walks<T>::slot(pairing.laser, pairing.i));
-  const auto back = each_lane(Walks<T>::slot(pairing.back, pairing.m));
+  const auto laser = each_lane(pairing.laser), out = each_lane(pairing.i);
+  const auto telescope = each_lane(pairing.back), back = each_lane(pairing.m);
   lanes::each_score(tally_, mask, scores_of(pairing, walked, path),
                     [&](std::size_t lane, const tally::Score& score, const auto& at) {
                       const auto of_walks = [&](std::int32_t e) {
-                        const auto of_laser = [&] { return laser_.ratios().at(out[lane], e); };
-                        const auto of_telescope = [&] { return back_.ratios().at(back[lane], e); };
+                        const auto of_laser = [&] {
+                          return laser_.ratio(sea_.environments, laser[lane], out[lane],
+                                              path.free == Free::laser, e);
+                        };
+                        const auto of_telescope = [&] {
+                          return back_.ratio(sea_.environments, telescope[lane], back[lane],
+                                             path.free == Free::telescope, e);
+                        };
                         if (walked == Walked::laser) return of_laser();
                         if (walked == Walked::telescope) return of_telescope();
                         return joined(sea_.environments, e, of_laser(), of_telescope());

@@ -11,9 +11,9 @@ namespace photic::estimator {
 /// circle.
 template <class T>
 struct FreeStart {
-  T x{}, y{};          ///< the first vertex, from the circle's centre [m]
-  T radius{};          ///< [m]
-  T longer_path{};     ///< the walk's way there is longer than the shortest by so much at most [m]
+  T x{}, y{};       ///< the first vertex, from the circle's centre [m]
+  T radius{};       ///< [m]
+  T longer_path{};  ///< the walk's way there is longer than the shortest by so much at most [m]
 };
 /// `position`, `path`: of the first vertex as it was drawn; `lens`: from the instrument's middle to
 /// where its rays begin.
@@ -75,9 +75,9 @@ void Connections<T>::free_meetings(const RayPairing<T>& pairing, const Mask<T>& 
   const auto [at_surface, per_depth] = horizontal_offset(back_line, out_line);
   const LensLine<T> line{{start.x + sign * at_surface.x, start.y + sign * at_surface.y},
                          {sign * per_depth.x, sign * per_depth.y}};
-  const auto chord = within_rim(
-      line, start.radius,
-      common_span(out_line, back_line, T(receiver_.last_path + start.longer_path)));
+  const auto chord =
+      within_rim(line, start.radius,
+                 common_span(out_line, back_line, T(receiver_.last_path + start.longer_path)));
   const Index<T> order = pairing.order();
   const auto each_point = [&](const Mask<T>& some, const T& from, const T& to,
                               const Index<T>& bed) {
@@ -115,16 +115,15 @@ template <class T>
 void Connections<T>::meet_free(const FreePairing<T>& pairing, const Mask<T>& mask,
                                const Met<T>& met) {
   const Mask<T> bed = pairing.bed == Index<T>(1);
-  meet_at(pairing, mask, met, pairing.depth,
-          select(bed, Index<T>(sea_.layers),
-                 transport::layer_at(sea_, met.out.layer, pairing.depth)));
+  meet_at(
+      pairing, mask, met, pairing.depth,
+      select(bed, Index<T>(sea_.layers), transport::layer_at(sea_, met.out.layer, pairing.depth)));
 }
 /// c / c' of a collision at a first vertex, which is in the weight of a walk that has come there.
 template <class T>
 T Connections<T>::collision_gain(const Vertex& first) const {
   return select(on_bed(first.layer), T(1),
-                gather<T>(sea_.collision_gain,
-                          sea_.at(first.line, sea_.layer_of<T>(first.layer))));
+                gather<T>(sea_.collision_gain, sea_.at(first.line, sea_.layer_of<T>(first.layer))));
 }
 
 template <class T>
@@ -181,10 +180,9 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const Mask
   put_first(T(solid_angle * way.area_per_solid_angle / way.index_squared / abs(arriving.z)),
             met.back_first);
   met.translation_area = translation_area(telescope_, way.arriving);
-  met.back.weight =
-      met.back.weight / first.weight * collision_gain(first) * telescope_.area() *
-      sight.cos_off_axis * solid_angle * way.throughput / way.index_squared *
-      (exp_minus(tau.all) / cone.reach(tau.walk, arriving.z, bed));
+  met.back.weight = met.back.weight / first.weight * collision_gain(first) * telescope_.area() *
+                    sight.cos_off_axis * solid_angle * way.throughput / way.index_squared *
+                    (exp_minus(tau.all) / cone.reach(tau.walk, arriving.z, bed));
   met.back.path = met.back.path - first.path + transport::longer_in_air(telescope_, way, lens) +
                   way.length_water * gather<T>(sea_.group_index, first.line);
   met.back.position = met.back.position + moved;
@@ -196,8 +194,9 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const Mask
     met.axis = met.own_axis;
   }
   translate(met, moved);
-  if (world_.compares) [[unlikely]]
-    complete_free(first, way.length_water, way, leaving, arriving);
+  const NewLeg<T> leg{first, leaving, arriving, way, way.length_water};
+  met.free = Free::telescope;
+  met.leg = &leg;
   meet_free(pairing, seen, met);
 }
 
@@ -218,10 +217,10 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_laser(FreePairing<T>
   for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
     const Mask<T> by = route == geometry::Route::direct ? mask & !by_surface : mask & by_surface;
     if (!any(by)) continue;
-    free_laser_by(pairing, by, pair, first, moved,
-                  geometry::sightline(sea_, first.position + moved, Index<T>(0),
-                                      fictitious_vertex(world_.laser), world_.laser_region, route,
-                                      by));
+    free_laser_by(
+        pairing, by, pair, first, moved,
+        geometry::sightline(sea_, first.position + moved, Index<T>(0),
+                            fictitious_vertex(world_.laser), world_.laser_region, route, by));
   }
 }
 
@@ -255,8 +254,9 @@ void Connections<T>::free_laser_by(const FreePairing<T>& pairing, const Mask<T>&
   met.out.path = met.out.path - first.path + to_laser.path;
   met.out.position = met.out.position + moved;
   met.out_moved = moved;
-  if (world_.compares) [[unlikely]]
-    complete_free(first, to_laser.water, way, leaving, arriving);
+  const NewLeg<T> leg{first, leaving, arriving, way, to_laser.water};
+  met.free = Free::laser;
+  met.leg = &leg;
   meet_free(pairing, to_laser.lit, met);
 }
 

@@ -29,11 +29,11 @@ MeetingPoint<T> Connections<T>::meeting_point(const Met<T>& met, const Mask<T>& 
              transport::scattered_share(sea_, line, place, T(-out.direction.z)) *
                  gather<T>(sea_.c.first, here)) *
       gather<T>(sea_.walk_mean_path, here);
-  at.p = transport::scattered_density(
-      sea_, place,
-      select(at.converts, gather_index<T>(sea_.conversion_phase, line),
-             gather_index<T>(sea_.elastic_phase, here)),
-      out.direction, -back.direction);
+  at.p =
+      transport::scattered_density(sea_, place,
+                                   select(at.converts, gather_index<T>(sea_.conversion_phase, line),
+                                          gather_index<T>(sea_.elastic_phase, here)),
+                                   out.direction, -back.direction);
   at.path = out.path + back.path + at.length_out * gather<T>(sea_.group_index, Index<T>(0)) +
             at.length_back * gather<T>(sea_.group_index, line);
   return at;
@@ -52,9 +52,9 @@ PathFreedom<T> Connections<T>::freedom_at(const RayPairing<T>& pairing, const Me
              area_per_solid_angle(sea_, spread, ray.line, length, T(abs(ray.direction.z))) /
              abs(ray.direction.z);
     };
-    const auto area = [&](std::int32_t instrument, const Mask<T>& here,
-                          const FirstVertex<T>& first, const Spread<T>& spread, const Ray& ray,
-                          const T& length, const Vec3<T>& leaving) {
+    const auto area = [&](std::int32_t instrument, const Mask<T>& here, const FirstVertex<T>& first,
+                          const Spread<T>& spread, const Ray& ray, const T& length,
+                          const Vec3<T>& leaving) {
       if (!frees(instrument)) return T(0);
       if (!any(here)) return first.free_area();
       return select(here,
@@ -82,9 +82,8 @@ void Connections<T>::meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, 
   const T last = select(is_last, depth, last_depth(pairing.back));
   const auto freedom = freedom_at(pairing, met, at, last, place);
   const Vec3<T> where = out.position + at.length_out * out.direction;
-  const RotationAxis<T> axis =
-      select(is_pivot(back.line, pairing.m), axis_at(where, back.direction, out.direction),
-             met.axis);
+  const RotationAxis<T> axis = select(is_pivot(back.line, pairing.m),
+                                      axis_at(where, back.direction, out.direction), met.axis);
   RotationAxis<T> axis_of_laser = axis;
   axis_of_laser.x = axis.x - met.out_moved.x;
   axis_of_laser.y = axis.y - met.out_moved.y;
@@ -104,14 +103,14 @@ void Connections<T>::meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, 
     moved = select(at.bed, translations * T(-samples_.grid.below_bed()) * back.direction.z, moved);
     out_over_back = select(at.bed, back.direction.z / out.direction.z, T(1));
   }
-  const T here_met = moved * back.chance * gather<T>(sea_.walk_mean_path, sea_.at(back.line, place));
+  const T here_met =
+      moved * back.chance * gather<T>(sea_.walk_mean_path, sea_.at(back.line, place));
   const T connected = back.chance * out_over_back *
                           laser_side.connecting(sea_, at.length_out, samples_) * at.reach_back +
                       walk_c_ratio<T>(sea_, back.line, place) *
                           side.connecting(sea_, at.length_back, samples_) * at.reach_out;
-  const T goes_on =
-      back.chance * world_.inverse_conversion.goes_on(sea_, back.line, place, at.converts,
-                                                      -out.direction, at.p);
+  const T goes_on = back.chance * world_.inverse_conversion.goes_on(
+                                      sea_, back.line, place, at.converts, -out.direction, at.p);
   const T met_next = goes_on * laser_side.meeting * at.reach_back + side.meeting * at.reach_out;
   const T met_behind = at.reach_out * at.reach_back * (goes_on * laser_side.behind + side.behind);
   const T value = out.weight * back.weight * at.coefficient * at.p * exp_minus(at.tau) /
@@ -119,7 +118,7 @@ void Connections<T>::meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, 
   if (world_.compares) [[unlikely]]
     complete_by_meeting(met, depth, place);
   score(pairing, Walked::both, emitting & (at.path < receiver_.last_path),
-        {met.gain * value, at.path, last, in_path.order, pairing.i, pairing.m, at.bed});
+        {met.gain * value, at.path, last, in_path.order, pairing.i, pairing.m, at.bed, met.free});
 }
 
 }  // namespace photic::estimator

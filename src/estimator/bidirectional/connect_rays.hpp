@@ -66,48 +66,44 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
   const bool own = back_.is_own(back);
   const bool translates =
       includes(moves, Moves::translations) && any(birth.translation_area > T(0));
-  const bool rotates = own && includes(moves, Moves::rotations) &&
-                       any(samples_.rotated > T(0)) && back_.pivot_vertex(back) >= 0;
+  const bool rotates = own && includes(moves, Moves::rotations) && any(samples_.rotated > T(0)) &&
+                       back_.pivot_vertex(back) >= 0;
   const bool of_telescope = includes(moves, Moves::free_telescope) && frees(instrument()) &&
                             any(samples_.free_telescope.most > T(0)) && back_.vertices(back) > 0;
   const bool of_laser = own && includes(moves, Moves::free_laser) &&
-                        frees(photic::estimator::of_laser) &&
-                        any(samples_.free_laser.most > T(0));
+                        frees(photic::estimator::of_laser) && any(samples_.free_laser.most > T(0));
   if (translates && comes_to_bed()) meetings_on_bed(first_laser, walks, back);
   if (!translates && !rotates && !of_telescope && !of_laser) return;
-  const auto telescope_start =
-      of_telescope ? free_telescope_start(back) : FreeStart<T>{};
+  const auto telescope_start = of_telescope ? free_telescope_start(back) : FreeStart<T>{};
   const auto axis = back_.axis(Index<T>(back));
   const Index<T> pivot(back_.pivot_vertex(back));
   const auto start = at_lens(birth, back_.line(Index<T>(back)));
-  each_pair(first_laser, walks, back,
-            [&](const auto& pairing, const auto& all, const DepthLine& out_line,
-                const DepthLine& back_line) {
-              const Mask<T> mask =
-                  world_.laser_cone.exact ? all : all & laser_.is_own(pairing.laser);
-              if (translates)
-                translate(pairing, mask & reverses(out_line, back_line), out_line, back_line,
-                          start);
-              if (rotates) rotate(pairing, mask & (pairing.m > pivot), out_line, back_line, axis);
-              if (of_telescope)
-                free_meetings(pairing, mask & (pairing.m > Index<T>(0)), out_line, back_line,
-                              telescope_start, T(1), samples_.free_telescope, birth.grid_offset,
-                              [this](const Mask<T>& meet, const FreePairing<T>& at) {
-                                free_telescope_.push(meet, at, [this](const auto& e, const auto& m) {
-                                  serve_free_telescope(e, m);
-                                });
-                              });
-              const Mask<T> later = all & (pairing.i > Index<T>(0));
-              if (of_laser && any(later))
-                free_meetings(pairing, later, out_line, back_line,
-                              free_laser_start(select(later, pairing.laser, pairing.laser)), T(-1),
-                              samples_.free_laser, birth.grid_offset,
-                              [this](const Mask<T>& meet, const FreePairing<T>& at) {
-                                free_laser_.push(meet, at, [this](const auto& e, const auto& m) {
-                                  serve_free_laser(e, m);
-                                });
-                              });
-            });
+  each_pair(
+      first_laser, walks, back,
+      [&](const auto& pairing, const auto& all, const DepthLine& out_line,
+          const DepthLine& back_line) {
+        const Mask<T> mask = all & is_lit(pairing.laser);
+        if (translates)
+          translate(pairing, mask & reverses(out_line, back_line), out_line, back_line, start);
+        if (rotates) rotate(pairing, mask & (pairing.m > pivot), out_line, back_line, axis);
+        if (of_telescope)
+          free_meetings(pairing, mask & (pairing.m > Index<T>(0)), out_line, back_line,
+                        telescope_start, T(1), samples_.free_telescope, birth.grid_offset,
+                        [this](const Mask<T>& meet, const FreePairing<T>& at) {
+                          free_telescope_.push(meet, at, [this](const auto& e, const auto& m) {
+                            serve_free_telescope(e, m);
+                          });
+                        });
+        const Mask<T> later = all & (pairing.i > Index<T>(0));
+        if (of_laser && any(later))
+          free_meetings(pairing, later, out_line, back_line, free_laser_start(pairing.laser), T(-1),
+                        samples_.free_laser, birth.grid_offset,
+                        [this](const Mask<T>& meet, const FreePairing<T>& at) {
+                          free_laser_.push(meet, at, [this](const auto& e, const auto& m) {
+                            serve_free_laser(e, m);
+                          });
+                        });
+      });
 }
 
 /// Where a telescope's ray can meet a laser's so that its walk comes through the lens.
@@ -140,19 +136,20 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meetings_on_bed(std::size_t fir
   const auto start = at_lens(birth, back_.line(Index<T>(back)));
   const T bed = world_.deepest;
   const T radius = telescope_.lens_radius;
-  each_pair(
-      first_laser, walks, back,
-      [&](const auto& pairing, const auto& mask, const DepthLine& out_line,
-          const DepthLine& back_line) {
-        const Mask<T> down = mask & (out_line.rise < T(0)) & (back_line.rise < T(0)) &
-                             samples_.grid.meets_on_bed(bed, pairing.order(), birth.grid_offset);
-        if (!any(down)) return;
-        const auto lens = chord_of(out_line, back_line, pairing.m, start).lens.at(bed);
-        const Mask<T> meet = down & (lens.x * lens.x + lens.y * lens.y < radius * radius);
-        if (any(meet))
-          met_on_bed_.push(meet, pairing,
-                           [this](const auto& e, const auto& all) { serve_met_on_bed(e, all); });
-      });
+  each_pair(first_laser, walks, back,
+            [&](const auto& pairing, const auto& mask, const DepthLine& out_line,
+                const DepthLine& back_line) {
+              const Mask<T> down =
+                  mask & is_lit(pairing.laser) & (out_line.rise < T(0)) & (back_line.rise < T(0)) &
+                  samples_.grid.meets_on_bed(bed, pairing.order(), birth.grid_offset);
+              if (!any(down)) return;
+              const auto lens = chord_of(out_line, back_line, pairing.m, start).lens.at(bed);
+              const Mask<T> meet = down & (lens.x * lens.x + lens.y * lens.y < radius * radius);
+              if (any(meet))
+                met_on_bed_.push(meet, pairing, [this](const auto& e, const auto& all) {
+                  serve_met_on_bed(e, all);
+                });
+            });
 }
 
 /// Two rays before a walk is moved.

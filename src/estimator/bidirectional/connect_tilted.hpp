@@ -67,8 +67,7 @@ PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
   met.back_first.footprint = met.back_first.footprint * wider;
   met.back_first.instrument_edge = met.back_first.instrument_edge * wider * growth;
   met.back_first.translated = met.back_first.translated * growth;
-  met.back.translated =
-      met.back.translated * select(pairing.m == Index<T>(1), growth, T(1));
+  met.back.translated = met.back.translated * select(pairing.m == Index<T>(1), growth, T(1));
 }
 
 /// Rays that meet at a depth, where the telescope's walk comes through a point of a tilted lens.

@@ -69,8 +69,7 @@ void Connections<T>::by_sightline(const Pairing<T>& pairing, const Mask<T>& mask
                                       T(1), here)
               : conversion_from_laser(sea_, v, behind, way.direction, line,
                                       world_.inverse_conversion, T(1), T(1), here);
-  const T area =
-      samples_.to_instrument * from.chance * area_per_instrument + from.meeting;
+  const T area = samples_.to_instrument * from.chance * area_per_instrument + from.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_telescope(pairing, v, way);
   score(pairing, Walked::laser, seen,
@@ -140,18 +139,18 @@ void Connections<T>::by_sightline_to_laser(const Pairing<T>& pairing, const Mask
   if (!any(lit)) return;
   const auto in_path = usable(pairing.m + Index<T>(1));
   const Mask<T> scatters = w.line == Index<T>(0);
-  const T laser_area = free_area(
-      of_laser, T(to_laser.area / abs(way.direction.z)), Index<T>(0), w.layer, scatters,
-      -w.direction,
-      phase_value(sea_, w, way.direction,
-                  gather_index<T>(sea_.elastic_phase, sea_.at(Index<T>(0), w.layer))));
+  const T laser_area =
+      free_area(of_laser, T(to_laser.area / abs(way.direction.z)), Index<T>(0), w.layer, scatters,
+                -w.direction,
+                phase_value(sea_, w, way.direction,
+                            gather_index<T>(sea_.elastic_phase, sea_.at(Index<T>(0), w.layer))));
   const auto freedom = path_freedom(
       in_path.order, back_.birth_record(pairing.back).translation_area, last_depth(pairing.back),
       free_area(back_, instrument(), pairing.back), laser_area);
-  const Freedom<T> here{freedom.at(Mask<T>(true), pairing.m == Index<T>(0)),
-                        select(is_pivot(w.line, pairing.m),
-                               axis_at(w.position, w.direction, way.direction),
-                               back_.axis(pairing.back))};
+  const Freedom<T> here{
+      freedom.at(Mask<T>(true), pairing.m == Index<T>(0)),
+      select(is_pivot(w.line, pairing.m), axis_at(w.position, w.direction, way.direction),
+             back_.axis(pairing.back))};
   const T behind = back_.behind(w, pairing.back, pairing.m, in_path, freedom, here.axis);
   const ConnectionEnd to =
       arrival_from_laser(sea_, w, behind, way.direction, world_.inverse_conversion, here);
@@ -211,9 +210,8 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>& pairing, con
   const Mask<T> arrives = mask & emits(w.line, w.layer);
   if (any(arrives)) {
     const auto freedom = freedom_of(Index<T>(0));
-    const auto axis =
-        select(is_pivot(w.line, pairing.m), axis_at(w.position, w.direction, direction),
-               back_.axis(pairing.back));
+    const auto axis = select(is_pivot(w.line, pairing.m),
+                             axis_at(w.position, w.direction, direction), back_.axis(pairing.back));
     const T behind = behind_laser_vertex(pairing, v, in_path, freedom, axis);
     const T behind_arrival = back_.behind(w, pairing.back, pairing.m, in_path, freedom, axis);
     const ConnectionEnd to =
@@ -254,7 +252,8 @@ void Connections<T>::along(const Pairing<T>& pairing, const Mask<T>& mask, const
   if (world_.compares) [[unlikely]]
     complete_between(pairing, line, v, w, length);
   score(pairing, Walked::both, in_time,
-        {from.weight * to.weight * balance(area, tau.all, exp_minus(tau.walk), from.densities, to.densities),
+        {from.weight * to.weight *
+             balance(area, tau.all, exp_minus(tau.walk), from.densities, to.densities),
          path, last_depth(pairing.back), usable.order, edge, pairing.m + Index<T>(1)});
 }
 

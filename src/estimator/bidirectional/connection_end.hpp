@@ -85,8 +85,8 @@ ConnectionEnd<T> conversion_from_laser(const geometry::Slabs& sea, const Vertex<
 /// already converted, else converted here. `direction`: in which the walk would go on; `behind`:
 /// the densities behind the vertex.
 template <class T>
-ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>& v,
-                                    const T& behind, const Vec3<T>& direction,
+ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>& v, const T& behind,
+                                    const Vec3<T>& direction,
                                     const estimator::InverseConversion<T>& inverse_conversion,
                                     const Freedom<T>& freedom) {
   const Index<T> here = sea.at(v.line, v.layer);

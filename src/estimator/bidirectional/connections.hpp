@@ -110,21 +110,36 @@ struct RayPair {
   }
 };
 
+/// Whose walk of a path is a free one.
+enum class Free : std::int8_t { none, telescope, laser };
+
+/// The new way between a free walk's first vertex and its instrument.
+template <class T>
+struct NewLeg {
+  Vertex<T> first;
+  Ray<T> leaving;    ///< the walk's ray from there
+  Vec3<T> arriving;  ///< direction in which the walk now comes there
+  geometry::Sightline<T> way;
+  T length{};  ///< in the water [m]
+};
+
 /// Two rays as they meet, after one of both walks has been moved, and what that makes of the path.
 template <class T>
 struct Met {
+  Free free = Free::none;
+  const NewLeg<T>* leg = nullptr;  ///< of a free walk
   Ray<T> out, back;
   Spread<T> out_spread, back_spread;
   FirstVertex<T> out_first, back_first;
-  T rest{1};       ///< by how much all other densities behind the telescope's ray grow
+  T rest{1};  ///< by how much all other densities behind the telescope's ray grow
   T translation_area{};
-  Vec3<T> out_moved{};  ///< from where the laser's walk was drawn; level
-  RotationAxis<T> axis;  ///< of the telescope's walk, where it is now
-  RotationAxis<T> own_axis;  ///< where it was drawn
+  Vec3<T> out_moved{};        ///< from where the laser's walk was drawn; level
+  RotationAxis<T> axis;       ///< of the telescope's walk, where it is now
+  RotationAxis<T> own_axis;   ///< where it was drawn
   bool rotates_anew = false;  ///< it may be rotated otherwise than it was drawn
-  T gain{1};       ///< of the sample
-  T longer{};      ///< so much longer is the way from a tilted lens [m]
-  Index<T> line{};  ///< of the light that comes back
+  T gain{1};                  ///< of the sample
+  T longer{};                 ///< so much longer is the way from a tilted lens [m]
+  Index<T> line{};            ///< of the light that comes back
 };
 
 /// Where two rays meet.
@@ -142,11 +157,11 @@ struct MeetingPoint {
 /// The way from a vertex to the laser.
 template <class T>
 struct WayToLaser {
-  Mask<T> lit{};  ///< it comes to the laser within its cone
+  Mask<T> lit{};      ///< it comes to the laser within its cone
   T water{}, path{};  ///< length in the water, and group path as the laser's walks count it [m]
-  T tau{}, reach{};  ///< optical depth; chance that a walk of the laser would come along it
-  T area{};    ///< across it, of the laser's cone [m^2]
-  T weight{};  ///< of a walk of the laser in the water, before it is attenuated
+  T tau{}, reach{};   ///< optical depth; chance that a walk of the laser would come along it
+  T area{};           ///< across it, of the laser's cone [m^2]
+  T weight{};         ///< of a walk of the laser in the water, before it is attenuated
 };
 
 /// A telescope's walk's first way in the water.
@@ -164,6 +179,7 @@ struct FoundPath {
   T last{};                                      ///< depth at which light was last scattered [m]
   Index<T> order{}, of_laser{}, of_telescope{};  ///< vertices: all, and those of the two walks
   Mask<T> met_on_bed{};
+  Free free = Free::none;
 };
 
 template <class T>
@@ -241,8 +257,8 @@ class Connections {
   [[nodiscard]] Vec3<T> apart(const RayPair<T>& pair, const T& depth) const;
   [[nodiscard]] T collision_gain(const Vertex& first) const;
   void meet_free(const FreePairing<T>& pairing, const Mask<T>& mask, const Met<T>& met);
-  void free_telescope_by(const FreePairing<T>& pairing, const Mask<T>& mask,
-                         const RayPair<T>& pair, const Vertex& first, const Vec3<T>& moved,
+  void free_telescope_by(const FreePairing<T>& pairing, const Mask<T>& mask, const RayPair<T>& pair,
+                         const Vertex& first, const Vec3<T>& moved,
                          const geometry::Sightline<T>& way);
   void free_laser_by(const FreePairing<T>& pairing, const Mask<T>& mask, const RayPair<T>& pair,
                      const Vertex& first, const Vec3<T>& moved, const geometry::Sightline<T>& way);
@@ -277,8 +293,8 @@ class Connections {
   [[nodiscard]] PathFreedom<T> freedom_at(const RayPairing<T>& pairing, const Met<T>& met,
                                           const MeetingPoint<T>& at, const T& last,
                                           const Index<T>& place) const;
-  void meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met,
-               const T& depth, const Index<T>& place);
+  void meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met, const T& depth,
+               const Index<T>& place);
 
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
     return {order, world_.most_vertices};
@@ -304,8 +320,7 @@ class Connections {
                             const Index<T>& place, const Mask<T>& scatters,
                             const Vec3<T>& direction, const T& p) const {
     if (!samples_.frees() || !frees(instrument)) return T(0);
-    return footprint *
-           averaged_over_drawn(world_, instrument, line, place, scatters, direction, p);
+    return footprint * averaged_over_drawn(world_, instrument, line, place, scatters, direction, p);
   }
   [[nodiscard]] T free_area(const Walks<T>& walks, std::int32_t instrument,
                             const Index<T>& walk) const {
@@ -316,6 +331,10 @@ class Connections {
   /// whatever the ray.
   [[nodiscard]] bool frees(std::int32_t instrument) const {
     return world_.cone(instrument).by_depth;
+  }
+  /// Whether walks of the laser are of its own light.
+  [[nodiscard]] Mask<T> is_lit(const Index<T>& laser) const {
+    return world_.laser_cone.exact ? Mask<T>(true) : laser_.is_own(laser);
   }
   [[nodiscard]] std::int32_t instrument() const { return of_telescope(receiver_.telescope); }
   /// Of the bed, where places are asked for.
@@ -339,8 +358,7 @@ class Connections {
   [[nodiscard]] T behind_laser_vertex(const Pairing<T>& pairing, const Vertex& v,
                                       const Usable<T>& in_path, const PathFreedom<T>& freedom,
                                       const RotationAxis<T>& axis) const {
-    return v.reverse_chance *
-           laser_.behind(v, pairing.laser, pairing.i, in_path, freedom, axis);
+    return v.reverse_chance * laser_.behind(v, pairing.laser, pairing.i, in_path, freedom, axis);
   }
   [[nodiscard]] DepthLine depth_line_of(const Ray& ray) const {
     return depth_line(sea_, ray, world_.deepest);
@@ -384,8 +402,6 @@ class Connections {
                          const geometry::Sightline<T>& way, const T& length);
   void complete_between(const Pairing<T>& pairing, const Index<T>& line, const Vertex& v,
                         const Vertex& w, const T& length);
-  void complete_free(const Vertex& first, const T& length, const geometry::Sightline<T>& way,
-                     const Ray& leaving, const Vec3<T>& arriving);
   void complete_by_meeting(const Met<T>& met, const T& depth, const Index<T>& layer);
   void score_in_environments(Pairing<T> pairing, Walked walked, Mask<T> mask, FoundPath<T> path);
 

@@ -77,9 +77,9 @@ T averaged_over_drawn(const World<T>& world, std::int32_t instrument, const Inde
     if (instrument == of_laser && sea.bed_angles > 1) else_drawn = select(bed, T(0), T(1));
   }
   if (!any(in_water)) return else_drawn;
-  const T mean = world.averaged.value(
-      instrument, one_minus_cos(world.cone(instrument).axis, direction),
-      gather_index<T>(sea.elastic_phase, sea.at(line, place)));
+  const T mean =
+      world.averaged.value(instrument, one_minus_cos(world.cone(instrument).axis, direction),
+                           gather_index<T>(sea.elastic_phase, sea.at(line, place)));
   T ratio = mean / p;
   if (instrument != of_laser && any(world.inverse_conversion.scattered > T(0))) {
     const auto drawn = [&](const T& value) {

@@ -87,8 +87,9 @@ template <class T>
 T balance(const T& area, const T& tau, const T& reach, const EndDensities<T>& a,
           const EndDensities<T>& b) {
   const T both = a.p * b.p;
-  return both * exp_minus(tau) / (area + reach * (a.arriving_edge * b.p + b.arriving_edge * a.p +
-                                                  (a.behind + b.behind) * both));
+  return both * exp_minus(tau) /
+         (area +
+          reach * (a.arriving_edge * b.p + b.arriving_edge * a.p + (a.behind + b.behind) * both));
 }
 
 }  // namespace photic::estimator

@@ -4,8 +4,8 @@
 #include "core/constants.hpp"
 #include "core/elementary.hpp"
 #include "estimator/bidirectional/beam_spread.hpp"
-#include "estimator/entry_cone.hpp"
 #include "estimator/bidirectional/path_point.hpp"
+#include "estimator/entry_cone.hpp"
 #include "estimator/meeting_grid.hpp"
 #include "medium/medium.hpp"
 #include "surface/lambert.hpp"
@@ -89,20 +89,19 @@ T connecting_area(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& 
 /// How a walk came to a vertex where it collides.
 template <class T>
 struct Arrival {
-  Ray<T> ray;        ///< by this one
-  Leg<T> leg;        ///< along it
-  Mask<T> first{};   ///< which leaves the instrument
-  Mask<T> far{};     ///< the vertex lies beyond the walk's second
-  T reach{};         ///< chance to come here by the leg, as the walk drew it
+  Ray<T> ray;       ///< by this one
+  Leg<T> leg;       ///< along it
+  Mask<T> first{};  ///< which leaves the instrument
+  Mask<T> far{};    ///< the vertex lies beyond the walk's second
+  T reach{};        ///< chance to come here by the leg, as the walk drew it
 };
 
 /// That chance. `cone`: of the walk's instrument.
 template <class T>
 T reach_of(const geometry::Slabs& sea, const EntryCone<T>& cone, const Mask<T>& first,
            const transport::Photon<T>& photon, const Leg<T>& leg) {
-  return reach_along(
-      cone, first, leg.walk_tau, photon.direction.z,
-      sea.bed_angles > 0 ? surface::on_bed<T>(sea, photon.layer) : Mask<T>(false));
+  return reach_along(cone, first, leg.walk_tau, photon.direction.z,
+                     sea.bed_angles > 0 ? surface::on_bed<T>(sea, photon.layer) : Mask<T>(false));
 }
 
 /// The vertex where a photon collides. `axis`: that of the walk.

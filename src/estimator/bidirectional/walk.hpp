@@ -155,9 +155,21 @@ class Walks {
     return pivots;
   }
 
-  /// Of the weights with which walks leave by their rays, in environments.
+  /// Of the weights with which walks leave by their rays, in environments: beyond the second ray
+  /// without what lies before that, which a free walk has anew.
   [[nodiscard]] PathRatios<T>& ratios() { return ratios_; }
-  [[nodiscard]] const PathRatios<T>& ratios() const { return ratios_; }
+  /// Product and depth of a walk up to ray m, for environments from `first` on.
+  [[nodiscard]] std::array<T, 2> ratio(const medium::EnvironmentsView& environments,
+                                       std::int32_t walk, std::int32_t m, bool is_free,
+                                       std::int32_t first) const {
+    const auto of_ray = [&](std::int32_t ray) {
+      return ratios_.at(static_cast<std::size_t>(walk) * stride + static_cast<std::size_t>(ray),
+                        first);
+    };
+    if (m < 2) return of_ray(is_free ? 0 : m);
+    if (is_free) return of_ray(m);
+    return joined(environments, first, of_ray(1), of_ray(m));
+  }
   /// Where ray or vertex i of a walk is kept.
   static Index<T> slot(const Index<T>& walk, const Index<T>& i) {
     return walk * Index<T>(stride) + i;
@@ -275,15 +287,14 @@ class Walks {
     const T& near_end = from_telescope_ ? freedom.at_last : freedom.at_first;
     auto others = behind(ray, walk, m, usable);
     if (rotates_anew) others.rotated = rotated_before(walk, m - Index<T>(1), usable, axis);
-    side.behind = ray.reverse_chance *
-                  (rest * others.all(freedom.inner) +
-                   complete_behind_ray(m, usable).sum(first, near_end) +
-                   rotated_behind(walk, m - Index<T>(1), usable, axis, first));
+    side.behind = ray.reverse_chance * (rest * others.all(freedom.inner) +
+                                        complete_behind_ray(m, usable).sum(first, near_end) +
+                                        rotated_behind(walk, m - Index<T>(1), usable, axis, first));
     const T translations = select(m == Index<T>(1), near_end, freedom.inner);
-    side.meeting = select(usable.meeting(number_in_path(m, usable)),
-                          translations * if_reversed(ray.translated, ray.leaving_z()) +
-                              ray.rotated.about(axis),
-                          T(0));
+    side.meeting = select(
+        usable.meeting(number_in_path(m, usable)),
+        translations * if_reversed(ray.translated, ray.leaving_z()) + ray.rotated.about(axis),
+        T(0));
     return side;
   }
   /// The densities behind vertex i, over reverse_chance, in such a path.
@@ -292,8 +303,8 @@ class Walks {
                          const RotationAxis<T>& axis) const {
     const FirstVertex<T> first = first_vertex(walk);
     return v.behind.all(freedom.inner) +
-           complete_behind_vertex(i, usable)
-               .sum(first, from_telescope_ ? freedom.at_last : freedom.at_first) +
+           complete_behind_vertex(i, usable).sum(
+               first, from_telescope_ ? freedom.at_last : freedom.at_first) +
            rotated_behind(walk, i, usable, axis, first);
   }
 
@@ -342,8 +353,7 @@ class Walks {
     const Mask<T> meeting = mask & usable.meeting(x);
     // Those of the first vertex are told apart.
     sum.edges = sum.edges + select(connecting & (m > Index<T>(2)), v.added.edges, T(0));
-    sum.translated =
-        sum.translated + select(meeting & (m > Index<T>(1)), v.added.translated, T(0));
+    sum.translated = sum.translated + select(meeting & (m > Index<T>(1)), v.added.translated, T(0));
     sum.rotated = sum.rotated + select(meeting, v.added.rotated, T(0));
   }
 
@@ -353,7 +363,8 @@ class Walks {
   lanes::Records<T, Vertex> vertex_;
   lanes::Records<T, Pivot<T>> pivot_;
   lanes::Records<T, FirstVertex<T>> first_;
-  std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_, line_;  ///< of each walk
+  std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_,
+      line_;                                ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many
   PathRatios<T> ratios_;                    ///< of each ray
 };

@@ -63,14 +63,16 @@ class WalkSteps {
     T free_path = minus_log(u_[0]);
     const Mask<T> first = w.vertices == Index<T>(0);
     if (any(first))
-      free_path = free_path * select(first, source_.cone().longer_free_path(before.direction.z), T(1));
+      free_path =
+          free_path * select(first, source_.cone().longer_free_path(before.direction.z), T(1));
     const auto end = transport::fly(sea_, w.photon, free_path);
     const T walk_tau = w.leg.walk_tau;
     add_flight(sea_, before, w.photon, w.leg);
     if (any(first)) {
       Mask<T> stopped = end.surface | end.sea_bed;
       if (sea_.bed_angles > 0) stopped = stopped | surface::on_bed<T>(sea_, w.photon.layer);
-      const T over = source_.cone().over_reach(w.leg.walk_tau - walk_tau, before.direction.z, stopped);
+      const T over =
+          source_.cone().over_reach(w.leg.walk_tau - walk_tau, before.direction.z, stopped);
       w.photon.weight = w.photon.weight * select(first, over, T(1));
     }
     return end;
@@ -178,10 +180,15 @@ class WalkSteps {
                    walks.from_telescope() ? ray.direction.z : T(-vertex.direction.z)},
                   collision);
     const auto next = each_lane(Walks<T>::slot(w.walk, w.vertices));
+    const auto vertices = each_lane(w.vertices);
     for_each_lane(mask, [&](int lane) {
       const auto k = static_cast<std::size_t>(lane);
       const auto slot = static_cast<std::size_t>(next[k]);
-      walks.ratios().copy(sea.environments, slot - 1, slot);
+      if (vertices[k] == 2) {
+        walks.ratios().of(slot).begin(sea.environments);
+      } else {
+        walks.ratios().copy(sea.environments, slot - 1, slot);
+      }
       const auto ratios = walks.ratios().of(slot);
       ratios.pass(sea.environments, way, k);
       ratios.collide(sea.environments, collision, k);

@@ -251,10 +251,9 @@ inline Walks<double> telescope_walk(const World<double>& world, const Samples<do
   record.grid_offset = grid_offset;
   record.line = path.line;
   Writer writer(world, samples,
-                birth_at_telescope(world.sea, telescope, world.telescope_region[0],
-                                   world.telescope_cones[0],
-                                   entry_ray_of(world, of_telescope(0), path.line, way), path.line,
-                                   path.lens),
+                birth_at_telescope(
+                    world.sea, telescope, world.telescope_region[0], world.telescope_cones[0],
+                    entry_ray_of(world, of_telescope(0), path.line, way), path.line, path.lens),
                 record, true);
   const std::int32_t k = path.order();
   for (std::int32_t i = k; i > k - vertices; --i) {

@@ -112,7 +112,9 @@ class Scores {
   /// Of a grid's points of which one lies where rays meet at vertex i; on the bed, below it.
   [[nodiscard]] double offset_at(std::int32_t i, const MeetingGrid<double>& of) const {
     const double number = of.number(-path_.x(i).z, path_.order()) +
-                          (on_bed(world_.sea, path_.x(i)) ? 0.05 * of.density(path_.order()) * samples_.grid.below_bed() : 0);
+                          (on_bed(world_.sea, path_.x(i))
+                               ? 0.05 * of.density(path_.order()) * samples_.grid.below_bed()
+                               : 0);
     return number - std::floor(number);
   }
   double taken() {

@@ -61,7 +61,8 @@ struct StrategiesOfPath {
     if (i == path.order() || !world.telescope_cones[0].by_depth) return 0;
     const Edge& e = edge.back();
     return samples.pairs * samples.free_telescope.density(path.order()) *
-           (e.spread / samples.to_instrument / std::abs(e.leaving.z)) * mean_over_telescope() * moved_to(i);
+           (e.spread / samples.to_instrument / std::abs(e.leaving.z)) * mean_over_telescope() *
+           moved_to(i);
   }
   /// The same of a laser's walk.
   [[nodiscard]] double free_laser(std::int32_t i) const {
@@ -103,7 +104,7 @@ struct StrategiesOfPath {
   [[nodiscard]] double value() const {
     double sum = 0;
     for (std::int32_t e = 0; e <= path.order(); ++e) sum += connecting(e);
-    for (std::int32_t i = 1; i <= path.order(); ++i) 
+    for (std::int32_t i = 1; i <= path.order(); ++i)
       sum += translated(i) + rotated(i) + free_telescope(i) + free_laser(i);
     return common / sum;
   }
@@ -116,8 +117,8 @@ struct StrategiesOfPath {
     // On the bed pi exp(tau + tau'), as often as a point of the grid lies that far below.
     return is_on_bed(i) ? samples.grid.below_bed() * pi * met_but(i) : steep * drawn_but(i);
   }
-  /// The density of the direction in which a telescope's walk leaves the last vertex, as a mean over
-  /// those in which it may come there, over that with which it is drawn.
+  /// The density of the direction in which a telescope's walk leaves the last vertex, as a mean
+  /// over those in which it may come there, over that with which it is drawn.
   [[nodiscard]] double mean_over_telescope() const {
     const std::int32_t k = path.order();
     if (k == path.converted || is_on_bed(k)) return 1;
@@ -301,8 +302,7 @@ struct StrategiesOfPath {
                                    path.is_mirrored(0), can_be_met(laser) ? solid_angle : 0));
     edge.back().arriving = -way.direction;
     draw_by_depth(world.laser_cone, way.direction.z, is_on_bed(1), edge.back());
-    if (!laser.collimated)
-      common *= solid_angle / (2 * pi * laser.one_minus_cos_divergence);
+    if (!laser.collimated) common *= solid_angle / (2 * pi * laser.one_minus_cos_divergence);
     common *= way.throughput;
   }
   void add_last() {
