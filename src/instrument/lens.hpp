@@ -90,14 +90,6 @@ struct Sight {
   T cos_off_axis{1};      ///< of the ray outside, to the axis
 };
 
-/// The solid angle that the whole detector sees through a point of the lens, as if all of it stood
-/// at the off-axis angle of the given cosine: its directions are dense there as 1 over this [sr].
-template <class T>
-T detector_solid_angle(const Telescope<T>& telescope, const T& cos_off_axis) {
-  const T ratio = telescope.detector_radius / telescope.detector_distance;
-  return T(pi) * ratio * ratio * cos_off_axis * cos_off_axis * cos_off_axis;
-}
-
 /// Rays of a tilted lens that are flatter, by their cosine to the vertical, are not translated:
 /// their ways would become longer by many of its radii.
 inline constexpr double flattest_translated = 0.2;
@@ -111,10 +103,10 @@ T translation_area(const Telescope<T>& telescope, const Vec3<T>& direction) {
   if (telescope.upright) return telescope.area();
   const T steep = abs(direction.z);
   const Mask<T> translates = steep >= T(flattest_translated);
-  return select(translates,
-                telescope.area() * abs(dot(direction, telescope.axis)) /
-                    select(translates, steep, T(1)),
-                T(0));
+  return select(
+      translates,
+      telescope.area() * abs(dot(direction, telescope.axis)) / select(translates, steep, T(1)),
+      T(0));
 }
 
 /// How a ray comes through the lens if all of its light's way beyond is translated sideways: so far
@@ -173,21 +165,12 @@ Sight<T> sight(const Telescope<T>& telescope, const PlanePoint<T>& p, const Vec3
   return seen;
 }
 
-/// How far the ray from a point of the detector through one of the lens leads aside out in the
-/// world, per length along the axis: the way back of the light that falls there.
-template <class T>
-PlanePoint<T> outward_slope(const Telescope<T>& telescope, const PlanePoint<T>& p,
-                            const PlanePoint<T>& on_detector) {
-  const T per_distance = T(1) / telescope.detector_distance;
-  return {-(on_detector.x * per_distance + p.x * telescope.per_sharp_range),
-          -(on_detector.y * per_distance + p.y * telescope.per_sharp_range)};
-}
-/// Its direction.
+/// The direction of a ray from the lens that leads aside so far per length along the axis.
 template <class T>
 Vec3<T> outward(const Telescope<T>& telescope, const PlanePoint<T>& slope) {
   return normalised(telescope.axis + in_plane(telescope, slope));
 }
-/// Whether the detector sees such a ray.
+/// Whether the detector sees such a ray through a point of the lens.
 template <class T>
 Mask<T> is_detected(const Telescope<T>& telescope, const PlanePoint<T>& p,
                     const PlanePoint<T>& slope) {

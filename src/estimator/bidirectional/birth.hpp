@@ -4,8 +4,10 @@
 
 #include "estimator/bidirectional/vertex.hpp"
 #include "estimator/entry_cone.hpp"
+#include "geometry/region.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
+#include "surface/flat.hpp"
 #include "transport/emit.hpp"
 
 namespace photic::estimator {
@@ -63,7 +65,8 @@ Birth<T> birth_at_laser(const medium::MediumView& sea, const instrument::Laser<T
   const Mask<T> ahead = cosine > T(0);
   const T secant = T(1) / select(ahead, cosine, T(1));
   const T to_start = laser.vertex_distance + laser.ahead;
-  const Vec3<T> aside = secant * (ray.off_axis - (cosine - T(1)) * cone.outside);
+  const Vec3<T> aside =
+      secant * (ray.off_axis - dot(ray.off_axis, cone.outside) * cone.outside);
   auto birth = birth_in_water(sea, region, ray, laser.start + to_start * aside, to_start * secant,
                               Index<T>(0));
   const T x = T(0.5) * dot(ray.off_axis, ray.off_axis);

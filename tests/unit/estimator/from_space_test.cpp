@@ -47,6 +47,25 @@ class FromSpace : public testing::TestWithParam<bool> {};
 /// A uniform that a float can hold.
 double uniform(Random& random) { return double(float(random.uniform())); }
 
+/// An instrument's cone in the precision of a walk.
+template <class T, class Instrument>
+estimator::EntryCone<T> cone_of(const Instrument& instrument, const medium::Medium& sea) {
+  return estimator::cone_cast<T>(estimator::entry_cone(instrument, sea, 50));
+}
+/// A ray of it, and the same in double.
+struct Rays {
+  estimator::EntryRay<float> in_float;
+  estimator::EntryRay<double> exact;
+};
+template <class Instrument>
+Rays rays_of(const Instrument& instrument, const Sea& sea, Random& random) {
+  const double u = uniform(random), v = uniform(random);
+  const double n = sea.line[0].refractive_index;
+  const auto n_float = float(n);
+  return {draw_entry(cone_of<float>(instrument, sea), n_float, n_float, float(u), float(v)),
+          draw_entry(cone_of<double>(instrument, sea), n, n, u, v)};
+}
+
 // Seen red: with the light emitted on the disc; with off_axis from the difference of directions.
 TEST_P(FromSpace, LaserLightGetsThereInTime) {
   const auto sea = make_sea(60);
@@ -110,24 +129,44 @@ TEST_P(FromSpace, LightGetsBackInTime) {
   EXPECT_GT(seen, samples / 2);
 }
 
+TEST_P(FromSpace, WalksFromTheLaserAreTimed) {
+  const auto sea = make_sea(60);
+  Random random(404);
+  const Lidar lidar(0.5, GetParam());
+  const auto in_float = instrument::make_laser<float>(lidar.source);
+  const auto laser = instrument::make_laser<double>(lidar.source);
+  const auto cone = cone_of<float>(lidar.source, sea);
+  int emitted = 0;
+  for (int i = 0; i < samples / 10; ++i) {
+    const auto [ray, exact] = rays_of(lidar.source, sea, random);
+    const auto walk = estimator::birth_at_laser<float>(sea.view(), in_float, {true, 0}, cone, ray);
+    emitted += walk.exists;
+    const V direction = exact.outside;
+    const V vertex = lidar.source.position_m - laser.vertex_distance * laser.axis;
+    const V place = vertex + (vertex.z / -direction.z) * direction;
+    const double length =
+        vertex.z / -direction.z - laser.vertex_distance / dot(direction, laser.axis);
+    ASSERT_LT(photic::length(vec3_cast<double>(walk.photon.position) - place), place_tolerance);
+    ASSERT_NEAR(walk.photon.path, length - laser.ahead, path_tolerance);
+  }
+  EXPECT_GT(emitted, samples / 20);
+}
+
 // Seen red: with the path that enter_water() gives.
 TEST_P(FromSpace, WalksFromTelescopesAreTimed) {
   const Lidar lidar(0.5, GetParam());
   const auto sea = make_sea(60);
   const auto in_float = instrument::make_telescope<float>(lidar.telescope);
   const auto telescope = instrument::make_telescope<double>(lidar.telescope);
+  const auto cone = cone_of<float>(lidar.telescope, sea);
   Random random(403);
-  for (int i = 0; i < samples; ++i) {
+  for (int i = 0; i < samples / 10; ++i) {
     const auto lens = lens_point(in_float, float(random.uniform()), float(random.uniform()));
-    const auto detector = instrument::ring_point(0.0F, in_float.detector_radius,
-                                                 float(random.uniform()), float(random.uniform()));
-    const auto walk = estimator::birth_at_telescope(sea.view(), in_float, {true, 0}, 0, lens,
-                                                    outward_slope(in_float, lens, detector));
-    ASSERT_TRUE(walk.exists);
-    const instrument::PlanePoint<double> at{lens.x, lens.y}, on_detector{detector.x, detector.y};
-    const V from = in_space(telescope, at);
-    const V direction = outward(telescope, outward_slope(telescope, at, on_detector));
-    const V place = from + (from.z / -direction.z) * direction;
+    const auto [ray, exact] = rays_of(lidar.telescope, sea, random);
+    const auto walk =
+        estimator::birth_at_telescope<float>(sea.view(), in_float, {true, 0}, cone, ray, 0, lens);
+    const V from = in_space(telescope, instrument::PlanePoint<double>{lens.x, lens.y});
+    const V place = from + (from.z / -exact.outside.z) * exact.outside;
     const V here = vec3_cast<double>(walk.photon.position);
     ASSERT_LT(length(here - place), place_tolerance);
     ASSERT_NEAR(walk.photon.path, length(from - here) - length(telescope.position), path_tolerance);

@@ -200,11 +200,11 @@ class Writer {
 
   const World<double>& world_;
   const Samples<double>& samples_;
+  std::int32_t instrument_;
   transport::Photon<double> photon_;
   Spread<double> spread_;
   Ray<double> ray_;
   Vertex<double> vertex_;
-  std::int32_t instrument_;
   FirstVertex<double> first_;
 };
 

@@ -1,7 +1,7 @@
 // Telescopes for tests.
 #pragma once
 
-#include "instrument/telescope.hpp"
+#include "instrument/lens.hpp"
 #include "support/random.hpp"
 
 namespace photic::instrument {
@@ -48,4 +48,13 @@ inline Telescope<double> random_telescope(test::Random& random, scene::Telescope
   return make_telescope<double>(scene);
 }
 
+/// How far the ray from a point of the detector through one of the lens leads aside out in the
+/// world, per length along the axis: the way back of the light that falls there.
+template <class T>
+PlanePoint<T> outward_slope(const Telescope<T>& telescope, const PlanePoint<T>& p,
+                            const PlanePoint<T>& on_detector) {
+  const T per_distance = T(1) / telescope.detector_distance;
+  return {-(on_detector.x * per_distance + p.x * telescope.per_sharp_range),
+          -(on_detector.y * per_distance + p.y * telescope.per_sharp_range)};
+}
 }  // namespace photic::instrument

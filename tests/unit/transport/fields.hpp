@@ -229,10 +229,22 @@ void fields(P& a, S& b, F f) {
   f(a.sine, b.sine, "sine");
 }
 template <class P, class S, class F>
-  requires is_packed<P, estimator::Meeting>
+  requires is_packed<P, estimator::Arrival>
 void fields(P& a, S& b, F f) {
-  f(a.value, b.value, "value");
-  f(a.path, b.path, "path");
+  fields(a.ray, b.ray, f);
+  fields(a.leg, b.leg, f);
+  f(a.first, b.first, "first");
+  f(a.far, b.far, "far");
+  f(a.reach, b.reach, "reach");
+}
+template <class P, class S, class F>
+  requires is_packed<P, estimator::EntryRay>
+void fields(P& a, S& b, F f) {
+  fields(a.direction, b.direction, f);
+  fields(a.outside, b.outside, f);
+  fields(a.off_axis, b.off_axis, f);
+  f(a.solid_angle, b.solid_angle, "solid angle");
+  f(a.exists, b.exists, "exists");
 }
 
 template <template <class> class S>

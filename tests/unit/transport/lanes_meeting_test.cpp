@@ -1,4 +1,5 @@
 // Walks that are put together with four lanes: each lane equals the scalar, bit for bit.
+#include "estimator/averaged_phases.hpp"
 #include "unit/instrument/telescopes.hpp"
 #include "unit/transport/fields.hpp"
 #include "unit/transport/sea.hpp"
@@ -104,16 +105,20 @@ TEST(LanesOf, VertexOn) {
     const auto first = four([&] { return random.chance(0.5); });
     auto leg4 = pack_fields<estimator::Leg>(leg);
     estimator::add_flight(sea.view(), pack(before), pack(photon), leg4);
-    const auto vertex4 = estimator::vertex_on(
-        sea.view(), pack_fields<estimator::Ray>(ray), pack_mask(first), spread4, pack(photon), leg4,
-        pack_fields<estimator::RotationAxis>(axis), in_all_lanes(samples));
+    const auto rest = uniforms4(random);
+    Four<estimator::Arrival<double>> arrival;
     for (std::size_t i = 0; i < lanes; ++i) {
       estimator::add_flight(sea.view(), before[i], photon[i], leg[i]);
       expect_same_fields(leg4, i, leg[i]);
-      expect_same_fields(vertex4, i,
-                         estimator::vertex_on(sea.view(), ray[i], first[i], spread[i], photon[i],
-                                              leg[i], axis[i], samples));
+      arrival[i] = {ray[i], leg[i], first[i], !first[i] && random.chance(0.5), rest[i]};
     }
+    const auto vertex4 = estimator::vertex_on(
+        sea.view(), pack_fields<estimator::Arrival>(arrival), spread4, pack(photon),
+        pack_fields<estimator::RotationAxis>(axis), in_all_lanes(samples));
+    for (std::size_t i = 0; i < lanes; ++i)
+      expect_same_fields(
+          vertex4, i,
+          estimator::vertex_on(sea.view(), arrival[i], spread[i], photon[i], axis[i], samples));
   }
 }
 
@@ -131,15 +136,17 @@ TEST(LanesOf, DepartAndNextRay) {
     const bool from_telescope = random.chance(0.5);
     const auto departure4 = estimator::depart(sea.view(), photon4, in_all_lanes(inverse_conversion),
                                               {pack(a), pack(b), pack(c), pack(d)}, from_telescope);
-    const auto ray4 = estimator::next_ray(sea.view(), photon4,
-                                          pack_fields<estimator::Vertex>(vertex), departure4);
+    const auto far = four([&] { return random.chance(0.5); });
+    const auto ray4 = estimator::next_ray(
+        sea.view(), photon4, pack_fields<estimator::Vertex>(vertex), departure4, pack_mask(far));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto line = photon[i].line;
       const auto departure = estimator::depart(sea.view(), photon[i], inverse_conversion,
                                                {a[i], b[i], c[i], d[i]}, from_telescope);
       expect_same(photon4, i, photon[i]);
       expect_same_fields(departure4, i, departure);
-      expect_same_fields(ray4, i, estimator::next_ray(sea.view(), photon[i], vertex[i], departure));
+      expect_same_fields(ray4, i,
+                         estimator::next_ray(sea.view(), photon[i], vertex[i], departure, far[i]));
       converted += photon[i].line != line;
       directed += photon[i].line != line && d[i] < inverse_conversion.directed;
     }
@@ -168,8 +175,8 @@ TEST(LanesOf, Joints) {
     const auto converted4 =
         estimator::conversion_from_laser(view, vertex4, pack(behind), pack(direction), pack(line),
                                          reversal4, pack(chance), pack(goes_on), freedom4);
-    const auto arrived4 =
-        estimator::arrival_from_laser(view, vertex4, pack(direction), reversal4, freedom4);
+    const auto arrived4 = estimator::arrival_from_laser(view, vertex4, pack(behind),
+                                                        pack(direction), reversal4, freedom4);
     const auto last4 = estimator::scattering_of_converted(view, vertex4, pack(direction));
     const auto balance4 = estimator::balance(pack(area), pack(tau), pack(walk_tau),
                                              scattered4.densities, arrived4.densities);
@@ -177,8 +184,8 @@ TEST(LanesOf, Joints) {
       const auto& v = vertex[i];
       const auto scattered = estimator::scattering_from_laser(
           view, v, behind[i], direction[i], inverse_conversion, goes_on[i], freedom[i]);
-      const auto arrived =
-          estimator::arrival_from_laser(view, v, direction[i], inverse_conversion, freedom[i]);
+      const auto arrived = estimator::arrival_from_laser(view, v, behind[i], direction[i],
+                                                         inverse_conversion, freedom[i]);
       expect_same_fields(scattered4, i, scattered);
       expect_same_fields(
           converted4, i,
@@ -194,27 +201,21 @@ TEST(LanesOf, Joints) {
   }
 }
 
-TEST(LanesOf, ChordAndMeet) {
+TEST(LanesOf, Chord) {
   Random random(69);
   const auto sea = make_sea(40);
-  int exists = 0, met = 0;
+  int exists = 0;
   for (int g = 0; g < groups; ++g) {
     scene::Telescope scene;
     const auto telescope = instrument::random_telescope(random, scene);
-    const auto samples = random_samples(random);
-    const auto inverse_conversion = random_reversal(random);
     auto laser = four([&] { return random_ray(sea, random); });
     auto back = four([&] { return random_ray(sea, random); });
-    Four<std::int32_t> layer{};
-    Four<double> depth{};
     for (std::size_t i = 0; i < lanes; ++i) {  // mostly they come close
       laser[i].line = 0;
       if (random.chance(0.8)) back[i].direction.z = laser[i].direction.z;
       if (random.chance(0.8)) back[i].position = laser[i].position;
       back[i].layer = sea.layer_at(-back[i].position.z);
       laser[i].layer = sea.layer_at(-laser[i].position.z);
-      depth[i] = random.between(0, 39);
-      layer[i] = sea.layer_at(depth[i]);
     }
     const auto start = four([&] {
       const auto slope = instrument::ring_point(0.0, 0.5, random.uniform(), random.uniform());
@@ -227,42 +228,52 @@ TEST(LanesOf, ChordAndMeet) {
                                          estimator::depth_line(sea.view(), back4, Lanes4(40)),
                                          instrument::make_telescope<Lanes4>(scene),
                                          pack_fields<estimator::AtLens>(start), Lanes4(250));
-    const auto first = four([&] { return random.chance(0.5); });
-    const auto last = four([&] { return random.chance(0.5); });
-    const auto spread = four([&] {
-      return estimator::Spread<double>{true, random.uniform(), random.uniform(), 1};
-    });
-    auto spread4 = pack_fields<estimator::Spread>(spread);
-    spread4.through_surface = true;
-    const auto a = uniforms4(random), a_last = uniforms4(random), b = uniforms4(random),
-               b_last = uniforms4(random);
-    const auto freedom = four([&] { return random_freedom(random); });
-    const auto meeting4 = estimator::meet<Lanes4>(
-        sea.view(), {laser4, pack_mask(first), spread4, pack(a), pack(a_last)},
-        {back4, pack_mask(last), spread4, pack(b), pack(b_last)}, pack(depth), pack(layer),
-        pack_fields<estimator::Freedom>(freedom), in_all_lanes(inverse_conversion),
-        in_all_lanes(samples));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto c = estimator::chord(estimator::depth_line(sea.view(), laser[i], 40.0),
                                       estimator::depth_line(sea.view(), back[i], 40.0), telescope,
                                       start[i], 250.0);
       expect_same_fields(chord4, i, c);
       exists += c.exists;
-      // A meeting is promised ahead of both rays alone, none of them level.
-      const auto ahead = [&](const estimator::Ray<double>& r) {
-        return r.direction.z != 0 && (-depth[i] - r.position.z) / r.direction.z > 0;
-      };
-      if (!ahead(laser[i]) || !ahead(back[i])) continue;
-      const auto meeting =
-          estimator::meet<double>(sea.view(), {laser[i], first[i], spread[i], a[i], a_last[i]},
-                                  {back[i], last[i], spread[i], b[i], b_last[i]}, depth[i],
-                                  layer[i], freedom[i], inverse_conversion, samples);
-      expect_same_fields(meeting4, i, meeting);
-      ++met;
     }
   }
   EXPECT_GT(exists, groups / 4);
-  EXPECT_GT(met, groups / 4);
+}
+
+// Of telescopes in the air and in the water, upright and tilted, and means over their cones.
+TEST(LanesOf, EntryRays) {
+  Random random(71);
+  const auto sea = make_sea(40);
+  for (int g = 0; g < groups / 10; ++g) {
+    scene::Telescope scene;
+    instrument::random_telescope(random, scene);
+    if (random.chance(0.3)) scene.position_m.z = -1;
+    const auto cone = estimator::entry_cone(scene, sea, 40);
+    const auto cone4 = estimator::cone_cast<Lanes4>(cone);
+    const auto u = uniforms4(random), v = uniforms4(random), tau = uniforms4(random);
+    const double n = sea.line[1].refractive_index, n_axis = sea.line[0].refractive_index;
+    const auto ray4 = draw_entry(cone4, Lanes4(n), Lanes4(n_axis), pack(u), pack(v));
+    const auto bed = four([&] { return random.chance(0.3); });
+    const auto reach4 = cone4.reach(pack(tau), ray4.direction.z, pack_mask(bed));
+    const auto over4 = cone4.over_reach(pack(tau), ray4.direction.z, pack_mask(bed));
+    const auto longer4 = cone4.longer_free_path(ray4.direction.z);
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const auto ray = draw_entry(cone, n, n_axis, u[i], v[i]);
+      expect_same_fields(ray4, i, ray);
+      expect_same(reach4[i], cone.reach(tau[i], ray.direction.z, bed[i]), "reach");
+      expect_same(over4[i], cone.over_reach(tau[i], ray.direction.z, bed[i]), "over reach");
+      expect_same(longer4[i], cone.longer_free_path(ray.direction.z), "longer");
+    }
+  }
+  const estimator::AveragedPhaseTables tables(
+      sea, {estimator::entry_cone(instrument::table_1(), sea, 40)});
+  const auto averaged = tables.view();
+  for (int g = 0; g < groups; ++g) {
+    const auto x = four([&] { return random.scale(1e-12, 2); });
+    const auto phase = four([&] { return random.below(sea.phase_count()); });
+    const auto value4 = averaged.value(0, pack(x), pack(phase));
+    for (std::size_t i = 0; i < lanes; ++i)
+      expect_same(value4[i], averaged.value(0, x[i], phase[i]), "mean over a cone");
+  }
 }
 
 TEST(LanesOf, CrossingsAndTurns) {
