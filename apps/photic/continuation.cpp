@@ -16,17 +16,23 @@ std::string folder_of(const std::string& file) {
   return std::filesystem::path(file).parent_path().string();
 }
 
-/// The scene with the estimator that an earlier run of it chose, if it leaves the choice open.
+/// The scene with what an earlier run of it chose, where it leaves the choice open.
 scene::Scene as_chosen(scene::Scene now, const scene::Scene& then) {
-  if (now.simulation.estimator != scene::Estimator::automatic || !then.simulation.estimator_reason)
+  scene::Simulation& s = now.simulation;
+  const scene::Simulation& chosen = then.simulation;
+  if (s.estimator == scene::Estimator::automatic && chosen.estimator_reason)
+    s.estimator = chosen.estimator;
+  else if (s.estimator != scene::Estimator::bidirectional || s.estimator != chosen.estimator)
     return now;
-  now.simulation.estimator = then.simulation.estimator;
-  now.simulation.estimator_reason = then.simulation.estimator_reason;
-  if (!now.simulation.walk_attenuation)
-    now.simulation.walk_attenuation = then.simulation.walk_attenuation;
-  if (!now.simulation.directed_fraction)
-    now.simulation.directed_fraction = then.simulation.directed_fraction;
-  if (!now.simulation.scored_points) now.simulation.scored_points = then.simulation.scored_points;
+  const auto take = [](auto& open, const auto& value) {
+    if (!open) open = value;
+  };
+  take(s.estimator_reason, chosen.estimator_reason);
+  take(s.walk_attenuation, chosen.walk_attenuation);
+  take(s.directed_fraction, chosen.directed_fraction);
+  take(s.scored_points, chosen.scored_points);
+  take(s.free_telescope_meetings, chosen.free_telescope_meetings);
+  take(s.free_laser_meetings, chosen.free_laser_meetings);
   return now;
 }
 

@@ -72,7 +72,7 @@ TEST(SeaBed, ReflectsWhatTheLidarEquationSays) {
                          Bed{30, 0.9, 8, 0.3}, Bed{55, 0.35, 3, 0.5}}) {
     for (const char* estimator : {"forward", "bidirectional"}) {
       SCOPED_TRACE(fmt::format("{}, {} degrees", estimator, bed.zenith_deg));
-      const auto r = run_in_lanes(read(scene_over(bed) + simulation(4e5, 5, "", estimator)));
+      const auto r = run_in_lanes(read(scene_over(bed) + simulation(6e5, 5, "", estimator)));
       const double error = r.echo.standard_error[1] / expected(bed);
       EXPECT_LT(error, 5e-4);
       EXPECT_NEAR(r.echo.mean[1] / expected(bed), 1, std::min(1e-3, 3.5 * error + 5e-5));

@@ -280,8 +280,9 @@ TEST(Bidirectional, TurningDoesNotMatter) {
 }
 
 // Walks that end at their second vertex still draw all paths of up to four, with strategies that
-// they can use. At order four that is a single inner edge, whose variance is infinite: this is held
-// exactly by unit/estimator, and the others here. Seen red: with the sum taken over all strategies.
+// they can use. Where that is a single inner edge, variances are infinite: at order four, and at
+// order three of light that is converted first. These are held exactly by unit/estimator, the
+// others here. Seen red: with the sum taken over all strategies.
 TEST(Bidirectional, WalksOfTwoVertices) {
   // Broad phase functions: so few strategies would not converge on peaks.
   const std::string scene = ship_instrument + three_channels +
@@ -293,12 +294,17 @@ TEST(Bidirectional, WalksOfTwoVertices) {
   const auto capped =
       simulate_in(up_to_third_order(3), [](auto& world) { world.most_vertices = 2; });
   const auto whole = run_in_lanes(read(up_to_third_order(4)));
-  std::vector<std::size_t> all(capped.echo_by_order.mean.size());
-  std::iota(all.begin(), all.end(), 0);
+  std::vector<std::size_t> finite;
+  for (std::size_t i = 0; i < capped.echo_by_order.mean.size(); ++i) {
+    const std::size_t row = i / capped.gates(),
+                      order = row % static_cast<std::size_t>(capped.orders);
+    const bool elastic = row / static_cast<std::size_t>(capped.orders) == 0;
+    if (order <= (elastic ? 3U : 2U)) finite.push_back(i);
+  }
   ZFamily orders(0.01);
-  add_all(orders, capped.echo_by_order, whole.echo_by_order, all, "order");
+  add_all(orders, capped.echo_by_order, whole.echo_by_order, finite, "order");
   std::printf("%zu orders, rms z %.2f\n", orders.size(), orders.rms());
-  EXPECT_GE(orders.size(), 40U);
+  EXPECT_GE(orders.size(), 32U);
   orders.judge();
 }
 

@@ -21,6 +21,9 @@ constexpr double chlorophyll_ns = 5, cdom_ns = 9;
 
 /// Channel 0 elastic, 1 chlorophyll's, 2 CDOM's; with an environment of other water.
 scene::Scene lidar(const std::string& estimator, double start_ns, double gate_ns, bool decays) {
+  // The same walks whatever the gates, which pilot runs would look at.
+  const std::string free_walks =
+      estimator == "forward" ? "" : "free_telescope_meetings = 0.1\nfree_laser_meetings = 0.3";
   std::string optics = "[optics]\n";
   if (decays)
     optics += fmt::format("chlorophyll_lifetime_ns = {}\ncdom_lifetime_ns = {}\n", chlorophyll_ns,
@@ -29,7 +32,7 @@ scene::Scene lidar(const std::string& estimator, double start_ns, double gate_ns
               optics + "[[sea.layer]]\nchlorophyll_mg_m3 = 1\ncdom_a440_per_m = 0.1\n" +
               fmt::format("[gates]\nstart_ns = {}\nstop_ns = {}\nstep_ns = {}\n", start_ns, stop_ns,
                           gate_ns) +
-              simulation(estimator == "forward" ? 200'000 : 4000, 3, "", estimator) +
+              simulation(estimator == "forward" ? 200'000 : 4000, 3, free_walks, estimator) +
               "[[environment]]\nset = { \"sea.layer.0.chlorophyll_mg_m3\" = 2 }\n");
 }
 

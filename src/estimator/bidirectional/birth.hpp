@@ -65,8 +65,7 @@ Birth<T> birth_at_laser(const medium::MediumView& sea, const instrument::Laser<T
   const Mask<T> ahead = cosine > T(0);
   const T secant = T(1) / select(ahead, cosine, T(1));
   const T to_start = laser.vertex_distance + laser.ahead;
-  const Vec3<T> aside =
-      secant * (ray.off_axis - dot(ray.off_axis, cone.outside) * cone.outside);
+  const Vec3<T> aside = secant * (ray.off_axis - dot(ray.off_axis, cone.outside) * cone.outside);
   auto birth = birth_in_water(sea, region, ray, laser.start + to_start * aside, to_start * secant,
                               Index<T>(0));
   const T x = T(0.5) * dot(ray.off_axis, ray.off_axis);

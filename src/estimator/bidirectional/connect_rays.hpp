@@ -160,6 +160,8 @@ Met<T> Connections<T>::met(const RayPair<T>& pair) const {
   met.back = pair.back;
   met.out_spread = pair.spread;
   met.back_spread = pair.birth.spread;
+  met.out_spread.through_surface = world_.laser_region.in_air;  // lanes do not keep it
+  met.back_spread.through_surface = receiver_.region.in_air;
   met.out_first = laser_.first_vertex(pair.pairing.laser);
   met.back_first = back_.first_vertex(pair.pairing.back);
   met.translation_area = pair.birth.translation_area;

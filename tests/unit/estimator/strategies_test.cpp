@@ -34,8 +34,8 @@ bool has(const std::string& text, const std::string& words) {
 
 TEST(Strategies, AreAllUsedUnderAVerticalBeam) {
   const Strategies s = strategies_of(ship(down) + elastic + raman + water);
-  for (const Strategy* one :
-       {&s.to_laser, &s.between, &s.translated, &s.rotated, &s.rotated_scattered})
+  for (const Strategy* one : {&s.to_laser, &s.between, &s.translated, &s.rotated,
+                              &s.rotated_scattered, &s.free_telescope, &s.free_laser})
     EXPECT_TRUE(one->used) << one->name << ": " << one->reason;
 }
 
@@ -64,6 +64,8 @@ TEST(Strategies, LeadNothingIntoParallelRays) {
   const Strategy parallel = strategies_of(ship(down, "0.0") + elastic + water).to_laser;
   EXPECT_FALSE(parallel.used);
   EXPECT_TRUE(has(parallel.reason, "parallel"));
+  EXPECT_TRUE(
+      has(strategies_of(ship(down, "0.0") + elastic + water).free_laser.reason, "parallel"));
 }
 
 // Seen red: with the cosine of another angle; with the names of all telescopes; of none.
@@ -81,12 +83,20 @@ TEST(Strategies, TranslateOnlySteepRays) {
 TEST(Strategies, AreToldLineByLine) {
   const Model model = model_of(ship(tilted) + elastic + raman + water);
   const auto told = strategies_told(model.scene, model.medium);
-  ASSERT_EQ(told.size(), 5U);
+  ASSERT_EQ(told.size(), 7U);
   EXPECT_EQ(told[1], "walks from both sides connected: yes: a share of 0.3");
   EXPECT_EQ(told[3],
             "walks from telescopes rotated about a vertical so that rays meet: no: light is "
             "converted, and looked for about a beam that is not vertical");
+  EXPECT_EQ(told[5], "free walks of telescopes: yes: as pilot runs tell");
   EXPECT_EQ(describe(model).strategies, told);
+  scene::Scene chosen = model.scene;
+  chosen.simulation.free_telescope_meetings = 0.25;
+  chosen.simulation.free_laser_meetings = 0;
+  const auto then = strategies_told(chosen, model.medium);
+  EXPECT_EQ(then[5], "free walks of telescopes: yes: two rays meet 0.25 times per metre of depth");
+  EXPECT_EQ(then[6],
+            "free walks of the laser: no: they cost more than they give, or are not asked for");
   scene::Scene forward = model.scene;
   forward.simulation.estimator = scene::Estimator::forward;
   EXPECT_TRUE(strategies_told(forward, model.medium).empty());

@@ -70,12 +70,54 @@ TEST(Choose, ChangesNothingElse) {
   chosen.simulation.walk_attenuation = asked.simulation.walk_attenuation;
   chosen.simulation.directed_fraction = asked.simulation.directed_fraction;
   chosen.simulation.scored_points = asked.simulation.scored_points;
+  chosen.simulation.free_telescope_meetings = asked.simulation.free_telescope_meetings;
+  chosen.simulation.free_laser_meetings = asked.simulation.free_laser_meetings;
   EXPECT_EQ(chosen, asked);
 }
 
 TEST(Choose, LeavesAChoiceThatIsMade) {
-  for (const char* estimator : {"forward", "bidirectional"})
-    EXPECT_EQ(choose_estimator(scene_of(estimator), {}), scene_of(estimator));
+  EXPECT_EQ(choose_estimator(scene_of("forward"), {}), scene_of("forward"));
+  scene::Scene asked = scene_of("bidirectional");
+  asked.simulation.free_telescope_meetings = 0.3;
+  asked.simulation.free_laser_meetings = 0;
+  EXPECT_EQ(choose_estimator(asked, {}), asked);
+}
+
+// Seen red: with one of them named taken for both.
+TEST(Choose, SaysHowOftenFreeWalksMeet) {
+  const scene::Scene asked = scene_of("bidirectional");
+  scene::Scene chosen = choose_estimator(asked, {});
+  scene::Simulation& s = chosen.simulation;
+  EXPECT_TRUE(s.free_telescope_meetings && s.free_laser_meetings);
+  EXPECT_NE(s.estimator_reason->find("free walks"), std::string::npos);
+  s.free_telescope_meetings.reset();
+  s.free_laser_meetings.reset();
+  s.estimator_reason.reset();
+  EXPECT_EQ(chosen, asked);
+  scene::Scene one = asked;
+  one.simulation.free_laser_meetings = 0.7;
+  EXPECT_EQ(choose_estimator(one, {}).simulation.free_laser_meetings, 0.7);
+}
+
+/// From an aeroplane, by a wide view, in peaked water.
+scene::Scene wide_scene(const std::string& simulation) {
+  return test::read(
+      "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, 300.0]\n"
+      "direction = [0.0, 0.0, -1.0]\ndiameter_m = 0.01\nhalf_divergence_mrad = 2.0\n"
+      "[[telescope]]\nposition_m = [0.0, 0.0, 300.0]\ndirection = [0.0, 0.0, -1.0]\n"
+      "diameter_m = 0.3\nfocal_length_m = 1.0\nhalf_field_of_view_mrad = 15.0\n" +
+      test::channel("elastic") + test::water(0.06, 0.1, test::peaked_phase) +
+      test::depth_gates(40, 4) + simulation);
+}
+
+// Of each kind some tens in a set of walks. Seen red: without free walks; with ten times as many.
+TEST(Choose, HasWalksFreeInWideViews) {
+  const auto s =
+      choose_estimator(wide_scene(test::simulation(5000, 3, "", "bidirectional")), {}).simulation;
+  EXPECT_GT(s.free_telescope_meetings, 0.02);
+  EXPECT_LT(s.free_telescope_meetings, 0.2);
+  EXPECT_GT(s.free_laser_meetings, 1);
+  EXPECT_LE(s.free_laser_meetings, 2.5);
 }
 
 // A clock is never looked at, nor is how long one may run by it. Seen red: with a pilot that ends

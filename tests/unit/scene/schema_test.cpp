@@ -73,7 +73,8 @@ std::set<std::string> keys_of_scenes() {
            {"sea.layer.1.bottom_depth_m=60",
             "bottom={ albedo = { zenith_deg = [0, 90], albedo = [0.1, 0.2] } }"},
            {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},
-           {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"}})
+           {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }",
+            "simulation.free_telescope_meetings=1", "simulation.free_laser_meetings=1"}})
     collect_keys(json::parse(write_scene_json(base_scene(overrides))), keys);
   return keys;
 }

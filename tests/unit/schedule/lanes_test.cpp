@@ -17,6 +17,7 @@
 #include "core/error.hpp"
 #include "estimator/analog/analog.hpp"
 #include "run/batches.hpp"
+#include "run/choose.hpp"
 #include "run/run.hpp"
 #include "schedule/scalar.hpp"
 #include "support/scenes.hpp"
@@ -63,10 +64,12 @@ scene::Scene bed_scene(const std::string& estimator = "forward", const std::stri
                     test::simulation(estimator == "forward" ? 20000 : 2200, 5, more, estimator));
 }
 /// Sets of three walks do not divide a batch.
+const std::string few_free_walks = "free_telescope_meetings = 0.4\nfree_laser_meetings = 0.6";
 std::vector<scene::Scene> bidirectional_scenes() {
   const std::string name = "bidirectional";
   return {plain_scene("", name), plain_scene("walks = 3\nsampling = \"random\"", name),
-          rich_scene("max_order = 5", name), bed_scene(name, "walks = 3\nmax_order = 3", beds)};
+          rich_scene("max_order = 5\n" + few_free_walks, name),
+          bed_scene(name, "walks = 3\nmax_order = 3\n" + few_free_walks, beds)};
 }
 
 /// All of the forward estimator's tools at once.
@@ -217,7 +220,8 @@ void expect_near(std::span<const double> lanes, std::span<const double> scalar, 
 /// near the peak of a phase function, which falls by its size within some 1e-4, differ by more than
 /// rounding, some fall on the other side of a depth's edge, and the few histories that take another
 /// branch (see above) have some collisions more or less.
-void expect_echoes_of_the_scalar_engine(const scene::Scene& scene) {
+void expect_echoes_of_the_scalar_engine(const scene::Scene& asked) {
+  const scene::Scene scene = run::choose_estimator(asked, {});
   const estimator::Model model = estimator::make_model(scene);
   const run::RunOptions options;
   run::RunControl control(model.scene.simulation, options);
