@@ -27,10 +27,10 @@ Path moved_path(const Path& path, double x, double y) {
 
 /// Every strategy that draws the path with walks of at most `most` vertices gives what the direct
 /// sum says.
-Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_vertices) {
+Counts expect_same_of_all(Sea& sea, const Path& path, const Samples<double>& samples,
+                          std::int32_t most) {
   Counts counts;
   sea.world.most_vertices = most;
-  const auto& samples = sea.world.rotates_scattered ? rotating : translating;
   const StrategiesOfPath expected(sea.world, sea.medium, samples, path, most);
   const double value = expected.value();
   Scores scores(sea.world, samples, sea.medium, path, expected.group_path());
@@ -82,6 +82,18 @@ Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_v
     EXPECT_NEAR(scores.rotated(i, other) / (drawn * value), 1, 1e-8) << "rotated to meet at " << i;
     ++counts.rotated;
   }
+  return counts;
+}
+
+/// With free walks, and without.
+Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most = most_vertices) {
+  Samples<double> samples = sea.world.rotates_scattered ? rotating : translating;
+  const Counts counts = expect_same_of_all(sea, path, samples, most);
+  samples.free_telescope = samples.free_laser = {};
+  const Counts bound = expect_same_of_all(sea, path, samples, most);
+  EXPECT_EQ(bound.connected, counts.connected);
+  EXPECT_EQ(bound.met, counts.met);
+  EXPECT_EQ(bound.free_telescope + bound.free_laser, 0);
   return counts;
 }
 
@@ -149,7 +161,7 @@ std::vector<Place> looking_at_the_surface() {
 // later one.
 TEST(StrategiesOfPath, OfElasticLightAgree) {
   Random random(101);
-  int met = 0, rotated = 0;
+  int met = 0, rotated = 0, of_telescope = 0, of_laser = 0;
   for (const Place& place : above_water()) {
     Sea sea(place.source, place.telescope);
     for (int n = 0; n < 300; ++n) {
@@ -159,10 +171,14 @@ TEST(StrategiesOfPath, OfElasticLightAgree) {
       EXPECT_EQ(counts.connected, path.order() + 1);
       met += counts.met;
       rotated += counts.rotated;
+      of_telescope += counts.free_telescope;
+      of_laser += counts.free_laser;
     }
   }
   EXPECT_GT(met, 200);
   EXPECT_GT(rotated, 50);
+  EXPECT_GT(of_telescope, 200);
+  EXPECT_GT(of_laser, 200);
 }
 
 // Where nothing is drawn about the beam, walks are rotated that look for a tilted one, too.

@@ -1,0 +1,100 @@
+// Whole runs with free walks against the forward estimator, which has none.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/runs.hpp"
+#include "support/scenes.hpp"
+#include "support/z_test.hpp"
+
+namespace photic::test {
+namespace {
+
+/// From an aeroplane by a wide view, so many degrees off nadir.
+std::string aeroplane(double tilt_deg) {
+  const double tilt = tilt_deg * radian_per_degree;
+  const std::string direction = fmt::format("[{}, 0.0, {}]", std::sin(tilt), -std::cos(tilt));
+  return fmt::format(
+      "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, 400.0]\ndirection = {0}\n"
+      "diameter_m = 0.01\nhalf_divergence_mrad = 3.5\n[[telescope]]\n"
+      "position_m = [0.3, 0.0, 400.0]\ndirection = {0}\ndiameter_m = 0.2\nfocal_length_m = 1.0\n"
+      "half_field_of_view_mrad = 20.0\n",
+      direction);
+}
+std::string meetings(double telescope, double laser) {
+  return fmt::format("free_telescope_meetings = {}\nfree_laser_meetings = {}\n", telescope, laser);
+}
+
+struct Case {
+  const char* name;
+  double tilt_deg;
+  std::string water;
+  double photons_forward, photons;
+  std::size_t least;  ///< gates that are to be compared
+};
+
+// Of both kinds together and of either alone. Seen red: with walks of the laser that are none of
+// its light connected to the telescope (1.7 % under a tilted laser).
+TEST(FreeWalks, AgreeWithTheForwardEstimator) {
+  const std::string peaked = channel("elastic") + water(0.06, 0.1, peaked_phase);
+  const std::string inelastic = channel("elastic") + channel("raman") + channel("chlorophyll") +
+                                "[[sea.layer]]\nbottom_depth_m = 8.0\nchlorophyll_mg_m3 = 1.0\n"
+                                "[[sea.layer]]\nchlorophyll_mg_m3 = 3.0\n";
+  for (const Case& c : {Case{"upright", 0, peaked, 2e6, 8e4, 16},
+                        {"tilted", 20, peaked, 2e6, 8e4, 16},
+                        {"tilted, inelastic", 15, inelastic, 1e6, 7e4, 14}}) {
+    const std::string scene = aeroplane(c.tilt_deg) + c.water + depth_gates(24, 3);
+    const auto forward =
+        run_in_lanes(read(scene + simulation(c.photons_forward, 7, "", "forward")));
+    ZFamily family(0.01);
+    std::uint64_t seed = 8;
+    for (const auto& [telescope, laser] : {std::pair(0.1, 1.0), {0.3, 0.0}, {0.0, 2.0}}) {
+      const auto r = run_in_lanes(
+          read(scene + simulation(c.photons, seed++, meetings(telescope, laser), "bidirectional")));
+      for (std::size_t i = 0; i < r.echo.mean.size(); ++i) {
+        if (r.convergence_flags[i] != 0 || forward.convergence_flags[i] != 0) continue;
+        family.add(r.echo.mean[i], forward.echo.mean[i],
+                   std::hypot(r.echo.standard_error[i], forward.echo.standard_error[i]),
+                   fmt::format("{}, {} and {}, cell {}", c.name, telescope, laser, i));
+      }
+    }
+    std::printf("%s: %zu gates, rms z %.2f\n", c.name, family.size(), family.rms());
+    EXPECT_GE(family.size(), c.least);
+    EXPECT_LT(family.rms(), 1.4);
+    family.judge();
+  }
+}
+
+// An environment's echo by free walks is that of its own water. Seen red: with the way from the
+// telescope as it was drawn.
+TEST(FreeWalks, HoldInOtherWaters) {
+  const auto scene = [](double a, double b, const std::string& more) {
+    return aeroplane(15) + channel("elastic") + water(a, b, peaked_phase) + more +
+           depth_gates(24, 3);
+  };
+  const std::string other =
+      "[[environment]]\nset = { \"sea.layer.0.iop.0.a_per_m\" = 0.09, "
+      "\"sea.layer.0.iop.0.b_per_m\" = 0.12 }\n";
+  ZFamily family(0.01);
+  std::uint64_t seed = 21;
+  for (const auto& [telescope, laser] : {std::pair(0.3, 0.0), {0.1, 2.0}}) {
+    const auto settings = meetings(telescope, laser);
+    const auto all = run_in_lanes(
+        read(scene(0.06, 0.1, other) + simulation(3e5, seed++, settings, "bidirectional")));
+    const auto own = run_in_lanes(
+        read(scene(0.09, 0.12, "") + simulation(3e5, seed++, settings, "bidirectional")));
+    for (std::size_t i = 0; i < own.echo.mean.size(); ++i) {
+      if (own.convergence_flags[i] != 0 || all.environment_convergence_flags[i] != 0) continue;
+      family.add(all.environment_echo.mean[i], own.echo.mean[i],
+                 std::hypot(all.environment_echo.standard_error[i], own.echo.standard_error[i]),
+                 fmt::format("{} and {}, cell {}", telescope, laser, i));
+    }
+  }
+  std::printf("other water: %zu gates, rms z %.2f\n", family.size(), family.rms());
+  EXPECT_GE(family.size(), 4U);
+  family.judge();
+}
+
+}  // namespace
+}  // namespace photic::test

@@ -1,0 +1,73 @@
+// Phase functions averaged over cones, against sums over points of the cone.
+#include "estimator/averaged_phases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/constants.hpp"
+#include "unit/transport/sea.hpp"
+
+namespace photic::estimator {
+namespace {
+
+const transport::Sea sea = transport::make_sea(40);
+
+EntryCone<double> cone_of(double half_angle) {
+  EntryCone<double> cone;
+  cone.one_minus_cos = 2 * std::pow(std::sin(half_angle / 2), 2);
+  return cone;
+}
+
+// Over the sphere a mean of phase functions is 1, whatever the cone. Seen red: with the rings that
+// lie in the cone as a whole left out; with half the share of the others.
+TEST(AveragedPhases, IntegrateToOne) {
+  for (const double half_angle : {4e-5, 3e-3, 0.015, 0.1, 0.8}) {
+    const AveragedPhaseTables tables(sea, {cone_of(half_angle)});
+    const auto averaged = tables.view();
+    for (std::int32_t table = 0; table < sea.phase_count(); ++table) {
+      double sum = 0;
+      for (int i = 0; i < AveragedPhases::cells; ++i) {
+        const bool forward = i < AveragedPhases::forward_cells;
+        const auto [from, to] = AveragedPhases::edges(i);
+        const double middle = (from + to) / 2;
+        sum += 2 * pi * (to - from) * averaged.value(0, forward ? middle : 2 - middle, table);
+      }
+      EXPECT_NEAR(sum, 1, 5e-5) << "half angle " << half_angle << ", table " << table;
+    }
+  }
+}
+
+// At angles away from the rim of the cone. Seen red: with the angle to the axis for that to the
+// point.
+TEST(AveragedPhases, AreMeansOverTheCone) {
+  constexpr int radii = 300, azimuths = 300;
+  for (const double half_angle : {0.003, 0.1, 0.5}) {
+    const AveragedPhaseTables tables(sea, {EntryCone<double>{}, cone_of(half_angle)});
+    const auto averaged = tables.view();
+    EXPECT_EQ(averaged.value(0, 0.1, 0), 0) << "of parallel rays";
+    for (std::int32_t table = 0; table < sea.phase_count(); ++table) {
+      for (const double share : {0.3, 1.7, 4.0, 15.0}) {
+        const double angle = share * half_angle;
+        if (angle > 3 || (table == 0 && share < 1)) continue;  // points miss a peak in the cone
+        const Vec3<double> direction{std::sin(angle), 0, std::cos(angle)};
+        double sum = 0;
+        for (int i = 0; i < radii; ++i) {
+          const double x = (i + 0.5) / radii * cone_of(half_angle).one_minus_cos;
+          for (int j = 0; j < azimuths; ++j) {
+            const double azimuth = 2 * pi * (j + 0.5) / azimuths;
+            const auto point =
+                turned(Vec3<double>{0, 0, 1}, x, std::cos(azimuth), std::sin(azimuth));
+            sum += sea.view().phases.value<double>(one_minus_cos(point, direction), table);
+          }
+        }
+        const double mean = sum / (radii * azimuths);
+        EXPECT_NEAR(averaged.value(1, 1 - std::cos(angle), table) / mean, 1, 3e-4)
+            << "half angle " << half_angle << ", table " << table << ", at " << share;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace photic::estimator
