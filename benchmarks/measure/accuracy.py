@@ -35,7 +35,7 @@ def measure_lidar_equation(runner):
         if shown.returncode != 0:
             raise Failed(f"photic show {FIRST_ORDER}: {shown.stderr.strip()}")
         equation = None
-        for name, photons in (("forward", 1e7), ("bidirectional", 1e6)):
+        for name, photons in (("forward", 1e7), ("bidirectional", 3e6)):
             count = runner.photons(photons, name)
             echoes = runner.result("run", FIRST_ORDER, "--photons", count, *estimator(name), *settings)["echoes"]
             if equation is None:
