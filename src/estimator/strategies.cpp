@@ -13,6 +13,9 @@
 namespace photic::estimator {
 namespace {
 
+/// Of phase functions over the cones of instruments.
+constexpr std::size_t most_means = 500;
+
 Strategy off(std::string name, std::string reason) {
   return {std::move(name), false, std::move(reason)};
 }
@@ -108,6 +111,14 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
                                 "that this changes is not known apart");
   out.free_telescope = free_telescopes(scene, medium);
   out.free_laser = free_laser(scene, medium);
+  // Each phase function takes a millisecond and 90 kB for each instrument.
+  const std::size_t means =
+      static_cast<std::size_t>(medium.phase_count()) * (1 + scene.telescope.size());
+  if (means > most_means) {
+    const std::string reason = fmt::format(
+        "{} means of phase functions over views would be needed, more than {}", means, most_means);
+    for (Strategy* free : {&out.free_telescope, &out.free_laser}) *free = off(free->name, reason);
+  }
   return out;
 }
 

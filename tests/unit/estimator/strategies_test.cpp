@@ -79,6 +79,18 @@ TEST(Strategies, TranslateOnlySteepRays) {
   EXPECT_EQ(one.reason, "from aside only rays steeper than 12 degrees");
 }
 
+// Seen red: without a limit.
+TEST(Strategies, FreeNoWalksWhereMeansWithoutEndWouldBeNeeded) {
+  std::string many = ship(down);
+  for (int i = 0; i < 600; ++i)
+    many += "[[telescope]]\nname = \"t" + std::to_string(i) +
+            "\"\nposition_m = [0.0, 0.0, 2.0]\ndirection = [0.0, 0.0, -1.0]\ndiameter_m = 0.1\n"
+            "focal_length_m = 0.5\ndetector_diameter_m = 0.02\n";
+  const Strategies s = strategies_of(many + elastic + water);
+  EXPECT_FALSE(s.free_telescope.used || s.free_laser.used);
+  EXPECT_TRUE(has(s.free_laser.reason, "means of phase functions"));
+}
+
 // Seen red: with the reasons left out.
 TEST(Strategies, AreToldLineByLine) {
   const Model model = model_of(ship(tilted) + elastic + raman + water);
