@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "core/constants.hpp"
+#include "estimator/walk_cones.hpp"
 
 namespace photic::estimator {
 namespace {
@@ -12,7 +14,6 @@ namespace {
 using optics::PhaseView;
 
 double angle_of(double x) { return 2 * std::asin(std::sqrt(x / 2)); }
-double x_of(double angle) { return 2 * std::pow(std::sin(angle / 2), 2); }
 
 /// Rings about a direction a off the axis of a cone of half angle d, of which a share lies in the
 /// cone (theory.md, eq. 84).
@@ -24,19 +25,19 @@ struct Rings {
 /// its ends.
 Rings rings_at(double a, double d) {
   Rings out;
-  if (a < d) out.whole = x_of(d - a);
+  if (a < d) out.whole = one_minus_cos_of(d - a);
   constexpr double nearest = 1e-8;  // far inside the core of any phase function
   const double first = std::log(std::max(std::abs(d - a), nearest)), last = std::log(d + a);
   const double centre = (first + last) / 2, half = (last - first) / 2;
   const int points = static_cast<int>(std::clamp(24 + 32 * half, 24.0, 256.0));
-  const double per_solid_angle = half * pi / points / (2 * pi * x_of(d));
+  const double per_solid_angle = half * pi / points / (2 * pi * one_minus_cos_of(d));
   for (int j = 0; j < points; ++j) {
     const double phi = (j + 0.5) * pi / points;
     const double t = std::exp(centre + half * std::cos(phi));
     const double inside =
         std::sin((d + a - t) / 2) * std::sin((d - a + t) / 2) / (std::sin(a) * std::sin(t));
     const double share = std::asin(std::sqrt(std::clamp(inside, 0.0, 1.0)));
-    out.x.push_back(x_of(t));
+    out.x.push_back(one_minus_cos_of(t));
     out.weight.push_back(4 * std::sin(t) * share * t * std::sin(phi) * per_solid_angle);
   }
   return out;
@@ -152,6 +153,29 @@ class Cone {
   std::vector<Cell> cell_;
 };
 
+/// Of an entry cone: the shares of all its narrower ones, which end where its rings do.
+class MeanOverCone {
+ public:
+  explicit MeanOverCone(const EntryCone<double>& cone) {
+    for (std::size_t k = 0; k < cone.rings; ++k) {
+      const double x = cone.ring[k].one_minus_cos;
+      const double beyond = k + 1 < cone.rings ? 1 / cone.ring[k + 1].solid_angle : 0;
+      part_.emplace_back(2 * pi * x * (1 / cone.ring[k].solid_angle - beyond), Cone(x));
+    }
+  }
+  [[nodiscard]] std::vector<double> lines(const PhaseView& phases, std::int32_t table) const {
+    std::vector<double> sum(AveragedPhases::cells * AveragedPhases::line_fields);
+    for (const auto& [share, cone] : part_) {
+      const auto line = cone.lines(phases, table);
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * line[i];
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<std::pair<double, Cone>> part_;
+};
+
 }  // namespace
 
 AveragedPhaseTables::AveragedPhaseTables(const medium::Medium& medium,
@@ -159,24 +183,23 @@ AveragedPhaseTables::AveragedPhaseTables(const medium::Medium& medium,
     : tables_(medium.phase_count()) {
   const auto phases = medium.view().phases;
   for (const auto& cone : cones) {
-    if (cone.one_minus_cos == 0) {  // parallel rays: no walk is free
+    if (!cone.by_depth) {  // no walk is free
       const std::vector<double> none(static_cast<std::size_t>(tables_) * AveragedPhases::cells *
                                      AveragedPhases::line_fields);
       line_.append(none);
       continue;
     }
-    const Cone of(cone.one_minus_cos);
+    const MeanOverCone of(cone);
     for (std::int32_t table = 0; table < tables_; ++table) line_.append(of.lines(phases, table));
   }
 }
 
 AveragedPhaseTables averaged_phases(const scene::Scene& scene, const medium::Medium& medium) {
-  const scene::Simulation& asked = scene.simulation;
-  if (asked.estimator != scene::Estimator::bidirectional ||
-      asked.free_telescope_meetings.value_or(0) + asked.free_laser_meetings.value_or(0) == 0)
-    return {};
-  std::vector<EntryCone<double>> cones{entry_cone(scene.source, medium, 0)};
-  for (const auto& t : scene.telescope) cones.push_back(entry_cone(t, medium, 0));
+  if (scene.simulation.estimator != scene::Estimator::bidirectional) return {};
+  const auto walks = walk_cones(scene, medium, 0);
+  std::vector<EntryCone<double>> cones{walks.laser};
+  cones.insert(cones.end(), walks.telescope.begin(), walks.telescope.end());
+  if (std::ranges::none_of(cones, &EntryCone<double>::by_depth)) return {};
   return {medium, cones};
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "geometry/axis.hpp"
 #include "instrument/laser.hpp"
@@ -32,7 +33,7 @@ void each_ray(const Rays& rays, const medium::Medium& medium, F f) {
   const int azimuths = rays.vertical() ? 1 : 256;
   constexpr int radii = 32;
   for (int i = 0; i <= radii; ++i) {
-    const double x = 2 * std::pow(std::sin(rays.half_angle * i / radii / 2), 2);
+    const double x = one_minus_cos_of(rays.half_angle * i / radii);
     for (int j = 0; j < azimuths; ++j) {
       const double azimuth = 2 * pi * j / azimuths;
       auto outside = turned(rays.axis, x, std::cos(azimuth), std::sin(azimuth));
@@ -90,6 +91,35 @@ Spot<double> spot_of(const Rays& rays, const medium::Medium& medium, const Vec3<
   return spot;
 }
 
+/// Even in a cone, and shares in narrower ones. `inner`: 1 - cos of the half angle, and share.
+void set_rings(double one_minus_cos, std::vector<std::pair<double, double>> inner,
+               EntryCone<double>& cone) {
+  if (one_minus_cos == 0) return;
+  std::ranges::sort(inner);
+  double left = 1, per_solid_angle = 0;
+  for (const auto& [x, share] : inner) left -= share, per_solid_angle += share / (2 * pi * x);
+  inner.emplace_back(one_minus_cos, left);
+  per_solid_angle += left / (2 * pi * one_minus_cos);
+  double within = 0, x_within = 0;
+  cone.rings = 0;
+  for (const auto& [x, share] : inner) {
+    within += 2 * pi * (x - x_within) * per_solid_angle;
+    cone.ring.at(cone.rings++) = {x, within, 1 / per_solid_angle};
+    per_solid_angle -= share / (2 * pi * x);
+    x_within = x;
+  }
+}
+
+/// 1 - cos of the half angle of a cone in the water about an axis that holds all rays.
+double widest_in_water(const Rays& rays, const medium::Medium& medium, const Vec3<double>& axis) {
+  if (!rays.in_air()) return one_minus_cos_of(rays.half_angle);
+  double widest = 0;
+  each_ray(rays, medium, [&](const Vec3<double>&, const Vec3<double>& u, std::size_t) {
+    widest = std::max(widest, one_minus_cos(u, axis));
+  });
+  return rays.vertical() ? widest : widest * between;
+}
+
 EntryCone<double> cone_of(const Rays& rays, const medium::Medium& medium) {
   EntryCone<double> cone;
   cone.in_air = rays.in_air();
@@ -97,11 +127,10 @@ EntryCone<double> cone_of(const Rays& rays, const medium::Medium& medium) {
   if (!cone.in_air) {
     cone.axis = rays.axis;
     cone.steep = std::abs(rays.axis.z);
-    cone.one_minus_cos = 2 * std::pow(std::sin(rays.half_angle / 2), 2);
     // Of a tilted instrument's points some are deeper than others; and flat rays come far by little
     // depth.
     constexpr double flattest = 0.2;
-    cone.by_depth = rays.vertical() && std::cos(rays.half_angle) >= flattest;
+    cone.by_depth = rays.half_angle > 0 && rays.vertical() && std::cos(rays.half_angle) >= flattest;
     cone.exact = true;
     return cone;
   }
@@ -112,25 +141,73 @@ EntryCone<double> cone_of(const Rays& rays, const medium::Medium& medium) {
                          : Vec3<double>{0, 0, -1};
   if (!looks_down) cone.beside_x = -rays.axis.x, cone.beside_y = -rays.axis.y;
   cone.steep = -cone.axis.z;
-  cone.by_depth = true;
-  each_ray(rays, medium, [&](const Vec3<double>&, const Vec3<double>& u, std::size_t) {
-    cone.one_minus_cos = std::max(cone.one_minus_cos, one_minus_cos(u, cone.axis));
-  });
-  if (!rays.vertical()) cone.one_minus_cos *= between;
+  cone.by_depth = rays.half_angle > 0;
   cone.exact =
       rays.vertical() && looks_down && rays.lines == 1 && rays.half_angle < pi / 2 - horizon;
   return cone;
 }
 
+/// With the rings that are drawn in the water or, of own rays, outside.
+void set_rings(const Rays& rays, const std::vector<InnerCone>& inner, const medium::Medium& medium,
+               EntryCone<double>& cone) {
+  const auto widest = [&](double half_angle) {
+    Rays within = rays;
+    within.half_angle = half_angle;
+    return cone.even_outside ? one_minus_cos_of(half_angle)
+                             : widest_in_water(within, medium, cone.axis);
+  };
+  const double whole = widest(rays.half_angle);
+  std::vector<std::pair<double, double>> narrower;
+  for (const auto& [half_angle, share] : inner) {
+    const double x = widest(half_angle);
+    if (x < whole) narrower.emplace_back(x, share);
+  }
+  set_rings(whole, narrower, cone);
+}
+
+/// All rays that some point of the lens may see.
+Rays rays_of(const scene::Telescope& telescope, const medium::Medium& medium) {
+  return {telescope.position_m, normalised(telescope.direction), half_view(telescope),
+          medium.line.size()};
+}
+Rays rays_of(const scene::Source& source) {
+  return {source.position_m, normalised(source.direction), source.half_divergence_mrad * 1e-3, 1};
+}
+
+EntryCone<double> own_rays(const Rays& rays, const medium::Medium& medium,
+                           const std::vector<InnerCone>& inner) {
+  auto cone = cone_of(rays, medium);
+  cone.even_outside = true;
+  cone.by_depth = false;
+  cone.exact = true;
+  set_rings(rays, inner, medium, cone);
+  return cone;
+}
+
 }  // namespace
 
-EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Medium& medium,
-                             double deepest) {
+double half_view(const scene::Telescope& telescope) {
   const auto t = instrument::make_telescope<double>(telescope);
-  const double widest =
-      t.detector_radius / t.detector_distance + t.lens_radius * std::abs(t.per_sharp_range);
-  const Rays rays{telescope.position_m, t.axis, std::atan(widest), medium.line.size()};
+  return std::atan(t.detector_radius / t.detector_distance +
+                   t.lens_radius * std::abs(t.per_sharp_range));
+}
+
+EntryCone<double> cone_of_own_rays(const scene::Telescope& telescope, const medium::Medium& medium,
+                                   const std::vector<InnerCone>& inner) {
+  auto cone = own_rays(rays_of(telescope, medium), medium, inner);
+  cone.exact = instrument::per_sharp_range(telescope) == 0;
+  return cone;
+}
+EntryCone<double> cone_of_own_rays(const scene::Source& source, const medium::Medium& medium) {
+  return own_rays(rays_of(source), medium, {});
+}
+
+EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Medium& medium,
+                             double deepest, const std::vector<InnerCone>& inner) {
+  const auto t = instrument::make_telescope<double>(telescope);
+  const Rays rays = rays_of(telescope, medium);
   auto cone = cone_of(rays, medium);
+  set_rings(rays, inner, medium, cone);
   cone.exact = cone.exact && t.per_sharp_range == 0;
   cone.spot = spot_of(rays, medium, cone.axis, deepest, [&](const Vec3<double>& outside) {
     return rays.in_air() ? rays.position.z / -outside.z - t.distance : 0.0;
@@ -149,8 +226,9 @@ EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Me
 EntryCone<double> entry_cone(const scene::Source& source, const medium::Medium& medium,
                              double deepest) {
   const auto laser = instrument::make_laser<double>(source);
-  const Rays rays{source.position_m, laser.axis, source.half_divergence_mrad * 1e-3, 1};
+  const Rays rays = rays_of(source);
   auto cone = cone_of(rays, medium);
+  set_rings(rays, {}, medium, cone);
   Rays from_vertex = rays;
   from_vertex.position = fictitious_vertex(laser);
   if (rays.in_air() && !from_vertex.in_air()) from_vertex.position = rays.position;  // not used

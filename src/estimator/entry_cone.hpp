@@ -1,10 +1,13 @@
-// The directions in the water in which the bidirectional estimator's walks begin, whichever way
-// they go by: evenly in a cone about an instrument's axis, as the flat surface refracts that. What
-// a walk draws beyond its first vertex is then as likely wherever its instrument stands (theory.md,
-// "Free walks").
+// The directions in which the bidirectional estimator's walks begin. Those that may be free begin
+// evenly in a cone in the water about an instrument's axis, as the flat surface refracts that: what
+// such a walk draws beyond its first vertex is as likely wherever its instrument stands (theory.md,
+// "Free walks"). The others begin with the instrument's own rays, evenly in its cone outside.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "core/constants.hpp"
 #include "core/elementary.hpp"
@@ -25,39 +28,77 @@ struct Spot {
   T most_shorter{};                        ///< a ray's way becomes shorter by no more [m]
 };
 
+/// A part of a cone, from that within it on, in which directions are drawn evenly.
+template <class T>
+struct EntryRing {
+  T one_minus_cos{};  ///< of its outer half angle; 0: parallel rays
+  T up_to{};          ///< share of directions within that
+  T solid_angle{};    ///< density of directions in the ring is 1 over that [sr]
+};
+
 template <class T>
 struct EntryCone {
+  static constexpr std::size_t most_rings = 8;
+
   Vec3<T> axis;              ///< in the water, away from the instrument: a unit vector
   Vec3<T> outside;           ///< the instrument's axis
   T beside_x{}, beside_y{};  ///< n axis - outside, level components; 0 unless that looks away
-  T one_minus_cos{};         ///< of its half angle; 0: parallel rays
-  T steep{1};                ///< cosine of the axis to the vertical, > 0
+  std::array<EntryRing<T>, most_rings> ring;  ///< from the axis outwards
+  std::size_t rings = 1;
+  T steep{1};  ///< cosine of the axis to the vertical, > 0
   bool in_air = false;
+  bool even_outside = false;  ///< rays lie evenly about `outside`, else in the water about `axis`
   bool by_depth =
       false;           ///< depths of first vertices are drawn as along the axis, whatever the ray
   bool exact = false;  ///< all its rays are the instrument's own
   Spot<T> spot;
 
-  [[nodiscard]] T solid_angle() const { return T(2 * pi) * one_minus_cos; }
+  /// 1 - cos of its half angle; 0: parallel rays.
+  [[nodiscard]] const T& one_minus_cos() const { return ring[rings - 1].one_minus_cos; }
 
-  /// A ray's directions outside are drawn with 1 over this density [sr]. `n`: of its line; cosines
-  /// to the vertical, either way.
-  T solid_angle_outside(const T& n, const T& cos_water, const T& cos_air) const {
-    using std::abs;
-    if (!in_air) return solid_angle();
-    return solid_angle() * (n * n) * abs(cos_water / cos_air);
+  /// Directions so far off the axis are drawn with 1 over this density [sr]. `x`: 1 - cos.
+  [[nodiscard]] T solid_angle_at(const T& x) const {
+    T here = ring[rings - 1].solid_angle;
+    for (std::size_t k = rings - 1; k-- > 0;)
+      here = select(x < ring[k].one_minus_cos, ring[k].solid_angle, here);
+    return here;
+  }
+  /// From a uniform, 1 - cos of the angle to the axis.
+  [[nodiscard]] T draw(const T& u) const {
+    T x = u * (ring[0].solid_angle * T(0.5 / pi));
+    for (std::size_t k = 1; k < rings; ++k) {
+      const auto& within = ring[k - 1];
+      x = select(u < within.up_to, x,
+                 within.one_minus_cos + (u - within.up_to) * (ring[k].solid_angle * T(0.5 / pi)));
+    }
+    return x;
   }
 
-  /// What stands for exp(-tau') of a walk's first way where the cone draws depths: the chance to
-  /// come there, per chance to collide there along the ray. `walk_tau`: of the way; `steep_ray`:
-  /// cosine of the ray to the vertical, either way; `on_bed`: where nothing has to collide.
-  T reach(const T& walk_tau, const T& steep_ray, const Mask<T>& on_bed) const {
+  /// A ray's directions outside are drawn with 1 over this density [sr]. `n`: of its line; `water`,
+  /// `outside`: the ray, away from the instrument.
+  T solid_angle_outside(const T& n, const Vec3<T>& water, const Vec3<T>& outside) const {
     using std::abs;
-    if (!by_depth) return exp_minus(walk_tau);
-    const T ratio = abs(steep_ray) / steep;
+    const bool about_outside = !in_air || even_outside;
+    T here = ring[0].solid_angle;
+    if (rings > 1)
+      here = solid_angle_at(about_outside ? photic::one_minus_cos(outside, this->outside)
+                                          : photic::one_minus_cos(water, axis));
+    if (about_outside) return here;
+    return here * (n * n) * abs(water.z / outside.z);
+  }
+
+  /// The chance that a walk comes so far by a ray: exp(-tau'), and for a `first` one, where the
+  /// cone draws depths, that to come there per chance to collide there along the ray. `walk_tau`:
+  /// of the way; `steep_ray`: cosine of the ray to the vertical, either way; `on_bed`: where
+  /// nothing has to collide.
+  T reach(const Mask<T>& first, const T& walk_tau, const T& steep_ray,
+          const Mask<T>& on_bed) const {
+    using std::abs;
+    if (!by_depth || !any(first)) return exp_minus(walk_tau);
+    const T ratio = select(first, T(abs(steep_ray) / steep), T(1));
     return exp_minus(walk_tau * ratio) * select(on_bed, T(1), ratio);
   }
-  /// exp(-tau') over that.
+  /// exp(-tau') over that, of a first ray.
   T over_reach(const T& walk_tau, const T& steep_ray, const Mask<T>& on_bed) const {
     using std::abs;
     if (!by_depth) return T(1);
@@ -71,15 +112,6 @@ struct EntryCone {
   }
 };
 
-/// The same of rays of which those of a mask leave the instrument.
-template <class T>
-T reach_along(const EntryCone<T>& cone, const Mask<T>& first, const T& walk_tau, const T& steep_ray,
-              const Mask<T>& on_bed) {
-  const T straight = exp_minus(walk_tau);
-  if (!cone.by_depth || !any(first)) return straight;
-  return select(first, cone.reach(walk_tau, steep_ray, on_bed), straight);
-}
-
 /// A ray of a cone, and how it goes on outside.
 template <class T>
 struct EntryRay {
@@ -90,22 +122,29 @@ struct EntryRay {
   Mask<T> exists{};   ///< light of a line can come through the surface by it
 };
 
-/// Completes one whose direction in the water is `off_axis` from the cone's axis. `n`: of the
-/// line; `n_axis`: of the laser's line.
+/// Completes one whose direction outside is `off_axis` from the instrument's axis. `n`: of the
+/// line.
+template <class T>
+EntryRay<T> entry_ray_outside(const EntryCone<T>& cone, const T& n, const Vec3<T>& outside,
+                              const Vec3<T>& off_axis) {
+  using std::sqrt;
+  EntryRay<T> ray{outside, outside, off_axis, cone.solid_angle_outside(n, outside, outside),
+                  Mask<T>(true)};
+  if (!cone.in_air) return ray;
+  ray.exists = outside.z < T(0);
+  const T x = outside.x / n, y = outside.y / n;
+  ray.direction = {x, y, T(0) - sqrt(T(1) - (x * x + y * y))};
+  return ray;
+}
+/// Completes one whose direction in the water is `off_axis` from the cone's axis. `n_axis`: of the
+/// laser's line.
 template <class T>
 EntryRay<T> entry_ray(const EntryCone<T>& cone, const T& n, const T& n_axis,
                       const Vec3<T>& direction, const Vec3<T>& off_axis) {
-  using std::abs;
   using std::sqrt;
+  if (!cone.in_air) return entry_ray_outside(cone, n, direction, off_axis);
   EntryRay<T> ray;
   ray.direction = direction;
-  ray.solid_angle = cone.solid_angle();
-  ray.exists = Mask<T>(true);
-  if (!cone.in_air) {
-    ray.outside = direction;
-    ray.off_axis = off_axis;
-    return ray;
-  }
   const T x = n * direction.x, y = n * direction.y;
   const T squared = T(1) - (x * x + y * y);
   ray.exists = squared > T(0);
@@ -119,7 +158,7 @@ EntryRay<T> entry_ray(const EntryCone<T>& cone, const T& n, const T& n_axis,
                        select(sum > T(0), sum, T(1));
   ray.off_axis = {beside_x, beside_y,
                   select(sum > T(0), by_squares, T(0) - (steep + cone.outside.z))};
-  ray.solid_angle = cone.solid_angle_outside(n, direction.z, steep);
+  ray.solid_angle = cone.solid_angle_outside(n, direction, ray.outside);
   return ray;
 }
 
@@ -129,33 +168,58 @@ EntryRay<T> draw_entry(const EntryCone<T>& cone, const T& n, const T& n_axis, co
                        const T& u_azimuth) {
   using std::sqrt;
   const auto [cosine, sine] = cos_sin_of_turns(u_azimuth);
-  const T x = u_polar * cone.one_minus_cos;
-  const Vec3<T> off_axis =
-      sqrt(x * (T(2) - x)) * turned(cone.axis, T(1), cosine, sine) - x * cone.axis;
-  return entry_ray(cone, n, n_axis, cone.axis + off_axis, off_axis);
+  const Vec3<T>& axis = cone.even_outside ? cone.outside : cone.axis;
+  const T x = cone.draw(u_polar);
+  const Vec3<T> off_axis = sqrt(x * (T(2) - x)) * turned(axis, T(1), cosine, sine) - x * axis;
+  if (cone.even_outside) return entry_ray_outside(cone, n, axis + off_axis, off_axis);
+  return entry_ray(cone, n, n_axis, axis + off_axis, off_axis);
 }
 
+/// With its digits, of small angles too [rad].
+inline double one_minus_cos_of(double angle) { return 2 * std::pow(std::sin(angle / 2), 2); }
+
+/// A narrower cone about the same axis outside, in which a share of the walks begins.
+struct InnerCone {
+  double half_angle = 0;  ///< [rad]
+  double share = 0;
+};
+
+/// By how much the rays that a telescope sees are off its axis at most [rad].
+double half_view(const scene::Telescope& telescope);
+
 /// Of a telescope, whose light may be of any line, and of the laser, their places told from the
-/// origin. `deepest`: of the water that counts [m].
+/// origin; for free walks. `deepest`: of the water that counts [m].
 EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Medium& medium,
-                             double deepest);
+                             double deepest, const std::vector<InnerCone>& inner = {});
 EntryCone<double> entry_cone(const scene::Source& source, const medium::Medium& medium,
                              double deepest);
+/// The same of walks that are not free: of the instrument's own rays.
+EntryCone<double> cone_of_own_rays(const scene::Telescope& telescope, const medium::Medium& medium,
+                                   const std::vector<InnerCone>& inner = {});
+EntryCone<double> cone_of_own_rays(const scene::Source& source, const medium::Medium& medium);
 
 template <class T>
 EntryCone<T> cone_cast(const EntryCone<double>& c) {
   const auto& s = c.spot;
-  return {vec3_cast<T>(c.axis),
-          vec3_cast<T>(c.outside),
-          T(c.beside_x),
-          T(c.beside_y),
-          T(c.one_minus_cos),
-          T(c.steep),
-          c.in_air,
-          c.by_depth,
-          c.exact,
-          {T(s.x), T(s.y), T(s.x_per_depth), T(s.y_per_depth), T(s.radius), T(s.radius_per_depth),
-           T(s.least_path), T(s.least_path_per_depth), T(s.most_shorter)}};
+  EntryCone<T> out;
+  out.axis = vec3_cast<T>(c.axis);
+  out.outside = vec3_cast<T>(c.outside);
+  out.beside_x = T(c.beside_x);
+  out.beside_y = T(c.beside_y);
+  for (std::size_t k = 0; k < c.rings; ++k)
+    out.ring[k] = {T(c.ring[k].one_minus_cos), T(c.ring[k].up_to), T(c.ring[k].solid_angle)};
+  out.rings = c.rings;
+  out.steep = T(c.steep);
+  out.in_air = c.in_air;
+  out.even_outside = c.even_outside;
+  out.by_depth = c.by_depth;
+  out.exact = c.exact;
+  out.spot = {T(s.x),           T(s.y),
+              T(s.x_per_depth), T(s.y_per_depth),
+              T(s.radius),      T(s.radius_per_depth),
+              T(s.least_path),  T(s.least_path_per_depth),
+              T(s.most_shorter)};
+  return out;
 }
 
 }  // namespace photic::estimator

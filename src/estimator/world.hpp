@@ -17,6 +17,7 @@
 #include "estimator/strategies.hpp"
 #include "estimator/view.hpp"
 #include "estimator/walk_attenuation.hpp"
+#include "estimator/walk_cones.hpp"
 #include "geometry/region.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
@@ -273,22 +274,16 @@ World<T> make_world(const Model& model) {
   world.least_group_index = T(least);
   const Reach reach = reach_of(scene, medium, gates, least);
   world.deepest = T(reach.deepest);
+  world.averaged = model.averaged.view();
+  const auto cones = walk_cones(scene, medium, reach.deepest);
+  world.free_telescope = {T(cones.free_telescope)};
+  world.free_laser = {T(cones.free_laser)};
+  world.laser_cone = cone_cast<T>(cones.laser);
+  for (const auto& cone : cones.telescope) world.telescope_cones.push_back(cone_cast<T>(cone));
   // What free walks may become shorter by counts as more time for those that are not free yet.
   const auto most_shorter = [&](const EntryCone<double>& cone) {
-    return world.averaged.tables == 0 ? 0 : std::min(cone.spot.most_shorter, gates.last_path());
+    return std::min(cone.spot.most_shorter, gates.last_path());
   };
-  world.averaged = model.averaged.view();
-  const auto laser_cone = entry_cone(from_origin(scene.source, origin), medium, reach.deepest);
-  std::vector<double> shorter;
-  world.laser_cone = cone_cast<T>(laser_cone);
-  for (const auto& t : scene.telescope) {
-    const auto cone = entry_cone(from_origin(t, origin), medium, reach.deepest);
-    world.telescope_cones.push_back(cone_cast<T>(cone));
-    shorter.push_back(most_shorter(cone));
-  }
-  const scene::Simulation& asked = scene.simulation;
-  if (connects) world.free_telescope = {T(asked.free_telescope_meetings.value_or(0))};
-  if (connects) world.free_laser = {T(asked.free_laser_meetings.value_or(0))};
   world.connected = T(scene.simulation.connected_fraction);
   world.meeting_grid = {T(scene.simulation.meetings / reach.range)};
   world.directed = T(scene::directed_fraction_in(scene));
@@ -313,14 +308,14 @@ World<T> make_world(const Model& model) {
     const auto& telescope = scene.telescope[receiver.telescope];
     const double both = gates.last_path() - world.path_to_origin[receiver.telescope];
     const double longest =
-        both + shorter[receiver.telescope] + most_shorter(laser_cone) +
+        both + most_shorter(cones.telescope[receiver.telescope]) + most_shorter(cones.laser) +
         instrument::most_longer(telescope) * (telescope.position_m.z < 0 ? greatest : 1.0);
     receiver.last_path = T(both);
     receiver.longest = T(longest);
     receiver.deadline = deadline_at_laser<T>(scene, longest);
   }
-  world.deadlines = deadlines_at_telescopes<T>(
-      scene, gates.last_path() + (connects ? most_shorter(laser_cone) : 0), greatest);
+  world.deadlines =
+      deadlines_at_telescopes<T>(scene, gates.last_path() + most_shorter(cones.laser), greatest);
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;
   world.key = scene.simulation.seed;

@@ -91,10 +91,10 @@ struct FromTelescope : WalkDraws<T> {
     auto birth = birth_at_telescope(world.sea, telescope, receiver.region, cone(), ray, record.line,
                                     record.lens);
     record.own = birth.exists;
-    birth.exists = exist;
+    if (!cone().even_outside) birth.exists = exist;
     return birth;
   }
-  [[nodiscard]] static Mask<T> left_out(const Birth<T>&) { return Mask<T>(false); }
+  [[nodiscard]] static Mask<T> left_out(const Birth<T>& birth) { return !birth.exists; }
   /// The line that a walk of a spectral_bin detects.
   [[nodiscard]] Index<T> line_of(const Index<T>& spectral_bin) const {
     if (receiver.band < 0) return receiver.line;

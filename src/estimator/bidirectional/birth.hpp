@@ -83,7 +83,7 @@ Birth<T> birth_at_collimated_laser(const medium::MediumView& sea, const instrume
                                    const geometry::Region<T>& region, const EntryCone<T>& cone,
                                    const T& n, const T& u_radius, const T& u_azimuth) {
   const auto photon = transport::emit(laser, region.layer, u_radius, u_azimuth);
-  const auto ray = entry_ray(cone, n, n, cone.axis, {T(0), T(0), T(0)});
+  const auto ray = entry_ray_outside(cone, n, laser.axis, {T(0), T(0), T(0)});
   return birth_in_water(sea, region, ray, photon.position, T(0), Index<T>(0));
 }
 

@@ -52,7 +52,7 @@ PHOTIC_APART void Connections<T>::complete_between(const Pairing<T>& pairing, co
 template <class T>
 PHOTIC_APART void Connections<T>::complete_by_meeting(const Met<T>& met, const T& depth,
                                                       const Index<T>& layer) {
-  const auto& [out, back] = std::tie(met.out, met.back);
+  const Ray &out = *met.out, &back = *met.back;
   const auto pass = [&](const Ray& ray) {
     const Mask<T> reflected = ray.is_reflected();
     WalkPoint<T> left = ray;

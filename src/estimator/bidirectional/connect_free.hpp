@@ -88,7 +88,7 @@ void Connections<T>::free_meetings(const RayPairing<T>& pairing, const Mask<T>& 
     number = select(number < before, number + T(1), number);
     for (Mask<T> more = some & (number < last); any(more); more = some & (number < last)) {
       const T depth = select(bed == Index<T>(1), from, grid.depth(number + offset, order));
-      push(more, FreePairing<T>{pairing, depth, bed});
+      push(more, FreePairing<T>{{pairing, depth}, bed});
       number = number + T(1);
     }
   };
@@ -117,7 +117,7 @@ void Connections<T>::meet_free(const FreePairing<T>& pairing, const Mask<T>& mas
   const Mask<T> bed = pairing.bed == Index<T>(1);
   meet_at(
       pairing, mask, met, pairing.depth,
-      select(bed, Index<T>(sea_.layers), transport::layer_at(sea_, met.out.layer, pairing.depth)));
+      select(bed, Index<T>(sea_.layers), transport::layer_at(sea_, met.out->layer, pairing.depth)));
 }
 /// c / c' of a collision at a first vertex, which is in the weight of a walk that has come there.
 template <class T>
@@ -171,21 +171,23 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const Mask
              select(first.line == Index<T>(0), T(drawn(p) / drawn(T(1) / leaving.per_p)), T(1)));
   const auto& cone = world_.cone(instrument());
   const T solid_angle =
-      cone.solid_angle_outside(gather<T>(sea_.index, first.line), arriving.z, way.arriving.z);
+      cone.solid_angle_outside(gather<T>(sea_.index, first.line), arriving, -way.arriving);
   const auto tau =
       depths_along(sea_, way, first.line, first.layer, T(-first.position.z), way.length_water);
   auto met = this->met(pair);
-  change_first(pairing.m == Index<T>(1), per_p, chance, met.back, met.back_first);
+  Ray back = pair.back;
+  change_first(pairing.m == Index<T>(1), per_p, chance, back, met.back_near, met.back_free);
   met.rest = chance;
   put_first(T(solid_angle * way.area_per_solid_angle / way.index_squared / abs(arriving.z)),
-            met.back_first);
+            met.back_near, met.back_free);
   met.translation_area = translation_area(telescope_, way.arriving);
-  met.back.weight = met.back.weight / first.weight * collision_gain(first) * telescope_.area() *
-                    sight.cos_off_axis * solid_angle * way.throughput / way.index_squared *
-                    (exp_minus(tau.all) / cone.reach(tau.walk, arriving.z, bed));
-  met.back.path = met.back.path - first.path + transport::longer_in_air(telescope_, way, lens) +
-                  way.length_water * gather<T>(sea_.group_index, first.line);
-  met.back.position = met.back.position + moved;
+  back.weight = back.weight / first.weight * collision_gain(first) * telescope_.area() *
+                sight.cos_off_axis * solid_angle * way.throughput / way.index_squared *
+                (exp_minus(tau.all) / cone.reach(Mask<T>(true), tau.walk, arriving.z, bed));
+  back.path = back.path - first.path + transport::longer_in_air(telescope_, way, lens) +
+              way.length_water * gather<T>(sea_.group_index, first.line);
+  back.position = back.position + moved;
+  met.back = &back;
   if (all(receiver_.line == Index<T>(0))) {  // the pivot is the first vertex
     const Mask<T> rotates =
         world_.rotates_scattered ? leads_aside(arriving, leaving.direction) : Mask<T>(false);
@@ -202,9 +204,9 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const Mask
 
 /// A first vertex has come where its instrument's cone has another footprint.
 template <class T>
-void Connections<T>::put_first(const T& footprint, FirstVertex<T>& first) const {
-  first.instrument_edge = first.instrument_edge * (footprint / first.footprint);
-  first.footprint = footprint;
+void Connections<T>::put_first(const T& footprint, NearFirst<T>& near, FreeArea<T>& free) {
+  near.instrument_edge = near.instrument_edge * (footprint / free.footprint);
+  free.footprint = footprint;
 }
 
 template <class T>
@@ -242,17 +244,21 @@ void Connections<T>::free_laser_by(const FreePairing<T>& pairing, const Mask<T>&
   const T per_p = T(1) / (p * leaving.per_p);
   const T steeper = abs(arriving.z / first.direction.z);
   auto met = this->met(pair);
-  change_first(pairing.i == Index<T>(1), per_p, T(1), met.out, met.out_first);
-  put_first(T(to_laser.area / abs(arriving.z)), met.out_first);
+  Ray out = pair.out;
+  change_first(pairing.i == Index<T>(1), per_p, T(1), out, met.out_near, met.out_free);
+  put_first(T(to_laser.area / abs(arriving.z)), met.out_near, met.out_free);
   const auto jacobian = rotation_jacobian(first.position, arriving, leaving.direction);
-  met.out_first.rotated = {met.out_first.rotated.density * per_p / steeper, jacobian};
+  const RotatedMeeting<T> rotated{laser_.rotated_first(pairing.laser).density * per_p / steeper,
+                                  jacobian};
+  met.out_rotated = &rotated;
   const Mask<T> only = pairing.i == Index<T>(1);
-  met.out.rotated.density = met.out.rotated.density * select(only, T(1) / steeper, T(1));
-  lanes::assign<T>(only, jacobian, met.out.rotated.jacobian);
-  met.out.weight = met.out.weight / first.weight * collision_gain(first) * to_laser.weight *
-                   (exp_minus(to_laser.tau) / to_laser.reach);
-  met.out.path = met.out.path - first.path + to_laser.path;
-  met.out.position = met.out.position + moved;
+  out.rotated.density = out.rotated.density * select(only, T(1) / steeper, T(1));
+  lanes::assign<T>(only, jacobian, out.rotated.jacobian);
+  out.weight = out.weight / first.weight * collision_gain(first) * to_laser.weight *
+               (exp_minus(to_laser.tau) / to_laser.reach);
+  out.path = out.path - first.path + to_laser.path;
+  out.position = out.position + moved;
+  met.out = &out;
   met.out_moved = moved;
   const NewLeg<T> leg{first, leaving, arriving, way, to_laser.water};
   met.free = Free::laser;

@@ -10,7 +10,7 @@ template <class T>
 MeetingPoint<T> Connections<T>::meeting_point(const Met<T>& met, const Mask<T>& first,
                                               const Mask<T>& last, const T& depth,
                                               const Index<T>& place) const {
-  const auto& [out, back] = std::tie(met.out, met.back);
+  const Ray &out = *met.out, &back = *met.back;
   const Index<T> line = back.line;
   const Index<T> here = sea_.at(line, place);
   MeetingPoint<T> at;
@@ -20,9 +20,8 @@ MeetingPoint<T> Connections<T>::meeting_point(const Met<T>& met, const Mask<T>& 
   const auto tau_out = depths_along(sea_, out, place, depth, at.length_out);
   const auto tau_back = depths_along(sea_, back, place, depth, at.length_back);
   at.tau = tau_out.all + tau_back.all;
-  at.reach_out = reach_along(world_.laser_cone, first, tau_out.walk, out.direction.z, at.bed);
-  at.reach_back =
-      reach_along(world_.cone(instrument()), last, tau_back.walk, back.direction.z, at.bed);
+  at.reach_out = world_.laser_cone.reach(first, tau_out.walk, out.direction.z, at.bed);
+  at.reach_back = world_.cone(instrument()).reach(last, tau_back.walk, back.direction.z, at.bed);
   at.converts = line > Index<T>(0);
   at.coefficient =
       select(at.converts, gather<T>(sea_.conversion, here) * gather<T>(sea_.c.first, place),
@@ -52,20 +51,20 @@ PathFreedom<T> Connections<T>::freedom_at(const RayPairing<T>& pairing, const Me
              area_per_solid_angle(sea_, spread, ray.line, length, T(abs(ray.direction.z))) /
              abs(ray.direction.z);
     };
-    const auto area = [&](std::int32_t instrument, const Mask<T>& here, const FirstVertex<T>& first,
+    const auto area = [&](std::int32_t instrument, const Mask<T>& here, const FreeArea<T>& first,
                           const Spread<T>& spread, const Ray& ray, const T& length,
                           const Vec3<T>& leaving) {
       if (!frees(instrument)) return T(0);
-      if (!any(here)) return first.free_area();
+      if (!any(here)) return first.area();
       return select(here,
-                    free_area(instrument, footprint(spread, ray, length), met.back.line, place,
+                    free_area(instrument, footprint(spread, ray, length), met.back->line, place,
                               !at.converts, leaving, at.p),
-                    first.free_area());
+                    first.area());
     };
-    of_telescope = area(instrument(), pairing.m == Index<T>(0), met.back_first, met.back_spread,
-                        met.back, at.length_back, -met.out.direction);
-    of_laser = area(photic::estimator::of_laser, pairing.i == Index<T>(0), met.out_first,
-                    met.out_spread, met.out, at.length_out, -met.back.direction);
+    of_telescope = area(instrument(), pairing.m == Index<T>(0), met.back_free, met.back_spread,
+                        *met.back, at.length_back, -met.out->direction);
+    of_laser = area(photic::estimator::of_laser, pairing.i == Index<T>(0), met.out_free,
+                    met.out_spread, *met.out, at.length_out, -met.back->direction);
   }
   return path_freedom(pairing.order(), met.translation_area, last, of_telescope, of_laser);
 }
@@ -73,7 +72,7 @@ PathFreedom<T> Connections<T>::freedom_at(const RayPairing<T>& pairing, const Me
 template <class T>
 void Connections<T>::meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met,
                              const T& depth, const Index<T>& place) {
-  const auto& [out, back] = std::tie(met.out, met.back);
+  const Ray &out = *met.out, &back = *met.back;
   const Mask<T> emitting = mask & emits(back.line, place);
   if (!any(emitting)) return;
   const auto in_path = usable(pairing.order());
@@ -87,10 +86,11 @@ void Connections<T>::meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, 
   RotationAxis<T> axis_of_laser = axis;
   axis_of_laser.x = axis.x - met.out_moved.x;
   axis_of_laser.y = axis.y - met.out_moved.y;
-  const auto laser_side = laser_.side(out, met.out_spread, pairing.laser, pairing.i, in_path,
-                                      freedom, axis_of_laser, met.out_first);
+  const auto laser_side =
+      laser_.side(out, met.out_spread, pairing.laser, pairing.i, in_path, freedom, axis_of_laser,
+                  met.out_near, T(1), false, met.out_rotated);
   const auto side = back_.side(back, met.back_spread, pairing.back, pairing.m, in_path, freedom,
-                               met.own_axis, met.back_first, met.rest, met.rotates_anew);
+                               met.own_axis, met.back_near, met.rest, met.rotates_anew);
 
   // Densities of the strategies, each times p and both rays' chances: meeting here, connecting
   // either ray's edge, meeting where either ray begins, all behind them.

@@ -156,14 +156,18 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meetings_on_bed(std::size_t fir
 template <class T>
 Met<T> Connections<T>::met(const RayPair<T>& pair) const {
   Met<T> met;
-  met.out = pair.out;
-  met.back = pair.back;
+  met.out = &pair.out;
+  met.back = &pair.back;
   met.out_spread = pair.spread;
   met.back_spread = pair.birth.spread;
   met.out_spread.through_surface = world_.laser_region.in_air;  // lanes do not keep it
   met.back_spread.through_surface = receiver_.region.in_air;
-  met.out_first = laser_.first_vertex(pair.pairing.laser);
-  met.back_first = back_.first_vertex(pair.pairing.back);
+  met.out_near = laser_.near_first(pair.pairing.laser);
+  met.back_near = back_.near_first(pair.pairing.back);
+  if (samples_.frees()) {
+    met.out_free = laser_.free_area(pair.pairing.laser);
+    met.back_free = back_.free_area(pair.pairing.back);
+  }
   met.translation_area = pair.birth.translation_area;
   met.axis = met.own_axis = pair.axis();
   if (world_.compares) met.line = back_.line(pair.pairing.back);
@@ -188,7 +192,7 @@ void Connections<T>::rotate(const RayPairing<T>& pairing, const Mask<T>& mask,
   for (std::size_t n = 0; n < meetings.depth.size(); ++n) {
     const Mask<T> meet = mask & meetings.exists[n];
     if (any(meet))
-      rotated_.push(meet, RotatedPairing<T>{pairing, meetings.depth[n]},
+      rotated_.push(meet, PlacedPairing<T>{pairing, meetings.depth[n]},
                     [this](const auto& e, const auto& all) { serve_rotated(e, all); });
   }
 }
@@ -215,8 +219,8 @@ RayPair<T> Connections<T>::pair_of(const RayPairing<T>& pairing) const {
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_translated(const RayPairing<T>& pairing,
-                                                     const Mask<T>& mask) {
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_translated(const RayPairing<T>& pairing,
+                                                                  const Mask<T>& mask) {
   const auto& grid = samples_.grid;
   RayPair<T> pairs = pair_of(pairing);
   const auto chord = chord_of(depth_line_of(pairs.out), depth_line_of(pairs.back), pairing.m,
@@ -233,8 +237,8 @@ PHOTIC_FLATTEN void Connections<T>::serve_translated(const RayPairing<T>& pairin
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_met_on_bed(const RayPairing<T>& pairing,
-                                                     const Mask<T>& mask) {
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_met_on_bed(const RayPairing<T>& pairing,
+                                                                  const Mask<T>& mask) {
   RayPair<T> pair = pair_of(pairing);
   pair.lens = chord_of(depth_line_of(pair.out), depth_line_of(pair.back), pairing.m,
                        at_lens(pair.birth, back_.line(pairing.back)))
@@ -257,14 +261,16 @@ void Connections<T>::meet_translated(const RayPair<T>& pair, const Mask<T>& mask
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_rotated(const RotatedPairing<T>& pairing,
-                                                  const Mask<T>& mask) {
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_rotated(const PlacedPairing<T>& pairing,
+                                                               const Mask<T>& mask) {
   const RayPair<T> pair = pair_of(pairing);
   const auto rotation = rotation_to_meet(pair.out, pair.back, pair.axis(), pairing.depth);
   auto met = this->met(pair);
-  rotate_pivot(pairing, rotation, met);
-  met.back.position = rotation.of_place(pair.back.position);
-  met.back.direction = rotation.of_direction(pair.back.direction);
+  Ray back = pair.back;
+  rotate_pivot(pairing, rotation, back, met);
+  back.position = rotation.of_place(pair.back.position);
+  back.direction = rotation.of_direction(pair.back.direction);
+  met.back = &back;
   meet_at(pairing, mask, met, pairing.depth,
           transport::layer_at(sea_, pair.out.layer, pairing.depth));
 }
@@ -274,24 +280,24 @@ PHOTIC_FLATTEN void Connections<T>::serve_rotated(const RotatedPairing<T>& pairi
 /// the choice how to (`chance`), both over what they were. `only`: the ray begins there.
 template <class T>
 void Connections<T>::change_first(const Mask<T>& only, const T& per_p, const T& chance, Ray& ray,
-                                  FirstVertex<T>& first) const {
+                                  NearFirst<T>& near, FreeArea<T>& free) {
   const T of_ray = select(only, per_p, chance);
   ray.chance = ray.chance * chance;
   ray.vertex_chance = ray.vertex_chance * select(only, T(1), chance);
   ray.per_p = ray.per_p * select(only, per_p, T(1));
   ray.translated = ray.translated * of_ray;
   ray.rotated.density = ray.rotated.density * of_ray;
-  first.averaged = first.averaged * per_p / chance;
-  first.instrument_edge = first.instrument_edge * per_p;
-  first.next_edge = first.next_edge * per_p;
-  first.translated = first.translated * per_p;
+  free.averaged = free.averaged * per_p / chance;
+  near.instrument_edge = near.instrument_edge * per_p;
+  near.next_edge = near.next_edge * per_p;
+  near.translated = near.translated * per_p;
 }
 
 /// A rotation changes the scattering angle at the pivot, and with it the phase function's value
 /// there. Where light is converted all strategies draw this angle alike (eq. 79).
 template <class T>
 void Connections<T>::rotate_pivot(const RayPairing<T>& pairing, const Rotation<T>& rotation,
-                                  Met<T>& met) const {
+                                  Ray& back, Met<T>& met) const {
   const Pivot<T> pivot = back_.pivot(pairing.back);
   const Vec3<T> rotated = rotation.of_direction(pivot.leaving);
   const Mask<T> bed = pivot.phase < Index<T>(0);
@@ -307,12 +313,13 @@ void Connections<T>::rotate_pivot(const RayPairing<T>& pairing, const Rotation<T
   const T gained = chance(rotated, p) / chance(pivot.leaving, p_before);
   met.gain = met.gain * gained;
   met.rest = gained;
-  change_first(pairing.m == Index<T>(1), T(p_before / p), gained, met.back, met.back_first);
+  change_first(pairing.m == Index<T>(1), T(p_before / p), gained, back, met.back_near,
+               met.back_free);
   if (!samples_.frees()) return;
   // The mean over directions in which it could have come is that of another angle.
   const Index<T> line(0);
   const Vertex first = back_.vertex(pairing.back, Index<T>(0));
-  met.back_first.averaged =
+  met.back_free.averaged =
       averaged_over_drawn(world_, instrument(), line, first.layer, Mask<T>(true), rotated, p);
 }
 

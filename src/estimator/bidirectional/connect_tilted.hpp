@@ -41,7 +41,7 @@ FirstLeg<T> Connections<T>::first_leg(const BirthRecord<T>& birth, const Index<T
 /// this edge and of meeting at its end, which later rays carry on.
 template <class T>
 PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
-                                           const BirthRecord<T>& birth, T length,
+                                           const BirthRecord<T>& birth, T length, Ray& back,
                                            Met<T>& met) const {
   const Index<T> line = back_.line(pairing.back);
   const Index<T> here = sea_.at(line, receiver_.region.layer);
@@ -53,7 +53,7 @@ PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
     growth = exp_minus(-length / gather<T>(sea_.walk_mean_path, here));
   }
   met.longer = length;
-  met.back.path = met.back.path + length * at_lens(birth, line).index;
+  back.path = back.path + length * at_lens(birth, line).index;
   met.back_spread.before = met.back_spread.before + length;
   if (all(first)) return;
   const FirstLeg<T> way = first_leg(birth, pairing.back);
@@ -64,10 +64,10 @@ PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
     return area_per_solid_angle(sea_, spread, line, way.length, way.steep);
   };
   const T wider = area(length) / area(T(0));
-  met.back_first.footprint = met.back_first.footprint * wider;
-  met.back_first.instrument_edge = met.back_first.instrument_edge * wider * growth;
-  met.back_first.translated = met.back_first.translated * growth;
-  met.back.translated = met.back.translated * select(pairing.m == Index<T>(1), growth, T(1));
+  met.back_free.footprint = met.back_free.footprint * wider;
+  met.back_near.instrument_edge = met.back_near.instrument_edge * wider * growth;
+  met.back_near.translated = met.back_near.translated * growth;
+  back.translated = back.translated * select(pairing.m == Index<T>(1), growth, T(1));
 }
 
 /// Rays that meet at a depth, where the telescope's walk comes through a point of a tilted lens.
@@ -80,12 +80,14 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const RayPair<T>& p
   const T longer = longer_by_translation(telescope_, outward, aside);
   auto met = this->met(pair);
   translate(met, in_plane(telescope_, aside) + longer * outward);
+  Ray back = pair.back;
   if (telescope_.submerged) {  // there a first ray begins at the lens
     const T begins = select(pair.pairing.m == Index<T>(0), longer, T(0));
-    met.back.position = pair.back.position - begins * pair.back.direction;
+    back.position = pair.back.position - begins * pair.back.direction;
   }
-  const Mask<T> meets = mask & can_meet(pair, met.back, depth);
-  lengthen(pair.pairing, pair.birth, longer, met);
+  const Mask<T> meets = mask & can_meet(pair, back, depth);
+  lengthen(pair.pairing, pair.birth, longer, back, met);
+  met.back = &back;
   meet_at(pair.pairing, meets, met, depth, place);
 }
 

@@ -46,10 +46,10 @@ void Connections<T>::by_sightline(const Pairing<T>& pairing, const Mask<T>& mask
   const auto tau = depths_along(sea_, way, line, v.layer, depth, way.length_water);
   const auto& cone = world_.cone(instrument());
   const T solid_angle =
-      cone.solid_angle_outside(gather<T>(sea_.index, line), way.direction.z, way.arriving.z);
+      cone.solid_angle_outside(gather<T>(sea_.index, line), -way.direction, -way.arriving);
   const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
   const T area_per_instrument = solid_angle * way.area_per_solid_angle / way.index_squared;
-  const T reach = cone.reach(tau.walk, way.direction.z, on_bed(v.layer));
+  const T reach = cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(v.layer));
   const auto in_path = usable(pairing.i + Index<T>(1));
   const bool elastic = all(line == Index<T>(0));
   const T telescope_area =
@@ -121,9 +121,9 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
   if (!any(out.lit)) return out;
   const auto tau = depths_along(sea_, way, line, place, T(-from.z), out.water);
   const T solid_angle =
-      cone.solid_angle_outside(gather<T>(sea_.index, line), way.direction.z, way.arriving.z);
+      cone.solid_angle_outside(gather<T>(sea_.index, line), -way.direction, -way.arriving);
   out.tau = tau.all;
-  out.reach = cone.reach(tau.walk, way.direction.z, on_bed(place));
+  out.reach = cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(place));
   out.area = solid_angle * way.area_per_solid_angle / way.index_squared;
   out.weight = way.throughput * solid_angle / (T(2 * pi) * laser.one_minus_cos_divergence);
   return out;
@@ -195,11 +195,11 @@ PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>& pairing, con
     const auto of = [&](const Walks<T>& walks, std::int32_t instrument, const Index<T>& walk,
                         const Vertex& at, const Vec3<T>& leaving, const Mask<T>& scatters,
                         const Mask<T>& ends) {
-      const auto near = walks.first_vertex(walk);
       const T p = phase_value(sea_, at, leaving,
                               gather_index<T>(sea_.elastic_phase, sea_.at(at.line, at.layer)));
       return select(ends,
-                    free_area(instrument, near.footprint, at.line, at.layer, scatters, leaving, p),
+                    free_area(instrument, walks.free_area(walk).footprint, at.line, at.layer,
+                              scatters, leaving, p),
                     free_area(walks, instrument, walk));
     };
     return path_freedom(

@@ -12,6 +12,7 @@
 #include "core/flatten.hpp"
 #include "estimator/bidirectional/connection_end.hpp"
 #include "estimator/bidirectional/meet.hpp"
+#include "estimator/bidirectional/pairings.hpp"
 #include "estimator/bidirectional/walk.hpp"
 #include "geometry/sightline.hpp"
 #include "lanes/each_score.hpp"
@@ -23,164 +24,6 @@
 #include "transport/flight.hpp"
 
 namespace photic::estimator {
-
-/// What may be put together: vertex or ray i of a laser's walk and m of a telescope's.
-template <class T>
-struct Pairing {
-  Index<T> laser{}, i{}, back{}, m{};
-
-  template <class F>
-  constexpr void each_member(F f) {
-    f(laser), f(i), f(back), f(m);
-  }
-};
-
-template <class T>
-Pairing<T> pairing_of(std::size_t laser, const Index<T>& i, std::size_t back, const Index<T>& m) {
-  return {Index<T>(laser), i, Index<T>(back), m};
-}
-
-/// Rays i and m that may be made to meet, as they are or as the surface has reflected them.
-template <class T>
-struct RayPairing : Pairing<T> {
-  Index<T> reflected{};  ///< 1: the laser's, 2: the telescope's, 3: both
-
-  /// Vertices of the path that they make.
-  [[nodiscard]] Index<T> order() const { return Pairing<T>::i + Pairing<T>::m + Index<T>(1); }
-  template <class F>
-  constexpr void each_member(F f) {
-    Pairing<T>::each_member(f);
-    f(reflected);
-  }
-};
-
-/// Rays that meet at a depth if the telescope's walk is rotated.
-template <class T>
-struct RotatedPairing : RayPairing<T> {
-  T depth{};  ///< [m]
-
-  template <class F>
-  constexpr void each_member(F f) {
-    RayPairing<T>::each_member(f);
-    f(depth);
-  }
-};
-
-/// Rays of which one belongs to a free walk, and the depth where they meet.
-template <class T>
-struct FreePairing : RayPairing<T> {
-  T depth{};       ///< [m]
-  Index<T> bed{};  ///< 1: on the bed
-
-  template <class F>
-  constexpr void each_member(F f) {
-    RayPairing<T>::each_member(f);
-    f(depth), f(bed);
-  }
-};
-
-/// How walks are moved to meet others: a telescope's translated sideways so that it still comes
-/// through the lens, or rotated beyond its pivot; or either as a free walk.
-enum class Moves : std::int8_t { translations, rotations, free_telescope, free_laser, all };
-inline bool includes(Moves asked, Moves one) { return asked == one || asked == Moves::all; }
-
-/// Two rays that may be made to meet.
-template <class T>
-struct RayPair {
-  using Ray = estimator::Ray<T>;
-  Ray out, back;
-  Spread<T> spread;      ///< of the laser's walk
-  BirthRecord<T> birth;  ///< of the telescope's walk
-  Index<T> rotates{};    ///< 1: it may be rotated about the vertical at ...
-  T axis_x{}, axis_y{};
-  RayPairing<T> pairing;
-  LensLine<T> lens;  ///< where it comes through, if it is translated
-
-  /// About which the telescope's walk may be rotated.
-  [[nodiscard]] RotationAxis<T> axis() const { return {rotates == Index<T>(1), axis_x, axis_y}; }
-  template <class F>
-  constexpr void each_member(F f) {
-    out.each_member(f);
-    back.each_member(f);
-    spread.each_member(f);
-    birth.each_member(f);
-    f(rotates), f(axis_x), f(axis_y);
-    pairing.each_member(f);
-    f(lens.at_surface.x), f(lens.at_surface.y), f(lens.per_depth.x), f(lens.per_depth.y);
-  }
-};
-
-/// Whose walk of a path is a free one.
-enum class Free : std::int8_t { none, telescope, laser };
-
-/// The new way between a free walk's first vertex and its instrument.
-template <class T>
-struct NewLeg {
-  Vertex<T> first;
-  Ray<T> leaving;    ///< the walk's ray from there
-  Vec3<T> arriving;  ///< direction in which the walk now comes there
-  geometry::Sightline<T> way;
-  T length{};  ///< in the water [m]
-};
-
-/// Two rays as they meet, after one of both walks has been moved, and what that makes of the path.
-template <class T>
-struct Met {
-  Free free = Free::none;
-  const NewLeg<T>* leg = nullptr;  ///< of a free walk
-  Ray<T> out, back;
-  Spread<T> out_spread, back_spread;
-  FirstVertex<T> out_first, back_first;
-  T rest{1};  ///< by how much all other densities behind the telescope's ray grow
-  T translation_area{};
-  Vec3<T> out_moved{};        ///< from where the laser's walk was drawn; level
-  RotationAxis<T> axis;       ///< of the telescope's walk, where it is now
-  RotationAxis<T> own_axis;   ///< where it was drawn
-  bool rotates_anew = false;  ///< it may be rotated otherwise than it was drawn
-  T gain{1};                  ///< of the sample
-  T longer{};                 ///< so much longer is the way from a tilted lens [m]
-  Index<T> line{};            ///< of the light that comes back
-};
-
-/// Where two rays meet.
-template <class T>
-struct MeetingPoint {
-  T length_out{}, length_back{};  ///< of the rays [m]
-  T tau{};                        ///< optical depth of both
-  T reach_out{}, reach_back{};    ///< chances that walks would come along them
-  Mask<T> converts{}, bed{};
-  T coefficient{};  ///< of what light does there, over c'
-  T p{};            ///< its phase function's value [1/sr]
-  T path{};         ///< group path of both walks [m]
-};
-
-/// The way from a vertex to the laser.
-template <class T>
-struct WayToLaser {
-  Mask<T> lit{};      ///< it comes to the laser within its cone
-  T water{}, path{};  ///< length in the water, and group path as the laser's walks count it [m]
-  T tau{}, reach{};   ///< optical depth; chance that a walk of the laser would come along it
-  T area{};           ///< across it, of the laser's cone [m^2]
-  T weight{};         ///< of a walk of the laser in the water, before it is attenuated
-};
-
-/// A telescope's walk's first way in the water.
-template <class T>
-struct FirstLeg {
-  T length{};  ///< [m]
-  T steep{};   ///< cosine to the vertical
-};
-
-/// A path from the laser to a telescope, and what it scores.
-template <class T>
-struct FoundPath {
-  T value{};                                     ///< expected photons
-  T length{};                                    ///< group path [m]
-  T last{};                                      ///< depth at which light was last scattered [m]
-  Index<T> order{}, of_laser{}, of_telescope{};  ///< vertices: all, and those of the two walks
-  Mask<T> met_on_bed{};
-  Free free = Free::none;
-};
 
 template <class T>
 struct FreeStart;
@@ -243,7 +86,7 @@ class Connections {
   void serve_between(const Pairing<T>& pairing, const Mask<T>& mask);
   void serve_translated(const RayPairing<T>& pairing, const Mask<T>& mask);
   void serve_met_on_bed(const RayPairing<T>& pairing, const Mask<T>& mask);
-  void serve_rotated(const RotatedPairing<T>& pairing, const Mask<T>& mask);
+  void serve_rotated(const PlacedPairing<T>& pairing, const Mask<T>& mask);
   void serve_free_telescope(FreePairing<T> pairing, Mask<T> mask);
   void serve_free_laser(FreePairing<T> pairing, Mask<T> mask);
 
@@ -262,7 +105,7 @@ class Connections {
                          const geometry::Sightline<T>& way);
   void free_laser_by(const FreePairing<T>& pairing, const Mask<T>& mask, const RayPair<T>& pair,
                      const Vertex& first, const Vec3<T>& moved, const geometry::Sightline<T>& way);
-  void put_first(const T& footprint, FirstVertex<T>& first) const;
+  static void put_first(const T& footprint, NearFirst<T>& near, FreeArea<T>& free);
 
   void by_sightline(const Pairing<T>& pairing, const Mask<T>& mask, const Vertex& v,
                     const BirthRecord<T>& birth, const geometry::Sightline<T>& way);
@@ -281,12 +124,13 @@ class Connections {
   void meet_tilted(const RayPair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens, T depth,
                    Index<T> place);
   [[nodiscard]] Mask<T> can_meet(const RayPair<T>& pair, const Ray& moved, const T& depth) const;
-  void lengthen(const RayPairing<T>& pairing, const BirthRecord<T>& birth, T length,
+  void lengthen(const RayPairing<T>& pairing, const BirthRecord<T>& birth, T length, Ray& back,
                 Met<T>& met) const;
   [[nodiscard]] FirstLeg<T> first_leg(const BirthRecord<T>& birth, const Index<T>& back) const;
-  void rotate_pivot(const RayPairing<T>& pairing, const Rotation<T>& rotation, Met<T>& met) const;
-  void change_first(const Mask<T>& only, const T& per_p, const T& chance, Ray& ray,
-                    FirstVertex<T>& first) const;
+  void rotate_pivot(const RayPairing<T>& pairing, const Rotation<T>& rotation, Ray& back,
+                    Met<T>& met) const;
+  static void change_first(const Mask<T>& only, const T& per_p, const T& chance, Ray& ray,
+                           NearFirst<T>& near, FreeArea<T>& free);
   [[nodiscard]] MeetingPoint<T> meeting_point(const Met<T>& met, const Mask<T>& first,
                                               const Mask<T>& last, const T& depth,
                                               const Index<T>& place) const;
@@ -325,7 +169,7 @@ class Connections {
   [[nodiscard]] T free_area(const Walks<T>& walks, std::int32_t instrument,
                             const Index<T>& walk) const {
     if (!samples_.frees() || !frees(instrument)) return T(0);
-    return walks.first_vertex(walk).free_area();
+    return walks.free_area(walk).area();
   }
   /// Whether an instrument's walks may be free: the depth of their first vertex has to be drawn
   /// whatever the ray.
@@ -439,7 +283,7 @@ class Connections {
   tally::BatchTally& tally_;
   VertexQueue to_telescope_, to_laser_, between_;
   RayQueue translated_, met_on_bed_;
-  lanes::Queue<T, RotatedPairing<T>> rotated_;
+  lanes::Queue<T, PlacedPairing<T>> rotated_;
   lanes::Queue<T, FreePairing<T>> free_telescope_, free_laser_;
   std::vector<std::int32_t> walk_of_, ray_of_;  ///< the laser's rays that may meet a telescope's
   lanes::LaneColumns<T, DepthLine, most_vertices + 1 + lanes_of<T>>

@@ -9,40 +9,56 @@
 
 namespace photic::estimator {
 
+/// Densities over reverse_chance:
 template <class T>
-struct FirstVertex {
+struct NearFirst {
+  T instrument_edge{};  ///< of connecting the edge from the instrument
+  T next_edge{};        ///< of connecting the next one
+  T translated{};       ///< of meeting at the first vertex, over Freedom::translations [m]
+
+  template <class F>
+  constexpr void each_member(F f) {
+    f(instrument_edge), f(next_edge), f(translated);
+  }
+};
+
+/// By how much a free walk may be moved.
+template <class T>
+struct FreeArea {
   T footprint{};  ///< level area that the rays of the instrument's cone fill there [m^2]
   T averaged{1};  ///< density of the direction in which it is left, averaged over the cone, over
                   ///< that with which it was drawn
-  // Densities over reverse_chance:
-  T instrument_edge{};          ///< of connecting the edge from the instrument
-  T next_edge{};                ///< of connecting the next one
-  T translated{};               ///< of meeting here, over Freedom::translations [m]
-  RotatedMeeting<T> rotated{};  ///< of a laser's walk: of meeting here by rotation
+
+  /// That level area: F of theory.md [m^2].
+  [[nodiscard]] T area() const { return footprint * averaged; }
+
+  template <class F>
+  constexpr void each_member(F f) {
+    f(footprint), f(averaged);
+  }
+};
+
+template <class T>
+struct FirstVertex {
+  NearFirst<T> near;
+  FreeArea<T> free;
+  RotatedMeeting<T> rotated{};  ///< of a laser's walk: density of meeting here by rotation
 
   /// The walk comes to its first vertex or, else, its second. Others are left as they are.
   void arrive(const Vertex<T>& v, const Arrival<T>& by, const Samples<T>& samples) {
     using std::abs;
     const T here = v.arriving_edge * by.reach / (samples.to_instrument * abs(v.direction.z));
-    footprint = select(by.first, here, footprint);
+    free.footprint = select(by.first, here, free.footprint);
     const auto& of_first = v.added_rotated;
-    translated = select(by.first, T(0), v.added.translated);
+    near.translated = select(by.first, T(0), v.added.translated);
     rotated.density = select(by.first, T(0), of_first.density);
     rotated.jacobian = of_first.jacobian;
   }
   /// It leaves its first vertex or, else, its second by a ray.
   void depart(const Ray<T>& ray, const T& averaged_over_drawn, const Mask<T>& from_first) {
-    averaged = select(from_first, averaged_over_drawn, averaged);
-    instrument_edge = select(from_first, ray.last_edge, instrument_edge);
-    next_edge = select(from_first, T(0), ray.last_edge);
-  }
-  /// The level area by which a free walk may be moved: F of theory.md.
-  [[nodiscard]] T free_area() const { return footprint * averaged; }
-
-  template <class F>
-  constexpr void each_member(F f) {
-    f(footprint), f(averaged), f(instrument_edge), f(next_edge), f(translated);
-    rotated.each_member(f);
+    free.averaged = select(from_first, averaged_over_drawn, free.averaged);
+    near.instrument_edge = select(from_first, ray.last_edge, near.instrument_edge);
+    near.next_edge = select(from_first, T(0), ray.last_edge);
   }
 };
 
@@ -53,14 +69,14 @@ struct Complete {
   Mask<T> instrument_edge{}, next_edge{}, meeting{};
 
   /// Sum of the first vertex' densities. `translations`: for meetings there [m].
-  [[nodiscard]] T sum(const FirstVertex<T>& first, const T& translations) const {
+  [[nodiscard]] T sum(const NearFirst<T>& first, const T& translations) const {
     return select(instrument_edge, first.instrument_edge, T(0)) +
            select(next_edge, first.next_edge, T(0)) +
            select(meeting, translations * first.translated, T(0));
   }
 };
 
-/// FirstVertex::averaged of an instrument's walk that leaves its first vertex, at a place, in a
+/// FreeArea::averaged of an instrument's walk that leaves its first vertex, at a place, in a
 /// direction: if it scatters light of a line; else it does so whichever way it came. `p`: phase
 /// function's value. 0 of the laser's on a bed whose albedo depends on how light comes to it, and
 /// with it the walk's weight.

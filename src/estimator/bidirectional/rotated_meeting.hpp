@@ -61,7 +61,7 @@ struct RotatedMeeting {
   T about(const RotationAxis<T>& axis) const { return density * jacobian.about(axis); }
 
   template <class F>
-  constexpr void each_member(F& f) {
+  constexpr void each_member(F f) {
     f(density), f(jacobian.x), f(jacobian.y), f(jacobian.cross_x), f(jacobian.cross_y);
   }
 };

@@ -100,8 +100,8 @@ struct Arrival {
 template <class T>
 T reach_of(const geometry::Slabs& sea, const EntryCone<T>& cone, const Mask<T>& first,
            const transport::Photon<T>& photon, const Leg<T>& leg) {
-  return reach_along(cone, first, leg.walk_tau, photon.direction.z,
-                     sea.bed_angles > 0 ? surface::on_bed<T>(sea, photon.layer) : Mask<T>(false));
+  return cone.reach(first, leg.walk_tau, photon.direction.z,
+                    sea.bed_angles > 0 ? surface::on_bed<T>(sea, photon.layer) : Mask<T>(false));
 }
 
 /// The vertex where a photon collides. `axis`: that of the walk.

@@ -94,7 +94,9 @@ class Walks {
         ray_(walks * stride),
         vertex_(walks * stride),
         pivot_(walks),
-        first_(walks),
+        near_first_(walks),
+        free_area_(walks),
+        rotated_first_(walks),
         rays_(walks),
         vertices_(walks),
         pivot_vertex_(walks),
@@ -129,8 +131,11 @@ class Walks {
     vertex_.put(mask, slot(walk, i), vertex);
     scatter(mask, walk, i + Index<T>(1), vertices_.data());
   }
-  void keep(const Mask<T>& mask, const Index<T>& walk, const FirstVertex<T>& first) {
-    first_.put(mask, walk, first);
+  /// `frees`: there are free walks.
+  void keep(const Mask<T>& mask, const Index<T>& walk, const FirstVertex<T>& first, bool frees) {
+    near_first_.put(mask, walk, first.near);
+    if (frees) free_area_.put(mask, walk, first.free);
+    if (!from_telescope_) rotated_first_.put(mask, walk, first.rotated);
   }
   /// Vertex i, where walks of a mask stand, is on the bed.
   void come_to_bed(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i) {
@@ -235,7 +240,13 @@ class Walks {
     const Pivot<T> at = pivot(walk);
     return {exists, at.x, at.y};
   }
-  [[nodiscard]] FirstVertex<T> first_vertex(const Index<T>& walk) const { return first_.at(walk); }
+  // Of its first vertex.
+  [[nodiscard]] NearFirst<T> near_first(const Index<T>& walk) const { return near_first_.at(walk); }
+  [[nodiscard]] FreeArea<T> free_area(const Index<T>& walk) const { return free_area_.at(walk); }
+  /// Of a laser's walk.
+  [[nodiscard]] RotatedMeeting<T> rotated_first(const Index<T>& walk) const {
+    return rotated_first_.at(walk);
+  }
   /// Which of its densities lie behind ray m, or behind vertex i.
   [[nodiscard]] Complete<T> complete_behind_ray(const Index<T>& m, const Usable<T>& usable) const {
     return complete(m > Index<T>(0), m > Index<T>(1), m > Index<T>(1), usable);
@@ -274,22 +285,25 @@ class Walks {
     }
   }
   /// Ray m as one side of a meeting, in a path whose walks may be moved so. `spread`: of the walk's
-  /// first ray; `first`: the walk's first vertex, as it is in the path; `rest`: by how much all
-  /// other densities grow by that; `axis`: in the places of this walk; `rotates_anew`: it is not
-  /// that of a telescope's walk as it was drawn.
+  /// first ray; `first`: near the walk's first vertex, as it is in the path; `rest`: by how much
+  /// all other densities grow by that; `axis`: in the places of this walk; `rotates_anew`: it is
+  /// not that of a telescope's walk as it was drawn; `rotated_first`: of a laser's, if that is not
+  /// what it was.
   [[nodiscard]] Side<T> side(const Ray& ray, const Spread<T>& spread, const Index<T>& walk,
                              const Index<T>& m, const Usable<T>& usable,
                              const PathFreedom<T>& freedom, const RotationAxis<T>& axis,
-                             const FirstVertex<T>& first, const T& rest = T(1),
-                             bool rotates_anew = false) const {
+                             const NearFirst<T>& first, const T& rest = T(1),
+                             bool rotates_anew = false,
+                             const RotatedMeeting<T>* rotated_first = nullptr) const {
     Side<T> side{ray, m == Index<T>(0), spread};
     side.spread.through_surface = through_surface_;
     const T& near_end = from_telescope_ ? freedom.at_last : freedom.at_first;
     auto others = behind(ray, walk, m, usable);
     if (rotates_anew) others.rotated = rotated_before(walk, m - Index<T>(1), usable, axis);
-    side.behind = ray.reverse_chance * (rest * others.all(freedom.inner) +
-                                        complete_behind_ray(m, usable).sum(first, near_end) +
-                                        rotated_behind(walk, m - Index<T>(1), usable, axis, first));
+    side.behind =
+        ray.reverse_chance *
+        (rest * others.all(freedom.inner) + complete_behind_ray(m, usable).sum(first, near_end) +
+         rotated_behind(walk, m - Index<T>(1), usable, axis, rotated_first));
     const T translations = select(m == Index<T>(1), near_end, freedom.inner);
     side.meeting = select(
         usable.meeting(number_in_path(m, usable)),
@@ -301,11 +315,10 @@ class Walks {
   [[nodiscard]] T behind(const Vertex& v, const Index<T>& walk, const Index<T>& i,
                          const Usable<T>& usable, const PathFreedom<T>& freedom,
                          const RotationAxis<T>& axis) const {
-    const FirstVertex<T> first = first_vertex(walk);
     return v.behind.all(freedom.inner) +
            complete_behind_vertex(i, usable).sum(
-               first, from_telescope_ ? freedom.at_last : freedom.at_first) +
-           rotated_behind(walk, i, usable, axis, first);
+               near_first(walk), from_telescope_ ? freedom.at_last : freedom.at_first) +
+           rotated_behind(walk, i, usable, axis);
   }
 
  private:
@@ -327,11 +340,12 @@ class Walks {
   /// Of a laser's walk, the densities of rotating a telescope's to meet it at a vertex before
   /// vertex i, over reverse_chance.
   [[nodiscard]] T rotated_behind(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
-                                 const RotationAxis<T>& axis, const FirstVertex<T>& first) const {
+                                 const RotationAxis<T>& axis,
+                                 const RotatedMeeting<T>* anew = nullptr) const {
     if (from_telescope_ || !any(axis.exists)) return T(0);
     const Mask<T> beyond_first = (i > Index<T>(0)) & usable.meeting(Index<T>(1));
-    return rotated_before(walk, i, usable, axis) +
-           select(beyond_first, first.rotated.about(axis), T(0));
+    const T first = anew == nullptr ? rotated_first(walk).about(axis) : anew->about(axis);
+    return rotated_before(walk, i, usable, axis) + select(beyond_first, first, T(0));
   }
   [[nodiscard]] Complete<T> complete(const Mask<T>& instrument_edge, const Mask<T>& next_edge,
                                      const Mask<T>& meeting, const Usable<T>& usable) const {
@@ -362,7 +376,9 @@ class Walks {
   lanes::Records<T, Ray> ray_;
   lanes::Records<T, Vertex> vertex_;
   lanes::Records<T, Pivot<T>> pivot_;
-  lanes::Records<T, FirstVertex<T>> first_;
+  lanes::Records<T, NearFirst<T>> near_first_;
+  lanes::Records<T, FreeArea<T>> free_area_;
+  lanes::Records<T, RotatedMeeting<T>> rotated_first_;
   std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_,
       line_;                                ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many

@@ -97,7 +97,7 @@ class WalkSteps {
     const Mask<T> near = w.colliding & (w.vertices < Index<T>(2));
     if (any(near)) {
       w.first.arrive(vertex_, arrival, samples_);
-      walks_.keep(near, w.walk, w.first);
+      walks_.keep(near, w.walk, w.first, samples_.frees());
     }
     if (sea_.bed_angles > 0)
       walks_.come_to_bed(w.colliding & surface::on_bed<T>(sea_, w.photon.layer), w.walk,
@@ -154,7 +154,7 @@ class WalkSteps {
                                     vertex_.line == ray.line, ray.direction, departure.p)
               : T(1);
       w.first.depart(ray, averaged, from_first);
-      walks_.keep(near, w.walk, w.first);
+      walks_.keep(near, w.walk, w.first, samples_.frees());
     }
     if (walks_.from_telescope()) {
       const Mask<T> pivots = walks_.pivot(sea_, colliding, w.walk, w.vertices - Index<T>(1),

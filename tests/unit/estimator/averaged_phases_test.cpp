@@ -14,8 +14,10 @@ namespace {
 const transport::Sea sea = transport::make_sea(40);
 
 EntryCone<double> cone_of(double half_angle) {
+  const double x = one_minus_cos_of(half_angle);
   EntryCone<double> cone;
-  cone.one_minus_cos = 2 * std::pow(std::sin(half_angle / 2), 2);
+  cone.by_depth = true;
+  cone.ring[0] = {x, 1, 2 * pi * x};
   return cone;
 }
 
@@ -53,7 +55,7 @@ TEST(AveragedPhases, AreMeansOverTheCone) {
         const Vec3<double> direction{std::sin(angle), 0, std::cos(angle)};
         double sum = 0;
         for (int i = 0; i < radii; ++i) {
-          const double x = (i + 0.5) / radii * cone_of(half_angle).one_minus_cos;
+          const double x = (i + 0.5) / radii * one_minus_cos_of(half_angle);
           for (int j = 0; j < azimuths; ++j) {
             const double azimuth = 2 * pi * (j + 0.5) / azimuths;
             const auto point =

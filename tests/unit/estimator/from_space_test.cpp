@@ -47,10 +47,12 @@ class FromSpace : public testing::TestWithParam<bool> {};
 /// A uniform that a float can hold.
 double uniform(Random& random) { return double(float(random.uniform())); }
 
-/// An instrument's cone in the precision of a walk.
+/// An instrument's cone in the precision of a walk, which may be free.
 template <class T, class Instrument>
-estimator::EntryCone<T> cone_of(const Instrument& instrument, const medium::Medium& sea) {
-  return estimator::cone_cast<T>(estimator::entry_cone(instrument, sea, 50));
+estimator::EntryCone<T> cone_of(const Instrument& instrument, const medium::Medium& sea,
+                                bool free) {
+  return estimator::cone_cast<T>(free ? estimator::entry_cone(instrument, sea, 50)
+                                      : estimator::cone_of_own_rays(instrument, sea));
 }
 /// A ray of it, and the same in double.
 struct Rays {
@@ -58,12 +60,12 @@ struct Rays {
   estimator::EntryRay<double> exact;
 };
 template <class Instrument>
-Rays rays_of(const Instrument& instrument, const Sea& sea, Random& random) {
+Rays rays_of(const Instrument& instrument, const Sea& sea, bool free, Random& random) {
   const double u = uniform(random), v = uniform(random);
   const double n = sea.line[0].refractive_index;
   const auto n_float = float(n);
-  return {draw_entry(cone_of<float>(instrument, sea), n_float, n_float, float(u), float(v)),
-          draw_entry(cone_of<double>(instrument, sea), n, n, u, v)};
+  return {draw_entry(cone_of<float>(instrument, sea, free), n_float, n_float, float(u), float(v)),
+          draw_entry(cone_of<double>(instrument, sea, free), n, n, u, v)};
 }
 
 // Seen red: with the light emitted on the disc; with off_axis from the difference of directions.
@@ -135,10 +137,11 @@ TEST_P(FromSpace, WalksFromTheLaserAreTimed) {
   const Lidar lidar(0.5, GetParam());
   const auto in_float = instrument::make_laser<float>(lidar.source);
   const auto laser = instrument::make_laser<double>(lidar.source);
-  const auto cone = cone_of<float>(lidar.source, sea);
   int emitted = 0;
   for (int i = 0; i < samples / 10; ++i) {
-    const auto [ray, exact] = rays_of(lidar.source, sea, random);
+    const bool free = i % 2 == 0;
+    const auto cone = cone_of<float>(lidar.source, sea, free);
+    const auto [ray, exact] = rays_of(lidar.source, sea, free, random);
     const auto walk = estimator::birth_at_laser<float>(sea.view(), in_float, {true, 0}, cone, ray);
     emitted += walk.exists;
     const V direction = exact.outside;
@@ -158,11 +161,12 @@ TEST_P(FromSpace, WalksFromTelescopesAreTimed) {
   const auto sea = make_sea(60);
   const auto in_float = instrument::make_telescope<float>(lidar.telescope);
   const auto telescope = instrument::make_telescope<double>(lidar.telescope);
-  const auto cone = cone_of<float>(lidar.telescope, sea);
   Random random(403);
   for (int i = 0; i < samples / 10; ++i) {
     const auto lens = lens_point(in_float, float(random.uniform()), float(random.uniform()));
-    const auto [ray, exact] = rays_of(lidar.telescope, sea, random);
+    const bool free = i % 2 == 0;
+    const auto cone = cone_of<float>(lidar.telescope, sea, free);
+    const auto [ray, exact] = rays_of(lidar.telescope, sea, free, random);
     const auto walk =
         estimator::birth_at_telescope<float>(sea.view(), in_float, {true, 0}, cone, ray, 0, lens);
     const V from = in_space(telescope, instrument::PlanePoint<double>{lens.x, lens.y});

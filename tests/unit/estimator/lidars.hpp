@@ -10,6 +10,7 @@ namespace photic::estimator {
 struct Sea {
   World<double> world;
   transport::Sea medium;
+  std::vector<EntryCone<double>> free_cones, own_cones;  ///< of the laser and the telescope
   AveragedPhaseTables averaged;
 
   Sea(const scene::Source& source, const scene::Telescope& telescope,
@@ -25,17 +26,23 @@ struct Sea {
                                                         medium.line[0].refractive_index)
                                     .direction,
                                 1, 0.2};
-    const std::vector<EntryCone<double>> cones{entry_cone(source, medium, 40),
-                                               entry_cone(telescope, medium, 40)};
-    world.laser_cone = cones[0];
-    world.telescope_cones = {cones[1]};
-    averaged = {medium, cones};
+    const std::vector<InnerCone> inner{{0.2, 0.3}, {0.5, 0.4}};
+    free_cones = {entry_cone(source, medium, 40), entry_cone(telescope, medium, 40, inner)};
+    own_cones = {cone_of_own_rays(source, medium), cone_of_own_rays(telescope, medium, inner)};
+    begin(true);
+    averaged = {medium, free_cones};
     world.averaged = averaged.view();
     world.path_to_origin = {path_to_origin(source, telescope)};
     world.deepest = 40;
     world.most_vertices = most_vertices;
     world.rotates_scattered =
         world.inverse_conversion.beam.x == 0 && world.inverse_conversion.beam.y == 0;
+  }
+  /// Walks begin so that they may be free, or with the instruments' own rays.
+  void begin(bool free) {
+    const auto& cones = free ? free_cones : own_cones;
+    world.laser_cone = cones[0];
+    world.telescope_cones = {cones[1]};
   }
   Sea(const Sea&) = delete;  // the world looks into the medium
   Sea& operator=(const Sea&) = delete;

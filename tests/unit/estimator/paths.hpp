@@ -129,7 +129,7 @@ class Writer {
     walks.add(true, 0, before, vertex_);
     if (before < 2) {
       first_.arrive(vertex_, arrival, samples_);
-      walks.keep(true, 0, first_);
+      walks.keep(true, 0, first_, true);
     }
     if (bed) walks.come_to_bed(true, 0, walks.vertices(0) - 1);
   }
@@ -173,7 +173,7 @@ class Writer {
                     averaged_over_drawn(world_, instrument_, vertex_.line, vertex_.layer, !converts,
                                         photon_.direction, p),
                     left == 1);
-      walks.keep(true, 0, first_);
+      walks.keep(true, 0, first_, true);
     }
     if (walks.from_telescope())
       walks.pivot(world_.sea, true, 0, walks.vertices(0) - 1, vertex_, ray_,
@@ -212,9 +212,11 @@ class Writer {
 inline EntryRay<double> entry_ray_of(const World<double>& world, std::int32_t instrument,
                                      std::int32_t line, const geometry::Sightline<double>& way) {
   const auto& cone = world.cone(instrument);
+  const double n = world.sea.index[line];
+  if (cone.even_outside)
+    return entry_ray_outside(cone, n, -way.arriving, -way.arriving - cone.outside);
   const V direction = cone.in_air ? -way.direction : -way.arriving;
-  return entry_ray(cone, double(world.sea.index[line]), double(world.sea.index[0]), direction,
-                   direction - cone.axis);
+  return entry_ray(cone, n, double(world.sea.index[0]), direction, direction - cone.axis);
 }
 
 /// The laser's walk with the first vertices of a path, and on its way to the next if it `leaves`.

@@ -279,12 +279,15 @@ struct StrategiesOfPath {
     }
     edge.push_back(inner);
   }
-  /// Directions outside are drawn with 1 over this density: those in the water evenly in a cone.
+  /// Directions outside are drawn with 1 over this density: they, or those in the water, evenly in
+  /// a cone.
   [[nodiscard]] double drawn_solid_angle(const EntryCone<double>& cone, std::int32_t line,
                                          const geometry::Sightline<double>& way) const {
     const double n = world.sea.index[line];
-    return 2 * pi * cone.one_minus_cos *
-           (cone.in_air ? n * n * std::abs(way.direction.z / way.arriving.z) : 1);
+    if (!cone.in_air || cone.even_outside)
+      return cone.solid_angle_at(one_minus_cos(-way.arriving, cone.outside));
+    return cone.solid_angle_at(one_minus_cos(-way.direction, cone.axis)) * n * n *
+           std::abs(way.direction.z / way.arriving.z);
   }
   /// Depths of first vertices are drawn as those of light along the cone's axis.
   static void draw_by_depth(const EntryCone<double>& cone, double steep, bool bed, Edge& e) {

@@ -247,19 +247,21 @@ TEST(LanesOf, EntryRays) {
     scene::Telescope scene;
     instrument::random_telescope(random, scene);
     if (random.chance(0.3)) scene.position_m.z = -1;
-    const auto cone = estimator::entry_cone(scene, sea, 40);
+    const auto cone = random.chance(0.5) ? estimator::entry_cone(scene, sea, 40)
+                                         : estimator::cone_of_own_rays(scene, sea);
     const auto cone4 = estimator::cone_cast<Lanes4>(cone);
     const auto u = uniforms4(random), v = uniforms4(random), tau = uniforms4(random);
     const double n = sea.line[1].refractive_index, n_axis = sea.line[0].refractive_index;
     const auto ray4 = draw_entry(cone4, Lanes4(n), Lanes4(n_axis), pack(u), pack(v));
     const auto bed = four([&] { return random.chance(0.3); });
-    const auto reach4 = cone4.reach(pack(tau), ray4.direction.z, pack_mask(bed));
+    const auto first = four([&] { return random.chance(0.5); });
+    const auto reach4 = cone4.reach(pack_mask(first), pack(tau), ray4.direction.z, pack_mask(bed));
     const auto over4 = cone4.over_reach(pack(tau), ray4.direction.z, pack_mask(bed));
     const auto longer4 = cone4.longer_free_path(ray4.direction.z);
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto ray = draw_entry(cone, n, n_axis, u[i], v[i]);
       expect_same_fields(ray4, i, ray);
-      expect_same(reach4[i], cone.reach(tau[i], ray.direction.z, bed[i]), "reach");
+      expect_same(reach4[i], cone.reach(first[i], tau[i], ray.direction.z, bed[i]), "reach");
       expect_same(over4[i], cone.over_reach(tau[i], ray.direction.z, bed[i]), "over reach");
       expect_same(longer4[i], cone.longer_free_path(ray.direction.z), "longer");
     }

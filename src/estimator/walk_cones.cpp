@@ -1,0 +1,66 @@
+#include "estimator/walk_cones.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "estimator/origin.hpp"
+#include "estimator/strategies.hpp"
+
+namespace photic::estimator {
+namespace {
+
+/// Where a view is many times as wide as the part of the sea that sends light back, a share of the
+/// telescope's walks is aimed at that part: the laser's spot, and what scattering in the water adds
+/// to it [m]. The numbers were tried (docs/decisions/0042).
+constexpr double aimed_share = 0.8, scattered_aside = 12, narrowest_of_view = 0.2;
+
+/// The half angle about a telescope's axis that holds that part; pi if there is none [rad].
+double half_angle_of_light(const scene::Source& source, const scene::Telescope& telescope) {
+  const auto beam = normalised(source.direction), axis = normalised(telescope.direction);
+  if (source.position_m.z <= 0 || telescope.position_m.z <= 0 || beam.z >= 0 || axis.z >= 0)
+    return pi;
+  const double way = source.position_m.z / -beam.z;
+  const auto to_spot = source.position_m + way * beam - telescope.position_m;
+  const double distance = length(to_spot);
+  const double radius =
+      (source.diameter_m / 2 + way * std::tan(source.half_divergence_mrad * 1e-3)) / -beam.z +
+      scattered_aside;
+  return std::acos(std::min(1.0, dot(to_spot, axis) / distance)) + std::atan(radius / distance);
+}
+
+std::vector<InnerCone> aimed_at_light(const scene::Scene& scene,
+                                      const scene::Telescope& telescope) {
+  const double half_angle = half_angle_of_light(scene.source, telescope);
+  if (half_angle > narrowest_of_view * half_view(telescope)) return {};
+  return {{half_angle, aimed_share}};
+}
+
+}  // namespace
+
+WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, double deepest) {
+  const scene::Simulation& asked = scene.simulation;
+  const auto strategies = make_strategies(scene, medium);
+  const auto meetings = [&](const Strategy& free, const std::optional<double>& per_metre) {
+    const bool has_any = asked.estimator == scene::Estimator::bidirectional && free.used;
+    return has_any ? per_metre.value_or(0) : 0;
+  };
+  WalkCones out;
+  out.free_laser = meetings(strategies.free_laser, asked.free_laser_meetings);
+  out.free_telescope = meetings(strategies.free_telescope, asked.free_telescope_meetings);
+  const Vec3<double> origin = origin_of(scene.source);
+  const auto source = from_origin(scene.source, origin);
+  out.laser =
+      out.free_laser > 0 ? entry_cone(source, medium, deepest) : cone_of_own_rays(source, medium);
+  for (const auto& t : scene.telescope) {
+    const auto telescope = from_origin(t, origin);
+    const auto inner = out.free_laser > 0 ? aimed_at_light(scene, t) : std::vector<InnerCone>{};
+    const auto cone = entry_cone(telescope, medium, deepest, inner);
+    out.telescope.push_back(out.free_telescope > 0 && cone.by_depth
+                                ? cone
+                                : cone_of_own_rays(telescope, medium, inner));
+  }
+  return out;
+}
+
+}  // namespace photic::estimator

@@ -1,0 +1,22 @@
+// The cones in which the walks of a scene begin: those of free walks, or the instruments' own rays.
+#pragma once
+
+#include <vector>
+
+#include "estimator/entry_cone.hpp"
+#include "medium/medium.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::estimator {
+
+/// Their places are told from the origin.
+struct WalkCones {
+  EntryCone<double> laser;
+  std::vector<EntryCone<double>> telescope;
+  double free_laser = 0, free_telescope = 0;  ///< two rays of free walks meet so often [1/m]
+};
+
+/// `deepest`: of the water that counts [m].
+WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, double deepest);
+
+}  // namespace photic::estimator

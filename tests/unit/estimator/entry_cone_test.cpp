@@ -1,0 +1,64 @@
+// The directions in which walks begin.
+#include "estimator/entry_cone.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "estimator/bidirectional/birth.hpp"
+#include "instrument/laser.hpp"
+#include "unit/estimator/lidars.hpp"
+#include "unit/transport/sea.hpp"
+
+namespace photic::estimator {
+namespace {
+
+/// Of equally spaced uniforms, as many as are drawn in a cone.
+constexpr int draws = 100000;
+
+// Each cone gets its share, and what the wider ones lay into it: evenly, so as much as the density
+// tells. Seen red: with the shares of two cones changed for each other; with the solid angle of the
+// ring beyond.
+TEST(EntryCone, GivesNarrowerConesTheirShares) {
+  const auto sea = transport::make_sea(40);
+  const V down{0, 0, -1}, aside{0.3, 0.2, -1}, in_air{0, 0, 10}, in_water{0, 0, -4};
+  const std::vector<InnerCone> inner{{0.3, 0.5}, {0.02, 0.2}};
+  for (const auto& [place, direction] :
+       {std::pair{in_air, down}, {in_air, aside}, {in_water, down}}) {
+    for (const bool free : {true, false}) {
+      const auto telescope = telescope_at(place, direction);
+      const auto cone =
+          free ? entry_cone(telescope, sea, 40, inner) : cone_of_own_rays(telescope, sea, inner);
+      ASSERT_EQ(cone.rings, 3U);
+      const double widest = cone.one_minus_cos();
+      for (std::size_t k = 0; k < cone.rings; ++k) {
+        const double x = cone.ring[k].one_minus_cos;
+        const double from_wider = 0.3 * x / widest,
+                     from_wide = 0.5 * std::min(1.0, x / cone.ring[1].one_minus_cos);
+        int within = 0;
+        for (int i = 0; i < draws; ++i) within += cone.draw((i + 0.5) / draws) < x;
+        EXPECT_NEAR(within, draws * (from_wider + from_wide + 0.2), 2);
+        const double inner_x = k > 0 ? cone.ring[k - 1].one_minus_cos : 0;
+        const double in_ring = 2 * pi * (x - inner_x) / cone.solid_angle_at((x + inner_x) / 2);
+        EXPECT_NEAR(in_ring, cone.ring[k].up_to - (k > 0 ? cone.ring[k - 1].up_to : 0), 1e-12);
+      }
+      EXPECT_NEAR(cone.draw(1), widest, 1e-12);
+    }
+  }
+}
+
+// Seen red: with their light sent down.
+TEST(EntryCone, OfParallelRaysThatLookAwayLightNothing) {
+  const auto sea = transport::make_sea(40);
+  auto source = laser_at({0, 0, 10}, {0.1, 0, 1});
+  source.half_divergence_mrad = 0;
+  const auto laser = instrument::make_laser<double>(source);
+  const auto birth =
+      birth_at_collimated_laser(sea.view(), laser, {true, 0}, cone_of_own_rays(source, sea),
+                                sea.line[0].refractive_index, 0.3, 0.6);
+  EXPECT_FALSE(birth.exists);
+}
+
+}  // namespace
+}  // namespace photic::estimator
