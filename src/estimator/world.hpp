@@ -51,12 +51,15 @@ struct ViewGroup {
     Index<T> telescope{};
     T detector_radius{};  ///< [m]
   };
-  std::size_t widest = 0;          ///< telescope that sees what any of them sees
+  std::size_t number = 0;  ///< of the widest, which sees what any of them sees
+  instrument::Telescope<T> widest;
+  geometry::Region<T> region;
+  double path_to_origin = 0;
   std::vector<Narrower> narrower;  ///< the others, from wide to narrow
 
   /// The narrowest telescope that sees light which the widest one sees.
   [[nodiscard]] Index<T> narrowest(const instrument::Sight<T>& sight) const {
-    Index<T> telescope(static_cast<std::int32_t>(widest));
+    Index<T> telescope(static_cast<std::int32_t>(number));
     for (const Narrower& view : narrower) {
       const Mask<T> sees = sight.falls_within(view.detector_radius);
       if (!any(sees)) break;
@@ -232,7 +235,12 @@ void add_receivers(const medium::Medium& medium, World<T>& world) {
 template <class T>
 void add_groups(const scene::Scene& scene, World<T>& world) {
   for (const NestedViews& views : nested_views(scene)) {
-    ViewGroup<T> group{views.back(), {}};
+    const std::size_t widest = views.back();
+    ViewGroup<T> group{widest,
+                       world.telescopes[widest],
+                       world.telescope_region[widest],
+                       world.path_to_origin[widest],
+                       {}};
     for (std::size_t i = views.size() - 1; i-- > 0;)
       group.narrower.push_back({Index<T>(static_cast<std::int32_t>(views[i])),
                                 world.telescopes[views[i]].detector_radius});
@@ -295,7 +303,7 @@ World<T> make_world(const Model& model) {
     world.scored_points = static_cast<std::int32_t>(scene::scored_points_in(scene));
   for (std::size_t g = 0; (converts || world.tools.scores_on_the_way) && g < world.groups.size();
        ++g) {
-    const scene::Telescope& widest = scene.telescope[world.groups[g].widest];
+    const scene::Telescope& widest = scene.telescope[world.groups[g].number];
     const View<T> view =
         make_view<T>(instrument::make_telescope<double>(from_origin(widest, origin)), medium,
                      static_cast<std::size_t>(layer(widest)));

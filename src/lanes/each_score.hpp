@@ -84,14 +84,23 @@ class ScoreQueue {
   }
   /// Hands over those who wait.
   void flush(tally::BatchTally& tally) {
+    if (nested_)
+      flush(tally, [this](std::size_t i) { return static_cast<std::size_t>(narrowest_[i]); });
+    else
+      flush(tally, [this](std::size_t) { return telescope_; });
+  }
+  [[nodiscard]] bool nested() const { return nested_; }
+
+ private:
+  template <class TelescopeOf>
+  void flush(tally::BatchTally& tally, TelescopeOf telescope_of) {
     for (std::size_t i = 0; i < waiting_; ++i)
-      tally.score({nested_ ? static_cast<std::size_t>(narrowest_[i]) : telescope_, light_[i],
-                   order_[i], depth_[i], path_to_origin_ + path_[i], value_[i], walked_[i]},
+      tally.score({telescope_of(i), light_[i], order_[i], depth_[i], path_to_origin_ + path_[i],
+                   value_[i], walked_[i]},
                   {gate_[i], cell_[i]});
     waiting_ = 0;
   }
 
- private:
   /// Rounds are long, for each of them throws the photons out of the first cache.
   static constexpr std::size_t lanes = lanes_of<T>, capacity = 128 * lanes;
   template <class Number>

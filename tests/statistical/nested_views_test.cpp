@@ -22,7 +22,7 @@ struct Lidar {
   double shift_m;         ///< of the detectors
   double narrowest_mrad;  ///< half field of view; the widest is ten times as wide
   std::string channels, gates;
-  double photons, photons_alone;
+  std::size_t settled;  ///< gates, at least, whose errors are small
 };
 
 /// The telescopes from number `first` to below `last`, the wide ones before the narrow ones.
@@ -59,7 +59,7 @@ half_field_of_view_mrad = {3}
 tally::Result only(const tally::Result& all, int telescope) {
   tally::Result one = all;
   const std::size_t cells = all.channels() * all.gates();
-  const auto cut = [&](std::vector<double>& of) {
+  const auto cut = [&](auto& of) {
     of = {of.begin() + static_cast<std::ptrdiff_t>(cells) * telescope,
           of.begin() + static_cast<std::ptrdiff_t>(cells) * (telescope + 1)};
   };
@@ -68,34 +68,32 @@ tally::Result only(const tally::Result& all, int telescope) {
   return one;
 }
 
-/// All of the sixteen in one run against each in a run of its own, at 1 %: by Šidák's inequality no
-/// more than that whatever the views that share light have in common.
-void compare_with_each_alone(const Lidar& lidar, std::size_t least) {
+/// Sixteen in one run against every third of them in a run of its own, at 1 %: by Šidák's
+/// inequality no more than that, whatever views that share their light have in common.
+void compare_with_each_alone(const Lidar& lidar) {
   SCOPED_TRACE(lidar.name);
-  const auto together = run_in_lanes(scene_of(lidar, 0, views, lidar.photons, 5));
+  const auto together = run_in_lanes(scene_of(lidar, 0, views, 8e5, 5));
   ZFamily family(0.01);
   std::size_t settled = 0;
-  for (int i = 0; i < views; ++i)
-    settled += add_settled(family, only(together, i),
-                           run_in_lanes(scene_of(lidar, i, i + 1, lidar.photons_alone, 100 + i)),
-                           fmt::to_string(i));
-  EXPECT_GE(settled, least);
+  for (int i = 0; i < views; i += 3)
+    settled +=
+        add_settled(family, only(together, i),
+                    run_in_lanes(scene_of(lidar, i, i + 1, 4e5, 100 + i)), fmt::to_string(i));
+  EXPECT_GE(settled, lidar.settled);
   family.judge();
 }
 
 // Seen red: TODO
 TEST(NestedViews, OverTheSeaAreEachAsIfAlone) {
   const std::string gates = depth_gates(9, 3);
-  compare_with_each_alone({"upright", 12, 0, 0, 10, channel("elastic"), gates, 4e5, 2e5}, 1);
+  compare_with_each_alone({"upright", 12, 0, 0, 10, channel("elastic"), gates, 18});
   compare_with_each_alone({"tilted and out of focus", 12, 0.1, 0.01, 10,
-                           channel("elastic") + channel("raman"), gates, 4e5, 2e5},
-                          1);
+                           channel("elastic") + channel("raman"), gates, 30});
 }
 TEST(NestedViews, InTheSeaAreEachAsIfAlone) {
   const std::string gates = "[gates]\nrange_min_m = 3.0\nrange_max_m = 9.0\nrange_step_m = 2.0\n";
   compare_with_each_alone({"tilted and out of focus", -1, 0.1, 0.01, 20,
-                           channel("elastic") + channel("raman"), gates, 4e5, 2e5},
-                          1);
+                           channel("elastic") + channel("raman"), gates, 30});
 }
 
 }  // namespace

@@ -141,8 +141,7 @@ struct Estimates {
                 lanes::Queue<T, Sources<T>>({.differ = sources_differ(world)})),
         ratios(static_cast<std::size_t>(world.sea.environments.stride)) {
     for (const ViewGroup<T>& group : world.groups)
-      scores.emplace_back(group.widest, world.path_to_origin[group.widest],
-                          !group.narrower.empty());
+      scores.emplace_back(group.number, group.path_to_origin, !group.narrower.empty());
   }
 
   std::vector<lanes::Queue<T, Sources<T>>> waiting;  ///< of each group of telescopes
@@ -162,7 +161,7 @@ lanes::LaneScores<T> scores_of(const World<T>& world, const ViewGroup<T>& group,
                                const Index<T>& telescope, const Sources<T>& from,
                                const T& path_back, const T& value) {
   return {telescope,
-          world.path_to_origin[group.widest],
+          group.path_to_origin,
           transport::light_of<T>(world.sea, from.line, from.touched),
           from.photon.order + Index<T>(1),
           -from.photon.position.z,
@@ -183,7 +182,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(
   completion.clear();
   completion.ways = estimates.unflown;
   add_way(sea, from.line, photon.layer, T(-photon.position.z), way.direction, way.length_water,
-          world.telescope_region[group.widest], route, completion.ways);
+          group.region, route, completion.ways);
   completion.collide(sea,
                      {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)), from.line,
                       one_minus_cos(photon.direction, way.direction), T(-photon.direction.z)});
@@ -214,17 +213,18 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
     if (!any(seen)) return;
     const T p = scattered_density(world.sea, photon.layer, phase, photon.direction, way.direction);
     const T value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
-    const Index<T> narrowest = group.narrowest(sight);
+    auto& queue = estimates.scores[g];
+    Index<T> telescope(static_cast<std::int32_t>(group.number));
+    if (queue.nested()) telescope = group.narrowest(sight);
     if (compares<Events>(world)) {
-      score_in_environments(world, group, narrowest, seen, from, way, route, value, estimates,
+      score_in_environments(world, group, telescope, seen, from, way, route, value, estimates,
                             tally);
       return;
     }
-    estimates.scores[g].push(seen, scores_of(world, group, narrowest, from, way.path, value),
-                             tally);
+    queue.push(seen, scores_of(world, group, telescope, from, way.path, value), tally);
   };
-  const auto& telescope = world.telescopes[group.widest];
-  const auto& region = world.telescope_region[group.widest];
+  const auto& telescope = group.widest;
+  const auto& region = group.region;
   for (const auto route : geometry::routes_to(region.in_air)) {
     if (world.single_rays) {
       const auto way =
@@ -241,7 +241,7 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
 template <class T>
 Mask<T> near_view(const World<T>& world, std::size_t g, const Vec3<T>& position,
                   const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {
-  const auto& telescope = world.telescopes[world.groups[g].widest];
+  const auto& telescope = world.groups[g].widest;
   return world.single_rays ? transport::may_see(world.sea, telescope, position, line, lens[g])
                            : transport::may_see(world.sea, telescope, position, line);
 }
@@ -300,10 +300,9 @@ void aim_at_telescopes(const World<T>& world, Travellers<T>& at) {
   const Vec3<T>& from = at.photon.position;
   const Index<T>& line = at.photon.line;
   for (std::size_t g = 0; g < world.groups.size(); ++g) {
-    const std::size_t widest = world.groups[g].widest;
-    const auto& telescope = world.telescopes[widest];
+    const auto& telescope = world.groups[g].widest;
     const Vec3<T> to = world.single_rays ? in_space(telescope, at.lens[g]) : telescope.position;
-    const auto& region = world.telescope_region[widest];
+    const auto& region = world.groups[g].region;
     for (const auto route : geometry::routes_to(region.in_air)) {
       if (targets.count == target_capacity) return;
       const auto [direction, in_front] = aim(world.sea, telescope, region, from, line, to, route,
