@@ -88,7 +88,7 @@ template <class T>
 struct Sight {
   Mask<T> on_detector{};  ///< whether a ray is seen
   T cos_off_axis{1};      ///< of the ray outside, to the axis
-  T image_squared{};      ///< of its image's distance from the detector's centre times that [m^2]
+  T image_squared{};      ///< (how far from the axis it falls, times that cosine)^2 [m^2]
 
   /// Whether a ray from ahead falls on a detector of a radius, at the same place.
   Mask<T> falls_within(const T& detector_radius) const {
