@@ -83,7 +83,8 @@ void compare_with_each_alone(const Lidar& lidar) {
   family.judge();
 }
 
-// Seen red: TODO
+// Seen red: with scores not passed to wider views; with the radius of the next wider detector in
+// the place of each one's own.
 TEST(NestedViews, OverTheSeaAreEachAsIfAlone) {
   const std::string gates = depth_gates(9, 3);
   compare_with_each_alone({"upright", 12, 0, 0, 10, channel("elastic"), gates, 18});
