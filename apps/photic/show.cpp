@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "estimator/model.hpp"
+#include "estimator/nested_views.hpp"
 #include "io/netcdf.hpp"
 #include "io/netcdf_variable.hpp"
 #include "io/table_parts.hpp"
@@ -36,10 +37,12 @@ std::string comments(const std::string& head, const std::vector<std::string>& it
   return out;
 }
 
-/// How its paths are drawn, and where every number of the water comes from.
+/// How its paths are drawn, which telescopes share them, and where every number of the water comes
+/// from.
 std::string notes_on(const estimator::Model& model) {
   const tally::Result result = estimator::describe(model);
   return comments("How the bidirectional estimator draws paths", result.strategies) +
+         comments("Telescopes that share their light", estimator::nested_views_told(model.scene)) +
          comments("The optics of this scene and their sources", result.sources);
 }
 

@@ -11,7 +11,7 @@
 
 namespace photic::estimator {
 
-/// Blocks of a photon's event 0, from here on: of the points of the telescopes' lenses.
+/// Blocks of a photon's event 0, from here on: of the points of lenses.
 inline constexpr std::uint32_t lens_block = 1;
 
 /// Blocks from here on hold the keys that scramble the points of a batch; walks draw below.

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/constants.hpp"
+#include "estimator/nested_views.hpp"
 #include "estimator/strategies.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "medium/build.hpp"
@@ -60,6 +61,9 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   if (scene.simulation.estimator == scene::Estimator::bidirectional)
     shape.walked = tally::kinds_of_walked;
   shape.environments = scene.environment.size() + scene.sensitivity.size();
+  shape.wider.resize(shape.telescopes);
+  for (const NestedViews& views : nested_views(scene))
+    for (std::size_t i = 1; i < views.size(); ++i) shape.wider[views[i - 1]] = views[i];
   for (const auto& line : medium.line) {
     std::vector<tally::Counting> counted_by;
     for (std::size_t c = 0; c < line.counted_by.size(); ++c) {

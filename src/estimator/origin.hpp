@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/vec3.hpp"
+#include "estimator/nested_views.hpp"
 #include "geometry/axis.hpp"
 #include "instrument/telescope.hpp"
 #include "scene/scene.hpp"
@@ -58,14 +59,15 @@ struct Deadline {
 };
 
 /// Of the laser's light, of which it has to meet one; `last_path`: the end of the last gate [m].
-/// Points of a tilted lens may be nearer than its centre.
+/// Points of a tilted lens may be nearer than its centre. Those of nested views are the same.
 template <class T>
 std::vector<Deadline<T>> deadlines_at_telescopes(const scene::Scene& scene, double last_path,
                                                  double greatest_index) {
   const double path = last_path - way_ahead(scene.source);
   std::vector<Deadline<T>> deadlines;
   std::optional<double> lowest_in_air;
-  for (const auto& t : scene.telescope) {
+  for (const NestedViews& views : nested_views(scene)) {
+    const scene::Telescope& t = scene.telescope[views.back()];
     const double rise = instrument::lens_rise(t);
     const double z = t.position_m.z;
     if (z < 0) deadlines.push_back(Deadline<T>::to(z, path + greatest_index * rise));

@@ -13,6 +13,7 @@
 #include "estimator/inverse_conversion.hpp"
 #include "estimator/meeting_grid.hpp"
 #include "estimator/model.hpp"
+#include "estimator/nested_views.hpp"
 #include "estimator/origin.hpp"
 #include "estimator/strategies.hpp"
 #include "estimator/view.hpp"
@@ -42,6 +43,31 @@ struct Receiver {
   T last_path{};               ///< of both walks together, at the end of the last gate [m]
   T longest{};                 ///< the same of walks that have not been translated yet [m]
   Deadline<T> deadline{};      ///< of its walks' light, to be at the laser
+};
+
+/// Telescopes that share local estimates: of nested views, or one alone.
+template <class T>
+struct ViewGroup {
+  struct Narrower {
+    Index<T> telescope{};
+    T detector_radius{};  ///< [m]
+  };
+  std::size_t number = 0;  ///< of the widest, which sees what any of them sees
+  instrument::Telescope<T> widest;
+  geometry::Region<T> region;
+  double path_to_origin = 0;
+  std::vector<Narrower> narrower;  ///< the others, from wide to narrow
+
+  /// The narrowest telescope that sees light which the widest one sees.
+  [[nodiscard]] Index<T> narrowest(const instrument::Sight<T>& sight) const {
+    Index<T> telescope(static_cast<std::int32_t>(number));
+    for (const Narrower& view : narrower) {
+      const Mask<T> sees = sight.falls_within(view.detector_radius);
+      if (!any(sees)) break;
+      telescope = select(sees, view.telescope, telescope);
+    }
+    return telescope;
+  }
 };
 
 /// What the forward estimator does beyond the plain walk.
@@ -74,7 +100,8 @@ struct World {
   geometry::Region<T> laser_region;
   std::vector<instrument::Telescope<T>> telescopes;
   std::vector<geometry::Region<T>> telescope_region;
-  std::vector<View<T>> views;               ///< of each telescope; none if nothing is converted
+  std::vector<ViewGroup<T>> groups;         ///< of telescopes: each is in one
+  std::vector<View<T>> views;               ///< of each group; none if nothing is converted
   std::vector<ViewCone<T>> cones;           ///< to choose points in that are scored
   std::vector<double> path_to_origin;       ///< of each telescope, see path_to_origin()
   std::vector<Deadline<T>> deadlines;       ///< one of which the laser's light has to meet
@@ -205,6 +232,23 @@ void add_receivers(const medium::Medium& medium, World<T>& world) {
   }
 }
 
+/// The groups of a scene whose telescopes the world has.
+template <class T>
+void add_groups(const scene::Scene& scene, World<T>& world) {
+  for (const NestedViews& views : nested_views(scene)) {
+    const std::size_t widest = views.back();
+    ViewGroup<T> group{widest,
+                       world.telescopes[widest],
+                       world.telescope_region[widest],
+                       world.path_to_origin[widest],
+                       {}};
+    for (std::size_t i = views.size() - 1; i-- > 0;)
+      group.narrower.push_back({Index<T>(static_cast<std::int32_t>(views[i])),
+                                world.telescopes[views[i]].detector_radius});
+    world.groups.push_back(std::move(group));
+  }
+}
+
 /// How many receivers a model has.
 inline std::size_t count_receivers(const Model& model) {
   World<double> world;
@@ -248,6 +292,7 @@ World<T> make_world(const Model& model) {
     world.path_to_origin.push_back(path_to_origin(scene.source, from_origin(t, origin)));
     world.telescope_region.push_back(region(t));
   }
+  add_groups(scene, world);
   const bool converts = medium.line.size() > 1;
   const scene::Tools& tools = scene.simulation.tools;
   const bool connects = world.estimator == scene::Estimator::bidirectional;
@@ -257,11 +302,12 @@ World<T> make_world(const Model& model) {
   world.all_events = world.compares || tools.any();
   if (!world.tools.scores_on_the_way)
     world.scored_points = static_cast<std::int32_t>(scene::scored_points_in(scene));
-  for (std::size_t t = 0;
-       (converts || world.tools.scores_on_the_way) && t < world.telescopes.size(); ++t) {
+  for (std::size_t g = 0; (converts || world.tools.scores_on_the_way) && g < world.groups.size();
+       ++g) {
+    const scene::Telescope& widest = scene.telescope[world.groups[g].number];
     const View<T> view =
-        make_view<T>(instrument::make_telescope<double>(from_origin(scene.telescope[t], origin)),
-                     medium, static_cast<std::size_t>(layer(scene.telescope[t])));
+        make_view<T>(instrument::make_telescope<double>(from_origin(widest, origin)), medium,
+                     static_cast<std::size_t>(layer(widest)));
     world.cones.push_back(view.cone);
     if (converts) world.views.push_back(view);
   }
@@ -299,7 +345,7 @@ World<T> make_world(const Model& model) {
   const Strategies strategies = make_strategies(scene, medium);
   world.rotates = strategies.rotated.used;
   world.rotates_scattered = strategies.rotated_scattered.used;
-  const bool one_way = world.telescopes.size() == 1 && world.telescope_region.front().in_air;
+  const bool one_way = world.groups.size() == 1 && world.telescope_region.front().in_air;
   world.makes_choices = (world.directs && !one_way) || medium.line.size() > 1;
   if (connects) world.walks = static_cast<std::size_t>(scene.simulation.walks);
   world.most_vertices = most_vertices;

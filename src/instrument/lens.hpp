@@ -88,6 +88,13 @@ template <class T>
 struct Sight {
   Mask<T> on_detector{};  ///< whether a ray is seen
   T cos_off_axis{1};      ///< of the ray outside, to the axis
+  T image_squared{};      ///< (how far from the axis it falls, times that cosine)^2 [m^2]
+
+  /// Whether a ray from ahead falls on a detector of a radius, at the same place.
+  Mask<T> falls_within(const T& detector_radius) const {
+    const T radius = detector_radius * cos_off_axis;
+    return image_squared < radius * radius;
+  }
 };
 
 /// Rays of a tilted lens that are flatter, by their cosine to the vertical, are not translated:
@@ -160,8 +167,8 @@ Sight<T> sight(const Telescope<T>& telescope, const PlanePoint<T>& p, const Vec3
       T(0) - telescope.detector_distance * telescope.per_sharp_range * seen.cos_off_axis;
   const T x = p.x * from_lens + telescope.detector_distance * dot(arriving, telescope.across);
   const T y = p.y * from_lens + telescope.detector_distance * dot(arriving, telescope.up);
-  const T radius = telescope.detector_radius * seen.cos_off_axis;
-  seen.on_detector = in_front & (x * x + y * y < radius * radius);
+  seen.image_squared = x * x + y * y;
+  seen.on_detector = in_front & seen.falls_within(telescope.detector_radius);
   return seen;
 }
 

@@ -12,10 +12,10 @@
 
 namespace photic::lanes {
 
-/// Scores in one telescope, one in each lane; as tally::Score.
+/// Scores in telescopes at one place, one in each lane; as tally::Score.
 template <class T>
 struct LaneScores {
-  std::size_t telescope = 0;
+  Index<T> telescope{};
   double path_to_origin = 0;  ///< what the paths are short of (estimator/world.hpp) [m]
   Index<T> light{}, order{};
   T depth{}, path{}, value{};
@@ -36,25 +36,26 @@ void each_score(const tally::BatchTally& tally, const Mask<T>& mask, const LaneS
   const auto wide_path = whole_path(scores), wide_depth = to_double(scores.depth);
   const auto places = tally.places(wide_path, wide_depth);
   const auto gates = each_lane(places.gate), cells = each_lane(places.depth);
+  const auto telescopes = each_lane(scores.telescope);
   const auto lights = each_lane(scores.light), orders = each_lane(scores.order);
   const auto depths = each_lane(wide_depth), paths = each_lane(wide_path),
              values = each_lane(to_double(scores.value));
   for_each_lane(mask, [&](int lane) {
     const auto i = static_cast<std::size_t>(lane);
     act(i,
-        tally::Score{scores.telescope, lights[i], orders[i], depths[i], paths[i], values[i],
-                     scores.walked},
+        tally::Score{static_cast<std::size_t>(telescopes[i]), lights[i], orders[i], depths[i],
+                     paths[i], values[i], scores.walked},
         tally::Places<std::int32_t>{gates[i], cells[i]});
   });
 }
 
-/// Where scores in one telescope wait for each other: a tally takes many at once, one by one, and
-/// packs do not wait for it.
+/// Where scores in one telescope, or in those with `nested` views, wait for each other: a tally
+/// takes many at once, one by one, and packs do not wait for it.
 template <class T>
 class ScoreQueue {
  public:
-  ScoreQueue(std::size_t telescope, double path_to_origin)
-      : telescope_(telescope), path_to_origin_(path_to_origin) {}
+  ScoreQueue(std::size_t telescope, double path_to_origin, bool nested = false)
+      : telescope_(telescope), path_to_origin_(path_to_origin), nested_(nested) {}
 
   /// Adds the lanes of a mask; hands all to the tally when the queue is full.
   void push(const Mask<T>& mask, const LaneScores<T>& scores, tally::BatchTally& tally) {
@@ -62,11 +63,12 @@ class ScoreQueue {
     const auto places = tally.places(path, to_double(scores.depth));
     if constexpr (lanes == 1) {
       if (mask)
-        tally.score({telescope_, scores.light, scores.order, scores.depth, path, scores.value,
-                     scores.walked},
+        tally.score({static_cast<std::size_t>(scores.telescope), scores.light, scores.order,
+                     scores.depth, path, scores.value, scores.walked},
                     places);
     } else {
       const std::size_t at = waiting_;
+      if (nested_) compress(mask, scores.telescope, &narrowest_[at]);
       compress(mask, scores.light, &light_[at]);
       compress(mask, scores.order, &order_[at]);
       compress(mask, scores.depth, &depth_[at]);
@@ -82,14 +84,23 @@ class ScoreQueue {
   }
   /// Hands over those who wait.
   void flush(tally::BatchTally& tally) {
+    if (nested_)
+      flush(tally, [this](std::size_t i) { return static_cast<std::size_t>(narrowest_[i]); });
+    else
+      flush(tally, [this](std::size_t) { return telescope_; });
+  }
+  [[nodiscard]] bool nested() const { return nested_; }
+
+ private:
+  template <class TelescopeOf>
+  void flush(tally::BatchTally& tally, TelescopeOf telescope_of) {
     for (std::size_t i = 0; i < waiting_; ++i)
-      tally.score({telescope_, light_[i], order_[i], depth_[i], path_to_origin_ + path_[i],
+      tally.score({telescope_of(i), light_[i], order_[i], depth_[i], path_to_origin_ + path_[i],
                    value_[i], walked_[i]},
                   {gate_[i], cell_[i]});
     waiting_ = 0;
   }
 
- private:
   /// Rounds are long, for each of them throws the photons out of the first cache.
   static constexpr std::size_t lanes = lanes_of<T>, capacity = 128 * lanes;
   template <class Number>
@@ -97,6 +108,8 @@ class ScoreQueue {
 
   std::size_t telescope_;
   double path_to_origin_;
+  bool nested_;
+  Column<std::int32_t> narrowest_{};  ///< telescope that sees a score; of nested views
   Column<std::int32_t> light_{}, order_{}, gate_{}, cell_{};
   Column<tally::Walked> walked_{};
   Column<Element<T>> depth_{}, path_{}, value_{};

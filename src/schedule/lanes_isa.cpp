@@ -48,12 +48,12 @@ class ForwardLanes final : public Simulator {
   explicit ForwardLanes(const estimator::Model& model)
       : world_(estimator::make_world<Lanes>(model)) {}
 
-  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
+ private:
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     pools_.lend([&] { return std::make_unique<Pool<Lanes>>(world_); },
                 [&](auto& pool) { pool.run(first, count, tally, [](const auto&...) {}); });
   }
 
- private:
   estimator::World<Lanes> world_;
   mutable Spares<Pool<Lanes>> pools_;
 };
@@ -63,12 +63,12 @@ class BidirectionalLanes final : public Simulator {
   explicit BidirectionalLanes(const estimator::Model& model)
       : world_(estimator::make_world<Lanes>(model)) {}
 
-  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
+ private:
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     walks_.lend([&] { return std::make_unique<Walks>(world_, at_once()); },
                 [&](auto& walks) { walks.run(first, count, tally); });
   }
 
- private:
   using Walks = estimator::Bidirectional<Lanes, lanes::LaneLedger<Lanes>>;
   /// Sets of walks at once: so many that few packs are partly empty, and all stay in the second
   /// cache; fewer where many environments would take more memory than that.
@@ -89,12 +89,12 @@ class AnalogLanes final : public Simulator {
   explicit AnalogLanes(const estimator::Model& model)
       : world_(estimator::make_world<Lanes>(model)) {}
 
-  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
+ private:
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     estimator::Analog<Lanes, lanes::LaneLedger<Lanes>>(world_).run(first, count, tally,
                                                                    [](const auto&...) {});
   }
 
- private:
   estimator::World<Lanes> world_;
 };
 

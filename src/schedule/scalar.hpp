@@ -20,7 +20,8 @@ class ScalarSimulator final : public Simulator {
   explicit ScalarSimulator(const estimator::Model& model)
       : world_(estimator::make_world<T>(model)) {}
 
-  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
+ private:
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     switch (world_.estimator) {
       case scene::Estimator::automatic:  // left open: as forward
       case scene::Estimator::forward:
@@ -33,7 +34,6 @@ class ScalarSimulator final : public Simulator {
     }
   }
 
- private:
   void forward(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const {
     estimator::Travellers<T> photon(world_);
     estimator::PathRatios<T> paths(world_.sea.environments, 1);

@@ -16,9 +16,15 @@ class Simulator {
   Simulator& operator=(const Simulator&) = delete;
   virtual ~Simulator() = default;
 
-  /// Adds photons `first` … `first + count - 1` to a tally.
-  virtual void simulate(std::uint64_t first, std::uint64_t count,
-                        tally::BatchTally& tally) const = 0;
+  /// Fills a clear tally with photons `first` … `first + count - 1`.
+  void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const {
+    run(first, count, tally);
+    tally.pass_to_wider();
+  }
+
+ private:
+  /// Of nested views the narrowest that sees light scores it.
+  virtual void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const = 0;
 };
 
 }  // namespace photic::schedule

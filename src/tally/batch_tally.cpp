@@ -2,9 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace photic::tally {
+namespace {
+
+/// Adds the `size` sums of a cell to those of another one.
+void add_sums(ZeroedVector<double>& sums, std::size_t from, std::size_t to, std::size_t size) {
+  for (std::size_t k = 0; k < size; ++k) sums[to * size + k] += sums[from * size + k];
+}
+
+}  // namespace
+
+void CellScores::add(const CellScores& others) {
+  largest = std::max(largest, others.largest);
+  cut_order += others.cut_order;
+  scores += others.scores;
+  for (std::size_t kind = 0; kind < count.size(); ++kind)
+    std::ranges::transform(count[kind], others.count[kind], count[kind].begin(), std::plus());
+}
+
+void EnvironmentScores::add(const EnvironmentScores& others) {
+  for (const auto member :
+       {&EnvironmentScores::echo, &EnvironmentScores::difference, &EnvironmentScores::squares,
+        &EnvironmentScores::fourths, &EnvironmentScores::squares_of_differences,
+        &EnvironmentScores::fourths_of_differences})
+    std::ranges::transform(this->*member, others.*member, (this->*member).begin(), std::plus());
+  std::ranges::transform(largest, others.largest, largest.begin(),
+                         [](double a, double b) { return std::max(a, b); });
+}
 
 BatchTally::BatchTally(const Shape& shape, const Gates& gates)
     : rests(shape.rows()),
@@ -33,13 +60,48 @@ BatchTally::BatchTally(const Shape& shape, const Gates& gates)
       light.counting.push_back({shape.cell(0, static_cast<std::size_t>(channel), 0), share});
     if (decay != nullptr && !decay->at_once()) light.decay = decay;
   }
+  for (std::size_t t = 0; t < shape.wider.size(); ++t) {
+    if (std::ranges::find(shape.wider, t) != shape.wider.end()) continue;
+    for (std::size_t from = t; shape.wider[from]; from = *shape.wider[from])
+      passes_.push_back({from, *shape.wider[from]});
+  }
 }
 
 bool BatchTally::wants(std::size_t telescope, std::int32_t line) const {
   const auto& counting = shape_->channels_of_line[static_cast<std::size_t>(line)];
-  return std::ranges::any_of(counting, [&](const Counting& c) {
+  const bool own = std::ranges::any_of(counting, [&](const Counting& c) {
     return !rests[telescope * shape_->channels + static_cast<std::size_t>(c.channel)];
   });
+  return own || std::ranges::any_of(passes_, [&](const Pass& pass) {
+           return pass.to == telescope && wants(pass.from, line);
+         });
+}
+
+void BatchTally::pass_to_wider() {
+  for (const Pass& pass : passes_) {
+    const std::size_t first = pass.from * cells_of_telescope_;
+    for (std::size_t i = 0, known = touched_cells.size(); i < known; ++i) {
+      const std::size_t of_telescope = touched_cells[i] - first;  // wraps around below the first
+      if (of_telescope < cells_of_telescope_)
+        add_cell(touched_cells[i], pass.to * cells_of_telescope_ + of_telescope);
+    }
+  }
+}
+
+void BatchTally::add_cell(std::size_t from, std::size_t to) {
+  if (!cells[to].touched()) touched_cells.push_back(static_cast<std::uint32_t>(to));
+  cells[to].add(cells[from]);
+  add_sums(by_order, from, to, orders_);
+  add_sums(by_process, from, to, processes_);
+  for (std::size_t g = 0; g < environment_groups; ++g)
+    environment[to * environment_groups + g].add(environment[from * environment_groups + g]);
+  for (std::size_t d = 0; d < depths_; ++d) {
+    const double more = by_depth[from * depths_ + d];
+    if (more == 0) continue;
+    const std::size_t k = to * depths_ + d;
+    if (by_depth[k] == 0) touched_depths.push_back(static_cast<std::uint32_t>(k));
+    by_depth[k] += more;
+  }
 }
 
 void BatchTally::clear() {

@@ -42,6 +42,7 @@ struct CellScores {
     ++scores;
     ++count[kind_of(walked)][static_cast<std::size_t>(score_octave(value))];
   }
+  void add(const CellScores& others);
 };
 
 /// One contribution of a collision to a telescope, of one light.
@@ -90,6 +91,7 @@ struct EnvironmentScores {
       fourths_of_differences[e] += change * change * (change * change);
     }
   }
+  void add(const EnvironmentScores& others);
 };
 
 class BatchTally {
@@ -126,10 +128,13 @@ class BatchTally {
       });
     });
   }
+  /// At the end of a batch: gives what each telescope has scored to all whose views hold its own.
+  /// Light that several see is scored in the narrowest of them.
+  void pass_to_wider();
   void clear();
 
   std::vector<bool> rests;  ///< [row] whose scores are not asked for
-  /// Whether any channel of a telescope asks for the light of a line.
+  /// Whether any channel of a telescope asks for the light of a line, or of one within its view.
   [[nodiscard]] bool wants(std::size_t telescope, std::int32_t line) const;
 
   // Sums over the batch. The echo of a cell is the sum of by_order over its orders.
@@ -179,6 +184,12 @@ class BatchTally {
     for (const auto& [first_cell, share] : light_[static_cast<std::size_t>(s.light)].counting)
       act(at + first_cell, share);
   }
+  /// A telescope's scores are added to those of the next wider one.
+  struct Pass {
+    std::size_t from = 0, to = 0;
+  };
+  /// Adds all that a cell has to another one.
+  void add_cell(std::size_t from, std::size_t to);
   /// Adds a share of a score to a cell. Tells whether its echo has it.
   bool add(const Score& s, std::int32_t depth, std::size_t cell, double share);
 
@@ -186,6 +197,7 @@ class BatchTally {
   const Gates* gates_;
   std::size_t orders_, processes_, depths_, cells_of_telescope_;
   std::vector<Light> light_;       ///< [light]
+  std::vector<Pass> passes_;       ///< from narrow views to wide ones
   std::int32_t last_order_;        ///< beyond it scores are cut off
   std::vector<GateShare> shares_;  ///< of the last score that was not emitted at once
 };

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "tally/decay.hpp"
@@ -28,6 +29,8 @@ struct Shape {
   std::vector<Decay> decay_of_line;          ///< empty if all lines are emitted at once
   std::int32_t max_order = 0;                ///< 0: none; order max_order + 1 is what is cut off
   double depth_min = 0, per_depth_step = 1;  ///< of the depths, if there are any
+  /// Of each telescope the next wider one, whose view holds its own; empty if no views nest.
+  std::vector<std::optional<std::size_t>> wider;
 
   /// Rows of gates: a channel of a telescope each.
   [[nodiscard]] std::size_t rows() const { return telescopes * channels; }

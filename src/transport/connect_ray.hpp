@@ -16,17 +16,23 @@ T longer_in_air(const instrument::Telescope<T>& telescope, const geometry::Sight
   return way.to.in_air ? longer_way(telescope, way.crossing, lens, way.length_air) : T(0);
 }
 
+/// A connection to one point of the lens.
+template <class T>
+struct RayConnection : Connection<T> {
+  instrument::Sight<T> sight;
+};
+
 /// As connect() gives it, for a lens all of which is at one of its points. `near_view`: whether
 /// may_see(); nothing is seen elsewhere.
 template <class T>
-Connection<T> connect_ray(const geometry::Slabs& sea, const instrument::Telescope<T>& telescope,
-                          const geometry::Region<T>& region, const Photon<T>& at,
-                          const Index<T>& line, const instrument::PlanePoint<T>& lens,
-                          geometry::Route route, const Mask<T>& near_view) {
+RayConnection<T> connect_ray(const geometry::Slabs& sea, const instrument::Telescope<T>& telescope,
+                             const geometry::Region<T>& region, const Photon<T>& at,
+                             const Index<T>& line, const instrument::PlanePoint<T>& lens,
+                             geometry::Route route, const Mask<T>& near_view) {
   const auto way = geometry::sightline(sea, at.position, line, in_space(telescope, lens), region,
                                        route, near_view);
-  const auto seen = sight(telescope, lens, way.arriving);
-  Connection<T> connection;
+  RayConnection<T> connection;
+  const auto& seen = connection.sight = sight(telescope, lens, way.arriving);
   connection.direction = way.direction;
   const Mask<T> detected = way.exists & seen.on_detector;
   if (!any(detected)) return connection;

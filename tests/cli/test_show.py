@@ -1,6 +1,7 @@
 """photic check and photic show."""
 
 import json
+import re
 
 import pytest
 
@@ -69,6 +70,20 @@ def test_show_writes_a_scene_that_reads_back_the_same(photic, scene, tmp_path):
     assert photic("check", "again.toml").stdout == "again.toml: no problems\n"
     assert photic("show", "again.toml").stdout == shown.stdout
     assert photic("show", "again.toml", "--json").stdout == photic("show", "quick.toml", "--json").stdout
+
+
+def test_show_tells_which_telescopes_share_their_light(photic, scene):
+    """Seen red: with what is told left out."""
+    head = "# Telescopes that share their light:\n"
+    assert head not in photic("show", "quick.toml").stdout
+    text = scene.read_text()
+    telescope = text[text.index("[[telescope]]") :].split("\n[", 1)[0]
+    narrow = re.sub("detector_diameter_m = .*", "detector_diameter_m = 0.001", telescope)
+    assert narrow != telescope
+    scene.write_text(f"{text}\n{narrow}\nname = \"narrow\"\n")
+    told = photic("show", "quick.toml").stdout
+    assert head + "#   telescopes narrow and telescope0 see one inside the other: one estimate serves all\n" in told
+    assert head not in photic("show", "quick.toml", "--set", "simulation.reception=overlap").stdout
 
 
 def test_show_of_a_result_is_the_scene_that_ran(photic, scene):

@@ -44,7 +44,7 @@ void detect(const World<T>& world, const transport::Photon<T>& photon, const Ind
     if (!any(seen)) continue;
     const T way = in_air ? longer_way(telescope, photon.position, point, distance)
                          : T(distance * gather<T>(world.sea.group_index, photon.line));
-    const lanes::LaneScores<T> scores{t,
+    const lanes::LaneScores<T> scores{Index<T>(static_cast<std::int32_t>(t)),
                                       world.path_to_origin[t],
                                       transport::light_of<T>(world.sea, photon.line, touched),
                                       photon.order,

@@ -263,7 +263,7 @@ class Connections {
           select(path.met_on_bed, Index<T>(static_cast<std::int32_t>(transport::Touched::bed)),
                  laser_.touched(pairing.laser, path.of_laser) |
                      back_.touched(pairing.back, path.of_telescope));
-    return {receiver_.telescope,
+    return {Index<T>(static_cast<std::int32_t>(receiver_.telescope)),
             world_.path_to_origin[receiver_.telescope],
             transport::light_of<T>(sea_, back_.line(pairing.back), touched),
             path.order,

@@ -31,12 +31,12 @@ using Targets = transport::Targets<T, target_capacity>;
 template <class T>
 struct Travellers : Track<T> {
   explicit Travellers(const World<T>& world)
-      : place{world.key, {}, {}}, lens(world.single_rays ? world.telescopes.size() : 0) {}
+      : place{world.key, {}, {}}, lens(world.single_rays ? world.groups.size() : 0) {}
 
   RandomPlace<T> place;
   Index<T> spectral_bin{};                      ///< in which lines it emits
-  std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each telescope's lens that takes
-                                                ///< part in local estimates of single rays
+  std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each group's lens that takes part
+                                                ///< in local estimates of single rays
   Ratios<T> ratios;                             ///< of their weights in environments
 
   // Of the event:
@@ -137,15 +137,15 @@ Emission<T> emission(const medium::MediumView& sea, const Sources<T>& from) {
 template <class T>
 struct Estimates {
   explicit Estimates(const World<T>& world)
-      : waiting(world.telescopes.size(),
+      : waiting(world.groups.size(),
                 lanes::Queue<T, Sources<T>>({.differ = sources_differ(world)})),
         ratios(static_cast<std::size_t>(world.sea.environments.stride)) {
-    for (std::size_t t = 0; t < world.telescopes.size(); ++t)
-      scores.emplace_back(t, world.path_to_origin[t]);
+    for (const ViewGroup<T>& group : world.groups)
+      scores.emplace_back(group.number, group.path_to_origin, !group.narrower.empty());
   }
 
-  std::vector<lanes::Queue<T, Sources<T>>> waiting;  ///< of each telescope
-  std::vector<lanes::ScoreQueue<T>> scores;          ///< in each telescope
+  std::vector<lanes::Queue<T, Sources<T>>> waiting;  ///< of each group of telescopes
+  std::vector<lanes::ScoreQueue<T>> scores;          ///< in each group
 
   // Of the light that is scored, in environments.
   PathRatios<T>* paths = nullptr;
@@ -155,12 +155,13 @@ struct Estimates {
   std::vector<Element<T>> ratios;  ///< of one lane, [environment]
 };
 
-/// Scores in a telescope of light that leaves collisions.
+/// Scores in telescopes of a group of light that leaves collisions.
 template <class T>
-lanes::LaneScores<T> scores_of(const World<T>& world, std::size_t telescope, const Sources<T>& from,
+lanes::LaneScores<T> scores_of(const World<T>& world, const ViewGroup<T>& group,
+                               const Index<T>& telescope, const Sources<T>& from,
                                const T& path_back, const T& value) {
   return {telescope,
-          world.path_to_origin[telescope],
+          group.path_to_origin,
           transport::light_of<T>(world.sea, from.line, from.touched),
           from.photon.order + Index<T>(1),
           -from.photon.position.z,
@@ -169,25 +170,23 @@ lanes::LaneScores<T> scores_of(const World<T>& world, std::size_t telescope, con
 }
 
 /// Scores the lanes of a mask in environments, too: light that leaves a collision and goes straight
-/// to a telescope.
+/// to telescopes of a group.
 template <class T>
-PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, std::size_t t,
-                                                       Mask<T> seen, Sources<T> from,
-                                                       transport::Connection<T> way,
-                                                       geometry::Route route, T value,
-                                                       Estimates<T>& estimates,
-                                                       tally::BatchTally& tally) {
+PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(
+    const World<T>& world, const ViewGroup<T>& group, Index<T> telescope, Mask<T> seen,
+    Sources<T> from, transport::Connection<T> way, geometry::Route route, T value,
+    Estimates<T>& estimates, tally::BatchTally& tally) {
   const geometry::Slabs& sea = world.sea;
   const transport::Photon<T>& photon = from.photon;
   auto& completion = estimates.completion;
   completion.clear();
   completion.ways = estimates.unflown;
   add_way(sea, from.line, photon.layer, T(-photon.position.z), way.direction, way.length_water,
-          world.telescope_region[t], route, completion.ways);
+          group.region, route, completion.ways);
   completion.collide(sea,
                      {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)), from.line,
                       one_minus_cos(photon.direction, way.direction), T(-photon.direction.z)});
-  lanes::each_score(tally, seen, scores_of(world, t, from, way.path, value),
+  lanes::each_score(tally, seen, scores_of(world, group, telescope, from, way.path, value),
                     [&](std::size_t lane, const tally::Score& score, const auto& at) {
                       const std::size_t path = estimates.first + lane;
                       tally.not_finite += complete<T>(
@@ -198,54 +197,61 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(const World<T>& world, st
                     });
 }
 
-/// Scores light in one telescope: weight before the collision x share of the process x phase
-/// function x acceptance x exp(-optical depth back at the emitted wavelength) (docs/theory.md, "The
-/// local estimate").
+/// Scores light in the telescopes of a group: weight before the collision x share of the process x
+/// phase function x acceptance x exp(-optical depth back at the emitted wavelength)
+/// (docs/theory.md, "The local estimate").
 template <class Events, class T>
-void score_in(const World<T>& world, std::size_t t, const Sources<T>& from, const Mask<T>& mask,
+void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, const Mask<T>& mask,
               tally::BatchTally& tally, Estimates<T>& estimates) {
   using namespace transport;
   const Photon<T>& photon = from.photon;
   const auto [share, phase] = emission(world.sea, from);
-  const auto score = [&](const Connection<T>& way, geometry::Route route) {
+  const ViewGroup<T>& group = world.groups[g];
+  const auto score = [&](const Connection<T>& way, geometry::Route route,
+                         const instrument::Sight<T>& sight) {
     const Mask<T> seen = mask & (way.acceptance > T(0));
     if (!any(seen)) return;
     const T p = scattered_density(world.sea, photon.layer, phase, photon.direction, way.direction);
     const T value = photon.weight * share * p * way.acceptance * exp_minus(way.optical_depth);
+    auto& queue = estimates.scores[g];
+    Index<T> telescope(static_cast<std::int32_t>(group.number));
+    if (queue.nested()) telescope = group.narrowest(sight);
     if (compares<Events>(world)) {
-      score_in_environments(world, t, seen, from, way, route, value, estimates, tally);
+      score_in_environments(world, group, telescope, seen, from, way, route, value, estimates,
+                            tally);
       return;
     }
-    estimates.scores[t].push(seen, scores_of(world, t, from, way.path, value), tally);
+    queue.push(seen, scores_of(world, group, telescope, from, way.path, value), tally);
   };
-  const auto& telescope = world.telescopes[t];
-  const auto& region = world.telescope_region[t];
+  const auto& telescope = group.widest;
+  const auto& region = group.region;
   for (const auto route : geometry::routes_to(region.in_air)) {
     if (world.single_rays) {
-      score(connect_ray(world.sea, telescope, region, photon, from.line, from.lens, route, mask),
-            route);
+      const auto way =
+          connect_ray(world.sea, telescope, region, photon, from.line, from.lens, route, mask);
+      score(way, route, way.sight);
     } else {
-      score(connect(world.sea, telescope, region, photon, from.line, route, mask), route);
+      score(connect(world.sea, telescope, region, photon, from.line, route, mask), route, {});
     }
   }
 }
 
-/// Where a telescope may see a point, by the points of the lenses that take part in local estimates
-/// of single rays.
+/// Where a group of telescopes may see a point, by the points of the lenses that take part in local
+/// estimates of single rays.
 template <class T>
-Mask<T> near_view(const World<T>& world, std::size_t t, const Vec3<T>& position,
+Mask<T> near_view(const World<T>& world, std::size_t g, const Vec3<T>& position,
                   const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {
-  const auto& telescope = world.telescopes[t];
-  return world.single_rays ? transport::may_see(world.sea, telescope, position, line, lens[t])
+  const auto& telescope = world.groups[g].widest;
+  return world.single_rays ? transport::may_see(world.sea, telescope, position, line, lens[g])
                            : transport::may_see(world.sea, telescope, position, line);
 }
 
 /// Scores light that has waited for company.
 template <class T>
-PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_t t,
+PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_t g,
                                                const Sources<T>& from, const Mask<T>& mask,
                                                tally::BatchTally& tally, Estimates<T>& estimates) {
-  score_in<PlainEvents>(world, t, from, mask, tally, estimates);
+  score_in<PlainEvents>(world, g, from, mask, tally, estimates);
 }
 
 /// Scores light of a line, and so much of photons' weight, from the collisions of a mask, of those
@@ -260,17 +266,17 @@ void score_light(const World<T>& world, const Travellers<T>& of, const transport
   Index<T> touched(0);
   if (world.sea.bed_angles > 0)
     touched = transport::touched_at<T>(world.sea, photon.layer, of.touched);
-  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
-    const Mask<T> seen = colliding & near_view(world, t, photon.position, line, lens);
+  for (std::size_t g = 0; g < world.groups.size(); ++g) {
+    const Mask<T> seen = colliding & near_view(world, g, photon.position, line, lens);
     if (!any(seen)) continue;
     const SourcesOf<T> from{
-        photon, weight, line, touched, world.single_rays ? lens[t] : centre, sources_differ(world)};
+        photon, weight, line, touched, world.single_rays ? lens[g] : centre, sources_differ(world)};
     if (compares<Events>(world)) {
-      score_in<Events>(world, t, Sources<T>(from), seen, tally, estimates);
+      score_in<Events>(world, g, Sources<T>(from), seen, tally, estimates);
       continue;
     }
-    estimates.waiting[t].push(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
-      score_waiting(world, t, full, mask, tally, estimates);
+    estimates.waiting[g].push(seen, from, [&](const Sources<T>& full, const Mask<T>& mask) {
+      score_waiting(world, g, full, mask, tally, estimates);
     });
   }
 }
@@ -278,29 +284,29 @@ void score_light(const World<T>& world, const Travellers<T>& of, const transport
 /// Scores what still waits.
 template <class T>
 void flush_queues(const World<T>& world, Estimates<T>& estimates, tally::BatchTally& tally) {
-  for (std::size_t t = 0; t < estimates.waiting.size(); ++t) {
-    estimates.waiting[t].flush([&](const Sources<T>& rest, const Mask<T>& mask) {
-      score_waiting(world, t, rest, mask, tally, estimates);
+  for (std::size_t g = 0; g < estimates.waiting.size(); ++g) {
+    estimates.waiting[g].flush([&](const Sources<T>& rest, const Mask<T>& mask) {
+      score_waiting(world, g, rest, mask, tally, estimates);
     });
-    estimates.scores[t].flush(tally);
+    estimates.scores[g].flush(tally);
   }
 }
 
-/// Adds the ways to the telescopes as targets.
+/// Adds the ways to the telescopes as targets, one to each group by each route.
 template <class T>
 void aim_at_telescopes(const World<T>& world, Travellers<T>& at) {
   using namespace transport;
   Targets<T>& targets = at.targets;
   const Vec3<T>& from = at.photon.position;
   const Index<T>& line = at.photon.line;
-  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
-    const auto& telescope = world.telescopes[t];
-    const Vec3<T> to = world.single_rays ? in_space(telescope, at.lens[t]) : telescope.position;
-    const auto& region = world.telescope_region[t];
+  for (std::size_t g = 0; g < world.groups.size(); ++g) {
+    const auto& telescope = world.groups[g].widest;
+    const Vec3<T> to = world.single_rays ? in_space(telescope, at.lens[g]) : telescope.position;
+    const auto& region = world.groups[g].region;
     for (const auto route : geometry::routes_to(region.in_air)) {
       if (targets.count == target_capacity) return;
       const auto [direction, in_front] = aim(world.sea, telescope, region, from, line, to, route,
-                                             near_view(world, t, from, line, at.lens));
+                                             near_view(world, g, from, line, at.lens));
       targets.add(direction, T(0), select(in_front, T(1), T(0)));
     }
   }

@@ -19,7 +19,7 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
   t.place.event = Index<T>(0);
   for (std::size_t k = 0; k < t.lens.size(); ++k) {
     const auto u = draws.together(n, 0, lens_block + static_cast<std::uint32_t>(k));
-    t.lens[k] = lens_point(world.telescopes[k], u[0], u[1]);
+    t.lens[k] = lens_point(world.groups[k].widest, u[0], u[1]);
   }
   const auto u = draws.together(n, 0, 0);
   if (world.sea.bands > 0) t.spectral_bin = medium::spectral_bin_of(u[3]);

@@ -86,7 +86,11 @@ TEST(Continued, InManySittingsEqualsOneLongRun) {
   struct Way {
     std::string more, estimator;
   };
-  for (const Way& way : {Way{"", "forward"}, Way{"walks = 3", "bidirectional"}}) {
+  const std::string nested =
+      "[[telescope]]\nposition_m = [0.0, 0.0, 12.0]\ndirection = [0.0, 0.0, -1.0]\n"
+      "diameter_m = 0.40\nfocal_length_m = 2.0\ndetector_diameter_m = 0.01\n";
+  for (const Way& way :
+       {Way{"", "forward"}, Way{nested, "forward"}, Way{"walks = 3", "bidirectional"}}) {
     const auto scene = [&](std::uint64_t photons) {
       return scene_of(photons, way.more, way.estimator);
     };

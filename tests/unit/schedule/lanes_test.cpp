@@ -1,6 +1,7 @@
 // The lane engine against the scalar one.
 #include "schedule/engines.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,6 +53,23 @@ scene::Scene plain_scene(const std::string& more = "", const std::string& estima
   return test::read(test::ship_instrument + test::channel("elastic") +
                     test::water(0.06, 0.10, test::peaked_phase) + test::depth_gates(50, 1) +
                     test::simulation(estimator == "forward" ? 20000 : 2200, 5, more, estimator));
+}
+/// Three views one inside the other over the water, and two in it.
+scene::Scene nested_scene(const std::string& more = "") {
+  const auto view = [](const std::string& lens, double half_field_of_view_mrad) {
+    return "[[telescope]]\n" + lens +
+           fmt::format("half_field_of_view_mrad = {}\n", half_field_of_view_mrad);
+  };
+  const std::string above =
+      "position_m = [0.0, 0.0, 12.0]\ndirection = [0.0, 0.0, -1.0]\ndiameter_m = 0.40\n"
+      "focal_length_m = 2.0\n";
+  const std::string below =
+      "position_m = [0.3, 0.0, -1.0]\ndirection = [0.0, 0.1, -1.0]\ndiameter_m = 0.10\n"
+      "focal_length_m = 0.5\ndetector_shift_m = 0.01\nobstruction_diameter_m = 0.02\n";
+  return test::read(test::ship_instrument + view(below, 80) + view(above, 40) + view(below, 20) +
+                    view(above, 3) + test::channel("elastic") + test::channel("raman") +
+                    test::three_layers + more + test::depth_gates(12, 1) +
+                    test::simulation(20000, 5));
 }
 /// Over a bed whose albedo depends on the angle.
 const std::string beds = "[[environment]]\nset = { \"bottom.albedo\" = 0.1 }\n";
@@ -263,7 +281,8 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& asked) {
 TEST(Lanes, EchoesAreThoseOfTheScalarEngineInFloat) {
   for (const auto& scene :
        {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(), rich_scene(tools),
-        bed_scene(), bed_scene("forward", tools_of_points, beds)})
+        bed_scene(), bed_scene("forward", tools_of_points, beds), nested_scene(),
+        nested_scene("[[environment]]\nset = { \"sea.layer.0.chlorophyll_mg_m3\" = 0.5 }\n")})
     expect_echoes_of_the_scalar_engine(scene);
 }
 TEST(Lanes, BidirectionalEchoesAreThoseOfTheScalarEngineInFloat) {
@@ -272,7 +291,8 @@ TEST(Lanes, BidirectionalEchoesAreThoseOfTheScalarEngineInFloat) {
 
 TEST(Lanes, ThreadsChangeNoBit) {
   const Isa isa = isas_here().back();
-  for (const auto& scene : {rich_scene(), rich_scene(tools), bidirectional_scenes().back()}) {
+  for (const auto& scene :
+       {rich_scene(), rich_scene(tools), nested_scene(), bidirectional_scenes().back()}) {
     const auto one = run_on(1, scene, isa), three = run_on(3, scene, isa);
     EXPECT_EQ(one.echo.mean, three.echo.mean);
     EXPECT_EQ(one.echo.standard_error, three.echo.standard_error);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "support/random.hpp"
 #include "tally/totals.hpp"
 #include "unit/tally/lines.hpp"
@@ -13,10 +15,9 @@ namespace photic::tally {
 /// of 5 m; orders 0, 1, 2 and above.
 struct Tallies {
   explicit Tallies(std::int32_t max_order = 0, std::size_t environments = 0, std::size_t walked = 1)
-      : shape(make_shape(max_order, environments, walked)),
-        gates(scene(), lines()),
-        batch(shape, gates),
-        totals(shape) {}
+      : Tallies(make_shape(max_order, environments, walked)) {}
+  explicit Tallies(Shape of)
+      : shape(std::move(of)), gates(scene(), lines()), batch(shape, gates), totals(shape) {}
   Tallies(const Tallies&) = delete;  // batch and totals point to the shape
   Tallies& operator=(const Tallies&) = delete;
 
