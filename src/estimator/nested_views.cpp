@@ -8,9 +8,9 @@ namespace photic::estimator {
 namespace {
 
 /// Whether telescopes share light at all: the shares of a lens that `overlap` takes differ from
-/// view to view.
+/// view to view, and analog photons fall on each. Where the estimator is left open it is neither.
 bool shares_light(const scene::Simulation& simulation) {
-  return simulation.estimator == scene::Estimator::forward &&
+  return simulation.estimator != scene::Estimator::analog &&
          simulation.reception == scene::Reception::ray;
 }
 
@@ -52,8 +52,8 @@ std::vector<std::string> nested_views_told(const scene::Scene& scene) {
     std::string names = scene.telescope[views.front()].name;
     for (std::size_t i = 1; i < views.size(); ++i)
       names += (i + 1 < views.size() ? ", " : " and ") + scene.telescope[views[i]].name;
-    out.push_back(
-        fmt::format("telescopes {} see one inside the other: one estimate serves all", names));
+    out.push_back(fmt::format(
+        "telescopes {} see one inside the other: what is drawn for one serves all", names));
   }
   return out;
 }

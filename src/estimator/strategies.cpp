@@ -6,6 +6,7 @@
 
 #include "core/constants.hpp"
 #include "estimator/entry_cone.hpp"
+#include "estimator/nested_views.hpp"
 #include "geometry/axis.hpp"
 #include "instrument/laser.hpp"
 #include "instrument/lens.hpp"
@@ -113,7 +114,7 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
   out.free_laser = free_laser(scene, medium);
   // Each phase function takes a millisecond and 90 kB for each instrument.
   const std::size_t means =
-      static_cast<std::size_t>(medium.phase_count()) * (1 + scene.telescope.size());
+      static_cast<std::size_t>(medium.phase_count()) * (1 + nested_views(scene).size());
   if (means > most_means) {
     const std::string reason = fmt::format(
         "{} means of phase functions over views would be needed, more than {}", means, most_means);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "estimator/nested_views.hpp"
 #include "estimator/origin.hpp"
 #include "estimator/strategies.hpp"
 
@@ -29,10 +30,33 @@ double half_angle_of_light(const scene::Source& source, const scene::Telescope& 
   return std::acos(std::min(1.0, dot(to_spot, axis) / distance)) + std::atan(radius / distance);
 }
 
-std::vector<InnerCone> aimed_at_light(const scene::Scene& scene,
-                                      const scene::Telescope& telescope) {
+/// Half the angle of the one before, at most, has the next cone in which walks of nested views
+/// begin.
+constexpr double next_of_nested = 0.5;
+
+/// The narrower cones in which walks of telescopes with nested views begin: in equal shares, from
+/// the narrowest view to the widest.
+std::vector<InnerCone> in_nested(const scene::Scene& scene, const NestedViews& views) {
+  constexpr std::size_t most = EntryCone<double>::most_rings - 1;
+  const auto half_angle = [&](std::size_t i) { return half_view(scene.telescope[views[i]]); };
+  std::vector<InnerCone> inner;
+  double last = half_angle(views.size() - 1);
+  for (std::size_t i = views.size() - 1; i-- > 0;) {
+    const double far_enough = i == 0 ? last : next_of_nested * last;
+    if (half_angle(i) >= far_enough || (i > 0 && inner.size() + 1 == most)) continue;
+    inner.push_back({last = half_angle(i), 0});
+  }
+  for (InnerCone& cone : inner) cone.share = 1 / (1.0 + static_cast<double>(inner.size()));
+  return inner;
+}
+
+/// `views`: of which the widest is the telescope's; `of_laser`: there are free walks of the laser.
+std::vector<InnerCone> inner_cones(const scene::Scene& scene, const NestedViews& views,
+                                   bool of_laser) {
+  if (views.size() > 1) return in_nested(scene, views);
+  const auto& telescope = scene.telescope[views.back()];
   const double half_angle = half_angle_of_light(scene.source, telescope);
-  if (half_angle > narrowest_of_view * half_view(telescope)) return {};
+  if (!of_laser || half_angle > narrowest_of_view * half_view(telescope)) return {};
   return {{half_angle, aimed_share}};
 }
 
@@ -52,13 +76,13 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
   const auto source = from_origin(scene.source, origin);
   out.laser =
       out.free_laser > 0 ? entry_cone(source, medium, deepest) : cone_of_own_rays(source, medium);
-  for (const auto& t : scene.telescope) {
-    const auto telescope = from_origin(t, origin);
-    const auto inner = out.free_laser > 0 ? aimed_at_light(scene, t) : std::vector<InnerCone>{};
-    const auto cone = entry_cone(telescope, medium, deepest, inner);
-    out.telescope.push_back(out.free_telescope > 0 && cone.by_depth
-                                ? cone
-                                : cone_of_own_rays(telescope, medium, inner));
+  out.telescope.resize(scene.telescope.size());
+  for (const NestedViews& views : nested_views(scene)) {
+    const auto widest = from_origin(scene.telescope[views.back()], origin);
+    const auto inner = inner_cones(scene, views, out.free_laser > 0);
+    const auto cone = entry_cone(widest, medium, deepest, inner);
+    out.telescope[views.back()] =
+        out.free_telescope > 0 && cone.by_depth ? cone : cone_of_own_rays(widest, medium, inner);
   }
   return out;
 }

@@ -12,7 +12,7 @@ namespace photic::estimator {
 /// Their places are told from the origin.
 struct WalkCones {
   EntryCone<double> laser;
-  std::vector<EntryCone<double>> telescope;
+  std::vector<EntryCone<double>> telescope;   ///< of nested views that of the widest alone
   double free_laser = 0, free_telescope = 0;  ///< two rays of free walks meet so often [1/m]
 };
 

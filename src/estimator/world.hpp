@@ -31,12 +31,13 @@
 
 namespace photic::estimator {
 
-/// A telescope as the bidirectional estimator's walks begin there: detecting the laser's line, or
-/// one band.
+/// A telescope, with those whose views it holds, as the bidirectional estimator's walks begin
+/// there: detecting the laser's line, or one band.
 template <class T>
 struct Receiver {
-  std::size_t number = 0;  ///< among the receivers
-  std::size_t telescope = 0;
+  std::size_t number = 0;      ///< among the receivers
+  std::size_t group = 0;       ///< of telescopes, whose views are nested
+  std::size_t telescope = 0;   ///< the widest of them
   geometry::Region<T> region;  ///< where it stands
   Index<T> line{};             ///< 0, or the first of the band
   std::int32_t band = -1;      ///< of the medium's, if it is one
@@ -216,17 +217,18 @@ inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium,
   return reach;
 }
 
-/// One for each telescope and band that a channel counts light of.
+/// One for each group of telescopes and band that a channel counts light of.
 template <class T>
 void add_receivers(const medium::Medium& medium, World<T>& world) {
-  for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
+  for (std::size_t g = 0; g < world.groups.size(); ++g) {
+    const ViewGroup<T>& group = world.groups[g];
     std::int32_t band = -1;
     for (std::size_t l = 0; l < medium.line.size(); ++l) {
       const auto& line = medium.line[l];
       if (l > 0 && line.process == medium.line[l - 1].process) continue;
       if (l > 0) ++band;
       if (l > 0 || std::ranges::any_of(line.counted_by, [](double share) { return share > 0; }))
-        world.receivers.push_back({world.receivers.size(), t, world.telescope_region[t],
+        world.receivers.push_back({world.receivers.size(), g, group.number, group.region,
                                    Index<T>(static_cast<std::int32_t>(l)), band});
     }
   }
@@ -252,8 +254,7 @@ void add_groups(const scene::Scene& scene, World<T>& world) {
 /// How many receivers a model has.
 inline std::size_t count_receivers(const Model& model) {
   World<double> world;
-  world.telescopes.resize(model.scene.telescope.size());
-  world.telescope_region.resize(model.scene.telescope.size());
+  world.groups.resize(nested_views(model.scene).size());
   add_receivers(model.medium, world);
   return world.receivers.size();
 }

@@ -177,13 +177,15 @@ template <class T>
 Vec3<T> outward(const Telescope<T>& telescope, const PlanePoint<T>& slope) {
   return normalised(telescope.axis + in_plane(telescope, slope));
 }
-/// Whether the detector sees such a ray through a point of the lens.
+/// Of light that comes in by such a ray, through a point of the lens; as if along the axis.
 template <class T>
-Mask<T> is_detected(const Telescope<T>& telescope, const PlanePoint<T>& p,
-                    const PlanePoint<T>& slope) {
-  const PlanePoint<T> image = slope + telescope.per_sharp_range * p;
-  const T radius = telescope.detector_radius / telescope.detector_distance;
-  return image.x * image.x + image.y * image.y < radius * radius;
+Sight<T> sight_along(const Telescope<T>& telescope, const PlanePoint<T>& p,
+                     const PlanePoint<T>& slope) {
+  const PlanePoint<T> image = telescope.detector_distance * (slope + telescope.per_sharp_range * p);
+  Sight<T> seen;
+  seen.image_squared = image.x * image.x + image.y * image.y;
+  seen.on_detector = seen.falls_within(telescope.detector_radius);
+  return seen;
 }
 
 }  // namespace photic::instrument

@@ -47,12 +47,11 @@ struct FromLaser : WalkDraws<T> {
                                                  n, u[0], u[1])
                      : birth_at_laser(world.sea, world.laser, world.laser_region, cone(),
                                       draw_entry(cone(), n, n, u[0], u[1]));
-    record.own = birth.exists;
-    if (of_own_rays) {
-      book(ledger.escaped, exist, T(1) - select(birth.exists, birth.photon.weight, T(0)));
-    } else {
-      birth.exists = !birth.exists;
-    }
+    if (world.laser.collimated) birth.own = birth.exists;
+    record.own = birth.own;
+    if (of_own_rays)
+      book(ledger.escaped, exist, T(1) - select(birth.own, birth.photon.weight, T(0)));
+    birth.exists = of_own_rays ? birth.own : !birth.own;
     return birth;
   }
   /// Who does not set out.
@@ -90,7 +89,8 @@ struct FromTelescope : WalkDraws<T> {
     record.translation_area = translation_area(telescope, record.outward);
     auto birth = birth_at_telescope(world.sea, telescope, receiver.region, cone(), ray, record.line,
                                     record.lens);
-    record.own = birth.exists;
+    record.own = birth.own;
+    record.telescope = world.groups[receiver.group].narrowest(birth.sight);
     if (!cone().even_outside) birth.exists = exist;
     return birth;
   }
@@ -116,8 +116,8 @@ class Bidirectional {
       : world_(world),
         at_once_(at_once * world.walks),
         laser_(at_once_, false, world.laser_region.in_air, world.sea) {
-    for (const auto& region : world.telescope_region)
-      back_.emplace_back(at_once_, true, region.in_air, world.sea);
+    for (const auto& group : world.groups)
+      back_.emplace_back(at_once_, true, group.region.in_air, world.sea);
   }
 
   /// Photons `first` … `first + count - 1`, the first of a batch and up.
@@ -172,7 +172,7 @@ class Bidirectional {
       WalkTracer(world_, samples, others, laser_, tally).trace(count);
     }
     for (const auto& [receiver, draws] : back) {
-      Walks<T>& walks_back = back_[receiver.telescope];
+      Walks<T>& walks_back = back_[receiver.group];
       FromTelescope<T, Ledger> from_telescope{{draws, first}, world_, receiver};
       WalkTracer(world_, samples, from_telescope, walks_back, tally).trace(count);
       connect(receiver, samples, walks_back, count, walks, tally);
@@ -183,9 +183,9 @@ class Bidirectional {
                std::size_t count, std::size_t walks, tally::BatchTally& tally) {
     Connections<T> connections(world_, receiver, samples, laser_, back, tally);
     for (std::size_t g = 0; g < count; ++g) {
-      if (back.rays(g) == 0) continue;
       const bool lit = laser_.is_own(g), seen = back.is_own(g);
       if (lit) connections.to_telescope(g);
+      if (back.rays(g) == 0) continue;
       if (seen) connections.to_laser(g);
       if (lit && seen && back.connected(g)) connections.between(g);
       connections.meetings(g / walks * walks, walks, g);
@@ -196,7 +196,7 @@ class Bidirectional {
   const World<T>& world_;
   std::size_t at_once_;
   Walks<T> laser_;
-  std::vector<Walks<T>> back_;  ///< of each telescope, and one line after the other
+  std::vector<Walks<T>> back_;  ///< of each group of telescopes, and one line after the other
 };
 
 }  // namespace photic::estimator

@@ -15,10 +15,11 @@ namespace photic::estimator {
 /// A walk that stands in the water, and how its light has spread on the way there.
 template <class T>
 struct Birth {
-  Mask<T>
-      exists{};  ///< its ray is one of the instrument's own; else only free walks are made of it
+  Mask<T> exists{};  ///< its ray comes through the surface
+  Mask<T> own{};     ///< its ray is one of the instrument's own; else it has to be moved
   transport::Photon<T> photon;
   Spread<T> spread;
+  instrument::Sight<T> sight;  ///< what a telescope sees by it
 };
 
 /// A ray of an entry cone that leaves its instrument, or a plane across its axis `ahead` of it, at
@@ -70,7 +71,7 @@ Birth<T> birth_at_laser(const medium::MediumView& sea, const instrument::Laser<T
                               Index<T>(0));
   const T x = T(0.5) * dot(ray.off_axis, ray.off_axis);
   const Mask<T> emitted = cone.exact ? Mask<T>(true) : x < laser.one_minus_cos_divergence;
-  birth.exists = birth.exists & ahead & emitted;
+  birth.own = birth.exists & ahead & emitted;
   birth.photon.path = birth.photon.path + laser.ahead * (x * secant);
   birth.photon.weight =
       birth.photon.weight * ray.solid_angle / (T(2 * pi) * laser.one_minus_cos_divergence);
@@ -103,8 +104,9 @@ Birth<T> birth_at_telescope(const medium::MediumView& sea,
   auto birth = birth_in_water(sea, region, ray,
                               telescope.start + in_plane(telescope, lens + telescope.ahead * slope),
                               telescope.ahead / cos_off_axis, line);
-  const Mask<T> seen = cone.exact ? Mask<T>(true) : is_detected(telescope, lens, slope);
-  birth.exists = birth.exists & ahead & seen;
+  birth.sight = sight_along(telescope, lens, slope);
+  const Mask<T> seen = cone.exact ? Mask<T>(true) : birth.sight.on_detector;
+  birth.own = birth.exists & ahead & seen;
   birth.photon.weight = birth.photon.weight * (telescope.area() * cos_off_axis * ray.solid_angle);
   if (!region.in_air) return birth;
   const T inverse_n = gather<T>(sea.inverse_index, line);

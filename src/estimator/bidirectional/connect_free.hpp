@@ -175,6 +175,7 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const Mask
   const auto tau =
       depths_along(sea_, way, first.line, first.layer, T(-first.position.z), way.length_water);
   auto met = this->met(pair);
+  met.telescope = seen_by(sight);
   Ray back = pair.back;
   change_first(pairing.m == Index<T>(1), per_p, chance, back, met.back_near, met.back_free);
   met.rest = chance;

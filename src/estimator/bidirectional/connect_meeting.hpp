@@ -118,7 +118,8 @@ void Connections<T>::meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, 
   if (world_.compares) [[unlikely]]
     complete_by_meeting(met, depth, place);
   score(pairing, Walked::both, emitting & (at.path < receiver_.last_path),
-        {met.gain * value, at.path, last, in_path.order, pairing.i, pairing.m, at.bed, met.free});
+        {met.gain * value, at.path, last, in_path.order, pairing.i, pairing.m, met.telescope,
+         at.bed, met.free});
 }
 
 }  // namespace photic::estimator

@@ -171,6 +171,7 @@ Met<T> Connections<T>::met(const RayPair<T>& pair) const {
   met.translation_area = pair.birth.translation_area;
   met.axis = met.own_axis = pair.axis();
   if (world_.compares) met.line = back_.line(pair.pairing.back);
+  met.telescope = seen_by(pair.pairing.back);
   return met;
 }
 /// The telescope's walk is moved sideways. Its ray keeps its place: the rays' levels are all that
@@ -251,11 +252,12 @@ template <class T>
 void Connections<T>::meet_translated(const RayPair<T>& pair, const Mask<T>& mask, const T& depth,
                                      const Index<T>& place) {
   const auto lens = pair.lens.at(depth);
-  const Mask<T> passes =
-      mask & open_at(telescope_, lens) & sight(telescope_, lens, -pair.birth.outward).on_detector;
+  const auto sight = instrument::sight(telescope_, lens, -pair.birth.outward);
+  const Mask<T> passes = mask & open_at(telescope_, lens) & sight.on_detector;
   if (!any(passes)) return;
-  if (!telescope_.upright) return meet_tilted(pair, passes, lens, depth, place);
+  if (!telescope_.upright) return meet_tilted(pair, passes, lens, seen_by(sight), depth, place);
   auto met = this->met(pair);
+  met.telescope = seen_by(sight);
   translate(met, in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens));
   meet_at(pair.pairing, passes, met, depth, place);
 }

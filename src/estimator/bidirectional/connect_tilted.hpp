@@ -74,11 +74,13 @@ PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const RayPair<T>& pair, Mask<T> mask,
                                                              instrument::PlanePoint<T> lens,
-                                                             T depth, Index<T> place) {
+                                                             Index<T> telescope, T depth,
+                                                             Index<T> place) {
   const Vec3<T>& outward = pair.birth.outward;
   const auto aside = lens + T(-1) * pair.birth.lens;
   const T longer = longer_by_translation(telescope_, outward, aside);
   auto met = this->met(pair);
+  met.telescope = telescope;
   translate(met, in_plane(telescope_, aside) + longer * outward);
   Ray back = pair.back;
   if (telescope_.submerged) {  // there a first ray begins at the lens

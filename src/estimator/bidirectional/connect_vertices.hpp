@@ -75,7 +75,7 @@ void Connections<T>::by_sightline(const Pairing<T>& pairing, const Mask<T>& mask
   score(pairing, Walked::laser, seen,
         {from.weight * way.throughput * etendue *
              balance(area, tau.all, reach, from.densities, EndDensities<T>{}),
-         path, depth, in_path.order, in_path.order, Index<T>(0)});
+         path, depth, in_path.order, in_path.order, Index<T>(0), seen_by(sight)});
 }
 
 template <class T>
@@ -160,7 +160,8 @@ void Connections<T>::by_sightline_to_laser(const Pairing<T>& pairing, const Mask
   score(pairing, Walked::telescope, lit,
         {to.weight * to_laser.weight *
              balance(area, to_laser.tau, to_laser.reach, EndDensities<T>{}, to.densities),
-         path, last_depth(pairing.back), in_path.order, Index<T>(0), in_path.order});
+         path, last_depth(pairing.back), in_path.order, Index<T>(0), in_path.order,
+         seen_by(pairing.back)});
 }
 
 template <class T>
@@ -254,7 +255,8 @@ void Connections<T>::along(const Pairing<T>& pairing, const Mask<T>& mask, const
   score(pairing, Walked::both, in_time,
         {from.weight * to.weight *
              balance(area, tau.all, exp_minus(tau.walk), from.densities, to.densities),
-         path, last_depth(pairing.back), usable.order, edge, pairing.m + Index<T>(1)});
+         path, last_depth(pairing.back), usable.order, edge, pairing.m + Index<T>(1),
+         seen_by(pairing.back)});
 }
 
 }  // namespace photic::estimator

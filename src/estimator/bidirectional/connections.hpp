@@ -38,12 +38,14 @@ class Connections {
       : world_(world),
         sea_(world.sea),
         telescope_(world.telescopes[receiver.telescope]),
+        group_(world.groups[receiver.group]),
         receiver_(receiver),
         samples_(samples),
         laser_(from_laser),
         back_(from_telescope),
         tally_(tally),
-        scores_(receiver.telescope, world.path_to_origin[receiver.telescope]),
+        scores_(receiver.telescope, world.path_to_origin[receiver.telescope],
+                !world.groups[receiver.group].narrower.empty()),
         ratios_(static_cast<std::size_t>(world.sea.environments.stride)) {}
 
   /// The laser's walk with the point of the lens of the telescope's that goes with it: the local
@@ -121,8 +123,8 @@ class Connections {
   void translate(Met<T>& met, const Vec3<T>& translation) const;
   void meet_translated(const RayPair<T>& pair, const Mask<T>& mask, const T& depth,
                        const Index<T>& place);
-  void meet_tilted(const RayPair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens, T depth,
-                   Index<T> place);
+  void meet_tilted(const RayPair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens,
+                   Index<T> telescope, T depth, Index<T> place);
   [[nodiscard]] Mask<T> can_meet(const RayPair<T>& pair, const Ray& moved, const T& depth) const;
   void lengthen(const RayPairing<T>& pairing, const BirthRecord<T>& birth, T length, Ray& back,
                 Met<T>& met) const;
@@ -216,6 +218,15 @@ class Connections {
     line.to = select(to < world_.deepest, to, world_.deepest);
     return line;
   }
+  /// Who sees light that the telescope with the widest view sees.
+  [[nodiscard]] Index<T> seen_by(const instrument::Sight<T>& sight) const {
+    return group_.narrowest(sight);
+  }
+  /// The light of a telescope's walk, by its own ray.
+  [[nodiscard]] Index<T> seen_by(const Index<T>& back) const {
+    return scores_.nested() ? back_.telescope(back)
+                            : Index<T>(static_cast<std::int32_t>(receiver_.telescope));
+  }
   /// Whether paths of an order can still be scored.
   [[nodiscard]] Mask<T> in_order(const Index<T>& order) const {
     return order <= Index<T>(world_.last_order > 0 ? world_.last_order
@@ -263,7 +274,7 @@ class Connections {
           select(path.met_on_bed, Index<T>(static_cast<std::int32_t>(transport::Touched::bed)),
                  laser_.touched(pairing.laser, path.of_laser) |
                      back_.touched(pairing.back, path.of_telescope));
-    return {Index<T>(static_cast<std::int32_t>(receiver_.telescope)),
+    return {path.telescope,
             world_.path_to_origin[receiver_.telescope],
             transport::light_of<T>(sea_, back_.line(pairing.back), touched),
             path.order,
@@ -275,7 +286,8 @@ class Connections {
 
   const World<T>& world_;
   const geometry::Slabs& sea_;
-  const instrument::Telescope<T>& telescope_;
+  const instrument::Telescope<T>& telescope_;  ///< with the widest view
+  const ViewGroup<T>& group_;
   const Receiver<T>& receiver_;
   const Samples<T>& samples_;
   const Walks<T>& laser_;

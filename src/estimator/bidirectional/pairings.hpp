@@ -128,6 +128,7 @@ struct Met {
   T gain{1};                  ///< of the sample
   T longer{};                 ///< so much longer is the way from a tilted lens [m]
   Index<T> line{};            ///< of the light that comes back
+  Index<T> telescope{};       ///< who sees it
 };
 
 /// Where two rays meet.
@@ -166,6 +167,7 @@ struct FoundPath {
   T length{};                                    ///< group path [m]
   T last{};                                      ///< depth at which light was last scattered [m]
   Index<T> order{}, of_laser{}, of_telescope{};  ///< vertices: all, and those of the two walks
+  Index<T> telescope{};                          ///< the narrowest of nested views that sees it
   Mask<T> met_on_bed{};
   Free free = Free::none;
 };

@@ -42,6 +42,7 @@ struct BirthRecord {
   T grid_offset{};        ///< of the depths where it meets others, 0 to 1 of a step
   Index<T> connected{1};  ///< with the vertices of a laser's walk: 1 or 0
   Mask<T> own{true};      ///< its ray is one of its instrument's own: not all rays of cones are
+  Index<T> telescope{};   ///< the narrowest of nested views that sees its ray
   Index<T> line{};        ///< of the light that comes back
   template <class F>
   constexpr void each_member(F f) {
@@ -102,6 +103,7 @@ class Walks {
         pivot_vertex_(walks),
         connected_(walks),
         own_(walks),
+        telescope_(walks),
         line_(walks),
         first_on_bed_(sea.bed_angles > 0 ? walks : 0),
         ratios_(sea.environments, walks * stride) {}
@@ -112,13 +114,14 @@ class Walks {
     record_.put(mask, walk, record);
     scatter(mask, walk, record.connected, connected_.data());
     scatter(mask, walk, select(record.own, Index<T>(1), Index<T>(0)), own_.data());
+    scatter(mask, walk, record.telescope, telescope_.data());
     scatter(mask, walk, record.line, line_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
     scatter(mask, walk, Index<T>(-1), pivot_vertex_.data());
     if (!first_on_bed_.empty()) scatter(mask, walk, Index<T>(most_vertices), first_on_bed_.data());
     add(mask, walk, Index<T>(0), first);
   }
-  /// No walk sets out.
+  /// Those of a mask do not set out.
   void leave_out(const Mask<T>& mask, const Index<T>& walk) {
     scatter(mask, walk, Index<T>(0), rays_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
@@ -220,6 +223,10 @@ class Walks {
   }
   [[nodiscard]] Mask<T> is_own(const Index<T>& walk) const {
     return gather_index<T>(own_.data(), walk) == Index<T>(1);
+  }
+  /// The narrowest telescope that sees the ray of a telescope's walk.
+  [[nodiscard]] Index<T> telescope(const Index<T>& walk) const {
+    return gather_index<T>(telescope_.data(), walk);
   }
   /// The line of the light that a telescope's walk detects.
   [[nodiscard]] Index<T> line(const Index<T>& walk) const {
@@ -379,7 +386,7 @@ class Walks {
   lanes::Records<T, NearFirst<T>> near_first_;
   lanes::Records<T, FreeArea<T>> free_area_;
   lanes::Records<T, RotatedMeeting<T>> rotated_first_;
-  std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_,
+  std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_, telescope_,
       line_;                                ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many
   PathRatios<T> ratios_;                    ///< of each ray

@@ -52,8 +52,10 @@ class WalkTracer {
     const Mask<T> born = exist & birth.exists;
     walker.photon = birth.photon;
     record.spread = birth.spread;
-    walks_.leave_out(exist & source_.left_out(birth), walker.walk);
-    walks_.birth(born, walker.walk, record, {walk_point(birth.photon)});
+    // Who does not set out still has a point of the lens.
+    const Mask<T> left_out = exist & source_.left_out(birth);
+    walks_.birth(born | left_out, walker.walk, record, {walk_point(birth.photon)});
+    walks_.leave_out(left_out, walker.walk);
     if (world_.compares) [[unlikely]]
       begin_ratios(walker.walk, born);
     waiting_columns_.each(

@@ -143,7 +143,7 @@ TEST_P(FromSpace, WalksFromTheLaserAreTimed) {
     const auto cone = cone_of<float>(lidar.source, sea, free);
     const auto [ray, exact] = rays_of(lidar.source, sea, free, random);
     const auto walk = estimator::birth_at_laser<float>(sea.view(), in_float, {true, 0}, cone, ray);
-    emitted += walk.exists;
+    emitted += walk.own;
     const V direction = exact.outside;
     const V vertex = lidar.source.position_m - laser.vertex_distance * laser.axis;
     const V place = vertex + (vertex.z / -direction.z) * direction;

@@ -33,6 +33,8 @@ struct Sea {
     averaged = {medium, free_cones};
     world.averaged = averaged.view();
     world.path_to_origin = {path_to_origin(source, telescope)};
+    world.groups = {
+        {0, world.telescopes[0], world.telescope_region[0], world.path_to_origin[0], {}}};
     world.deepest = 40;
     world.most_vertices = most_vertices;
     world.rotates_scattered =

@@ -61,17 +61,20 @@ TEST(NestedViews, MayBeOfOneSize) {
 }
 
 // Seen red: without the estimator; without the reception.
-TEST(NestedViews, ShareSingleRaysOfTheForwardEstimatorAlone) {
-  const Groups alone{{0}, {1}, {2}, {3}};
+TEST(NestedViews, ShareSingleRaysAlone) {
+  const Groups alone{{0}, {1}, {2}, {3}}, shared{{0}, {2, 3, 1}};
   scene::Scene scene = four_telescopes();
   scene.simulation.reception = scene::Reception::overlap;
   EXPECT_EQ(nested_views(scene), alone);
   scene.simulation.reception = scene::Reception::ray;
-  for (const auto estimator : {scene::Estimator::analog, scene::Estimator::bidirectional}) {
+  using enum scene::Estimator;
+  for (const auto estimator : {forward, bidirectional, automatic}) {
     scene.simulation.estimator = estimator;
-    EXPECT_EQ(nested_views(scene), alone);
-    EXPECT_TRUE(nested_views_told(scene).empty());
+    EXPECT_EQ(nested_views(scene), shared);
   }
+  scene.simulation.estimator = analog;
+  EXPECT_EQ(nested_views(scene), alone);
+  EXPECT_TRUE(nested_views_told(scene).empty());
 }
 
 // What the tallies are told of them. Seen red: with each telescope's next narrower one.
@@ -83,7 +86,7 @@ TEST(NestedViews, AreInTheShapeOfTheTallies) {
 TEST(NestedViews, AreToldFromTheNarrowestOn) {
   EXPECT_EQ(nested_views_told(four_telescopes()),
             std::vector<std::string>{"telescopes narrow, middle and wide see one inside the other: "
-                                     "one estimate serves all"});
+                                     "what is drawn for one serves all"});
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ class Writer {
         spread_(birth.spread),
         ray_{walk_point(photon_)} {
     record.spread = birth.spread;
-    record.own = birth.exists;
+    record.own = true;
     walks.birth(true, 0, record, ray_);
   }
 

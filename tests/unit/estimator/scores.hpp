@@ -45,7 +45,7 @@ class Scores {
         path_(path),
         window_(medium, length),
         tally_(window_.shape, window_.gates) {
-    receiver_ = {0, 0, world.telescope_region[0], path.line, -1, 1e4, 1e4};
+    receiver_ = {0, 0, 0, world.telescope_region[0], path.line, -1, 1e4, 1e4};
   }
 
   double connecting(std::int32_t edge) {

@@ -83,8 +83,9 @@ TEST(Strategies, TranslateOnlySteepRays) {
 TEST(Strategies, FreeNoWalksWhereMeansWithoutEndWouldBeNeeded) {
   std::string many = ship(down);
   for (int i = 0; i < 600; ++i)
-    many += "[[telescope]]\nname = \"t" + std::to_string(i) +
-            "\"\nposition_m = [0.0, 0.0, 2.0]\ndirection = [0.0, 0.0, -1.0]\ndiameter_m = 0.1\n"
+    many += "[[telescope]]\nname = \"t" + std::to_string(i) + "\"\nposition_m = [" +
+            std::to_string(i) +
+            ".0, 0.0, 2.0]\ndirection = [0.0, 0.0, -1.0]\ndiameter_m = 0.1\n"
             "focal_length_m = 0.5\ndetector_diameter_m = 0.02\n";
   const Strategies s = strategies_of(many + elastic + water);
   EXPECT_FALSE(s.free_telescope.used || s.free_laser.used);

@@ -109,7 +109,10 @@ TEST(Outward, IsTheWayBackOfWhatFallsOnADetectorPoint) {
     const auto seen = sight(t, p, -out);
     ASSERT_NEAR(seen.cos_off_axis, dot(out, t.axis), 1e-14);
     ASSERT_EQ(seen.on_detector, std::hypot(on_detector.x, on_detector.y) < t.detector_radius);
-    ASSERT_EQ(is_detected(t, p, outward_slope(t, p, on_detector)), seen.on_detector);
+    const auto along = sight_along(t, p, outward_slope(t, p, on_detector));
+    ASSERT_EQ(along.on_detector, seen.on_detector);
+    ASSERT_EQ(along.falls_within(0.4 * t.detector_radius),
+              seen.falls_within(0.4 * t.detector_radius));
     // And to the very point.
     const double per_axis = 1 / dot(out, t.axis);
     const double x = p.x + t.detector_distance * (-per_axis * dot(out, t.across) - p.x * power(t));
