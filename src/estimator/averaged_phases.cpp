@@ -164,7 +164,7 @@ class MeanOverCone {
     }
   }
   [[nodiscard]] std::vector<double> lines(const PhaseView& phases, std::int32_t table) const {
-    std::vector<double> sum(AveragedPhases::cells * AveragedPhases::line_fields);
+    std::vector<double> sum(std::size_t{AveragedPhases::cells} * AveragedPhases::line_fields);
     for (const auto& [share, cone] : part_) {
       const auto line = cone.lines(phases, table);
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * line[i];

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "core/constants.hpp"
 #include "estimator/nested_views.hpp"
 #include "estimator/strategies.hpp"
 #include "estimator/walk_attenuation.hpp"
+#include "estimator/walk_cones.hpp"
 #include "medium/build.hpp"
 #include "medium/check.hpp"
 #include "medium/environments.hpp"
@@ -184,6 +186,7 @@ tally::Result describe(const Model& model) {
   result.estimator_reason = scene.simulation.estimator_reason.value_or("");
   result.seed = scene.simulation.seed;
   result.strategies = strategies_told(scene, medium);
+  std::ranges::move(aimed_walks_told(scene, medium), std::back_inserter(result.strategies));
   for (const auto& source : medium.sources) result.sources.push_back(medium::source_line(source));
   return result;
 }

@@ -1,5 +1,7 @@
 #include "estimator/walk_cones.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -50,14 +52,20 @@ std::vector<InnerCone> in_nested(const scene::Scene& scene, const NestedViews& v
   return inner;
 }
 
-/// `views`: of which the widest is the telescope's; `of_laser`: there are free walks of the laser.
-std::vector<InnerCone> inner_cones(const scene::Scene& scene, const NestedViews& views,
-                                   bool of_laser) {
-  if (views.size() > 1) return in_nested(scene, views);
+/// That part of the sea, seen from the telescope of a group of its own, if its walks are aimed
+/// there.
+std::optional<InnerCone> aimed_at_light(const scene::Scene& scene, const NestedViews& views) {
   const auto& telescope = scene.telescope[views.back()];
   const double half_angle = half_angle_of_light(scene.source, telescope);
-  if (!of_laser || half_angle > narrowest_of_view * half_view(telescope)) return {};
-  return {{half_angle, aimed_share}};
+  if (views.size() > 1 || half_angle > narrowest_of_view * half_view(telescope)) return {};
+  return InnerCone{half_angle, aimed_share};
+}
+
+/// How often rays of free walks meet [1/m]; 0: there are none.
+double meetings(const scene::Scene& scene, const Strategy& free,
+                const std::optional<double>& per_metre) {
+  const bool has_any = scene.simulation.estimator == scene::Estimator::bidirectional && free.used;
+  return has_any ? per_metre.value_or(0) : 0;
 }
 
 }  // namespace
@@ -65,13 +73,9 @@ std::vector<InnerCone> inner_cones(const scene::Scene& scene, const NestedViews&
 WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, double deepest) {
   const scene::Simulation& asked = scene.simulation;
   const auto strategies = make_strategies(scene, medium);
-  const auto meetings = [&](const Strategy& free, const std::optional<double>& per_metre) {
-    const bool has_any = asked.estimator == scene::Estimator::bidirectional && free.used;
-    return has_any ? per_metre.value_or(0) : 0;
-  };
   WalkCones out;
-  out.free_laser = meetings(strategies.free_laser, asked.free_laser_meetings);
-  out.free_telescope = meetings(strategies.free_telescope, asked.free_telescope_meetings);
+  out.free_laser = meetings(scene, strategies.free_laser, asked.free_laser_meetings);
+  out.free_telescope = meetings(scene, strategies.free_telescope, asked.free_telescope_meetings);
   const Vec3<double> origin = origin_of(scene.source);
   const auto source = from_origin(scene.source, origin);
   out.laser =
@@ -79,11 +83,25 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
   out.telescope.resize(scene.telescope.size());
   for (const NestedViews& views : nested_views(scene)) {
     const auto widest = from_origin(scene.telescope[views.back()], origin);
-    const auto inner = inner_cones(scene, views, out.free_laser > 0);
+    auto inner = in_nested(scene, views);
+    if (const auto aimed = aimed_at_light(scene, views); aimed && out.free_laser > 0)
+      inner.push_back(*aimed);
     const auto cone = entry_cone(widest, medium, deepest, inner);
     out.telescope[views.back()] =
         out.free_telescope > 0 && cone.by_depth ? cone : cone_of_own_rays(widest, medium, inner);
   }
+  return out;
+}
+
+std::vector<std::string> aimed_walks_told(const scene::Scene& scene, const medium::Medium& medium) {
+  std::vector<std::string> out;
+  if (walk_cones(scene, medium, 0).free_laser == 0) return out;
+  for (const NestedViews& views : nested_views(scene))
+    if (const auto aimed = aimed_at_light(scene, views))
+      out.push_back(fmt::format(
+          "walks from {}: a share of {:g} aimed at the laser's light, {:.3g} mrad about "
+          "the axis",
+          scene.telescope[views.back()].name, aimed->share, aimed->half_angle * 1e3));
   return out;
 }
 

@@ -15,8 +15,8 @@ void Connections<T>::to_telescope(std::size_t walk) {
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairing<T>& pairing,
-                                                       const Mask<T>& mask) {
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairing<T>& pairing,
+                                                                    const Mask<T>& mask) {
   const Index<T> line = back_.line(pairing.back);
   const auto birth = back_.birth_record(pairing.back);
   const Vec3<T> at = in_space(telescope_, birth.lens);
@@ -87,7 +87,8 @@ void Connections<T>::to_laser(std::size_t walk) {
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>& pairing, const Mask<T>& mask) {
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>& pairing,
+                                                                const Mask<T>& mask) {
   const auto& laser = world_.laser;
   if (!can_be_met(laser)) return;
   const Vec3<T> vertex = fictitious_vertex(laser);
@@ -179,7 +180,8 @@ void Connections<T>::between(std::size_t walk) {
 }
 
 template <class T>
-PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>& pairing, const Mask<T>& mask) {
+PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>& pairing,
+                                                               const Mask<T>& mask) {
   const auto in_path = usable(pairing.i + pairing.m + Index<T>(2));
   const Vertex v = laser_.in_path(pairing.laser, pairing.i, in_path);
   const Vertex w = back_.in_path(pairing.back, pairing.m, in_path);
