@@ -86,16 +86,17 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
     auto inner = in_nested(scene, views);
     if (const auto aimed = aimed_at_light(scene, views); aimed && out.free_laser > 0)
       inner.push_back(*aimed);
-    const auto cone = entry_cone(widest, medium, deepest, inner);
-    out.telescope[views.back()] =
-        out.free_telescope > 0 && cone.by_depth ? cone : cone_of_own_rays(widest, medium, inner);
+    auto& cone = out.telescope[views.back()];
+    if (out.free_telescope > 0) cone = entry_cone(widest, medium, deepest, inner);
+    if (!cone.by_depth) cone = cone_of_own_rays(widest, medium, inner);
   }
   return out;
 }
 
 std::vector<std::string> aimed_walks_told(const scene::Scene& scene, const medium::Medium& medium) {
   std::vector<std::string> out;
-  if (walk_cones(scene, medium, 0).free_laser == 0) return out;
+  const auto of_laser = make_strategies(scene, medium).free_laser;
+  if (meetings(scene, of_laser, scene.simulation.free_laser_meetings) == 0) return out;
   for (const NestedViews& views : nested_views(scene))
     if (const auto aimed = aimed_at_light(scene, views))
       out.push_back(fmt::format(

@@ -317,7 +317,7 @@ void Connections<T>::rotate_pivot(const RayPairing<T>& pairing, const Rotation<T
   met.rest = gained;
   change_first(pairing.m == Index<T>(1), T(p_before / p), gained, back, met.back_near,
                met.back_free);
-  if (!samples_.frees()) return;
+  if (!frees(instrument())) return;
   // The mean over directions in which it could have come is that of another angle.
   const Index<T> line(0);
   const Vertex first = back_.vertex(pairing.back, Index<T>(0));

@@ -149,7 +149,7 @@ class WalkSteps {
     if (any(near)) {
       const Mask<T> from_first = colliding & (w.vertices == Index<T>(1));
       const T averaged =
-          samples_.frees() && any(from_first)
+          source_.cone().by_depth && any(from_first)
               ? averaged_over_drawn(world_, source_.instrument(), vertex_.line, vertex_.layer,
                                     vertex_.line == ray.line, ray.direction, departure.p)
               : T(1);

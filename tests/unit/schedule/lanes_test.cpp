@@ -56,7 +56,9 @@ scene::Scene plain_scene(const std::string& more = "", const std::string& estima
 }
 /// Two views one inside the other over the water, and two in it. In so wide gates a single score,
 /// which may fall on the other side of a rim where lanes contract, is a small part of an echo.
-scene::Scene nested_scene(const std::string& more = "") {
+scene::Scene nested_scene(const std::string& more = "", double photons = 20000,
+                          const std::string& settings = "",
+                          const std::string& estimator = "forward") {
   const auto view = [](const std::string& lens, double half_field_of_view_mrad) {
     return "[[telescope]]\n" + lens +
            fmt::format("half_field_of_view_mrad = {}\n", half_field_of_view_mrad);
@@ -70,8 +72,10 @@ scene::Scene nested_scene(const std::string& more = "") {
   return test::read(test::ship_instrument + view(below, 80) + view(above, 40) + view(below, 20) +
                     view(above, 12) + test::channel("elastic") + test::channel("raman") +
                     test::three_layers + more + test::depth_gates(12, 4) +
-                    test::simulation(20000, 5));
+                    test::simulation(photons, 5, settings, estimator));
 }
+const std::string other_water =
+    "[[environment]]\nset = { \"sea.layer.0.chlorophyll_mg_m3\" = 0.5 }\n";
 /// Over a bed whose albedo depends on the angle.
 const std::string beds = "[[environment]]\nset = { \"bottom.albedo\" = 0.1 }\n";
 scene::Scene bed_scene(const std::string& estimator = "forward", const std::string& more = "",
@@ -88,6 +92,7 @@ std::vector<scene::Scene> bidirectional_scenes() {
   const std::string name = "bidirectional";
   return {plain_scene("", name), plain_scene("walks = 3\nsampling = \"random\"", name),
           rich_scene("max_order = 5\n" + few_free_walks, name),
+          nested_scene(other_water, 2200, few_free_walks, name),
           bed_scene(name, "walks = 3\nmax_order = 3\n" + few_free_walks, beds)};
 }
 
@@ -283,7 +288,7 @@ TEST(Lanes, EchoesAreThoseOfTheScalarEngineInFloat) {
   for (const auto& scene :
        {plain_scene(), plain_scene("directed_fraction = 0"), rich_scene(), rich_scene(tools),
         bed_scene(), bed_scene("forward", tools_of_points, beds), nested_scene(),
-        nested_scene("[[environment]]\nset = { \"sea.layer.0.chlorophyll_mg_m3\" = 0.5 }\n")})
+        nested_scene(other_water)})
     expect_echoes_of_the_scalar_engine(scene);
 }
 TEST(Lanes, BidirectionalEchoesAreThoseOfTheScalarEngineInFloat) {
