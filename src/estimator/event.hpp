@@ -40,13 +40,16 @@ void book_out(Track<T>& t, const Mask<T>& gone, Account& account) {
   t.on = t.on & !gone;
 }
 
-/// Light of a mask leaves the laser, by two uniforms. What gets into the water is on its way.
+/// Light of a mask leaves the laser, by two uniforms. What gets into the water is on its way, and
+/// what stands at a rough surface.
 template <class T, class Ledger>
 void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
                     const Mask<T>& exist, Track<T>& t, Ledger& ledger) {
   t.photon = transport::emit(world.laser, world.laser_region.layer, u_polar, u_azimuth);
   const T emitted = t.photon.weight;
-  const Mask<T> entered = transport::enter_water(world.sea, world.laser_region, t.photon);
+  const Mask<T> entered = world.sea.waves.rough && world.laser_region.in_air
+                              ? transport::come_down(t.photon)
+                              : transport::enter_water(world.sea, world.laser_region, t.photon);
   book(ledger.escaped, exist, select(entered, emitted - t.photon.weight, emitted));
   t.on = exist & entered;
   t.touched = Index<T>(0);

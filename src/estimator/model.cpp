@@ -23,15 +23,19 @@ namespace {
 
 /// The process of a line's light that has touched something.
 std::string process_of(const medium::Line& line, transport::Touched touched) {
-  if (line.process == medium::Process::elastic && touched == transport::Touched::bed)
-    return "bottom";
+  if (line.process == medium::Process::elastic) {
+    if (touched == transport::Touched::bed) return "bottom";
+    if (touched == transport::Touched::surface) return "surface";
+  }
   return std::string(scene::word_of(line.process));
 }
 
 /// What light touches in a medium.
 std::vector<transport::Touched> touched_in(const medium::Medium& medium) {
-  if (medium.bed_albedo.empty()) return {transport::Touched::water};
-  return {transport::Touched::water, transport::Touched::bed};
+  std::vector<transport::Touched> out{transport::Touched::water};
+  if (!medium.bed_albedo.empty()) out.push_back(transport::Touched::bed);
+  if (!medium.waves.slopes.is_flat()) out.push_back(transport::Touched::surface);
+  return out;
 }
 
 /// The processes of all light, in the order of medium::Process, each once.
@@ -74,10 +78,13 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
     }
     shape.channels_of_line.push_back(std::move(counted_by));
   }
-  for (const auto touched : touched_in(medium))
+  const auto last_touched = static_cast<std::int32_t>(touched_in(medium).back());
+  for (std::int32_t touched = 0; touched <= last_touched; ++touched)
     for (const auto& line : medium.line) {
-      const auto at = std::ranges::find(processes, process_of(line, touched));
-      shape.process_of_light.push_back(static_cast<std::int32_t>(at - processes.begin()));
+      const auto at =
+          std::ranges::find(processes, process_of(line, static_cast<transport::Touched>(touched)));
+      shape.process_of_light.push_back(  // no light touches a black bed
+          at == processes.end() ? 0 : static_cast<std::int32_t>(at - processes.begin()));
     }
   if (std::ranges::any_of(medium.line, [](const auto& line) { return line.lifetime_ns > 0; }))
     for (const auto& line : medium.line) shape.decay_of_line.emplace_back(line.lifetime_ns, gates);

@@ -54,7 +54,8 @@ void add_axes(NetcdfImage& file, const tally::Result& result) {
   file.add_variable("process_name", {"process"}, result.process_name,
                     {{"long_name",
                       "process in which the light turned towards the telescope; of the laser's "
-                      "wavelength: bottom, if the light touched it, else elastic"}});
+                      "wavelength: surface, if the light touched nothing but waves, bottom, if it "
+                      "touched that, else elastic"}});
   file.add_variable("channel_wavelength", {"channel"}, result.channel_wavelength_nm,
                     {{"standard_name", "radiation_wavelength"},
                      {"long_name", "mean wavelength of the light that the channel counts"},
@@ -65,7 +66,8 @@ void add_axes(NetcdfImage& file, const tally::Result& result) {
   for (std::int32_t k = 0; k < result.orders; ++k) order.push_back(k);
   file.add_variable(
       "order", {"order"}, order,
-      {{"long_name", fmt::format("scatterings, conversions and bottom reflections of the light; "
+      {{"long_name", fmt::format("scatterings, conversions and bottom reflections of the light, 0: "
+                                 "of the surface's own echo; "
                                  "the last, {0}, stands for {0} and above",
                                  result.orders - 1)},
        {"units", "1"}});

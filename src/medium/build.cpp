@@ -7,6 +7,7 @@
 #include "medium/bed.hpp"
 #include "medium/environments.hpp"
 #include "medium/layer_optics.hpp"
+#include "medium/surface.hpp"
 #include "optics/phase_functions.hpp"
 #include "scene/bed_albedo.hpp"
 
@@ -80,6 +81,7 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   if (medium.line.size() > 1)
     medium.beam_lobe = medium.add_phase(optics::PhaseTable(optics::henyey_greenstein(beam_lobe_g)));
   add_bed(scene, medium);
+  add_surface(scene, library, medium);
   add_environments(scene, library, medium);
   medium.finish();
   return medium;

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "medium/layer_optics.hpp"
 #include "medium/lines.hpp"
+#include "medium/surface.hpp"
 #include "scene/bed_albedo.hpp"
 
 namespace photic::medium {
@@ -32,6 +33,7 @@ class Checker {
     for (std::size_t k = 0; k < scene_.sea.layer.size(); ++k)
       readable_.push_back(findings.good({below(layer_path(k), "iop")}));
     bed_readable_ = findings.good({"bottom"});
+    surface_readable_ = findings.good({"sea.surface"});
   }
 
   void check_tables();
@@ -47,6 +49,7 @@ class Checker {
   void check_inelastic_light(const std::vector<std::optional<WaterOptics>>& at_laser);
   void check_index(Process process, const Wavelength& light);
   void check_bed(const Wavelength& light);
+  void check_whitecaps(const Wavelength& light);
   std::vector<std::optional<WaterOptics>> check_layers(const Wavelength& light);
   std::optional<WaterOptics> check_layer(std::size_t k, const Wavelength& light);
   [[nodiscard]] Wavelength asked_by_channel(const EmittedLine& line) const;
@@ -68,7 +71,7 @@ class Checker {
   scene::Scene scene_;  ///< without the channels that are bad
   std::vector<std::string> channel_path_;
   std::vector<bool> readable_;  ///< the layers whose optics can be asked for
-  bool bed_readable_ = false;
+  bool bed_readable_ = false, surface_readable_ = false;
   const optics::Library& library_;
   scene::Findings& findings_;
   LayerOptics optics_of_;
@@ -171,6 +174,14 @@ void Checker::check_bed(const Wavelength& light) {
   }
 }
 
+void Checker::check_whitecaps(const Wavelength& light) {
+  const scene::Surface& surface = scene_.sea.surface;
+  if (!surface_readable_ || whitecap_fraction_of(surface).value == 0) return;
+  ask(
+      "sea.surface.whitecap_reflectance",
+      [&] { return whitecap_reflectance_of(surface, library_, light.nm); }, light.why_there);
+}
+
 std::optional<WaterOptics> Checker::check_layer(std::size_t k, const Wavelength& light) {
   const auto& layer = scene_.sea.layer[k];
   const auto all = [&] { return optics_of_(layer, light.nm); };
@@ -244,6 +255,7 @@ void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>
     const Wavelength asked = asked_by_channel(line);
     check_index(line.process, asked);
     check_bed(asked);
+    check_whitecaps(asked);
     check_layers(asked);
     if (told_.size() > before) told = line.process;
   }
@@ -262,6 +274,7 @@ void Checker::check_light() {
   const Wavelength laser{scene_.source.wavelength_nm, path, "", "the source emits there"};
   check_index(Process::elastic, laser);
   check_bed(laser);
+  check_whitecaps(laser);
   const auto at_laser = check_layers(laser);
   for (const auto& water : at_laser)
     if (water) highest_albedo_ = std::max(highest_albedo_, water->albedo());

@@ -146,6 +146,7 @@ void Medium::finish() {
   group_index_ = of_lines([](const Line& l) { return l.group_index; });
   top_ = TwinTable(top);
   bed_albedo_ = TwinTable(bed_albedo);
+  whitecap_reflectance_ = TwinTable(waves.whitecap_reflectance);
   c_ = with_integrals(c, 1);
   albedo_ = TwinTable(with_bed<double>(albedo, 1.0));
   absorption_ = TwinTable(with_bed<double>(absorption, 0.0));
@@ -197,6 +198,22 @@ void Medium::finish_bands() {
   convertible_count_ = IndexTableOwner(list_lengths);
 }
 
+WavesView Medium::waves_view() const {
+  const optics::SlopeLaw& s = waves.slopes;
+  WavesView v;
+  v.rough = !s.is_flat();
+  v.one_dimensional = s.is_one_dimensional();
+  v.upwind_x = waves.upwind_x;
+  v.upwind_y = waves.upwind_y;
+  v.upwind_deviation = std::sqrt(s.upwind_variance);
+  v.crosswind_deviation = std::sqrt(s.crosswind_variance);
+  v.c21 = s.c21, v.c03 = s.c03, v.c40 = s.c40, v.c22 = s.c22, v.c04 = s.c04;
+  v.per_norm = 1 / s.norm;
+  v.whitecap_fraction = waves.whitecap_fraction;
+  v.whitecap_reflectance = whitecap_reflectance_.view();
+  return v;
+}
+
 MediumView Medium::view() const {
   MediumView v;
   v.layers = layers();
@@ -221,6 +238,7 @@ MediumView Medium::view() const {
   v.group_index = group_index_.view();
   v.elastic_phase = elastic_phase_.view();
   v.conversion_phase = conversion_phase_.view();
+  v.waves = waves_view();
   EnvironmentsView& e = v.environments;
   e.count = environments.count;
   e.first_tangent = environments.first_tangent;

@@ -16,7 +16,9 @@
 #include "core/twin_table.hpp"
 #include "medium/layering.hpp"
 #include "medium/sources.hpp"
+#include "medium/waves.hpp"
 #include "optics/phase_table.hpp"
+#include "optics/sea_slopes.hpp"
 #include "scene/choices.hpp"
 
 namespace photic::medium {
@@ -96,6 +98,7 @@ struct MediumView {
   IndexTable elastic_phase;     ///< table in `phases`, [line][layer]
   IndexTable conversion_phase;  ///< table in `phases`, [line]; of line 0 unused
   optics::PhaseView phases;
+  WavesView waves;
   EnvironmentsView environments;
 
   template <class I>
@@ -212,6 +215,14 @@ struct EnvironmentTables {
   std::vector<std::int32_t> part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
 
+/// A rough sea surface.
+struct Waves {
+  optics::SlopeLaw slopes;            ///< flat: nothing else counts
+  double upwind_x = 1, upwind_y = 0;  ///< towards where the wind comes from, a unit vector
+  double whitecap_fraction = 0;
+  std::vector<double> whitecap_reflectance;  ///< from above, [line]; empty if there are none
+};
+
 /// Owns what a MediumView points to.
 class Medium {
  public:
@@ -222,6 +233,7 @@ class Medium {
   /// empty if it is black.
   std::vector<double> bed_albedo;
   std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam
+  Waves waves;
   EnvironmentTables environments;
   std::vector<Source> sources;  ///< of all that it is made of
 
@@ -263,6 +275,7 @@ class Medium {
                                          double at_bed) const;
 
  private:
+  [[nodiscard]] WavesView waves_view() const;
   /// The environments' numbers, [row][environment].
   [[nodiscard]] std::vector<double> environment_rows() const;
   /// Groups the lines into bands.
@@ -270,7 +283,7 @@ class Medium {
 
   /// The tables of the view, in both precisions.
   TwinTable bed_albedo_, top_, albedo_, conversion_, absorption_, bed_tau_, index_, inverse_index_,
-      group_index_, environment_rows_;
+      group_index_, environment_rows_, whitecap_reflectance_;
   TwinPairs c_;
   IndexTableOwner convertible_, convertible_count_, line_of_spectral_bin_, elastic_phase_,
       conversion_phase_, part_phase_;

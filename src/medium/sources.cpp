@@ -28,6 +28,7 @@ void add_source(const Contribution& contribution, double nm, std::vector<Source>
 }
 
 std::string source_line(const Source& source) {
+  if (source.last_nm == 0) return fmt::format("{}: {}", source.quantity, source.source);
   const std::string where = source.first_nm == source.last_nm
                                 ? fmt::format("{:.6g}", source.first_nm)
                                 : fmt::format("{:.6g}-{:.6g}", source.first_nm, source.last_nm);

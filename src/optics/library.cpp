@@ -139,6 +139,8 @@ Library::Library(const std::string& folder)
       fluorescence(parameters(folder, "fluorescence_parameters.csv")),
       jerlov(own(
           [&] { return JerlovSpectra(own_table(folder, "jerlov_williamson_hollins_2022.csv")); })),
-      oils(own([&] { return oil_properties(own_table(folder, "oils.csv")); })) {}
+      oils(own([&] { return oil_properties(own_table(folder, "oils.csv")); })),
+      whitecaps_koepke(spectrum(folder, "whitecaps_koepke_1984.csv", "reflectance")),
+      whitecaps_frouin(spectrum(folder, "whitecaps_frouin_1996.csv", "relative")) {}
 
 }  // namespace photic::optics

@@ -96,6 +96,7 @@ class Library {
   const Parameters raman, fluorescence;
   const JerlovSpectra jerlov;
   const std::vector<OilProperty> oils;
+  const Spectrum whitecaps_koepke, whitecaps_frouin;  ///< reflectance; over that at short waves
 
   const SpheresCache spheres;  ///< no table: what Mie theory gives, computed once
 };

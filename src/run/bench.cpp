@@ -208,6 +208,11 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   const auto tell = [&](const std::string& line) {
     if (options.tell) options.tell(line);
   };
+  if (scene.sea.surface.is_rough())
+    throw InputError({{"", 0, 0,
+                       "photic bench compares estimators, and the forward one alone has waves in "
+                       "this version",
+                       "compare them with sea.surface = { model = \"flat\" }"}});
   Comparison out;
   out.repeats = repeat_count;
   out.aim = aim_of(scene.simulation);

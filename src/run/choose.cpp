@@ -137,6 +137,11 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
     simulation.estimator_reason = "the only one that has the tools asked for in this version";
     return chosen;
   }
+  if (scene.sea.surface.is_rough()) {
+    simulation.estimator = scene::Estimator::forward;
+    simulation.estimator_reason = "the only one that has waves in this version";
+    return chosen;
+  }
   const estimator::Model model = estimator::make_model(scene);
   simulation = best_of(model, contenders(model, options), usual_bidirectional(model), options);
   return chosen;

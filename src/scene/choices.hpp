@@ -3,11 +3,13 @@
 // here.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -111,6 +113,36 @@ constexpr auto alternatives(PhaseModel) {
        {mixture, "mixture", "several of these by their shares: components"}});
 }
 
+/// How steep the facets of the sea surface are.
+enum class SurfaceModel { flat, cox_munk, gaussian, paper };
+constexpr auto alternatives(SurfaceModel) {
+  using enum SurfaceModel;
+  return std::to_array<Alternative<SurfaceModel>>(
+      {{flat, "flat", "a level surface without waves"},
+       {cox_munk, "cox-munk", "slopes by the wind, Cox & Munk 1954"},
+       {gaussian, "gaussian", "a Gaussian of your own variances"},
+       {paper, "paper", "PREMAR-2F's: slopes along the wind alone, rougher than the sea"}});
+}
+
+/// How much of the sea whitecaps cover by the wind.
+enum class WhitecapLaw { monahan1980, stramska2003 };
+constexpr auto alternatives(WhitecapLaw) {
+  using enum WhitecapLaw;
+  return std::to_array<Alternative<WhitecapLaw>>(
+      {{monahan1980, "monahan1980", "Monahan & O'Muircheartaigh 1980"},
+       {stramska2003, "stramska2003", "Stramska & Petelski 2003, none below 6.33 m/s"}});
+}
+
+/// How much light whitecaps reflect.
+enum class WhitecapReflectance { koepke1984, frouin1996 };
+constexpr auto alternatives(WhitecapReflectance) {
+  using enum WhitecapReflectance;
+  return std::to_array<Alternative<WhitecapReflectance>>(
+      {{koepke1984, "koepke1984", "Koepke 1984: 0.22 in the visible"},
+       {frouin1996, "frouin1996",
+        "the same, falling to the infrared as Frouin et al. 1996 found"}});
+}
+
 enum class Estimator { automatic, bidirectional, forward, analog };
 constexpr auto alternatives(Estimator) {
   using enum Estimator;
@@ -181,6 +213,26 @@ std::string word_of(const std::optional<E>& value) {
 }
 /// Where the choice is among names, they are the words.
 inline std::string word_of(std::string name) { return name; }
+
+/// Several values of a choice.
+template <class E>
+struct Among {
+  std::vector<E> values;
+  friend bool operator==(const std::optional<E>& value, const Among& among) {
+    return value && std::ranges::find(among.values, *value) != among.values.end();
+  }
+};
+/// The words of one value, or of several.
+template <class Value>
+std::vector<std::string> words_of(const Value& value) {
+  return {word_of(value)};
+}
+template <class E>
+std::vector<std::string> words_of(const Among<E>& among) {
+  std::vector<std::string> words;
+  for (const E value : among.values) words.emplace_back(word_of(value));
+  return words;
+}
 
 /// The value of one of the words.
 template <class E>

@@ -116,6 +116,11 @@ inline constexpr Number temperature_rule = from_to(-2.0, 45.0);
 /// default.
 inline constexpr double salinity_scale_psu = 35.0, temperature_scale_c = 20.0;
 
+/// Faster winds leave no surface, but spray.
+inline constexpr Number wind_speed_rule = from_to(0.0, 30.0);
+/// Slopes of 45 degrees and more.
+inline constexpr Number slope_variance_rule = from_to(0.0, 1.0);
+
 /// Everything of a phase function but its share in a mixture.
 template <class V>
 void describe(V& v, PhaseFunction& p) {
@@ -216,11 +221,45 @@ void describe(V& v, Layer& l) {
 
 template <class V>
 void describe(V& v, Surface& s) {
+  using enum SurfaceModel;
+  using Models = Among<SurfaceModel>;
   v.optional("model", s.model,
-             Choice{{{"flat", "a level surface without waves"}}, {"cox-munk", "slick", "paper"}},
+             ChoiceOf<SurfaceModel>{{}, {{"slick", "model = \"cox-munk\" with slick = true"}}},
              "the shape of the sea surface");
-  v.unavailable("wind_speed_m_s", "the sea surface is flat in this version");
-  v.unavailable("wind_direction_deg", "the sea surface is flat in this version");
+  v.when("model", s.model, Models{{cox_munk, paper}}, [&](auto& w) {
+    w.required("wind_speed_m_s", s.wind_speed_m_s, wind_speed_rule,
+               "the wind's speed in m/s; of 0 the surface is flat");
+  });
+  v.when("model", s.model, Models{{cox_munk, gaussian, paper}}, [&](auto& w) {
+    w.optional("wind_direction_deg", s.wind_direction_deg, from_to(-360.0, 360.0),
+               "where the wind comes from, in degrees from +x to +y: 0 is from +x, 90 from +y");
+  });
+  v.when("model", s.model, cox_munk, [&](auto& w) {
+    w.optional("slick", s.slick, YesOrNo{}, "whether a slick damps the waves");
+    w.optional(expert("gram_charlier"), s.gram_charlier, YesOrNo{},
+               "whether slopes are skewed and peaked as Cox & Munk found, or a Gaussian");
+  });
+  v.when("model", s.model, gaussian, [&](auto& w) {
+    w.required("upwind_slope_variance", s.upwind_slope_variance, slope_variance_rule,
+               "the variance of slopes along the wind");
+    w.required("crosswind_slope_variance", s.crosswind_slope_variance, slope_variance_rule,
+               "the variance of slopes across the wind; with a 0 waves go one way");
+  });
+  v.when("model", s.model, Models{{cox_munk, gaussian, paper}}, [&](auto& w) {
+    w.optional("whitecaps", s.whitecaps, YesOrNo{},
+               "whether whitecaps cover a part of the surface; by default with \"cox-munk\" alone, "
+               "unless there is a slick");
+    w.optional("whitecap_fraction", s.whitecap_fraction, from_to(0.0, 1.0),
+               "the share of the surface that whitecaps cover; by default by whitecap_law");
+  });
+  v.when("model", s.model, Models{{cox_munk, paper}}, [&](auto& w) {
+    w.optional(expert("whitecap_law"), s.whitecap_law, ChoiceOf<WhitecapLaw>{},
+               "how much of the sea whitecaps cover by the wind");
+  });
+  v.when("model", s.model, Models{{cox_munk, gaussian, paper}}, [&](auto& w) {
+    w.optional(expert("whitecap_reflectance"), s.whitecap_reflectance,
+               ChoiceOf<WhitecapReflectance>{}, "how much light whitecaps reflect");
+  });
 }
 
 template <class V>

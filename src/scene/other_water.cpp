@@ -48,7 +48,19 @@ constexpr Fixed fixed_of_sea[] = {{"salinity_psu", bends_and_times},
                                   {"refractive_index", bends},
                                   {"group_index", times}};
 constexpr Fixed fixed_of_layers[] = {{"name", called}, {"bottom_depth_m", borders}};
-constexpr Fixed fixed_of_surface[] = {{"model", bends}};
+/// The model, which decides what other keys there are, comes first, and what follows from others
+/// last.
+constexpr Fixed fixed_of_surface[] = {{"model", bends},
+                                      {"wind_speed_m_s", bends},
+                                      {"wind_direction_deg", bends},
+                                      {"slick", bends},
+                                      {"gram_charlier", bends},
+                                      {"upwind_slope_variance", bends},
+                                      {"crosswind_slope_variance", bends},
+                                      {"whitecap_fraction", bends},
+                                      {"whitecap_law", bends},
+                                      {"whitecap_reflectance", bends},
+                                      {"whitecaps", bends}};
 
 /// Looks at values with which nothing is wrong in the scene and in the environment.
 class Comparison {
@@ -62,13 +74,18 @@ class Comparison {
 
   void compare_seas(const Node& scene, const Node& here) {
     for (const Fixed& fixed : fixed_of_sea) compare(scene, here, "sea", fixed);
-    for (const Fixed& fixed : fixed_of_surface)
-      compare(*scene.find("surface"), *here.find("surface"), "sea.surface", fixed);
+    compare_surfaces(*scene.find("surface"), *here.find("surface"));
     if (!good("sea.layer")) return;
     compare_layers(*scene.find("layer")->as<Node::Array>(), *here.find("layer")->as<Node::Array>());
   }
 
  private:
+  /// The first difference is enough: others may follow from it, and none is allowed.
+  void compare_surfaces(const Node& scene, const Node& here) {
+    for (const Fixed& fixed : fixed_of_surface)
+      if (!compare(scene, here, "sea.surface", fixed)) return;
+  }
+
   void compare_layers(const Node::Array& scene, const Node::Array& here) {
     if (scene.size() != here.size())
       return findings_.add("sea.layer",
@@ -81,16 +98,18 @@ class Comparison {
         compare(scene[i], here[i], below("sea.layer", i), fixed);
   }
 
-  void compare(const Node& scene, const Node& here, const std::string& table, const Fixed& fixed) {
+  /// Whether they are alike, or not known.
+  bool compare(const Node& scene, const Node& here, const std::string& table, const Fixed& fixed) {
     const std::string path = below(table, fixed.key);
     const Node* left = scene.find(fixed.key);
     const Node* right = here.find(fixed.key);
-    if (alike(left, right) || !good(path)) return;
+    if (alike(left, right) || !good(path)) return true;
     findings_.add(path,
                   fmt::format("'{}' must be as in the scene, {}, not {}: {}", fixed.key,
                               left ? found_text(*left) : "which has none",
                               right ? found_text(*right) : "none", fixed.why),
                   suggestion);
+    return false;
   }
 
   [[nodiscard]] bool good(const std::string& path) const {

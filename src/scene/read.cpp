@@ -133,6 +133,8 @@ Scene scene_of(const Node& document, const std::optional<std::string>& folder, F
   if (!scene.optics.emission)
     scene.optics.emission =
         std::ranges::any_of(scene.sea.layer, is_measured) ? Emission::lines : Emission::spectra;
+  Surface& surface = scene.sea.surface;
+  if (surface.is_rough()) surface.whitecaps = surface.has_whitecaps();
   return scene;
 }
 
@@ -155,6 +157,7 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   check_bottom(reading.scene, findings);
   check_instrument(reading.scene, findings);
   check_gates(reading.scene, findings);
+  check_surface(reading.scene, findings);
   check_memory(reading.scene, findings);
   read_on(document, layered, check, reading.scene, findings);
   findings.raise();

@@ -98,7 +98,7 @@ class Reader : public TableReader {
     if (chosen == choice)
       keys(*this);
     else
-      refuse_foreign(Names(keys), selector, word_of(chosen), word_of(choice));
+      refuse_foreign(Names(keys), selector, word_of(chosen), words_of(choice));
   }
 
   template <class... Keys>

@@ -53,6 +53,11 @@ struct Count {
   std::int64_t high = std::numeric_limits<std::int64_t>::max();
 };
 
+/// true or false.
+struct YesOrNo {
+  using Value = bool;
+};
+
 /// [a, b, …]: two or more finite numbers.
 struct Numbers {
   using Value = std::vector<double>;
@@ -63,20 +68,24 @@ struct Word {
   std::string word, meaning;
 };
 
-/// One of some words; `later` are those the format knows and this version cannot do.
+/// One of some words; `later` are those the format knows and this version cannot do, `instead`
+/// what to write for words that are none.
 struct Choice {
   using Value = std::string;
   std::vector<Word> words;
   std::vector<std::string> later = {};
+  std::vector<Word> instead = {};
 };
 
 /// One of the values of an enum (choices.hpp).
 template <class E>
 struct ChoiceOf : Choice {
   using Value = E;
-  explicit ChoiceOf(const std::vector<std::string>& not_yet = {}) {
+  explicit ChoiceOf(const std::vector<std::string>& not_yet = {},
+                    const std::vector<Word>& write_instead = {}) {
     for (const auto& [value, word, meaning] : alternatives(E{})) words.push_back({word, meaning});
     later = not_yet;
+    instead = write_instead;
   }
 };
 
@@ -128,10 +137,11 @@ struct Direction {
 /// Whether the values of a rule are numbers, which have a unit.
 template <class Rule>
 inline constexpr bool is_quantity = requires {
-  requires std::is_arithmetic_v<typename Rule::Value> ||
-               std::is_same_v<typename Rule::Value, NumberOrTable::Value> ||
-               std::is_same_v<typename Rule::Value, std::vector<double>> ||
-               std::is_same_v<typename Rule::Value, Vec3<double>>;
+  requires(std::is_arithmetic_v<typename Rule::Value> &&
+           !std::is_same_v<typename Rule::Value, bool>) ||
+              std::is_same_v<typename Rule::Value, NumberOrTable::Value> ||
+              std::is_same_v<typename Rule::Value, std::vector<double>> ||
+              std::is_same_v<typename Rule::Value, Vec3<double>>;
 };
 
 /// Checks a value and stores it if it passes. `folder` is where relative files lie; without one no
@@ -139,6 +149,7 @@ inline constexpr bool is_quantity = requires {
 std::optional<Refusal> check(const Number& rule, const Node& node, double& value);
 std::optional<Refusal> check(const Wavelength& rule, const Node& node, double& value);
 std::optional<Refusal> check(const Count& rule, const Node& node, std::int64_t& value);
+std::optional<Refusal> check(const YesOrNo& rule, const Node& node, bool& value);
 std::optional<Refusal> check(const Numbers& rule, const Node& node, std::vector<double>& value);
 std::optional<Refusal> check(const Choice& rule, const Node& node, std::string& value);
 template <class E>
@@ -165,6 +176,7 @@ Node to_node(E value) {
 Node schema_of(const Number& rule);
 Node schema_of(const Wavelength& rule);
 Node schema_of(const Count& rule);
+Node schema_of(const YesOrNo& rule);
 Node schema_of(const Numbers& rule);
 Node schema_of(const Choice& rule);
 Node schema_of(const Text& rule);

@@ -89,6 +89,13 @@ std::optional<Refusal> check(const Count& rule, const Node& node, std::int64_t& 
   return std::nullopt;
 }
 
+std::optional<Refusal> check(const YesOrNo&, const Node& node, bool& value) {
+  const auto* given = node.as<bool>();
+  if (!given) return refusal("true or false", node);
+  value = *given;
+  return std::nullopt;
+}
+
 std::optional<Refusal> check(const Numbers&, const Node& node, std::vector<double>& value) {
   const auto* array = node.as<Node::Array>();
   const bool good = array && array->size() >= 2 &&
@@ -112,8 +119,10 @@ std::optional<Refusal> check(const Choice& rule, const Node& node, std::string& 
   if (!among(known)) {
     std::vector<std::string> words;
     for (const std::string& w : known) words.push_back(quoted(w));
-    return refusal(joined(words, "or"), node,
-                   word ? suggestion_for(*word, known, "choose from") : "");
+    std::string suggestion = word ? suggestion_for(*word, known, "choose from") : "";
+    for (const Word& other : rule.instead)
+      if (word && other.word == *word) suggestion = "write " + other.meaning;
+    return refusal(joined(words, "or"), node, suggestion);
   }
   value = *word;
   return std::nullopt;

@@ -64,6 +64,8 @@ Node schema_of(const Count& rule) {
   return schema;
 }
 
+Node schema_of(const YesOrNo&) { return typed("boolean"); }
+
 Node schema_of(const Numbers&) {
   Node schema = typed("array");
   schema.add("items", typed("number"));

@@ -14,6 +14,31 @@ double Telescope::effective_detector_diameter_m() const {
   return 2.0 * focal_length_m * std::tan(1e-3 * *half_field_of_view_mrad);
 }
 
+bool Surface::is_rough() const {
+  switch (model) {
+    case SurfaceModel::flat:
+      return false;
+    case SurfaceModel::gaussian:
+      return upwind_slope_variance > 0 || crosswind_slope_variance > 0;
+    case SurfaceModel::cox_munk:
+    case SurfaceModel::paper:
+      return wind_speed_m_s > 0;
+  }
+  return false;
+}
+
+bool Surface::is_one_dimensional() const {
+  return is_rough() && (model == SurfaceModel::paper ||
+                        (model == SurfaceModel::gaussian &&
+                         (upwind_slope_variance == 0 || crosswind_slope_variance == 0)));
+}
+
+bool Surface::has_whitecaps() const {
+  if (!is_rough()) return false;
+  if (whitecaps) return *whitecaps;
+  return whitecap_fraction || (model == SurfaceModel::cox_munk && !slick);
+}
+
 const Gates::Interval& Gates::interval() const {
   const auto& given = depth_m ? depth_m : range_m ? range_m : time_ns;
   expect(given.has_value(), "gates are given by depth, range or time");

@@ -122,8 +122,23 @@ struct Layer {
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 
+/// The sea surface: flat, or facets whose slopes have a density, and whitecaps between them.
 struct Surface {
-  std::string model = "flat";
+  SurfaceModel model = SurfaceModel::flat;
+  double wind_speed_m_s = 0.0;      ///< cox-munk, paper
+  double wind_direction_deg = 0.0;  ///< where the wind comes from, from +x to +y
+  bool slick = false;               ///< cox-munk
+  bool gram_charlier = true;        ///< cox-munk
+  double upwind_slope_variance = 0.0, crosswind_slope_variance = 0.0;  ///< gaussian
+  std::optional<bool> whitecaps;            ///< none: with cox-munk alone, where there is no slick
+  std::optional<double> whitecap_fraction;  ///< none: by the law
+  WhitecapLaw whitecap_law = WhitecapLaw::monahan1980;
+  WhitecapReflectance whitecap_reflectance = WhitecapReflectance::koepke1984;
+
+  /// Whether there are facets that are not level.
+  [[nodiscard]] bool is_rough() const;
+  [[nodiscard]] bool is_one_dimensional() const;
+  [[nodiscard]] bool has_whitecaps() const;
   friend bool operator==(const Surface&, const Surface&) = default;
 };
 

@@ -69,10 +69,12 @@ Node SchemaBuilder::or_profile(Node schema) {
   return either_of(std::move(schema), reference(profile_name));
 }
 
-void SchemaBuilder::conditional(const char* selector, const std::string& choice,
+void SchemaBuilder::conditional(const char* selector, const std::vector<std::string>& choices,
                                 const Names& keys) {
-  if (!keys.needed().empty()) demanding_.emplace_back(choice);
-  Node chosen = keyed("properties", keyed(selector, keyed("const", to_node(choice))));
+  if (!keys.needed().empty()) demanding_.insert(demanding_.end(), choices.begin(), choices.end());
+  const Node is_chosen = choices.size() == 1 ? keyed("const", to_node(choices.front()))
+                                             : keyed("enum", to_node(choices));
+  Node chosen = keyed("properties", keyed(selector, is_chosen));
   chosen.add("required", to_node(std::vector<std::string>{selector}));
   Node condition = keyed("if", std::move(chosen));
   condition.add("then", keyed("required", to_node(keys.needed())));

@@ -83,7 +83,7 @@ class SchemaBuilder {
   template <class T, class Value, class Keys>
   void when(const char* selector, const T&, const Value& choice, const Keys& keys) {
     adopt(keys);
-    conditional(selector, word_of(choice), Names(keys));
+    conditional(selector, words_of(choice), Names(keys));
   }
   template <class... Keys>
   void one_of(const Option<Keys>&... options) {
@@ -136,7 +136,8 @@ class SchemaBuilder {
     keys(*this);
     required_.resize(required_before);
   }
-  void conditional(const char* selector, const std::string& choice, const Names& keys);
+  void conditional(const char* selector, const std::vector<std::string>& choices,
+                   const Names& keys);
   void alternatives(const std::vector<Names>& groups);
   void at_least_one(const Names& keys);
   /// One of two keys, if the other is required.

@@ -54,9 +54,9 @@ std::vector<std::string> parts_of(const std::string& word) {
 /// What units in the names of keys are made of, those of scenes and those that people would write.
 bool is_unit_part(const std::string& part) {
   static const std::set<std::string> all{
-      "per", "nm", "um", "mm",  "cm",  "m",       "km",      "m2",   "m3",  "l",   "ml",
-      "ng",  "ug", "mg", "g",   "kg",  "rad",     "mrad",    "urad", "deg", "sr",  "s",
-      "ms",  "us", "ns", "psu", "ppt", "degrees", "percent", "c",    "k",   "degc"};
+      "per", "nm",  "um",  "mm",      "cm",      "m",    "km",   "m2",   "m3", "l",    "ml", "ng",
+      "ug",  "mg",  "g",   "kg",      "rad",     "mrad", "urad", "deg",  "sr", "s",    "ms", "us",
+      "ns",  "psu", "ppt", "degrees", "percent", "c",    "k",    "degc", "kn", "knots"};
   return all.count(part) > 0;
 }
 

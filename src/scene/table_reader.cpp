@@ -115,13 +115,16 @@ void TableReader::finish() {
 }
 
 void TableReader::refuse_foreign(const Names& keys, const std::string& selector,
-                                 const std::string& word, const std::string& choice) {
+                                 const std::string& word, const std::vector<std::string>& choices) {
+  std::vector<std::string> owners;
+  for (const std::string& choice : choices) owners.push_back(quoted(choice));
+  const bool chosen = !word.empty() && shared_.findings.good({path_of(selector)});
   for (const std::string& key : keys.all()) {
     const Node* node = look(key);
-    if (!node || word.empty()) continue;
+    if (!node || !chosen) continue;
     refuse(key, *node,
-           {fmt::format("does not belong to {} = \"{}\"", selector, word),
-            fmt::format("it belongs to \"{}\"", choice)});
+           {fmt::format("does not belong to {} = {}", selector, quoted(word)),
+            fmt::format("it belongs to {}", joined(owners, "and"))});
   }
 }
 

@@ -57,7 +57,7 @@ class TableReader {
 
   /// Keys of a choice of `selector` that was not made: `word` was.
   void refuse_foreign(const Names& keys, const std::string& selector, const std::string& word,
-                      const std::string& choice);
+                      const std::vector<std::string>& choices);
   /// How many of the groups of keys are given here; says so if it should be one.
   std::size_t check_groups(const std::vector<Names>& groups);
   /// Says so if none of the keys is given.

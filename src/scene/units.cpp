@@ -39,6 +39,7 @@ constexpr std::array key_units{
     KeyUnit{"_ns", "ns"},
     KeyUnit{"_c", "degrees Celsius"},
     KeyUnit{"_m", "m", Unit{0, 0, 1, 0}, lengths},
+    KeyUnit{"_m_s", "m/s"},
     KeyUnit{"_s", "s"}};
 
 const KeyUnit* key_unit(const std::string& key) {

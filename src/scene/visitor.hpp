@@ -5,7 +5,8 @@
 //                                                    may be left out, is that of cut.hpp
 //   section, sections(name, value, …)                [name] and [[name]]
 //   table, tables, table_or_word(name, value, …)     inline tables
-//   when(key, chosen, choice, keys)                  keys that belong to one choice of another key
+//   when(key, chosen, choice, keys)                  keys that belong to one choice of another key,
+//                                                    or to several (Among)
 //   one_of(option…), any_of(keys)                    exactly one of some groups of keys; at least
 //                                                    one key
 //   once_read(action)                                done when the keys before have been read

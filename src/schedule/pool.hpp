@@ -131,16 +131,17 @@ class Pool {
       return first +
              static_cast<std::int32_t>(width) * static_cast<std::int32_t>(&t - newborn_.data());
     };
-    all([&](auto& t) {
-      const std::int32_t n = number_of(t);
-      estimator::birth(world_, *draws_, n, first_lanes<T>(count_ - static_cast<std::uint64_t>(n)),
-                       t, ledger_);
-    });
-    next_ += born * width;
     if (estimator::compares<Events>(world_)) {
       for (std::size_t i = 0; i < born * width; ++i)
         ratios_.of(newborn_.front().ratios.first + i).begin(world_.sea.environments);
     }
+    all([&](auto& t) {
+      const std::int32_t n = number_of(t);
+      estimator::birth<Events>(world_, *draws_, n,
+                               first_lanes<T>(count_ - static_cast<std::uint64_t>(n)), t,
+                               estimates_, tally, ledger_);
+    });
+    next_ += born * width;
     auto steps =
         estimator::forward_steps<Events>(world_, ledger_, tally, estimates_, [&](auto block) {
           all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });

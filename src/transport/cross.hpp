@@ -8,22 +8,29 @@
 
 namespace photic::transport {
 
-/// Takes photons from where their instrument stands into the water: from the air through the
-/// surface, where their weight takes the share that passes. Tells which photons get there; the
-/// others fly away and are left as they are.
+/// Takes photons in the air to the surface, as it were flat. Tells which get there; the others fly
+/// away and are left as they are.
+template <class T>
+Mask<T> come_down(Photon<T>& photon) {
+  const Mask<T> downward = photon.direction.z < T(0);
+  const T distance = photon.position.z / -select(downward, photon.direction.z, T(-1));
+  const Vec3<T> there = photon.position + distance * photon.direction;
+  photon.position = select(downward, Vec3<T>{there.x, there.y, T(0)}, photon.position);
+  photon.path = photon.path + select(downward, distance, T(0));
+  return downward;
+}
+
+/// Takes photons from where their instrument stands into the water: from the air through the flat
+/// surface, where their weight takes the share that passes. Tells which photons get there.
 template <class T>
 Mask<T> enter_water(const medium::MediumView& sea, const geometry::Region<T>& from,
                     Photon<T>& photon) {
   if (!from.in_air) return Mask<T>(true);
-  const Mask<T> downward = photon.direction.z < T(0);
+  const Mask<T> downward = come_down(photon);
   Vec3<T> direction = photon.direction;
   direction.z = select(downward, direction.z, T(-1));
-  const T distance = photon.position.z / -direction.z;
   const auto split = surface::flat_surface<T>(sea, photon.line).from_above(direction);
-  const Vec3<T> there = photon.position + distance * photon.direction;
-  photon.position = select(downward, Vec3<T>{there.x, there.y, T(0)}, photon.position);
   photon.direction = select(downward, split.transmitted, photon.direction);
-  photon.path = photon.path + select(downward, distance, T(0));
   photon.weight = photon.weight * select(downward, split.transmittance, T(1));
   return downward;
 }

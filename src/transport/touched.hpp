@@ -9,9 +9,9 @@
 
 namespace photic::transport {
 
-/// Of several the highest counts.
-enum class Touched : std::int32_t { water, bed };
-inline constexpr std::int32_t kinds_touched = 2;
+/// Of several the highest counts. `surface`: nothing but a rough surface.
+enum class Touched : std::int32_t { water, bed, surface };
+inline constexpr std::int32_t kinds_touched = 3;
 
 /// What light has touched that comes to a place.
 template <class T>
@@ -23,7 +23,7 @@ Index<T> touched_at(const medium::MediumView& sea, const Index<T>& layer, const 
 /// A line and what its light has touched, as tallies count them: an index [touched][line].
 template <class T>
 Index<T> light_of(const medium::MediumView& sea, const Index<T>& line, const Index<T>& touched) {
-  if (sea.bed_angles == 0) return line;
+  if (sea.bed_angles == 0 && !sea.waves.rough) return line;
   return touched * Index<T>(sea.lines) + line;
 }
 

@@ -46,6 +46,11 @@ GOOD = {
         'phase_function = "petzold"',
     ),
     "float": ("photons = 20000", "photons = 1e7"),
+    "waves": ("[gates]", '[sea.surface]\nmodel = "cox-munk"\nwind_speed_m_s = 5\nslick = true\n[gates]'),
+    "waves of one's own": (
+        "[gates]",
+        '[sea.surface]\nmodel = "gaussian"\nupwind_slope_variance = 0.01\ncrosswind_slope_variance = 0\n[gates]'),
+    "calm": ("[gates]", '[sea.surface]\nmodel = "paper"\nwind_speed_m_s = 0\nwhitecaps = false\n[gates]'),
     "bed": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = 0.1\n[gates]"),
     "bed by angle": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = { zenith_deg = [0, 90], albedo = [0.1, 0.2] }\n[gates]"),
 }
@@ -81,6 +86,12 @@ FAULTY = {
     "bed without albedo": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\n[gates]"),
     "bed of nothing known": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = { albedo = [0.1, 0.2] }\n[gates]"),
     "bed of a file and more": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = { file = 'a.csv', albedo = [0.1, 0.2] }\n[gates]"),
+    "waves without wind": ("[gates]", '[sea.surface]\nmodel = "cox-munk"\n[gates]'),
+    "wind on a flat sea": ("[gates]", "[sea.surface]\nwind_speed_m_s = 5\n[gates]"),
+    "yes as text": ("[gates]", '[sea.surface]\nmodel = "cox-munk"\nwind_speed_m_s = 5\nslick = "yes"\n[gates]'),
+    "key of another surface": (
+        "[gates]",
+        '[sea.surface]\nmodel = "gaussian"\nupwind_slope_variance = 0.01\ncrosswind_slope_variance = 0\nslick = true\n[gates]'),
     "file without its choice": ("[gates]", '[optics]\nphytoplankton_file = "a.csv"\n[gates]'),
 }
 

@@ -245,7 +245,8 @@ void expect_strong_changes_covered(const std::string& estimator, double photons,
     return read(ship_instrument + channel("elastic") +
                 water(0.06 * times, 0.10 * times,
                       fmt::format("{{ model = \"henyey-greenstein\", g = {} }}", g)) +
-                depth_gates(10, 1) + simulation(n, seed, "", by));
+                depth_gates(10, 1) +
+                simulation(n, seed, by == "bidirectional" ? no_free_walks : "", by));
   };
   const std::vector<double> changes{0.4, 0.7, 1.5, 2.5};  // of the attenuation
   std::vector<scene::Scene> others;

@@ -9,6 +9,7 @@
 #include "core/random.hpp"
 #include "estimator/analog/collide_by_chance.hpp"
 #include "estimator/book.hpp"
+#include "estimator/cross_waves.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/event.hpp"
 #include "estimator/termination.hpp"
@@ -17,6 +18,7 @@
 #include "lanes/each_score.hpp"
 #include "surface/flat.hpp"
 #include "tally/batch_tally.hpp"
+#include "transport/facets_in_line.hpp"
 #include "transport/flight.hpp"
 #include "transport/touched.hpp"
 
@@ -29,17 +31,14 @@ template <class T>
 void detect(const World<T>& world, const transport::Photon<T>& photon, const Index<T>& touched,
             Mask<T> flying, const T& length, bool in_air, const T& depth,
             tally::BatchTally& tally) {
-  flying = flying & (photon.order > Index<T>(0));
+  const Index<T> of_surface(static_cast<std::int32_t>(transport::Touched::surface));
+  flying = flying & ((photon.order > Index<T>(0)) | (touched == of_surface));
   for (std::size_t t = 0; t < world.telescopes.size(); ++t) {
     const instrument::Telescope<T>& telescope = world.telescopes[t];
     if (world.telescope_region[t].in_air != in_air) continue;
-    const T towards = -dot(photon.direction, telescope.axis);
-    const Vec3<T> from_lens = photon.position - telescope.position;
-    const T distance = dot(from_lens, telescope.axis) / select(towards > T(0), towards, T(1));
-    const Vec3<T> met = from_lens + distance * photon.direction;
-    const instrument::PlanePoint<T> point{dot(met, telescope.across), dot(met, telescope.up)};
-    const Mask<T> seen = flying & (towards > T(0)) & (distance > T(0)) & (distance < length) &
-                         instrument::open_at(telescope, point) &
+    const auto [open, point, distance] =
+        transport::come_to_lens(telescope, photon.position, photon.direction);
+    const Mask<T> seen = flying & open & (distance < length) &
                          instrument::sight(telescope, point, photon.direction).on_detector;
     if (!any(seen)) continue;
     const T way = in_air ? longer_way(telescope, photon.position, point, distance)
@@ -50,7 +49,7 @@ void detect(const World<T>& world, const transport::Photon<T>& photon, const Ind
                                       photon.order,
                                       depth,
                                       photon.path + way,
-                                      T(1)};
+                                      photon.weight};
     lanes::each_score(
         tally, seen, scores,
         [&](std::size_t, const tally::Score& score, const auto& at) { tally.score(score, at); });
@@ -79,6 +78,10 @@ struct AnalogSteps {
     const auto w = draws.together(n, 0, 0);
     if (world.sea.bands > 0) p.spectral_bin = medium::spectral_bin_of(w[3]);
     birth_at_laser(world, w[0], w[1], exist, p, ledger);
+    if (world.sea.waves.rough && world.laser_region.in_air) {
+      cross_waves(p, p.on, true, T(0));
+      return p;
+    }
     const Mask<T> passes = w[2] < p.photon.weight;
     book(ledger.roulette, p.on, p.photon.weight - select(passes, T(1), T(0)));
     p.photon.weight = T(1);
@@ -103,6 +106,10 @@ struct AnalogSteps {
     const Mask<T> at_surface = p.on & end.surface;
     end.surface = Mask<T>(false);
     if (!any(at_surface)) return end;
+    if (world.sea.waves.rough) {
+      cross_waves(p, at_surface, false, depth);
+      return fly_on(p, p.photon, at_surface & p.on, depth, end);
+    }
     const auto split =
         surface::flat_surface<T>(world.sea, p.photon.line).from_below(p.photon.direction);
     const Mask<T> leaves = at_surface & (u[1] >= split.reflectance);
@@ -113,10 +120,7 @@ struct AnalogSteps {
     book_out(p, leaves, ledger.escaped);
     transport::Photon<T> down = p.photon;
     down.direction = split.reflected;
-    const auto onward = fly_to_detectors(down, p.touched, at_surface & p.on, u[2], depth);
-    p.photon = select(at_surface, down, p.photon);
-    end.sea_bed = end.sea_bed | (at_surface & onward.sea_bed);
-    return end;
+    return fly_on(p, down, at_surface & p.on, depth, end);
   }
   [[nodiscard]] Mask<T> in_time(const transport::Photon<T>& photon) const {
     return estimator::in_time(world, photon);
@@ -128,7 +132,9 @@ struct AnalogSteps {
     const Mask<T> last = p.photon.order == Index<T>(world.last_order);
     if (world.last_order > 0) book_out(p, last, ledger.cut_by_order);
     const Mask<T> bed = surface::on_bed<T>(world.sea, p.photon.layer);
-    p.touched = transport::touched_at<T>(world.sea, p.photon.layer, p.touched);
+    const Mask<T> first = p.photon.order == Index<T>(0);
+    p.touched =
+        transport::touched_at<T>(world.sea, p.photon.layer, select(first, Index<T>(0), p.touched));
     const Mask<T> stays =
         collide_by_chance(world.sea, p.photon, p.spectral_bin, p.on, u[3], v[0], v[1]);
     book_out(p, bed & !stays, ledger.sea_bed);
@@ -141,6 +147,35 @@ struct AnalogSteps {
   [[nodiscard]] static const Index<T>& event_of(const AnalogPhotons<T>& p) { return p.place.event; }
 
  private:
+  /// Photons of a mask stand at a rough surface, in the air or in the water; those that rise from
+  /// it may meet a detector. `depth`: of the collision that they come from.
+  void cross_waves(AnalogPhotons<T>& p, const Mask<T>& stand, bool in_air, const T& depth) {
+    const Index<T> of_surface(static_cast<std::int32_t>(transport::Touched::surface));
+    p.touched = select(stand & (p.photon.order == Index<T>(0)), of_surface, p.touched);
+    const auto surface = surface::rough_surface<T>(world.sea, p.photon.line);
+    const T endless(std::numeric_limits<Element<T>>::max());
+    transport::AtWaves<T> at{stand, Mask<T>(in_air)};
+    for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
+      const Mask<T> meets = at.meets;
+      const auto w = uniforms(p.place, facet_blocks + facet);
+      const auto met =
+          transport::meet_waves(surface, p.photon, at, {w[0], w[1], w[2], w[3]}, false);
+      book(ledger.roulette, meets, T(0) - met.gained);
+      detect(world, p.photon, p.touched, met.left, endless, true, depth, tally);
+      book_out(p, met.left, ledger.escaped);
+    }
+    book_out(p, at.meets, ledger.lost);
+  }
+  /// Photons of a mask that have been at the surface fly down from there. `depth`: of the collision
+  /// that they come from.
+  transport::FlightEnd<T> fly_on(AnalogPhotons<T>& p, transport::Photon<T> down,
+                                 const Mask<T>& flying, const T& depth,
+                                 transport::FlightEnd<T> end) {
+    const auto onward = fly_to_detectors(down, p.touched, flying, u[2], depth);
+    p.photon = select(flying, down, p.photon);
+    end.sea_bed = end.sea_bed | (flying & onward.sea_bed);
+    return end;
+  }
   /// A flight in the water, whose photons may meet a detector there.
   transport::FlightEnd<T> fly_to_detectors(transport::Photon<T>& photon, const Index<T>& touched,
                                            const Mask<T>& flying, const T& number, const T& depth) {

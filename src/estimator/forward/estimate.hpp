@@ -16,6 +16,7 @@
 #include "transport/aim.hpp"
 #include "transport/collide.hpp"
 #include "transport/connect_ray.hpp"
+#include "transport/connect_waves.hpp"
 #include "transport/scatter.hpp"
 #include "transport/touched.hpp"
 
@@ -26,6 +27,9 @@ namespace photic::estimator {
 inline constexpr int target_capacity = 16;
 template <class T>
 using Targets = transport::Targets<T, target_capacity>;
+
+/// A block of an event's random numbers.
+inline constexpr std::uint32_t surface_block = 4;
 
 /// Photons on their way, one in each lane, and the event that they are in.
 template <class T>
@@ -40,36 +44,42 @@ struct Travellers : Track<T> {
   Ratios<T> ratios;                             ///< of their weights in environments
 
   // Of the event:
-  std::array<T, 4> u{}, choices{}, forced{};  ///< numbers: of all events, and where they are asked
-                                              ///< for, of choices and of forced collisions
-  T free_path{};                              ///< of the flight, an optical depth
-  transport::Branch<T> branch;                ///< what the collision made of them
-  Targets<T> targets;                         ///< of the directions that they may take next
-  transport::Deflection<T> deflection;        ///< by the collision
-  Vec3<T> old_direction;                      ///< before it
+  std::array<T, 4> u{}, choices{}, forced{},
+      surface{};  ///< numbers: of all events, and where they are asked for, of choices, of forced
+                  ///< collisions, and of where light crosses a rough surface on its way to lenses
+  T free_path{};  ///< of the flight, an optical depth
+  transport::Branch<T> branch;             ///< what the collision made of them
+  Targets<T> targets;                      ///< of the directions that they may take next
+  transport::Deflection<T> deflection;     ///< by the collision
+  Vec3<T> old_direction;                   ///< before it
   T stays{1};                              ///< chance that a forced flight has to end in the water
   T analog_before{}, importance_before{};  ///< the flight, for tools that ask
   Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
 
   /// The numbers of a block of the event.
   std::array<T, 4>& numbers(std::uint32_t block) {
+    if (block == surface_block) return surface;
     return block == 0 ? u : (block == 1 ? choices : forced);
+  }
+  [[nodiscard]] transport::SurfacePointUniforms<T> surface_point() const {
+    return {surface[0], surface[1], surface[2]};
   }
 };
 
 /// What differs between the sources of a scene's scores at all.
 struct SourcesDiffer {
-  bool lines = true, layers = true, points = true, touched = true;
+  bool lines = true, layers = true, points = true, touched = true, surface = true;
 
-  /// Calls f(member) for what does of a source's photon, its weight, line, what it has touched, and
-  /// its point of the lens.
-  template <class Photon, class T, class Number, class Point, class F>
+  /// Calls f(member) for what does of a source's photon, its weight, line, what it has touched, its
+  /// point of the lens, and the numbers of a point of a rough surface.
+  template <class Photon, class T, class Number, class Point, class Uniforms, class F>
   constexpr void each(Photon& photon, T& weight, Number& line, Number& touched, Point& lens,
-                      F f) const {
+                      Uniforms& u, F f) const {
     f(photon.position.x), f(photon.position.y), f(photon.position.z);
     f(photon.direction.x), f(photon.direction.y), f(photon.direction.z);
     f(weight), f(photon.path), f(photon.order);
     if (points) f(lens.x), f(lens.y);
+    if (surface) f(u.choice), f(u.radius), f(u.azimuth);
     if (layers) f(photon.layer);
     if (lines) f(photon.line), f(line);
     if (this->touched) f(touched);
@@ -77,7 +87,8 @@ struct SourcesDiffer {
 };
 template <class T>
 SourcesDiffer sources_differ(const World<T>& world) {
-  return {world.sea.lines > 1, world.sea.places > 1, world.single_rays, world.sea.bed_angles > 0};
+  return {world.sea.lines > 1, world.sea.places > 1, world.single_rays, world.sea.bed_angles > 0,
+          world.sea.waves.rough};
 }
 
 /// Light of one line that leaves collisions, one in each lane: scattered, or converted from another
@@ -87,11 +98,12 @@ struct Sources {
   transport::Photon<T> photon{};  ///< before the collision
   Index<T> line{}, touched{};
   instrument::PlanePoint<T> lens{};
+  transport::SurfacePointUniforms<T> surface{};
   SourcesDiffer differ;
 
   template <class F>
   constexpr void each_member(F f) {
-    differ.each(photon, photon.weight, line, touched, lens, f);
+    differ.each(photon, photon.weight, line, touched, lens, surface, f);
   }
 };
 /// The same, where it stands.
@@ -102,14 +114,15 @@ struct SourcesOf {
   const Index<T>& line;
   const Index<T> touched;
   const instrument::PlanePoint<T>& lens;
+  const transport::SurfacePointUniforms<T> surface;
   SourcesDiffer differ;
 
   template <class F>
   constexpr void each_member(F f) const {
-    differ.each(photon, weight, line, touched, lens, f);
+    differ.each(photon, weight, line, touched, lens, surface, f);
   }
   explicit operator Sources<T>() const {
-    Sources<T> out{photon, line, touched, lens, differ};
+    Sources<T> out{photon, line, touched, lens, surface, differ};
     out.photon.weight = weight;
     return out;
   }
@@ -169,32 +182,58 @@ lanes::LaneScores<T> scores_of(const World<T>& world, const ViewGroup<T>& group,
           value};
 }
 
-/// Scores the lanes of a mask in environments, too: light that leaves a collision and goes straight
-/// to telescopes of a group.
+/// Scores the lanes of a mask in environments, too, by the completion of their paths.
 template <class T>
+void score_completed(const World<T>& world, const Mask<T>& seen, const lanes::LaneScores<T>& scores,
+                     Estimates<T>& estimates, tally::BatchTally& tally) {
+  const geometry::Slabs& sea = world.sea;
+  const auto& completion = estimates.completion;
+  lanes::each_score(
+      tally, seen, scores, [&](std::size_t lane, const tally::Score& score, const auto& at) {
+        const std::size_t path = estimates.first + lane;
+        tally.not_finite += complete<T>(
+            sea.environments, completion, lane,
+            [&](std::int32_t e) { return estimates.paths->at(path, e); }, estimates.ratios.data());
+        tally.score(score, at, estimates.ratios.data());
+      });
+}
+/// The ways that complete paths of light from where it stands to a group of telescopes.
+template <class T>
+void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sources<T>& from,
+                   const transport::Connection<T>& way, geometry::Route route, Terms<T>& ways) {
+  add_way(world.sea, from.line, from.photon.layer, T(-from.photon.position.z), way.direction,
+          way.length_water, group.region, route, ways);
+}
+/// The same by a rough surface.
+template <class T>
+void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sources<T>& from,
+                   const transport::WavesConnection<T>& way, geometry::Route, Terms<T>& ways) {
+  const Index<T> top(0);
+  add_passage(
+      world.sea,
+      {from.line, from.photon.layer, T(-from.photon.position.z), top, T(0), way.length_water},
+      ways);
+  if (!group.region.in_air)
+    add_passage(world.sea,
+                {from.line, group.region.layer, way.onward.depth(), top, T(0), way.onward.length},
+                ways);
+}
+/// Light that leaves a collision and goes to telescopes of a group, also in environments.
+template <class T, class Way>
 PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(
     const World<T>& world, const ViewGroup<T>& group, Index<T> telescope, Mask<T> seen,
-    Sources<T> from, transport::Connection<T> way, geometry::Route route, T value,
-    Estimates<T>& estimates, tally::BatchTally& tally) {
-  const geometry::Slabs& sea = world.sea;
+    Sources<T> from, Way way, geometry::Route route, T value, Estimates<T>& estimates,
+    tally::BatchTally& tally) {
   const transport::Photon<T>& photon = from.photon;
   auto& completion = estimates.completion;
   completion.clear();
   completion.ways = estimates.unflown;
-  add_way(sea, from.line, photon.layer, T(-photon.position.z), way.direction, way.length_water,
-          group.region, route, completion.ways);
-  completion.collide(sea,
+  complete_ways(world, group, from, way, route, completion.ways);
+  completion.collide(world.sea,
                      {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)), from.line,
                       one_minus_cos(photon.direction, way.direction), T(-photon.direction.z)});
-  lanes::each_score(tally, seen, scores_of(world, group, telescope, from, way.path, value),
-                    [&](std::size_t lane, const tally::Score& score, const auto& at) {
-                      const std::size_t path = estimates.first + lane;
-                      tally.not_finite += complete<T>(
-                          sea.environments, completion, lane,
-                          [&](std::int32_t e) { return estimates.paths->at(path, e); },
-                          estimates.ratios.data());
-                      tally.score(score, at, estimates.ratios.data());
-                    });
+  score_completed(world, seen, scores_of(world, group, telescope, from, way.path, value), estimates,
+                  tally);
 }
 
 /// Scores light in the telescopes of a group: weight before the collision x share of the process x
@@ -207,7 +246,7 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
   const Photon<T>& photon = from.photon;
   const auto [share, phase] = emission(world.sea, from);
   const ViewGroup<T>& group = world.groups[g];
-  const auto score = [&](const Connection<T>& way, geometry::Route route,
+  const auto score = [&](const auto& way, geometry::Route route,
                          const instrument::Sight<T>& sight) {
     const Mask<T> seen = mask & (way.acceptance > T(0));
     if (!any(seen)) return;
@@ -226,7 +265,12 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
   const auto& telescope = group.widest;
   const auto& region = group.region;
   for (const auto route : geometry::routes_to(region.in_air)) {
-    if (world.single_rays) {
+    const bool by_surface = region.in_air || route == geometry::Route::mirrored;
+    if (world.sea.waves.rough && by_surface) {
+      const auto way = connect_by_waves(world.sea, telescope, region, photon, from.line, from.lens,
+                                        from.surface, mask);
+      score(way, route, way.sight);
+    } else if (world.single_rays) {
       const auto way =
           connect_ray(world.sea, telescope, region, photon, from.line, from.lens, route, mask);
       score(way, route, way.sight);
@@ -242,6 +286,7 @@ template <class T>
 Mask<T> near_view(const World<T>& world, std::size_t g, const Vec3<T>& position,
                   const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {
   const auto& telescope = world.groups[g].widest;
+  if (world.sea.waves.rough) return Mask<T>(true);  // a steep facet may lead light from anywhere
   return world.single_rays ? transport::may_see(world.sea, telescope, position, line, lens[g])
                            : transport::may_see(world.sea, telescope, position, line);
 }
@@ -269,8 +314,13 @@ void score_light(const World<T>& world, const Travellers<T>& of, const transport
   for (std::size_t g = 0; g < world.groups.size(); ++g) {
     const Mask<T> seen = colliding & near_view(world, g, photon.position, line, lens);
     if (!any(seen)) continue;
-    const SourcesOf<T> from{
-        photon, weight, line, touched, world.single_rays ? lens[g] : centre, sources_differ(world)};
+    const SourcesOf<T> from{photon,
+                            weight,
+                            line,
+                            touched,
+                            world.single_rays ? lens[g] : centre,
+                            of.surface_point(),
+                            sources_differ(world)};
     if (compares<Events>(world)) {
       score_in<Events>(world, g, Sources<T>(from), seen, tally, estimates);
       continue;

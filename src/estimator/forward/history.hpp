@@ -12,9 +12,9 @@
 namespace photic::estimator {
 
 /// A batch's photons n, n + 1, … of a mask leave the laser.
-template <class T, class Ledger>
+template <class Events, class T, class Ledger>
 void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const Mask<T>& exist,
-           Travellers<T>& t, Ledger& ledger) {
+           Travellers<T>& t, Estimates<T>& estimates, tally::BatchTally& tally, Ledger& ledger) {
   t.place.photon = draws.photon(Index<T>(n) + lane_numbers<T>());
   t.place.event = Index<T>(0);
   for (std::size_t k = 0; k < t.lens.size(); ++k) {
@@ -24,6 +24,8 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
   const auto u = draws.together(n, 0, 0);
   if (world.sea.bands > 0) t.spectral_bin = medium::spectral_bin_of(u[3]);
   birth_at_laser(world, u[0], u[1], exist, t, ledger);
+  if (world.sea.waves.rough && world.laser_region.in_air)
+    cross_waves<Events>(world, t, t.on, true, estimates, tally, ledger);
 }
 
 /// Keeps the copies of a photon that was split, each with random numbers of its own.
@@ -53,8 +55,8 @@ PHOTIC_FLATTEN void follow(const World<T>& world, const Draws<T>& draws, std::in
       world, tally.ledger, tally, estimates,
       [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); });
 
-  birth(world, draws, n, true, photon, tally.ledger);
   if (compares<Events>(world)) photon.ratios.paths->of(0).begin(world.sea.environments);
+  birth<Events>(world, draws, n, true, photon, estimates, tally, tally.ledger);
   if (photon.on) flights(first, each);
   for (;;) {
     while (photon.on) {

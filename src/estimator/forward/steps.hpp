@@ -8,6 +8,7 @@
 #include "estimator/forward/estimate.hpp"
 #include "estimator/forward/expected_collision.hpp"
 #include "estimator/forward/tools.hpp"
+#include "estimator/forward/waves.hpp"
 #include "estimator/termination.hpp"
 #include "transport/collide.hpp"
 #include "transport/scatter.hpp"
@@ -30,6 +31,7 @@ struct ForwardSteps {
     draw(0);
     if (world.makes_choices) draw(1);
     if (!world.cones.empty()) draw(2);
+    if (world.sea.waves.rough) draw(surface_block);
   }
 
   /// What is scored of a flight before it begins.
@@ -59,6 +61,11 @@ struct ForwardSteps {
 
   void cross(Travellers<T>& t) {
     if (flies_on()) return;
+    if (world.sea.waves.rough) {
+      const Mask<T> stand = t.on & !t.colliding;
+      if (any(stand)) cross_waves<Events>(world, t, stand, false, estimates, tally, ledger);
+      return;
+    }
     const Mask<T> lossless = Events::tools ? are_forced(world, t.place) : Mask<T>(false);
     reflect_at_surface(world.sea, t, lossless, ledger);
   }

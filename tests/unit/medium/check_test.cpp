@@ -120,6 +120,45 @@ const std::vector<Case>& cases() {
         library().jerlov.of_type.at("II").a.source +
         " cover 420-700 nm; the source emits there (choose another wavelength, or give the layer's "
         "iop at this one)"}},
+      {"LaserOutsideWhitecaps",
+       {{3, 3, "wavelength_nm = 355.0"},
+        {19, 19,
+         "[sea]\nsurface = { model = \"cox-munk\", wind_speed_m_s = 5, whitecap_reflectance = "
+         "\"frouin1996\" }"},
+        {22, 25, clear_layer}},
+       {"scene.toml:20:76: no whitecap reflectance data at 355 nm: " +
+        library().whitecaps_frouin.source +
+        " cover 412-865 nm; the source emits there (write whitecap_reflectance = \"koepke1984\", "
+        "or "
+        "whitecaps = false)"}},
+      {"RamanOutsideWhitecaps",
+       {{3, 3, "wavelength_nm = 700.0"},
+        {16, 17, raman_channel},
+        {19, 19,
+         "[sea]\nsurface = { model = \"paper\", wind_speed_m_s = 5, whitecaps = true, "
+         "whitecap_reflectance = \"frouin1996\" }"},
+        {22, 25, clear_layer}},
+       {"scene.toml:20:91: no whitecap reflectance data at 877.954 nm: " +
+        library().whitecaps_frouin.source +
+        " cover 412-865 nm; channel \"r\" counts raman light there (write whitecap_reflectance = "
+        "\"koepke1984\", or whitecaps = false)"}},
+      {"LaserAndRamanOutsideWhitecaps",
+       {{3, 3, "wavelength_nm = 355.0"},
+        {16, 17, raman_channel},
+        {18, 18, "[optics]\nemission = \"lines\""},
+        {19, 19,
+         "[sea]\nsurface = { model = \"gaussian\", upwind_slope_variance = 0.1, "
+         "crosswind_slope_variance = 0, whitecap_fraction = 0.1, whitecap_reflectance = "
+         "\"frouin1996\" }"},
+        {22, 25, "chlorophyll_mg_m3 = 1"}},
+       {"scene.toml:21:140: no whitecap reflectance data at 355 nm: " +
+            library().whitecaps_frouin.source +
+            " cover 412-865 nm; the source emits there (write whitecap_reflectance = "
+            "\"koepke1984\", or whitecaps = false)",
+        "scene.toml:21:140: no whitecap reflectance data at 403.466 nm: " +
+            library().whitecaps_frouin.source +
+            " cover 412-865 nm; channel \"r\" counts raman light there (write "
+            "whitecap_reflectance = \"koepke1984\", or whitecaps = false)"}},
       {"MoreMineralsThanANumberCanSay",
        {{18, 18, "[optics]\nminerals_b_555_m2_per_g = 100"}, {22, 25, "minerals_g_m3 = 1e308"}},
        {R"(scene.toml:21:1: layer "layer0" attenuates 532 nm more than a number can say; the source emits there (are the units right?))"}},
@@ -138,6 +177,39 @@ TEST(CheckMedium, EveryTextWithLineAndColumn) {
     SCOPED_TRACE(c.name);
     EXPECT_EQ(problems(c.edits), c.expected);
   }
+}
+
+// Koepke's are known wherever water's optics are; of a wind of 0, of slicks and with whitecaps =
+// false nobody asks.
+TEST(CheckMedium, AsksForWhitecapsWhereThereAreAny) {
+  const auto told = [](const std::string& keys, const Texts& overrides = {}) {
+    return problems({{3, 3, "wavelength_nm = 355.0"},
+                     {19, 19, "[sea]\nsurface = { model = \"cox-munk\", " + keys + " }"},
+                     {22, 25, clear_layer}},
+                    overrides);
+  };
+  const std::string frouin = ", whitecap_reflectance = \"frouin1996\"";
+  EXPECT_EQ(told("wind_speed_m_s = 5"), Texts{});
+  EXPECT_EQ(told("wind_speed_m_s = 0" + frouin), Texts{});
+  EXPECT_EQ(told("wind_speed_m_s = 5, whitecaps = false" + frouin), Texts{});
+  EXPECT_EQ(told("wind_speed_m_s = 5, slick = true" + frouin), Texts{});
+  EXPECT_EQ(told("wind_speed_m_s = 6, whitecap_law = \"stramska2003\"" + frouin), Texts{});
+  EXPECT_EQ(told("wind_speed_m_s = 7, whitecap_law = \"stramska2003\"" + frouin).size(), 1U);
+  const Texts of_set = told("wind_speed_m_s = 5", {"sea.surface.whitecap_reflectance=frouin1996"});
+  ASSERT_EQ(of_set.size(), 1U);
+  EXPECT_TRUE(of_set[0].starts_with("--set sea.surface.whitecap_reflectance: no whitecap "))
+      << of_set[0];
+  // Once, with environments and derivatives too.
+  EXPECT_EQ(
+      problems(
+          {{3, 3, "wavelength_nm = 355.0"},
+           {19, 19, "[sea]\nsurface = { model = \"cox-munk\", wind_speed_m_s = 5" + frouin + " }"},
+           {22, 25, clear_layer},
+           {30, 30,
+            "photons = 1\n[[environment]]\nset = { \"sea.layer.0.chlorophyll_mg_m3\" = "
+            "1 }"}})
+          .size(),
+      1U);
 }
 
 TEST(CheckMedium, NamesTheSetThatAsksForIt) {
@@ -248,6 +320,9 @@ std::string random_scene(std::mt19937& random) {
                                           "\nminerals_g_m3 = " + pick({"0", "2"}) +
                                           "\nchlorophyll_yield = " + pick({"0", "0.01", "1"}));
   };
+  const std::string surface =
+      "surface = { model = \"cox-munk\", wind_speed_m_s = 9, gram_charlier = false, "
+      "whitecap_reflectance = \"";
   const std::string channel =
       pick({"process = \"elastic\"", "process = \"raman\"", "process = \"chlorophyll\"",
             "centre_nm = 660\nfwhm_nm = 60", "centre_nm = 1000\nfwhm_nm = 700"});
@@ -261,12 +336,13 @@ std::string random_scene(std::mt19937& random) {
                             "\nwater_absorption = \"pope-fry\"\nwater_scattering = \"morel\""}) +
                       "\nminerals = \"power-law\"\nminerals_phase = \"petzold\"" +
                       "\nphytoplankton_phase = " + pick({"\"petzold\"", "\"mie\""}) + "\n[sea]\n" +
-                      pick({"", "refractive_index = 1.33\ngroup_index = 1.35"})},
+                      pick({"", "refractive_index = 1.33\ngroup_index = 1.35"}) + "\n" +
+                      pick({"", "", surface + "koepke1984\" }", surface + "frouin1996\" }"})},
                  {20, 25, layer() + "\nbottom_depth_m = 20\n" + layer()}});
 }
 
 // What the check accepts can be built, and what it refuses cannot. Seen red: without the check of
-// the indices; of the emitted lines; of the balance.
+// the indices; of the emitted lines; of the balance; of whitecaps.
 TEST(CheckMedium, AgreesWithTheBuild) {
   std::mt19937 random(7);
   int accepted = 0, refused = 0;

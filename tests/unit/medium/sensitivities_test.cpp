@@ -14,14 +14,14 @@ namespace {
 /// 1e-6.
 constexpr double error_of_difference = 4e-7;
 
-struct Slopes {
+struct Derivatives {
   double a, b;  ///< per unit of the parameter
 };
 
 /// Of the first layer, at 500 nm, where the exponent of absorption is far from 1.
 constexpr double wavelength_nm = 500;
 
-Slopes slopes_of(const scene::Scene& scene) {
+Derivatives derivatives_in(const scene::Scene& scene) {
   const scene::Sensitivity& s = scene.sensitivity.at(0);
   const auto optics_in = [&](const scene::Environment& environment) {
     const scene::Scene there = scene::scene_in(scene, environment);
@@ -38,7 +38,7 @@ TEST(Sensitivities, ToChlorophyllAreTheDerivativesOfItsPowerLaws) {
   const double exponent = library().particles_e.at(wavelength_nm, "");
   const double factor = library().particles_a.at(wavelength_nm, "");
   for (const double c : {0.02, 0.1, 1.0, 10.0}) {
-    const Slopes slopes = slopes_of(
+    const Derivatives slopes = derivatives_in(
         scene::read_text("sensitivity = ['sea.layer.0.chlorophyll_mg_m3']\n" + scene::edited({}),
                          {"sea.layer.0.chlorophyll_mg_m3=" + std::to_string(c)}));
     const double a = exponent * factor * std::pow(c, exponent - 1);
@@ -49,7 +49,7 @@ TEST(Sensitivities, ToChlorophyllAreTheDerivativesOfItsPowerLaws) {
 }
 
 TEST(Sensitivities, ToMineralsAreExact) {
-  const Slopes slopes = slopes_of(
+  const Derivatives slopes = derivatives_in(
       scene::read_text("sensitivity = ['sea.layer.0.minerals_g_m3']\n" + scene::edited({}),
                        {"sea.layer.0.minerals_g_m3=0.5"}));
   EXPECT_NEAR(slopes.a / (0.041 * std::exp(-0.0123 * (wavelength_nm - 443))), 1, 1e-11);
@@ -58,7 +58,7 @@ TEST(Sensitivities, ToMineralsAreExact) {
 
 // Of one of the constants of [optics].
 TEST(Sensitivities, ToTheSlopeOfMineralsAreTheDerivativeOfItsPower) {
-  const Slopes slopes = slopes_of(
+  const Derivatives slopes = derivatives_in(
       scene::read_text("sensitivity = ['optics.minerals_b_exponent']\n" + scene::edited({}),
                        {"sea.layer.0.minerals_g_m3=0.5"}));
   EXPECT_NEAR(slopes.b / (0.25 * std::log(555 / wavelength_nm) * std::sqrt(555 / wavelength_nm)), 1,
@@ -71,7 +71,7 @@ TEST(Sensitivities, ToDissolvedMatterAreExact) {
   const scene::Scene scene =
       scene::read_text("sensitivity = ['sea.layer.0.cdom_a440_per_m']\n" + scene::edited({}),
                        {"sea.layer.0.cdom_a440_per_m=0.05"});
-  const Slopes slopes = slopes_of(scene);
+  const Derivatives slopes = derivatives_in(scene);
   EXPECT_NEAR(slopes.a / std::exp(-0.017 * (wavelength_nm - 440)), 1, 1e-11);
   EXPECT_EQ(slopes.b, 0);
 }

@@ -20,6 +20,12 @@ TEST(Sources, OfManyWavelengthsAreToldOnce) {
   EXPECT_EQ(source_line(sources[2]), "a of CDOM, 532 nm: given");
 }
 
+TEST(Sources, OfWhatIsTheSameAtAllWavelengthsTellNone) {
+  std::vector<Source> sources;
+  add_source("slopes of the sea surface", "a paper", 0, sources);
+  EXPECT_EQ(source_line(sources.at(0)), "slopes of the sea surface: a paper");
+}
+
 TEST(Sources, OfWhatAddsNothingAreNotTold) {
   std::vector<Source> sources;
   add_source(Contribution{.name = "CDOM", .a_per_m = {}, .b_per_m = {}, .source = "given"}, 532,

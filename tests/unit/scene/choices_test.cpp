@@ -90,6 +90,30 @@ TEST(Choices, OfTheOpticsAreReadAndWrittenByTheirWords) {
       });
 }
 
+/// A surface with what the model needs.
+std::vector<Override> surface_to_be(SurfaceModel model) {
+  std::string keys;
+  if (model == SurfaceModel::cox_munk || model == SurfaceModel::paper)
+    keys = ", wind_speed_m_s = 5";
+  if (model == SurfaceModel::gaussian)
+    keys = ", upwind_slope_variance = 0.1, crosswind_slope_variance = 0.2";
+  return {"sea.surface={ model = \"none\"" + keys + " }"};
+}
+
+TEST(Choices, OfTheSurfaceAreReadAndWrittenByTheirWords) {
+  const auto under_waves = [](auto) {
+    return std::vector<Override>{R"(sea.surface={ model = "cox-munk", wind_speed_m_s = 5 })"};
+  };
+  expect_round_trips<SurfaceModel>(
+      "sea.surface.model", [](const Scene& s) { return s.sea.surface.model; }, surface_to_be);
+  expect_round_trips<WhitecapLaw>(
+      "sea.surface.whitecap_law", [](const Scene& s) { return s.sea.surface.whitecap_law; },
+      under_waves);
+  expect_round_trips<WhitecapReflectance>(
+      "sea.surface.whitecap_reflectance",
+      [](const Scene& s) { return s.sea.surface.whitecap_reflectance; }, under_waves);
+}
+
 /// What a phase function of the model needs, as keys of an inline table.
 std::string keys_of(PhaseModel model) {
   switch (model) {

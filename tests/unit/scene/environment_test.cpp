@@ -185,10 +185,18 @@ const std::vector<ChangeCase>& change_cases() {
         "light, whose histories are the same in all environments (simulate that water in a scene "
         "of its own)"}},
       {R"("sea.surface.model" = "cox-munk")",
-       {R"(scene.toml:32:9: 'model' = "cox-munk" is not available yet (available: flat))"}},
+       {"scene.toml:32:9: 'wind_speed_m_s' is missing in 'surface' (add it: the wind's speed in "
+        "m/s; of 0 the surface is flat)",
+        "scene.toml:32:9: 'model' must be as in the scene, text \"flat\", not text \"cox-munk\": "
+        "it bends the light, whose histories are the same in all environments (simulate that water "
+        "in a scene of its own)"}},
+      {R"("sea.surface.model" = "cox-munk", "sea.surface.wind_speed_m_s" = 3)",
+       {"scene.toml:32:9: 'model' must be as in the scene, text \"flat\", not text \"cox-munk\": "
+        "it bends the light, whose histories are the same in all environments (simulate that water "
+        "in a scene of its own)"}},
       {R"("sea.surface.wind_speed_m_s" = 3)",
-       {"scene.toml:32:9: 'wind_speed_m_s' is not available yet (the sea surface is flat in this "
-        "version)"}},
+       {"scene.toml:32:9: 'wind_speed_m_s' does not belong to model = \"flat\" (it belongs to "
+        "\"cox-munk\" and \"paper\")"}},
       {R"("sea.layer.1.phase_function" = { model = "fournier-forand", slope = 3.6 })",
        {"scene.toml:32:9: 'refractive_index' is missing in 'phase_function' (add it: the "
         "particles' real refractive index relative to water)"}},

@@ -16,14 +16,6 @@ kind = "beam")"}},
       {"Process",
        {{17, 17, R"(process = "oil")"}},
        {R"(scene.toml:17:11: 'process' = "oil" is not available yet (available: elastic, raman, chlorophyll and cdom))"}},
-      {"Surface",
-       {{19, 19, R"([sea]
-surface = { model = "cox-munk", wind_speed_m_s = 5, wind_direction_deg = 0 })"}},
-       {R"(scene.toml:20:21: 'model' = "cox-munk" is not available yet (available: flat))",
-        "scene.toml:20:33: 'wind_speed_m_s' is not available yet (the sea surface is flat in this "
-        "version)",
-        "scene.toml:20:53: 'wind_direction_deg' is not available yet (the sea surface is flat in "
-        "this version)"}},
       {"Atmosphere",
        {{25, 25, R"(phase_function = { model = "henyey-greenstein", g = 0.9 }
 [atmosphere]

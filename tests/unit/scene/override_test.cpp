@@ -133,7 +133,7 @@ TEST(Override, FindsElementsByNumberAndByName) {
 
 TEST(Override, CreatesMissingKeysAndTables) {
   EXPECT_EQ(base_scene({"simulation.seed=7"}).simulation.seed, 7U);
-  EXPECT_EQ(base_scene({"sea.surface.model=flat"}).sea.surface.model, "flat");
+  EXPECT_EQ(base_scene({"sea.surface.model=flat"}).sea.surface.model, SurfaceModel::flat);
   const auto gates = base_scene({"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"}).gates;
   EXPECT_FALSE(gates.depth_m);
   EXPECT_EQ(gates.time_ns->max, 200.0);

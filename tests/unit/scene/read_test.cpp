@@ -18,7 +18,8 @@ TEST(Read, FillsInDefaults) {
   EXPECT_EQ(scene.optics.water_depolarisation, 0.039);
   EXPECT_EQ(scene.sea.salinity_psu, 35.0);
   EXPECT_FALSE(scene.sea.refractive_index);
-  EXPECT_EQ(scene.sea.surface.model, "flat");
+  EXPECT_EQ(scene.sea.surface, Surface{});
+  EXPECT_FALSE(scene.sea.surface.is_rough());
   EXPECT_EQ(scene.sea.layer[1].name, "layer1");
   EXPECT_FALSE(scene.sea.layer[1].bottom_depth_m);
   EXPECT_EQ(scene.gates.depth_m, (Gates::Interval{0.0, 50.0, 1.0}));

@@ -75,6 +75,7 @@ TEST(Robustness, AnyValueForAnyKey) {
                                         "{}",
                                         "[{}]",
                                         "{ model = 1 }",
+                                        "{ model = 'paper', wind_speed_m_s = 5 }",
                                         "1979-05-27",
                                         "\xFF\xFE",
                                         "",
@@ -101,6 +102,9 @@ TEST(Robustness, AnyValueForAnyKey) {
                                        "optics.set",
                                        "sea",
                                        "sea.surface",
+                                       "sea.surface.model",
+                                       "sea.surface.wind_speed_m_s",
+                                       "sea.surface.whitecaps",
                                        "sea.layer",
                                        "sea.layer.0",
                                        "sea.layer.0.bottom_depth_m",
@@ -135,7 +139,8 @@ TEST(Robustness, AnyValueForAnyKey) {
                                        "environment.1.set.sea.layer"};
   const std::string environment =
       "[[environment]]\nset = { \"sea.layer.0.chlorophyll_mg_m3\" = 0.5 }\n";
-  const std::string base = edited({}) + environment;
+  const std::string surface = R"(surface = { model = "cox-munk", wind_speed_m_s = 5 })";
+  const std::string base = edited({{19, 19, "[sea]\n" + surface}}) + environment;
   for (const std::string& path : paths) {
     for (const std::string& value : values) {
       outcome_of(base, {path + "=" + value});

@@ -72,6 +72,9 @@ std::set<std::string> keys_of_scenes() {
             "}] }"},
            {"sea.layer.1.bottom_depth_m=60",
             "bottom={ albedo = { zenith_deg = [0, 90], albedo = [0.1, 0.2] } }"},
+           {"sea.surface={ model = \"cox-munk\", wind_speed_m_s = 5, whitecap_fraction = 0.01 }"},
+           {"sea.surface={ model = \"gaussian\", upwind_slope_variance = 0.1, "
+            "crosswind_slope_variance = 0 }"},
            {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }",
             "simulation.free_telescope_meetings=1", "simulation.free_laser_meetings=1"}})
@@ -143,6 +146,11 @@ TEST(Schema, TellsTheUnitOfEveryQuantity) {
                                                  {"g", "1"},
                                                  {"zenith_deg", "deg"},
                                                  {"albedo", "1"},
+                                                 {"wind_speed_m_s", "m/s"},
+                                                 {"wind_direction_deg", "deg"},
+                                                 {"upwind_slope_variance", "1"},
+                                                 {"whitecap_fraction", "1"},
+                                                 {"slick", ""},
                                                  {"from", "nm"}};
   std::set<std::string> seen;
   for (const auto& [key, schema] : properties) {

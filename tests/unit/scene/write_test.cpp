@@ -35,6 +35,10 @@ std::vector<Override> everything() {
       "sea.temperature_c=-1.7",
       "sea.refractive_index=1.334",
       "sea.group_index=1.3637999999999999",
+      "sea.surface={ model = \"cox-munk\", wind_speed_m_s = 7.000000000000001, wind_direction_deg "
+      "= "
+      "-0.1, slick = true, gram_charlier = false, whitecaps = true, whitecap_fraction = 1e-300, "
+      "whitecap_law = \"stramska2003\", whitecap_reflectance = \"frouin1996\" }",
       "sea.layer.0.name=top",
       "sea.layer.0.cdom_a440_per_m=0.30000000000000004",
       "sea.layer.0.cdom_slope_per_nm=1e-5",
@@ -68,6 +72,15 @@ TEST(Write, ReadsBackToTheLastBit) {
   EXPECT_EQ(scene.source.direction, (Vec3<double>{1e-17, -0.0, -0.3333333333333333}));
   EXPECT_EQ(scene.source.half_divergence_mrad, 4.9e-324);
   EXPECT_EQ(scene.sea.group_index, 1.3637999999999999);
+  const Surface& surface = scene.sea.surface;
+  EXPECT_EQ(surface.model, SurfaceModel::cox_munk);
+  EXPECT_EQ(surface.wind_speed_m_s, 7.000000000000001);
+  EXPECT_EQ(surface.wind_direction_deg, -0.1);
+  EXPECT_TRUE(surface.slick);
+  EXPECT_FALSE(surface.gram_charlier);
+  EXPECT_EQ(surface.whitecap_fraction, 1e-300);
+  EXPECT_EQ(surface.whitecap_law, WhitecapLaw::stramska2003);
+  EXPECT_EQ(surface.whitecap_reflectance, WhitecapReflectance::frouin1996);
   EXPECT_EQ(scene.sea.layer[0].cdom_a440_per_m, 0.1 + 0.2);
   EXPECT_EQ(scene.sea.layer[1].iop[0].a_per_m, 1e-300);
   EXPECT_EQ(scene.sea.layer[1].phase_function->components[1].components[0].depolarisation, 0.039);
@@ -102,6 +115,9 @@ TEST(Write, KeepsTheOtherWaysOfSayingThings) {
            {"sea.layer.1.phase_function={ model = \"table\", file = { angle_deg = [0, 180], "
             "phase_function_per_sr = [0.1, 0.06] } }"},
            {"simulation={ max_time_s = 5 }"},
+           {"sea.surface={ model = \"gaussian\", upwind_slope_variance = 0.1, "
+            "crosswind_slope_variance = 0 }"},
+           {"sea.surface={ model = \"paper\", wind_speed_m_s = 5 }"},
            {"sea.layer.0={ jerlov = \"5C\", bottom_depth_m = 20 }"},
            {"optics.phytoplankton=table",
             "optics.phytoplankton_file={ wavelength_nm = [500, 600], a_m2_per_mg = [1, 2], "

@@ -1,0 +1,41 @@
+// Light that comes to a rough surface meets facets, one or several, until it goes down in the water
+// or rises in the air.
+#pragma once
+
+#include <cstdint>
+
+#include "core/random.hpp"
+#include "estimator/event.hpp"
+#include "transport/cross_waves.hpp"
+
+namespace photic::estimator {
+
+/// Blocks of an event's random numbers, from here on one for each facet.
+inline constexpr std::uint32_t facet_blocks = std::uint32_t{1} << 20;
+/// Light that is still between facets after so many is lost, and counted.
+inline constexpr std::uint32_t most_facets = 64;
+
+/// Those of `at` who meet facets do so until they have left the surface; who has risen in the air
+/// ends, and its weight has escaped. observe(at, facet) is told before each facet that is met.
+template <class T, class Ledger, class Observe>
+void cross_waves(const World<T>& world, const RandomPlace<T>& place, Track<T>& t,
+                 transport::AtWaves<T> at, Ledger& ledger, Observe observe) {
+  const Mask<T> came = at.meets;
+  const auto surface = surface::rough_surface<T>(world.sea, t.photon.line);
+  Mask<T> in_water(false);
+  for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
+    observe(at, facet);
+    const Mask<T> meets = at.meets;
+    const auto u = uniforms(place, facet_blocks + facet);
+    const auto met = transport::meet_waves(surface, t.photon, at, {u[0], u[1], u[2], u[3]}, true);
+    // In the mean facets neither take light nor give it; a single one does.
+    book(ledger.roulette, meets, T(0) - met.gained);
+    book(ledger.escaped, meets, met.escaped);
+    in_water = in_water | (met.in_water & (t.photon.weight > T(0)));
+    at.meets = at.meets & (t.photon.weight > T(0));
+  }
+  book(ledger.lost, at.meets, t.photon.weight);
+  t.on = t.on & ((!came) | in_water);
+}
+
+}  // namespace photic::estimator

@@ -1,0 +1,80 @@
+// What telescopes expect of light that stands at a rough surface: the surface's own echo, and light
+// that goes from facet to facet. What comes there from the water for the first time has been scored
+// at its collision.
+#pragma once
+
+#include "estimator/cross_waves.hpp"
+#include "estimator/forward/estimate.hpp"
+#include "transport/connect_waves.hpp"
+
+namespace photic::estimator {
+
+/// Blocks of an event's random numbers, one for each facet that waves of one direction have.
+inline constexpr std::uint32_t line_blocks = std::uint32_t{1} << 21;
+
+/// Scores photons of a mask that are about to meet facets, by a way to a group of telescopes.
+template <class Events, class T>
+void score_from_surface(const World<T>& world, const Travellers<T>& t, const ViewGroup<T>& group,
+                        const transport::RayConnection<T>& way, const Mask<T>& mask,
+                        Estimates<T>& estimates, tally::BatchTally& tally) {
+  const transport::Photon<T>& photon = t.photon;
+  const Mask<T> seen = mask & (way.acceptance > T(0));
+  if (!any(seen)) return;
+  const Index<T> of_surface(static_cast<std::int32_t>(transport::Touched::surface));
+  const Index<T> touched = select(photon.order == Index<T>(0), of_surface, t.touched);
+  Index<T> telescope(static_cast<std::int32_t>(group.number));
+  if (!group.narrower.empty()) telescope = group.narrowest(way.sight);
+  const lanes::LaneScores<T> scores{telescope,
+                                    group.path_to_origin,
+                                    transport::light_of<T>(world.sea, photon.line, touched),
+                                    photon.order,
+                                    T(0),
+                                    photon.path + way.path,
+                                    photon.weight * way.acceptance * exp_minus(way.optical_depth)};
+  if (!compares<Events>(world))
+    return estimates.scores[&group - world.groups.data()].push(seen, scores, tally);
+  estimates.paths = t.ratios.paths;
+  estimates.first = t.ratios.first;
+  estimates.completion.clear();
+  if (!group.region.in_air)
+    add_passage(world.sea,
+                {photon.line, group.region.layer, T(T(0) - way.direction.z * way.length_water),
+                 Index<T>(0), T(0), way.length_water},
+                estimates.completion.ways);
+  score_completed(world, seen, scores, estimates, tally);
+}
+/// Before the given facet of an event.
+template <class Events, class T>
+PHOTIC_APART void score_at_surface(const World<T>& world, const Travellers<T>& t,
+                                   const Mask<T>& in_air, const Mask<T>& mask, std::uint32_t facet,
+                                   Estimates<T>& estimates, tally::BatchTally& tally) {
+  const auto& waves = world.sea.waves;
+  for (std::size_t g = 0; g < world.groups.size(); ++g) {
+    const ViewGroup<T>& group = world.groups[g];
+    const auto score = [&](const transport::RayConnection<T>& way) {
+      score_from_surface<Events>(world, t, group, way, mask, estimates, tally);
+    };
+    if (!waves.one_dimensional || waves.whitecap_fraction > 0)
+      score(transport::connect_from_surface(world.sea, group.widest, group.region, t.photon, in_air,
+                                            t.lens[g]));
+    if (waves.one_dimensional)
+      score(transport::connect_in_line(world.sea, group.widest, group.region, t.photon, in_air,
+                                       uniforms(t.place, line_blocks + facet)[0]));
+  }
+}
+
+/// Photons of a mask who stand at the surface cross it or go back.
+template <class Events, class T, class Ledger>
+PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mask<T>& stand,
+                              bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,
+                              Ledger& ledger) {
+  cross_waves(world, t.place, t, {stand, Mask<T>(in_air)}, ledger,
+              [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
+                Mask<T> scored = at.meets;
+                if (facet == 0) scored = scored & (t.photon.order == Index<T>(0));
+                if (any(scored))
+                  score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);
+              });
+}
+
+}  // namespace photic::estimator

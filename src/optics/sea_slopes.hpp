@@ -1,0 +1,42 @@
+// How steep the facets of a rough sea surface are: densities of their slopes by the wind.
+#pragma once
+
+#include <string>
+
+namespace photic::optics {
+
+/// The density of slopes: a Gaussian along the wind and across it, as Cox & Munk's Gram-Charlier
+/// series changes it. A facet rises by `upwind` metres per metre towards where the wind comes from,
+/// and by `crosswind` at right angles to that. A variance of 0: all facets are level that way.
+struct SlopeLaw {
+  double upwind_variance = 0, crosswind_variance = 0;
+  // Of the series; all 0 of a Gaussian:
+  double c21 = 0, c03 = 0;           ///< skewness
+  double c40 = 0, c22 = 0, c04 = 0;  ///< peakedness
+  /// Integral of the Gaussian times the series, which counts as 0 where it is below that.
+  double norm = 1;
+  std::string source = {};  ///< "Author year, journal, what of it [status]"
+
+  /// 1 over the norm times the series, at slopes over their standard deviations. At least 0.
+  [[nodiscard]] double series(double crosswind, double upwind) const;
+  /// Of a two-dimensional law [1].
+  [[nodiscard]] double density(double upwind, double crosswind) const;
+
+  [[nodiscard]] bool is_flat() const { return upwind_variance == 0 && crosswind_variance == 0; }
+  /// Waves of one direction alone.
+  [[nodiscard]] bool is_one_dimensional() const {
+    return !is_flat() && (upwind_variance == 0 || crosswind_variance == 0);
+  }
+};
+
+/// The paper's waves: slopes along the wind alone, of variance 0.008 + 0.0156 v, at v > 0 [m/s].
+SlopeLaw paper_slopes(double wind_speed_m_s);
+
+/// Cox & Munk's, of a clean sea or of one with a slick, at a wind above 0 [m/s]; with their
+/// Gram-Charlier series or without. The series was measured on the clean sea.
+SlopeLaw cox_munk_slopes(double wind_speed_m_s, bool slick, bool gram_charlier);
+
+/// A Gaussian of given variances.
+SlopeLaw gaussian_slopes(double upwind_variance, double crosswind_variance);
+
+}  // namespace photic::optics

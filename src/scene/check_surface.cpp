@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include "scene/checks.hpp"
+
+namespace photic::scene {
+namespace {
+
+/// What is neither flat nor a sea, and would be lost in the rounding of floats.
+void check_size(const Surface& surface, Findings& findings) {
+  constexpr double least_variance = 1e-6, least_m_s = 1e-3;
+  const auto check = [&](const char* key, double value, double least, const char* what) {
+    if (value > 0 && value < least)
+      findings.add(below("sea.surface", key),
+                   fmt::format("{} of {} is too small for waves", what, plain_number(value)),
+                   fmt::format("write 0, or at least {}", plain_number(least)));
+  };
+  check("wind_speed_m_s", surface.wind_speed_m_s, least_m_s, "a wind");
+  const char* variance = "a variance";
+  check("upwind_slope_variance", surface.upwind_slope_variance, least_variance, variance);
+  check("crosswind_slope_variance", surface.crosswind_slope_variance, least_variance, variance);
+}
+
+/// What knows the flat surface alone.
+void check_simulation(const Simulation& s, Findings& findings) {
+  if (s.estimator == Estimator::bidirectional)
+    findings.add("simulation.estimator", "the bidirectional estimator has no waves in this version",
+                 "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
+  if (s.reception == Reception::overlap)
+    findings.add("simulation.reception",
+                 "waves spread light over the lens unevenly: the mean over the lens is not known",
+                 "write reception = \"ray\"");
+  if (s.tools.forced_collisions > 0)
+    findings.add("simulation.tools.forced_collisions",
+                 "how much light leaves the water is known of a flat surface alone",
+                 "write forced_collisions = 0, or sea.surface = { model = \"flat\" }");
+}
+
+void check_whitecaps(const Surface& surface, Findings& findings) {
+  if (surface.whitecaps == false && surface.whitecap_fraction.value_or(0) > 0)
+    findings.add("sea.surface.whitecap_fraction",
+                 "whitecaps = false says that there are no whitecaps", "leave one of them out");
+  if (surface.model == SurfaceModel::gaussian && surface.has_whitecaps() &&
+      !surface.whitecap_fraction)
+    findings.add("sea.surface.whitecaps",
+                 "without a wind it is not known how much of the sea whitecaps cover",
+                 "give whitecap_fraction");
+}
+
+}  // namespace
+
+void check_surface(const Scene& scene, Findings& findings) {
+  const Surface& surface = scene.sea.surface;
+  if (!findings.good({"sea.surface"}) || !surface.is_rough()) return;
+  check_size(surface, findings);
+  check_whitecaps(surface, findings);
+  if (findings.good({"simulation.estimator", "simulation.reception", "simulation.tools"}))
+    check_simulation(scene.simulation, findings);
+}
+
+}  // namespace photic::scene

@@ -1,0 +1,229 @@
+// The local estimate by a rough surface: light goes from a point to one of the lens by way of a
+// point of the mean surface, at which facets of one slope alone lead it on, or a whitecap
+// (docs/theory.md, "The rough surface").
+#pragma once
+
+#include "surface/waves.hpp"
+#include "transport/connect_ray.hpp"
+#include "transport/facets_in_line.hpp"
+#include "transport/surface_points.hpp"
+
+namespace photic::transport {
+
+/// Optical depth from the surface straight to a point of the lens.
+template <class T>
+T depth_to_lens(const medium::MediumView& sea, const geometry::Region<T>& region,
+                const Index<T>& line, const FromSurface<T>& way) {
+  if (region.in_air) return T(0);
+  return sea.optical_depth(line, sea.level(region.layer, way.depth())) / -way.direction.z;
+}
+/// What its path counts as.
+template <class T>
+T path_to_telescope(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+                    const geometry::Region<T>& region, const Index<T>& line,
+                    const instrument::PlanePoint<T>& lens, const Vec3<T>& at,
+                    const FromSurface<T>& way) {
+  if (region.in_air) return longer_way(telescope, at, lens, way.length);
+  return way.length * gather<T>(sea.group_index, line);
+}
+
+/// From a photon's position in the water by the surface to a point of the lens, in the air or in
+/// the water. `direction` is that to the surface, and `length_water` so far.
+template <class T>
+struct WavesConnection : RayConnection<T> {
+  FromSurface<T> onward;
+};
+
+/// A point of the surface by which light may go on, and what goes on there per solid angle over how
+/// densely such points are drawn [m^2/sr].
+template <class T>
+struct WeighedPoint {
+  Mask<T> exists{};
+  Vec3<T> at, arriving;  ///< `arriving`: direction to it
+  T length{};            ///< so far [m]
+  FromSurface<T> onward;
+  T value{};
+};
+/// `at`: the point.
+template <class T>
+void go_by(const Vec3<T>& from, const instrument::Telescope<T>& telescope,
+           const instrument::PlanePoint<T>& lens, const Vec3<T>& at, WeighedPoint<T>& point) {
+  point.at = at;
+  const Vec3<T> way = at - from;
+  point.length = length(way);
+  point.arriving = (T(1) / point.length) * way;
+  point.onward = from_surface(telescope, lens, at);
+}
+
+/// By waves in two dimensions.
+template <class T>
+WeighedPoint<T> weighed_point(const surface::RoughSurface<T>& surface,
+                              const instrument::Telescope<T>& telescope, bool back,
+                              const Vec3<T>& from, const instrument::PlanePoint<T>& lens,
+                              const NearLevel<T>& level, const SurfacePointUniforms<T>& u) {
+  const auto& waves = surface.waves;
+  const auto [share_seen, share_slopes, share_above] = point_shares(waves);
+  const Mask<T> by_detector = u.choice < T(share_seen);
+  const auto seen = point_seen(telescope, lens, u.radius, u.azimuth);
+  Vec3<T> at = select(by_detector, seen.at, point_by_slopes(level, waves, u.radius, u.azimuth));
+  if (share_above > 0)
+    at = select(u.choice >= T(share_seen + share_slopes), point_above(from, u.radius, u.azimuth),
+                at);
+  WeighedPoint<T> point;
+  go_by(from, telescope, lens, at, point);
+  point.exists = (seen.exists | !by_detector) & point.onward.seen;
+  T density = T(share_seen) * density_seen(telescope, point.onward) +
+              T(share_slopes) * density_by_slopes(level, waves, at);
+  if (share_above > 0)
+    density = density + T(share_above) * density_above(point.arriving, point.length);
+  point.value =
+      surface.density(Mask<T>(false), back, point.arriving, point.onward.direction) / density;
+  return point;
+}
+
+/// By waves of one direction, or by whitecaps between them.
+template <class T>
+WeighedPoint<T> weighed_point_in_line(const surface::RoughSurface<T>& surface,
+                                      const instrument::Telescope<T>& telescope, bool back,
+                                      const Vec3<T>& from, const instrument::PlanePoint<T>& lens,
+                                      const NearLevel<T>& level, const SurfacePointUniforms<T>& u) {
+  using std::abs;
+  const auto& waves = surface.waves;
+  const auto axes = axes_of<T>(waves);
+  const double share_white = waves.whitecap_fraction > 0 ? 0.25 : 0;
+  const Mask<T> white = u.choice < T(share_white);
+  const T rest = left_of_choice(u.choice, T(share_white));
+  const T n1 = back ? T(1) : surface.n;
+  const auto in_line =
+      point_in_line(axes, level, telescope, lens, from, n1, T(1), rest, u.radius, u.azimuth);
+  const auto seen = point_seen(telescope, lens, u.radius, u.azimuth);
+  const Mask<T> by_detector = rest < T(0.5);
+  const Vec3<T> anywhere =
+      share_white > 0 ? select(by_detector, seen.at, point_above(from, u.radius, u.azimuth))
+                      : seen.at;
+  WeighedPoint<T> point;
+  go_by(from, telescope, lens, select(white, anywhere, in_line.at), point);
+  point.exists = (seen.exists | !(white & by_detector)) & point.onward.seen;
+  const auto by = surface.facets(Mask<T>(false), back, point.arriving, point.onward.direction);
+  const T slope = waves.crosswind_deviation == 0 ? by.slope.upwind : by.slope.crosswind;
+  const T across = waves.crosswind_deviation == 0 ? by.slope.crosswind : by.slope.upwind;
+  // Where no facet leads on, the search for a point has none that is level across.
+  const Mask<T> found = abs(across) < T(1e-3) * (T(axes.deviation) + abs(slope));
+  const T of_facets = by.per_density * surface::gaussian_along(axes.deviation, slope) /
+                      (T(1 - share_white) * in_line.per_metre * in_line.slope_across);
+  point.value = select(found, of_facets, T(0));
+  if (share_white == 0) return point;
+  const T density = T(0.5 * share_white) * (density_seen(telescope, point.onward) +
+                                            density_above(point.arriving, point.length));
+  point.value =
+      select(white, surface.by_whitecaps(Mask<T>(false), back, point.onward.direction) / density,
+             point.value);
+  return point;
+}
+
+template <class T>
+WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
+                                    const instrument::Telescope<T>& telescope,
+                                    const geometry::Region<T>& region, const Photon<T>& photon,
+                                    const Index<T>& line, const instrument::PlanePoint<T>& lens,
+                                    const SurfacePointUniforms<T>& u, const Mask<T>& wanted) {
+  const auto surface = surface::rough_surface<T>(sea, line);
+  const Vec3<T>& from = photon.position;
+  const bool back = !region.in_air;
+  const auto level = near_level(sea, from, line, in_space(telescope, lens), region, wanted);
+  const auto point = sea.waves.one_dimensional
+                         ? weighed_point_in_line(surface, telescope, back, from, lens, level, u)
+                         : weighed_point(surface, telescope, back, from, lens, level, u);
+  WavesConnection<T> out;
+  out.onward = point.onward;
+  out.sight = point.onward.sight;
+  out.direction = point.arriving;
+  out.length_water = point.length;
+  const Mask<T> detected = wanted & point.exists & (from.z < T(0));
+  if (!any(detected)) return out;
+  const T& l1 = point.length;
+  const T& l2 = point.onward.length;
+  out.acceptance = select(detected,
+                          point.value * (point.arriving.z / (l1 * l1)) *
+                              (telescope.area() * out.sight.cos_off_axis / (l2 * l2)),
+                          T(0));
+  out.optical_depth = sea.optical_depth(line, geometry::level_of(sea, photon)) / out.direction.z +
+                      depth_to_lens(sea, region, line, point.onward);
+  out.path = l1 * gather<T>(sea.group_index, line) +
+             path_to_telescope(sea, telescope, region, line, lens, point.at, point.onward);
+  return out;
+}
+
+/// Light that stands at the surface and is about to meet a facet or a whitecap: straight from there
+/// to a point of the lens. Of waves of one direction whitecaps alone do that.
+template <class T>
+RayConnection<T> connect_from_surface(const geometry::Slabs& sea,
+                                      const instrument::Telescope<T>& telescope,
+                                      const geometry::Region<T>& region, const Photon<T>& photon,
+                                      const Mask<T>& in_air,
+                                      const instrument::PlanePoint<T>& lens) {
+  const auto surface = surface::rough_surface<T>(sea, photon.line);
+  const auto way = from_surface(telescope, lens, photon.position);
+  RayConnection<T> out;
+  out.sight = way.sight;
+  if (!any(way.seen)) return out;
+  const auto value = [&](bool reflected) {
+    return sea.waves.one_dimensional
+               ? surface.by_whitecaps(in_air, reflected, way.direction)
+               : surface.density(in_air, reflected, photon.direction, way.direction);
+  };
+  const Mask<T> reflects = region.in_air ? in_air : !in_air;
+  T per_solid_angle(0);
+  if (any(reflects)) per_solid_angle = select(reflects, value(true), per_solid_angle);
+  if (!all(reflects)) per_solid_angle = select(reflects, per_solid_angle, value(false));
+  out.direction = way.direction;
+  out.acceptance = select(
+      way.seen,
+      per_solid_angle * telescope.area() * way.sight.cos_off_axis / (way.length * way.length),
+      T(0));
+  out.optical_depth = depth_to_lens(sea, region, photon.line, way);
+  out.length_water = region.in_air ? T(0) : way.length;
+  out.path = path_to_telescope(sea, telescope, region, photon.line, lens, photon.position, way);
+  return out;
+}
+
+/// The same of facets of waves of one direction. Those that lead to the lens have slopes between
+/// two bounds: one of these, drawn by a uniform, leads to a point of it or misses it.
+template <class T>
+RayConnection<T> connect_in_line(const geometry::Slabs& sea,
+                                 const instrument::Telescope<T>& telescope,
+                                 const geometry::Region<T>& region, const Photon<T>& photon,
+                                 const Mask<T>& in_air, const T& u) {
+  using std::abs;
+  const auto surface = surface::rough_surface<T>(sea, photon.line);
+  const auto axes = axes_of<T>(sea.waves);
+  const Mask<T> reflects = region.in_air ? in_air : !in_air;
+  const T n1 = select(in_air, T(1), surface.n), n2 = select(in_air, surface.n, T(1));
+  const auto bounds = slopes_to_lens(axes, telescope, photon, select(reflects, T(1), n1 / n2));
+  const T s = bounds.middle + bounds.half * (T(2) * u - T(1));
+  const bool upwind = sea.waves.crosswind_deviation == 0;
+  const auto facet = surface::facet_of(
+      sea.waves, upwind ? surface::Slope<T>{s, T(0)} : surface::Slope<T>{T(0), s});
+  const auto by_facet = surface::meet_facet(n1, n2, photon.direction, facet);
+  const T v = surface::visibility(photon.direction, facet);
+  FromSurface<T> way;
+  way.direction = select(reflects, by_facet.reflected, by_facet.transmitted);
+  const auto hit = come_to_lens(telescope, photon.position, way.direction);
+  way.length = hit.distance;
+  RayConnection<T> out;
+  out.sight = instrument::sight(telescope, hit.lens, way.direction);
+  const Mask<T> seen = hit.open & out.sight.on_detector & (v > T(0));
+  if (!any(seen)) return out;
+  const T share = select(reflects, by_facet.reflectance, T(1) - by_facet.reflectance);
+  out.direction = way.direction;
+  out.acceptance = select(seen,
+                          (T(1) - surface.white.fraction) * v * share * T(2) * bounds.half *
+                              surface::gaussian_along(axes.deviation, s),
+                          T(0));
+  out.optical_depth = depth_to_lens(sea, region, photon.line, way);
+  out.length_water = region.in_air ? T(0) : way.length;
+  out.path = path_to_telescope(sea, telescope, region, photon.line, hit.lens, photon.position, way);
+  return out;
+}
+
+}  // namespace photic::transport
