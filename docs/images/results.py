@@ -313,6 +313,51 @@ def bed():
     return drawing
 
 
+WINDS = (1, 2, 3, 4, 5, 6, 8, 10, 12, 15)  # m/s
+TILTS = (0, 2, 5, 8, 10, 12, 15, 18, 20, 25, 30)  # degrees
+
+
+def _over_waves(photons, tilt_deg=0.0, **surface):
+    """The elastic echo of the ship's lidar, tilted, over a surface: one gate above the sea."""
+    sine, cosine = math.sin(math.radians(tilt_deg)), math.cos(math.radians(tilt_deg))
+    down = [sine, 0.0, -cosine]
+    changes = {"source.direction": down, "telescope.0.direction": down, "sea.surface": surface}
+    changes |= {"gates.depth_min_m": -2.0, "gates.depth_max_m": 10.0, "gates.depth_step_m": 2.0}
+    return run("ship.toml", photons, "forward", **changes).sel(channel="elastic")
+
+
+def waves():
+    """The surface's own echo by the wind and by the tilt, and what waves make of that of the water."""
+    drawing = Figure(figsize=(WIDTH, 4.2), layout="constrained")
+    left, right = drawing.subplots(1, 2)
+    winds = [_over_waves(1e6, model="cox-munk", wind_speed_m_s=float(wind)) for wind in WINDS]
+    surface = [float(one.echo_by_process.sel(process="surface").sum()) for one in winds]
+    left.plot(WINDS, surface, color="0.35", marker="o", markersize=4, label="the surface's own")
+    for gate, colour in ((1, ELASTIC), (3, BLUE)):
+        water = [one.echo_by_process.sel(process="elastic").isel(gate=gate) for one in winds]
+        error = [one.echo_by_process_standard_error.sel(process="elastic").isel(gate=gate) for one in winds]
+        top, bottom = winds[0].gate_depth_bounds.values[gate]
+        look = {"color": colour, "marker": "o", "markersize": 4, "label": f"water, {top:.0f} to {bottom:.0f} m"}
+        left.errorbar(WINDS, [float(w) for w in water], yerr=[float(e) for e in error], **look)
+    left.set(yscale="log", xlabel="wind [m/s]", ylabel="echo", title="Echoes by the wind")
+    left.legend(fontsize=8, loc="center right")
+    kinds = {
+        "5 m/s": (dict(model="cox-munk", wind_speed_m_s=5.0, whitecaps=False), ELASTIC),
+        "10 m/s": (dict(model="cox-munk", wind_speed_m_s=10.0, whitecaps=False), BLUE),
+        "10 m/s, with whitecaps": (dict(model="cox-munk", wind_speed_m_s=10.0), ORANGE),
+        "10 m/s, slick": (dict(model="cox-munk", wind_speed_m_s=10.0, slick=True), "0.35"),
+    }
+    for name, (kind, colour) in kinds.items():
+        tilted = [_over_waves(1e5, tilt, **kind) for tilt in TILTS]
+        echo = [float(one.echo_by_process.sel(process="surface").sum()) for one in tilted]
+        right.plot(TILTS, echo, color=colour, marker="o", markersize=4, label=name)
+    right.set(yscale="log", xlabel="tilt of laser and telescope [degrees]", title="The surface's own echo by the tilt")
+    right.legend(fontsize=8, loc="lower left")
+    for panel in (left, right):
+        emptied(panel)
+    return drawing
+
+
 def _emission(scene):
     """The layers' upper edges [m]; in each the ratio of chlorophyll's light to Raman light emitted;
     and by how much pure water absorbs the first more than the second [1/m]."""
