@@ -36,7 +36,7 @@ struct Facet {
 template <class T>
 Facet<T> facet_of(const WavesView& waves, const Slope<T>& slope) {
   using std::sqrt;
-  const T x(waves.upwind_x), y(waves.upwind_y);
+  const T x = T(waves.upwind_x), y = T(waves.upwind_y);
   const T z = T(1) / sqrt(T(1) + slope.upwind * slope.upwind + slope.crosswind * slope.crosswind);
   return {slope,
           {-z * (slope.upwind * x - slope.crosswind * y),
@@ -45,7 +45,7 @@ Facet<T> facet_of(const WavesView& waves, const Slope<T>& slope) {
 /// The slopes of a plane across a vector whose z is not 0.
 template <class T>
 Slope<T> slope_across(const WavesView& waves, const Vec3<T>& vector) {
-  const T x(waves.upwind_x), y(waves.upwind_y);
+  const T x = T(waves.upwind_x), y = T(waves.upwind_y);
   const T per_z = T(-1) / vector.z;
   return {per_z * (vector.x * x + vector.y * y), per_z * (vector.y * x - vector.x * y)};
 }
@@ -106,7 +106,7 @@ template <class T>
 T smith(const WavesView& waves, const Vec3<T>& direction) {
   using std::abs;
   using std::sqrt;
-  const T x(waves.upwind_x), y(waves.upwind_y);
+  const T x = T(waves.upwind_x), y = T(waves.upwind_y);
   const T up = T(waves.upwind_deviation) * (direction.x * x + direction.y * y);
   const T across = T(waves.crosswind_deviation) * (direction.y * x - direction.x * y);
   const T spread = sqrt(T(2) * (up * up + across * across));
@@ -117,7 +117,7 @@ T smith(const WavesView& waves, const Vec3<T>& direction) {
       t *
       (T(0.254829592) +
        t * (T(-0.284496736) + t * (T(1.421413741) + t * (T(-1.453152027) + t * T(1.061405429)))));
-  const T tiny(1e-30);
+  const T tiny = T(1e-30);
   const T value =
       T(0.5) * exp_minus(a * a) * (T(1 / 1.7724538509055160273) / (a + tiny) - erfc_over_exp);
   return select(level & (value > T(0)), value, T(0));

@@ -145,7 +145,7 @@ SlopesToLens<T> slopes_to_lens(const WavesAxes<T>& axes, const instrument::Teles
   const T nearest = distance - telescope.lens_radius;
   const T off = telescope.lens_radius / select(nearest > T(0), nearest, T(1));
   const Mask<T> bounded = (nearest > T(0)) & (abs(h.z) > T(2) * off);
-  const T all(6 * axes.deviation);
+  const T all = T(6 * axes.deviation);
   const T middle = -dot(h, axes.along) / select(bounded, h.z, T(1));
   const T half = off * (T(1) + abs(middle)) / (select(bounded, abs(h.z), T(1)) - off);
   const Mask<T> narrow = bounded & (half < all);
