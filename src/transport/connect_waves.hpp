@@ -3,6 +3,7 @@
 // (docs/theory.md, "The rough surface").
 #pragma once
 
+#include "core/random.hpp"
 #include "surface/waves.hpp"
 #include "transport/connect_ray.hpp"
 #include "transport/facets_in_line.hpp"
