@@ -15,11 +15,13 @@ inline constexpr std::uint32_t facet_blocks = std::uint32_t{1} << 20;
 /// Light that is still between facets after so many is lost, and counted.
 inline constexpr std::uint32_t most_facets = 64;
 
-/// Those of `at` who meet facets do so until they have left the surface; who has risen in the air
-/// ends, and its weight has escaped. observe(at, facet) is told before each facet that is met.
-template <class T, class Ledger, class Observe>
+/// Those of `at` who meet facets do so until they have left the surface. observe(at, facet) is told
+/// before each facet that is met. Where weights split, what rises in the air has escaped; where
+/// not, whole photons do, of whom leave(mask) is told.
+template <class T, class Ledger, class Observe, class Leave>
 void cross_waves(const World<T>& world, const RandomPlace<T>& place, Track<T>& t,
-                 transport::AtWaves<T> at, Ledger& ledger, Observe observe) {
+                 transport::AtWaves<T> at, bool splits, Ledger& ledger, Observe observe,
+                 Leave leave) {
   const Mask<T> came = at.meets;
   const auto surface = surface::rough_surface<T>(world.sea, t.photon.line);
   Mask<T> in_water(false);
@@ -27,12 +29,17 @@ void cross_waves(const World<T>& world, const RandomPlace<T>& place, Track<T>& t
     observe(at, facet);
     const Mask<T> meets = at.meets;
     const auto u = uniforms(place, facet_blocks + facet);
-    const auto met = transport::meet_waves(surface, t.photon, at, {u[0], u[1], u[2], u[3]}, true);
+    const auto met = transport::meet_waves(surface, t.photon, at, {u[0], u[1], u[2], u[3]}, splits);
     // In the mean facets neither take light nor give it; a single one does.
     book(ledger.roulette, meets, T(0) - met.gained);
     book(ledger.escaped, meets, met.escaped);
-    in_water = in_water | (met.in_water & (t.photon.weight > T(0)));
-    at.meets = at.meets & (t.photon.weight > T(0));
+    if (any(met.left)) {
+      leave(met.left);
+      book(ledger.escaped, met.left, t.photon.weight);
+    }
+    const Mask<T> lit = t.photon.weight > T(0);
+    in_water = in_water | (met.in_water & lit);
+    at.meets = at.meets & lit;
   }
   book(ledger.lost, at.meets, t.photon.weight);
   t.on = t.on & ((!came) | in_water);

@@ -207,7 +207,7 @@ WavesView Medium::waves_view() const {
   v.upwind_y = waves.upwind_y;
   v.upwind_deviation = std::sqrt(s.upwind_variance);
   v.crosswind_deviation = std::sqrt(s.crosswind_variance);
-  v.c21 = s.c21, v.c03 = s.c03, v.c40 = s.c40, v.c22 = s.c22, v.c04 = s.c04;
+  v.series = s.series;
   v.per_norm = 1 / s.norm;
   v.whitecap_fraction = waves.whitecap_fraction;
   v.whitecap_reflectance = whitecap_reflectance_.view();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/lanes.hpp"
+#include "optics/sea_slopes.hpp"
 
 namespace photic::medium {
 
@@ -11,7 +12,7 @@ struct WavesView {
   bool one_dimensional = false;       ///< all facets are level across the wind
   double upwind_x = 1, upwind_y = 0;  ///< towards where the wind comes from, a unit vector
   double upwind_deviation = 0, crosswind_deviation = 0;  ///< of slopes
-  double c21 = 0, c03 = 0, c40 = 0, c22 = 0, c04 = 0;    ///< of the Gram-Charlier series
+  optics::GramCharlier series;
   double per_norm = 1;
   double whitecap_fraction = 0;
   ShortTable whitecap_reflectance;  ///< from above, [line]

@@ -8,18 +8,8 @@
 namespace photic::optics {
 namespace {
 
-/// Cox & Munk 1954, J. Opt. Soc. Am. 44, 838, eq. for p(xi, eta) and its coefficients; skewness
-/// C21 and C03 in a frame whose eta is positive where the surface rises upwind, so that the most
-/// probable facet faces the wind and lee sides are steep.
-double gram_charlier(const SlopeLaw& law, double xi, double eta) {
-  const double xi2 = xi * xi, eta2 = eta * eta;
-  return 1 - law.c21 / 2 * (xi2 - 1) * eta - law.c03 / 6 * (eta2 - 3) * eta +
-         law.c40 / 24 * (xi2 * xi2 - 6 * xi2 + 3) + law.c22 / 4 * (xi2 - 1) * (eta2 - 1) +
-         law.c04 / 24 * (eta2 * eta2 - 6 * eta2 + 3);
-}
-
 /// Simpson's rule over 8 standard deviations each way.
-double norm_of(const SlopeLaw& law) {
+double norm_of(const GramCharlier& series) {
   constexpr int steps = 800;  // even
   constexpr double reach = 8;
   const auto weight = [](int i) { return i == 0 || i == steps ? 1 : (i % 2 == 1 ? 4 : 2); };
@@ -28,7 +18,7 @@ double norm_of(const SlopeLaw& law) {
     for (int k = 0; k <= steps; ++k) {
       const double xi = reach * (2.0 * i / steps - 1), eta = reach * (2.0 * k / steps - 1);
       sum += weight(i) * weight(k) * std::exp(-(xi * xi + eta * eta) / 2) *
-             std::max(0.0, gram_charlier(law, xi, eta));
+             std::max(0.0, series(xi, eta));
     }
   const double third = 2 * reach / steps / 3;
   return sum * third * third / (2 * pi);
@@ -36,15 +26,11 @@ double norm_of(const SlopeLaw& law) {
 
 }  // namespace
 
-double SlopeLaw::series(double crosswind, double upwind) const {
-  return std::max(0.0, gram_charlier(*this, crosswind, upwind)) / norm;
-}
-
 double SlopeLaw::density(double upwind, double crosswind) const {
   const double up = upwind / std::sqrt(upwind_variance);
   const double across = crosswind / std::sqrt(crosswind_variance);
-  return std::exp(-(up * up + across * across) / 2) * series(across, up) /
-         (2 * pi * std::sqrt(upwind_variance * crosswind_variance));
+  return std::exp(-(up * up + across * across) / 2) * std::max(0.0, series(across, up)) /
+         (2 * pi * std::sqrt(upwind_variance * crosswind_variance) * norm);
 }
 
 SlopeLaw paper_slopes(double wind_speed_m_s) {
@@ -67,12 +53,9 @@ SlopeLaw cox_munk_slopes(double wind_speed_m_s, bool slick, bool with_series) {
            .source = "Cox & Munk 1954, J. Opt. Soc. Am. 44, 838, clean sea"};
   }
   if (!with_series) return law;
-  law.c21 = 0.01 - 0.0086 * w;
-  law.c03 = 0.04 - 0.033 * w;
-  law.c40 = 0.40;
-  law.c22 = 0.12;
-  law.c04 = 0.23;
-  law.norm = norm_of(law);
+  law.series = {
+      .c21 = 0.01 - 0.0086 * w, .c03 = 0.04 - 0.033 * w, .c40 = 0.40, .c22 = 0.12, .c04 = 0.23};
+  law.norm = norm_of(law.series);
   law.source += ", with the Gram-Charlier series of the clean sea";
   return law;
 }

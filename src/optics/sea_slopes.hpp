@@ -5,20 +5,35 @@
 
 namespace photic::optics {
 
+/// Cox & Munk's Gram-Charlier series, by which the density of slopes is more than a Gaussian (1954,
+/// J. Opt. Soc. Am. 44, 838); all 0 of a Gaussian. Slopes are over their standard deviations;
+/// `upwind` is positive where the surface rises upwind, so that the most probable facet faces the
+/// wind and lee sides are steep.
+struct GramCharlier {
+  double c21 = 0, c03 = 0;           ///< skewness
+  double c40 = 0, c22 = 0, c04 = 0;  ///< peakedness
+
+  /// May be below 0 far out.
+  template <class T>
+  [[nodiscard]] T operator()(const T& crosswind, const T& upwind) const {
+    const T xi2 = crosswind * crosswind, eta2 = upwind * upwind;
+    return T(1) - T(c21 / 2) * (xi2 - T(1)) * upwind - T(c03 / 6) * (eta2 - T(3)) * upwind +
+           T(c40 / 24) * (xi2 * xi2 - T(6) * xi2 + T(3)) +
+           T(c22 / 4) * (xi2 - T(1)) * (eta2 - T(1)) +
+           T(c04 / 24) * (eta2 * eta2 - T(6) * eta2 + T(3));
+  }
+};
+
 /// The density of slopes: a Gaussian along the wind and across it, as Cox & Munk's Gram-Charlier
 /// series changes it. A facet rises by `upwind` metres per metre towards where the wind comes from,
 /// and by `crosswind` at right angles to that. A variance of 0: all facets are level that way.
 struct SlopeLaw {
   double upwind_variance = 0, crosswind_variance = 0;
-  // Of the series; all 0 of a Gaussian:
-  double c21 = 0, c03 = 0;           ///< skewness
-  double c40 = 0, c22 = 0, c04 = 0;  ///< peakedness
+  GramCharlier series = {};
   /// Integral of the Gaussian times the series, which counts as 0 where it is below that.
   double norm = 1;
   std::string source = {};  ///< "Author year, journal, what of it [status]"
 
-  /// 1 over the norm times the series, at slopes over their standard deviations. At least 0.
-  [[nodiscard]] double series(double crosswind, double upwind) const;
   /// Of a two-dimensional law [1].
   [[nodiscard]] double density(double upwind, double crosswind) const;
 

@@ -137,7 +137,6 @@ struct Surface {
 
   /// Whether there are facets that are not level.
   [[nodiscard]] bool is_rough() const;
-  [[nodiscard]] bool is_one_dimensional() const;
   [[nodiscard]] bool has_whitecaps() const;
   friend bool operator==(const Surface&, const Surface&) = default;
 };

@@ -65,12 +65,7 @@ T series(const WavesView& waves, const Slope<T>& slope) {
   if (waves.one_dimensional) return T(1);
   const T up = slope.upwind * T(1 / waves.upwind_deviation);
   const T across = slope.crosswind * T(1 / waves.crosswind_deviation);
-  const T up2 = up * up, across2 = across * across;
-  const T value = T(1) - T(waves.c21 / 2) * (across2 - T(1)) * up -
-                  T(waves.c03 / 6) * (up2 - T(3)) * up +
-                  T(waves.c40 / 24) * (across2 * across2 - T(6) * across2 + T(3)) +
-                  T(waves.c22 / 4) * (across2 - T(1)) * (up2 - T(1)) +
-                  T(waves.c04 / 24) * (up2 * up2 - T(6) * up2 + T(3));
+  const T value = waves.series(across, up);
   return T(waves.per_norm) * select(value > T(0), value, T(0));
 }
 /// The Gaussian's density, of two dimensions [1].

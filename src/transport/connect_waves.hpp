@@ -28,8 +28,7 @@ T path_to_telescope(const medium::MediumView& sea, const instrument::Telescope<T
   return way.length * gather<T>(sea.group_index, line);
 }
 
-/// From a photon's position in the water by the surface to a point of the lens, in the air or in
-/// the water. `direction` is that to the surface, and `length_water` so far.
+/// `direction` is that to the surface, and `length_water` so far.
 template <class T>
 struct WavesConnection : RayConnection<T> {
   FromSurface<T> onward;
@@ -82,6 +81,8 @@ WeighedPoint<T> weighed_point(const surface::RoughSurface<T>& surface,
   return point;
 }
 
+/// Of the points by which waves of one direction are crossed, if there are whitecaps.
+inline constexpr double share_for_whitecaps = 0.25;
 /// By waves of one direction, or by whitecaps between them.
 template <class T>
 WeighedPoint<T> weighed_point_in_line(const surface::RoughSurface<T>& surface,
@@ -91,7 +92,7 @@ WeighedPoint<T> weighed_point_in_line(const surface::RoughSurface<T>& surface,
   using std::abs;
   const auto& waves = surface.waves;
   const auto axes = axes_of<T>(waves);
-  const double share_white = waves.whitecap_fraction > 0 ? 0.25 : 0;
+  const double share_white = waves.whitecap_fraction > 0 ? share_for_whitecaps : 0;
   const Mask<T> white = u.choice < T(share_white);
   const T rest = left_of_choice(u.choice, T(share_white));
   const T n1 = back ? T(1) : surface.n;
@@ -122,6 +123,8 @@ WeighedPoint<T> weighed_point_in_line(const surface::RoughSurface<T>& surface,
   return point;
 }
 
+/// From a photon's position in the water by the surface to a point of the lens, in the air or in
+/// the water. `u`: of the point of the surface.
 template <class T>
 WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
                                     const instrument::Telescope<T>& telescope,

@@ -152,19 +152,13 @@ struct AnalogSteps {
   void cross_waves(AnalogPhotons<T>& p, const Mask<T>& stand, bool in_air, const T& depth) {
     const Index<T> of_surface(static_cast<std::int32_t>(transport::Touched::surface));
     p.touched = select(stand & (p.photon.order == Index<T>(0)), of_surface, p.touched);
-    const auto surface = surface::rough_surface<T>(world.sea, p.photon.line);
     const T endless(std::numeric_limits<Element<T>>::max());
-    transport::AtWaves<T> at{stand, Mask<T>(in_air)};
-    for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
-      const Mask<T> meets = at.meets;
-      const auto w = uniforms(p.place, facet_blocks + facet);
-      const auto met =
-          transport::meet_waves(surface, p.photon, at, {w[0], w[1], w[2], w[3]}, false);
-      book(ledger.roulette, meets, T(0) - met.gained);
-      detect(world, p.photon, p.touched, met.left, endless, true, depth, tally);
-      book_out(p, met.left, ledger.escaped);
-    }
-    book_out(p, at.meets, ledger.lost);
+    estimator::cross_waves(
+        world, p.place, p, {stand, Mask<T>(in_air)}, false, ledger,
+        [](const transport::AtWaves<T>&, std::uint32_t) {},
+        [&](const Mask<T>& left) {
+          detect(world, p.photon, p.touched, left, endless, true, depth, tally);
+        });
   }
   /// Photons of a mask that have been at the surface fly down from there. `depth`: of the collision
   /// that they come from.

@@ -1,70 +1,20 @@
 // The local estimate: what every telescope is expected to detect of a collision.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <vector>
 
-#include "core/random.hpp"
-#include "estimator/event.hpp"
+#include "estimator/forward/travellers.hpp"
 #include "estimator/variations/environments.hpp"
 #include "estimator/world.hpp"
 #include "lanes/each_score.hpp"
 #include "lanes/queue.hpp"
 #include "tally/batch_tally.hpp"
-#include "transport/aim.hpp"
-#include "transport/collide.hpp"
 #include "transport/connect_ray.hpp"
 #include "transport/connect_waves.hpp"
 #include "transport/scatter.hpp"
 #include "transport/touched.hpp"
 
 namespace photic::estimator {
-
-/// Directed sampling aims at no more ways than this; telescopes beyond have to do with the light of
-/// the others.
-inline constexpr int target_capacity = 16;
-template <class T>
-using Targets = transport::Targets<T, target_capacity>;
-
-/// A block of an event's random numbers.
-inline constexpr std::uint32_t surface_block = 4;
-
-/// Photons on their way, one in each lane, and the event that they are in.
-template <class T>
-struct Travellers : Track<T> {
-  explicit Travellers(const World<T>& world)
-      : place{world.key, {}, {}}, lens(world.single_rays ? world.groups.size() : 0) {}
-
-  RandomPlace<T> place;
-  Index<T> spectral_bin{};                      ///< in which lines it emits
-  std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each group's lens that takes part
-                                                ///< in local estimates of single rays
-  Ratios<T> ratios;                             ///< of their weights in environments
-
-  // Of the event:
-  std::array<T, 4> u{}, choices{}, forced{},
-      surface{};  ///< numbers: of all events, and where they are asked for, of choices, of forced
-                  ///< collisions, and of where light crosses a rough surface on its way to lenses
-  T free_path{};  ///< of the flight, an optical depth
-  transport::Branch<T> branch;             ///< what the collision made of them
-  Targets<T> targets;                      ///< of the directions that they may take next
-  transport::Deflection<T> deflection;     ///< by the collision
-  Vec3<T> old_direction;                   ///< before it
-  T stays{1};                              ///< chance that a forced flight has to end in the water
-  T analog_before{}, importance_before{};  ///< the flight, for tools that ask
-  Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
-
-  /// The numbers of a block of the event.
-  std::array<T, 4>& numbers(std::uint32_t block) {
-    if (block == surface_block) return surface;
-    return block == 0 ? u : (block == 1 ? choices : forced);
-  }
-  [[nodiscard]] transport::SurfacePointUniforms<T> surface_point() const {
-    return {surface[0], surface[1], surface[2]};
-  }
-};
 
 /// What differs between the sources of a scene's scores at all.
 struct SourcesDiffer {
@@ -280,17 +230,6 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
   }
 }
 
-/// Where a group of telescopes may see a point, by the points of the lenses that take part in local
-/// estimates of single rays.
-template <class T>
-Mask<T> near_view(const World<T>& world, std::size_t g, const Vec3<T>& position,
-                  const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {
-  const auto& telescope = world.groups[g].widest;
-  if (world.sea.waves.rough) return Mask<T>(true);  // a steep facet may lead light from anywhere
-  return world.single_rays ? transport::may_see(world.sea, telescope, position, line, lens[g])
-                           : transport::may_see(world.sea, telescope, position, line);
-}
-
 /// Scores light that has waited for company.
 template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void score_waiting(const World<T>& world, std::size_t g,
@@ -340,60 +279,6 @@ void flush_queues(const World<T>& world, Estimates<T>& estimates, tally::BatchTa
     });
     estimates.scores[g].flush(tally);
   }
-}
-
-/// Adds the ways to the telescopes as targets, one to each group by each route.
-template <class T>
-void aim_at_telescopes(const World<T>& world, Travellers<T>& at) {
-  using namespace transport;
-  Targets<T>& targets = at.targets;
-  const Vec3<T>& from = at.photon.position;
-  const Index<T>& line = at.photon.line;
-  for (std::size_t g = 0; g < world.groups.size(); ++g) {
-    const auto& telescope = world.groups[g].widest;
-    const Vec3<T> to = world.single_rays ? in_space(telescope, at.lens[g]) : telescope.position;
-    const auto& region = world.groups[g].region;
-    for (const auto route : geometry::routes_to(region.in_air)) {
-      if (targets.count == target_capacity) return;
-      const auto [direction, in_front] = aim(world.sea, telescope, region, from, line, to, route,
-                                             near_view(world, g, from, line, at.lens));
-      targets.add(direction, T(0), select(in_front, T(1), T(0)));
-    }
-  }
-}
-
-/// Adds the views of the telescopes as targets for light that has yet to be converted: converted
-/// light leaves in all directions, so what counts is that the laser's light comes into view, at
-/// whatever angle. The cones hold the whole of a view's parts, or light from the side could enter
-/// it by a direction that is drawn too rarely.
-template <class T>
-void aim_at_views(const World<T>& world, const transport::Photon<T>& photon, Targets<T>& targets) {
-  using std::sqrt;
-  const Mask<T> convertible = photon.line == Index<T>(0);
-  if (!any(convertible)) return;
-  for (const auto& view : world.views) {
-    for (const auto& ball : view.part) {
-      if (targets.count == target_capacity) return;
-      const Vec3<T> there = ball.centre - photon.position;
-      const T squared = dot(there, there);
-      const Mask<T> apart = squared > T(0);
-      const T safe = select(apart, squared, T(1));
-      const T sine_squared = ball.radius * ball.radius / safe;
-      const T rest = T(1) - sine_squared;
-      const T cone = T(1) - sqrt(select(rest > T(0), rest, T(0)));
-      targets.add((T(1) / sqrt(safe)) * there, cone,
-                  select(convertible & apart, T(1.0 / view_parts), T(0)));
-    }
-  }
-}
-
-/// Fills in the targets of the direction that photons may take next, where they collide.
-template <class T>
-void aim_at_targets(const World<T>& world, Travellers<T>& at) {
-  if (!any(at.colliding)) return;
-  at.targets.clear();
-  aim_at_telescopes(world, at);
-  aim_at_views(world, at.photon, at.targets);
 }
 
 /// Of a photon's weight, what collides at one of the points of a flight that are scored.

@@ -7,6 +7,7 @@
 #include "estimator/event.hpp"
 #include "estimator/forward/estimate.hpp"
 #include "estimator/forward/expected_collision.hpp"
+#include "estimator/forward/targets.hpp"
 #include "estimator/forward/tools.hpp"
 #include "estimator/forward/waves.hpp"
 #include "estimator/termination.hpp"

@@ -68,13 +68,13 @@ template <class Events, class T, class Ledger>
 PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mask<T>& stand,
                               bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,
                               Ledger& ledger) {
-  cross_waves(world, t.place, t, {stand, Mask<T>(in_air)}, ledger,
-              [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
-                Mask<T> scored = at.meets;
-                if (facet == 0) scored = scored & (t.photon.order == Index<T>(0));
-                if (any(scored))
-                  score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);
-              });
+  const auto score = [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
+    Mask<T> scored = at.meets;
+    if (facet == 0) scored = scored & (t.photon.order == Index<T>(0));
+    if (any(scored)) score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);
+  };
+  cross_waves(world, t.place, t, {stand, Mask<T>(in_air)}, true, ledger, score,
+              [](const Mask<T>&) {});
 }
 
 }  // namespace photic::estimator

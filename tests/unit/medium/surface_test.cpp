@@ -41,14 +41,14 @@ TEST(SlopesOfAScene, AreThoseOfItsModel) {
   const auto sea = slopes_of(cox_munk_sea(5));
   EXPECT_NEAR(sea.upwind_variance, 0.0158, 1e-15);
   EXPECT_NEAR(sea.crosswind_variance, 0.0126, 1e-15);
-  EXPECT_NEAR(sea.c03, -0.125, 1e-15);
+  EXPECT_NEAR(sea.series.c03, -0.125, 1e-15);
   scene::Surface changed = cox_munk_sea(5);
   changed.slick = true;
   changed.gram_charlier = false;
   const auto slick = slopes_of(changed);
   EXPECT_NEAR(slick.upwind_variance, 0.0089, 1e-15);
   EXPECT_NEAR(slick.crosswind_variance, 0.0072, 1e-15);
-  EXPECT_EQ(slick.c03, 0);
+  EXPECT_EQ(slick.series.c03, 0);
   EXPECT_EQ(slick.norm, 1);
   const auto of_paper = slopes_of(paper_sea(5));
   EXPECT_NEAR(of_paper.upwind_variance, 0.086, 1e-15);
@@ -56,7 +56,7 @@ TEST(SlopesOfAScene, AreThoseOfItsModel) {
   const auto own = slopes_of(gaussian_sea(0.02, 0.01));
   EXPECT_EQ(own.upwind_variance, 0.02);
   EXPECT_EQ(own.crosswind_variance, 0.01);
-  EXPECT_EQ(own.c40, 0);
+  EXPECT_EQ(own.series.c40, 0);
 }
 
 // Cox & Munk's line for the slopes across the wind does not go to 0 with the wind, the paper's not
@@ -127,11 +127,11 @@ TEST(WavesView, HasTheSlopesAndWhitecapsOfTheScene) {
   EXPECT_FALSE(waves.one_dimensional);
   EXPECT_NEAR(waves.upwind_deviation * waves.upwind_deviation, 0.0316, 1e-15);
   EXPECT_NEAR(waves.crosswind_deviation * waves.crosswind_deviation, 0.0222, 1e-15);
-  EXPECT_NEAR(waves.c21, -0.076, 1e-15);
-  EXPECT_NEAR(waves.c03, -0.29, 1e-15);
-  EXPECT_EQ(waves.c40, 0.40);
-  EXPECT_EQ(waves.c22, 0.12);
-  EXPECT_EQ(waves.c04, 0.23);
+  EXPECT_NEAR(waves.series.c21, -0.076, 1e-15);
+  EXPECT_NEAR(waves.series.c03, -0.29, 1e-15);
+  EXPECT_EQ(waves.series.c40, 0.40);
+  EXPECT_EQ(waves.series.c22, 0.12);
+  EXPECT_EQ(waves.series.c04, 0.23);
   EXPECT_NEAR(waves.per_norm, 1 / (1 + 8.4e-6), 1e-6);
   EXPECT_NEAR(waves.whitecap_fraction, 9.768e-3, 1e-6);
   ASSERT_EQ(waves.whitecap_reflectance.size, sea.view().lines);

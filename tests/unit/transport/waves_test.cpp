@@ -29,7 +29,7 @@ const WavesView five_m_s = waves_of(0.0158, 0.0126);
 WavesView skewed() {
   WavesView w = waves_of(0.0316, 0.0222);
   w.upwind_x = std::cos(70 * radian_per_degree), w.upwind_y = std::sin(70 * radian_per_degree);
-  w.c21 = -0.076, w.c03 = -0.29, w.c40 = 0.4, w.c22 = 0.12, w.c04 = 0.23;
+  w.series = {.c21 = -0.076, .c03 = -0.29, .c40 = 0.4, .c22 = 0.12, .c04 = 0.23};
   return w;
 }
 

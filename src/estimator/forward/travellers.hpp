@@ -1,0 +1,75 @@
+// Photons of the forward estimator on their way, and what they carry from one stage of an event to
+// the next.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/random.hpp"
+#include "estimator/event.hpp"
+#include "estimator/variations/environments.hpp"
+#include "estimator/world.hpp"
+#include "transport/collide.hpp"
+#include "transport/connect.hpp"
+#include "transport/scatter.hpp"
+#include "transport/surface_points.hpp"
+
+namespace photic::estimator {
+
+/// Directed sampling aims at no more ways than this; telescopes beyond have to do with the light of
+/// the others.
+inline constexpr int target_capacity = 16;
+template <class T>
+using Targets = transport::Targets<T, target_capacity>;
+
+/// A block of an event's random numbers.
+inline constexpr std::uint32_t surface_block = 4;
+
+/// Photons on their way, one in each lane, and the event that they are in.
+template <class T>
+struct Travellers : Track<T> {
+  explicit Travellers(const World<T>& world)
+      : place{world.key, {}, {}}, lens(world.single_rays ? world.groups.size() : 0) {}
+
+  RandomPlace<T> place;
+  Index<T> spectral_bin{};                      ///< in which lines it emits
+  std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each group's lens that takes part
+                                                ///< in local estimates of single rays
+  Ratios<T> ratios;                             ///< of their weights in environments
+
+  // Of the event:
+  std::array<T, 4> u{}, choices{}, forced{},
+      surface{};  ///< numbers: of all events, and where they are asked for, of choices, of forced
+                  ///< collisions, and of where light crosses a rough surface on its way to lenses
+  T free_path{};  ///< of the flight, an optical depth
+  transport::Branch<T> branch;             ///< what the collision made of them
+  Targets<T> targets;                      ///< of the directions that they may take next
+  transport::Deflection<T> deflection;     ///< by the collision
+  Vec3<T> old_direction;                   ///< before it
+  T stays{1};                              ///< chance that a forced flight has to end in the water
+  T analog_before{}, importance_before{};  ///< the flight, for tools that ask
+  Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
+
+  /// The numbers of a block of the event.
+  std::array<T, 4>& numbers(std::uint32_t block) {
+    if (block == surface_block) return surface;
+    return block == 0 ? u : (block == 1 ? choices : forced);
+  }
+  [[nodiscard]] transport::SurfacePointUniforms<T> surface_point() const {
+    return {surface[0], surface[1], surface[2]};
+  }
+};
+
+/// Where a group of telescopes may see a point, by the points of the lenses that take part in local
+/// estimates of single rays.
+template <class T>
+Mask<T> near_view(const World<T>& world, std::size_t g, const Vec3<T>& position,
+                  const Index<T>& line, const std::vector<instrument::PlanePoint<T>>& lens) {
+  const auto& telescope = world.groups[g].widest;
+  if (world.sea.waves.rough) return Mask<T>(true);  // a steep facet may lead light from anywhere
+  return world.single_rays ? transport::may_see(world.sea, telescope, position, line, lens[g])
+                           : transport::may_see(world.sea, telescope, position, line);
+}
+
+}  // namespace photic::estimator
