@@ -1,6 +1,7 @@
 // The local estimate: what every telescope is expected to detect of a collision.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "estimator/forward/travellers.hpp"
@@ -29,7 +30,7 @@ struct SourcesDiffer {
     f(photon.direction.x), f(photon.direction.y), f(photon.direction.z);
     f(weight), f(photon.path), f(photon.order);
     if (points) f(lens.x), f(lens.y);
-    if (surface) f(u.choice), f(u.radius), f(u.azimuth);
+    if (surface) f(u[0]), f(u[1]), f(u[2]);
     if (layers) f(photon.layer);
     if (lines) f(photon.line), f(line);
     if (this->touched) f(touched);
@@ -48,7 +49,7 @@ struct Sources {
   transport::Photon<T> photon{};  ///< before the collision
   Index<T> line{}, touched{};
   instrument::PlanePoint<T> lens{};
-  transport::SurfacePointUniforms<T> surface{};
+  std::array<T, 4> surface{};
   SourcesDiffer differ;
 
   template <class F>
@@ -64,7 +65,7 @@ struct SourcesOf {
   const Index<T>& line;
   const Index<T> touched;
   const instrument::PlanePoint<T>& lens;
-  const transport::SurfacePointUniforms<T> surface;
+  const std::array<T, 4>& surface;
   SourcesDiffer differ;
 
   template <class F>
@@ -217,8 +218,9 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
   for (const auto route : geometry::routes_to(region.in_air)) {
     const bool by_surface = region.in_air || route == geometry::Route::mirrored;
     if (world.sea.waves.rough && by_surface) {
+      const auto& u = from.surface;
       const auto way = connect_by_waves(world.sea, telescope, region, photon, from.line, from.lens,
-                                        from.surface, mask);
+                                        {u[0], u[1], u[2]}, mask);
       score(way, route, way.sight);
     } else if (world.single_rays) {
       const auto way =
@@ -258,7 +260,7 @@ void score_light(const World<T>& world, const Travellers<T>& of, const transport
                             line,
                             touched,
                             world.single_rays ? lens[g] : centre,
-                            of.surface_point(),
+                            of.surface,
                             sources_differ(world)};
     if (compares<Events>(world)) {
       score_in<Events>(world, g, Sources<T>(from), seen, tally, estimates);

@@ -13,7 +13,6 @@
 #include "transport/collide.hpp"
 #include "transport/connect.hpp"
 #include "transport/scatter.hpp"
-#include "transport/surface_points.hpp"
 
 namespace photic::estimator {
 
@@ -55,9 +54,6 @@ struct Travellers : Track<T> {
   std::array<T, 4>& numbers(std::uint32_t block) {
     if (block == surface_block) return surface;
     return block == 0 ? u : (block == 1 ? choices : forced);
-  }
-  [[nodiscard]] transport::SurfacePointUniforms<T> surface_point() const {
-    return {surface[0], surface[1], surface[2]};
   }
 };
 
