@@ -153,14 +153,19 @@ class Cone {
   std::vector<Cell> cell_;
 };
 
-/// Of an entry cone: the shares of all its narrower ones, which end where its rings do.
+/// Of the part of an entry cone that free walks begin in: the shares of all its narrower ones,
+/// which end where its rings do.
 class MeanOverCone {
  public:
   explicit MeanOverCone(const EntryCone<double>& cone) {
-    for (std::size_t k = 0; k < cone.rings; ++k) {
+    const auto frees = [&](std::size_t k) {
+      return k < cone.rings && cone.ring[k].one_minus_cos <= cone.free_within;
+    };
+    for (std::size_t k = 0; frees(k); ++k) {
       const double x = cone.ring[k].one_minus_cos;
-      const double beyond = k + 1 < cone.rings ? 1 / cone.ring[k + 1].solid_angle : 0;
-      part_.emplace_back(2 * pi * x * (1 / cone.ring[k].solid_angle - beyond), Cone(x));
+      const double beyond = frees(k + 1) ? 1 / cone.ring[k + 1].solid_angle : 0;
+      part_.emplace_back(2 * pi * x * (1 / cone.ring[k].solid_angle - beyond) / cone.free_share,
+                         Cone(x));
     }
   }
   [[nodiscard]] std::vector<double> lines(const PhaseView& phases, std::int32_t table) const {

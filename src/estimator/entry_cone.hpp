@@ -51,7 +51,23 @@ struct EntryCone {
   bool by_depth =
       false;           ///< depths of first vertices are drawn as along the axis, whatever the ray
   bool exact = false;  ///< all its rays are the instrument's own
+  // Under waves:
+  T free_within{4};  ///< 1 - cos of the part that free walks begin in
+  T free_share{1};   ///< of walks that begin there
+  T by_facets{};     ///< of those that meet several facets instead
   Spot<T> spot;
+
+  /// The share of the others.
+  [[nodiscard]] T by_one_facet() const { return T(1) - by_facets; }
+  /// Whether a direction in the water is one that free walks begin in.
+  [[nodiscard]] Mask<T> frees(const Vec3<T>& direction) const {
+    return photic::one_minus_cos(direction, axis) < free_within;
+  }
+  /// The footprint of such directions; 0 of others.
+  [[nodiscard]] T free_part(const Vec3<T>& direction, const T& footprint) const {
+    if (all(free_within > T(2))) return footprint;
+    return select(frees(direction), footprint, T(0));
+  }
 
   /// 1 - cos of its half angle; 0: parallel rays.
   [[nodiscard]] const T& one_minus_cos() const { return ring[rings - 1].one_minus_cos; }
@@ -162,6 +178,13 @@ EntryRay<T> entry_ray(const EntryCone<T>& cone, const T& n, const T& n_axis,
   return ray;
 }
 
+/// Directions in the water that are drawn evenly about its axis, from two uniforms.
+template <class T>
+Vec3<T> direction_in_water(const EntryCone<T>& cone, const T& u_polar, const T& u_azimuth) {
+  const auto [cosine, sine] = cos_sin_of_turns(u_azimuth);
+  return turned(cone.axis, cone.draw(u_polar), cosine, sine);
+}
+
 /// From two uniforms.
 template <class T>
 EntryRay<T> draw_entry(const EntryCone<T>& cone, const T& n, const T& n_axis, const T& u_polar,
@@ -193,6 +216,11 @@ EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Me
                              double deepest, const std::vector<InnerCone>& inner = {});
 EntryCone<double> entry_cone(const scene::Source& source, const medium::Medium& medium,
                              double deepest);
+/// The same under waves. `frees`: for free walks.
+EntryCone<double> cone_under_waves(const scene::Telescope& telescope, const medium::Medium& medium,
+                                   double deepest, bool frees);
+EntryCone<double> cone_under_waves(const scene::Source& source, const medium::Medium& medium,
+                                   double deepest, bool frees);
 /// The same of walks that are not free: of the instrument's own rays.
 EntryCone<double> cone_of_own_rays(const scene::Telescope& telescope, const medium::Medium& medium,
                                    const std::vector<InnerCone>& inner = {});
@@ -214,6 +242,9 @@ EntryCone<T> cone_cast(const EntryCone<double>& c) {
   out.even_outside = c.even_outside;
   out.by_depth = c.by_depth;
   out.exact = c.exact;
+  out.free_within = T(c.free_within);
+  out.free_share = T(c.free_share);
+  out.by_facets = T(c.by_facets);
   out.spot = {T(s.x),           T(s.y),
               T(s.x_per_depth), T(s.y_per_depth),
               T(s.radius),      T(s.radius_per_depth),

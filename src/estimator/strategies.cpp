@@ -23,6 +23,7 @@ Strategy off(std::string name, std::string reason) {
 
 Strategy to_laser(const scene::Scene& scene) {
   const std::string name = "walks from telescopes connected to the laser";
+  if (scene.sea.surface.is_rough()) return {name, true, "where a ray of it comes through waves"};
   const auto laser = instrument::make_laser<double>(scene.source);
   if (laser.collimated) return off(name, "its rays are parallel, and no other ray meets them");
   if (!instrument::can_be_met(laser))
@@ -42,8 +43,9 @@ Strategy translated(const scene::Scene& scene) {
   return out;
 }
 
-Strategy rotated(bool converts, const Vec3<double>& beam) {
+Strategy rotated(bool rough, bool converts, const Vec3<double>& beam) {
   const std::string name = "walks from telescopes rotated about a vertical so that rays meet";
+  if (rough) return off(name, "waves are not alike to all sides, and walks may have met them");
   if (converts && (beam.x != 0 || beam.y != 0))
     return off(name, "light is converted, and looked for about a beam that is not vertical");
   return {name, true, {}};
@@ -51,7 +53,8 @@ Strategy rotated(bool converts, const Vec3<double>& beam) {
 
 /// Which instruments' walks cannot be free.
 Strategy free_telescopes(const scene::Scene& scene, const medium::Medium& medium) {
-  Strategy out{"free walks of telescopes", false, {}};
+  Strategy out{"free walks of telescopes", scene.sea.surface.is_rough(), {}};
+  if (out.used) return out;
   std::string bound;
   for (const auto& t : scene.telescope) {
     if (entry_cone(t, medium, 0).by_depth)
@@ -66,6 +69,7 @@ Strategy free_telescopes(const scene::Scene& scene, const medium::Medium& medium
 }
 Strategy free_laser(const scene::Scene& scene, const medium::Medium& medium) {
   const std::string name = "free walks of the laser";
+  if (scene.sea.surface.is_rough()) return {name, true, {}};
   const auto laser = instrument::make_laser<double>(scene.source);
   if (laser.collimated) return off(name, "its rays are parallel");
   if (!instrument::can_be_met(laser))
@@ -102,7 +106,8 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
   out.between = {"walks from both sides connected", true,
                  fmt::format("a share of {:g}", scene.simulation.connected_fraction)};
   out.translated = translated(scene);
-  out.rotated = rotated(medium.line.size() > 1, beam_in_water(scene, medium));
+  const bool rough = scene.sea.surface.is_rough();
+  out.rotated = rotated(rough, medium.line.size() > 1, beam_in_water(scene, medium));
   out.rotated_scattered = out.rotated;
   out.rotated_scattered.name += ", of light that is not converted";
   // What environments make of the angle that a rotation changes is not known apart.

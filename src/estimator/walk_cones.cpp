@@ -78,8 +78,10 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
   out.free_telescope = meetings(scene, strategies.free_telescope, asked.free_telescope_meetings);
   const Vec3<double> origin = origin_of(scene.source);
   const auto source = from_origin(scene.source, origin);
+  const bool rough = scene.sea.surface.is_rough();
   out.laser =
-      out.free_laser > 0 ? entry_cone(source, medium, deepest) : cone_of_own_rays(source, medium);
+      rough ? cone_under_waves(source, medium, deepest, out.free_laser > 0)
+      : out.free_laser > 0 ? entry_cone(source, medium, deepest) : cone_of_own_rays(source, medium);
   out.telescope.resize(scene.telescope.size());
   for (const NestedViews& views : nested_views(scene)) {
     const auto widest = from_origin(scene.telescope[views.back()], origin);
@@ -87,6 +89,10 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
     if (const auto aimed = aimed_at_light(scene, views); aimed && out.free_laser > 0)
       inner.push_back(*aimed);
     auto& cone = out.telescope[views.back()];
+    if (rough) {
+      cone = cone_under_waves(widest, medium, deepest, out.free_telescope > 0);
+      continue;
+    }
     if (out.free_telescope > 0) cone = entry_cone(widest, medium, deepest, inner);
     if (!cone.by_depth) cone = cone_of_own_rays(widest, medium, inner);
   }

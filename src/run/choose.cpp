@@ -12,6 +12,7 @@
 #include "run/contest.hpp"
 #include "run/free_meetings.hpp"
 #include "scene/forward_settings.hpp"
+#include "scene/waves.hpp"
 
 namespace photic::run {
 namespace {
@@ -137,9 +138,9 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
     simulation.estimator_reason = "the only one that has the tools asked for in this version";
     return chosen;
   }
-  if (scene.sea.surface.is_rough()) {
+  if (const auto reason = scene::no_bidirectional(scene)) {
     simulation.estimator = scene::Estimator::forward;
-    simulation.estimator_reason = "the only one that has waves in this version";
+    simulation.estimator_reason = "the bidirectional one has no " + *reason;
     return chosen;
   }
   const estimator::Model model = estimator::make_model(scene);

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/checks.hpp"
+#include "scene/waves.hpp"
 
 namespace photic::scene {
 namespace {
@@ -21,9 +24,10 @@ void check_size(const Surface& surface, Findings& findings) {
 }
 
 /// What knows the flat surface alone.
-void check_simulation(const Simulation& s, Findings& findings) {
-  if (s.estimator == Estimator::bidirectional)
-    findings.add("simulation.estimator", "the bidirectional estimator has no waves in this version",
+void check_simulation(const Scene& scene, Findings& findings) {
+  const Simulation& s = scene.simulation;
+  if (const auto reason = no_bidirectional(scene); reason && s.estimator == Estimator::bidirectional)
+    findings.add("simulation.estimator", "the bidirectional estimator has no " + *reason,
                  "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
   if (s.reception == Reception::overlap)
     findings.add("simulation.reception",
@@ -48,13 +52,25 @@ void check_whitecaps(const Surface& surface, Findings& findings) {
 
 }  // namespace
 
+std::optional<std::string> no_bidirectional(const Scene& scene) {
+  const Surface& surface = scene.sea.surface;
+  if (!surface.is_rough()) return {};
+  if (surface.is_one_dimensional()) return "waves of one direction in this version";
+  const bool in_water = scene.source.position_m.z < 0 ||
+                        std::ranges::any_of(scene.telescope, [](const Telescope& t) {
+                          return t.position_m.z < 0;
+                        });
+  if (in_water) return "waves over instruments in the water in this version";
+  return {};
+}
+
 void check_surface(const Scene& scene, Findings& findings) {
   const Surface& surface = scene.sea.surface;
   if (!findings.good({"sea.surface"}) || !surface.is_rough()) return;
   check_size(surface, findings);
   check_whitecaps(surface, findings);
   if (findings.good({"simulation.estimator", "simulation.reception", "simulation.tools"}))
-    check_simulation(scene.simulation, findings);
+    check_simulation(scene, findings);
 }
 
 }  // namespace photic::scene

@@ -27,6 +27,13 @@ bool Surface::is_rough() const {
   return false;
 }
 
+bool Surface::is_one_dimensional() const {
+  if (!is_rough()) return false;
+  return model == SurfaceModel::paper ||
+         (model == SurfaceModel::gaussian &&
+          (upwind_slope_variance == 0 || crosswind_slope_variance == 0));
+}
+
 bool Surface::has_whitecaps() const {
   if (!is_rough()) return false;
   if (whitecaps) return *whitecaps;

@@ -137,6 +137,8 @@ struct Surface {
 
   /// Whether there are facets that are not level.
   [[nodiscard]] bool is_rough() const;
+  /// Whether all facets are level across the wind, or along it.
+  [[nodiscard]] bool is_one_dimensional() const;
   [[nodiscard]] bool has_whitecaps() const;
   friend bool operator==(const Surface&, const Surface&) = default;
 };

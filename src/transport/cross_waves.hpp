@@ -20,7 +20,14 @@ struct AfterFacet {
   Mask<T> left{};      ///< who rises in the air, where weights do not split
   T escaped{};         ///< weight that rises in the air
   T gained{};          ///< weight less what it was, before that is taken off
+  /// Where weights do not split: how likely a walk that comes the other way (waves_back.hpp) draws
+  /// this facet and goes on as this light has come, over how likely this light does it.
+  T chance_back{1};
 };
+
+/// The chance that a walk which goes the way of light backwards, and could leave the surface into
+/// the water, goes on to one more facet.
+inline constexpr double further_facet = 0.1;
 
 /// Uniforms of one meeting.
 template <class T>
@@ -35,7 +42,16 @@ struct WaysOn {
   Vec3<T> down, up;
   T share_down{};  ///< of the light
   T gain{};        ///< of the weight: how densely facets are met over how they are drawn
+  surface::Facet<T> facet;
+  T seen{};              ///< visibility of that facet
+  Mask<T> meets_white{};  ///< a whitecap is met, and no facet
 };
+/// A direction in which whitecaps send light upwards.
+template <class T>
+Vec3<T> up_from_whitecap(const WavesUniforms<T>& u) {
+  const auto [cosine, sine] = cos_sin_of_turns(u.azimuth);
+  return turned(Vec3<T>{T(0), T(0), T(1)}, surface::lambert_one_minus_cos(u.slope), cosine, sine);
+}
 template <class T>
 WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direction,
                   const Mask<T>& in_air, const WavesUniforms<T>& u) {
@@ -47,13 +63,14 @@ WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direct
   WaysOn<T> out{select(in_air, at.transmitted, at.reflected),
                 select(in_air, at.reflected, at.transmitted),
                 select(in_air, T(1) - at.reflectance, at.reflectance),
-                select(seen > T(0), seen, T(0)) * surface::series(waves, facet.slope)};
+                select(seen > T(0), seen, T(0)) * surface::series(waves, facet.slope),
+                facet,
+                seen,
+                Mask<T>(false)};
   if (waves.whitecap_fraction == 0) return out;
   const auto& white = surface.white;
-  const Mask<T> meets_white = u.whitecap < white.fraction;
-  const auto [cosine, sine] = cos_sin_of_turns(u.azimuth);
-  const Vec3<T> up =
-      turned(Vec3<T>{T(0), T(0), T(1)}, surface::lambert_one_minus_cos(u.slope), cosine, sine);
+  const Mask<T> meets_white = out.meets_white = u.whitecap < white.fraction;
+  const Vec3<T> up = up_from_whitecap(u);
   out.down = select(meets_white, Vec3<T>{up.x, up.y, -up.z}, out.down);
   out.up = select(meets_white, up, out.up);
   out.share_down = select(meets_white, select(in_air, T(1) - white.from_above, white.from_below),
@@ -69,7 +86,8 @@ WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direct
 template <class T>
 AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& photon, AtWaves<T>& at,
                          const WavesUniforms<T>& u, bool splits) {
-  const auto [down, up, share_down, gain] = ways_on(surface, photon.direction, at.in_air, u);
+  const auto way = ways_on(surface, photon.direction, at.in_air, u);
+  const auto& [down, up, share_down, gain, facet, seen, meets_white] = way;
   const Mask<T> rises = up.z > T(0);
   const Mask<T> leaves = splits ? rises : Mask<T>(false);
   const Mask<T> goes_down = leaves | (u.choice < share_down);
@@ -90,6 +108,11 @@ AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& pho
   const T between =
       select(at.meets, T(1) / (T(1) + surface::smith(surface.waves, direction)), T(1));
   met.gained = met.gained + photon.weight * (between - T(1));
+  using std::abs;
+  const T back = abs(surface::visibility(direction, facet));
+  met.chance_back = select(meets_white | !(back > T(0)), T(1), seen / select(back > T(0), back, T(1)));
+  met.chance_back = met.chance_back * select(met.in_water, T(1 - further_facet),
+                                             select(at.meets & !at.in_air, T(further_facet), T(1)));
   photon.weight = photon.weight * between;
   return met;
 }

@@ -14,7 +14,7 @@ scene::Scene scene_of(std::uint64_t photons, double target) {
       "[[sea.layer]]\nchlorophyll_mg_m3 = 0.5\n" + test::depth_gates(10, 2) +
       test::simulation(
           static_cast<double>(photons), 5,
-          "max_order = 3\nwalk_attenuation = 0.6\n" +
+          "max_order = 3\nwalk_attenuation = 0.6\n" + test::no_free_walks + "\n" +
               (target > 0 ? fmt::format("target_relative_error = {}", target) : std::string()),
           "bidirectional"));
 }

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "estimator/bidirectional/connections.hpp"
+#include "estimator/bidirectional/surface_entry.hpp"
 #include "estimator/bidirectional/walk.hpp"
 #include "estimator/bidirectional/walker.hpp"
 #include "estimator/draws.hpp"
+#include "estimator/forward/surface_echo.hpp"
 #include "estimator/termination.hpp"
 
 namespace photic::estimator {
@@ -42,6 +44,7 @@ struct FromLaser : WalkDraws<T> {
   Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record) {
     const auto u = this->draw(walk, Index<T>(0), 0);
     const T n(gather<T>(world.sea.index, Index<T>(0)));
+    if (world.sea.waves.rough) return birth_through_waves(walk, exist, u);
     auto birth = world.laser.collimated
                      ? birth_at_collimated_laser(world.sea, world.laser, world.laser_region, cone(),
                                                  n, u[0], u[1])
@@ -52,6 +55,15 @@ struct FromLaser : WalkDraws<T> {
     if (of_own_rays)
       book(ledger.escaped, exist, T(1) - select(birth.own, birth.photon.weight, T(0)));
     birth.exists = of_own_rays ? birth.own : !birth.own;
+    return birth;
+  }
+  Birth<T> birth_through_waves(const Index<T>& walk, const Mask<T>& exist,
+                               const std::array<T, 4>& u) {
+    const auto entry = entry_of_laser(world.laser, world.laser_region.layer, u[0], u[1]);
+    auto birth = estimator::birth_through_waves(
+        world.sea, world.laser_region, cone(), entry, false, Index<T>(0), u[2], u[3],
+        [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); });
+    book(ledger.escaped, exist, T(1) - select(birth.exists, birth.photon.weight, T(0)));
     return birth;
   }
   /// Who does not set out.
@@ -83,6 +95,7 @@ struct FromTelescope : WalkDraws<T> {
     record.grid_offset = v[0];
     record.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
     record.line = line_of(medium::spectral_bin_of(v[2]));
+    if (world.sea.waves.rough) return birth_through_waves(walk, record, u);
     const auto ray = draw_entry(cone(), gather<T>(world.sea.index, record.line),
                                 gather<T>(world.sea.index, Index<T>(0)), u[2], u[3]);
     record.outward = ray.outside;
@@ -93,6 +106,19 @@ struct FromTelescope : WalkDraws<T> {
     record.telescope = world.groups[receiver.group].narrowest(birth.sight);
     if (!cone().even_outside) birth.exists = exist;
     return birth;
+  }
+  Birth<T> birth_through_waves(const Index<T>& walk, BirthRecord<T>& record,
+                               const std::array<T, 4>& u) {
+    const auto& telescope = world.telescopes[receiver.telescope];
+    const auto w = this->draw(walk, Index<T>(0), 2);
+    instrument::Sight<T> sight;
+    const auto entry = entry_of_telescope(telescope, record.lens, w[0], w[1], sight);
+    record.outward = entry.outside;
+    record.translation_area = translation_area(telescope, record.outward);
+    record.telescope = world.groups[receiver.group].narrowest(sight);
+    return estimator::birth_through_waves(
+        world.sea, receiver.region, cone(), entry, true, record.line, u[2], u[3],
+        [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); });
   }
   [[nodiscard]] static Mask<T> left_out(const Birth<T>& birth) { return !birth.exists; }
   /// The line that a walk of a spectral_bin detects.
@@ -115,9 +141,9 @@ class Bidirectional {
   Bidirectional(const World<T>& world, std::size_t at_once)
       : world_(world),
         at_once_(at_once * world.walks),
-        laser_(at_once_, false, world.laser_region.in_air, world.sea) {
+        laser_(at_once_, false, comes_through_flat(world, world.laser_region), world.sea) {
     for (const auto& group : world.groups)
-      back_.emplace_back(at_once_, true, group.region.in_air, world.sea);
+      back_.emplace_back(at_once_, true, comes_through_flat(world, group.region), world.sea);
   }
 
   /// Photons `first` … `first + count - 1`, the first of a batch and up.
@@ -136,9 +162,14 @@ class Bidirectional {
       done += now;
     }
     tally.ledger = tally.ledger + total(ledger);
+    if (world_.sea.waves.rough) surface_echo<Ledger>(world_, laser, count, tally);
   }
 
  private:
+  static bool comes_through_flat(const World<T>& world, const geometry::Region<T>& region) {
+    return region.in_air && !world.sea.waves.rough;
+  }
+
   /// A receiver whose light is asked for, and the random numbers of its walks.
   struct WantedReceiver {
     const Receiver<T>& receiver;

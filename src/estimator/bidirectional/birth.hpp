@@ -12,6 +12,21 @@
 
 namespace photic::estimator {
 
+/// Where an instrument's ray comes through waves.
+template <class T>
+struct SurfaceEntry {
+  Mask<T> exists{true};  ///< not kept
+  Vec3<T> at;            ///< point of the surface
+  Vec3<T> outside;       ///< direction of the ray, away from the instrument
+  T weight{1};           ///< of a walk there, in the air
+  T path{};              ///< [m]
+
+  template <class F>
+  constexpr void each_member(F f) {
+    f(at.x), f(at.y), f(outside.x), f(outside.y), f(outside.z), f(weight), f(path);
+  }
+};
+
 /// A walk that stands in the water, and how its light has spread on the way there.
 template <class T>
 struct Birth {
@@ -20,6 +35,7 @@ struct Birth {
   transport::Photon<T> photon;
   Spread<T> spread;
   instrument::Sight<T> sight;  ///< what a telescope sees by it
+  SurfaceEntry<T> entry;       ///< if it comes through waves
 };
 
 /// A ray of an entry cone that leaves its instrument, or a plane across its axis `ahead` of it, at

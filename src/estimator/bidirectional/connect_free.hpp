@@ -4,6 +4,7 @@
 #pragma once
 
 #include "estimator/bidirectional/connections.hpp"
+#include "estimator/bidirectional/surface_entry.hpp"
 
 namespace photic::estimator {
 
@@ -38,9 +39,28 @@ T way_down_of(bool in_air, const T& z, const T& first_z, const Mask<T>& by_surfa
   return select(by_surface, T(0) - (first_z + z), T(abs(first_z - z)));
 }
 
+/// Whether walks may be free: under waves those that begin in a part of the cone.
+template <class T>
+Mask<T> Connections<T>::may_be_free(const Walks<T>& walks, std::int32_t instrument,
+                                    const Index<T>& walk) const {
+  if (!sea_.waves.rough) return Mask<T>(true);
+  return (walks.birth_record(walk).spread.solid_angle > T(0)) &
+         world_.cone(instrument).frees(walks.vertex(walk, Index<T>(0)).direction);
+}
+
 template <class T>
 Mask<T> Connections<T>::comes_by_surface(const Vertex& first, const T& leaves_z) const {
   return leaves_z * first.direction.z < T(0);
+}
+
+/// A walk that comes through waves, as its free meetings see it.
+template <class T>
+FreeStart<T> Connections<T>::free_start_under_waves(const Walks<T>& walks, std::int32_t instrument,
+                                                    const Index<T>& walk) const {
+  const auto entry = walks.entry(walk);
+  const Vertex first = walks.vertex(walk, Index<T>(0));
+  return free_start(world_.cone(instrument), first.position - entry.at, T(first.path - entry.path),
+                    T(-first.position.z), {T(0), T(0), T(0)});
 }
 
 /// A telescope's walk as its free meetings see it.
@@ -48,6 +68,7 @@ template <class T>
 FreeStart<T> Connections<T>::free_telescope_start(std::size_t back) const {
   const auto birth = back_.birth_record_in_all_lanes(back);
   const Vertex first = back_.vertex_in_all_lanes(back, 0);
+  if (sea_.waves.rough) return free_start_under_waves(back_, instrument(), Index<T>(back));
   const Vec3<T> lens = in_plane(telescope_, birth.lens);
   return free_start(world_.cone(instrument()), first.position, first.path,
                     way_down_of(receiver_.region.in_air, telescope_.position.z, first.position.z,
@@ -56,6 +77,7 @@ FreeStart<T> Connections<T>::free_telescope_start(std::size_t back) const {
 }
 template <class T>
 FreeStart<T> Connections<T>::free_laser_start(const Index<T>& laser) const {
+  if (sea_.waves.rough) return free_start_under_waves(laser_, of_laser, laser);
   const Vertex first = laser_.vertex(laser, Index<T>(0));
   return free_start(world_.laser_cone, first.position, first.path,
                     way_down_of(world_.laser_region.in_air, world_.laser.start.z, first.position.z,
@@ -132,27 +154,35 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_telescope(FreePairin
   const RayPair<T> pair = pair_of(pairing);
   const Vertex first = back_.vertex(pairing.back, Index<T>(0));
   const Vec3<T> moved = apart(pair, pairing.depth);
+  if (sea_.waves.rough) {
+    const auto& cone = world_.cone(instrument());
+    const auto entry = back_.entry(pairing.back);
+    const auto edge = edge_from(sea_, cone, entry, true, first.line, first.position + moved);
+    return free_telescope_by(pairing, pair, first, moved,
+                             sightline_along(edge, entry, receiver_.region),
+                             edge_to_telescope(mask & cone.frees(edge.direction), edge, entry,
+                                               first.line, pairing.back));
+  }
   const Vec3<T> at_lens = in_space(telescope_, pair.birth.lens);
   const Mask<T> by_surface = comes_by_surface(first, pair.birth.outward.z);
   for (const auto route : geometry::routes_to(receiver_.region.in_air)) {
     const Mask<T> by = route == geometry::Route::direct ? mask & !by_surface : mask & by_surface;
     if (!any(by)) continue;
-    free_telescope_by(pairing, by, pair, first, moved,
-                      geometry::sightline(sea_, first.position + moved, first.line, at_lens,
-                                          receiver_.region, route, by));
+    const auto way = geometry::sightline(sea_, first.position + moved, first.line, at_lens,
+                                         receiver_.region, route, by);
+    free_telescope_by(pairing, pair, first, moved, way,
+                      edge_to_telescope(by, pair.birth.lens, first.line, way));
   }
 }
 
 /// The first vertex is seen by a new way to the lens.
 template <class T>
-void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const Mask<T>& mask,
-                                       const RayPair<T>& pair, const Vertex& first,
-                                       const Vec3<T>& moved, const geometry::Sightline<T>& way) {
+void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const RayPair<T>& pair,
+                                       const Vertex& first, const Vec3<T>& moved,
+                                       const geometry::Sightline<T>& way,
+                                       const EdgeToTelescope<T>& edge) {
   using std::abs;
-  const auto& lens = pair.birth.lens;
-  const auto sight = instrument::sight(telescope_, lens, way.arriving);
-  const Mask<T> seen = mask & way.exists & sight.on_detector;
-  if (!any(seen)) return;
+  if (!any(edge.seen)) return;
   const Ray leaving = back_.ray(pairing.back, Index<T>(1));
   const Vec3<T> arriving = -way.direction;
   const Mask<T> bed = on_bed(first.layer), converts = first.line > leaving.line;
@@ -170,23 +200,18 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const Mask
       select(converts, per_p,
              select(first.line == Index<T>(0), T(drawn(p) / drawn(T(1) / leaving.per_p)), T(1)));
   const auto& cone = world_.cone(instrument());
-  const T solid_angle =
-      cone.solid_angle_outside(gather<T>(sea_.index, first.line), arriving, -way.arriving);
   const auto tau =
       depths_along(sea_, way, first.line, first.layer, T(-first.position.z), way.length_water);
   auto met = this->met(pair);
-  met.telescope = seen_by(sight);
+  met.telescope = edge.telescope;
   Ray back = pair.back;
   change_first(pairing.m == Index<T>(1), per_p, chance, back, met.back_near, met.back_free);
   met.rest = chance;
-  put_first(T(solid_angle * way.area_per_solid_angle / way.index_squared / abs(arriving.z)),
-            met.back_near, met.back_free);
+  put_first(T(edge.area / abs(arriving.z)), met.back_near, met.back_free);
   met.translation_area = translation_area(telescope_, way.arriving);
-  back.weight = back.weight / first.weight * collision_gain(first) * telescope_.area() *
-                sight.cos_off_axis * solid_angle * way.throughput / way.index_squared *
+  back.weight = back.weight / first.weight * collision_gain(first) * edge.weight *
                 (exp_minus(tau.all) / cone.reach(Mask<T>(true), tau.walk, arriving.z, bed));
-  back.path = back.path - first.path + transport::longer_in_air(telescope_, way, lens) +
-              way.length_water * gather<T>(sea_.group_index, first.line);
+  back.path = back.path - first.path + edge.path;
   back.position = back.position + moved;
   met.back = &back;
   if (all(receiver_.line == Index<T>(0))) {  // the pivot is the first vertex
@@ -200,7 +225,7 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const Mask
   const NewLeg<T> leg{first, leaving, arriving, way, way.length_water};
   met.free = Free::telescope;
   met.leg = &leg;
-  meet_free(pairing, seen, met);
+  meet_free(pairing, edge.seen, met);
 }
 
 /// A first vertex has come where its instrument's cone has another footprint.
@@ -216,26 +241,36 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_laser(FreePairing<T>
   const RayPair<T> pair = pair_of(pairing);
   const Vertex first = laser_.vertex(pairing.laser, Index<T>(0));
   const Vec3<T> moved = -apart(pair, pairing.depth);
+  const Vec3<T> at = first.position + moved;
+  // On a bed whose albedo depends on how light comes to it: see averaged_over_drawn().
+  const Mask<T> may = sea_.bed_angles > 1 ? mask & !on_bed(first.layer) : mask;
+  if (sea_.waves.rough) {
+    const auto& cone = world_.laser_cone;
+    const auto entry = laser_.entry(pairing.laser);
+    const auto edge = edge_from(sea_, cone, entry, false, Index<T>(0), at);
+    const auto way = sightline_along(edge, entry, world_.laser_region);
+    return free_laser_by(
+        pairing, pair, first, moved, way,
+        way_to_laser(may & cone.frees(edge.direction), at, first.layer, way, edge, entry));
+  }
   const Mask<T> by_surface = comes_by_surface(first, world_.laser.axis.z);
   for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
-    const Mask<T> by = route == geometry::Route::direct ? mask & !by_surface : mask & by_surface;
+    const Mask<T> by = route == geometry::Route::direct ? may & !by_surface : may & by_surface;
     if (!any(by)) continue;
-    free_laser_by(
-        pairing, by, pair, first, moved,
-        geometry::sightline(sea_, first.position + moved, Index<T>(0),
-                            fictitious_vertex(world_.laser), world_.laser_region, route, by));
+    const auto way =
+        geometry::sightline(sea_, at, Index<T>(0), fictitious_vertex(world_.laser),
+                            world_.laser_region, route, by);
+    free_laser_by(pairing, pair, first, moved, way, way_to_laser(by, at, first.layer, way));
   }
 }
 
 /// The first vertex is lit by a new way from the laser.
 template <class T>
-void Connections<T>::free_laser_by(const FreePairing<T>& pairing, const Mask<T>& mask,
-                                   const RayPair<T>& pair, const Vertex& first,
-                                   const Vec3<T>& moved, const geometry::Sightline<T>& way) {
+void Connections<T>::free_laser_by(const FreePairing<T>& pairing, const RayPair<T>& pair,
+                                   const Vertex& first, const Vec3<T>& moved,
+                                   const geometry::Sightline<T>& way,
+                                   const WayToLaser<T>& to_laser) {
   using std::abs;
-  Mask<T> may = mask;
-  if (sea_.bed_angles > 1) may = may & !on_bed(first.layer);  // see averaged_over_drawn()
-  const auto to_laser = way_to_laser(may, first.position + moved, first.layer, way);
   if (!any(to_laser.lit)) return;
   const Ray leaving = laser_.ray(pairing.laser, Index<T>(1));
   const Vec3<T> arriving = -way.direction;

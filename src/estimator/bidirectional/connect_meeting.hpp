@@ -46,10 +46,13 @@ PathFreedom<T> Connections<T>::freedom_at(const RayPairing<T>& pairing, const Me
   using std::abs;
   T of_telescope(0), of_laser(0);
   if (samples_.frees()) {
-    const auto footprint = [&](const Spread<T>& spread, const Ray& ray, const T& length) {
-      return spread.solid_angle *
-             area_per_solid_angle(sea_, spread, ray.line, length, T(abs(ray.direction.z))) /
-             abs(ray.direction.z);
+    const auto footprint = [&](std::int32_t instrument, const Spread<T>& spread, const Ray& ray,
+                               const T& length) {
+      const T level =
+          spread.solid_angle *
+          area_per_solid_angle(sea_, spread, ray.line, length, T(abs(ray.direction.z))) /
+          abs(ray.direction.z);
+      return world_.cone(instrument).free_part(ray.direction, level);
     };
     const auto area = [&](std::int32_t instrument, const Mask<T>& here, const FreeArea<T>& first,
                           const Spread<T>& spread, const Ray& ray, const T& length,
@@ -57,7 +60,7 @@ PathFreedom<T> Connections<T>::freedom_at(const RayPairing<T>& pairing, const Me
       if (!frees(instrument)) return T(0);
       if (!any(here)) return first.area();
       return select(here,
-                    free_area(instrument, footprint(spread, ray, length), met.back->line, place,
+                    free_area(instrument, footprint(instrument, spread, ray, length), met.back->line, place,
                               !at.converts, leaving, at.p),
                     first.area());
     };

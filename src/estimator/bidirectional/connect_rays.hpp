@@ -49,7 +49,9 @@ void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::
           const Pairing<T> pairing{laser, i, Index<T>(back), Index<T>(m)};
           const bool back_rises = all(back_line.rise > T(0));
           const auto back_image = reflected(back_line, world_.deepest);
-          for (std::int32_t which = 0; which < (back_rises ? 4 : 2); ++which) {
+          // Waves have no mirror images.
+          const std::int32_t images = sea_.waves.rough ? 1 : (back_rises ? 4 : 2);
+          for (std::int32_t which = 0; which < images; ++which) {
             const Mask<T> some = which % 2 == 0 ? in_time : in_time & rises;
             if (any(some))
               act(RayPairing<T>{pairing, Index<T>(which)}, some, which % 2 == 0 ? out_line : image,
@@ -69,7 +71,8 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
   const bool rotates = own && includes(moves, Moves::rotations) && any(samples_.rotated > T(0)) &&
                        back_.pivot_vertex(back) >= 0;
   const bool of_telescope = includes(moves, Moves::free_telescope) && frees(instrument()) &&
-                            any(samples_.free_telescope.most > T(0)) && back_.vertices(back) > 0;
+                            any(samples_.free_telescope.most > T(0)) && back_.vertices(back) > 0 &&
+                            any(may_be_free(back_, instrument(), Index<T>(back)));
   const bool of_laser = own && includes(moves, Moves::free_laser) &&
                         frees(photic::estimator::of_laser) && any(samples_.free_laser.most > T(0));
   if (translates && comes_to_bed()) meetings_on_bed(first_laser, walks, back);
@@ -94,7 +97,8 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
                             serve_free_telescope(e, m);
                           });
                         });
-        const Mask<T> later = all & (pairing.i > Index<T>(0));
+        const Mask<T> later = all & (pairing.i > Index<T>(0)) &
+                              may_be_free(laser_, photic::estimator::of_laser, pairing.laser);
         if (of_laser && any(later))
           free_meetings(pairing, later, out_line, back_line, free_laser_start(pairing.laser), T(-1),
                         samples_.free_laser, birth.grid_offset,
@@ -160,8 +164,8 @@ Met<T> Connections<T>::met(const RayPair<T>& pair) const {
   met.back = &pair.back;
   met.out_spread = pair.spread;
   met.back_spread = pair.birth.spread;
-  met.out_spread.through_surface = world_.laser_region.in_air;  // lanes do not keep it
-  met.back_spread.through_surface = receiver_.region.in_air;
+  met.out_spread.through_surface = laser_.through_surface();  // lanes do not keep it
+  met.back_spread.through_surface = back_.through_surface();
   met.out_near = laser_.near_first(pair.pairing.laser);
   met.back_near = back_.near_first(pair.pairing.back);
   if (samples_.frees()) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "estimator/bidirectional/connections.hpp"
+#include "estimator/bidirectional/surface_entry.hpp"
 
 namespace photic::estimator {
 
@@ -19,46 +20,79 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
                                                                     const Mask<T>& mask) {
   const Index<T> line = back_.line(pairing.back);
   const auto birth = back_.birth_record(pairing.back);
-  const Vec3<T> at = in_space(telescope_, birth.lens);
   const auto in_path = usable(pairing.i + Index<T>(1));
   const Vertex v = laser_.in_path(pairing.laser, pairing.i, in_path);
   const Mask<T> wanted = mask & emits(line, v.layer);
+  if (sea_.waves.rough) {
+    const auto entry = back_.entry(pairing.back);
+    const auto edge = edge_from(sea_, world_.cone(instrument()), entry, true, line, v.position);
+    return score_to_telescope(pairing, v, sightline_along(edge, entry, receiver_.region),
+                              edge_to_telescope(wanted, edge, entry, line, pairing.back));
+  }
   const Mask<T> near_view =
       wanted & transport::may_see(sea_, telescope_, v.position, line, birth.lens);
   if (!any(near_view)) return;
-  for (const auto route : geometry::routes_to(receiver_.region.in_air))
-    by_sightline(
-        pairing, near_view, v, birth,
-        geometry::sightline(sea_, v.position, line, at, receiver_.region, route, near_view));
+  const Vec3<T> at = in_space(telescope_, birth.lens);
+  for (const auto route : geometry::routes_to(receiver_.region.in_air)) {
+    const auto way =
+        geometry::sightline(sea_, v.position, line, at, receiver_.region, route, near_view);
+    score_to_telescope(pairing, v, way, edge_to_telescope(near_view, birth.lens, line, way));
+  }
+}
+
+/// Along a way to a point of the lens.
+template <class T>
+EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask,
+                                                     const instrument::PlanePoint<T>& lens,
+                                                     const Index<T>& line,
+                                                     const geometry::Sightline<T>& way) const {
+  const auto sight = instrument::sight(telescope_, lens, way.arriving);
+  EdgeToTelescope<T> edge;
+  edge.seen = mask & way.exists & sight.on_detector;
+  if (!any(edge.seen)) return edge;
+  edge.telescope = seen_by(sight);
+  edge.path = transport::longer_in_air(telescope_, way, lens) +
+              way.length_water * gather<T>(sea_.group_index, line);
+  const T solid_angle = world_.cone(instrument())
+                            .solid_angle_outside(gather<T>(sea_.index, line), -way.direction,
+                                                 -way.arriving);
+  edge.area = solid_angle * way.area_per_solid_angle / way.index_squared;
+  edge.weight = way.throughput *
+                (telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared);
+  return edge;
+}
+/// By the entry of a telescope's walk through waves.
+template <class T>
+EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask, const EntryEdge<T>& edge,
+                                                     const SurfaceEntry<T>& entry,
+                                                     const Index<T>& line,
+                                                     const Index<T>& back) const {
+  return {Mask<T>(mask & edge.exists), seen_by(back),
+          entry.path + edge.length * gather<T>(sea_.group_index, line), edge.area, edge.weight};
 }
 
 template <class T>
-void Connections<T>::by_sightline(const Pairing<T>& pairing, const Mask<T>& mask, const Vertex& v,
-                                  const BirthRecord<T>& birth, const geometry::Sightline<T>& way) {
+void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex& v,
+                                        const geometry::Sightline<T>& way,
+                                        const EdgeToTelescope<T>& edge) {
   using std::abs;
   const Index<T> line = back_.line(pairing.back);
-  const auto sight = instrument::sight(telescope_, birth.lens, way.arriving);
-  const T path = v.path + transport::longer_in_air(telescope_, way, birth.lens) +
-                 way.length_water * gather<T>(sea_.group_index, line);
-  const Mask<T> seen = mask & way.exists & sight.on_detector & (path < receiver_.last_path);
+  const T path = v.path + edge.path;
+  const Mask<T> seen = edge.seen & (path < receiver_.last_path);
   if (!any(seen)) return;
   const T depth = -v.position.z;
   const auto tau = depths_along(sea_, way, line, v.layer, depth, way.length_water);
   const auto& cone = world_.cone(instrument());
-  const T solid_angle =
-      cone.solid_angle_outside(gather<T>(sea_.index, line), -way.direction, -way.arriving);
-  const T etendue = telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared;
-  const T area_per_instrument = solid_angle * way.area_per_solid_angle / way.index_squared;
   const T reach = cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(v.layer));
   const auto in_path = usable(pairing.i + Index<T>(1));
   const bool elastic = all(line == Index<T>(0));
+  const T footprint = cone.free_part(-way.direction, T(edge.area / abs(way.direction.z)));
   const T telescope_area =
-      elastic ? free_area(instrument(), T(area_per_instrument / abs(way.direction.z)), line,
-                          v.layer, Mask<T>(true), -v.direction,
+      elastic ? free_area(instrument(), footprint, line, v.layer, Mask<T>(true), -v.direction,
                           phase_value(sea_, v, way.direction,
                                       gather_index<T>(sea_.elastic_phase, sea_.at(line, v.layer))))
-              : free_area(instrument(), T(area_per_instrument / abs(way.direction.z)), line,
-                          v.layer, Mask<T>(false), -v.direction, T(1));
+              : free_area(instrument(), footprint, line, v.layer, Mask<T>(false), -v.direction,
+                          T(1));
   const auto freedom =
       path_freedom(in_path.order, instrument::translation_area(telescope_, way.arriving), depth,
                    telescope_area, free_area(laser_, of_laser, pairing.laser));
@@ -69,13 +103,13 @@ void Connections<T>::by_sightline(const Pairing<T>& pairing, const Mask<T>& mask
                                       T(1), here)
               : conversion_from_laser(sea_, v, behind, way.direction, line,
                                       world_.inverse_conversion, T(1), T(1), here);
-  const T area = samples_.to_instrument * from.chance * area_per_instrument + from.meeting;
+  const T area = samples_.to_instrument * from.chance * edge.area + from.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_telescope(pairing, v, way);
   score(pairing, Walked::laser, seen,
-        {from.weight * way.throughput * etendue *
+        {from.weight * edge.weight *
              balance(area, tau.all, reach, from.densities, EndDensities<T>{}),
-         path, depth, in_path.order, in_path.order, Index<T>(0), seen_by(sight)});
+         path, depth, in_path.order, in_path.order, Index<T>(0), edge.telescope});
 }
 
 template <class T>
@@ -90,15 +124,24 @@ template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>& pairing,
                                                                 const Mask<T>& mask) {
   const auto& laser = world_.laser;
-  if (!can_be_met(laser)) return;
-  const Vec3<T> vertex = fictitious_vertex(laser);
+  const bool rough = sea_.waves.rough;
+  if (!rough && !can_be_met(laser)) return;
   const Vertex w = back_.in_path(pairing.back, pairing.m, usable(pairing.m + Index<T>(1)));
   const Mask<T> wanted = mask & emits(w.line, w.layer);
   const Index<T> line(0);
-  for (const auto route : geometry::routes_to(world_.laser_region.in_air))
-    by_sightline_to_laser(
-        pairing, wanted, w,
-        geometry::sightline(sea_, w.position, line, vertex, world_.laser_region, route, wanted));
+  if (rough) {
+    const auto entry = laser_.entry(pairing.laser);
+    const auto edge = edge_from(sea_, world_.laser_cone, entry, false, line, w.position);
+    const auto way = sightline_along(edge, entry, world_.laser_region);
+    return score_to_laser(pairing, w, way,
+                          way_to_laser(wanted, w.position, w.layer, way, edge, entry));
+  }
+  const Vec3<T> vertex = fictitious_vertex(laser);
+  for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
+    const auto way =
+        geometry::sightline(sea_, w.position, line, vertex, world_.laser_region, route, wanted);
+    score_to_laser(pairing, w, way, way_to_laser(wanted, w.position, w.layer, way));
+  }
 }
 
 /// By a way that leaves a vertex, or would if light went back.
@@ -130,19 +173,41 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
   return out;
 }
 
+/// By the entry of a laser's walk through waves.
 template <class T>
-void Connections<T>::by_sightline_to_laser(const Pairing<T>& pairing, const Mask<T>& mask,
-                                           const Vertex& w, const geometry::Sightline<T>& way) {
+WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& from,
+                                           const Index<T>& place,
+                                           const geometry::Sightline<T>& way,
+                                           const EntryEdge<T>& edge,
+                                           const SurfaceEntry<T>& entry) const {
+  const Index<T> line(0);
+  WayToLaser<T> out;
+  out.water = edge.length;
+  out.path = entry.path + edge.length * gather<T>(sea_.group_index, line);
+  out.lit = mask & edge.exists;
+  if (!any(out.lit)) return out;
+  const auto tau = depths_along(sea_, way, line, place, T(-from.z), edge.length);
+  out.tau = tau.all;
+  out.reach = world_.laser_cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(place));
+  out.area = edge.area;
+  out.weight = edge.weight;
+  return out;
+}
+
+template <class T>
+void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
+                                    const geometry::Sightline<T>& way,
+                                    const WayToLaser<T>& to_laser) {
   using std::abs;
-  const auto to_laser = way_to_laser(mask, w.position, w.layer, way);
   const T path = w.path + to_laser.path;
   const Mask<T> lit = to_laser.lit & (path < receiver_.last_path);
   if (!any(lit)) return;
   const auto in_path = usable(pairing.m + Index<T>(1));
   const Mask<T> scatters = w.line == Index<T>(0);
   const T laser_area =
-      free_area(of_laser, T(to_laser.area / abs(way.direction.z)), Index<T>(0), w.layer, scatters,
-                -w.direction,
+      free_area(of_laser,
+                world_.laser_cone.free_part(-way.direction, T(to_laser.area / abs(way.direction.z))),
+                Index<T>(0), w.layer, scatters, -w.direction,
                 phase_value(sea_, w, way.direction,
                             gather_index<T>(sea_.elastic_phase, sea_.at(Index<T>(0), w.layer))));
   const auto freedom = path_freedom(

@@ -27,6 +27,8 @@ namespace photic::estimator {
 
 template <class T>
 struct FreeStart;
+template <class T>
+struct EntryEdge;
 
 using tally::Walked;
 
@@ -93,6 +95,8 @@ class Connections {
   void serve_free_laser(FreePairing<T> pairing, Mask<T> mask);
 
   [[nodiscard]] Mask<T> comes_by_surface(const Vertex& first, const T& leaves_z) const;
+  [[nodiscard]] FreeStart<T> free_start_under_waves(const Walks<T>& walks, std::int32_t instrument,
+                                                    const Index<T>& walk) const;
   [[nodiscard]] FreeStart<T> free_telescope_start(std::size_t back) const;
   [[nodiscard]] FreeStart<T> free_laser_start(const Index<T>& laser) const;
   template <class Push>
@@ -102,22 +106,36 @@ class Connections {
   [[nodiscard]] Vec3<T> apart(const RayPair<T>& pair, const T& depth) const;
   [[nodiscard]] T collision_gain(const Vertex& first) const;
   void meet_free(const FreePairing<T>& pairing, const Mask<T>& mask, const Met<T>& met);
-  void free_telescope_by(const FreePairing<T>& pairing, const Mask<T>& mask, const RayPair<T>& pair,
+  void free_telescope_by(const FreePairing<T>& pairing, const RayPair<T>& pair,
                          const Vertex& first, const Vec3<T>& moved,
-                         const geometry::Sightline<T>& way);
-  void free_laser_by(const FreePairing<T>& pairing, const Mask<T>& mask, const RayPair<T>& pair,
-                     const Vertex& first, const Vec3<T>& moved, const geometry::Sightline<T>& way);
+                         const geometry::Sightline<T>& way, const EdgeToTelescope<T>& edge);
+  void free_laser_by(const FreePairing<T>& pairing, const RayPair<T>& pair, const Vertex& first,
+                     const Vec3<T>& moved, const geometry::Sightline<T>& way,
+                     const WayToLaser<T>& to_laser);
+  [[nodiscard]] Mask<T> may_be_free(const Walks<T>& walks, std::int32_t instrument,
+                                    const Index<T>& walk) const;
   static void put_first(const T& footprint, NearFirst<T>& near, FreeArea<T>& free);
 
-  void by_sightline(const Pairing<T>& pairing, const Mask<T>& mask, const Vertex& v,
-                    const BirthRecord<T>& birth, const geometry::Sightline<T>& way);
-  void by_sightline_to_laser(const Pairing<T>& pairing, const Mask<T>& mask, const Vertex& w,
-                             const geometry::Sightline<T>& way);
+  [[nodiscard]] EdgeToTelescope<T> edge_to_telescope(const Mask<T>& mask,
+                                                     const instrument::PlanePoint<T>& lens,
+                                                     const Index<T>& line,
+                                                     const geometry::Sightline<T>& way) const;
+  [[nodiscard]] EdgeToTelescope<T> edge_to_telescope(const Mask<T>& mask, const EntryEdge<T>& edge,
+                                                     const SurfaceEntry<T>& entry,
+                                                     const Index<T>& line,
+                                                     const Index<T>& back) const;
+  void score_to_telescope(const Pairing<T>& pairing, const Vertex& v,
+                          const geometry::Sightline<T>& way, const EdgeToTelescope<T>& edge);
+  void score_to_laser(const Pairing<T>& pairing, const Vertex& w,
+                      const geometry::Sightline<T>& way, const WayToLaser<T>& to_laser);
   void along(const Pairing<T>& pairing, const Mask<T>& mask, const Index<T>& line,
              const ConnectionEnd& from, const ConnectionEnd& to, const Vertex& v, const Vertex& w,
              const T& length, const Usable<T>& usable);
   WayToLaser<T> way_to_laser(const Mask<T>& mask, const Vec3<T>& from, const Index<T>& place,
                              const geometry::Sightline<T>& way) const;
+  WayToLaser<T> way_to_laser(const Mask<T>& mask, const Vec3<T>& from, const Index<T>& place,
+                             const geometry::Sightline<T>& way, const EntryEdge<T>& edge,
+                             const SurfaceEntry<T>& entry) const;
   RayPair<T> pair_of(const RayPairing<T>& pairing) const;
   Met<T> met(const RayPair<T>& pair) const;
   void translate(Met<T>& met, const Vec3<T>& translation) const;

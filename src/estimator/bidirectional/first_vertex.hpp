@@ -45,10 +45,11 @@ struct FirstVertex {
   RotatedMeeting<T> rotated{};  ///< of a laser's walk: density of meeting here by rotation
 
   /// The walk comes to its first vertex or, else, its second. Others are left as they are.
-  void arrive(const Vertex<T>& v, const Arrival<T>& by, const Samples<T>& samples) {
+  void arrive(const Vertex<T>& v, const Arrival<T>& by, const Samples<T>& samples,
+              const EntryCone<T>& cone) {
     using std::abs;
     const T here = v.arriving_edge * by.reach / (samples.to_instrument * abs(v.direction.z));
-    free.footprint = select(by.first, here, free.footprint);
+    free.footprint = select(by.first, cone.free_part(v.direction, here), free.footprint);
     const auto& of_first = v.added_rotated;
     near.translated = select(by.first, T(0), v.added.translated);
     rotated.density = select(by.first, T(0), of_first.density);
@@ -85,18 +86,19 @@ T averaged_over_drawn(const World<T>& world, std::int32_t instrument, const Inde
                       const Index<T>& place, const Mask<T>& scatters, const Vec3<T>& direction,
                       const T& p) {
   const auto& sea = world.sea;
+  const T& free_share = world.cone(instrument).free_share;
   Mask<T> in_water = scatters;
-  T else_drawn(1);
+  T else_drawn = free_share;
   if (sea.bed_angles > 0) {
     const Mask<T> bed = surface::on_bed<T>(sea, place);
     in_water = in_water & !bed;
-    if (instrument == of_laser && sea.bed_angles > 1) else_drawn = select(bed, T(0), T(1));
+    if (instrument == of_laser && sea.bed_angles > 1) else_drawn = select(bed, T(0), free_share);
   }
   if (!any(in_water)) return else_drawn;
   const T mean =
       world.averaged.value(instrument, one_minus_cos(world.cone(instrument).axis, direction),
                            gather_index<T>(sea.elastic_phase, sea.at(line, place)));
-  T ratio = mean / p;
+  T ratio = free_share * mean / p;
   if (instrument != of_laser && any(world.inverse_conversion.scattered > T(0))) {
     const auto drawn = [&](const T& value) {
       return world.inverse_conversion.scattered_over_phase(sea, place, direction, value);

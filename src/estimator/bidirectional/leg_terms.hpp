@@ -30,7 +30,7 @@ void add_leg(const medium::MediumView& sea, const WalkPoint<T>& left, const Walk
   estimator::add_passage(
       sea,
       {left.line, select(reflected, top, arrived.layer), select(reflected, T(0), to), arrived.layer,
-       to, select(reflected, to / steep, T(0))},
+       to, select(reflected, to / T(abs(arrived.direction.z)), T(0))},
       ways);
 }
 

@@ -143,6 +143,16 @@ struct MeetingPoint {
   T path{};         ///< group path of both walks [m]
 };
 
+/// The edge from a vertex to a point of the lens, along which a telescope's walk might begin.
+template <class T>
+struct EdgeToTelescope {
+  Mask<T> seen{};        ///< the detector sees it
+  Index<T> telescope{};  ///< the narrowest of nested views that does
+  T path{};              ///< as the telescope's walks count it [m]
+  T area{};              ///< across it, of the telescope's cone [m^2]
+  T weight{};            ///< of a walk in the water, before it is attenuated
+};
+
 /// The way from a vertex to the laser.
 template <class T>
 struct WayToLaser {

@@ -3,6 +3,7 @@
 
 #include "core/constants.hpp"
 #include "core/elementary.hpp"
+#include "core/flatten.hpp"
 #include "estimator/bidirectional/beam_spread.hpp"
 #include "estimator/bidirectional/path_point.hpp"
 #include "estimator/entry_cone.hpp"
@@ -104,6 +105,15 @@ T reach_of(const geometry::Slabs& sea, const EntryCone<T>& cone, const Mask<T>& 
                     sea.bed_angles > 0 ? surface::on_bed<T>(sea, photon.layer) : Mask<T>(false));
 }
 
+/// Comes to a vertex by facets. Walks come this way, either way; none are made to meet at its ends.
+template <class T>
+PHOTIC_APART void pass_facets(const Leg<T>& leg, Vertex<T>& v) {
+  v.chance = v.chance * leg.chance;
+  v.reverse_chance = v.reverse_chance * leg.reverse_chance;
+  v.translated = select(leg.reflected, T(0), v.translated);
+  v.added.translated = select(leg.reflected, T(0), v.added.translated);
+}
+
 /// The vertex where a photon collides. `axis`: that of the walk.
 template <class T>
 Vertex<T> vertex_on(const geometry::Slabs& sea, const Arrival<T>& by, const Spread<T>& spread,
@@ -133,6 +143,7 @@ Vertex<T> vertex_on(const geometry::Slabs& sea, const Arrival<T>& by, const Spre
   v.added.edges = ray.last_edge;
   v.added.translated = if_reversed(ray.translated, growth_per_reverse * ray.leaving_z());
   v.added.rotated = v.added_rotated.about(axis);
+  if (sea.waves.rough && any(leg.reflected)) pass_facets(leg, v);
   v.behind.edges = ray.behind.edges;
   v.behind.translated = ray.behind.translated + select(far, v.added.translated, T(0));
   v.behind.rotated = ray.behind.rotated + v.added.rotated;

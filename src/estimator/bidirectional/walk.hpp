@@ -87,7 +87,7 @@ class Walks {
   using Ray = estimator::Ray<T>;
   using Vertex = estimator::Vertex<T>;
 
-  /// `through_surface`: the instrument is in the air.
+  /// `through_surface`: the instrument is in the air, over a flat surface.
   Walks(std::size_t walks, bool from_telescope, bool through_surface, const medium::MediumView& sea)
       : from_telescope_(from_telescope),
         through_surface_(through_surface),
@@ -98,6 +98,7 @@ class Walks {
         near_first_(walks),
         free_area_(walks),
         rotated_first_(walks),
+        entry_(sea.waves.rough ? walks : 0),
         rays_(walks),
         vertices_(walks),
         pivot_vertex_(walks),
@@ -120,6 +121,10 @@ class Walks {
     scatter(mask, walk, Index<T>(-1), pivot_vertex_.data());
     if (!first_on_bed_.empty()) scatter(mask, walk, Index<T>(most_vertices), first_on_bed_.data());
     add(mask, walk, Index<T>(0), first);
+  }
+  /// Those of a mask come through waves.
+  void enter(const Mask<T>& mask, const Index<T>& walk, const SurfaceEntry<T>& entry) {
+    entry_.put(mask, walk, entry);
   }
   /// Those of a mask do not set out.
   void leave_out(const Mask<T>& mask, const Index<T>& walk) {
@@ -188,6 +193,7 @@ class Walks {
   }
 
   [[nodiscard]] bool from_telescope() const { return from_telescope_; }
+  [[nodiscard]] bool through_surface() const { return through_surface_; }
 
   // Of one walk.
   [[nodiscard]] std::int32_t rays(std::size_t walk) const { return rays_[walk]; }
@@ -215,6 +221,8 @@ class Walks {
     record.spread.through_surface = through_surface_;
     return record;
   }
+  /// Where it comes through waves.
+  [[nodiscard]] SurfaceEntry<T> entry(const Index<T>& walk) const { return entry_.at(walk); }
   [[nodiscard]] Ray ray(const Index<T>& walk, const Index<T>& m) const {
     return ray_.at(slot(walk, m));
   }
@@ -386,6 +394,7 @@ class Walks {
   lanes::Records<T, NearFirst<T>> near_first_;
   lanes::Records<T, FreeArea<T>> free_area_;
   lanes::Records<T, RotatedMeeting<T>> rotated_first_;
+  lanes::Records<T, SurfaceEntry<T>> entry_;  ///< of walks that come through waves
   std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_, telescope_,
       line_;                                ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "core/flatten.hpp"
+#include "estimator/bidirectional/by_facets.hpp"
 #include "estimator/bidirectional/depart.hpp"
 #include "estimator/bidirectional/leg_terms.hpp"
 #include "estimator/bidirectional/walk.hpp"
@@ -81,6 +82,7 @@ class WalkSteps {
     return source_.in_time(photon);
   }
   void cross(Walker<T>& w) {
+    if (sea_.waves.rough) return cross_waves(w);
     const Mask<T> reflected = reflect_at_surface(sea_, w, Mask<T>(false), ledger);
     w.leg.reflected = w.leg.reflected | reflected;
   }
@@ -96,7 +98,7 @@ class WalkSteps {
     walks_.add(w.colliding, w.walk, w.vertices, vertex_);
     const Mask<T> near = w.colliding & (w.vertices < Index<T>(2));
     if (any(near)) {
-      w.first.arrive(vertex_, arrival, samples_);
+      w.first.arrive(vertex_, arrival, samples_, source_.cone());
       walks_.keep(near, w.walk, w.first, samples_.frees());
     }
     if (sea_.bed_angles > 0)
@@ -126,6 +128,27 @@ class WalkSteps {
   tally::BatchTally& tally;
 
  private:
+  /// Those who stand at a rough surface meet facets until they go down in the water, or have left.
+  PHOTIC_APART void cross_waves(Walker<T>& w) {
+    const Mask<T> stand = w.on & !w.colliding;
+    if (!any(stand)) return;
+    const T before = w.photon.weight;
+    const auto draw = [&](std::uint32_t block) { return source_.draw(w.walk, w.event, block); };
+    const bool back = walks_.from_telescope();
+    const auto surface = surface::rough_surface<T>(sea_, w.photon.line);
+    const auto by = back ? back_by_facets(surface, w.photon, stand, false, false, draw)
+                         : light_by_facets(surface, w.photon, stand, false, draw);
+    // A walk's weight is what light is worth that comes the path, but for its chances.
+    if (back) {
+      w.photon.weight = w.photon.weight * select(stand, by.chance, T(1));
+      w.leg.chance = w.leg.chance * select(stand, by.chance, T(1));
+    } else {
+      w.leg.reverse_chance = w.leg.reverse_chance * select(stand, by.chance, T(1));
+    }
+    book(ledger.escaped, stand, before - select(by.in_water, w.photon.weight, T(0)));
+    w.on = w.on & ((!stand) | by.in_water);
+    w.leg.reflected = w.leg.reflected | stand;
+  }
   void leave_vertex(Walker<T>& w) {
     const Mask<T>& colliding = w.colliding;
     if (!any(colliding)) return;

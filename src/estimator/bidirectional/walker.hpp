@@ -56,6 +56,7 @@ class WalkTracer {
     const Mask<T> left_out = exist & source_.left_out(birth);
     walks_.birth(born | left_out, walker.walk, record, {walk_point(birth.photon)});
     walks_.leave_out(left_out, walker.walk);
+    if (world_.sea.waves.rough) walks_.enter(born | left_out, walker.walk, birth.entry);
     if (world_.compares) [[unlikely]]
       begin_ratios(walker.walk, born);
     waiting_columns_.each(

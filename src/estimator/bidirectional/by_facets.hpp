@@ -1,0 +1,66 @@
+// Walks of the bidirectional estimator that meet facets of a rough surface one by one: the laser's
+// as light does, telescopes' backwards.
+#pragma once
+
+#include <cstdint>
+
+#include "estimator/cross_waves.hpp"
+#include "transport/cross_waves.hpp"
+#include "transport/waves_back.hpp"
+
+namespace photic::estimator {
+
+/// What became of walks that stood at the surface.
+template <class T>
+struct ByFacets {
+  Mask<T> in_water{};  ///< who goes down in the water
+  Mask<T> several{};   ///< by way of more than one facet
+  /// A telescope's walk's chance to go so over that of the laser's.
+  T chance{1};
+};
+
+/// Blocks of an event's random numbers, two for each facet, as far apart as receivers' never are.
+inline constexpr std::uint32_t apart_of_facets = std::uint32_t{1} << 12;
+inline constexpr std::uint32_t block_of_facet(std::uint32_t facet, std::uint32_t part) {
+  return facet_blocks + (2 * facet + part) * apart_of_facets;
+}
+
+/// Walks of the laser's light, of a mask.
+template <class T, class Draw>
+ByFacets<T> light_by_facets(const surface::RoughSurface<T>& surface, transport::Photon<T>& photon,
+                            const Mask<T>& stand, bool in_air, Draw draw) {
+  ByFacets<T> out;
+  transport::AtWaves<T> at{stand, Mask<T>(in_air)};
+  for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
+    if (facet == 1) out.several = at.meets;
+    const Mask<T> meets = at.meets;
+    const std::array<T, 4> u = draw(block_of_facet(facet, 0));
+    const auto met = transport::meet_waves(surface, photon, at, {u[0], u[1], u[2], u[3]}, false);
+    out.in_water = out.in_water | met.in_water;
+    out.chance = out.chance * select(meets, met.chance_back, T(1));
+    at.meets = at.meets & (photon.weight > T(0));
+  }
+  out.in_water = out.in_water & (photon.weight > T(0));
+  return out;
+}
+
+/// A telescope's. `several`: who is to meet more than one facet.
+template <class T, class Draw>
+ByFacets<T> back_by_facets(const surface::RoughSurface<T>& surface, transport::Photon<T>& photon,
+                           const Mask<T>& stand, bool in_air, bool several, Draw draw) {
+  ByFacets<T> out;
+  transport::BackAtWaves<T> at{stand, Mask<T>(in_air), Mask<T>(false)};
+  for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
+    if (facet == 1) out.several = at.meets;
+    const std::array<T, 4> u = draw(block_of_facet(facet, 0));
+    const std::array<T, 4> v = draw(block_of_facet(facet, 1));
+    const auto met =
+        transport::meet_waves_back(surface, photon, at, {u[0], u[1], u[2], u[3]}, v[0],
+                                   several && facet == 0);
+    out.in_water = out.in_water | met.in_water;
+    out.chance = out.chance * met.chance;
+  }
+  return out;
+}
+
+}  // namespace photic::estimator

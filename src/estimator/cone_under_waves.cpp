@@ -1,0 +1,112 @@
+// Entry cones under waves: as wide as facets send the rays of an instrument, most walks where most
+// light goes, a few everywhere, for steep facets and whitecaps (docs/theory.md, "Walks through
+// waves").
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/random.hpp"
+#include "estimator/bidirectional/by_facets.hpp"
+#include "estimator/entry_cone.hpp"
+#include "geometry/axis.hpp"
+
+namespace photic::estimator {
+namespace {
+
+/// How much of the light that comes down along a direction goes into the water by way of several
+/// facets. From a few thousand rays, always the same ones.
+double share_of_several(const medium::MediumView& sea, const Vec3<double>& outside) {
+  constexpr int rays = 4096;
+  const auto surface = surface::rough_surface<double>(sea, 0);
+  const RandomKey key{0};
+  double sum = 0;
+  for (std::uint64_t n = 0; n < rays; ++n) {
+    transport::Photon<double> photon;
+    photon.direction = outside;
+    const auto met = light_by_facets(surface, photon, true, true, [&](std::uint32_t block) {
+      return uniforms<double>(key, n, 0, block);
+    });
+    if (met.in_water && met.several) sum += std::min(photon.weight, 10.0);
+  }
+  return sum / rays;
+}
+
+/// Edges of the rings, in deviations of the directions that light takes.
+constexpr std::array edges{0.6, 1.1, 1.6, 2.2, 3.0, 4.2, 6.0};
+/// Directions are drawn from a Gaussian so much wider than that.
+constexpr double wider = 1.1;
+/// The share that is drawn evenly over all other directions; with whitecaps.
+constexpr double share_aside = 0.02, share_with_whitecaps = 0.06;
+/// The cone's rim leaves so much to the horizon [rad].
+constexpr double above_horizon = 0.1;
+
+/// `deviation`: of the angle to the axis, along each of two directions across it [rad]; `most`: the
+/// widest half angle [rad].
+void set_rings(double deviation, double most, double aside, EntryCone<double>& cone) {
+  const auto within = [](double k) { return 1 - std::exp(-k * k / (2 * wider * wider)); };
+  const double all = 1 - cone.by_facets;
+  double x_before = 0, share_before = 0;
+  cone.rings = 0;
+  for (const double k : edges) {
+    const double angle = std::min(k * deviation, most);
+    const bool last = k == edges.back() || angle == most;
+    const double x = one_minus_cos_of(angle);
+    const double share = (all - aside) * (last ? 1 : within(k));
+    cone.ring.at(cone.rings++) = {x, share, 2 * pi * (x - x_before) / (share - share_before)};
+    x_before = x, share_before = share;
+    if (last) break;
+  }
+  cone.free_within = x_before;
+  cone.free_share = share_before;
+  cone.ring.at(cone.rings++) = {2, all, 2 * pi * (2 - x_before) / aside};
+}
+
+EntryCone<double> under_waves(const Vec3<double>& axis, double half_angle,
+                              const medium::Medium& medium, double deepest, bool frees) {
+  const auto sea = medium.view();
+  const double n = medium.line.front().refractive_index;
+  EntryCone<double> cone;
+  cone.in_air = cone.exact = true;
+  cone.by_depth = frees;
+  cone.outside = axis.z < 0 ? axis : Vec3<double>{0, 0, -1};
+  cone.axis = geometry::axis_in_water({0, 0, 1}, cone.outside, n).direction;
+  cone.steep = -cone.axis.z;
+  const double of_facets = 1 + cone.outside.z / (n * cone.steep);  // angle in the water per slope
+  const double of_rays = -cone.outside.z / (n * cone.steep);       // per angle in the air
+  const double slope = std::max(sea.waves.upwind_deviation, sea.waves.crosswind_deviation);
+  const double deviation = std::hypot(of_facets * slope, of_rays * half_angle / 2);
+  const double axis_angle = std::acos(cone.steep);
+  const double most = pi / 2 - above_horizon - axis_angle;
+  cone.by_facets = std::clamp(1.5 * share_of_several(sea, cone.outside), 0.005, 0.3);
+  set_rings(deviation, most, sea.waves.whitecap_fraction > 0 ? share_with_whitecaps : share_aside,
+            cone);
+  // From an entry, which is where a walk's own ray comes through.
+  Spot<double>& spot = cone.spot;
+  const double half = std::acos(1 - cone.free_within), flattest = axis_angle + half;
+  spot.x_per_depth = cone.axis.x / cone.steep;
+  spot.y_per_depth = cone.axis.y / cone.steep;
+  spot.radius_per_depth = std::tan(flattest) - std::tan(axis_angle);
+  spot.least_path_per_depth = std::numeric_limits<double>::infinity();
+  double most_per_depth = 0;
+  for (const auto& line : medium.line) {
+    spot.least_path_per_depth = std::min(spot.least_path_per_depth, line.group_index);
+    most_per_depth = std::max(most_per_depth, line.group_index / std::cos(flattest));
+  }
+  spot.most_shorter = deepest * (most_per_depth - spot.least_path_per_depth);
+  return cone;
+}
+
+}  // namespace
+
+EntryCone<double> cone_under_waves(const scene::Telescope& telescope, const medium::Medium& medium,
+                                   double deepest, bool frees) {
+  return under_waves(normalised(telescope.direction), half_view(telescope), medium, deepest, frees);
+}
+EntryCone<double> cone_under_waves(const scene::Source& source, const medium::Medium& medium,
+                                   double deepest, bool frees) {
+  return under_waves(normalised(source.direction), source.half_divergence_mrad * 1e-3, medium,
+                     deepest, frees);
+}
+
+}  // namespace photic::estimator

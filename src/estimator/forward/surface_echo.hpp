@@ -1,0 +1,34 @@
+// The surface's own echo, of light that has not been in the water: the forward estimator's, which
+// all estimators but the analog one take.
+#pragma once
+
+#include <cstdint>
+
+#include "estimator/draws.hpp"
+#include "estimator/forward/history.hpp"
+
+namespace photic::estimator {
+
+/// Of a batch's photons; nothing else of them counts.
+template <class Ledger, class T>
+PHOTIC_APART void surface_echo(const World<T>& world, const Draws<T>& draws, std::uint64_t count,
+                               tally::BatchTally& tally) {
+  Travellers<T> t(world);
+  Estimates<T> estimates(world);
+  PathRatios<T> paths(world.sea.environments, lanes_of<T>);
+  t.ratios.paths = &paths;
+  Ledger not_counted;
+  for (std::uint64_t n = 0; n < count; n += lanes_of<T>) {
+    const Mask<T> exist = first_lanes<T>(count - n);
+    const auto first = static_cast<std::int32_t>(n);
+    if (world.compares) {
+      for (std::size_t k = 0; k < lanes_of<T>; ++k) paths.of(k).begin(world.sea.environments);
+      birth<AllEvents>(world, draws, first, exist, t, estimates, tally, not_counted);
+    } else {
+      birth<PlainEvents>(world, draws, first, exist, t, estimates, tally, not_counted);
+    }
+  }
+  flush_queues(world, estimates, tally);
+}
+
+}  // namespace photic::estimator

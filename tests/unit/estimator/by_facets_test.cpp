@@ -1,0 +1,113 @@
+// Walks that meet facets one by one: those that go the way of light backwards draw the same ways,
+// and know how likely the others do.
+#include "estimator/bidirectional/by_facets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "core/constants.hpp"
+#include "core/random.hpp"
+
+namespace photic::estimator {
+namespace {
+
+using surface::RoughSurface;
+using surface::WavesView;
+
+/// Steep and not alike to all sides, Gram-Charlier's series included; with whitecaps.
+WavesView steep_waves(double whitecaps) {
+  WavesView w;
+  w.rough = true;
+  w.upwind_deviation = 0.30, w.crosswind_deviation = 0.24;
+  w.upwind_x = std::cos(1.2), w.upwind_y = std::sin(1.2);
+  w.series = {.c21 = -0.05, .c03 = -0.10, .c40 = 0.4, .c22 = 0.12, .c04 = 0.23};
+  w.whitecap_fraction = whitecaps;
+  return w;
+}
+constexpr surface::Whitecaps<double> none{};
+constexpr surface::Whitecaps<double> some{0.2, 0.22, 1 - 0.78 / (1.34 * 1.34)};
+
+/// Mean over walks, and its error.
+struct Mean {
+  double sum = 0, squares = 0, n = 0;
+  void add(double x) { sum += x, squares += x * x, n += 1; }
+  [[nodiscard]] double value() const { return sum / n; }
+  [[nodiscard]] double error() const { return std::sqrt(squares / n - value() * value()) / std::sqrt(n); }
+};
+
+/// Of a way from a direction in which light rises in the water to one in which it goes down again.
+using Weighing = std::function<double(const Vec3<double>& in, const Vec3<double>& out)>;
+double slanted(const Vec3<double>& in, const Vec3<double>& out) {
+  return 1 + 0.7 * in.x - 0.4 * out.y + 0.5 * in.y * out.x + 2 * std::pow(1 - in.z, 4);
+}
+
+enum class By { light, back };
+enum class Told { weight, chance, chance_inverse, one };
+
+/// Of walks by so many facets, one or several, that begin in directions from Lambert's law.
+Mean mean_of(By by, const RoughSurface<double>& surface, bool several, Told told, int walks) {
+  const RandomKey key{by == By::light ? 7U : 8U};
+  Mean mean;
+  for (std::uint64_t n = 0; n < static_cast<std::uint64_t>(walks); ++n) {
+    const auto draw = [&](std::uint32_t block) { return uniforms<double>(key, n, 1, block); };
+    const auto u = uniforms<double>(key, n, 0, 0);
+    const double c = std::sqrt(1 - u[0]), s = std::sqrt(u[0]), a = 2 * pi * u[1];
+    transport::Photon<double> photon;
+    const Vec3<double> begun = photon.direction = {s * std::cos(a), s * std::sin(a), c};
+    const auto met = by == By::light ? light_by_facets(surface, photon, true, false, draw)
+                                     : back_by_facets(surface, photon, true, false, false, draw);
+    if (!met.in_water || met.several != several) {
+      mean.add(0);
+      continue;
+    }
+    const double g = by == By::light ? slanted(begun, photon.direction)
+                                     : slanted(-photon.direction, -begun);
+    const double bounded = told == Told::weight  ? photon.weight
+                           : told == Told::one   ? 1
+                           : told == Told::chance ? met.chance
+                                                  : 1 / met.chance;
+    mean.add(g * bounded);
+  }
+  return mean;
+}
+
+void expect_same(const Mean& a, const Mean& b, double within, const char* what) {
+  const double error = std::hypot(a.error(), b.error());
+  EXPECT_LT(std::abs(a.value() - b.value()), 4 * error) << what;
+  EXPECT_LT(error, within * std::abs(a.value())) << what;
+}
+
+constexpr int walks = 400000;
+
+// What light goes from all directions to all: light's own walks and those backwards tell the same,
+// by one facet and by several, with whitecaps and without. 12 comparisons of 4 errors.
+TEST(ByFacets, WalksBackwardsCarryWhatLightDoes) {
+  for (const auto& white : {none, some}) {
+    const WavesView waves = steep_waves(white.fraction);
+    const RoughSurface<double> surface{waves, 1.34, white};
+    for (const bool several : {false, true})
+      expect_same(mean_of(By::light, surface, several, Told::weight, walks),
+                  mean_of(By::back, surface, several, Told::weight, walks), 0.05,
+                  several ? "several facets" : "one facet");
+  }
+}
+// The chance of the one over that of the other: weighed with it, the one draws as the other does.
+TEST(ByFacets, KnowHowLikelyTheOtherWalkIs) {
+  for (const auto& white : {none, some}) {
+    const WavesView waves = steep_waves(white.fraction);
+    const RoughSurface<double> surface{waves, 1.34, white};
+    for (const bool several : {false, true}) {
+      expect_same(mean_of(By::light, surface, several, Told::chance, walks),
+                  mean_of(By::back, surface, several, Told::one, walks), 0.1,
+                  several ? "light, several" : "light, one");
+      expect_same(mean_of(By::back, surface, several, Told::chance_inverse, walks),
+                  mean_of(By::light, surface, several, Told::one, walks), 0.1,
+                  several ? "back, several" : "back, one");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace photic::estimator
