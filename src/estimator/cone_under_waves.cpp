@@ -10,6 +10,8 @@
 #include "estimator/bidirectional/by_facets.hpp"
 #include "estimator/entry_cone.hpp"
 #include "geometry/axis.hpp"
+#include "instrument/laser.hpp"
+#include "transport/surface_points.hpp"
 
 namespace photic::estimator {
 namespace {
@@ -62,38 +64,46 @@ void set_rings(double deviation, double most, double aside, EntryCone<double>& c
   cone.ring.at(cone.rings++) = {2, all, 2 * pi * (2 - x_before) / aside};
 }
 
-EntryCone<double> under_waves(const Vec3<double>& axis, double half_angle,
+/// Free walks come through the surface where slopes lead them, which is seldom farther aside than
+/// so many deviations.
+constexpr double farthest = 5 * transport::wider_slopes;
+
+/// Entries are drawn by slopes where an instrument's own rays fill a spot of the surface that is
+/// wider than what slopes do with light from so deep [m].
+constexpr double by_slopes_from = 10;
+
+/// `flat`: of the same instrument over a flat surface; `radius`: of the spot on the surface across
+/// its rays [m], 0 if they seem to come from no point above it.
+EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, double radius,
                               const medium::Medium& medium, double deepest, bool frees) {
   const auto sea = medium.view();
   const double n = medium.line.front().refractive_index;
-  EntryCone<double> cone;
-  cone.in_air = cone.exact = true;
-  cone.by_depth = frees;
-  cone.outside = axis.z < 0 ? axis : Vec3<double>{0, 0, -1};
-  cone.axis = geometry::axis_in_water({0, 0, 1}, cone.outside, n).direction;
-  cone.steep = -cone.axis.z;
-  const double of_facets = 1 + cone.outside.z / (n * cone.steep);  // angle in the water per slope
-  const double of_rays = -cone.outside.z / (n * cone.steep);       // per angle in the air
+  EntryCone<double> cone = flat;
+  cone.exact = true;
+  cone.even_outside = false;
+  const double steep_outside = std::sqrt(1 - n * n * (1 - cone.steep * cone.steep));
+  const double of_facets = 1 - steep_outside / (n * cone.steep);  // angle in the water per slope
+  const double of_rays = steep_outside / (n * cone.steep);        // per angle in the air
   const double slope = std::max(sea.waves.upwind_deviation, sea.waves.crosswind_deviation);
+  cone.enters_by_slopes = radius > by_slopes_from * of_facets * slope;
+  cone.by_depth = frees && cone.enters_by_slopes;
   const double deviation = std::hypot(of_facets * slope, of_rays * half_angle / 2);
   const double axis_angle = std::acos(cone.steep);
   const double most = pi / 2 - above_horizon - axis_angle;
-  cone.by_facets = std::clamp(1.5 * share_of_several(sea, cone.outside), 0.005, 0.3);
+  const Vec3<double> down = cone.outside.z < 0 ? cone.outside : Vec3<double>{0, 0, -1};
+  cone.by_facets = std::clamp(1.5 * share_of_several(sea, down), 0.005, 0.3);
   set_rings(deviation, most, sea.waves.whitecap_fraction > 0 ? share_with_whitecaps : share_aside,
             cone);
-  // From an entry, which is where a walk's own ray comes through.
   Spot<double>& spot = cone.spot;
-  const double half = std::acos(1 - cone.free_within), flattest = axis_angle + half;
-  spot.x_per_depth = cone.axis.x / cone.steep;
-  spot.y_per_depth = cone.axis.y / cone.steep;
-  spot.radius_per_depth = std::tan(flattest) - std::tan(axis_angle);
+  spot.radius_per_depth += farthest * of_facets * slope / (cone.steep * cone.steep);
   spot.least_path_per_depth = std::numeric_limits<double>::infinity();
   double most_per_depth = 0;
+  const double flattest = std::min(axis_angle + std::acos(1 - cone.free_within), 1.4);
   for (const auto& line : medium.line) {
     spot.least_path_per_depth = std::min(spot.least_path_per_depth, line.group_index);
     most_per_depth = std::max(most_per_depth, line.group_index / std::cos(flattest));
   }
-  spot.most_shorter = deepest * (most_per_depth - spot.least_path_per_depth);
+  spot.most_shorter += deepest * (most_per_depth - spot.least_path_per_depth);
   return cone;
 }
 
@@ -101,12 +111,18 @@ EntryCone<double> under_waves(const Vec3<double>& axis, double half_angle,
 
 EntryCone<double> cone_under_waves(const scene::Telescope& telescope, const medium::Medium& medium,
                                    double deepest, bool frees) {
-  return under_waves(normalised(telescope.direction), half_view(telescope), medium, deepest, frees);
+  const double half_angle = half_view(telescope);
+  const double way = geometry::way_ahead(telescope.position_m, normalised(telescope.direction));
+  return under_waves(entry_cone(telescope, medium, deepest), half_angle, way * std::tan(half_angle),
+                     medium, deepest, frees);
 }
 EntryCone<double> cone_under_waves(const scene::Source& source, const medium::Medium& medium,
                                    double deepest, bool frees) {
-  return under_waves(normalised(source.direction), source.half_divergence_mrad * 1e-3, medium,
-                     deepest, frees);
+  const auto laser = instrument::make_laser<double>(source);
+  const double half_angle = source.half_divergence_mrad * 1e-3;
+  const double radius = source.diameter_m / 2 + laser.ahead * std::tan(half_angle);
+  return under_waves(entry_cone(source, medium, deepest), half_angle,
+                     can_be_met(laser) ? radius : 0, medium, deepest, frees);
 }
 
 }  // namespace photic::estimator

@@ -52,9 +52,10 @@ struct EntryCone {
       false;           ///< depths of first vertices are drawn as along the axis, whatever the ray
   bool exact = false;  ///< all its rays are the instrument's own
   // Under waves:
-  T free_within{4};  ///< 1 - cos of the part that free walks begin in
-  T free_share{1};   ///< of walks that begin there
-  T by_facets{};     ///< of those that meet several facets instead
+  T free_within{4};               ///< 1 - cos of the part that free walks begin in
+  T free_share{1};                ///< of walks that begin there
+  T by_facets{};                  ///< of those that meet several facets instead
+  bool enters_by_slopes = false;  ///< entries are also drawn by slopes
   Spot<T> spot;
 
   /// The share of the others.
@@ -62,11 +63,6 @@ struct EntryCone {
   /// Whether a direction in the water is one that free walks begin in.
   [[nodiscard]] Mask<T> frees(const Vec3<T>& direction) const {
     return photic::one_minus_cos(direction, axis) < free_within;
-  }
-  /// The footprint of such directions; 0 of others.
-  [[nodiscard]] T free_part(const Vec3<T>& direction, const T& footprint) const {
-    if (all(free_within > T(2))) return footprint;
-    return select(frees(direction), footprint, T(0));
   }
 
   /// 1 - cos of its half angle; 0: parallel rays.
@@ -245,6 +241,7 @@ EntryCone<T> cone_cast(const EntryCone<double>& c) {
   out.free_within = T(c.free_within);
   out.free_share = T(c.free_share);
   out.by_facets = T(c.by_facets);
+  out.enters_by_slopes = c.enters_by_slopes;
   out.spot = {T(s.x),           T(s.y),
               T(s.x_per_depth), T(s.y_per_depth),
               T(s.radius),      T(s.radius_per_depth),

@@ -53,27 +53,32 @@ Strategy rotated(bool rough, bool converts, const Vec3<double>& beam) {
 
 /// Which instruments' walks cannot be free.
 Strategy free_telescopes(const scene::Scene& scene, const medium::Medium& medium) {
-  Strategy out{"free walks of telescopes", scene.sea.surface.is_rough(), {}};
-  if (out.used) return out;
+  Strategy out{"free walks of telescopes", false, {}};
+  const bool rough = scene.sea.surface.is_rough();
   std::string bound;
   for (const auto& t : scene.telescope) {
-    if (entry_cone(t, medium, 0).by_depth)
+    if (rough ? cone_under_waves(t, medium, 0, true).by_depth : entry_cone(t, medium, 0).by_depth)
       out.used = true;
     else
       bound += (bound.empty() ? "" : ", ") + t.name;
   }
   if (!bound.empty())
-    out.reason =
-        fmt::format("not from {}: in the water, and tilted or with a view to the side", bound);
+    out.reason = fmt::format("not from {}: {}", bound,
+                             rough ? "waves spread light wider than the view is on the surface"
+                                   : "in the water, and tilted or with a view to the side");
   return out;
 }
 Strategy free_laser(const scene::Scene& scene, const medium::Medium& medium) {
   const std::string name = "free walks of the laser";
-  if (scene.sea.surface.is_rough()) return {name, true, {}};
   const auto laser = instrument::make_laser<double>(scene.source);
   if (laser.collimated) return off(name, "its rays are parallel");
   if (!instrument::can_be_met(laser))
     return off(name, "its rays seem to come from below the surface");
+  if (scene.sea.surface.is_rough()) {
+    if (!cone_under_waves(scene.source, medium, 0, true).by_depth)
+      return off(name, "waves spread light wider than the beam is on the surface");
+    return {name, true, {}};
+  }
   if (!entry_cone(scene.source, medium, 0).by_depth)
     return off(name, "it is in the water, and tilted or with rays to the side");
   return {name, true, {}};

@@ -79,9 +79,9 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
   const Vec3<double> origin = origin_of(scene.source);
   const auto source = from_origin(scene.source, origin);
   const bool rough = scene.sea.surface.is_rough();
-  out.laser =
-      rough ? cone_under_waves(source, medium, deepest, out.free_laser > 0)
-      : out.free_laser > 0 ? entry_cone(source, medium, deepest) : cone_of_own_rays(source, medium);
+  out.laser = rough                ? cone_under_waves(source, medium, deepest, out.free_laser > 0)
+              : out.free_laser > 0 ? entry_cone(source, medium, deepest)
+                                   : cone_of_own_rays(source, medium);
   out.telescope.resize(scene.telescope.size());
   for (const NestedViews& views : nested_views(scene)) {
     const auto widest = from_origin(scene.telescope[views.back()], origin);

@@ -26,7 +26,8 @@ void check_size(const Surface& surface, Findings& findings) {
 /// What knows the flat surface alone.
 void check_simulation(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
-  if (const auto reason = no_bidirectional(scene); reason && s.estimator == Estimator::bidirectional)
+  if (const auto reason = no_bidirectional(scene);
+      reason && s.estimator == Estimator::bidirectional)
     findings.add("simulation.estimator", "the bidirectional estimator has no " + *reason,
                  "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
   if (s.reception == Reception::overlap)
@@ -56,10 +57,9 @@ std::optional<std::string> no_bidirectional(const Scene& scene) {
   const Surface& surface = scene.sea.surface;
   if (!surface.is_rough()) return {};
   if (surface.is_one_dimensional()) return "waves of one direction in this version";
-  const bool in_water = scene.source.position_m.z < 0 ||
-                        std::ranges::any_of(scene.telescope, [](const Telescope& t) {
-                          return t.position_m.z < 0;
-                        });
+  const bool in_water =
+      scene.source.position_m.z < 0 ||
+      std::ranges::any_of(scene.telescope, [](const Telescope& t) { return t.position_m.z < 0; });
   if (in_water) return "waves over instruments in the water in this version";
   return {};
 }

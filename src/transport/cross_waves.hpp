@@ -43,7 +43,7 @@ struct WaysOn {
   T share_down{};  ///< of the light
   T gain{};        ///< of the weight: how densely facets are met over how they are drawn
   surface::Facet<T> facet;
-  T seen{};              ///< visibility of that facet
+  T seen{};               ///< visibility of that facet
   Mask<T> meets_white{};  ///< a whitecap is met, and no facet
 };
 /// A direction in which whitecaps send light upwards.
@@ -110,7 +110,8 @@ AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& pho
   met.gained = met.gained + photon.weight * (between - T(1));
   using std::abs;
   const T back = abs(surface::visibility(direction, facet));
-  met.chance_back = select(meets_white | !(back > T(0)), T(1), seen / select(back > T(0), back, T(1)));
+  met.chance_back =
+      select(meets_white | !(back > T(0)), T(1), seen / select(back > T(0), back, T(1)));
   met.chance_back = met.chance_back * select(met.in_water, T(1 - further_facet),
                                              select(at.meets & !at.in_air, T(further_facet), T(1)));
   photon.weight = photon.weight * between;

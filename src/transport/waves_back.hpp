@@ -90,16 +90,16 @@ AfterFacetBack<T> meet_waves_back(const surface::RoughSurface<T>& surface, Photo
   }
   const Mask<T> goes_on =
       must ? Mask<T>(true) : Mask<T>(way.in_air | (u_leaves < T(further_facet)));
-  const T chosen = must ? T(1)
-                        : select(way.in_air, T(1),
-                                 select(goes_on, T(further_facet), T(1 - further_facet)));
+  const T chosen =
+      must ? T(1)
+           : select(way.in_air, T(1), select(goes_on, T(further_facet), T(1 - further_facet)));
   const T between =
       select(goes_on, T(1) / (T(1) + surface::smith(surface.waves, way.direction)), T(1));
   const T upwards = select(way.in_air, way.direction.z, T(0) - way.direction.z);
   const Mask<T> lit = at.meets & (upwards > T(0)) & (way.gain > T(0));
   photon.direction = select(at.meets, way.direction, photon.direction);
-  photon.weight = photon.weight *
-                  select(at.meets, select(lit, way.gain * between / chosen, T(0)), T(1));
+  photon.weight =
+      photon.weight * select(at.meets, select(lit, way.gain * between / chosen, T(0)), T(1));
   AfterFacetBack<T> out;
   out.chance = select(lit, way.chance * chosen, T(1));
   out.in_water = lit & !goes_on;

@@ -318,11 +318,13 @@ TEST(Bidirectional, ErrorBarsHold) {
   constexpr double two_sided_95 = 1.96;
   const std::string scene =
       ship_instrument + channel("elastic") + water(0.06, 0.1, peaked_phase) + depth_gates(50, 2);
-  const auto reference = run_in_lanes(read(scene + simulation(3e6, 7, no_free_walks, "bidirectional")));
+  const auto reference =
+      run_in_lanes(read(scene + simulation(3e6, 7, no_free_walks, "bidirectional")));
   std::vector<tally::Result> runs;
   for (int seed = 1; seed <= seeds; ++seed) {
-    runs.push_back(run_in_lanes(read(
-        scene + simulation(photons, static_cast<std::uint64_t>(100 + seed), no_free_walks, "bidirectional"))));
+    runs.push_back(
+        run_in_lanes(read(scene + simulation(photons, static_cast<std::uint64_t>(100 + seed),
+                                             no_free_walks, "bidirectional"))));
   }
   double covered = 0;
   double converged = 0;

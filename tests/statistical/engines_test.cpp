@@ -100,6 +100,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Case{"Peaked", ship_instrument + peaked + depth_gates(50, 0.5), 4e5, 1e5},
                     Case{"ThreeChannelsInLayers",
                          ship_instrument + three + three_layers + depth_gates(14, 0.5), 2e5, 5e4},
+                    Case{"UnderWaves",
+                         from_height(300) + three +
+                             "[sea]\nsurface = { model = \"cox-munk\", wind_speed_m_s = 9.0 }\n" +
+                             three_layers + depth_gates(14, 0.5),
+                         1e5, 4e4},
                     Case{"From3km", from_height(3000) + peaked + depth_gates(40, 1), 4e5, 1e5},
                     Case{"From705km", from_height(705000) + peaked + depth_gates(20, 0.25), 4e5,
                          1e5},

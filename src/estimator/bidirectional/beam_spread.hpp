@@ -14,6 +14,8 @@ struct Spread {
   T before{};       ///< length from that point to where the ray in the water begins [m]
   T cos_air{1};     ///< of the ray in the air, to the vertical
   T solid_angle{};  ///< [sr]; 0: parallel rays, which no connection can meet
+  T freed{1};       ///< share of connections to the instrument that free walks make as well; not
+                    ///< kept
 
   template <class F>
   constexpr void each_member(F f) {

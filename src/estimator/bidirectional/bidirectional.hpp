@@ -59,7 +59,9 @@ struct FromLaser : WalkDraws<T> {
   }
   Birth<T> birth_through_waves(const Index<T>& walk, const Mask<T>& exist,
                                const std::array<T, 4>& u) {
-    const auto entry = entry_of_laser(world.laser, world.laser_region.layer, u[0], u[1]);
+    auto entry = entry_of_laser(world.laser, world.laser_region.layer, u[0], u[1]);
+    const auto v = this->draw(walk, Index<T>(0), 1);
+    entry.u_slope = v[0], entry.u_azimuth = v[1];
     auto birth = estimator::birth_through_waves(
         world.sea, world.laser_region, cone(), entry, false, Index<T>(0), u[2], u[3],
         [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); });
@@ -111,8 +113,12 @@ struct FromTelescope : WalkDraws<T> {
                                const std::array<T, 4>& u) {
     const auto& telescope = world.telescopes[receiver.telescope];
     const auto w = this->draw(walk, Index<T>(0), 2);
+    const auto point = transport::point_seen(telescope, record.lens, w[0], w[1]);
     instrument::Sight<T> sight;
-    const auto entry = entry_of_telescope(telescope, record.lens, w[0], w[1], sight);
+    T density;
+    auto entry = entry_of_telescope(telescope, record.lens, point.at, sight, density);
+    entry.exists = entry.exists & point.exists;
+    entry.u_slope = w[2], entry.u_azimuth = w[3];
     record.outward = entry.outside;
     record.translation_area = translation_area(telescope, record.outward);
     record.telescope = world.groups[receiver.group].narrowest(sight);

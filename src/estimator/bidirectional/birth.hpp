@@ -15,15 +15,17 @@ namespace photic::estimator {
 /// Where an instrument's ray comes through waves.
 template <class T>
 struct SurfaceEntry {
-  Mask<T> exists{true};  ///< not kept
-  Vec3<T> at;            ///< point of the surface
-  Vec3<T> outside;       ///< direction of the ray, away from the instrument
-  T weight{1};           ///< of a walk there, in the air
-  T path{};              ///< [m]
+  Mask<T> exists{true};      ///< not kept
+  Vec3<T> at;                ///< point of the surface
+  Vec3<T> outside;           ///< direction of the ray, away from the instrument
+  T weight{1};               ///< of a walk there, in the air
+  T path{};                  ///< [m]
+  T u_slope{}, u_azimuth{};  ///< uniforms, for entries that are drawn by slopes
 
   template <class F>
   constexpr void each_member(F f) {
     f(at.x), f(at.y), f(outside.x), f(outside.y), f(outside.z), f(weight), f(path);
+    f(u_slope), f(u_azimuth);
   }
 };
 

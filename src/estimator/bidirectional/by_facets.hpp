@@ -54,9 +54,8 @@ ByFacets<T> back_by_facets(const surface::RoughSurface<T>& surface, transport::P
     if (facet == 1) out.several = at.meets;
     const std::array<T, 4> u = draw(block_of_facet(facet, 0));
     const std::array<T, 4> v = draw(block_of_facet(facet, 1));
-    const auto met =
-        transport::meet_waves_back(surface, photon, at, {u[0], u[1], u[2], u[3]}, v[0],
-                                   several && facet == 0);
+    const auto met = transport::meet_waves_back(surface, photon, at, {u[0], u[1], u[2], u[3]}, v[0],
+                                                several && facet == 0);
     out.in_water = out.in_water | met.in_water;
     out.chance = out.chance * met.chance;
   }

@@ -53,22 +53,11 @@ Mask<T> Connections<T>::comes_by_surface(const Vertex& first, const T& leaves_z)
   return leaves_z * first.direction.z < T(0);
 }
 
-/// A walk that comes through waves, as its free meetings see it.
-template <class T>
-FreeStart<T> Connections<T>::free_start_under_waves(const Walks<T>& walks, std::int32_t instrument,
-                                                    const Index<T>& walk) const {
-  const auto entry = walks.entry(walk);
-  const Vertex first = walks.vertex(walk, Index<T>(0));
-  return free_start(world_.cone(instrument), first.position - entry.at, T(first.path - entry.path),
-                    T(-first.position.z), {T(0), T(0), T(0)});
-}
-
 /// A telescope's walk as its free meetings see it.
 template <class T>
 FreeStart<T> Connections<T>::free_telescope_start(std::size_t back) const {
   const auto birth = back_.birth_record_in_all_lanes(back);
   const Vertex first = back_.vertex_in_all_lanes(back, 0);
-  if (sea_.waves.rough) return free_start_under_waves(back_, instrument(), Index<T>(back));
   const Vec3<T> lens = in_plane(telescope_, birth.lens);
   return free_start(world_.cone(instrument()), first.position, first.path,
                     way_down_of(receiver_.region.in_air, telescope_.position.z, first.position.z,
@@ -77,7 +66,6 @@ FreeStart<T> Connections<T>::free_telescope_start(std::size_t back) const {
 }
 template <class T>
 FreeStart<T> Connections<T>::free_laser_start(const Index<T>& laser) const {
-  if (sea_.waves.rough) return free_start_under_waves(laser_, of_laser, laser);
   const Vertex first = laser_.vertex(laser, Index<T>(0));
   return free_start(world_.laser_cone, first.position, first.path,
                     way_down_of(world_.laser_region.in_air, world_.laser.start.z, first.position.z,
@@ -155,13 +143,10 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_telescope(FreePairin
   const Vertex first = back_.vertex(pairing.back, Index<T>(0));
   const Vec3<T> moved = apart(pair, pairing.depth);
   if (sea_.waves.rough) {
-    const auto& cone = world_.cone(instrument());
-    const auto entry = back_.entry(pairing.back);
-    const auto edge = edge_from(sea_, cone, entry, true, first.line, first.position + moved);
-    return free_telescope_by(pairing, pair, first, moved,
-                             sightline_along(edge, entry, receiver_.region),
-                             edge_to_telescope(mask & cone.frees(edge.direction), edge, entry,
-                                               first.line, pairing.back));
+    const auto entry = entry_by_slopes(world_, instrument(), first.line, first.position + moved,
+                                       back_.entry(pairing.back), pair.birth.lens, mask);
+    return free_telescope_by(pairing, pair, first, moved, sightline_along(entry, receiver_.region),
+                             edge_to_telescope(mask, entry, first.line, pair.birth.lens));
   }
   const Vec3<T> at_lens = in_space(telescope_, pair.birth.lens);
   const Mask<T> by_surface = comes_by_surface(first, pair.birth.outward.z);
@@ -207,7 +192,7 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const RayP
   Ray back = pair.back;
   change_first(pairing.m == Index<T>(1), per_p, chance, back, met.back_near, met.back_free);
   met.rest = chance;
-  put_first(T(edge.area / abs(arriving.z)), met.back_near, met.back_free);
+  put_first(T(edge.area / abs(arriving.z)), edge.freed, met.back_near, met.back_free);
   met.translation_area = translation_area(telescope_, way.arriving);
   back.weight = back.weight / first.weight * collision_gain(first) * edge.weight *
                 (exp_minus(tau.all) / cone.reach(Mask<T>(true), tau.walk, arriving.z, bed));
@@ -230,9 +215,11 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const RayP
 
 /// A first vertex has come where its instrument's cone has another footprint.
 template <class T>
-void Connections<T>::put_first(const T& footprint, NearFirst<T>& near, FreeArea<T>& free) {
+void Connections<T>::put_first(const T& footprint, const T& freed, NearFirst<T>& near,
+                               FreeArea<T>& free) {
   near.instrument_edge = near.instrument_edge * (footprint / free.footprint);
   free.footprint = footprint;
+  free.freed = freed;
 }
 
 template <class T>
@@ -245,21 +232,18 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_laser(FreePairing<T>
   // On a bed whose albedo depends on how light comes to it: see averaged_over_drawn().
   const Mask<T> may = sea_.bed_angles > 1 ? mask & !on_bed(first.layer) : mask;
   if (sea_.waves.rough) {
-    const auto& cone = world_.laser_cone;
-    const auto entry = laser_.entry(pairing.laser);
-    const auto edge = edge_from(sea_, cone, entry, false, Index<T>(0), at);
-    const auto way = sightline_along(edge, entry, world_.laser_region);
-    return free_laser_by(
-        pairing, pair, first, moved, way,
-        way_to_laser(may & cone.frees(edge.direction), at, first.layer, way, edge, entry));
+    const auto entry =
+        entry_by_slopes(world_, of_laser, Index<T>(0), at, laser_.entry(pairing.laser), {}, may);
+    const auto way = sightline_along(entry, world_.laser_region);
+    return free_laser_by(pairing, pair, first, moved, way,
+                         way_to_laser(may, at, first.layer, way, entry));
   }
   const Mask<T> by_surface = comes_by_surface(first, world_.laser.axis.z);
   for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
     const Mask<T> by = route == geometry::Route::direct ? may & !by_surface : may & by_surface;
     if (!any(by)) continue;
-    const auto way =
-        geometry::sightline(sea_, at, Index<T>(0), fictitious_vertex(world_.laser),
-                            world_.laser_region, route, by);
+    const auto way = geometry::sightline(sea_, at, Index<T>(0), fictitious_vertex(world_.laser),
+                                         world_.laser_region, route, by);
     free_laser_by(pairing, pair, first, moved, way, way_to_laser(by, at, first.layer, way));
   }
 }
@@ -282,7 +266,7 @@ void Connections<T>::free_laser_by(const FreePairing<T>& pairing, const RayPair<
   auto met = this->met(pair);
   Ray out = pair.out;
   change_first(pairing.i == Index<T>(1), per_p, T(1), out, met.out_near, met.out_free);
-  put_first(T(to_laser.area / abs(arriving.z)), met.out_near, met.out_free);
+  put_first(T(to_laser.area / abs(arriving.z)), to_laser.freed, met.out_near, met.out_free);
   const auto jacobian = rotation_jacobian(first.position, arriving, leaving.direction);
   const RotatedMeeting<T> rotated{laser_.rotated_first(pairing.laser).density * per_p / steeper,
                                   jacobian};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "estimator/bidirectional/connections.hpp"
+#include "estimator/bidirectional/surface_entry.hpp"
 
 namespace photic::estimator {
 
@@ -46,13 +47,10 @@ PathFreedom<T> Connections<T>::freedom_at(const RayPairing<T>& pairing, const Me
   using std::abs;
   T of_telescope(0), of_laser(0);
   if (samples_.frees()) {
-    const auto footprint = [&](std::int32_t instrument, const Spread<T>& spread, const Ray& ray,
-                               const T& length) {
-      const T level =
-          spread.solid_angle *
-          area_per_solid_angle(sea_, spread, ray.line, length, T(abs(ray.direction.z))) /
-          abs(ray.direction.z);
-      return world_.cone(instrument).free_part(ray.direction, level);
+    const auto footprint = [&](const Spread<T>& spread, const Ray& ray, const T& length) {
+      return spread.solid_angle * spread.freed *
+             area_per_solid_angle(sea_, spread, ray.line, length, T(abs(ray.direction.z))) /
+             abs(ray.direction.z);
     };
     const auto area = [&](std::int32_t instrument, const Mask<T>& here, const FreeArea<T>& first,
                           const Spread<T>& spread, const Ray& ray, const T& length,
@@ -60,7 +58,7 @@ PathFreedom<T> Connections<T>::freedom_at(const RayPairing<T>& pairing, const Me
       if (!frees(instrument)) return T(0);
       if (!any(here)) return first.area();
       return select(here,
-                    free_area(instrument, footprint(instrument, spread, ray, length), met.back->line, place,
+                    free_area(instrument, footprint(spread, ray, length), met.back->line, place,
                               !at.converts, leaving, at.p),
                     first.area());
     };
@@ -72,9 +70,37 @@ PathFreedom<T> Connections<T>::freedom_at(const RayPairing<T>& pairing, const Me
   return path_freedom(pairing.order(), met.translation_area, last, of_telescope, of_laser);
 }
 
+/// The rays from instruments of those that meet there may also be connected by entries that slopes
+/// draw.
+template <class T>
+PHOTIC_APART void Connections<T>::meet_under_waves(const RayPairing<T>& pairing,
+                                                   const Mask<T>& mask, Met<T> met, const T& depth,
+                                                   const Index<T>& place) {
+  const Ray& out = *met.out;
+  const Vec3<T> where =
+      out.position + ((-out.position.z - depth) / out.direction.z) * out.direction;
+  const auto enter = [&](const Mask<T>& first, std::int32_t instrument, const Index<T>& line,
+                         const SurfaceEntry<T>& entry, Spread<T>& spread) {
+    if (!any(first)) return;
+    const T ratio =
+        slopes_over_rays(world_, instrument, line, where, entry, met.lens, Mask<T>(mask & first));
+    spread_by_entries(select(first, ratio, T(0)), spread);
+  };
+  enter(pairing.i == Index<T>(0), of_laser, Index<T>(0), met.out_entry, met.out_spread);
+  enter(pairing.m == Index<T>(0), instrument(), met.back->line, met.back_entry, met.back_spread);
+  meet_there(pairing, mask, met, depth, place);
+}
+
 template <class T>
 void Connections<T>::meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met,
                              const T& depth, const Index<T>& place) {
+  if (sea_.waves.rough) return meet_under_waves(pairing, mask, met, depth, place);
+  meet_there(pairing, mask, met, depth, place);
+}
+
+template <class T>
+void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mask,
+                                const Met<T>& met, const T& depth, const Index<T>& place) {
   const Ray &out = *met.out, &back = *met.back;
   const Mask<T> emitting = mask & emits(back.line, place);
   if (!any(emitting)) return;

@@ -176,6 +176,11 @@ Met<T> Connections<T>::met(const RayPair<T>& pair) const {
   met.axis = met.own_axis = pair.axis();
   if (world_.compares) met.line = back_.line(pair.pairing.back);
   met.telescope = seen_by(pair.pairing.back);
+  if (sea_.waves.rough) {
+    met.out_entry = laser_.entry(pair.pairing.laser);
+    met.back_entry = back_.entry(pair.pairing.back);
+    met.lens = pair.birth.lens;
+  }
   return met;
 }
 /// The telescope's walk is moved sideways. Its ray keeps its place: the rays' levels are all that
@@ -184,6 +189,7 @@ template <class T>
 void Connections<T>::translate(Met<T>& met, const Vec3<T>& translation) const {
   met.axis.x = met.axis.x + translation.x;
   met.axis.y = met.axis.y + translation.y;
+  met.back_entry.at = met.back_entry.at + Vec3<T>{translation.x, translation.y, T(0)};
 }
 
 /// Rays that meet where both are as far from the axis of a rotation.
@@ -263,6 +269,7 @@ void Connections<T>::meet_translated(const RayPair<T>& pair, const Mask<T>& mask
   auto met = this->met(pair);
   met.telescope = seen_by(sight);
   translate(met, in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens));
+  met.lens = lens;
   meet_at(pair.pairing, passes, met, depth, place);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "estimator/bidirectional/connections.hpp"
+#include "estimator/bidirectional/surface_entry.hpp"
 
 namespace photic::estimator {
 
@@ -36,6 +37,27 @@ FirstLeg<T> Connections<T>::first_leg(const BirthRecord<T>& birth, const Index<T
   return {abs(v.position.z - from) / steep, steep};
 }
 
+/// The same where it comes through waves: the entry moves with the lens, and all that changes is
+/// how densely its rays draw it.
+template <class T>
+PHOTIC_APART void Connections<T>::lengthen_to_entry(const RayPairing<T>& pairing,
+                                                    const Mask<T>& first, Met<T>& met) const {
+  if (all(first)) return;
+  const Index<T> line = back_.line(pairing.back);
+  const auto entry = back_.entry(pairing.back);
+  const Vec3<T> v = back_.vertex(pairing.back, Index<T>(0)).position;
+  const auto ratio = [&](const Vec3<T>& from, const SurfaceEntry<T>& by,
+                         const instrument::PlanePoint<T>& lens) {
+    return slopes_over_rays(world_, instrument(), line, from, by, lens, Mask<T>(!first));
+  };
+  const T before = ratio(v, entry, back_.birth_record(pairing.back).lens);
+  const T after = ratio(v + (met.back_entry.at - entry.at), met.back_entry, met.lens);
+  const T wider = (T(1) + after) / (T(1) + before);
+  met.back_free.footprint = met.back_free.footprint * wider;
+  met.back_free.freed = after / (T(1) + after);
+  met.back_near.instrument_edge = met.back_near.instrument_edge * wider;
+}
+
 /// The way from a tilted lens becomes longer, or shorter. That changes when light is there; in the
 /// water also how much of it is, and how likely walks go so far; and the densities of connecting
 /// this edge and of meeting at its end, which later rays carry on.
@@ -54,7 +76,7 @@ PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
   }
   met.longer = length;
   back.path = back.path + length * at_lens(birth, line).index;
-  if (sea_.waves.rough) return;  // the lens and the entry move as one
+  if (sea_.waves.rough) return lengthen_to_entry(pairing, first, met);
   met.back_spread.before = met.back_spread.before + length;
   if (all(first)) return;
   const FirstLeg<T> way = first_leg(birth, pairing.back);
@@ -83,6 +105,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const RayPair<T>& p
   auto met = this->met(pair);
   met.telescope = telescope;
   translate(met, in_plane(telescope_, aside) + longer * outward);
+  met.lens = lens;
   Ray back = pair.back;
   if (telescope_.submerged) {  // there a first ray begins at the lens
     const T begins = select(pair.pairing.m == Index<T>(0), longer, T(0));

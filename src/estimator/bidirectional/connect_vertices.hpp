@@ -24,10 +24,15 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
   const Vertex v = laser_.in_path(pairing.laser, pairing.i, in_path);
   const Mask<T> wanted = mask & emits(line, v.layer);
   if (sea_.waves.rough) {
-    const auto entry = back_.entry(pairing.back);
-    const auto edge = edge_from(sea_, world_.cone(instrument()), entry, true, line, v.position);
-    return score_to_telescope(pairing, v, sightline_along(edge, entry, receiver_.region),
-                              edge_to_telescope(wanted, edge, entry, line, pairing.back));
+    const auto own = back_.entry(pairing.back);
+    for (const bool by_slopes : {false, true}) {
+      if (by_slopes && !world_.cone(instrument()).enters_by_slopes) break;
+      const auto entry =
+          entry_to(world_, instrument(), line, v.position, own, birth.lens, by_slopes, wanted);
+      score_to_telescope(pairing, v, sightline_along(entry, receiver_.region),
+                         edge_to_telescope(wanted, entry, line, birth.lens));
+    }
+    return;
   }
   const Mask<T> near_view =
       wanted & transport::may_see(sea_, telescope_, v.position, line, birth.lens);
@@ -53,22 +58,27 @@ EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask,
   edge.telescope = seen_by(sight);
   edge.path = transport::longer_in_air(telescope_, way, lens) +
               way.length_water * gather<T>(sea_.group_index, line);
-  const T solid_angle = world_.cone(instrument())
-                            .solid_angle_outside(gather<T>(sea_.index, line), -way.direction,
-                                                 -way.arriving);
+  const T solid_angle =
+      world_.cone(instrument())
+          .solid_angle_outside(gather<T>(sea_.index, line), -way.direction, -way.arriving);
   edge.area = solid_angle * way.area_per_solid_angle / way.index_squared;
-  edge.weight = way.throughput *
-                (telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared);
+  edge.weight =
+      way.throughput * (telescope_.area() * sight.cos_off_axis * solid_angle / way.index_squared);
   return edge;
 }
-/// By the entry of a telescope's walk through waves.
+/// By an entry through waves.
 template <class T>
-EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask, const EntryEdge<T>& edge,
-                                                     const SurfaceEntry<T>& entry,
+EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask, const EntryEdge<T>& entry,
                                                      const Index<T>& line,
-                                                     const Index<T>& back) const {
-  return {Mask<T>(mask & edge.exists), seen_by(back),
-          entry.path + edge.length * gather<T>(sea_.group_index, line), edge.area, edge.weight};
+                                                     const instrument::PlanePoint<T>& lens) const {
+  EdgeToTelescope<T> edge;
+  edge.seen = mask & entry.exists;
+  edge.telescope = seen_by(instrument::sight(telescope_, lens, -entry.by.outside));
+  edge.path = entry.by.path + entry.length * gather<T>(sea_.group_index, line);
+  edge.area = entry.area;
+  edge.freed = entry.freed;
+  edge.weight = entry.weight;
+  return edge;
 }
 
 template <class T>
@@ -86,13 +96,13 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
   const T reach = cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(v.layer));
   const auto in_path = usable(pairing.i + Index<T>(1));
   const bool elastic = all(line == Index<T>(0));
-  const T footprint = cone.free_part(-way.direction, T(edge.area / abs(way.direction.z)));
+  const T footprint = edge.freed * edge.area / abs(way.direction.z);
   const T telescope_area =
-      elastic ? free_area(instrument(), footprint, line, v.layer, Mask<T>(true), -v.direction,
-                          phase_value(sea_, v, way.direction,
-                                      gather_index<T>(sea_.elastic_phase, sea_.at(line, v.layer))))
-              : free_area(instrument(), footprint, line, v.layer, Mask<T>(false), -v.direction,
-                          T(1));
+      elastic
+          ? free_area(instrument(), footprint, line, v.layer, Mask<T>(true), -v.direction,
+                      phase_value(sea_, v, way.direction,
+                                  gather_index<T>(sea_.elastic_phase, sea_.at(line, v.layer))))
+          : free_area(instrument(), footprint, line, v.layer, Mask<T>(false), -v.direction, T(1));
   const auto freedom =
       path_freedom(in_path.order, instrument::translation_area(telescope_, way.arriving), depth,
                    telescope_area, free_area(laser_, of_laser, pairing.laser));
@@ -106,10 +116,10 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
   const T area = samples_.to_instrument * from.chance * edge.area + from.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_telescope(pairing, v, way);
-  score(pairing, Walked::laser, seen,
-        {from.weight * edge.weight *
-             balance(area, tau.all, reach, from.densities, EndDensities<T>{}),
-         path, depth, in_path.order, in_path.order, Index<T>(0), edge.telescope});
+  score(
+      pairing, Walked::laser, seen,
+      {from.weight * edge.weight * balance(area, tau.all, reach, from.densities, EndDensities<T>{}),
+       path, depth, in_path.order, in_path.order, Index<T>(0), edge.telescope});
 }
 
 template <class T>
@@ -130,11 +140,14 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>
   const Mask<T> wanted = mask & emits(w.line, w.layer);
   const Index<T> line(0);
   if (rough) {
-    const auto entry = laser_.entry(pairing.laser);
-    const auto edge = edge_from(sea_, world_.laser_cone, entry, false, line, w.position);
-    const auto way = sightline_along(edge, entry, world_.laser_region);
-    return score_to_laser(pairing, w, way,
-                          way_to_laser(wanted, w.position, w.layer, way, edge, entry));
+    const auto own = laser_.entry(pairing.laser);
+    for (const bool by_slopes : {false, true}) {
+      if (by_slopes && !world_.laser_cone.enters_by_slopes) break;
+      const auto entry = entry_to(world_, of_laser, line, w.position, own, {}, by_slopes, wanted);
+      const auto way = sightline_along(entry, world_.laser_region);
+      score_to_laser(pairing, w, way, way_to_laser(wanted, w.position, w.layer, way, entry));
+    }
+    return;
   }
   const Vec3<T> vertex = fictitious_vertex(laser);
   for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
@@ -173,24 +186,23 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
   return out;
 }
 
-/// By the entry of a laser's walk through waves.
+/// By an entry through waves.
 template <class T>
 WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& from,
-                                           const Index<T>& place,
-                                           const geometry::Sightline<T>& way,
-                                           const EntryEdge<T>& edge,
-                                           const SurfaceEntry<T>& entry) const {
+                                           const Index<T>& place, const geometry::Sightline<T>& way,
+                                           const EntryEdge<T>& entry) const {
   const Index<T> line(0);
   WayToLaser<T> out;
-  out.water = edge.length;
-  out.path = entry.path + edge.length * gather<T>(sea_.group_index, line);
-  out.lit = mask & edge.exists;
+  out.water = entry.length;
+  out.path = entry.by.path + entry.length * gather<T>(sea_.group_index, line);
+  out.lit = mask & entry.exists;
   if (!any(out.lit)) return out;
-  const auto tau = depths_along(sea_, way, line, place, T(-from.z), edge.length);
+  const auto tau = depths_along(sea_, way, line, place, T(-from.z), entry.length);
   out.tau = tau.all;
   out.reach = world_.laser_cone.reach(Mask<T>(true), tau.walk, way.direction.z, on_bed(place));
-  out.area = edge.area;
-  out.weight = edge.weight;
+  out.area = entry.area;
+  out.freed = entry.freed;
+  out.weight = entry.weight;
   return out;
 }
 
@@ -205,9 +217,8 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
   const auto in_path = usable(pairing.m + Index<T>(1));
   const Mask<T> scatters = w.line == Index<T>(0);
   const T laser_area =
-      free_area(of_laser,
-                world_.laser_cone.free_part(-way.direction, T(to_laser.area / abs(way.direction.z))),
-                Index<T>(0), w.layer, scatters, -w.direction,
+      free_area(of_laser, T(to_laser.freed * to_laser.area / abs(way.direction.z)), Index<T>(0),
+                w.layer, scatters, -w.direction,
                 phase_value(sea_, w, way.direction,
                             gather_index<T>(sea_.elastic_phase, sea_.at(Index<T>(0), w.layer))));
   const auto freedom = path_freedom(
@@ -266,7 +277,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>&
       const T p = phase_value(sea_, at, leaving,
                               gather_index<T>(sea_.elastic_phase, sea_.at(at.line, at.layer)));
       return select(ends,
-                    free_area(instrument, walks.free_area(walk).footprint, at.line, at.layer,
+                    free_area(instrument, walks.free_area(walk).level(), at.line, at.layer,
                               scatters, leaving, p),
                     free_area(walks, instrument, walk));
     };

@@ -95,8 +95,6 @@ class Connections {
   void serve_free_laser(FreePairing<T> pairing, Mask<T> mask);
 
   [[nodiscard]] Mask<T> comes_by_surface(const Vertex& first, const T& leaves_z) const;
-  [[nodiscard]] FreeStart<T> free_start_under_waves(const Walks<T>& walks, std::int32_t instrument,
-                                                    const Index<T>& walk) const;
   [[nodiscard]] FreeStart<T> free_telescope_start(std::size_t back) const;
   [[nodiscard]] FreeStart<T> free_laser_start(const Index<T>& laser) const;
   template <class Push>
@@ -106,36 +104,34 @@ class Connections {
   [[nodiscard]] Vec3<T> apart(const RayPair<T>& pair, const T& depth) const;
   [[nodiscard]] T collision_gain(const Vertex& first) const;
   void meet_free(const FreePairing<T>& pairing, const Mask<T>& mask, const Met<T>& met);
-  void free_telescope_by(const FreePairing<T>& pairing, const RayPair<T>& pair,
-                         const Vertex& first, const Vec3<T>& moved,
-                         const geometry::Sightline<T>& way, const EdgeToTelescope<T>& edge);
+  void free_telescope_by(const FreePairing<T>& pairing, const RayPair<T>& pair, const Vertex& first,
+                         const Vec3<T>& moved, const geometry::Sightline<T>& way,
+                         const EdgeToTelescope<T>& edge);
   void free_laser_by(const FreePairing<T>& pairing, const RayPair<T>& pair, const Vertex& first,
                      const Vec3<T>& moved, const geometry::Sightline<T>& way,
                      const WayToLaser<T>& to_laser);
   [[nodiscard]] Mask<T> may_be_free(const Walks<T>& walks, std::int32_t instrument,
                                     const Index<T>& walk) const;
-  static void put_first(const T& footprint, NearFirst<T>& near, FreeArea<T>& free);
+  static void put_first(const T& footprint, const T& freed, NearFirst<T>& near, FreeArea<T>& free);
 
   [[nodiscard]] EdgeToTelescope<T> edge_to_telescope(const Mask<T>& mask,
                                                      const instrument::PlanePoint<T>& lens,
                                                      const Index<T>& line,
                                                      const geometry::Sightline<T>& way) const;
-  [[nodiscard]] EdgeToTelescope<T> edge_to_telescope(const Mask<T>& mask, const EntryEdge<T>& edge,
-                                                     const SurfaceEntry<T>& entry,
+  [[nodiscard]] EdgeToTelescope<T> edge_to_telescope(const Mask<T>& mask, const EntryEdge<T>& entry,
                                                      const Index<T>& line,
-                                                     const Index<T>& back) const;
+                                                     const instrument::PlanePoint<T>& lens) const;
   void score_to_telescope(const Pairing<T>& pairing, const Vertex& v,
                           const geometry::Sightline<T>& way, const EdgeToTelescope<T>& edge);
-  void score_to_laser(const Pairing<T>& pairing, const Vertex& w,
-                      const geometry::Sightline<T>& way, const WayToLaser<T>& to_laser);
+  void score_to_laser(const Pairing<T>& pairing, const Vertex& w, const geometry::Sightline<T>& way,
+                      const WayToLaser<T>& to_laser);
   void along(const Pairing<T>& pairing, const Mask<T>& mask, const Index<T>& line,
              const ConnectionEnd& from, const ConnectionEnd& to, const Vertex& v, const Vertex& w,
              const T& length, const Usable<T>& usable);
   WayToLaser<T> way_to_laser(const Mask<T>& mask, const Vec3<T>& from, const Index<T>& place,
                              const geometry::Sightline<T>& way) const;
   WayToLaser<T> way_to_laser(const Mask<T>& mask, const Vec3<T>& from, const Index<T>& place,
-                             const geometry::Sightline<T>& way, const EntryEdge<T>& edge,
-                             const SurfaceEntry<T>& entry) const;
+                             const geometry::Sightline<T>& way, const EntryEdge<T>& entry) const;
   RayPair<T> pair_of(const RayPairing<T>& pairing) const;
   Met<T> met(const RayPair<T>& pair) const;
   void translate(Met<T>& met, const Vec3<T>& translation) const;
@@ -144,6 +140,7 @@ class Connections {
   void meet_tilted(const RayPair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens,
                    Index<T> telescope, T depth, Index<T> place);
   [[nodiscard]] Mask<T> can_meet(const RayPair<T>& pair, const Ray& moved, const T& depth) const;
+  void lengthen_to_entry(const RayPairing<T>& pairing, const Mask<T>& first, Met<T>& met) const;
   void lengthen(const RayPairing<T>& pairing, const BirthRecord<T>& birth, T length, Ray& back,
                 Met<T>& met) const;
   [[nodiscard]] FirstLeg<T> first_leg(const BirthRecord<T>& birth, const Index<T>& back) const;
@@ -159,6 +156,10 @@ class Connections {
                                           const Index<T>& place) const;
   void meet_at(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met, const T& depth,
                const Index<T>& place);
+  void meet_under_waves(const RayPairing<T>& pairing, const Mask<T>& mask, Met<T> met,
+                        const T& depth, const Index<T>& place);
+  void meet_there(const RayPairing<T>& pairing, const Mask<T>& mask, const Met<T>& met,
+                  const T& depth, const Index<T>& place);
 
   [[nodiscard]] Usable<T> usable(const Index<T>& order) const {
     return {order, world_.most_vertices};

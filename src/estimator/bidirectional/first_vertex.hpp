@@ -28,13 +28,16 @@ struct FreeArea {
   T footprint{};  ///< level area that the rays of the instrument's cone fill there [m^2]
   T averaged{1};  ///< density of the direction in which it is left, averaged over the cone, over
                   ///< that with which it was drawn
+  T freed{1};     ///< of Spread
 
-  /// That level area: F of theory.md [m^2].
-  [[nodiscard]] T area() const { return footprint * averaged; }
+  /// What of the footprint free walks can use.
+  [[nodiscard]] T level() const { return footprint * freed; }
+  /// By how much they may be moved: F of theory.md [m^2].
+  [[nodiscard]] T area() const { return level() * averaged; }
 
   template <class F>
   constexpr void each_member(F f) {
-    f(footprint), f(averaged);
+    f(footprint), f(averaged), f(freed);
   }
 };
 
@@ -45,11 +48,12 @@ struct FirstVertex {
   RotatedMeeting<T> rotated{};  ///< of a laser's walk: density of meeting here by rotation
 
   /// The walk comes to its first vertex or, else, its second. Others are left as they are.
-  void arrive(const Vertex<T>& v, const Arrival<T>& by, const Samples<T>& samples,
-              const EntryCone<T>& cone) {
+  void arrive(const Vertex<T>& v, const Arrival<T>& by, const Spread<T>& spread,
+              const Samples<T>& samples) {
     using std::abs;
     const T here = v.arriving_edge * by.reach / (samples.to_instrument * abs(v.direction.z));
-    free.footprint = select(by.first, cone.free_part(v.direction, here), free.footprint);
+    free.footprint = select(by.first, here, free.footprint);
+    free.freed = select(by.first, spread.freed, free.freed);
     const auto& of_first = v.added_rotated;
     near.translated = select(by.first, T(0), v.added.translated);
     rotated.density = select(by.first, T(0), of_first.density);

@@ -121,6 +121,9 @@ struct Met {
   const RotatedMeeting<T>* out_rotated = nullptr;  ///< at the first vertex, if not what it was
   T rest{1};  ///< by how much all other densities behind the telescope's ray grow
   T translation_area{};
+  // Through waves, where the walks are now:
+  SurfaceEntry<T> out_entry, back_entry;
+  instrument::PlanePoint<T> lens{};
   Vec3<T> out_moved{};        ///< from where the laser's walk was drawn; level
   RotationAxis<T> axis;       ///< of the telescope's walk, where it is now
   RotationAxis<T> own_axis;   ///< where it was drawn
@@ -150,6 +153,7 @@ struct EdgeToTelescope {
   Index<T> telescope{};  ///< the narrowest of nested views that does
   T path{};              ///< as the telescope's walks count it [m]
   T area{};              ///< across it, of the telescope's cone [m^2]
+  T freed{1};            ///< of Spread
   T weight{};            ///< of a walk in the water, before it is attenuated
 };
 
@@ -160,6 +164,7 @@ struct WayToLaser {
   T water{}, path{};  ///< length in the water, and group path as the laser's walks count it [m]
   T tau{}, reach{};   ///< optical depth; chance that a walk of the laser would come along it
   T area{};           ///< across it, of the laser's cone [m^2]
+  T freed{1};         ///< of Spread
   T weight{};         ///< of a walk of the laser in the water, before it is attenuated
 };
 

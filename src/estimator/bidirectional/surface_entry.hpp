@@ -5,10 +5,12 @@
 #pragma once
 
 #include "core/turn.hpp"
+#include "estimator/bidirectional/beam_spread.hpp"
+#include "estimator/bidirectional/birth.hpp"
 #include "estimator/bidirectional/by_facets.hpp"
-#include "estimator/bidirectional/pairings.hpp"
-#include "estimator/bidirectional/walk.hpp"
 #include "estimator/entry_cone.hpp"
+#include "estimator/world.hpp"
+#include "geometry/sightline.hpp"
 #include "instrument/laser.hpp"
 #include "surface/waves.hpp"
 #include "transport/connect_waves.hpp"
@@ -30,28 +32,90 @@ SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser, const Index<T>
   entry.path = photon.path;
   return entry;
 }
+/// At a point of the surface, by the ray from the fictitious vertex. `density`: of points that the
+/// laser's rays draw there [1/m^2].
+template <class T>
+SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser, const Vec3<T>& at, T& density) {
+  using std::abs;
+  const Vec3<T> vertex = fictitious_vertex(laser);
+  const Vec3<T> way = at - vertex;
+  const T distance = length(way);
+  SurfaceEntry<T> entry;
+  entry.at = at;
+  entry.outside = (T(1) / distance) * way;
+  const T x = one_minus_cos(entry.outside, laser.axis);
+  entry.exists = x < laser.one_minus_cos_divergence;
+  entry.path = longer_by(vertex, -at, length(vertex) + distance) + laser.vertex_detour -
+               x * (laser.vertex_distance / (T(1) - x));
+  density =
+      abs(entry.outside.z) / (distance * distance * T(2 * pi) * laser.one_minus_cos_divergence);
+  return entry;
+}
 
-/// By a ray that a telescope sees through a point of its lens, alike for all points of the
-/// detector. The weight is that of all rays that it sees.
+/// At a point of the surface, seen by a point of the lens. The weight is that of all rays that the
+/// detector sees; `density`: of points that they draw there, alike for all points of the detector
+/// [1/m^2].
 template <class T>
 SurfaceEntry<T> entry_of_telescope(const instrument::Telescope<T>& telescope,
-                                   const instrument::PlanePoint<T>& lens, const T& u_radius,
-                                   const T& u_azimuth, instrument::Sight<T>& sight) {
-  const auto point = transport::point_seen(telescope, lens, u_radius, u_azimuth);
-  const auto way = transport::from_surface(telescope, lens, point.at);
+                                   const instrument::PlanePoint<T>& lens, const Vec3<T>& at,
+                                   instrument::Sight<T>& sight, T& density) {
+  const auto way = transport::from_surface(telescope, lens, at);
   sight = way.sight;
   const T half_view = telescope.detector_radius / telescope.detector_distance;
   const T square = sight.cos_off_axis * sight.cos_off_axis;
   SurfaceEntry<T> entry;
-  entry.exists = point.exists & way.seen;
-  entry.at = point.at;
+  entry.exists = way.seen;
+  entry.at = at;
   entry.outside = -way.direction;
   entry.weight = telescope.area() * (T(pi) * half_view * half_view * square * square);
-  entry.path = longer_way(telescope, point.at, lens, way.length);
+  entry.path = longer_way(telescope, at, lens, way.length);
+  density = transport::density_seen(telescope, way);
   return entry;
 }
 
-/// The weight of a walk that goes on from an entry in a direction of the cone. `line`: of its light.
+/// What leads from a point in the water to an instrument, or to its `lens`, near the way by a level
+/// surface.
+template <class T>
+transport::NearLevel<T> level_to(const World<T>& world, std::int32_t instrument,
+                                 const Index<T>& line, const Vec3<T>& from,
+                                 const instrument::PlanePoint<T>& lens, const Mask<T>& wanted) {
+  if (instrument == of_laser)
+    return transport::near_level(world.sea, from, line, fictitious_vertex(world.laser),
+                                 world.laser_region, wanted);
+  const auto number = static_cast<std::size_t>(instrument - 1);
+  return transport::near_level(world.sea, from, line, in_space(world.telescopes[number], lens),
+                               world.telescope_region[number], wanted);
+}
+/// Of an instrument, at a point of the surface.
+template <class T>
+SurfaceEntry<T> entry_at(const World<T>& world, std::int32_t instrument, const Vec3<T>& at,
+                         const instrument::PlanePoint<T>& lens, T& density) {
+  if (instrument == of_laser) return entry_of_laser(world.laser, at, density);
+  instrument::Sight<T> sight;
+  return entry_of_telescope(world.telescopes[static_cast<std::size_t>(instrument - 1)], lens, at,
+                            sight, density);
+}
+/// How densely entries are drawn by slopes, over how densely by an instrument's own rays.
+template <class T>
+T slopes_over_rays(const World<T>& world, std::int32_t instrument, const Index<T>& line,
+                   const Vec3<T>& from, const SurfaceEntry<T>& entry,
+                   const instrument::PlanePoint<T>& lens, const Mask<T>& wanted) {
+  if (!world.cone(instrument).enters_by_slopes) return T(0);
+  const auto level = level_to(world, instrument, line, from, lens, wanted);
+  T density(1);
+  entry_at(world, instrument, entry.at, lens, density);
+  return transport::density_by_slopes(level, world.sea.waves, entry.at) / density;
+}
+/// Both kinds of entries are drawn once: rays and slopes, so densely. Free walks enter by slopes.
+template <class T>
+void spread_by_entries(const T& slopes_over_rays, Spread<T>& spread) {
+  const T both = T(1) + slopes_over_rays;
+  spread.solid_angle = spread.solid_angle * both;
+  spread.freed = slopes_over_rays / both;
+}
+
+/// The weight of a walk that goes on from an entry in a direction of the cone. `line`: of its
+/// light.
 template <class T>
 T weight_along(const medium::MediumView& sea, const SurfaceEntry<T>& entry, bool from_telescope,
                const Index<T>& line, const Vec3<T>& direction, const T& solid_angle) {
@@ -65,36 +129,63 @@ T weight_along(const medium::MediumView& sea, const SurfaceEntry<T>& entry, bool
 template <class T>
 struct EntryEdge {
   Mask<T> exists{};
+  SurfaceEntry<T> by;
   Vec3<T> direction;  ///< away from the instrument
   T length{};         ///< [m]
-  T area{};           ///< across it, of the cone [m^2]
+  T area{};           ///< across it, of the cone, times how often such entries are drawn [m^2]
+  T freed{};          ///< of Spread
   T weight{};         ///< of a walk that begins so
 };
+/// By an instrument's `own` ray, or by slopes.
 template <class T>
-EntryEdge<T> edge_from(const medium::MediumView& sea, const EntryCone<T>& cone,
-                       const SurfaceEntry<T>& entry, bool from_telescope, const Index<T>& line,
-                       const Vec3<T>& to) {
-  const Vec3<T> there = to - entry.at;
+EntryEdge<T> entry_to(const World<T>& world, std::int32_t instrument, const Index<T>& line,
+                      const Vec3<T>& to, const SurfaceEntry<T>& own,
+                      const instrument::PlanePoint<T>& lens, bool by_slopes,
+                      const Mask<T>& wanted) {
+  const auto& cone = world.cone(instrument);
   EntryEdge<T> edge;
+  if (by_slopes && !cone.enters_by_slopes) return edge;
+  T ratio(0);
+  edge.by = own;
+  if (cone.enters_by_slopes) {
+    const auto level = level_to(world, instrument, line, to, lens, wanted);
+    const auto& waves = world.sea.waves;
+    const Vec3<T> at =
+        by_slopes ? transport::point_by_slopes(level, waves, own.u_slope, own.u_azimuth) : own.at;
+    T density(1);
+    const auto entry = entry_at(world, instrument, at, lens, density);
+    if (by_slopes) edge.by = entry;
+    ratio = transport::density_by_slopes(level, waves, at) / density;
+  }
+  const Vec3<T> there = to - edge.by.at;
   edge.length = length(there);
-  edge.exists = entry.exists & (there.z < T(0));
+  edge.exists = wanted & edge.by.exists & (there.z < T(0));
   edge.direction = (T(1) / select(edge.exists, edge.length, T(1))) * there;
-  const T solid_angle = cone.solid_angle_at(one_minus_cos(edge.direction, cone.axis));
-  edge.area = solid_angle * (edge.length * edge.length);
-  edge.weight = weight_along(sea, entry, from_telescope, line, edge.direction, solid_angle);
+  Spread<T> spread;
+  spread.solid_angle = cone.solid_angle_at(one_minus_cos(edge.direction, cone.axis));
+  edge.weight = weight_along(world.sea, edge.by, instrument != of_laser, line, edge.direction,
+                             spread.solid_angle);
+  spread_by_entries(ratio, spread);
+  edge.area = spread.solid_angle * (edge.length * edge.length);
+  edge.freed = spread.freed;
   edge.exists = edge.exists & (edge.weight > T(0));
   return edge;
 }
-/// The same as light goes along it to the instrument, or would if it went back.
 template <class T>
-geometry::Sightline<T> sightline_along(const EntryEdge<T>& edge, const SurfaceEntry<T>& entry,
-                                       const geometry::Region<T>& to) {
+EntryEdge<T> entry_by_slopes(const World<T>& world, std::int32_t instrument, const Index<T>& line,
+                             const Vec3<T>& to, const SurfaceEntry<T>& own,
+                             const instrument::PlanePoint<T>& lens, const Mask<T>& wanted) {
+  return entry_to(world, instrument, line, to, own, lens, true, wanted);
+}
+/// An edge as light goes along it to the instrument, or would if it went back.
+template <class T>
+geometry::Sightline<T> sightline_along(const EntryEdge<T>& edge, const geometry::Region<T>& to) {
   geometry::Sightline<T> way;
   way.exists = edge.exists;
   way.direction = -edge.direction;
-  way.arriving = -entry.outside;
+  way.arriving = -edge.by.outside;
   way.length_water = edge.length;
-  way.crossing = entry.at;
+  way.crossing = edge.by.at;
   way.secant_water = T(1) / select(edge.exists, way.direction.z, T(1));
   way.to = to;
   return way;

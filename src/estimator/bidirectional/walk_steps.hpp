@@ -9,6 +9,7 @@
 #include "estimator/bidirectional/by_facets.hpp"
 #include "estimator/bidirectional/depart.hpp"
 #include "estimator/bidirectional/leg_terms.hpp"
+#include "estimator/bidirectional/surface_entry.hpp"
 #include "estimator/bidirectional/walk.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/event.hpp"
@@ -91,14 +92,15 @@ class WalkSteps {
   void score(Walker<T>& w) {
     if (!any(w.colliding)) return;
     const Mask<T> first = w.colliding & (w.vertices == Index<T>(0));
-    const Spread<T> spread = any(first) ? walks_.birth_record(w.walk).spread : Spread<T>{};
+    Spread<T> spread = any(first) ? walks_.birth_record(w.walk).spread : Spread<T>{};
+    if (sea_.waves.rough && any(first)) enter_by_slopes(w, first, spread);
     const T reach = reach_of(sea_, source_.cone(), first, w.photon, w.leg);
     const Arrival<T> arrival{w.ray, w.leg, first, w.vertices > Index<T>(1), reach};
     vertex_ = vertex_on(sea_, arrival, spread, w.photon, w.axis, samples_);
     walks_.add(w.colliding, w.walk, w.vertices, vertex_);
     const Mask<T> near = w.colliding & (w.vertices < Index<T>(2));
     if (any(near)) {
-      w.first.arrive(vertex_, arrival, samples_, source_.cone());
+      w.first.arrive(vertex_, arrival, spread, samples_);
       walks_.keep(near, w.walk, w.first, samples_.frees());
     }
     if (sea_.bed_angles > 0)
@@ -128,6 +130,13 @@ class WalkSteps {
   tally::BatchTally& tally;
 
  private:
+  /// First vertices may also be connected by entries that slopes draw.
+  PHOTIC_APART void enter_by_slopes(const Walker<T>& w, const Mask<T>& first, Spread<T>& spread) {
+    spread_by_entries(
+        slopes_over_rays(world_, source_.instrument(), w.photon.line, w.photon.position,
+                         walks_.entry(w.walk), walks_.birth_record(w.walk).lens, first),
+        spread);
+  }
   /// Those who stand at a rough surface meet facets until they go down in the water, or have left.
   PHOTIC_APART void cross_waves(Walker<T>& w) {
     const Mask<T> stand = w.on & !w.colliding;

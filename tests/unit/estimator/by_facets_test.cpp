@@ -34,7 +34,9 @@ struct Mean {
   double sum = 0, squares = 0, n = 0;
   void add(double x) { sum += x, squares += x * x, n += 1; }
   [[nodiscard]] double value() const { return sum / n; }
-  [[nodiscard]] double error() const { return std::sqrt(squares / n - value() * value()) / std::sqrt(n); }
+  [[nodiscard]] double error() const {
+    return std::sqrt(squares / n - value() * value()) / std::sqrt(n);
+  }
 };
 
 /// Of a way from a direction in which light rises in the water to one in which it goes down again.
@@ -62,10 +64,10 @@ Mean mean_of(By by, const RoughSurface<double>& surface, bool several, Told told
       mean.add(0);
       continue;
     }
-    const double g = by == By::light ? slanted(begun, photon.direction)
-                                     : slanted(-photon.direction, -begun);
-    const double bounded = told == Told::weight  ? photon.weight
-                           : told == Told::one   ? 1
+    const double g =
+        by == By::light ? slanted(begun, photon.direction) : slanted(-photon.direction, -begun);
+    const double bounded = told == Told::weight   ? photon.weight
+                           : told == Told::one    ? 1
                            : told == Told::chance ? met.chance
                                                   : 1 / met.chance;
     mean.add(g * bounded);

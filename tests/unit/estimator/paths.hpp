@@ -128,7 +128,7 @@ class Writer {
     vertex_ = vertex_on(world_.sea, arrival, spread_, photon_, walks.axis(0), samples_);
     walks.add(true, 0, before, vertex_);
     if (before < 2) {
-      first_.arrive(vertex_, arrival, samples_);
+      first_.arrive(vertex_, arrival, spread_, samples_);
       walks.keep(true, 0, first_, true);
     }
     if (bed) walks.come_to_bed(true, 0, walks.vertices(0) - 1);

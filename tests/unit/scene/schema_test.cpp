@@ -325,8 +325,9 @@ TEST(Starter, NamesTheKindsThereAre) {
   EXPECT_EQ(
       said("satellite"),
       "there is no starter scene 'satellite' (choose from: ship, ship-tilted, "
-      "biaxial, airborne, bathymetric, airborne-high, spaceborne, rov, fluorosensor-355, argo, "
-      "three-layers, minimal, benchmark-peaked, benchmark-hg)");
+      "ship-waves, biaxial, airborne, airborne-waves, bathymetric, airborne-high, spaceborne, "
+      "spaceborne-waves, rov, fluorosensor-355, argo, three-layers, minimal, benchmark-peaked, "
+      "benchmark-hg)");
 }
 
 }  // namespace
