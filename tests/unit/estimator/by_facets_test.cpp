@@ -89,7 +89,7 @@ TEST(ByFacets, WalksBackwardsCarryWhatLightDoes) {
   for (const auto& white : {none, some}) {
     const WavesView waves = steep_waves(white.fraction);
     const RoughSurface<double> surface{waves, 1.34, white};
-    for (const bool several : {false, true})
+    for (const bool several : {false, true})  // seen red: without 1 / (1 + Smith's function)
       expect_same(mean_of(By::light, surface, several, Told::weight, walks),
                   mean_of(By::back, surface, several, Told::weight, walks), 0.05,
                   several ? "several facets" : "one facet");
@@ -109,6 +109,38 @@ TEST(ByFacets, KnowHowLikelyTheOtherWalkIs) {
                   several ? "back, several" : "back, one");
     }
   }
+}
+
+/// Of walks that come down in the air, weighed by where they go in the water.
+Mean mean_from_air(By by, const RoughSurface<double>& surface, bool several, bool must) {
+  const RandomKey key{by == By::light ? 9U : 10U + (must ? 1U : 0U)};
+  Mean mean;
+  for (std::uint64_t n = 0; n < static_cast<std::uint64_t>(walks); ++n) {
+    const auto draw = [&](std::uint32_t block) { return uniforms<double>(key, n, 1, block); };
+    transport::Photon<double> photon;
+    photon.direction = {0.8, 0.1, -std::sqrt(1 - 0.65)};
+    const auto met = by == By::light ? light_by_facets(surface, photon, true, true, draw)
+                                     : back_by_facets(surface, photon, true, true, must, draw);
+    const bool counts = met.in_water && met.several == several;
+    mean.add(counts ? photon.weight * (1 + photon.direction.x) : 0);
+  }
+  return mean;
+}
+// A telescope's walk carries étendue: through one facet 1 / n^2 of what light does.
+TEST(ByFacets, WalksBackwardsTakeTheSquareOfTheIndex) {
+  const WavesView waves = steep_waves(0.2);
+  const RoughSurface<double> surface{waves, 1.34, some};
+  const auto light = mean_from_air(By::light, surface, false, false);
+  auto back = mean_from_air(By::back, surface, false, false);
+  back.sum *= 1.34 * 1.34, back.squares *= std::pow(1.34, 4);
+  expect_same(light, back, 0.02, "one facet");
+}
+// Walks that have to meet a further facet do so as often as those that choose.
+TEST(ByFacets, WalksThatMeetSeveralAreTheSameIfTheyHaveTo) {
+  const WavesView waves = steep_waves(0.2);
+  const RoughSurface<double> surface{waves, 1.34, some};
+  expect_same(mean_from_air(By::back, surface, true, false),
+              mean_from_air(By::back, surface, true, true), 0.15, "several");
 }
 
 }  // namespace
