@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scene/waves.hpp"
 #include "unit/scene/surface_scenes.hpp"
 
 namespace photic::scene {
@@ -232,6 +233,23 @@ TEST(Surface, KeysOfSeveralModelsHaveOneConditionInTheSchema) {
             json({"cox-munk", "gaussian", "paper"}));
   EXPECT_EQ(condition_for(surface, "upwind_slope_variance")["then"]["required"],
             json({"upwind_slope_variance", "crosswind_slope_variance"}));
+}
+
+// What the bidirectional estimator cannot do is told before a run.
+TEST(Surface, WhatTheBidirectionalEstimatorHasNot) {
+  Scene scene = read_text(edited(with_surface(waves)));
+  EXPECT_EQ(no_bidirectional(scene), std::nullopt);
+  scene.telescope[0].position_m.z = -1;
+  EXPECT_EQ(no_bidirectional(scene), "waves over instruments in the water in this version");
+  scene.sea.surface = surface_of(
+      R"(model = "gaussian", upwind_slope_variance = 0.0, crosswind_slope_variance = 0.02)");
+  EXPECT_EQ(no_bidirectional(scene), "waves of one direction in this version");
+  scene.sea.surface = {};
+  EXPECT_EQ(no_bidirectional(scene), std::nullopt);
+  scene.telescope[0].position_m.z = 1;
+  scene.sea.surface = surface_of(waves);
+  scene.source.position_m.z = -1;
+  EXPECT_EQ(no_bidirectional(scene), "waves over instruments in the water in this version");
 }
 
 }  // namespace
