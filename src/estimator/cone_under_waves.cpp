@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/random.hpp"
-#include "estimator/bidirectional/by_facets.hpp"
+#include "estimator/by_facets.hpp"
 #include "estimator/entry_cone.hpp"
 #include "geometry/axis.hpp"
 #include "instrument/laser.hpp"

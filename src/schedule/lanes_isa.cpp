@@ -7,6 +7,7 @@
 #include "core/pack.hpp"
 #include "estimator/analog/analog.hpp"
 #include "estimator/bidirectional/bidirectional.hpp"
+#include "estimator/forward/surface_echo.hpp"
 #include "lanes/lane_ledger.hpp"
 #include "schedule/engines.hpp"
 #include "schedule/pool.hpp"
@@ -67,6 +68,7 @@ class BidirectionalLanes final : public Simulator {
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     walks_.lend([&] { return std::make_unique<Walks>(world_, at_once()); },
                 [&](auto& walks) { walks.run(first, count, tally); });
+    estimator::surface_echo<lanes::LaneLedger<Lanes>>(world_, first, count, tally);
   }
 
   using Walks = estimator::Bidirectional<Lanes, lanes::LaneLedger<Lanes>>;

@@ -7,6 +7,7 @@
 #include "estimator/analog/analog.hpp"
 #include "estimator/bidirectional/bidirectional.hpp"
 #include "estimator/forward/history.hpp"
+#include "estimator/forward/surface_echo.hpp"
 #include "estimator/model.hpp"
 #include "schedule/simulator.hpp"
 
@@ -27,7 +28,8 @@ class ScalarSimulator final : public Simulator {
       case scene::Estimator::forward:
         return forward(first, count, tally);
       case scene::Estimator::bidirectional:
-        return estimator::Bidirectional<T, tally::Ledger>(world_, 1).run(first, count, tally);
+        estimator::Bidirectional<T, tally::Ledger>(world_, 1).run(first, count, tally);
+        return estimator::surface_echo<tally::Ledger>(world_, first, count, tally);
       case scene::Estimator::analog:
         return estimator::Analog<T, tally::Ledger>(world_).run(first, count, tally,
                                                                [](const auto&...) {});

@@ -13,7 +13,6 @@
 #include "estimator/bidirectional/walk.hpp"
 #include "estimator/bidirectional/walker.hpp"
 #include "estimator/draws.hpp"
-#include "estimator/forward/surface_echo.hpp"
 #include "estimator/termination.hpp"
 
 namespace photic::estimator {
@@ -168,7 +167,6 @@ class Bidirectional {
       done += now;
     }
     tally.ledger = tally.ledger + total(ledger);
-    if (world_.sea.waves.rough) surface_echo<Ledger>(world_, laser, count, tally);
   }
 
  private:

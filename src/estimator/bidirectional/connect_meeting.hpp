@@ -84,10 +84,12 @@ PHOTIC_APART void Connections<T>::meet_under_waves(const RayPairing<T>& pairing,
     if (!any(first)) return;
     const T ratio =
         slopes_over_rays(world_, instrument, line, where, entry, met.lens, Mask<T>(mask & first));
-    spread_by_entries(select(first, ratio, T(0)), spread);
+    spread = spread_by_entries(select(first, ratio, T(0)), spread);
   };
-  enter(pairing.i == Index<T>(0), of_laser, Index<T>(0), met.out_entry, met.out_spread);
-  enter(pairing.m == Index<T>(0), instrument(), met.back->line, met.back_entry, met.back_spread);
+  enter(pairing.i == Index<T>(0), of_laser, Index<T>(0), laser_.entry(pairing.laser),
+        met.out_spread);
+  enter(pairing.m == Index<T>(0), instrument(), met.back->line, entry_of(pairing.back, met),
+        met.back_spread);
   meet_there(pairing, mask, met, depth, place);
 }
 

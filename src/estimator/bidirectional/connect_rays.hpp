@@ -97,9 +97,10 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
                             serve_free_telescope(e, m);
                           });
                         });
+        if (!of_laser) return;
         const Mask<T> later = all & (pairing.i > Index<T>(0)) &
                               may_be_free(laser_, photic::estimator::of_laser, pairing.laser);
-        if (of_laser && any(later))
+        if (any(later))
           free_meetings(pairing, later, out_line, back_line, free_laser_start(pairing.laser), T(-1),
                         samples_.free_laser, birth.grid_offset,
                         [this](const Mask<T>& meet, const FreePairing<T>& at) {
@@ -177,9 +178,8 @@ Met<T> Connections<T>::met(const RayPair<T>& pair) const {
   if (world_.compares) met.line = back_.line(pair.pairing.back);
   met.telescope = seen_by(pair.pairing.back);
   if (sea_.waves.rough) {
-    met.out_entry = laser_.entry(pair.pairing.laser);
-    met.back_entry = back_.entry(pair.pairing.back);
     met.lens = pair.birth.lens;
+    met.moved = {T(0), T(0)};
   }
   return met;
 }
@@ -189,7 +189,7 @@ template <class T>
 void Connections<T>::translate(Met<T>& met, const Vec3<T>& translation) const {
   met.axis.x = met.axis.x + translation.x;
   met.axis.y = met.axis.y + translation.y;
-  met.back_entry.at = met.back_entry.at + Vec3<T>{translation.x, translation.y, T(0)};
+  if (sea_.waves.rough) met.moved = {translation.x, translation.y};
 }
 
 /// Rays that meet where both are as far from the axis of a rotation.
@@ -269,7 +269,7 @@ void Connections<T>::meet_translated(const RayPair<T>& pair, const Mask<T>& mask
   auto met = this->met(pair);
   met.telescope = seen_by(sight);
   translate(met, in_plane(telescope_, lens) - in_plane(telescope_, pair.birth.lens));
-  met.lens = lens;
+  if (sea_.waves.rough) met.lens = lens;
   meet_at(pair.pairing, passes, met, depth, place);
 }
 

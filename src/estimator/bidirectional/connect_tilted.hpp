@@ -51,7 +51,8 @@ PHOTIC_APART void Connections<T>::lengthen_to_entry(const RayPairing<T>& pairing
     return slopes_over_rays(world_, instrument(), line, from, by, lens, Mask<T>(!first));
   };
   const T before = ratio(v, entry, back_.birth_record(pairing.back).lens);
-  const T after = ratio(v + (met.back_entry.at - entry.at), met.back_entry, met.lens);
+  const auto moved = entry_of(pairing.back, met);
+  const T after = ratio(v + (moved.at - entry.at), moved, met.lens);
   const T wider = (T(1) + after) / (T(1) + before);
   met.back_free.footprint = met.back_free.footprint * wider;
   met.back_free.freed = after / (T(1) + after);
@@ -105,7 +106,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const RayPair<T>& p
   auto met = this->met(pair);
   met.telescope = telescope;
   translate(met, in_plane(telescope_, aside) + longer * outward);
-  met.lens = lens;
+  if (sea_.waves.rough) met.lens = lens;
   Ray back = pair.back;
   if (telescope_.submerged) {  // there a first ray begins at the lens
     const T begins = select(pair.pairing.m == Index<T>(0), longer, T(0));

@@ -135,6 +135,12 @@ class Connections {
   RayPair<T> pair_of(const RayPairing<T>& pairing) const;
   Met<T> met(const RayPair<T>& pair) const;
   void translate(Met<T>& met, const Vec3<T>& translation) const;
+  /// The entry of a telescope's walk, where that is now.
+  [[nodiscard]] SurfaceEntry<T> entry_of(const Index<T>& back, const Met<T>& met) const {
+    auto entry = back_.entry(back);
+    entry.at = entry.at + Vec3<T>{met.moved.x, met.moved.y, T(0)};
+    return entry;
+  }
   void meet_translated(const RayPair<T>& pair, const Mask<T>& mask, const T& depth,
                        const Index<T>& place);
   void meet_tilted(const RayPair<T>& pair, Mask<T> mask, instrument::PlanePoint<T> lens,

@@ -121,9 +121,6 @@ struct Met {
   const RotatedMeeting<T>* out_rotated = nullptr;  ///< at the first vertex, if not what it was
   T rest{1};  ///< by how much all other densities behind the telescope's ray grow
   T translation_area{};
-  // Through waves, where the walks are now:
-  SurfaceEntry<T> out_entry, back_entry;
-  instrument::PlanePoint<T> lens{};
   Vec3<T> out_moved{};        ///< from where the laser's walk was drawn; level
   RotationAxis<T> axis;       ///< of the telescope's walk, where it is now
   RotationAxis<T> own_axis;   ///< where it was drawn
@@ -132,6 +129,9 @@ struct Met {
   T longer{};                 ///< so much longer is the way from a tilted lens [m]
   Index<T> line{};            ///< of the light that comes back
   Index<T> telescope{};       ///< who sees it
+  // Under waves alone, and else not set, which takes time:
+  instrument::PlanePoint<T> lens;   ///< where the telescope's walk now comes through
+  instrument::PlanePoint<T> moved;  ///< it, from where it was drawn; level
 };
 
 /// Where two rays meet.

@@ -94,13 +94,10 @@ struct Leg {
   T length{};           ///< in the water [m]
   T walk_tau{};         ///< optical depth of the coefficient that free paths are drawn from
   Mask<T> reflected{};  ///< it was reflected by the surface
-  // By facets: chances that walks choose as it did, as of a Vertex.
-  T chance{1}, reverse_chance{1};
 
   friend Leg select(const Mask<T>& mask, const Leg& yes, const Leg& no) {
     return {select(mask, yes.length, no.length), select(mask, yes.walk_tau, no.walk_tau),
-            select(mask, yes.reflected, no.reflected), select(mask, yes.chance, no.chance),
-            select(mask, yes.reverse_chance, no.reverse_chance)};
+            select(mask, yes.reflected, no.reflected)};
   }
 };
 

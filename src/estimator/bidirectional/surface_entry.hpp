@@ -7,7 +7,7 @@
 #include "core/turn.hpp"
 #include "estimator/bidirectional/beam_spread.hpp"
 #include "estimator/bidirectional/birth.hpp"
-#include "estimator/bidirectional/by_facets.hpp"
+#include "estimator/by_facets.hpp"
 #include "estimator/entry_cone.hpp"
 #include "estimator/world.hpp"
 #include "geometry/sightline.hpp"
@@ -108,10 +108,11 @@ T slopes_over_rays(const World<T>& world, std::int32_t instrument, const Index<T
 }
 /// Both kinds of entries are drawn once: rays and slopes, so densely. Free walks enter by slopes.
 template <class T>
-void spread_by_entries(const T& slopes_over_rays, Spread<T>& spread) {
+Spread<T> spread_by_entries(const T& slopes_over_rays, Spread<T> spread) {
   const T both = T(1) + slopes_over_rays;
   spread.solid_angle = spread.solid_angle * both;
   spread.freed = slopes_over_rays / both;
+  return spread;
 }
 
 /// The weight of a walk that goes on from an entry in a direction of the cone. `line`: of its
@@ -165,7 +166,7 @@ EntryEdge<T> entry_to(const World<T>& world, std::int32_t instrument, const Inde
   spread.solid_angle = cone.solid_angle_at(one_minus_cos(edge.direction, cone.axis));
   edge.weight = weight_along(world.sea, edge.by, instrument != of_laser, line, edge.direction,
                              spread.solid_angle);
-  spread_by_entries(ratio, spread);
+  spread = spread_by_entries(ratio, spread);
   edge.area = spread.solid_angle * (edge.length * edge.length);
   edge.freed = spread.freed;
   edge.exists = edge.exists & (edge.weight > T(0));

@@ -3,7 +3,6 @@
 
 #include "core/constants.hpp"
 #include "core/elementary.hpp"
-#include "core/flatten.hpp"
 #include "estimator/bidirectional/beam_spread.hpp"
 #include "estimator/bidirectional/path_point.hpp"
 #include "estimator/entry_cone.hpp"
@@ -87,6 +86,12 @@ T connecting_area(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& 
   return select(first, from_instrument, area);
 }
 
+/// Chances that walks choose as one that facets have reflected did.
+template <class T>
+struct FacetChances {
+  T chance{1}, reverse_chance{1};
+};
+
 /// How a walk came to a vertex where it collides.
 template <class T>
 struct Arrival {
@@ -95,6 +100,8 @@ struct Arrival {
   Mask<T> first{};  ///< which leaves the instrument
   Mask<T> far{};    ///< the vertex lies beyond the walk's second
   T reach{};        ///< chance to come here by the leg, as the walk drew it
+  /// Under waves: chances that walks come through the facets of the leg, as of a Vertex.
+  const FacetChances<T>* facets = nullptr;
 };
 
 /// That chance. `cone`: of the walk's instrument.
@@ -107,11 +114,13 @@ T reach_of(const geometry::Slabs& sea, const EntryCone<T>& cone, const Mask<T>& 
 
 /// Comes to a vertex by facets. Walks come this way, either way; none are made to meet at its ends.
 template <class T>
-PHOTIC_APART void pass_facets(const Leg<T>& leg, Vertex<T>& v) {
-  v.chance = v.chance * leg.chance;
-  v.reverse_chance = v.reverse_chance * leg.reverse_chance;
-  v.translated = select(leg.reflected, T(0), v.translated);
-  v.added.translated = select(leg.reflected, T(0), v.added.translated);
+void pass_facets(const Arrival<T>& by, Vertex<T>& v) {
+  const Mask<T>& reflected = by.leg.reflected;
+  if (!any(reflected)) return;
+  v.chance = v.chance * select(reflected, by.facets->chance, T(1));
+  v.reverse_chance = v.reverse_chance * select(reflected, by.facets->reverse_chance, T(1));
+  v.translated = select(reflected, T(0), v.translated);
+  v.added.translated = select(reflected, T(0), v.added.translated);
 }
 
 /// The vertex where a photon collides. `axis`: that of the walk.
@@ -119,7 +128,7 @@ template <class T>
 Vertex<T> vertex_on(const geometry::Slabs& sea, const Arrival<T>& by, const Spread<T>& spread,
                     const transport::Photon<T>& photon, const RotationAxis<T>& axis,
                     const estimator::Samples<T>& samples) {
-  const auto& [ray, leg, first, far, reach] = by;
+  const auto& [ray, leg, first, far, reach, facets] = by;
   Vertex<T> v{walk_point(photon)};
   v.chance = ray.chance;
   v.reverse_chance = ray.reverse_chance;
@@ -143,7 +152,7 @@ Vertex<T> vertex_on(const geometry::Slabs& sea, const Arrival<T>& by, const Spre
   v.added.edges = ray.last_edge;
   v.added.translated = if_reversed(ray.translated, growth_per_reverse * ray.leaving_z());
   v.added.rotated = v.added_rotated.about(axis);
-  if (sea.waves.rough && any(leg.reflected)) pass_facets(leg, v);
+  if (facets != nullptr) pass_facets(by, v);
   v.behind.edges = ray.behind.edges;
   v.behind.translated = ray.behind.translated + select(far, v.added.translated, T(0));
   v.behind.rotated = ray.behind.rotated + v.added.rotated;

@@ -6,11 +6,11 @@
 #include <type_traits>
 
 #include "core/flatten.hpp"
-#include "estimator/bidirectional/by_facets.hpp"
 #include "estimator/bidirectional/depart.hpp"
 #include "estimator/bidirectional/leg_terms.hpp"
 #include "estimator/bidirectional/surface_entry.hpp"
 #include "estimator/bidirectional/walk.hpp"
+#include "estimator/by_facets.hpp"
 #include "estimator/draws.hpp"
 #include "estimator/event.hpp"
 #include "estimator/termination.hpp"
@@ -31,8 +31,9 @@ struct Walker : Track<T> {
   Index<T> event{}, vertices{};
   Ray<T> ray;  ///< its last one
   Leg<T> leg;
-  RotationAxis<T> axis;  ///< of a telescope's walk that has its pivot behind it
-  FirstVertex<T> first;  ///< as far as it is known
+  FacetChances<T> facets;  ///< of the leg, if facets have reflected it
+  RotationAxis<T> axis;    ///< of a telescope's walk that has its pivot behind it
+  FirstVertex<T> first;    ///< as far as it is known
 };
 
 /// Of walks from one instrument. A Source tells how they begin, what they draw, and whether light
@@ -83,7 +84,10 @@ class WalkSteps {
     return source_.in_time(photon);
   }
   void cross(Walker<T>& w) {
-    if (sea_.waves.rough) return cross_waves(w);
+    if (sea_.waves.rough) [[unlikely]] {
+      w = cross_waves(sea_, source_, walks_.from_telescope(), w);
+      return;
+    }
     const Mask<T> reflected = reflect_at_surface(sea_, w, Mask<T>(false), ledger);
     w.leg.reflected = w.leg.reflected | reflected;
   }
@@ -93,9 +97,13 @@ class WalkSteps {
     if (!any(w.colliding)) return;
     const Mask<T> first = w.colliding & (w.vertices == Index<T>(0));
     Spread<T> spread = any(first) ? walks_.birth_record(w.walk).spread : Spread<T>{};
-    if (sea_.waves.rough && any(first)) enter_by_slopes(w, first, spread);
+    if (sea_.waves.rough && any(first)) [[unlikely]]
+      spread = enter_by_slopes(world_, walks_, source_.instrument(), w.walk, w.photon.line,
+                               w.photon.position, first);
     const T reach = reach_of(sea_, source_.cone(), first, w.photon, w.leg);
-    const Arrival<T> arrival{w.ray, w.leg, first, w.vertices > Index<T>(1), reach};
+    const Arrival<T> arrival{w.ray, w.leg,
+                             first, w.vertices > Index<T>(1),
+                             reach, sea_.waves.rough ? &w.facets : nullptr};
     vertex_ = vertex_on(sea_, arrival, spread, w.photon, w.axis, samples_);
     walks_.add(w.colliding, w.walk, w.vertices, vertex_);
     const Mask<T> near = w.colliding & (w.vertices < Index<T>(2));
@@ -130,33 +138,37 @@ class WalkSteps {
   tally::BatchTally& tally;
 
  private:
-  /// First vertices may also be connected by entries that slopes draw.
-  PHOTIC_APART void enter_by_slopes(const Walker<T>& w, const Mask<T>& first, Spread<T>& spread) {
-    spread_by_entries(
-        slopes_over_rays(world_, source_.instrument(), w.photon.line, w.photon.position,
-                         walks_.entry(w.walk), walks_.birth_record(w.walk).lens, first),
-        spread);
+  // Under waves. Static, and with copies: what has its address taken is kept in memory.
+  /// First vertices, of a mask, may also be connected by entries that slopes draw.
+  PHOTIC_APART static Spread<T> enter_by_slopes(const World<T>& world, const Walks<T>& walks,
+                                                std::int32_t instrument, Index<T> walk,
+                                                Index<T> line, Vec3<T> position, Mask<T> first) {
+    const auto record = walks.birth_record(walk);
+    return spread_by_entries(
+        slopes_over_rays(world, instrument, line, position, walks.entry(walk), record.lens, first),
+        record.spread);
   }
-  /// Those who stand at a rough surface meet facets until they go down in the water, or have left.
-  PHOTIC_APART void cross_waves(Walker<T>& w) {
+  /// Those who stand at the surface meet facets until they go down in the water, or have left.
+  PHOTIC_APART static Walker<T> cross_waves(const geometry::Slabs& sea, Source& source, bool back,
+                                            Walker<T> w) {
     const Mask<T> stand = w.on & !w.colliding;
-    if (!any(stand)) return;
+    if (!any(stand)) return w;
     const T before = w.photon.weight;
-    const auto draw = [&](std::uint32_t block) { return source_.draw(w.walk, w.event, block); };
-    const bool back = walks_.from_telescope();
-    const auto surface = surface::rough_surface<T>(sea_, w.photon.line);
+    const auto draw = [&](std::uint32_t block) { return source.draw(w.walk, w.event, block); };
+    const auto surface = surface::rough_surface<T>(sea, w.photon.line);
     const auto by = back ? back_by_facets(surface, w.photon, stand, false, false, draw)
                          : light_by_facets(surface, w.photon, stand, false, draw);
     // A walk's weight is what light is worth that comes the path, but for its chances.
     if (back) {
       w.photon.weight = w.photon.weight * select(stand, by.chance, T(1));
-      w.leg.chance = w.leg.chance * select(stand, by.chance, T(1));
+      w.facets.chance = select(stand, by.chance, w.facets.chance);
     } else {
-      w.leg.reverse_chance = w.leg.reverse_chance * select(stand, by.chance, T(1));
+      w.facets.reverse_chance = select(stand, by.chance, w.facets.reverse_chance);
     }
-    book(ledger.escaped, stand, before - select(by.in_water, w.photon.weight, T(0)));
+    book(source.ledger.escaped, stand, before - select(by.in_water, w.photon.weight, T(0)));
     w.on = w.on & ((!stand) | by.in_water);
     w.leg.reflected = w.leg.reflected | stand;
+    return w;
   }
   void leave_vertex(Walker<T>& w) {
     const Mask<T>& colliding = w.colliding;

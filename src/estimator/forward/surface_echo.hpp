@@ -1,5 +1,5 @@
-// The surface's own echo, of light that has not been in the water: the forward estimator's, which
-// all estimators but the analog one take.
+// The surface's own echo, of light that has not been in the water. The bidirectional estimator's
+// walks leave it to the forward one.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,13 @@
 
 namespace photic::estimator {
 
-/// Of a batch's photons; nothing else of them counts.
+/// Of photons `first` … `first + count - 1` of a batch, if there are waves; nothing else of them
+/// counts.
 template <class Ledger, class T>
-PHOTIC_APART void surface_echo(const World<T>& world, const Draws<T>& draws, std::uint64_t count,
+PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::uint64_t count,
                                tally::BatchTally& tally) {
+  if (!world.sea.waves.rough) return;
+  const Draws<T> draws = draws_of_laser(world, first);
   Travellers<T> t(world);
   Estimates<T> estimates(world);
   PathRatios<T> paths(world.sea.environments, lanes_of<T>);
@@ -20,12 +23,12 @@ PHOTIC_APART void surface_echo(const World<T>& world, const Draws<T>& draws, std
   Ledger not_counted;
   for (std::uint64_t n = 0; n < count; n += lanes_of<T>) {
     const Mask<T> exist = first_lanes<T>(count - n);
-    const auto first = static_cast<std::int32_t>(n);
+    const auto number = static_cast<std::int32_t>(n);
     if (world.compares) {
       for (std::size_t k = 0; k < lanes_of<T>; ++k) paths.of(k).begin(world.sea.environments);
-      birth<AllEvents>(world, draws, first, exist, t, estimates, tally, not_counted);
+      birth<AllEvents>(world, draws, number, exist, t, estimates, tally, not_counted);
     } else {
-      birth<PlainEvents>(world, draws, first, exist, t, estimates, tally, not_counted);
+      birth<PlainEvents>(world, draws, number, exist, t, estimates, tally, not_counted);
     }
   }
   flush_queues(world, estimates, tally);

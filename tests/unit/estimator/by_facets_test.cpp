@@ -1,6 +1,6 @@
 // Walks that meet facets one by one: those that go the way of light backwards draw the same ways,
 // and know how likely the others do.
-#include "estimator/bidirectional/by_facets.hpp"
+#include "estimator/by_facets.hpp"
 
 #include <gtest/gtest.h>
 
