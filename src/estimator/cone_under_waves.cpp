@@ -95,6 +95,10 @@ EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, 
   set_rings(deviation, most, sea.waves.whitecap_fraction > 0 ? share_with_whitecaps : share_aside,
             cone);
   Spot<double>& spot = cone.spot;
+  if (!cone.by_depth) {  // no walk is free, and none becomes shorter
+    spot = {};
+    return cone;
+  }
   spot.radius_per_depth += farthest * of_facets * slope / (cone.steep * cone.steep);
   spot.least_path_per_depth = std::numeric_limits<double>::infinity();
   double most_per_depth = 0;
