@@ -58,6 +58,8 @@ class Reserve {
     if (world_.sea.bed_angles > 0) member(t.touched);
     for (auto& point : t.lens) member(point.x), member(point.y);
     for (std::size_t i = 1; i < t.u.size(); ++i) member(t.u[i]);
+    if (world_.sea.waves.rough)
+      for (auto& number : t.surface) member(number);
     if (world_.makes_choices)
       for (auto& number : t.choices) member(number);
     if (world_.all_events) member(t.analog_before), member(t.importance_before);
