@@ -72,8 +72,9 @@ const std::string peaked = channel("elastic") + water(0.06, 0.10, peaked_phase);
 class Engines : public testing::TestWithParam<Case> {};
 
 // Nothing is said of chance here: by how much the echoes of the same photons may differ is a
-// fifth of what they are uncertain by. Seen red: with paths that begin 0.02 m too long in lanes; with
-// photons that leave the numbers of their point of the surface behind when they wait for a lane.
+// fifth of what they are uncertain by. Seen red: with paths that begin 0.02 m too long in lanes;
+// with photons that leave the numbers of their point of the surface behind when they wait for a
+// lane.
 TEST_P(Engines, Agree) {
   const Case& c = GetParam();
   for (const std::string estimator : {"forward", "bidirectional"}) {
