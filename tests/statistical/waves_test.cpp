@@ -9,6 +9,7 @@
 #include "core/constants.hpp"
 #include "optics/fresnel.hpp"
 #include "optics/sea_slopes.hpp"
+#include "support/lidars_over_waves.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
@@ -33,26 +34,6 @@ Echo echo_of(const tally::Result& r, const std::string& process, std::size_t tel
   return out;
 }
 
-/// Laser and telescope at one place, looking off nadir towards an azimuth [degrees].
-struct Lidar {
-  double height = 12, off_nadir = 0, azimuth = 0, lens = 0.04, view_mrad = 400, divergence_mrad = 1;
-  double laser = 1e-6;  ///< its diameter
-};
-std::string instrument(const Lidar& l) {
-  const double t = l.off_nadir * radian_per_degree, a = l.azimuth * radian_per_degree;
-  const std::string place =
-      fmt::format("position_m = [0.0, 0.0, {}]\ndirection = [{:.15g}, {:.15g}, {:.15g}]\n",
-                  l.height, std::sin(t) * std::cos(a), std::sin(t) * std::sin(a), -std::cos(t));
-  return fmt::format(
-             "[source]\nwavelength_nm = 532.0\n{0}diameter_m = {1}\nhalf_divergence_mrad = {2}\n"
-             "[[telescope]]\n{0}diameter_m = {3}\nfocal_length_m = 1.0\n"
-             "half_field_of_view_mrad = {4}\n",
-             place, l.laser, l.divergence_mrad, l.lens, l.view_mrad) +
-         channel("elastic");
-}
-std::string sea(const std::string& surface, const std::string& more = "") {
-  return fmt::format("[sea]\nsurface = {{ {} }}\n{}", surface, more);
-}
 /// Of 2 m, one of them above the sea.
 const std::string gates = "[gates]\ndepth_min_m = -2.0\ndepth_max_m = 4.0\ndepth_step_m = 2.0\n";
 const std::string some_water = water(0.06, 0.10, R"({ model = "henyey-greenstein", g = 0.5 })");
@@ -74,7 +55,7 @@ TEST(Glint, IsWhatTheSlopesThatLookBackReflect) {
                          .divergence_mrad = 0.1}}) {
     constexpr double wind_from = 30;
     const auto r = run_in_lanes(
-        read(instrument(l) +
+        read(instrument(l) + channel("elastic") +
              sea(fmt::format("model = \"cox-munk\", wind_speed_m_s = 5.0, wind_direction_deg = {}, "
                              "whitecaps = false",
                              wind_from),
@@ -101,8 +82,9 @@ TEST(Glint, IsWhatTheSlopesThatLookBackReflect) {
 TEST(Glint, OfWavesOfOneDirectionIsWhatTheyReflect) {
   const Lidar ship{.lens = 0.4, .divergence_mrad = 5, .laser = 0.04};
   const auto glint = [&](const std::string& surface) {
-    return echo_of(run_in_lanes(read(instrument(ship) + sea(surface, "refractive_index = 1.34\n") +
-                                     some_water + gates + simulation(1e6, 4))),
+    return echo_of(run_in_lanes(read(instrument(ship) + channel("elastic") +
+                                     sea(surface, "refractive_index = 1.34\n") + some_water +
+                                     gates + simulation(1e6, 4))),
                    "surface");
   };
   ZFamily family(0.01);
@@ -120,7 +102,7 @@ TEST(Whitecaps, HaveAnEchoOfTheirOwn) {
   const auto glint = [&](const std::string& more) {
     return echo_of(
         run_in_lanes(
-            read(instrument({}) +
+            read(instrument({}) + channel("elastic") +
                  sea("model = \"cox-munk\", wind_speed_m_s = 10.0, gram_charlier = false" + more) +
                  some_water + gates + simulation(4e5, 5))),
         "surface");
@@ -133,25 +115,8 @@ TEST(Whitecaps, HaveAnEchoOfTheirOwn) {
   EXPECT_LT(with.error, 0.01 * expected);
 }
 
-// Light scattered once between 4 and 8 m, through slopes of 0.18 and 0.12: 7.1264e-6 photons for
-// each (six other ways to compute it agree).
 TEST(Waves, BringSingleScatteringToALens) {
-  const Lidar l{.lens = 2, .view_mrad = 120, .divergence_mrad = 20};
-  const auto r = run_in_lanes(
-      read(instrument(l) +
-           sea("model = \"gaussian\", upwind_slope_variance = 0.0324, "
-               "crosswind_slope_variance = 0.0144",
-               "refractive_index = 1.34\ngroup_index = 1.34\n") +
-           some_water + "[gates]\ndepth_max_m = 30.0\ndepth_step_m = 30.0\ndepth_cells = 15\n" +
-           simulation(3e6, 6, "max_order = 1")));
-  double mean = 0, squares = 0;
-  for (const std::size_t cell : {2U, 3U}) {
-    mean += r.echo_by_depth.mean[cell];
-    squares += std::pow(r.echo_by_depth.standard_error[cell], 2);
-  }
-  EXPECT_EQ(r.depth_edge_m[2], 4);
-  EXPECT_NEAR(mean, 7.1264e-6, 4 * std::hypot(std::sqrt(squares), 0.4e-9));
-  EXPECT_LT(std::sqrt(squares), 1e-8);
+  expect_single_scattering(run_in_lanes(single_scattering_through_waves(3e6, "", "forward")), 1e-8);
 }
 
 struct Case {
@@ -241,15 +206,7 @@ TEST(Waves, OverOtherWaterAreItsOwnRun) {
   const auto all = run_in_lanes(
       scene(0.05, "[[environment]]\nset = { \"sea.layer.0.iop.0.a_per_m\" = 0.15 }\n", 9));
   const auto own = run_in_lanes(scene(0.15, "", 10));
-  ZFamily family(0.01);
-  for (std::size_t i = 0; i < own.echo.mean.size(); ++i) {
-    const double error =
-        std::hypot(all.environment_echo.standard_error[i], own.echo.standard_error[i]);
-    if (!(error < 0.1 * own.echo.mean[i])) continue;
-    family.add(all.environment_echo.mean[i], own.echo.mean[i], error, fmt::format("cell {}", i));
-  }
-  EXPECT_GE(family.size(), 6U);
-  family.judge();
+  expect_environment_is(all, own, 6);
 }
 
 }  // namespace
