@@ -52,7 +52,7 @@ def _curve(panel, depth, middle, ends, settled, colour):
     where = there.repeat(2) & rest
     panel.fill_betweenx(*twice, where=where, alpha=FADED_BAND, **look)
     thick = numpy.where(settled, middle, numpy.nan)
-    alone = list(numpy.flatnonzero(_alone(settled)))  # a line needs two neighbours
+    alone = list(numpy.flatnonzero(_alone(settled & there)))  # a line needs two neighbours
     dots = {"marker": "o", "markersize": 3, "markevery": alone}
     panel.plot(thick, depth, color=colour, linewidth=1.8, **dots)
     panel.plot(middle, depth, color=colour, linewidth=0.8, alpha=FADED)
@@ -60,10 +60,10 @@ def _curve(panel, depth, middle, ends, settled, colour):
     panel.plot(middle[marked], depth[marked], color=colour, **_circles())
 
 
-def _alone(settled):
-    """Those that have converged, between gates that have not."""
-    around = numpy.concatenate([[False], settled, [False]])
-    return settled & ~around[:-2] & ~around[2:]
+def _alone(drawn):
+    """Those that the line has, between gates that it has not."""
+    around = numpy.concatenate([[False], drawn, [False]])
+    return drawn & ~around[:-2] & ~around[2:]
 
 
 def _circles():

@@ -6,6 +6,7 @@ import matplotlib.image
 import numpy
 import pytest
 from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
 
 import photic
 from photic import panels, plot
@@ -384,10 +385,16 @@ def test_each_telescope_has_its_own_depths(sample, drawn):
 
 def test_a_gate_that_has_converged_alone_is_seen():
     # Seen red: as part of a line, which needs two gates.
-    from matplotlib.figure import Figure
-
     panel = Figure().add_subplot()
     settled = numpy.array([True, False, True, False, False, True, True])
     depth, middle = numpy.arange(7.0), numpy.linspace(2, 1, 7)
     panels._curve(panel, depth, middle, (middle - 0.1, middle + 0.1), settled, "black")
     assert panel.lines[0].get_marker() == "o" and panel.lines[0].get_markevery() == [0, 2]
+
+
+def test_a_gate_that_has_light_alone_is_seen():
+    # The surface's own echo fills one gate. Seen red: with marks for gates between those that have not converged alone.
+    panel = Figure().add_subplot()
+    depth, middle = numpy.arange(4.0), numpy.array([1.0, numpy.nan, numpy.nan, numpy.nan])
+    panels._curve(panel, depth, middle, (middle, middle), numpy.full(4, True), "black")
+    assert panel.lines[0].get_markevery() == [0]
