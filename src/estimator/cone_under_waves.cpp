@@ -17,9 +17,9 @@ namespace photic::estimator {
 namespace {
 
 /// How much of the light that comes down along a direction goes into the water by way of several
-/// facets. From a few thousand rays, always the same ones.
+/// facets. From a thousand rays, always the same ones.
 double share_of_several(const medium::MediumView& sea, const Vec3<double>& outside) {
-  constexpr int rays = 4096;
+  constexpr int rays = 1024;
   const auto surface = surface::rough_surface<double>(sea, 0);
   const RandomKey key{0};
   double sum = 0;
@@ -72,21 +72,45 @@ constexpr double farthest = 5 * transport::wider_slopes;
 /// wider than what slopes do with light from so deep [m].
 constexpr double by_slopes_from = 10;
 
-/// `flat`: of the same instrument over a flat surface; `radius`: of the spot on the surface across
-/// its rays [m], 0 if they seem to come from no point above it.
-EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, double radius,
+/// How slopes and rays turn light in the water at an instrument's axis: angle there per slope, and
+/// per angle in the air.
+struct Turning {
+  double per_slope, per_angle, slope;  ///< `slope`: the larger deviation of slopes
+};
+Turning turning_at(const EntryCone<double>& cone, const medium::Medium& medium) {
+  const auto waves = medium.view().waves;
+  const double n = medium.line.front().refractive_index;
+  const double per_angle =
+      std::sqrt(std::max(0.0, 1 - n * n * (1 - cone.steep * cone.steep))) / (n * cone.steep);
+  return {1 - per_angle, per_angle, std::max(waves.upwind_deviation, waves.crosswind_deviation)};
+}
+/// `radius`: of the spot that an instrument's rays fill on the surface, across them [m].
+bool are_wider_than_slopes(double radius, const EntryCone<double>& flat,
+                           const medium::Medium& medium) {
+  const auto turning = turning_at(flat, medium);
+  return radius > by_slopes_from * turning.per_slope * turning.slope;
+}
+double spot_radius(const scene::Telescope& telescope) {
+  return geometry::way_ahead(telescope.position_m, normalised(telescope.direction)) *
+         std::tan(half_view(telescope));
+}
+/// 0 if its rays seem to come from no point above the surface.
+double spot_radius(const scene::Source& source) {
+  const auto laser = instrument::make_laser<double>(source);
+  if (!can_be_met(laser)) return 0;
+  return source.diameter_m / 2 + laser.ahead * std::tan(source.half_divergence_mrad * 1e-3);
+}
+
+/// `flat`: of the same instrument over a flat surface.
+EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, bool by_slopes,
                               const medium::Medium& medium, double deepest, bool frees) {
   const auto sea = medium.view();
-  const double n = medium.line.front().refractive_index;
   EntryCone<double> cone = flat;
   cone.exact = true;
   cone.even_outside = false;
-  const double steep_outside = std::sqrt(1 - n * n * (1 - cone.steep * cone.steep));
-  const double of_facets = 1 - steep_outside / (n * cone.steep);  // angle in the water per slope
-  const double of_rays = steep_outside / (n * cone.steep);        // per angle in the air
-  const double slope = std::max(sea.waves.upwind_deviation, sea.waves.crosswind_deviation);
-  cone.enters_by_slopes = radius > by_slopes_from * of_facets * slope;
-  cone.by_depth = frees && cone.enters_by_slopes;
+  const auto [of_facets, of_rays, slope] = turning_at(flat, medium);
+  cone.enters_by_slopes = by_slopes;
+  cone.by_depth = frees && by_slopes;
   const double deviation = std::hypot(of_facets * slope, of_rays * half_angle / 2);
   const double axis_angle = std::acos(cone.steep);
   const double most = pi / 2 - above_horizon - axis_angle;
@@ -113,20 +137,22 @@ EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, 
 
 }  // namespace
 
+bool enters_by_slopes(const scene::Telescope& telescope, const medium::Medium& medium) {
+  return are_wider_than_slopes(spot_radius(telescope), entry_cone(telescope, medium, 0), medium);
+}
+bool enters_by_slopes(const scene::Source& source, const medium::Medium& medium) {
+  return are_wider_than_slopes(spot_radius(source), entry_cone(source, medium, 0), medium);
+}
+
 EntryCone<double> cone_under_waves(const scene::Telescope& telescope, const medium::Medium& medium,
                                    double deepest, bool frees) {
-  const double half_angle = half_view(telescope);
-  const double way = geometry::way_ahead(telescope.position_m, normalised(telescope.direction));
-  return under_waves(entry_cone(telescope, medium, deepest), half_angle, way * std::tan(half_angle),
-                     medium, deepest, frees);
+  return under_waves(entry_cone(telescope, medium, deepest), half_view(telescope),
+                     enters_by_slopes(telescope, medium), medium, deepest, frees);
 }
 EntryCone<double> cone_under_waves(const scene::Source& source, const medium::Medium& medium,
                                    double deepest, bool frees) {
-  const auto laser = instrument::make_laser<double>(source);
-  const double half_angle = source.half_divergence_mrad * 1e-3;
-  const double radius = source.diameter_m / 2 + laser.ahead * std::tan(half_angle);
-  return under_waves(entry_cone(source, medium, deepest), half_angle,
-                     can_be_met(laser) ? radius : 0, medium, deepest, frees);
+  return under_waves(entry_cone(source, medium, deepest), source.half_divergence_mrad * 1e-3,
+                     enters_by_slopes(source, medium), medium, deepest, frees);
 }
 
 }  // namespace photic::estimator

@@ -212,6 +212,10 @@ EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Me
                              double deepest, const std::vector<InnerCone>& inner = {});
 EntryCone<double> entry_cone(const scene::Source& source, const medium::Medium& medium,
                              double deepest);
+/// Whether, under waves, an instrument's entries are also drawn by slopes: only then walks are
+/// free.
+bool enters_by_slopes(const scene::Telescope& telescope, const medium::Medium& medium);
+bool enters_by_slopes(const scene::Source& source, const medium::Medium& medium);
 /// The same under waves. `frees`: for free walks.
 EntryCone<double> cone_under_waves(const scene::Telescope& telescope, const medium::Medium& medium,
                                    double deepest, bool frees);

@@ -57,7 +57,7 @@ Strategy free_telescopes(const scene::Scene& scene, const medium::Medium& medium
   const bool rough = scene.sea.surface.is_rough();
   std::string bound;
   for (const auto& t : scene.telescope) {
-    if (rough ? cone_under_waves(t, medium, 0, true).by_depth : entry_cone(t, medium, 0).by_depth)
+    if (rough ? enters_by_slopes(t, medium) : entry_cone(t, medium, 0).by_depth)
       out.used = true;
     else
       bound += (bound.empty() ? "" : ", ") + t.name;
@@ -75,7 +75,7 @@ Strategy free_laser(const scene::Scene& scene, const medium::Medium& medium) {
   if (!instrument::can_be_met(laser))
     return off(name, "its rays seem to come from below the surface");
   if (scene.sea.surface.is_rough()) {
-    if (!cone_under_waves(scene.source, medium, 0, true).by_depth)
+    if (!enters_by_slopes(scene.source, medium))
       return off(name, "waves spread light wider than the beam is on the surface");
     return {name, true, {}};
   }

@@ -36,6 +36,16 @@ bool can_be_met(const Laser<T>& laser) {
   return !laser.collimated && (laser.submerged || any(fictitious_vertex(laser).z > T(0)));
 }
 
+/// What the way in the air from a laser's disc to a place, along the ray from the fictitious
+/// vertex, is longer than from the disc to the origin by the axis [m]. `distance`: from that
+/// vertex; `x`: 1 - cos of the ray's angle to the axis.
+template <class T>
+T longer_from_disc(const Laser<T>& laser, const Vec3<T>& place, const T& distance, const T& x) {
+  const Vec3<T> vertex = fictitious_vertex(laser);
+  return longer_by(vertex, -place, length(vertex) + distance) + laser.vertex_detour -
+         x * (laser.vertex_distance / (T(1) - x));
+}
+
 template <class T>
 Laser<T> make_laser(const scene::Source& s) {
   const double half_divergence = s.half_divergence_mrad * 1e-3;

@@ -138,7 +138,7 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
     simulation.estimator_reason = "the only one that has the tools asked for in this version";
     return chosen;
   }
-  if (const auto reason = scene::no_bidirectional(scene)) {
+  if (const auto reason = scene::bidirectional_lacks(scene)) {
     simulation.estimator = scene::Estimator::forward;
     simulation.estimator_reason = "the bidirectional one has no " + *reason;
     return chosen;

@@ -26,7 +26,7 @@ void check_size(const Surface& surface, Findings& findings) {
 /// What knows the flat surface alone.
 void check_simulation(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
-  if (const auto reason = no_bidirectional(scene);
+  if (const auto reason = bidirectional_lacks(scene);
       reason && s.estimator == Estimator::bidirectional)
     findings.add("simulation.estimator", "the bidirectional estimator has no " + *reason,
                  "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
@@ -53,7 +53,7 @@ void check_whitecaps(const Surface& surface, Findings& findings) {
 
 }  // namespace
 
-std::optional<std::string> no_bidirectional(const Scene& scene) {
+std::optional<std::string> bidirectional_lacks(const Scene& scene) {
   const Surface& surface = scene.sea.surface;
   if (!surface.is_rough()) return {};
   if (surface.is_one_dimensional()) return "waves of one direction in this version";

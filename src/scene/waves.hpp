@@ -9,6 +9,6 @@
 namespace photic::scene {
 
 /// What the bidirectional estimator has not yet that a scene's waves ask for, if there is anything.
-std::optional<std::string> no_bidirectional(const Scene& scene);
+std::optional<std::string> bidirectional_lacks(const Scene& scene);
 
 }  // namespace photic::scene

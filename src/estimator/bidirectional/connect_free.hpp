@@ -143,8 +143,8 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_telescope(FreePairin
   const Vertex first = back_.vertex(pairing.back, Index<T>(0));
   const Vec3<T> moved = apart(pair, pairing.depth);
   if (sea_.waves.rough) {
-    const auto entry = entry_by_slopes(world_, instrument(), first.line, first.position + moved,
-                                       back_.entry(pairing.back), pair.birth.lens, mask);
+    const auto entry = entry_to(world_, instrument(), first.line, first.position + moved,
+                                back_.entry(pairing.back), pair.birth.lens, true, mask);
     return free_telescope_by(pairing, pair, first, moved, sightline_along(entry, receiver_.region),
                              edge_to_telescope(mask, entry, first.line, pair.birth.lens));
   }
@@ -233,7 +233,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_laser(FreePairing<T>
   const Mask<T> may = sea_.bed_angles > 1 ? mask & !on_bed(first.layer) : mask;
   if (sea_.waves.rough) {
     const auto entry =
-        entry_by_slopes(world_, of_laser, Index<T>(0), at, laser_.entry(pairing.laser), {}, may);
+        entry_to(world_, of_laser, Index<T>(0), at, laser_.entry(pairing.laser), {}, true, may);
     const auto way = sightline_along(entry, world_.laser_region);
     return free_laser_by(pairing, pair, first, moved, way,
                          way_to_laser(may, at, first.layer, way, entry));

@@ -168,9 +168,7 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
   const T x = one_minus_cos(-way.arriving, laser.axis);
   // The way from the disc on; the fictitious vertex lies behind it.
   const T hidden = laser.vertex_distance / (T(1) - x);
-  const Vec3<T> vertex = fictitious_vertex(laser);
-  const T longer = longer_by(vertex, -way.crossing, length(vertex) + way.length_air);
-  const T air = way.to.in_air ? longer + laser.vertex_detour - x * hidden : T(0);
+  const T air = way.to.in_air ? longer_from_disc(laser, way.crossing, way.length_air, x) : T(0);
   WayToLaser<T> out;
   out.water = way.to.in_air ? way.length_water : way.length_water - hidden;
   out.path = air + out.water * gather<T>(sea_.group_index, line);

@@ -37,16 +37,14 @@ SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser, const Index<T>
 template <class T>
 SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser, const Vec3<T>& at, T& density) {
   using std::abs;
-  const Vec3<T> vertex = fictitious_vertex(laser);
-  const Vec3<T> way = at - vertex;
+  const Vec3<T> way = at - fictitious_vertex(laser);
   const T distance = length(way);
   SurfaceEntry<T> entry;
   entry.at = at;
   entry.outside = (T(1) / distance) * way;
   const T x = one_minus_cos(entry.outside, laser.axis);
   entry.exists = x < laser.one_minus_cos_divergence;
-  entry.path = longer_by(vertex, -at, length(vertex) + distance) + laser.vertex_detour -
-               x * (laser.vertex_distance / (T(1) - x));
+  entry.path = longer_from_disc(laser, at, distance, x);
   density =
       abs(entry.outside.z) / (distance * distance * T(2 * pi) * laser.one_minus_cos_divergence);
   return entry;
@@ -171,12 +169,6 @@ EntryEdge<T> entry_to(const World<T>& world, std::int32_t instrument, const Inde
   edge.freed = spread.freed;
   edge.exists = edge.exists & (edge.weight > T(0));
   return edge;
-}
-template <class T>
-EntryEdge<T> entry_by_slopes(const World<T>& world, std::int32_t instrument, const Index<T>& line,
-                             const Vec3<T>& to, const SurfaceEntry<T>& own,
-                             const instrument::PlanePoint<T>& lens, const Mask<T>& wanted) {
-  return entry_to(world, instrument, line, to, own, lens, true, wanted);
 }
 /// An edge as light goes along it to the instrument, or would if it went back.
 template <class T>

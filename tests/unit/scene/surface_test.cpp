@@ -238,18 +238,18 @@ TEST(Surface, KeysOfSeveralModelsHaveOneConditionInTheSchema) {
 // What the bidirectional estimator cannot do is told before a run.
 TEST(Surface, WhatTheBidirectionalEstimatorHasNot) {
   Scene scene = read_text(edited(with_surface(waves)));
-  EXPECT_EQ(no_bidirectional(scene), std::nullopt);
+  EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);
   scene.telescope[0].position_m.z = -1;
-  EXPECT_EQ(no_bidirectional(scene), "waves over instruments in the water in this version");
+  EXPECT_EQ(bidirectional_lacks(scene), "waves over instruments in the water in this version");
   scene.sea.surface = surface_of(
       R"(model = "gaussian", upwind_slope_variance = 0.0, crosswind_slope_variance = 0.02)");
-  EXPECT_EQ(no_bidirectional(scene), "waves of one direction in this version");
+  EXPECT_EQ(bidirectional_lacks(scene), "waves of one direction in this version");
   scene.sea.surface = {};
-  EXPECT_EQ(no_bidirectional(scene), std::nullopt);
+  EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);
   scene.telescope[0].position_m.z = 1;
   scene.sea.surface = surface_of(waves);
   scene.source.position_m.z = -1;
-  EXPECT_EQ(no_bidirectional(scene), "waves over instruments in the water in this version");
+  EXPECT_EQ(bidirectional_lacks(scene), "waves over instruments in the water in this version");
 }
 
 }  // namespace
