@@ -70,7 +70,11 @@ def main():
     if options[:1] == ["--reference"]:
         reference, options = read(options[1]), options[2:]
     with tempfile.TemporaryDirectory() as folder:
-        runs = [run(program, scene, seed, options, Path(folder) / f"{seed}.nc") for seed in range(1, seeds + 1)]
+        runs = []
+        for seed in range(1, seeds + 1):
+            runs.append(run(program, scene, seed, options, Path(folder) / f"{seed}.nc"))
+            if reference and any(rows.shape != reference[kind].shape for kind, rows in runs[0].items()):
+                sys.exit("coverage_by_seeds.py: the reference has other gates or channels than the scene")
     for kind in runs[0]:
         tell(kind, runs, reference)
 

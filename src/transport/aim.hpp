@@ -6,6 +6,7 @@
 #include "geometry/sightline.hpp"
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
+#include "transport/facets_in_line.hpp"
 
 namespace photic::transport {
 
@@ -24,6 +25,26 @@ Aim<T> aim(const medium::MediumView& sea, const instrument::Telescope<T>& telesc
            const Vec3<T>& to, geometry::Route route, const Mask<T>& near_view) {
   const auto way = geometry::sightline(sea, from, line, to, region, route, near_view);
   return {way.direction, -dot(way.arriving, telescope.axis) > T(0)};
+}
+
+/// To a point of the lens by the point of a rough surface that the local estimate would draw by the
+/// same numbers `u`.
+template <class T>
+Aim<T> aim_by_waves(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+                    const geometry::Region<T>& region, const Vec3<T>& from, const Index<T>& line,
+                    const instrument::PlanePoint<T>& lens, const SurfacePointUniforms<T>& u) {
+  const auto level = near_level(sea, from, line, in_space(telescope, lens), region, Mask<T>(true));
+  const T n1 = region.in_air ? gather<T>(sea.index, line) : T(1);
+  const auto point = sea.waves.one_dimensional
+                         ? draw_point_in_line(sea.waves, telescope, from, lens, level, n1, u).point
+                         : draw_point(sea.waves, telescope, from, lens, level, u);
+  const Vec3<T> way = point.at - from;
+  const auto onward = from_surface(telescope, lens, point.at);
+  const Mask<T> in_front =
+      point.exists & (from.z < T(0)) & (-dot(onward.direction, telescope.axis) > T(0));
+  // None has a direction from where a point does not exist, and up is as good as any.
+  const Vec3<T> up{T(0), T(0), T(1)};
+  return {select(in_front, (T(1) / length(way)) * way, up), in_front};
 }
 
 }  // namespace photic::transport

@@ -63,17 +63,12 @@ WeighedPoint<T> weighed_point(const surface::RoughSurface<T>& surface,
                               const NearLevel<T>& level, const SurfacePointUniforms<T>& u) {
   const auto& waves = surface.waves;
   const auto [share_seen, share_slopes, share_above] = point_shares(waves);
-  const Mask<T> by_detector = u.choice < T(share_seen);
-  const auto seen = point_seen(telescope, lens, u.radius, u.azimuth);
-  Vec3<T> at = select(by_detector, seen.at, point_by_slopes(level, waves, u.radius, u.azimuth));
-  if (share_above > 0)
-    at = select(u.choice >= T(share_seen + share_slopes), point_above(from, u.radius, u.azimuth),
-                at);
+  const auto drawn = draw_point(waves, telescope, from, lens, level, u);
   WeighedPoint<T> point;
-  go_by(from, telescope, lens, at, point);
-  point.exists = (seen.exists | !by_detector) & point.onward.seen;
+  go_by(from, telescope, lens, drawn.at, point);
+  point.exists = drawn.exists & point.onward.seen;
   T density = T(share_seen) * density_seen(telescope, point.onward) +
-              T(share_slopes) * density_by_slopes(level, waves, at);
+              T(share_slopes) * density_by_slopes(level, waves, drawn.at);
   if (share_above > 0)
     density = density + T(share_above) * density_above(point.arriving, point.length);
   point.value =
@@ -81,8 +76,6 @@ WeighedPoint<T> weighed_point(const surface::RoughSurface<T>& surface,
   return point;
 }
 
-/// Of the points by which waves of one direction are crossed, if there are whitecaps.
-inline constexpr double share_for_whitecaps = 0.25;
 /// By waves of one direction, or by whitecaps between them.
 template <class T>
 WeighedPoint<T> weighed_point_in_line(const surface::RoughSurface<T>& surface,
@@ -92,20 +85,12 @@ WeighedPoint<T> weighed_point_in_line(const surface::RoughSurface<T>& surface,
   using std::abs;
   const auto& waves = surface.waves;
   const auto axes = axes_of<T>(waves);
-  const double share_white = waves.whitecap_fraction > 0 ? share_for_whitecaps : 0;
-  const Mask<T> white = u.choice < T(share_white);
-  const T rest = left_of_choice(u.choice, T(share_white));
-  const T n1 = back ? T(1) : surface.n;
-  const auto in_line =
-      point_in_line(axes, level, telescope, lens, from, n1, T(1), rest, u.radius, u.azimuth);
-  const auto seen = point_seen(telescope, lens, u.radius, u.azimuth);
-  const Mask<T> by_detector = rest < T(0.5);
-  const Vec3<T> anywhere =
-      share_white > 0 ? select(by_detector, seen.at, point_above(from, u.radius, u.azimuth))
-                      : seen.at;
+  const double share_white = share_of_whitecaps(waves);
+  const auto [white, drawn, in_line] =
+      draw_point_in_line(waves, telescope, from, lens, level, back ? T(1) : surface.n, u);
   WeighedPoint<T> point;
-  go_by(from, telescope, lens, select(white, anywhere, in_line.at), point);
-  point.exists = (seen.exists | !(white & by_detector)) & point.onward.seen;
+  go_by(from, telescope, lens, drawn.at, point);
+  point.exists = drawn.exists & point.onward.seen;
   const auto by = surface.facets(Mask<T>(false), back, point.arriving, point.onward.direction);
   const T slope = waves.crosswind_deviation == 0 ? by.slope.upwind : by.slope.crosswind;
   const T across = waves.crosswind_deviation == 0 ? by.slope.crosswind : by.slope.upwind;

@@ -3,6 +3,7 @@
 // along the waves' direction, from the density of slopes or evenly where the detector sees.
 #pragma once
 
+#include "core/random.hpp"
 #include "transport/surface_points.hpp"
 
 namespace photic::transport {
@@ -104,6 +105,35 @@ PointInLine<T> point_in_line(const WavesAxes<T>& axes, const NearLevel<T>& level
   const T by_slopes = T(1 / std::sqrt(2 * pi)) * exp_minus(T(0.5) * (off * off)) / spread;
   out.per_metre = (T(1) - share_even) * by_slopes + select(inside, share_even / length, T(0));
   return out;
+}
+
+/// Of the points by which waves of one direction are crossed, if there are whitecaps.
+inline double share_of_whitecaps(const surface::WavesView& waves) {
+  return waves.whitecap_fraction > 0 ? 0.25 : 0;
+}
+template <class T>
+struct DrawnInLine {
+  Mask<T> white{};  ///< it is one of a whitecap
+  SurfacePoint<T> point;
+  PointInLine<T> facets;  ///< the one that facets would lead by
+};
+/// `n1`: as in point_in_line(); behind the surface is what lenses are in or the light comes from.
+template <class T>
+DrawnInLine<T> draw_point_in_line(const surface::WavesView& waves,
+                                  const instrument::Telescope<T>& telescope, const Vec3<T>& from,
+                                  const instrument::PlanePoint<T>& lens, const NearLevel<T>& level,
+                                  const T& n1, const SurfacePointUniforms<T>& u) {
+  const T share_white = T(share_of_whitecaps(waves));
+  const Mask<T> white = u.choice < share_white;
+  const T rest = left_of_choice(u.choice, share_white);
+  const auto in_line = point_in_line(axes_of<T>(waves), level, telescope, lens, from, n1, T(1),
+                                     rest, u.radius, u.azimuth);
+  if (!any(white)) return {white, {Mask<T>(true), in_line.at}, in_line};
+  const auto seen = point_seen(telescope, lens, u.radius, u.azimuth);
+  const Mask<T> by_detector = rest < T(0.5);
+  const Vec3<T> of_whitecap = select(by_detector, seen.at, point_above(from, u.radius, u.azimuth));
+  const Mask<T> exists = seen.exists | (!(white & by_detector));
+  return {white, {exists, select(white, of_whitecap, in_line.at)}, in_line};
 }
 
 /// Where a ray comes through the plane of a lens.

@@ -114,13 +114,13 @@ FromSurface<T> from_surface(const instrument::Telescope<T>& telescope,
 /// Points on the rays that a detector sees through a point of the lens, alike for all points of the
 /// detector.
 template <class T>
-struct SeenPoint {
+struct SurfacePoint {
   Mask<T> exists{};  ///< the ray leads to the surface
   Vec3<T> at;
 };
 template <class T>
-SeenPoint<T> point_seen(const instrument::Telescope<T>& telescope,
-                        const instrument::PlanePoint<T>& lens, const T& u1, const T& u2) {
+SurfacePoint<T> point_seen(const instrument::Telescope<T>& telescope,
+                           const instrument::PlanePoint<T>& lens, const T& u1, const T& u2) {
   using namespace instrument;
   const auto image = ring_point(T(0), telescope.detector_radius, u1, u2);
   const auto slope =
@@ -162,6 +162,22 @@ struct PointShares {
 inline PointShares point_shares(const surface::WavesView& waves) {
   if (waves.whitecap_fraction == 0) return {0.5, 0.5, 0};
   return {0.45, 0.45, 0.1};
+}
+/// One of them, by waves in two dimensions.
+template <class T>
+SurfacePoint<T> draw_point(const surface::WavesView& waves,
+                           const instrument::Telescope<T>& telescope, const Vec3<T>& from,
+                           const instrument::PlanePoint<T>& lens, const NearLevel<T>& level,
+                           const SurfacePointUniforms<T>& u) {
+  const auto [share_seen, share_slopes, share_above] = point_shares(waves);
+  const Mask<T> by_detector = u.choice < T(share_seen);
+  const auto seen = point_seen(telescope, lens, u.radius, u.azimuth);
+  Vec3<T> at = select(by_detector, seen.at, point_by_slopes(level, waves, u.radius, u.azimuth));
+  if (share_above > 0)
+    at = select(u.choice >= T(share_seen + share_slopes), point_above(from, u.radius, u.azimuth),
+                at);
+  const Mask<T> exists = seen.exists | (!by_detector);
+  return {exists, at};
 }
 
 }  // namespace photic::transport

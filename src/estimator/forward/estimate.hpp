@@ -216,8 +216,7 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
   const auto& telescope = group.widest;
   const auto& region = group.region;
   for (const auto route : geometry::routes_to(region.in_air)) {
-    const bool by_surface = region.in_air || route == geometry::Route::mirrored;
-    if (world.sea.waves.rough && by_surface) {
+    if (by_waves(world, region, route)) {
       const auto& u = from.surface;
       const auto way = connect_by_waves(world.sea, telescope, region, photon, from.line, from.lens,
                                         {u[0], u[1], u[2]}, mask);

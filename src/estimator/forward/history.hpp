@@ -21,6 +21,7 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
     const auto u = draws.together(n, 0, lens_block + static_cast<std::uint32_t>(k));
     t.lens[k] = lens_point(world.groups[k].widest, u[0], u[1]);
   }
+  if (world.sea.waves.rough) t.surface = draws.together(n, 0, surface_block);
   const auto u = draws.together(n, 0, 0);
   if (world.sea.bands > 0) t.spectral_bin = medium::spectral_bin_of(u[3]);
   birth_at_laser(world, u[0], u[1], exist, t, ledger);

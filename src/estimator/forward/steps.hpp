@@ -32,7 +32,6 @@ struct ForwardSteps {
     draw(0);
     if (world.makes_choices) draw(1);
     if (!world.cones.empty()) draw(2);
-    if (world.sea.waves.rough) draw(surface_block);
   }
 
   /// What is scored of a flight before it begins.

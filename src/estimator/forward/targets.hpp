@@ -22,8 +22,12 @@ void aim_at_telescopes(const World<T>& world, Travellers<T>& at) {
     const auto& region = world.groups[g].region;
     for (const auto route : geometry::routes_to(region.in_air)) {
       if (targets.count == target_capacity) return;
-      const auto [direction, in_front] = aim(world.sea, telescope, region, from, line, to, route,
-                                             near_view(world, g, from, line, at.lens));
+      const auto [direction, in_front] =
+          by_waves(world, region, route)
+              ? aim_by_waves(world.sea, telescope, region, from, line, at.lens[g],
+                             {at.surface[0], at.surface[1], at.surface[2]})
+              : aim(world.sea, telescope, region, from, line, to, route,
+                    near_view(world, g, from, line, at.lens));
       targets.add(direction, T(0), select(in_front, T(1), T(0)));
     }
   }

@@ -22,8 +22,8 @@ inline constexpr int target_capacity = 16;
 template <class T>
 using Targets = transport::Targets<T, target_capacity>;
 
-/// A block of an event's random numbers.
-inline constexpr std::uint32_t surface_block = 4;
+/// A block of an event's random numbers: of photons' birth.
+inline constexpr std::uint32_t surface_block = std::uint32_t{1} << 22;
 
 /// Photons on their way, one in each lane, and the event that they are in.
 template <class T>
@@ -35,27 +35,33 @@ struct Travellers : Track<T> {
   Index<T> spectral_bin{};                      ///< in which lines it emits
   std::vector<instrument::PlanePoint<T>> lens;  ///< the point of each group's lens that takes part
                                                 ///< in local estimates of single rays
-  Ratios<T> ratios;                             ///< of their weights in environments
+  std::array<T, 4> surface{};  ///< numbers of where a rough surface leads light on to lenses: the
+                               ///< same for all of a history, so that light can be sent there
+  Ratios<T> ratios;            ///< of their weights in environments
 
   // Of the event:
-  std::array<T, 4> u{}, choices{}, forced{},
-      surface{};  ///< numbers: of all events, and where they are asked for, of choices, of forced
-                  ///< collisions, and of where light crosses a rough surface on its way to lenses
-  T free_path{};  ///< of the flight, an optical depth
-  transport::Branch<T> branch;             ///< what the collision made of them
-  Targets<T> targets;                      ///< of the directions that they may take next
-  transport::Deflection<T> deflection;     ///< by the collision
-  Vec3<T> old_direction;                   ///< before it
+  std::array<T, 4> u{}, choices{}, forced{};  ///< numbers: of all events, and where they are asked
+                                              ///< for, of choices and of forced collisions
+  T free_path{};                              ///< of the flight, an optical depth
+  transport::Branch<T> branch;                ///< what the collision made of them
+  Targets<T> targets;                         ///< of the directions that they may take next
+  transport::Deflection<T> deflection;        ///< by the collision
+  Vec3<T> old_direction;                      ///< before it
   T stays{1};                              ///< chance that a forced flight has to end in the water
   T analog_before{}, importance_before{};  ///< the flight, for tools that ask
   Index<T> copies{};  ///< of photons that were split in the event, besides those that go on
 
   /// The numbers of a block of the event.
   std::array<T, 4>& numbers(std::uint32_t block) {
-    if (block == surface_block) return surface;
     return block == 0 ? u : (block == 1 ? choices : forced);
   }
 };
+
+/// Whether a route to a region leads by waves.
+template <class T>
+bool by_waves(const World<T>& world, const geometry::Region<T>& region, geometry::Route route) {
+  return world.sea.waves.rough && (region.in_air || route == geometry::Route::mirrored);
+}
 
 /// Where a group of telescopes may see a point, by the points of the lenses that take part in local
 /// estimates of single rays.

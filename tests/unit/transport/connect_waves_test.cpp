@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "support/mean.hpp"
+#include "transport/aim.hpp"
 #include "unit/transport/packs.hpp"
 #include "unit/transport/sea.hpp"
 
@@ -172,6 +173,15 @@ TEST(LanesOf, WaysByWaves) {
       const auto one =
           connect_by_waves(slabs, scalar, region, photons[i], 0, lens, {u1[i], u2[i], u3[i]}, true);
       expect_same(packed.acceptance[i], one.acceptance, "acceptance");
+      // Directed sampling sends light where the local estimate will look for it.
+      const auto aimed =
+          aim_by_waves(slabs, scalar, region, photons[i].position, 0, lens, {u1[i], u2[i], u3[i]});
+      if (one.acceptance > 0) {
+        EXPECT_TRUE(aimed.in_front);
+        expect_same(aimed.direction.x, one.direction.x, "aimed x");
+        expect_same(aimed.direction.y, one.direction.y, "aimed y");
+      }
+      EXPECT_NEAR(dot(aimed.direction, aimed.direction), 1, 1e-12);
       const auto straight = connect_from_surface(slabs, scalar, region, photons[i], false, lens);
       expect_same(from_surface.acceptance[i], straight.acceptance, "from the surface");
       if (one.acceptance > 0) {
