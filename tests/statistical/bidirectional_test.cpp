@@ -312,14 +312,14 @@ TEST(Bidirectional, WalksOfTwoVertices) {
 // too; and what is known to half of what was asked for is seldom flagged. Seen red: with the growth
 // of errors by chance flagged (0.17).
 TEST(Bidirectional, ErrorBarsHold) {
-  constexpr int seeds = 100;
+  constexpr int seeds = 60;
   constexpr double photons = 8e4;
   constexpr double target = 0.05;  // what such a run is for
   constexpr double two_sided_95 = 1.96;
   const std::string scene =
       ship_instrument + channel("elastic") + water(0.06, 0.1, peaked_phase) + depth_gates(50, 2);
   const auto reference =
-      run_in_lanes(read(scene + simulation(3e6, 7, no_free_walks, "bidirectional")));
+      run_in_lanes(read(scene + simulation(2e6, 7, no_free_walks, "bidirectional")));
   std::vector<tally::Result> runs;
   for (int seed = 1; seed <= seeds; ++seed) {
     runs.push_back(
