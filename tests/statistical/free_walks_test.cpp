@@ -91,6 +91,48 @@ TEST(FreeWalks, ServeThoughTheirOwnRayIsNotSeen) {
   family.judge();
 }
 
+// In the water, an instrument that looks up sees by way of the surface: its walks come down about
+// the image of its axis. Seen red: with means of phase functions about the axis itself (in
+// scenes/rov.toml 6 times the echo of second order).
+TEST(FreeWalks, ComeByWayOfTheSurface) {
+  const auto scene = [](double laser_z, double telescope_z, const std::string& run) {
+    return read(fmt::format("[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, -3.0]\n"
+                            "direction = [0.0, 0.0, {}]\ndiameter_m = 0.01\n"
+                            "half_divergence_mrad = 10.0\n[[telescope]]\n"
+                            "position_m = [0.1, 0.0, -3.0]\ndirection = [0.0, 0.0, {}]\n"
+                            "diameter_m = 0.05\nfocal_length_m = 0.2\n"
+                            "half_field_of_view_mrad = 30.0\n",
+                            laser_z, telescope_z) +
+                channel("elastic") + water(0.06, 0.1, henyey_greenstein_phase) +
+                "[gates]\nstart_ns = 40.0\nstop_ns = 130.0\nstep_ns = 15.0\n" + run);
+  };
+  ZFamily family(0.01);
+  std::uint64_t seed = 61;
+  for (const auto& [laser_z, telescope_z] : {std::pair(-1.0, 1.0), {1.0, -1.0}}) {
+    const auto forward =
+        run_in_lanes(scene(laser_z, telescope_z, simulation(4e6, seed++, "", "forward")));
+    for (const auto& [telescope, laser] : {std::pair(0.3, 0.0), {0.0, 0.3}, {0.3, 0.3}}) {
+      const auto r =
+          run_in_lanes(scene(laser_z, telescope_z,
+                             simulation(1e5, seed++, meetings(telescope, laser), "bidirectional")));
+      for (std::size_t order = 1; order < 4; ++order) {
+        for (std::size_t gate = 0; gate < r.gates(); ++gate) {
+          const std::size_t i = order * r.gates() + gate;
+          const double error = std::hypot(r.echo_by_order.standard_error[i],
+                                          forward.echo_by_order.standard_error[i]);
+          if (!(error < 0.05 * forward.echo_by_order.mean[i])) continue;
+          family.add(r.echo_by_order.mean[i], forward.echo_by_order.mean[i], error,
+                     fmt::format("up {}, {} and {}, order {}, gate {}", telescope_z, telescope,
+                                 laser, order, gate));
+        }
+      }
+    }
+  }
+  std::printf("%zu cells, rms z %.2f\n", family.size(), family.rms());
+  EXPECT_GE(family.size(), 60);
+  family.judge();
+}
+
 // The last gates hold light of walks whose own way from the instrument is metres longer than that
 // of the path they become. Seen red: with chords that end where a walk's own way is too long (10
 // standard errors).

@@ -59,7 +59,7 @@ PathFreedom<T> Connections<T>::freedom_at(const RayPairing<T>& pairing, const Me
       if (!any(here)) return first.area();
       return select(here,
                     free_area(instrument, footprint(spread, ray, length), met.back->line, place,
-                              !at.converts, leaving, at.p),
+                              !at.converts, ray.direction.z, leaving, at.p),
                     first.area());
     };
     of_telescope = area(instrument(), pairing.m == Index<T>(0), met.back_free, met.back_spread,

@@ -332,8 +332,8 @@ void Connections<T>::rotate_pivot(const RayPairing<T>& pairing, const Rotation<T
   // The mean over directions in which it could have come is that of another angle.
   const Index<T> line(0);
   const Vertex first = back_.vertex(pairing.back, Index<T>(0));
-  met.back_free.averaged =
-      averaged_over_drawn(world_, instrument(), line, first.layer, Mask<T>(true), rotated, p);
+  met.back_free.averaged = averaged_over_drawn(world_, instrument(), line, first.layer,
+                                               Mask<T>(true), first.direction.z, rotated, p);
 }
 
 }  // namespace photic::estimator

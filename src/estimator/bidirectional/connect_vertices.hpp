@@ -98,11 +98,12 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
   const bool elastic = all(line == Index<T>(0));
   const T footprint = edge.freed * edge.area / abs(way.direction.z);
   const T telescope_area =
-      elastic
-          ? free_area(instrument(), footprint, line, v.layer, Mask<T>(true), -v.direction,
-                      phase_value(sea_, v, way.direction,
-                                  gather_index<T>(sea_.elastic_phase, sea_.at(line, v.layer))))
-          : free_area(instrument(), footprint, line, v.layer, Mask<T>(false), -v.direction, T(1));
+      elastic ? free_area(instrument(), footprint, line, v.layer, Mask<T>(true), -way.direction.z,
+                          -v.direction,
+                          phase_value(sea_, v, way.direction,
+                                      gather_index<T>(sea_.elastic_phase, sea_.at(line, v.layer))))
+              : free_area(instrument(), footprint, line, v.layer, Mask<T>(false), -way.direction.z,
+                          -v.direction, T(1));
   const auto freedom =
       path_freedom(in_path.order, instrument::translation_area(telescope_, way.arriving), depth,
                    telescope_area, free_area(laser_, of_laser, pairing.laser));
@@ -216,7 +217,7 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
   const Mask<T> scatters = w.line == Index<T>(0);
   const T laser_area =
       free_area(of_laser, T(to_laser.freed * to_laser.area / abs(way.direction.z)), Index<T>(0),
-                w.layer, scatters, -w.direction,
+                w.layer, scatters, -way.direction.z, -w.direction,
                 phase_value(sea_, w, way.direction,
                             gather_index<T>(sea_.elastic_phase, sea_.at(Index<T>(0), w.layer))));
   const auto freedom = path_freedom(
@@ -276,7 +277,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>&
                               gather_index<T>(sea_.elastic_phase, sea_.at(at.line, at.layer)));
       return select(ends,
                     free_area(instrument, walks.free_area(walk).level(), at.line, at.layer,
-                              scatters, leaving, p),
+                              scatters, at.direction.z, leaving, p),
                     free_area(walks, instrument, walk));
     };
     return path_freedom(

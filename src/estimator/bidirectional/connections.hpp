@@ -185,13 +185,15 @@ class Connections {
     return {before + of_telescope + of_laser, before + of_telescope, by_lens + of_laser};
   }
   /// By how much a free walk of an instrument may be moved if light of a line is scattered at its
-  /// first vertex, at a place, where its rays fill a level area [m^2]. `direction`: in which the
-  /// walk would go on; `p`: phase function's value. 0 where that is not asked for.
+  /// first vertex, at a place, where its rays fill a level area [m^2]. `arriving_z`: of the
+  /// direction in which it comes there; `direction`: in which it would go on; `p`: phase function's
+  /// value. 0 where that is not asked for.
   [[nodiscard]] T free_area(std::int32_t instrument, const T& footprint, const Index<T>& line,
-                            const Index<T>& place, const Mask<T>& scatters,
+                            const Index<T>& place, const Mask<T>& scatters, const T& arriving_z,
                             const Vec3<T>& direction, const T& p) const {
     if (!samples_.frees() || !frees(instrument)) return T(0);
-    return footprint * averaged_over_drawn(world_, instrument, line, place, scatters, direction, p);
+    return footprint *
+           averaged_over_drawn(world_, instrument, line, place, scatters, arriving_z, direction, p);
   }
   [[nodiscard]] T free_area(const Walks<T>& walks, std::int32_t instrument,
                             const Index<T>& walk) const {

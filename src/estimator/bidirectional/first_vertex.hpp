@@ -82,13 +82,14 @@ struct Complete {
 };
 
 /// FreeArea::averaged of an instrument's walk that leaves its first vertex, at a place, in a
-/// direction: if it scatters light of a line; else it does so whichever way it came. `p`: phase
-/// function's value. 0 of the laser's on a bed whose albedo depends on how light comes to it, and
-/// with it the walk's weight.
+/// direction: if it scatters light of a line; else it does so whichever way it came. `arriving_z`:
+/// of the direction in which it has come there, up or down; what the surface has reflected on the
+/// way has come about the image of the cone's axis. `p`: phase function's value. 0 of the laser's
+/// on a bed whose albedo depends on how light comes to it, and with it the walk's weight.
 template <class T>
 T averaged_over_drawn(const World<T>& world, std::int32_t instrument, const Index<T>& line,
-                      const Index<T>& place, const Mask<T>& scatters, const Vec3<T>& direction,
-                      const T& p) {
+                      const Index<T>& place, const Mask<T>& scatters, const T& arriving_z,
+                      const Vec3<T>& direction, const T& p) {
   const auto& sea = world.sea;
   const T& free_share = world.cone(instrument).free_share;
   Mask<T> in_water = scatters;
@@ -99,9 +100,10 @@ T averaged_over_drawn(const World<T>& world, std::int32_t instrument, const Inde
     if (instrument == of_laser && sea.bed_angles > 1) else_drawn = select(bed, T(0), free_share);
   }
   if (!any(in_water)) return else_drawn;
-  const T mean =
-      world.averaged.value(instrument, one_minus_cos(world.cone(instrument).axis, direction),
-                           gather_index<T>(sea.elastic_phase, sea.at(line, place)));
+  Vec3<T> axis = world.cone(instrument).axis;
+  axis.z = select(arriving_z * axis.z < T(0), -axis.z, axis.z);
+  const T mean = world.averaged.value(instrument, one_minus_cos(axis, direction),
+                                      gather_index<T>(sea.elastic_phase, sea.at(line, place)));
   T ratio = free_share * mean / p;
   if (instrument != of_laser && any(world.inverse_conversion.scattered > T(0))) {
     const auto drawn = [&](const T& value) {

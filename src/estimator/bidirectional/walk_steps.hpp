@@ -192,11 +192,11 @@ class WalkSteps {
     const Mask<T> near = colliding & (w.vertices < Index<T>(3));
     if (any(near)) {
       const Mask<T> from_first = colliding & (w.vertices == Index<T>(1));
-      const T averaged =
-          source_.cone().by_depth && any(from_first)
-              ? averaged_over_drawn(world_, source_.instrument(), vertex_.line, vertex_.layer,
-                                    vertex_.line == ray.line, ray.direction, departure.p)
-              : T(1);
+      const T averaged = source_.cone().by_depth && any(from_first)
+                             ? averaged_over_drawn(world_, source_.instrument(), vertex_.line,
+                                                   vertex_.layer, vertex_.line == ray.line,
+                                                   vertex_.direction.z, ray.direction, departure.p)
+                             : T(1);
       w.first.depart(ray, averaged, from_first);
       walks_.keep(near, w.walk, w.first, samples_.frees());
     }

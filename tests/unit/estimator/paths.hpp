@@ -171,7 +171,7 @@ class Writer {
     if (left < 3) {
       first_.depart(ray_,
                     averaged_over_drawn(world_, instrument_, vertex_.line, vertex_.layer, !converts,
-                                        photon_.direction, p),
+                                        vertex_.direction.z, photon_.direction, p),
                     left == 1);
       walks.keep(true, 0, first_, true);
     }
