@@ -25,10 +25,10 @@ inline constexpr std::uint32_t block_of_facet(std::uint32_t facet, std::uint32_t
   return facet_blocks + (2 * facet + part) * apart_of_facets;
 }
 
-/// Walks of the laser's light, of a mask.
-template <class T, class Draw>
+/// Walks of the laser's light, of a mask. met(mask, meeting) is told of each facet.
+template <class T, class Draw, class Met>
 ByFacets<T> light_by_facets(const surface::RoughSurface<T>& surface, transport::Photon<T>& photon,
-                            const Mask<T>& stand, bool in_air, Draw draw) {
+                            const Mask<T>& stand, bool in_air, Draw draw, Met met_surface) {
   ByFacets<T> out;
   transport::AtWaves<T> at{stand, Mask<T>(in_air)};
   for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
@@ -36,6 +36,7 @@ ByFacets<T> light_by_facets(const surface::RoughSurface<T>& surface, transport::
     const Mask<T> meets = at.meets;
     const std::array<T, 4> u = draw(block_of_facet(facet, 0));
     const auto met = transport::meet_waves(surface, photon, at, {u[0], u[1], u[2], u[3]}, false);
+    met_surface(meets, met.meeting);
     out.in_water = out.in_water | met.in_water;
     out.chance = out.chance * select(meets, met.chance_back, T(1));
     at.meets = at.meets & (photon.weight > T(0));
@@ -45,17 +46,20 @@ ByFacets<T> light_by_facets(const surface::RoughSurface<T>& surface, transport::
 }
 
 /// A telescope's. `several`: who is to meet more than one facet.
-template <class T, class Draw>
+template <class T, class Draw, class Met>
 ByFacets<T> back_by_facets(const surface::RoughSurface<T>& surface, transport::Photon<T>& photon,
-                           const Mask<T>& stand, bool in_air, bool several, Draw draw) {
+                           const Mask<T>& stand, bool in_air, bool several, Draw draw,
+                           Met met_surface) {
   ByFacets<T> out;
   transport::BackAtWaves<T> at{stand, Mask<T>(in_air), Mask<T>(false)};
   for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
     if (facet == 1) out.several = at.meets;
+    const Mask<T> meets = at.meets;
     const std::array<T, 4> u = draw(block_of_facet(facet, 0));
     const std::array<T, 4> v = draw(block_of_facet(facet, 1));
     const auto met = transport::meet_waves_back(surface, photon, at, {u[0], u[1], u[2], u[3]}, v[0],
                                                 several && facet == 0);
+    met_surface(meets, met.meeting);
     out.in_water = out.in_water | met.in_water;
     out.chance = out.chance * met.chance;
   }

@@ -26,9 +26,9 @@ double share_of_several(const medium::MediumView& sea, const Vec3<double>& outsi
   for (std::uint64_t n = 0; n < rays; ++n) {
     transport::Photon<double> photon;
     photon.direction = outside;
-    const auto met = light_by_facets(surface, photon, true, true, [&](std::uint32_t block) {
-      return uniforms<double>(key, n, 0, block);
-    });
+    const auto draw = [&](std::uint32_t block) { return uniforms<double>(key, n, 0, block); };
+    const auto met = light_by_facets(surface, photon, true, true, draw,
+                                     [](bool, const surface::Meeting<double>&) {});
     if (met.in_water && met.several) sum += std::min(photon.weight, 10.0);
   }
   return sum / rays;

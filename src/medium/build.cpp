@@ -83,6 +83,7 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   add_bed(scene, medium);
   add_surface(scene, library, medium);
   add_environments(scene, library, medium);
+  add_surfaces_of_environments(scene, medium);
   medium.finish();
   return medium;
 }

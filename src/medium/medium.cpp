@@ -116,6 +116,7 @@ std::vector<double> Medium::environment_rows() const {
   add(environments.excess_emitted);
   add(environments.excess_part, static_cast<std::size_t>(environments.parts));
   add_rows(environments.excess_bed);
+  add_rows(environments.surface);
   return out;
 }
 
@@ -249,6 +250,8 @@ MediumView Medium::view() const {
   e.first_emitted = e.first_depth + v.lines * (v.places + 1);
   e.first_part = e.first_emitted + cells;
   e.first_bed = e.first_part + cells * e.parts;
+  e.first_surface = e.first_bed + static_cast<std::int32_t>(bed_albedo.size());
+  e.other_surface = !environments.surface.empty();
   e.number = environment_rows_.table();
   e.part_phase = part_phase_.view();
   v.phases.line = phase_lines_.table();

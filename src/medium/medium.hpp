@@ -38,9 +38,10 @@ struct EnvironmentsView {
   std::int32_t stride = 0;       ///< from row to row: padded with zeros
   std::int32_t parts = 0;        ///< of the scattering that are more or less in some environment
   std::int32_t first_depth = 0;  ///< row of ...
-  std::int32_t first_emitted = 0, first_part = 0, first_bed = 0;
-  Table number;           ///< [row][environment]
-  IndexTable part_phase;  ///< table in the medium's phases, [line][layer][part]
+  std::int32_t first_emitted = 0, first_part = 0, first_bed = 0, first_surface = 0;
+  bool other_surface = false;  ///< some have other waves or whitecaps
+  Table number;                ///< [row][environment]
+  IndexTable part_phase;       ///< table in the medium's phases, [line][layer][part]
 };
 
 /// Rows are a multiple of this long: a whole number of packs, however wide.
@@ -212,6 +213,7 @@ struct EnvironmentTables {
       excess_bed,                ///< the bed's albedo less the medium's, [environment][line][angle]
       excess_part;  ///< a part's scattering less the medium's, over all scattering of the medium,
                     ///< [environment][line][layer][part]
+  std::vector<double> surface;  ///< [environment][row], see SurfaceRow; none: all as the medium's
   std::vector<std::int32_t> part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
 

@@ -21,4 +21,8 @@ optics::Sourced whitecap_reflectance_of(const scene::Surface& surface,
 /// which no reflectance of whitecaps is known.
 void add_surface(const scene::Scene& scene, const optics::Library& library, Medium& medium);
 
+/// Fills in the surfaces of a scene's environments and derivatives, if some differ from the
+/// medium's own, which has to be filled in before.
+void add_surfaces_of_environments(const scene::Scene& scene, Medium& medium);
+
 }  // namespace photic::medium

@@ -18,4 +18,18 @@ struct WavesView {
   ShortTable whitecap_reflectance;  ///< from above, [line]
 };
 
+/// Rows of what environments have of a surface: of two surfaces, of which the medium's changes have
+/// the difference, and behind them what that counts.
+enum class SurfaceRow : std::int32_t {
+  per_upwind,     ///< 1 over the deviation of slopes; 0: all are level that way
+  per_crosswind,  ///< the same
+  c21,            ///< of the Gram-Charlier series
+  c03,            ///< the same; its other coefficients are the medium's
+  of_facets,      ///< what stands before the density of slopes, over what does in the medium
+  facets,         ///< how much of the surface whitecaps leave free, over the same
+  whitecaps,      ///< fraction of whitecaps, over the same; 0 if there are none
+  rows            ///< how many
+};
+inline constexpr std::int32_t surface_rows = 2 * static_cast<std::int32_t>(SurfaceRow::rows) + 1;
+
 }  // namespace photic::medium

@@ -9,20 +9,24 @@ namespace photic::optics {
 /// J. Opt. Soc. Am. 44, 838); all 0 of a Gaussian. Slopes are over their standard deviations;
 /// `upwind` is positive where the surface rises upwind, so that the most probable facet faces the
 /// wind and lee sides are steep.
-struct GramCharlier {
-  double c21 = 0, c03 = 0;           ///< skewness
-  double c40 = 0, c22 = 0, c04 = 0;  ///< peakedness
+/// Coefficients of type C: numbers, or those of many seas at once.
+template <class C>
+struct GramCharlierOf {
+  C c21{}, c03{};         ///< skewness
+  C c40{}, c22{}, c04{};  ///< peakedness
 
   /// May be below 0 far out.
   template <class T>
   [[nodiscard]] T operator()(const T& crosswind, const T& upwind) const {
     const T xi2 = crosswind * crosswind, eta2 = upwind * upwind;
-    return T(1) - T(c21 / 2) * (xi2 - T(1)) * upwind - T(c03 / 6) * (eta2 - T(3)) * upwind +
-           T(c40 / 24) * (xi2 * xi2 - T(6) * xi2 + T(3)) +
-           T(c22 / 4) * (xi2 - T(1)) * (eta2 - T(1)) +
-           T(c04 / 24) * (eta2 * eta2 - T(6) * eta2 + T(3));
+    return T(1) - T(c21 * C(0.5)) * (xi2 - T(1)) * upwind -
+           T(c03 * C(1.0 / 6)) * (eta2 - T(3)) * upwind +
+           T(c40 * C(1.0 / 24)) * (xi2 * xi2 - T(6) * xi2 + T(3)) +
+           T(c22 * C(0.25)) * (xi2 - T(1)) * (eta2 - T(1)) +
+           T(c04 * C(1.0 / 24)) * (eta2 * eta2 - T(6) * eta2 + T(3));
   }
 };
+using GramCharlier = GramCharlierOf<double>;
 
 /// The density of slopes: a Gaussian along the wind and across it, as Cox & Munk's Gram-Charlier
 /// series changes it. A facet rises by `upwind` metres per metre towards where the wind comes from,

@@ -14,6 +14,7 @@
 #include "run/batches.hpp"
 #include "run/choose.hpp"
 #include "scene/forward_settings.hpp"
+#include "scene/waves.hpp"
 #include "schedule/engines.hpp"
 
 namespace photic::run {
@@ -78,9 +79,11 @@ std::vector<Candidate> candidates(const scene::Scene& scene, double highest_albe
     c.simulation.scored_points = scored_points;
     out.push_back(std::move(c));
   }
-  out.push_back(candidate(scene, scene::Estimator::forward, "forward, overlap"));
-  out.back().simulation.reception = scene::Reception::overlap;
-  out.back().exact = false;
+  if (!scene.sea.surface.is_rough()) {  // waves have no overlap
+    out.push_back(candidate(scene, scene::Estimator::forward, "forward, overlap"));
+    out.back().simulation.reception = scene::Reception::overlap;
+    out.back().exact = false;
+  }
   for (const double walk_attenuation : estimator::walk_attenuations(highest_albedo))
     out.push_back(bidirectional(scene, walk_attenuation));
   const double usual = estimator::usual_walk_attenuation(highest_albedo);
@@ -208,11 +211,11 @@ Comparison compare_all(const scene::Scene& scene, const BenchOptions& options) {
   const auto tell = [&](const std::string& line) {
     if (options.tell) options.tell(line);
   };
-  if (scene.sea.surface.is_rough())
-    throw InputError({{"", 0, 0,
-                       "photic bench compares estimators, and the forward one alone has waves in "
-                       "this version",
-                       "compare them with sea.surface = { model = \"flat\" }"}});
+  if (const auto reason = scene::bidirectional_lacks(scene))
+    throw InputError(
+        {{"", 0, 0,
+          "photic bench compares the estimators, and the bidirectional one has no " + *reason,
+          "compare them with sea.surface = { model = \"flat\" }"}});
   Comparison out;
   out.repeats = repeat_count;
   out.aim = aim_of(scene.simulation);

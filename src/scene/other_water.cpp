@@ -48,19 +48,12 @@ constexpr Fixed fixed_of_sea[] = {{"salinity_psu", bends_and_times},
                                   {"refractive_index", bends},
                                   {"group_index", times}};
 constexpr Fixed fixed_of_layers[] = {{"name", called}, {"bottom_depth_m", borders}};
-/// The model, which decides what other keys there are, comes first, and what follows from others
-/// last.
+/// The model, which decides what other keys there are, comes first. Slopes and whitecaps may differ
+/// (medium/surface.cpp).
 constexpr Fixed fixed_of_surface[] = {{"model", bends},
-                                      {"wind_speed_m_s", bends},
                                       {"wind_direction_deg", bends},
-                                      {"slick", bends},
                                       {"gram_charlier", bends},
-                                      {"upwind_slope_variance", bends},
-                                      {"crosswind_slope_variance", bends},
-                                      {"whitecap_fraction", bends},
-                                      {"whitecap_law", bends},
-                                      {"whitecap_reflectance", bends},
-                                      {"whitecaps", bends}};
+                                      {"whitecap_reflectance", bends}};
 
 /// Looks at values with which nothing is wrong in the scene and in the environment.
 class Comparison {

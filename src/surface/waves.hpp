@@ -94,19 +94,23 @@ T visibility(const Vec3<T>& direction, const Facet<T>& facet) {
   return dot(direction, facet.normal) / (direction.z * facet.normal.z);
 }
 
-/// Smith's function of a direction: by how much its light meets more facets than there are (Smith
-/// 1967, IEEE Trans. Antennas Propag. 15, 668). The complementary error function is Abramowitz &
-/// Stegun's 7.1.26, to 1.5e-7.
+/// What lies along x and y, along the wind and across it.
 template <class T>
-T smith(const WavesView& waves, const Vec3<T>& direction) {
-  using std::abs;
-  using std::sqrt;
+Slope<T> by_wind(const WavesView& waves, const T& along_x, const T& along_y) {
   const T x = T(waves.upwind_x), y = T(waves.upwind_y);
-  const T up = T(waves.upwind_deviation) * (direction.x * x + direction.y * y);
-  const T across = T(waves.crosswind_deviation) * (direction.y * x - direction.x * y);
-  const T spread = sqrt(T(2) * (up * up + across * across));
-  const Mask<T> level = spread > T(1e-3) * abs(direction.z);
-  const T a = abs(direction.z) / select(level, spread, T(1));
+  return {along_x * x + along_y * y, along_y * x - along_x * y};
+}
+
+/// Smith's function of a direction: by how much its light meets more facets than there are (Smith
+/// 1967, IEEE Trans. Antennas Propag. 15, 668). `spread`: the deviation of slopes that way, times
+/// the direction's level part; `cosine`: to the vertical. The complementary error function is
+/// Abramowitz & Stegun's 7.1.26, to 1.5e-7.
+template <class T>
+T smith_of(const T& spread, const T& cosine) {
+  using std::sqrt;
+  const T twice = T(std::sqrt(2.0)) * spread;
+  const Mask<T> level = twice > T(1e-3) * cosine;
+  const T a = cosine / select(level, twice, T(1));
   const T t = T(1) / (T(1) + T(0.3275911) * a);
   const T erfc_over_exp =
       t *
@@ -116,6 +120,14 @@ T smith(const WavesView& waves, const Vec3<T>& direction) {
   const T value =
       T(0.5) * exp_minus(a * a) * (T(1 / 1.7724538509055160273) / (a + tiny) - erfc_over_exp);
   return select(level & (value > T(0)), value, T(0));
+}
+template <class T>
+T smith(const WavesView& waves, const Vec3<T>& direction) {
+  using std::abs;
+  using std::sqrt;
+  const auto [along, across] = by_wind(waves, direction.x, direction.y);
+  const T up = T(waves.upwind_deviation) * along, aside = T(waves.crosswind_deviation) * across;
+  return smith_of(T(sqrt(up * up + aside * aside)), T(abs(direction.z)));
 }
 
 /// Two ways that light may go on from a facet, and the share of its flux that goes back.
@@ -228,6 +240,26 @@ struct RoughSurface {
     return waves.whitecap_fraction == 0 ? value : value + by_whitecaps(in_air, reflected, k2);
   }
 };
+/// Light that has met the surface once.
+template <class T>
+struct Meeting {
+  Slope<T> slope{};  ///< of the facet
+  T by_whitecaps{};  ///< how much of the light whitecaps have sent: none 0, all 1
+  Vec3<T> between;   ///< in which direction it goes on to another facet; 0: it does not
+};
+/// Of light from direction k1 to k2, as density() weighs facets and whitecaps.
+template <class T>
+Meeting<T> meeting_of(const RoughSurface<T>& surface, const Mask<T>& in_air, bool reflected,
+                      const Vec3<T>& k1, const Vec3<T>& k2) {
+  const auto by = surface.facets(in_air, reflected, k1, k2);
+  Meeting<T> out{by.slope, T(0), {}};
+  if (surface.waves.whitecap_fraction == 0) return out;
+  const T white = surface.by_whitecaps(in_air, reflected, k2);
+  const T all = white + by.per_density * slope_density(surface.waves, by.slope);
+  out.by_whitecaps = white / select(all > T(0), all, T(1));
+  return out;
+}
+
 template <class T>
 RoughSurface<T> rough_surface(const medium::MediumView& sea, const Index<T>& line) {
   return {sea.waves, gather<T>(sea.index, line),

@@ -28,9 +28,14 @@ T path_to_telescope(const medium::MediumView& sea, const instrument::Telescope<T
   return way.length * gather<T>(sea.group_index, line);
 }
 
+/// `meeting`: at the surface; known where environments have other surfaces.
+template <class T>
+struct SurfaceConnection : RayConnection<T> {
+  surface::Meeting<T> meeting;
+};
 /// `direction` is that to the surface, and `length_water` so far.
 template <class T>
-struct WavesConnection : RayConnection<T> {
+struct WavesConnection : SurfaceConnection<T> {
   FromSurface<T> onward;
 };
 
@@ -128,6 +133,9 @@ WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
   out.sight = point.onward.sight;
   out.direction = point.arriving;
   out.length_water = point.length;
+  if (sea.environments.other_surface)
+    out.meeting =
+        surface::meeting_of(surface, Mask<T>(false), back, point.arriving, point.onward.direction);
   const Mask<T> detected = wanted & point.exists & (from.z < T(0));
   if (!any(detected)) return out;
   const T& l1 = point.length;
@@ -146,14 +154,14 @@ WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
 /// Light that stands at the surface and is about to meet a facet or a whitecap: straight from there
 /// to a point of the lens. Of waves of one direction whitecaps alone do that.
 template <class T>
-RayConnection<T> connect_from_surface(const geometry::Slabs& sea,
-                                      const instrument::Telescope<T>& telescope,
-                                      const geometry::Region<T>& region, const Photon<T>& photon,
-                                      const Mask<T>& in_air,
-                                      const instrument::PlanePoint<T>& lens) {
+SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
+                                          const instrument::Telescope<T>& telescope,
+                                          const geometry::Region<T>& region,
+                                          const Photon<T>& photon, const Mask<T>& in_air,
+                                          const instrument::PlanePoint<T>& lens) {
   const auto surface = surface::rough_surface<T>(sea, photon.line);
   const auto way = from_surface(telescope, lens, photon.position);
-  RayConnection<T> out;
+  SurfaceConnection<T> out;
   out.sight = way.sight;
   if (!any(way.seen)) return out;
   const auto value = [&](bool reflected) {
@@ -165,6 +173,15 @@ RayConnection<T> connect_from_surface(const geometry::Slabs& sea,
   T per_solid_angle(0);
   if (any(reflects)) per_solid_angle = select(reflects, value(true), per_solid_angle);
   if (!all(reflects)) per_solid_angle = select(reflects, per_solid_angle, value(false));
+  if (sea.environments.other_surface) {
+    const auto meeting = [&](bool reflected) {
+      return surface::meeting_of(surface, in_air, reflected, photon.direction, way.direction);
+    };
+    const auto back = meeting(true), through = meeting(false);
+    out.meeting.slope = {select(reflects, back.slope.upwind, through.slope.upwind),
+                         select(reflects, back.slope.crosswind, through.slope.crosswind)};
+    out.meeting.by_whitecaps = select(reflects, back.by_whitecaps, through.by_whitecaps);
+  }
   out.direction = way.direction;
   out.acceptance = select(
       way.seen,

@@ -20,6 +20,7 @@ struct AfterFacet {
   Mask<T> left{};      ///< who rises in the air, where weights do not split
   T escaped{};         ///< weight that rises in the air
   T gained{};          ///< weight less what it was, before that is taken off
+  surface::Meeting<T> meeting;
   /// Where weights do not split: how likely a walk that comes the other way (waves_back.hpp) draws
   /// this facet and goes on as this light has come, over how likely this light does it.
   T chance_back{1};
@@ -108,6 +109,8 @@ AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& pho
   const T between =
       select(at.meets, T(1) / (T(1) + surface::smith(surface.waves, direction)), T(1));
   met.gained = met.gained + photon.weight * (between - T(1));
+  met.meeting = {facet.slope, select(meets_white, T(1), T(0)),
+                 select(at.meets, direction, Vec3<T>{})};
   using std::abs;
   const T back = abs(surface::visibility(direction, facet));
   met.chance_back =

@@ -56,18 +56,12 @@ NearLevel<T> near_level(const medium::MediumView& sea, const Vec3<T>& from, cons
                     region.in_air ? way.length_air : T(way.length_water - to_surface));
 }
 
-/// A slope in space, and back.
+/// A slope in space.
 template <class T>
 Vec3<T> in_space(const surface::WavesView& waves, const surface::Slope<T>& slope) {
   const T x = T(waves.upwind_x), y = T(waves.upwind_y);
   return {slope.upwind * x - slope.crosswind * y, slope.upwind * y + slope.crosswind * x, T(0)};
 }
-template <class T>
-surface::Slope<T> by_wind(const surface::WavesView& waves, const T& slope_x, const T& slope_y) {
-  const T x = T(waves.upwind_x), y = T(waves.upwind_y);
-  return {slope_x * x + slope_y * y, slope_y * x - slope_x * y};
-}
-
 /// Points by slopes so many times as steep as the waves'.
 inline constexpr double wider_slopes = 1.4;
 template <class T>
@@ -82,8 +76,8 @@ T density_by_slopes(const NearLevel<T>& g, const surface::WavesView& waves, cons
   using std::abs;
   const T dx = at.x - g.at.x, dy = at.y - g.at.y;
   const T narrow = T(1 / wider_slopes);
-  const auto slope =
-      by_wind(waves, T(narrow * (g.xx * dx + g.xy * dy)), T(narrow * (g.xy * dx + g.yy * dy)));
+  const auto slope = surface::by_wind(waves, T(narrow * (g.xx * dx + g.xy * dy)),
+                                      T(narrow * (g.xy * dx + g.yy * dy)));
   return gaussian(waves, slope) * abs(g.determinant()) * (narrow * narrow);
 }
 

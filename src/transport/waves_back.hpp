@@ -24,6 +24,7 @@ template <class T>
 struct AfterFacetBack {
   Mask<T> in_water{};  ///< who leaves the surface, down in the water
   T chance{1};         ///< to have gone so over the chance that light goes the other way
+  surface::Meeting<T> meeting;
 };
 
 /// The way on that chance decides for.
@@ -33,6 +34,7 @@ struct WayBack {
   Mask<T> in_air{};
   T gain{};     ///< of the weight
   T chance{1};  ///< as of AfterFacetBack
+  surface::Slope<T> slope{};
 };
 /// From a facet.
 template <class T>
@@ -48,6 +50,7 @@ WayBack<T> back_from_facet(const surface::RoughSurface<T>& surface, const Vec3<T
   const auto by = surface::meet_facet(n1, n2, before, facet);
   const Mask<T> reflects = u.choice < by.reflectance;
   WayBack<T> way;
+  way.slope = facet.slope;
   way.direction = select(reflects, by.reflected, by.transmitted);
   way.in_air = (at.in_air & reflects) | !(at.in_air | reflects);
   // What passes takes (n_i / n_t)^2 along: a walk from a telescope carries étendue.
@@ -80,6 +83,8 @@ AfterFacetBack<T> meet_waves_back(const surface::RoughSurface<T>& surface, Photo
                                   BackAtWaves<T>& at, const WavesUniforms<T>& u, const T& u_leaves,
                                   bool must) {
   auto way = back_from_facet(surface, photon.direction, at, u);
+  AfterFacetBack<T> out;
+  out.meeting.slope = way.slope;
   if (surface.waves.whitecap_fraction > 0) {
     const Mask<T> white = u.whitecap < surface.white.fraction;
     const auto by = back_from_whitecap(surface, at, u);
@@ -87,6 +92,7 @@ AfterFacetBack<T> meet_waves_back(const surface::RoughSurface<T>& surface, Photo
     way.in_air = (white & by.in_air) | (way.in_air & !white);
     way.gain = select(white, by.gain, way.gain);
     way.chance = select(white, by.chance, way.chance);
+    out.meeting.by_whitecaps = select(white, T(1), T(0));
   }
   const Mask<T> goes_on =
       must ? Mask<T>(true) : Mask<T>(way.in_air | (u_leaves < T(further_facet)));
@@ -100,7 +106,7 @@ AfterFacetBack<T> meet_waves_back(const surface::RoughSurface<T>& surface, Photo
   photon.direction = select(at.meets, way.direction, photon.direction);
   photon.weight =
       photon.weight * select(at.meets, select(lit, way.gain * between / chosen, T(0)), T(1));
-  AfterFacetBack<T> out;
+  out.meeting.between = select(goes_on, way.direction, Vec3<T>{});
   out.chance = select(lit, way.chance * chosen, T(1));
   out.in_water = lit & !goes_on;
   at.in_air = way.in_air;

@@ -125,6 +125,25 @@ def test_gates_that_no_light_comes_from(photic, shallow):
     assert "recommended: nothing, since no gate can be compared (give more --time)" in done.stdout
 
 
+def waves(model):
+    return ("--set", f"sea.surface={{ {model} }}")
+
+
+def test_waves_have_no_overlap(photic, shallow):
+    # Seen red: with the candidate that takes the mean over the lens, whose scene is refused.
+    done = photic("bench", "quick.toml", "--time", "2s", "--json", *waves('model = "cox-munk", wind_speed_m_s = 5'))
+    assert (done.returncode, done.stderr) == (0, "")
+    candidates = [c["name"] for c in json.loads(done.stdout)["candidates"]]
+    assert candidates == [name for name in CANDIDATES if "overlap" not in name]
+
+
+def test_waves_that_one_estimator_has_alone_are_refused(photic, shallow):
+    # Seen red: without the check (an internal error).
+    done = photic("bench", "quick.toml", "--time", "2s", *waves('model = "paper", wind_speed_m_s = 5'))
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "photic bench compares the estimators, and the bidirectional one has no waves of one direction" in done.stderr
+
+
 def test_a_bad_scene(photic, shallow):
     shallow.write_text(shallow.read_text() + "photosn = 5\n")
     done = photic("bench", "quick.toml")

@@ -165,5 +165,63 @@ TEST(WalksThroughWaves, OverOtherWaterAreTheirOwnRun) {
   expect_environment_is(all, own, 10);
 }
 
+// Echoes over weaker waves and fewer whitecaps, and derivatives by both.
+TEST(WalksThroughWaves, OverOtherWavesAreTheirOwnRun) {
+  const auto run = [&](const std::string& waves, const std::string& more, std::uint64_t seed,
+                       const std::string& estimator) {
+    const std::string settings = estimator == "forward" ? "" : both_free;
+    return run_in_lanes(read(
+        more +
+        instrument(
+            {.off_nadir = 10, .lens = 0.4, .view_mrad = 40, .divergence_mrad = 10, .laser = 0.04}) +
+        channel("elastic") + sea(waves) +
+        water(0.06, 0.3, R"({ model = "henyey-greenstein", g = 0.7 })") + gates +
+        simulation(estimator == "forward" ? 3e6 : 4e5, seed, settings, estimator)));
+  };
+  const std::string wind = "model = \"cox-munk\", gram_charlier = false, wind_speed_m_s = ";
+  const std::string strong = wind + "9.0, whitecap_fraction = 0.10";
+  const std::string weak = wind + "5.0, whitecap_fraction = 0.04";
+  const std::string other =
+      "[[environment]]\nset = { \"sea.surface.wind_speed_m_s\" = 5.0, "
+      "\"sea.surface.whitecap_fraction\" = 0.04 }\n";
+  for (const std::string estimator : {"forward", "bidirectional"}) {
+    const auto all = run(strong, other, 21, estimator);
+    const auto own = run(weak, "", 22, estimator);
+    expect_environment_is(all, own, 7);
+  }
+}
+
+// Derivatives with respect to wind and whitecaps, against differences over the same histories.
+TEST(WalksThroughWaves, HaveDerivativesByWavesAndWhitecaps) {
+  constexpr double wind = 9, white = 0.1, step = 1e-3;
+  const std::string less = fmt::format(
+      "[[environment]]\nset = {{ \"sea.surface.wind_speed_m_s\" = {} }}\n"
+      "[[environment]]\nset = {{ \"sea.surface.whitecap_fraction\" = {} }}\n",
+      wind * (1 - step), white * (1 - step));
+  for (const std::string estimator : {"forward", "bidirectional"}) {
+    const auto r = run_in_lanes(read(
+        "sensitivity = [\"sea.surface.wind_speed_m_s\", \"sea.surface.whitecap_fraction\"]\n" +
+        less + instrument({.lens = 0.4, .view_mrad = 40, .divergence_mrad = 10, .laser = 0.04}) +
+        channel("elastic") +
+        sea(fmt::format("model = \"cox-munk\", gram_charlier = false, wind_speed_m_s = {}, "
+                        "whitecap_fraction = {}",
+                        wind, white)) +
+        layer(0.7) + gates +
+        simulation(1e5, 31, estimator == "forward" ? "" : both_free, estimator)));
+    const std::size_t gates_here = r.gates();
+    for (std::size_t p = 0; p < 2; ++p) {
+      for (std::size_t g = 0; g < gates_here; ++g) {
+        const std::size_t i = p * gates_here + g;
+        if (!(r.echo.mean[g] > 0)) continue;
+        const double by_steps =
+            -r.environment_difference.mean[i] / (step * (p == 0 ? wind : white));
+        const double scale = r.echo.mean[g] / (p == 0 ? wind : white);
+        EXPECT_NEAR(r.sensitivity.mean[i], by_steps, 0.01 * std::abs(by_steps) + 0.01 * scale)
+            << estimator << ", parameter " << p << ", gate " << g;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace photic::test

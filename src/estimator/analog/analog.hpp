@@ -156,6 +156,7 @@ struct AnalogSteps {
     estimator::cross_waves(
         world, p.place, p, {stand, Mask<T>(in_air)}, false, ledger,
         [](const transport::AtWaves<T>&, std::uint32_t) {},
+        [](const Mask<T>&, const surface::Meeting<T>&) {},
         [&](const Mask<T>& left) {
           detect(world, p.photon, p.touched, left, endless, true, depth, tally);
         });

@@ -40,10 +40,12 @@ struct FromLaser : WalkDraws<T> {
   [[nodiscard]] static std::int32_t instrument() { return of_laser; }
   [[nodiscard]] const EntryCone<T>& cone() const { return world.laser_cone; }
 
-  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record) {
+  /// met(mask, meeting): as of birth_through_waves().
+  template <class Met>
+  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record, Met met) {
     const auto u = this->draw(walk, Index<T>(0), 0);
     const T n(gather<T>(world.sea.index, Index<T>(0)));
-    if (world.sea.waves.rough) return birth_through_waves(walk, exist, u);
+    if (world.sea.waves.rough) return birth_through_waves(walk, exist, u, met);
     auto birth = world.laser.collimated
                      ? birth_at_collimated_laser(world.sea, world.laser, world.laser_region, cone(),
                                                  n, u[0], u[1])
@@ -56,14 +58,15 @@ struct FromLaser : WalkDraws<T> {
     birth.exists = of_own_rays ? birth.own : !birth.own;
     return birth;
   }
+  template <class Met>
   Birth<T> birth_through_waves(const Index<T>& walk, const Mask<T>& exist,
-                               const std::array<T, 4>& u) {
+                               const std::array<T, 4>& u, Met met) {
     auto entry = entry_of_laser(world.laser, world.laser_region.layer, u[0], u[1]);
     const auto v = this->draw(walk, Index<T>(0), 1);
     entry.u_slope = v[0], entry.u_azimuth = v[1];
     auto birth = estimator::birth_through_waves(
         world.sea, world.laser_region, cone(), entry, false, Index<T>(0), u[2], u[3],
-        [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); });
+        [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); }, met);
     book(ledger.escaped, exist, T(1) - select(birth.exists, birth.photon.weight, T(0)));
     return birth;
   }
@@ -88,7 +91,8 @@ struct FromTelescope : WalkDraws<T> {
     return world.telescope_cones[receiver.telescope];
   }
 
-  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record) {
+  template <class Met>
+  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record, Met met) {
     const auto& telescope = world.telescopes[receiver.telescope];
     const auto u = this->draw(walk, Index<T>(0), 0);
     record.lens = lens_point(telescope, u[0], u[1]);
@@ -96,7 +100,7 @@ struct FromTelescope : WalkDraws<T> {
     record.grid_offset = v[0];
     record.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
     record.line = line_of(medium::spectral_bin_of(v[2]));
-    if (world.sea.waves.rough) return birth_through_waves(walk, record, u);
+    if (world.sea.waves.rough) return birth_through_waves(walk, record, u, met);
     const auto ray = draw_entry(cone(), gather<T>(world.sea.index, record.line),
                                 gather<T>(world.sea.index, Index<T>(0)), u[2], u[3]);
     record.outward = ray.outside;
@@ -108,8 +112,9 @@ struct FromTelescope : WalkDraws<T> {
     if (!cone().even_outside) birth.exists = exist;
     return birth;
   }
+  template <class Met>
   Birth<T> birth_through_waves(const Index<T>& walk, BirthRecord<T>& record,
-                               const std::array<T, 4>& u) {
+                               const std::array<T, 4>& u, Met met) {
     const auto& telescope = world.telescopes[receiver.telescope];
     const auto w = this->draw(walk, Index<T>(0), 2);
     const auto point = transport::point_seen(telescope, record.lens, w[0], w[1]);
@@ -123,7 +128,7 @@ struct FromTelescope : WalkDraws<T> {
     record.telescope = world.groups[receiver.group].narrowest(sight);
     return estimator::birth_through_waves(
         world.sea, receiver.region, cone(), entry, true, record.line, u[2], u[3],
-        [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); });
+        [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); }, met);
   }
   [[nodiscard]] static Mask<T> left_out(const Birth<T>& birth) { return !birth.exists; }
   /// The line that a walk of a spectral_bin detects.

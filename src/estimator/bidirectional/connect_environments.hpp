@@ -4,6 +4,7 @@
 
 #include "estimator/bidirectional/connections.hpp"
 #include "estimator/bidirectional/leg_terms.hpp"
+#include "estimator/bidirectional/surface_entry.hpp"
 
 namespace photic::estimator {
 
@@ -17,6 +18,13 @@ PHOTIC_APART void Connections<T>::complete_to_telescope(const Pairing<T>& pairin
           completion_.ways);
   completion_.collide(sea_, {v.line, v.layer, line > Index<T>(0), line,
                              one_minus_cos(v.direction, way.direction), T(-v.direction.z)});
+  complete_surface(line, way);
+}
+/// By a way to an instrument.
+template <class T>
+void Connections<T>::complete_surface(const Index<T>& line, const geometry::Sightline<T>& way) {
+  if (sea_.environments.other_surface)
+    completion_.surface.meet(sea_, meeting_along(sea_, line, way));
 }
 
 /// `length`: in the water.
@@ -30,6 +38,7 @@ PHOTIC_APART void Connections<T>::complete_to_laser(const Pairing<T>& pairing, c
           completion_.ways);
   completion_.collide(sea_, {w.line, w.layer, w.line > Index<T>(0), w.line,
                              one_minus_cos(w.direction, way.direction), way.direction.z});
+  complete_surface(Index<T>(0), way);
 }
 
 /// By an edge of light of a line.
@@ -65,6 +74,7 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const Met<T>& met, const T
     add_leg(sea_, left, arrived, completion_.ways);
   };
   completion_.clear();
+  completion_.meets = true;
   pass(out);
   pass(back);
   if (is_aslant(telescope_)) {
@@ -80,6 +90,7 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const Met<T>& met, const T
   completion_.collide(sea_, {first.line, first.layer, Mask<T>(!(first.line == leaving.line)),
                              first.line, one_minus_cos(arriving, leaving.direction),
                              met.free == Free::telescope ? leaving.direction.z : T(-arriving.z)});
+  complete_surface(first.line, way);
 }
 
 /// Scores with the ratios of the completed paths.
@@ -94,18 +105,18 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(Pairing<T
                       const auto of_walks = [&](std::int32_t e) {
                         const auto of_laser = [&] {
                           return laser_.ratio(sea_.environments, laser[lane], out[lane],
-                                              path.free == Free::laser, e);
+                                              path.free == Free::laser, !completion_.meets, e);
                         };
                         const auto of_telescope = [&] {
                           return back_.ratio(sea_.environments, telescope[lane], back[lane],
-                                             path.free == Free::telescope, e);
+                                             path.free == Free::telescope, !completion_.meets, e);
                         };
                         if (walked == Walked::laser) return of_laser();
                         if (walked == Walked::telescope) return of_telescope();
                         return joined(sea_.environments, e, of_laser(), of_telescope());
                       };
-                      tally_.not_finite += complete<T>(sea_.environments, completion_, lane,
-                                                       of_walks, ratios_.data());
+                      tally_.not_finite +=
+                          complete<T>(sea_, completion_, lane, of_walks, ratios_.data());
                       tally_.score(score, at, ratios_.data());
                     });
 }

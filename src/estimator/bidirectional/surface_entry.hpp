@@ -184,12 +184,21 @@ geometry::Sightline<T> sightline_along(const EntryEdge<T>& edge, const geometry:
   return way;
 }
 
-/// A walk that begins at an entry, by two uniforms; draw(block) draws more.
-template <class T, class Draw>
+/// How light meets the surface that goes along such a way, or would if it went back.
+template <class T>
+surface::Meeting<T> meeting_along(const medium::MediumView& sea, const Index<T>& line,
+                                  const geometry::Sightline<T>& way) {
+  return surface::meeting_of(surface::rough_surface<T>(sea, line), Mask<T>(true), false,
+                             Vec3<T>(-way.arriving), Vec3<T>(-way.direction));
+}
+
+/// A walk that begins at an entry, by two uniforms; draw(block) draws more, and met(mask, meeting)
+/// is told how it meets the surface.
+template <class T, class Draw, class Met>
 Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Region<T>& region,
                              const EntryCone<T>& cone, const SurfaceEntry<T>& entry,
                              bool from_telescope, const Index<T>& line, const T& u_polar,
-                             const T& u_azimuth, Draw draw) {
+                             const T& u_azimuth, Draw draw, Met met_surface) {
   Birth<T> birth;
   birth.entry = entry;
   auto& photon = birth.photon;
@@ -204,13 +213,18 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
   birth.spread.solid_angle = solid_angle;
   birth.exists = entry.exists & (direction.z < T(0));
   const Mask<T> several = entry.exists & (u_polar >= cone.by_one_facet());
+  if (sea.environments.other_surface)
+    met_surface(Mask<T>(!several),
+                surface::meeting_of(surface::rough_surface<T>(sea, line), Mask<T>(true), false,
+                                    entry.outside, direction));
   if (any(several)) {
     auto by = photon;
     by.direction = entry.outside;
     by.weight = entry.weight / cone.by_facets;
     const auto surface = surface::rough_surface<T>(sea, line);
-    const auto met = from_telescope ? back_by_facets(surface, by, several, true, true, draw)
-                                    : light_by_facets(surface, by, several, true, draw);
+    const auto met = from_telescope
+                         ? back_by_facets(surface, by, several, true, true, draw, met_surface)
+                         : light_by_facets(surface, by, several, true, draw, met_surface);
     photon = select(several, by, photon);
     birth.spread.solid_angle = select(several, T(0), solid_angle);
     birth.exists = (birth.exists & !several) | (met.in_water & met.several);

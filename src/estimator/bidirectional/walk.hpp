@@ -61,7 +61,8 @@ class Walks {
         telescope_(walks),
         line_(walks),
         first_on_bed_(sea.bed_angles > 0 ? walks : 0),
-        ratios_(sea.environments, walks * stride) {}
+        ratios_(sea.environments, walks * stride),
+        at_surface_(sea.environments, sea.environments.other_surface ? walks * stride : 0) {}
 
   // Written by walkers, in the lanes of a mask.
   void birth(const Mask<T>& mask, const Index<T>& walk, const BirthRecord<T>& record,
@@ -125,17 +126,25 @@ class Walks {
   /// Of the weights with which walks leave by their rays, in environments: beyond the second ray
   /// without what lies before that, which a free walk has anew.
   [[nodiscard]] PathRatios<T>& ratios() { return ratios_; }
-  /// Product and depth of a walk up to ray m, for environments from `first` on.
+  /// What the surface did to walks on their ways from vertices, or the instrument, to the next.
+  [[nodiscard]] PathRatios<T>& at_surface() { return at_surface_; }
+  /// Product and depth of a walk up to where ray m leaves a vertex, or comes into the water, for
+  /// environments from `first` on; `whole_leg`: and of what the surface does to it from there on.
   [[nodiscard]] std::array<T, 2> ratio(const medium::EnvironmentsView& environments,
                                        std::int32_t walk, std::int32_t m, bool is_free,
-                                       std::int32_t first) const {
-    const auto of_ray = [&](std::int32_t ray) {
-      return ratios_.at(static_cast<std::size_t>(walk) * stride + static_cast<std::size_t>(ray),
-                        first);
+                                       bool whole_leg, std::int32_t first) const {
+    const auto slot = [&](std::int32_t ray) {
+      return static_cast<std::size_t>(walk) * stride + static_cast<std::size_t>(ray);
     };
-    if (m < 2) return of_ray(is_free ? 0 : m);
-    if (is_free) return of_ray(m);
-    return joined(environments, first, of_ray(1), of_ray(m));
+    const auto of_ray = [&](std::int32_t ray) { return ratios_.at(slot(ray), first); };
+    const auto of_walk = [&] {
+      if (m < 2) return of_ray(is_free ? 0 : m);
+      if (is_free) return of_ray(m);
+      return joined(environments, first, of_ray(1), of_ray(m));
+    };
+    const bool meets = environments.other_surface && !is_free && (whole_leg || m == 0);
+    if (!meets) return of_walk();
+    return joined(environments, first, of_walk(), at_surface_.at(slot(m), first));
   }
   /// Where ray or vertex i of a walk is kept.
   static Index<T> slot(const Index<T>& walk, const Index<T>& i) {
@@ -143,7 +152,7 @@ class Walks {
   }
   /// So many bytes does a walk take in environments.
   static std::size_t size(const medium::EnvironmentsView& environments) {
-    return stride * PathRatios<T>::size(environments);
+    return (environments.other_surface ? 2 : 1) * stride * PathRatios<T>::size(environments);
   }
 
   [[nodiscard]] bool from_telescope() const { return from_telescope_; }
@@ -353,6 +362,7 @@ class Walks {
       line_;                                ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many
   PathRatios<T> ratios_;                    ///< of each ray
+  PathRatios<T> at_surface_;                ///< of each vertex, if surfaces differ
 };
 
 }  // namespace photic::estimator

@@ -36,6 +36,20 @@ struct Walker : Track<T> {
   FirstVertex<T> first;    ///< as far as it is known
 };
 
+/// Walks of a mask have met the surface on their way to vertex i: what is kept of it.
+template <class T>
+PHOTIC_APART PHOTIC_FLATTEN void meet_surface(const geometry::Slabs& sea, Walks<T>& walks,
+                                              Index<T> walk, Index<T> i,
+                                              surface::Meeting<T> meeting, Mask<T> mask) {
+  OtherSurfaces<T> met;
+  met.meet(sea, meeting);
+  const auto slots = each_lane(Walks<T>::slot(walk, i));
+  for_each_lane(mask, [&](int lane) {
+    const auto k = static_cast<std::size_t>(lane);
+    walks.at_surface().of(static_cast<std::size_t>(slots[k])).meet(sea, met, k);
+  });
+}
+
 /// Of walks from one instrument. A Source tells how they begin, what they draw, and whether light
 /// from where a photon stands can still count; its ledger takes what ends.
 template <class T, class Source>
@@ -85,7 +99,7 @@ class WalkSteps {
   }
   void cross(Walker<T>& w) {
     if (sea_.waves.rough) [[unlikely]] {
-      w = cross_waves(sea_, source_, walks_.from_telescope(), w);
+      w = cross_waves(sea_, source_, walks_, w);
       return;
     }
     const Mask<T> reflected = reflect_at_surface(sea_, w, Mask<T>(false), ledger);
@@ -149,15 +163,20 @@ class WalkSteps {
         record.spread);
   }
   /// Those who stand at the surface meet facets until they go down in the water, or have left.
-  PHOTIC_APART static Walker<T> cross_waves(const geometry::Slabs& sea, Source& source, bool back,
-                                            Walker<T> w) {
+  PHOTIC_APART static Walker<T> cross_waves(const geometry::Slabs& sea, Source& source,
+                                            Walks<T>& walks, Walker<T> w) {
+    const bool back = walks.from_telescope();
     const Mask<T> stand = w.on & !w.colliding;
     if (!any(stand)) return w;
     const T before = w.photon.weight;
     const auto draw = [&](std::uint32_t block) { return source.draw(w.walk, w.event, block); };
     const auto surface = surface::rough_surface<T>(sea, w.photon.line);
-    const auto by = back ? back_by_facets(surface, w.photon, stand, false, false, draw)
-                         : light_by_facets(surface, w.photon, stand, false, draw);
+    const auto met = [&](const Mask<T>& mask, const surface::Meeting<T>& meeting) {
+      if (sea.environments.other_surface)
+        meet_surface(sea, walks, w.walk, w.vertices, meeting, mask);
+    };
+    const auto by = back ? back_by_facets(surface, w.photon, stand, false, false, draw, met)
+                         : light_by_facets(surface, w.photon, stand, false, draw, met);
     // A walk's weight is what light is worth that comes the path, but for its chances.
     if (back) {
       w.photon.weight = w.photon.weight * select(stand, by.chance, T(1));
@@ -236,6 +255,9 @@ class WalkSteps {
       const auto ratios = walks.ratios().of(slot);
       ratios.pass(sea.environments, way, k);
       ratios.collide(sea.environments, collision, k);
+      if (!sea.environments.other_surface) return;
+      ratios.join(sea.environments, walks.at_surface().of(slot - 1));
+      walks.at_surface().of(slot).begin(sea.environments);
     });
   }
 

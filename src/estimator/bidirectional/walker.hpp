@@ -48,7 +48,13 @@ class WalkTracer {
     // Lanes without a walk draw the numbers of another: beyond the batch there are none.
     walker.walk = select(exist, Index<T>(first) + lane_numbers<T>(), Index<T>(first));
     BirthRecord<T> record;
-    const auto birth = source_.birth(walker.walk, exist, record);
+    if (world_.compares) [[unlikely]]
+      begin_ratios(walker.walk, exist);
+    const auto met = [&](const Mask<T>& mask, const surface::Meeting<T>& meeting) {
+      if (world_.sea.environments.other_surface)
+        meet_surface(world_.sea, walks_, walker.walk, Index<T>(0), meeting, Mask<T>(mask & exist));
+    };
+    const auto birth = source_.birth(walker.walk, exist, record, met);
     const Mask<T> born = exist & birth.exists;
     walker.photon = birth.photon;
     record.spread = birth.spread;
@@ -57,8 +63,6 @@ class WalkTracer {
     walks_.birth(born | left_out, walker.walk, record, {walk_point(birth.photon)});
     walks_.leave_out(left_out, walker.walk);
     if (world_.sea.waves.rough) walks_.enter(born | left_out, walker.walk, birth.entry);
-    if (world_.compares) [[unlikely]]
-      begin_ratios(walker.walk, born);
     waiting_columns_.each(
         walker, [&](const auto& member, auto* column) { compress(born, member, column); });
     waiting_ = count(born);
@@ -86,7 +90,10 @@ class WalkTracer {
   PHOTIC_APART void begin_ratios(Index<T> walk, const Mask<T>& mask) {
     const auto first = each_lane(Walks<T>::slot(walk, Index<T>(0)));
     for_each_lane(mask, [&](int lane) {
-      walks_.ratios().of(first[static_cast<std::size_t>(lane)]).begin(world_.sea.environments);
+      const auto slot = static_cast<std::size_t>(first[static_cast<std::size_t>(lane)]);
+      walks_.ratios().of(slot).begin(world_.sea.environments);
+      if (world_.sea.environments.other_surface)
+        walks_.at_surface().of(slot).begin(world_.sea.environments);
     });
   }
   const World<T>& world_;

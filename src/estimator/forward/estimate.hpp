@@ -143,8 +143,8 @@ void score_completed(const World<T>& world, const Mask<T>& seen, const lanes::La
       tally, seen, scores, [&](std::size_t lane, const tally::Score& score, const auto& at) {
         const std::size_t path = estimates.first + lane;
         tally.not_finite += complete<T>(
-            sea.environments, completion, lane,
-            [&](std::int32_t e) { return estimates.paths->at(path, e); }, estimates.ratios.data());
+            sea, completion, lane, [&](std::int32_t e) { return estimates.paths->at(path, e); },
+            estimates.ratios.data());
         tally.score(score, at, estimates.ratios.data());
       });
 }
@@ -169,6 +169,14 @@ void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sourc
                 {from.line, group.region.layer, way.onward.depth(), top, T(0), way.onward.length},
                 ways);
 }
+/// What waves that lead them on make of paths in environments.
+template <class T>
+void complete_surface(const World<T>&, const transport::Connection<T>&, Completion<T>&) {}
+template <class T>
+void complete_surface(const World<T>& world, const transport::WavesConnection<T>& way,
+                      Completion<T>& completion) {
+  if (world.sea.environments.other_surface) completion.surface.meet(world.sea, way.meeting);
+}
 /// Light that leaves a collision and goes to telescopes of a group, also in environments.
 template <class T, class Way>
 PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(
@@ -180,6 +188,7 @@ PHOTIC_APART PHOTIC_FLATTEN void score_in_environments(
   completion.clear();
   completion.ways = estimates.unflown;
   complete_ways(world, group, from, way, route, completion.ways);
+  complete_surface(world, way, completion);
   completion.collide(world.sea,
                      {photon.line, photon.layer, Mask<T>(!(from.line == photon.line)), from.line,
                       one_minus_cos(photon.direction, way.direction), T(-photon.direction.z)});

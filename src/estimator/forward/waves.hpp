@@ -15,7 +15,7 @@ inline constexpr std::uint32_t line_blocks = std::uint32_t{1} << 21;
 /// Scores photons of a mask that are about to meet facets, by a way to a group of telescopes.
 template <class Events, class T>
 void score_from_surface(const World<T>& world, const Travellers<T>& t, const ViewGroup<T>& group,
-                        const transport::RayConnection<T>& way, const Mask<T>& mask,
+                        const transport::SurfaceConnection<T>& way, const Mask<T>& mask,
                         Estimates<T>& estimates, tally::BatchTally& tally) {
   const transport::Photon<T>& photon = t.photon;
   const Mask<T> seen = mask & (way.acceptance > T(0));
@@ -36,6 +36,8 @@ void score_from_surface(const World<T>& world, const Travellers<T>& t, const Vie
   estimates.paths = t.ratios.paths;
   estimates.first = t.ratios.first;
   estimates.completion.clear();
+  if (world.sea.environments.other_surface)
+    estimates.completion.surface.meet(world.sea, way.meeting);
   if (!group.region.in_air)
     add_passage(world.sea,
                 {photon.line, group.region.layer, T(T(0) - way.direction.z * way.length_water),
@@ -51,15 +53,16 @@ PHOTIC_APART void score_at_surface(const World<T>& world, const Travellers<T>& t
   const auto& waves = world.sea.waves;
   for (std::size_t g = 0; g < world.groups.size(); ++g) {
     const ViewGroup<T>& group = world.groups[g];
-    const auto score = [&](const transport::RayConnection<T>& way) {
+    const auto score = [&](const transport::SurfaceConnection<T>& way) {
       score_from_surface<Events>(world, t, group, way, mask, estimates, tally);
     };
     if (!waves.one_dimensional || waves.whitecap_fraction > 0)
       score(transport::connect_from_surface(world.sea, group.widest, group.region, t.photon, in_air,
                                             t.lens[g]));
     if (waves.one_dimensional)
-      score(transport::connect_in_line(world.sea, group.widest, group.region, t.photon, in_air,
-                                       uniforms(t.place, line_blocks + facet)[0]));
+      score({transport::connect_in_line(world.sea, group.widest, group.region, t.photon, in_air,
+                                        uniforms(t.place, line_blocks + facet)[0]),
+             {}});
   }
 }
 
@@ -73,7 +76,11 @@ PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mas
     if (facet == 0) scored = scored & (t.photon.order == Index<T>(0));
     if (any(scored)) score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);
   };
-  cross_waves(world, t.place, t, {stand, Mask<T>(in_air)}, true, ledger, score,
+  const auto met = [&](const Mask<T>& meets, const surface::Meeting<T>& meeting) {
+    if (compares<Events>(world) && world.sea.environments.other_surface)
+      t.ratios.met(world.sea, meeting, meets);
+  };
+  cross_waves(world, t.place, t, {stand, Mask<T>(in_air)}, true, ledger, score, met,
               [](const Mask<T>&) {});
 }
 

@@ -18,6 +18,7 @@
 
 #include "core/elementary.hpp"
 #include "core/flatten.hpp"
+#include "estimator/variations/other_surfaces.hpp"
 #include "geometry/region.hpp"
 #include "medium/medium.hpp"
 #include "optics/phase_table.hpp"
@@ -70,12 +71,25 @@ Mask<T> tangents(const medium::EnvironmentsView& environments, std::int32_t firs
   return Index<T>(first) + lane_numbers<T>() >= Index<T>(environments.first_tangent);
 }
 
-/// A product with another collision in a lane, for environments from `first` on.
+/// A product with another ratio, of which `sum` is what it is more than 1, for environments from
+/// `first` on.
+template <class T>
+T times(const medium::EnvironmentsView& environments, const T& product, const T& sum,
+        std::int32_t first) {
+  return product + select(tangents<T>(environments, first), sum, product * sum);
+}
+/// With another collision in a lane.
 template <class T>
 T collided(const medium::EnvironmentsView& environments, const T& product,
            const Terms<T>& collision, std::size_t lane, std::int32_t first) {
-  const T sum = collision.sum(environments, lane, first);
-  return product + select(tangents<T>(environments, first), sum, product * sum);
+  return times(environments, product, collision.sum(environments, lane, first), first);
+}
+
+/// Product and depth of two walks that are one path, for environments from `first` on.
+template <class T>
+std::array<T, 2> joined(const medium::EnvironmentsView& environments, std::int32_t first,
+                        const std::array<T, 2>& a, const std::array<T, 2>& b) {
+  return {select(tangents<T>(environments, first), a[0] + b[0], a[0] * b[0]), a[1] + b[1]};
 }
 
 /// What is kept of one path, [environment].
@@ -105,14 +119,24 @@ struct PathRatio {
       store(collided(environments, old, collision, lane, e), product + e);
     });
   }
+  /// Another part of the path belongs to it.
+  void join(const medium::EnvironmentsView& environments, const PathRatio& part) const {
+    each_group<T>(environments, [&](std::int32_t e) {
+      const std::array<T, 2> own{load<T>(product + e), load<T>(deeper + e)};
+      const auto both =
+          joined(environments, e, own, {load<T>(part.product + e), load<T>(part.deeper + e)});
+      store(both[0], product + e);
+      store(both[1], deeper + e);
+    });
+  }
+  /// The path has met the surface.
+  void meet(const medium::MediumView& sea, const OtherSurfaces<T>& met, std::size_t lane) const {
+    each_group<T>(sea.environments, [&](std::int32_t e) {
+      const T old = load<T>(product + e);
+      store(times(sea.environments, old, met.sum(sea, lane, e), e), product + e);
+    });
+  }
 };
-
-/// Product and depth of two walks that are one path, for environments from `first` on.
-template <class T>
-std::array<T, 2> joined(const medium::EnvironmentsView& environments, std::int32_t first,
-                        const std::array<T, 2>& a, const std::array<T, 2>& b) {
-  return {select(tangents<T>(environments, first), a[0] + b[0], a[0] * b[0]), a[1] + b[1]};
-}
 
 /// What is kept of many paths.
 template <class T>
@@ -255,10 +279,14 @@ struct Completion {
   Terms<T> ways;
   std::array<Terms<T>, 2> collision;
   std::size_t collisions = 0;
+  OtherSurfaces<T> surface;
+  bool meets = false;  ///< the walks' rays have met, before what ends their legs
 
   void clear() {
+    meets = false;
     ways.clear();
     collisions = 0;
+    surface.clear();
   }
   void pass(const medium::MediumView& sea, const Passage<T>& passage) {
     add_passage(sea, passage, ways);
@@ -273,12 +301,12 @@ struct Completion {
 /// The ratios of a completed path in a lane, from product and depth of its walks, to where there is
 /// room for a whole row. Returns how many are not finite, and put down as 0.
 template <class T, class Walks>
-std::uint64_t complete(const medium::EnvironmentsView& environments,
-                       const Completion<T>& completion, std::size_t lane, Walks walks,
-                       Element<T>* to) {
+std::uint64_t complete(const medium::MediumView& sea, const Completion<T>& completion,
+                       std::size_t lane, Walks walks, Element<T>* to) {
   // No more than a number can say: the light itself is gone by then.
   const T least(sizeof(Element<T>) == sizeof(double) ? -600 : -80);
   const T most(std::numeric_limits<Element<T>>::max());
+  const medium::EnvironmentsView& environments = sea.environments;
   std::uint64_t lost = 0;
   each_group<T>(environments, [&](std::int32_t first) {
     using std::abs;
@@ -286,6 +314,7 @@ std::uint64_t complete(const medium::EnvironmentsView& environments,
     deeper = deeper + completion.ways.sum(environments, lane, first);
     for (std::size_t k = 0; k < completion.collisions; ++k)
       product = collided(environments, product, completion.collision[k], lane, first);
+    product = times(environments, product, completion.surface.sum(sea, lane, first), first);
     const T of_other_water = product * exp_minus(select(deeper > least, deeper, least));
     const T ratio =
         select(tangents<T>(environments, first), T(1) + product - deeper, of_other_water);
@@ -304,6 +333,7 @@ struct Ratios {
   std::size_t first = 0;        ///< path of the first lane
   transport::Photon<T> before;  ///< what happens to them
   Terms<T> terms;
+  OtherSurfaces<T> surface;
 
   /// The photons of a mask have flown so far.
   PHOTIC_APART PHOTIC_FLATTEN void flown(const medium::MediumView& sea, transport::Photon<T> after,
@@ -329,6 +359,15 @@ struct Ratios {
     for_each_lane(mask, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
       paths->of(first + i).collide(sea.environments, terms, i);
+    });
+  }
+  /// Those of a mask have met the surface.
+  PHOTIC_APART PHOTIC_FLATTEN void met(const medium::MediumView& sea, surface::Meeting<T> meeting,
+                                       Mask<T> mask) {
+    surface.meet(sea, meeting);
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      paths->of(first + i).meet(sea, surface, i);
     });
   }
 };

@@ -29,6 +29,8 @@ WavesView steep_waves(double whitecaps) {
 constexpr surface::Whitecaps<double> none{};
 constexpr surface::Whitecaps<double> some{0.2, 0.22, 1 - 0.78 / (1.34 * 1.34)};
 
+constexpr auto not_told = [](bool, const surface::Meeting<double>&) {};
+
 /// Mean over walks, and its error.
 struct Mean {
   double sum = 0, squares = 0, n = 0;
@@ -58,8 +60,9 @@ Mean mean_of(By by, const RoughSurface<double>& surface, bool several, Told told
     const double c = std::sqrt(1 - u[0]), s = std::sqrt(u[0]), a = 2 * pi * u[1];
     transport::Photon<double> photon;
     const Vec3<double> begun = photon.direction = {s * std::cos(a), s * std::sin(a), c};
-    const auto met = by == By::light ? light_by_facets(surface, photon, true, false, draw)
-                                     : back_by_facets(surface, photon, true, false, false, draw);
+    const auto met = by == By::light
+                         ? light_by_facets(surface, photon, true, false, draw, not_told)
+                         : back_by_facets(surface, photon, true, false, false, draw, not_told);
     if (!met.in_water || met.several != several) {
       mean.add(0);
       continue;
@@ -119,8 +122,9 @@ Mean mean_from_air(By by, const RoughSurface<double>& surface, bool several, boo
     const auto draw = [&](std::uint32_t block) { return uniforms<double>(key, n, 1, block); };
     transport::Photon<double> photon;
     photon.direction = {0.8, 0.1, -std::sqrt(1 - 0.65)};
-    const auto met = by == By::light ? light_by_facets(surface, photon, true, true, draw)
-                                     : back_by_facets(surface, photon, true, true, must, draw);
+    const auto met = by == By::light
+                         ? light_by_facets(surface, photon, true, true, draw, not_told)
+                         : back_by_facets(surface, photon, true, true, must, draw, not_told);
     const bool counts = met.in_water && met.several == several;
     mean.add(counts ? photon.weight * (1 + photon.direction.x) : 0);
   }

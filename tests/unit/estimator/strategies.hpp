@@ -136,7 +136,10 @@ struct StrategiesOfPath {
     const auto l = static_cast<std::size_t>(path.line_of(i));
     const auto here =
         l * static_cast<std::size_t>(medium.layers()) + static_cast<std::size_t>(layer(i));
-    return world.averaged.value(instrument, one_minus_cos(world.cone(instrument).axis, leaving),
+    V axis = world.cone(instrument).axis;
+    const Edge& from = instrument == of_laser ? edge.front() : edge.back();
+    if (from.mirrored) axis.z = -axis.z;  // the surface has sent the walk about this one
+    return world.averaged.value(instrument, one_minus_cos(axis, leaving),
                                 medium.elastic_phase[here]);
   }
   /// Where rays can meet at vertex i: 1 over what is not drawn of it.

@@ -213,5 +213,39 @@ TEST(WhitecapsOfAScene, AreRefusedWhereTheirReflectanceIsNotKnown) {
   EXPECT_EQ(refusal(scene), "nothing was refused");
 }
 
+scene::Scene over(const scene::Surface& surface, const scene::Surface& other) {
+  scene::Scene scene = scene_of({iop_layer()}, all_channels);
+  scene.sea.surface = surface;
+  scene.environment.push_back({"other", {}, scene.optics, scene.sea});
+  scene.environment.front().sea.surface = other;
+  return scene;
+}
+scene::Surface gaussian_cox_munk(double wind_speed_m_s, double whitecaps) {
+  auto surface = cox_munk_sea(wind_speed_m_s);
+  surface.gram_charlier = false;
+  surface.whitecap_fraction = whitecaps;
+  return surface;
+}
+
+// What no history of the scene meets, or hardly any.
+TEST(SurfaceOfAnEnvironment, MayNotBeSteeper) {
+  const auto expect_refused = [](const scene::Surface& here, const scene::Surface& there,
+                                 const std::string& why) {
+    const std::string all = refusal(over(here, there));
+    EXPECT_NE(all.find("environment \"other\": " + why), std::string::npos) << all;
+  };
+  const auto wind = [](double speed) { return gaussian_cox_munk(speed, 0.01); };
+  expect_refused(wind(5), wind(6), "its waves are steeper than the scene's");
+  expect_refused(wind(5), wind(0), "a flat surface leads light by one way alone");
+  expect_refused(paper_sea(5), paper_sea(4), "over waves of one direction");
+  expect_refused(cox_munk_sea(15), cox_munk_sea(14), "in the scene's wind Cox & Munk's series");
+  expect_refused(gaussian_cox_munk(5, 0), wind(5), "there are whitecaps, and none in the scene");
+  expect_refused(gaussian_cox_munk(5, 1), wind(5), "whitecaps leave some of the surface free");
+  for (const auto& good : {over(wind(5), wind(4)), over(cox_munk_sea(10), cox_munk_sea(3)),
+                           over(wind(5), gaussian_cox_munk(5, 0.9))})
+    EXPECT_TRUE(medium_of(good).view().environments.other_surface);
+  EXPECT_FALSE(medium_of(over(wind(5), wind(5))).view().environments.other_surface);
+}
+
 }  // namespace
 }  // namespace photic::medium
