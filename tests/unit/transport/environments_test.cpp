@@ -70,7 +70,7 @@ std::vector<Element<T>> ratios_of(const medium::MediumView& sea, estimator::Path
                                   std::size_t path) {
   std::vector<Element<T>> out(static_cast<std::size_t>(sea.environments.stride));
   estimator::complete<T>(
-      sea.environments, {}, 0, [&](std::int32_t e) { return paths.at(path, e); }, out.data());
+      sea, {}, 0, [&](std::int32_t e) { return paths.at(path, e); }, out.data());
   return out;
 }
 
@@ -155,7 +155,7 @@ TEST(Environments, LoseWhatIsNotFinite) {
   paths.of(0).deeper[1] = -100;
   std::vector<double> ratio(static_cast<std::size_t>(view.environments.stride), 7.0);
   const auto lost = estimator::complete<double>(
-      view.environments, {}, 0, [&](std::int32_t e) { return paths.at(0, e); }, ratio.data());
+      view, {}, 0, [&](std::int32_t e) { return paths.at(0, e); }, ratio.data());
   EXPECT_EQ(lost, 1U);
   EXPECT_EQ(ratio[0], 1);
   EXPECT_EQ(ratio[1], 0);
@@ -221,8 +221,7 @@ std::vector<Element<T>> completed(const medium::MediumView& sea, const Photon<T>
                      {!submerged, Index<T>(0)}, route_of(mirrored), completion.ways);
   std::vector<Element<T>> out(static_cast<std::size_t>(sea.environments.stride));
   estimator::complete<T>(
-      sea.environments, completion, lane, [&](std::int32_t e) { return kept.at(0, e); },
-      out.data());
+      sea, completion, lane, [&](std::int32_t e) { return kept.at(0, e); }, out.data());
   return out;
 }
 
