@@ -5,12 +5,13 @@
     ds.echo.sel(telescope="ship", channel="raman")
 
 run(scene) computes, open(path) reads a result file; both return an xarray.Dataset whose
-telescopes, channels and processes go by their names. `photic plot out.nc -o out.png`
-draws one.
+telescopes, channels and processes go by their names. oil_thickness(result, clean) tells how
+thick a film of oil is. `photic plot out.nc -o out.png` draws a result.
 """
 
 from photic.errors import Error, Interrupted
+from photic.oil import oil_thickness
 from photic.program import run
 from photic.result import open
 
-__all__ = ["Error", "Interrupted", "open", "run"]
+__all__ = ["Error", "Interrupted", "oil_thickness", "open", "run"]

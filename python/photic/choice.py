@@ -1,44 +1,12 @@
 """Which telescopes and channels a figure shows, and on which axis."""
 
-import difflib
 from dataclasses import dataclass
 
-from photic.errors import Error
+from photic.names import chosen
 from photic.page import spread
 from photic.panels import axis_of
 
 MOST_TELESCOPES = 4  # in a figure
-MOST_LISTED = 12  # names in a message
-
-
-def chosen(results, names, axis, wanted):
-    """Names along the axis that any of the results has: those wanted, or all if none are told.
-
-    Raises photic.Error for a name that no result has, and for a result that has none of them.
-    """
-    known = list(dict.fromkeys(str(name) for result in results for name in result[axis].values))
-    where = names[0] if len(names) == 1 else "results"
-    for name in wanted:
-        if name not in known:
-            raise Error(f"{where}: there is no {axis} {name!r}{_suggestion(name, known)}")
-    if not wanted:
-        return known
-    for result, name in zip(results, names):
-        if not set(wanted) & set(result[axis].values):
-            there = listed([str(each) for each in result[axis].values])
-            raise Error(f"{name}: has no {axis} of those asked for; there are: {there}")
-    return list(dict.fromkeys(wanted))
-
-
-def _suggestion(name, known):
-    near = difflib.get_close_matches(name, known, n=1)
-    return f" (did you mean {near[0]!r}?)" if near else f"; there are: {listed(known)}"
-
-
-def listed(known):
-    """Names, as far as they have room in a line."""
-    more = len(known) - MOST_LISTED
-    return ", ".join(known[:MOST_LISTED]) + (f" and {more} more" if more > 0 else "")
 
 
 @dataclass(frozen=True)

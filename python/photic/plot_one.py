@@ -5,7 +5,8 @@ from functools import partial
 import numpy
 
 from photic import panels
-from photic.choice import kept, listed, through
+from photic.choice import kept, through
+from photic.names import listed
 from photic.page import Cell, as_many_as_fit, columns, page, rows, with_legend
 from photic.panels import COLOURS
 

@@ -16,17 +16,21 @@ inline constexpr std::uint32_t facet_blocks = std::uint32_t{1} << 20;
 inline constexpr std::uint32_t most_facets = 64;
 
 /// Those of `at` who meet facets do so until they have left the surface. observe(at, facet) is told
-/// before each facet that is met, met(mask, meeting) behind it. Where weights split, what rises in
+/// before each facet that is met, met(mask, meeting) behind it; emit(at, facet) tells who goes down
+/// in the water as light that a film of oil emits. Where weights split, what rises in
 /// the air has escaped; where not, whole photons do, of whom leave(mask) is told.
-template <class T, class Ledger, class Observe, class Met, class Leave>
+template <class T, class Ledger, class Observe, class Emit, class Met, class Leave>
 void cross_waves(const World<T>& world, const RandomPlace<T>& place, Track<T>& t,
-                 transport::AtWaves<T> at, bool splits, Ledger& ledger, Observe observe,
+                 transport::AtWaves<T> at, bool splits, Ledger& ledger, Observe observe, Emit emit,
                  Met met_surface, Leave leave) {
   const Mask<T> came = at.meets;
   const auto surface = surface::rough_surface<T>(world.sea, t.photon.line);
   Mask<T> in_water(false);
   for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
     observe(at, facet);
+    const Mask<T> emitted = emit(at, facet);
+    in_water = in_water | emitted;
+    at.meets = at.meets & !emitted;
     const Mask<T> meets = at.meets;
     const auto u = uniforms(place, facet_blocks + facet);
     const auto met = transport::meet_waves(surface, t.photon, at, {u[0], u[1], u[2], u[3]}, splits);
@@ -34,6 +38,7 @@ void cross_waves(const World<T>& world, const RandomPlace<T>& place, Track<T>& t
     // In the mean facets neither take light nor give it; a single one does.
     book(ledger.roulette, meets, T(0) - met.gained);
     book(ledger.escaped, meets, met.escaped);
+    book(ledger.oil, meets, met.into_film);
     if (any(met.left)) {
       leave(met.left);
       book(ledger.escaped, met.left, t.photon.weight);

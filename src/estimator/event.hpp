@@ -40,14 +40,20 @@ void book_out(Track<T>& t, const Mask<T>& gone, Account& account) {
   t.on = t.on & !gone;
 }
 
+/// Whether light from the air is left where it stands at the surface, which does more to it than to
+/// reflect a share.
+inline bool stands_at_surface(const medium::MediumView& sea) {
+  return sea.waves.rough || sea.film.exists;
+}
+
 /// Light of a mask leaves the laser, by two uniforms. What gets into the water is on its way, and
-/// what stands at a rough surface.
+/// what stands at such a surface.
 template <class T, class Ledger>
 void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
                     const Mask<T>& exist, Track<T>& t, Ledger& ledger) {
   t.photon = transport::emit(world.laser, world.laser_region.layer, u_polar, u_azimuth);
   const T emitted = t.photon.weight;
-  const Mask<T> entered = world.sea.waves.rough && world.laser_region.in_air
+  const Mask<T> entered = stands_at_surface(world.sea) && world.laser_region.in_air
                               ? transport::come_down(t.photon)
                               : transport::enter_water(world.sea, world.laser_region, t.photon);
   book(ledger.escaped, exist, select(entered, emitted - t.photon.weight, emitted));
@@ -83,6 +89,13 @@ void end_flight(Steps& steps, Track<T>& t, const transport::FlightEnd<T>& end) {
   steps.tally.collisions += count(t.colliding);
 }
 
+/// Weight that leaves the water, of a mask.
+template <class T, class Ledger>
+void book_leaving(Ledger& ledger, const Mask<T>& mask, const transport::Leaving<T>& leaving) {
+  book(ledger.escaped, mask, leaving.through);
+  book(ledger.oil, mask, leaving.into_film);
+}
+
 /// Those who stand at the surface are reflected, but for the weight that passes; those that are
 /// `lossless` keep all of it. Tells who stood there.
 template <class T, class Ledger>
@@ -91,7 +104,7 @@ Mask<T> reflect_at_surface(const medium::MediumView& sea, Track<T>& t, const Mas
   const Mask<T> reflected = t.on & !t.colliding;
   if (!any(reflected)) return reflected;
   transport::Photon<T> down = t.photon;
-  book(ledger.escaped, reflected, transport::reflect_down(sea, down, lossless));
+  book_leaving(ledger, reflected, transport::reflect_down(sea, down, lossless));
   transport::Photon<T>& photon = t.photon;
   photon.direction.z = select(reflected, down.direction.z, photon.direction.z);
   photon.weight = select(reflected, down.weight, photon.weight);

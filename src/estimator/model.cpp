@@ -14,6 +14,7 @@
 #include "medium/build.hpp"
 #include "medium/check.hpp"
 #include "medium/environments.hpp"
+#include "medium/film.hpp"
 #include "optics/data_folder.hpp"
 #include "scene/forward_settings.hpp"
 #include "transport/touched.hpp"
@@ -186,6 +187,13 @@ tally::Result describe(const Model& model) {
         result.gate_depth_edge_m.push_back(gates.depth(gates.edge_path(edge), t, line));
     }
   }
+  if (medium.film.exists)
+    for (std::size_t t = 0; t < scene.telescope.size(); ++t)
+      for (std::size_t c = 0; c < scene.channel.size(); ++c) {
+        const auto ways = medium::film_both_ways(scene, medium, t, c);
+        result.film_attenuation_per_m.push_back(ways.attenuation_per_m);
+        result.film_interface_ratio.push_back(ways.interface_ratio);
+      }
   result.depth_edge_m = gates.depth_edges(scene.gates.depth_cells);
   result.title = scene.title;
   result.scene_toml = scene::write_scene(scene);

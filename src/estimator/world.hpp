@@ -335,8 +335,8 @@ World<T> make_world(const Model& model) {
   world.meeting_grid = {T(scene.simulation.meetings / reach.range)};
   world.directed = T(scene::directed_fraction_in(scene));
   world.directs = scene::directed_fraction_in(scene) > 0;
-  world.flies_on =
-      world.directs && !world.all_events && world.cones.empty() && !world.sea.waves.rough;
+  world.flies_on = world.directs && !world.all_events && world.cones.empty() &&
+                   !world.sea.waves.rough && !world.sea.film.exists;
   world.single_rays = scene.simulation.reception == scene::Reception::ray;
   world.conversion = T(scene.simulation.conversion_probability);
   const Vec3<double> beam = beam_in_water(scene, medium);

@@ -35,7 +35,7 @@ Sightline<T> sightline_through_surface(const medium::MediumView& sea, const Vec3
                                        const Index<T>& line, const Vec3<T>& to,
                                        const Mask<T>& wanted) {
   const auto surface = surface::flat_surface<T>(sea, line);
-  const auto& [n, inverse_n] = surface;
+  const T &n = surface.n, &inverse_n = surface.inverse_n;
   const T depth = -from.z;
   const T dx = to.x - from.x;
   const T dy = to.y - from.y;

@@ -10,10 +10,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json ledger(const tally::Ledger& shares) {
-  return {{"absorbed", shares.absorbed},         {"escaped", shares.escaped},
-          {"sea_bed", shares.sea_bed},           {"cut_by_time", shares.cut_by_time},
-          {"cut_by_order", shares.cut_by_order}, {"cut_by_weight", shares.cut_by_weight},
-          {"roulette", shares.roulette},         {"lost", shares.lost}};
+  return {{"absorbed", shares.absorbed},
+          {"escaped", shares.escaped},
+          {"sea_bed", shares.sea_bed},
+          {"oil", shares.oil},
+          {"cut_by_time", shares.cut_by_time},
+          {"cut_by_order", shares.cut_by_order},
+          {"cut_by_weight", shares.cut_by_weight},
+          {"roulette", shares.roulette},
+          {"lost", shares.lost}};
 }
 
 Json echo(const tally::Result& result, const EchoRow& row) {

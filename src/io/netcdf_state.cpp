@@ -64,6 +64,7 @@ void describe(Visitor& v, State& s) {
   v.number("weight_absorbed", s.ledger.absorbed);
   v.number("weight_escaped", s.ledger.escaped);
   v.number("weight_sea_bed", s.ledger.sea_bed);
+  v.number("weight_oil", s.ledger.oil);
   v.number("weight_cut_by_time", s.ledger.cut_by_time);
   v.number("weight_cut_by_order", s.ledger.cut_by_order);
   v.number("weight_cut_by_weight", s.ledger.cut_by_weight);

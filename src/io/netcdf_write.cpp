@@ -62,6 +62,24 @@ void add_axes(NetcdfImage& file, const tally::Result& result) {
                      {"units", "nm"},
                      {"_FillValue", nan},
                      {"coordinates", "channel_name"}});
+  if (!result.film_attenuation_per_m.empty()) {
+    file.add_variable(
+        "film_attenuation", {"telescope", "channel"}, result.film_attenuation_per_m,
+        {{"long_name",
+          "absorption of the film of oil along the laser's axis down and the telescope's up, per "
+          "thickness"},
+         {"units", "m-1"},
+         {"_FillValue", nan},
+         {"coordinates", "telescope_name channel_name channel_wavelength"}});
+    file.add_variable(
+        "film_interface_ratio", {"telescope", "channel"}, result.film_interface_ratio,
+        {{"long_name",
+          "share of light that passes a film without absorption on these ways, over that which "
+          "passes bare water"},
+         {"units", "1"},
+         {"_FillValue", nan},
+         {"coordinates", "telescope_name channel_name channel_wavelength"}});
+  }
   std::vector<std::int32_t> order;
   for (std::int32_t k = 0; k < result.orders; ++k) order.push_back(k);
   file.add_variable(
@@ -309,6 +327,7 @@ void add_run(NetcdfImage& file, const tally::Result& result) {
   file.add_global("ledger_absorbed", ledger.absorbed);
   file.add_global("ledger_escaped", ledger.escaped);
   file.add_global("ledger_sea_bed", ledger.sea_bed);
+  file.add_global("ledger_oil", ledger.oil);
   file.add_global("ledger_cut_by_time", ledger.cut_by_time);
   file.add_global("ledger_cut_by_order", ledger.cut_by_order);
   file.add_global("ledger_cut_by_weight", ledger.cut_by_weight);

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "medium/bed.hpp"
 #include "medium/environments.hpp"
+#include "medium/film.hpp"
 #include "medium/layer_optics.hpp"
 #include "medium/surface.hpp"
 #include "optics/phase_functions.hpp"
@@ -58,11 +61,14 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
   }
   medium.line.push_back(make_line(scene.sea, Process::elastic, laser_nm));
   medium.line.front().counted_by = counted_by(scene, filters_of(scene), Process::elastic, laser_nm);
-  const auto light = emitted_light(scene, library, at_laser);
+  auto light = emitted_light(scene, library, at_laser);
+  const auto oil = oil_of(scene, library);
+  if (oil) std::ranges::move(oil_lines(scene, *oil), std::back_inserter(light.lines));
   for (const EmittedLine& emitted : light.lines) {
     Line line = make_line(scene.sea, emitted.process, emitted.wavelength_nm);
     line.photons = emitted.photons;
-    line.lifetime_ns = lifetime_ns(scene.optics, emitted.process);
+    line.lifetime_ns = emitted.process == Process::oil ? oil->lifetime_ns
+                                                       : lifetime_ns(scene.optics, emitted.process);
     line.counted_by = emitted.counted_by;
     medium.line.push_back(std::move(line));
   }
@@ -82,8 +88,10 @@ Medium build_medium(const scene::Scene& scene, const optics::Library& library) {
     medium.beam_lobe = medium.add_phase(optics::PhaseTable(optics::henyey_greenstein(beam_lobe_g)));
   add_bed(scene, medium);
   add_surface(scene, library, medium);
+  if (oil) add_film(scene, *oil, medium);
   add_environments(scene, library, medium);
   add_surfaces_of_environments(scene, medium);
+  add_films_of_environments(scene, library, medium);
   medium.finish();
   return medium;
 }

@@ -1,12 +1,14 @@
 #include "medium/check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
 #include <set>
 
 #include "core/error.hpp"
+#include "medium/film.hpp"
 #include "medium/layer_optics.hpp"
 #include "medium/lines.hpp"
 #include "medium/surface.hpp"
@@ -34,6 +36,9 @@ class Checker {
       readable_.push_back(findings.good({below(layer_path(k), "iop")}));
     bed_readable_ = findings.good({"bottom"});
     surface_readable_ = findings.good({"sea.surface"});
+    if (scene_.oil && findings.good({"oil"}))
+      if (const auto oil = ask(oil_path(), [&] { return oil_of(scene_, library_); })) oil_ = *oil;
+    if (oil_) remark_placeholders();
   }
 
   void check_tables();
@@ -50,6 +55,12 @@ class Checker {
   void check_index(Process process, const Wavelength& light);
   void check_bed(const Wavelength& light);
   void check_whitecaps(const Wavelength& light);
+  void check_film(const Wavelength& light);
+  void remark_placeholders();
+  /// The key that says which oil it is.
+  [[nodiscard]] std::string oil_path() const {
+    return below("oil", scene_.oil->of_class ? "class" : "file");
+  }
   std::vector<std::optional<WaterOptics>> check_layers(const Wavelength& light);
   std::optional<WaterOptics> check_layer(std::size_t k, const Wavelength& light);
   [[nodiscard]] Wavelength asked_by_channel(const EmittedLine& line) const;
@@ -72,6 +83,7 @@ class Checker {
   std::vector<std::string> channel_path_;
   std::vector<bool> readable_;  ///< the layers whose optics can be asked for
   bool bed_readable_ = false, surface_readable_ = false;
+  std::optional<optics::Oil> oil_;  ///< if there is a film, and it is known
   const optics::Library& library_;
   scene::Findings& findings_;
   LayerOptics optics_of_;
@@ -182,6 +194,26 @@ void Checker::check_whitecaps(const Wavelength& light) {
       [&] { return whitecap_reflectance_of(surface, library_, light.nm); }, light.why_there);
 }
 
+/// What stands for what nobody has told yet.
+void Checker::remark_placeholders() {
+  std::vector<std::string> items;
+  for (const auto& property : oil_->properties)
+    if (property.source.ends_with("[placeholder]")) items.push_back(property.item);
+  if (!items.empty())
+    findings_.remark(oil_path(),
+                     fmt::format("of the oil \"{}\" these are placeholders and no data: {}; give "
+                                 "your own oil by file = \"….csv\"",
+                                 oil_->name, fmt::join(items, ", ")));
+}
+
+void Checker::check_film(const Wavelength& light) {
+  if (!oil_) return;
+  const auto known = [&] {
+    return oil_->refractive_index(light.nm) + oil_->absorption_per_m(light.nm);
+  };
+  ask(oil_path(), known, light.why_there);
+}
+
 std::optional<WaterOptics> Checker::check_layer(std::size_t k, const Wavelength& light) {
   const auto& layer = scene_.sea.layer[k];
   const auto all = [&] { return optics_of_(layer, light.nm); };
@@ -230,8 +262,9 @@ void Checker::remark_dark_channels(const std::vector<EmittedLine>& lines) {
     if (!emitted)
       findings_.remark(
           channel_path_[i],
-          fmt::format("channel {} will count nothing: no layer emits {} light",
-                      scene::quoted(scene_.channel[i].name), scene::word_of(*process)));
+          fmt::format("channel {} will count nothing: {} emits {} light",
+                      scene::quoted(scene_.channel[i].name),
+                      *process == Process::oil ? "no film" : "no layer", scene::word_of(*process)));
   }
 }
 
@@ -246,8 +279,12 @@ void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>
   if (scene_.optics.cdom_fluorescence == scene::CdomFluorescence::table &&
       findings_.good({table}) && !ask(table, [&] { return cdom_emission(scene_, library_); }))
     return;
-  const auto light = ask("channel", [&] { return emitted_light(scene_, library_, known); });
+  auto light = ask("channel", [&] { return emitted_light(scene_, library_, known); });
   if (!light) return;
+  if (oil_) {
+    const auto lines = ask("channel", [&] { return oil_lines(scene_, *oil_); });
+    if (lines) light->lines.insert(light->lines.end(), lines->begin(), lines->end());
+  }
   std::optional<Process> told;  // of a process's light one wavelength is enough
   for (const EmittedLine& line : light->lines) {
     if (told == line.process) continue;
@@ -256,6 +293,7 @@ void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>
     check_index(line.process, asked);
     check_bed(asked);
     check_whitecaps(asked);
+    check_film(asked);
     check_layers(asked);
     if (told_.size() > before) told = line.process;
   }
@@ -275,6 +313,7 @@ void Checker::check_light() {
   check_index(Process::elastic, laser);
   check_bed(laser);
   check_whitecaps(laser);
+  check_film(laser);
   const auto at_laser = check_layers(laser);
   for (const auto& water : at_laser)
     if (water) highest_albedo_ = std::max(highest_albedo_, water->albedo());

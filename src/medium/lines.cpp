@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "medium/bands.hpp"
 #include "optics/data_table.hpp"
 #include "optics/fluorescence.hpp"
 #include "optics/raman.hpp"
@@ -14,6 +13,15 @@
 
 namespace photic::medium {
 namespace {
+
+void check_number(const std::vector<BandLine>& lines, Process process) {
+  constexpr std::size_t most = spectral_bins / 2;
+  if (lines.size() <= most) return;
+  throw InputError({{"", 0, 0,
+                     fmt::format("the channels' filters cut {} light into {} lines, more than {}",
+                                 scene::word_of(process), lines.size(), most),
+                     "take fewer filters, or such that their edges coincide"}});
+}
 
 /// A process of a scene's water: what it emits per photon and metre, and so many photons and metres
 /// by layer.
@@ -57,22 +65,19 @@ std::vector<BandLine> lines_of(const Emitter& emitter, const scene::Scene& scene
     if (std::ranges::all_of(counted, [](double share) { return share == 0; })) return {};
     return {{nm, emission.line->coefficient, std::move(counted)}};
   }
-  std::vector<bool> counts_all;
-  for (const auto& channel : scene.channel)
-    counts_all.push_back(channel.process == emitter.process);
-  return cut_into_lines(emission.spectrum, counts_all, filters);
-}
-
-void check_number(const std::vector<BandLine>& lines, Process process) {
-  constexpr std::size_t most = spectral_bins / 2;
-  if (lines.size() <= most) return;
-  throw InputError({{"", 0, 0,
-                     fmt::format("the channels' filters cut {} light into {} lines, more than {}",
-                                 scene::word_of(process), lines.size(), most),
-                     "take fewer filters, or such that their edges coincide"}});
+  return medium::lines_of(emitter.process, emission.spectrum, scene);
 }
 
 }  // namespace
+
+std::vector<BandLine> lines_of(Process process, const optics::EmissionSpectrum& spectrum,
+                               const scene::Scene& scene) {
+  std::vector<bool> counts_all;
+  for (const auto& channel : scene.channel) counts_all.push_back(channel.process == process);
+  auto lines = cut_into_lines(spectrum, counts_all, filters_of(scene));
+  check_number(lines, process);
+  return lines;
+}
 
 double refractive_index(const scene::Sea& sea, double wavelength_nm) {
   return sea.refractive_index
@@ -124,7 +129,6 @@ EmittedLight emitted_light(const scene::Scene& scene, const optics::Library& lib
     if (std::ranges::all_of(by_layer, [](double a) { return a == 0; })) continue;
     const auto lines = lines_of(emitter, scene, filters);
     if (lines.empty()) continue;
-    check_number(lines, emitter.process);
     for (const BandLine& line : lines) {
       EmittedLine out{emitter.process, line.wavelength_nm, {}, line.counted_by, line.photons};
       for (const double a : by_layer) out.coefficient_per_m.push_back(a * line.photons);

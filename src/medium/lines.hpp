@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "medium/bands.hpp"
 #include "medium/filters.hpp"
 #include "medium/layer_optics.hpp"
 #include "medium/medium.hpp"
@@ -46,6 +47,11 @@ struct EmissionSource {
   double coefficient_per_m = 0;
   std::string source;
 };
+
+/// The lines of a process's spectrum that some channel counts. Throws InputError for more than a
+/// walk can choose from.
+std::vector<BandLine> lines_of(Process process, const optics::EmissionSpectrum& spectrum,
+                               const scene::Scene& scene);
 
 struct EmittedLight {
   std::vector<EmittedLine> lines;       ///< those of a process one behind the other

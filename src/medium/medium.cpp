@@ -117,6 +117,8 @@ std::vector<double> Medium::environment_rows() const {
   add(environments.excess_part, static_cast<std::size_t>(environments.parts));
   add_rows(environments.excess_bed);
   add_rows(environments.surface);
+  add_rows(environments.film);
+  add_rows(environments.film_emission);
   return out;
 }
 
@@ -148,6 +150,8 @@ void Medium::finish() {
   top_ = TwinTable(top);
   bed_albedo_ = TwinTable(bed_albedo);
   whitecap_reflectance_ = TwinTable(waves.whitecap_reflectance);
+  film_index_ = TwinTable(film.index);
+  film_optical_thickness_ = TwinTable(film.optical_thickness);
   c_ = with_integrals(c, 1);
   albedo_ = TwinTable(with_bed<double>(albedo, 1.0));
   absorption_ = TwinTable(with_bed<double>(absorption, 0.0));
@@ -169,6 +173,7 @@ void Medium::finish_bands() {
   std::vector<std::vector<std::int32_t>> convertible(n_layers);
   std::vector<std::int32_t> line_of_spectral_bin;
   std::vector<double> emitted = conversion;
+  std::vector<double> film_emission = film.emission;
   bands_ = 0;
   for (std::size_t first = 1, end = 1; first < line.size(); first = end, ++bands_) {
     while (end < line.size() && line[end].process == line[first].process) ++end;
@@ -179,7 +184,9 @@ void Medium::finish_bands() {
                                   static_cast<std::int32_t>(l));
       for (std::size_t k = 0; k < n_layers; ++k)
         emitted[l * n_layers + k] *= static_cast<double>(spectral_bins) / count[l - first];
+      if (film.exists) film_emission[l] *= static_cast<double>(spectral_bins) / count[l - first];
     }
+    if (line[first].process == Process::oil) film_band_ = bands_;
     for (std::size_t k = 0; k < n_layers; ++k) {
       const auto emits = [&](std::size_t l) { return conversion[l * n_layers + k] > 0; };
       if (std::ranges::any_of(std::views::iota(first, end), emits))
@@ -194,6 +201,7 @@ void Medium::finish_bands() {
     padded_lists.insert(padded_lists.end(), list.begin(), list.end());
   }
   conversion_ = TwinTable(with_bed<double>(emitted, 0.0));
+  film_emission_ = TwinTable(film_emission);
   line_of_spectral_bin_ = IndexTableOwner(line_of_spectral_bin);
   convertible_ = IndexTableOwner(padded_lists);
   convertible_count_ = IndexTableOwner(list_lengths);
@@ -240,6 +248,8 @@ MediumView Medium::view() const {
   v.elastic_phase = elastic_phase_.view();
   v.conversion_phase = conversion_phase_.view();
   v.waves = waves_view();
+  v.film = {film.exists, film_band_, film_index_.view(), film_optical_thickness_.view(),
+            film_emission_.view()};
   EnvironmentsView& e = v.environments;
   e.count = environments.count;
   e.first_tangent = environments.first_tangent;
@@ -251,7 +261,11 @@ MediumView Medium::view() const {
   e.first_part = e.first_emitted + cells;
   e.first_bed = e.first_part + cells * e.parts;
   e.first_surface = e.first_bed + static_cast<std::int32_t>(bed_albedo.size());
-  e.other_surface = !environments.surface.empty();
+  e.other_film = !environments.film.empty();
+  e.other_waves = !environments.surface.empty();
+  e.other_surface = e.other_waves || (v.waves.rough && e.other_film);
+  e.first_film = e.first_surface + (e.other_waves ? surface_rows : 0);
+  e.first_emission = e.first_film + ways_at_film * v.lines * (film_angle_steps + 1);
   e.number = environment_rows_.table();
   e.part_phase = part_phase_.view();
   v.phases.line = phase_lines_.table();

@@ -39,9 +39,12 @@ struct EnvironmentsView {
   std::int32_t parts = 0;        ///< of the scattering that are more or less in some environment
   std::int32_t first_depth = 0;  ///< row of ...
   std::int32_t first_emitted = 0, first_part = 0, first_bed = 0, first_surface = 0;
-  bool other_surface = false;  ///< some have other waves or whitecaps
-  Table number;                ///< [row][environment]
-  IndexTable part_phase;       ///< table in the medium's phases, [line][layer][part]
+  bool other_waves = false;    ///< some have other waves or whitecaps
+  bool other_film = false;     ///< some have another film of oil
+  bool other_surface = false;  ///< facets or whitecaps that light meets count: one of both
+  std::int32_t first_film = 0, first_emission = 0;
+  Table number;           ///< [row][environment]
+  IndexTable part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
 
 /// Rows are a multiple of this long: a whole number of packs, however wide.
@@ -59,6 +62,10 @@ Index<T> spectral_bin_of(const T& u) {
 
 /// An albedo of the sea bed that depends on the angle is known at the ends of so many steps.
 inline constexpr std::int32_t bed_angle_steps = 256;
+
+/// What a film of an environment lets pass and reflects is known at the ends of so many even steps
+/// of sqrt(1 - cos).
+inline constexpr std::int32_t film_angle_steps = 128;
 
 /// A depth [m] in a layer.
 template <class T>
@@ -100,6 +107,7 @@ struct MediumView {
   IndexTable conversion_phase;  ///< table in `phases`, [line]; of line 0 unused
   optics::PhaseView phases;
   WavesView waves;
+  FilmView film;
   EnvironmentsView environments;
 
   template <class I>
@@ -165,6 +173,12 @@ struct MediumView {
   I excess_bed(const I& line, const I& angle) const {
     return I(environments.first_bed) + line * I(bed_angles) + angle;
   }
+  /// How much less light goes on at a film by a way (surface/film_crossing.hpp), as an optical
+  /// depth, at the end of a step.
+  template <class I>
+  I film_row(const I& way, const I& line, const I& step) const {
+    return I(environments.first_film) + (way * I(lines) + line) * I(film_angle_steps + 1) + step;
+  }
 
  protected:
   template <class T>
@@ -213,6 +227,11 @@ struct EnvironmentTables {
       excess_bed,                ///< the bed's albedo less the medium's, [environment][line][angle]
       excess_part;  ///< a part's scattering less the medium's, over all scattering of the medium,
                     ///< [environment][line][layer][part]
+  /// Of films that differ from the medium's, or none if all are as that: as an optical depth, how
+  /// much less light goes on, [environment][way][line][angle]; and two films and what their
+  /// difference counts, [environment][row]: each has the optical thickness of each line, and its
+  /// yield over the medium's.
+  std::vector<double> film, film_emission;
   std::vector<double> surface;  ///< [environment][row], see SurfaceRow; none: all as the medium's
   std::vector<std::int32_t> part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
@@ -223,6 +242,13 @@ struct Waves {
   double upwind_x = 1, upwind_y = 0;  ///< towards where the wind comes from, a unit vector
   double whitecap_fraction = 0;
   std::vector<double> whitecap_reflectance;  ///< from above, [line]; empty if there are none
+};
+
+/// A film of oil.
+struct Film {
+  bool exists = false;
+  std::vector<double> index, optical_thickness, emission;  ///< as in FilmView, emission over all
+                                                           ///< spectral bins, [line]
 };
 
 /// Owns what a MediumView points to.
@@ -236,6 +262,7 @@ class Medium {
   std::vector<double> bed_albedo;
   std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam
   Waves waves;
+  Film film;
   EnvironmentTables environments;
   std::vector<Source> sources;  ///< of all that it is made of
 
@@ -285,12 +312,13 @@ class Medium {
 
   /// The tables of the view, in both precisions.
   TwinTable bed_albedo_, top_, albedo_, conversion_, absorption_, bed_tau_, index_, inverse_index_,
-      group_index_, environment_rows_, whitecap_reflectance_;
+      group_index_, environment_rows_, whitecap_reflectance_, film_index_, film_optical_thickness_,
+      film_emission_;
   TwinPairs c_;
   IndexTableOwner convertible_, convertible_count_, line_of_spectral_bin_, elastic_phase_,
       conversion_phase_, part_phase_;
   Layering by_depth_;
-  std::int32_t bands_ = 0;
+  std::int32_t bands_ = 0, film_band_ = -1;
   TwinTable phase_lines_, phase_quantiles_,
       phase_cores_;  ///< of all phase functions, one behind the other
 };

@@ -18,6 +18,20 @@ struct WavesView {
   ShortTable whitecap_reflectance;  ///< from above, [line]
 };
 
+/// The ways by which light goes on at a film of oil: through it, or back where it came from.
+inline constexpr std::int32_t through_film = 0, back_into_water = 1, back_into_air = 2;
+inline constexpr std::int32_t ways_at_film = 3;
+
+/// A film of oil on all of the sea.
+struct FilmView {
+  bool exists = false;           ///< else nothing below counts
+  std::int32_t band = -1;        ///< that it emits in; none if no channel counts its light
+  ShortTable index;              ///< against air, [line]
+  ShortTable optical_thickness;  ///< straight through it, [line]
+  ShortTable emission;  ///< photons in the line per photon of the laser's that it absorbs, over the
+                        ///< share of spectral_bins that may emit them, [line]
+};
+
 /// Rows of what environments have of a surface: of two surfaces, of which the medium's changes have
 /// the difference, and behind them what that counts.
 enum class SurfaceRow : std::int32_t {

@@ -16,10 +16,16 @@ struct Refraction {
   T reflectance;      ///< share of the flux that is reflected; 1 in total reflection
 };
 
-/// Reflectance of unpolarised light for the cosines of incidence and refraction in media of index
-/// n1 and n2.
+/// Of light polarised across the plane of incidence (s) and in it (p).
 template <class T>
-T fresnel_reflectance(const T& n1, const T& n2, const T& c1, const T& c2) {
+struct ByPolarisation {
+  T s, p;
+  [[nodiscard]] T mean() const { return T(0.5) * (s + p); }
+};
+
+/// Reflectances for the cosines of incidence and refraction in media of index n1 and n2.
+template <class T>
+ByPolarisation<T> fresnel_reflectances(const T& n1, const T& n2, const T& c1, const T& c2) {
   // Equal media at exactly grazing incidence would be 0/0; nothing is reflected there.
   const T tiny = T(std::numeric_limits<Element<T>>::min());
   const T s_sum = n1 * c1 + n2 * c2 + tiny;
@@ -28,7 +34,12 @@ T fresnel_reflectance(const T& n1, const T& n2, const T& c1, const T& c2) {
   const T p = (n2 * c1 - n1 * c2) * s_sum;
   const T sums = s_sum * p_sum + tiny;
   const T inverse = T(1) / sums;
-  return T(0.5) * ((s * inverse) * (s * inverse) + (p * inverse) * (p * inverse));
+  return {(s * inverse) * (s * inverse), (p * inverse) * (p * inverse)};
+}
+/// The same of unpolarised light.
+template <class T>
+T fresnel_reflectance(const T& n1, const T& n2, const T& c1, const T& c2) {
+  return fresnel_reflectances(n1, n2, c1, c2).mean();
 }
 
 /// Light in a medium of index n1 meets one of index n2 under an angle of cosine cos_incident, 0

@@ -56,8 +56,10 @@ OilSpectrum of_class(const char* quantity, const std::string& source,
   };
 }
 
+double sigma_of_fwhm(double fwhm_nm) { return fwhm_nm / (2 * std::sqrt(2 * std::log(2.0))); }
+
 OilSpectrum gaussian_per_nm(double peak_nm, double fwhm_nm) {
-  const double sigma = fwhm_nm / (2 * std::sqrt(2 * std::log(2.0)));
+  const double sigma = sigma_of_fwhm(fwhm_nm);
   return [=](double nm) {
     const double t = (nm - peak_nm) / sigma;
     return std::exp(-t * t / 2) / (std::sqrt(2 * pi) * sigma);
@@ -77,6 +79,10 @@ Oil oil_of_class(const std::vector<OilProperty>& all, const std::string& name) {
       [a = absorption.value, slope](double nm) { return a * std::exp(-slope * (nm - 337)); });
   out.emission_per_nm =
       gaussian_per_nm(property("emission_peak").value, property("emission_fwhm").value);
+  constexpr double sigmas = 4.5;  // 7e-6 lie beyond
+  const double reach = sigmas * sigma_of_fwhm(property("emission_fwhm").value);
+  out.emission_min_nm = std::max(class_min_nm, property("emission_peak").value - reach);
+  out.emission_max_nm = std::min(class_max_nm, property("emission_peak").value + reach);
   out.yield = property("quantum_yield").value;
   out.lifetime_ns = property("lifetime").value;
   for (const char* item : items) out.properties.push_back(property(item));
@@ -108,15 +114,21 @@ OilSpectrum column_of(const DataTable& table, const std::vector<double>& nm, con
   };
 }
 
-Oil oil_of_table(const DataTable& table) {
+Oil oil_of_file(const DataTable& table) {
+  const double yield = table.number_in_header("yield");
+  return oil_of_table(table, yield, table.number_in_header("lifetime_ns"));
+}
+
+}  // namespace
+
+Oil oil_of_table(const DataTable& table, double yield, double lifetime_ns) {
   const auto nm = wavelengths_of(table);
   constexpr const char* index_column = "n";
   const auto index = table.numbers(index_column);
   for (std::size_t i = 0; i < index.size(); ++i)
     if (index[i] < 1) table.fail(i, index_column, "a refractive index is 1 or more");
   const std::string source = "given in " + table.name();
-  const auto number = [&](const char* key, const char* item, const char* unit) {
-    const double value = table.number_in_header(key);
+  const auto number = [&](double value, const char* item, const char* unit) {
     return OilProperty{table.name(), item, value, value, value, unit, source};
   };
   Oil out;
@@ -124,16 +136,32 @@ Oil oil_of_table(const DataTable& table) {
   out.refractive_index = column_of(table, nm, index_column, "refractive index");
   out.absorption_per_m = column_of(table, nm, "a_per_m", "absorption");
   out.emission_per_nm = emission_of_table(table, nm);
-  out.properties = {number("yield", "quantum_yield", "1"), number("lifetime_ns", "lifetime", "ns")};
-  out.yield = out.properties[0].value;
-  out.lifetime_ns = out.properties[1].value;
+  out.emission_min_nm = nm.front();
+  out.emission_max_nm = nm.back();
+  out.properties = {number(yield, "quantum_yield", "1"), number(lifetime_ns, "lifetime", "ns")};
+  out.yield = yield;
+  out.lifetime_ns = lifetime_ns;
   if (out.yield > 1)
     throw InputError({{table.name(), 0, 0, fmt::format("yield is {}", out.yield),
                        "it counts photons emitted per photon absorbed: 1 at most"}});
   return out;
 }
 
-}  // namespace
+EmissionSpectrum emission_above(const Oil& oil, double laser_nm) {
+  constexpr double nodes_apart_nm = 1;
+  const double first = std::max(laser_nm, oil.emission_min_nm), last = oil.emission_max_nm;
+  if (!(first < last)) return {};
+  const auto steps = static_cast<int>(std::ceil((last - first) / nodes_apart_nm));
+  std::vector<double> nm, per_nm;
+  for (int i = 0; i <= steps; ++i) {
+    nm.push_back(std::lerp(first, last, static_cast<double>(i) / steps));
+    per_nm.push_back(oil.emission_per_nm(nm.back()));
+  }
+  const double all = EmissionSpectrum(nm, per_nm).photons(first, last);
+  if (!(all > 0)) return {};
+  for (double& density : per_nm) density *= oil.yield / all;
+  return {nm, per_nm};
+}
 
 std::vector<OilProperty> oil_properties(const DataTable& table) {
   const auto oil = table.texts("class"), item = table.texts("item"), unit = table.texts("unit"),
@@ -159,7 +187,7 @@ Oil oil(const Library& library, const std::string& name_or_file) {
   const auto names = list_oils(library);
   if (std::ranges::find(names, name_or_file) != names.end())
     return oil_of_class(library.oils, name_or_file);
-  if (name_or_file.ends_with(".csv")) return oil_of_table(DataTable::read(name_or_file));
+  if (name_or_file.ends_with(".csv")) return oil_of_file(DataTable::read(name_or_file));
   no_model("oil", name_or_file, fmt::format("{}, or a file .csv", fmt::join(names, ", ")));
 }
 

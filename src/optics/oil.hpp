@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "optics/data_table.hpp"
+#include "optics/emission.hpp"
 
 namespace photic::optics {
 
@@ -29,7 +30,8 @@ struct Oil {
   OilSpectrum refractive_index;  ///< against air; throws InputError outside its data, as do all
   OilSpectrum absorption_per_m;
   OilSpectrum emission_per_nm;  ///< photons, 1 in all, isotropic, whatever the exciting wavelength
-  double yield = 0;             ///< photons emitted per photon absorbed
+  double emission_min_nm = 0, emission_max_nm = 0;  ///< next to nothing outside
+  double yield = 0;                                 ///< photons emitted per photon absorbed
   double lifetime_ns = 0;
   std::vector<OilProperty> properties;  ///< what it is made of, for people to read
 };
@@ -42,5 +44,12 @@ std::vector<std::string> list_oils(const Library& library);
 /// photon. Between the rows are straight lines; outside it emits nothing and the rest is an error.
 /// Throws InputError.
 Oil oil(const Library& library, const std::string& name_or_file);
+/// The oil of such a table. Throws InputError.
+Oil oil_of_table(const DataTable& table, double yield, double lifetime_ns);
+
+/// Photons that an oil emits per photon of the laser's that it absorbs. None has a shorter
+/// wavelength than the laser's: the spectrum is cut there, and the rest scaled so that the yield
+/// stays. Empty if nothing is left.
+EmissionSpectrum emission_above(const Oil& oil, double laser_nm);
 
 }  // namespace photic::optics

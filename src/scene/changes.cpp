@@ -17,18 +17,19 @@ bool begins_with(const std::string& path, const char* start) { return path.rfind
 }  // namespace
 
 bool leads_to_water(const std::string& path) {
-  return begins_with(path, "sea.") || begins_with(path, "optics.") || begins_with(path, "bottom.");
+  return begins_with(path, "sea.") || begins_with(path, "optics.") ||
+         begins_with(path, "bottom.") || begins_with(path, "oil.");
 }
 
 std::optional<Refusal> check_path(const std::string& path) {
-  if (path == "sea" || path == "optics" || path == "bottom")
+  if (path == "sea" || path == "optics" || path == "bottom" || path == "oil")
     return Refusal{fmt::format("'{}' cannot be set as a whole in an environment", path),
                    R"(quote the whole path: "sea.layer.0.chlorophyll_mg_m3" = 0.5)"};
   if (!leads_to_water(path))
-    return Refusal{fmt::format("'{}' cannot be set in an environment: only the water and the bed "
-                               "may differ, for the histories are the same",
+    return Refusal{fmt::format("'{}' cannot be set in an environment: only the water, the bed "
+                               "and a film of oil may differ, for the histories are the same",
                                path),
-                   "set paths that begin with sea., optics. or bottom."};
+                   "set paths that begin with sea., optics., bottom. or oil."};
   return std::nullopt;
 }
 

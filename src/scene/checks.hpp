@@ -11,6 +11,8 @@ namespace photic::scene {
 void check_sea(const Scene& scene, Findings& findings);
 /// Waves and whitecaps, and what cannot do with them.
 void check_surface(const Scene& scene, Findings& findings);
+/// A film of oil, and what cannot do with it.
+void check_oil(const Scene& scene, Findings& findings);
 void check_bottom(const Scene& scene, Findings& findings);
 void check_instrument(const Scene& scene, Findings& findings);
 void check_gates(const Scene& scene, Findings& findings);

@@ -24,14 +24,15 @@ struct Alternative {
 };
 
 /// The processes that turn light back, in the order of results.
-enum class Process : std::int32_t { elastic, raman, chlorophyll, cdom };
+enum class Process : std::int32_t { elastic, raman, chlorophyll, cdom, oil };
 constexpr auto alternatives(Process) {
   using enum Process;
   return std::to_array<Alternative<Process>>(
       {{elastic, "elastic", "light of the laser's wavelength"},
        {raman, "raman", "light that water has scattered inelastically, by the Raman effect"},
        {chlorophyll, "chlorophyll", "fluorescence of the chlorophyll in phytoplankton"},
-       {cdom, "cdom", "fluorescence of dissolved organic matter"}});
+       {cdom, "cdom", "fluorescence of dissolved organic matter"},
+       {oil, "oil", "fluorescence of a film of oil on the sea"}});
 }
 
 /// The shape of a filter's transmission, 1 at the centre.
@@ -141,6 +142,16 @@ constexpr auto alternatives(WhitecapReflectance) {
       {{koepke1984, "koepke1984", "Koepke 1984: 0.22 in the visible"},
        {frouin1996, "frouin1996",
         "the same, falling to the infrared as Frouin et al. 1996 found"}});
+}
+
+/// Oils on the sea: the classes of data/oils.csv.
+enum class OilClass { light_refined, weakly_absorbing_crude, strongly_absorbing_crude };
+constexpr auto alternatives(OilClass) {
+  using enum OilClass;
+  return std::to_array<Alternative<OilClass>>(
+      {{light_refined, "light-refined", "diesel, petrol: hardly absorbs, shines bright and blue"},
+       {weakly_absorbing_crude, "weakly-absorbing-crude", "light crude oil and lubricants"},
+       {strongly_absorbing_crude, "strongly-absorbing-crude", "heavy crude oil and bunker oil"}});
 }
 
 enum class Estimator { automatic, bidirectional, forward, analog };

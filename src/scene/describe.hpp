@@ -140,7 +140,7 @@ void describe(V& v, Environment& e) {
              "what results call it; by default environment0, environment1 …");
   v.required("set", e.set, Changes{},
              "the values that differ in this water, by their paths: those of --set that begin with "
-             "sea., optics. or bottom.");
+             "sea., optics., bottom. or oil.");
 }
 
 template <class V>
@@ -148,7 +148,7 @@ void describe(V& v, Scene& s) {
   v.optional("title", s.title, Text{.may_be_empty = true}, "what is simulated, in one line");
   v.optional(expert("sensitivity"), s.sensitivity, Parameters{},
              "the parameters of the water with respect to which echoes are derived, by their "
-             "paths: those of --set that begin with sea., optics. or bottom.");
+             "paths: those of --set that begin with sea., optics., bottom. or oil.");
   v.section("source", s.source, Need::required, "the source of light");
   v.sections("telescope", s.telescope, Need::required, "a telescope; any number of them");
   v.sections("channel", s.channel, Need::required,
@@ -157,6 +157,7 @@ void describe(V& v, Scene& s) {
   v.section("sea", s.sea, Need::optional, "the sea: its surface and its layers of water");
   v.section("bottom", s.bottom, Need::optional,
             "the sea bed, where the last layer ends; black without this section");
+  v.section("oil", s.oil, Need::optional, "a film of oil on all of the sea");
   v.section("gates", s.gates, Need::required, "the range gates");
   v.section("simulation", s.simulation, Need::required, "how long and how to simulate");
   v.sections(expert("environment"), s.environment, Need::optional,

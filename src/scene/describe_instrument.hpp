@@ -59,7 +59,7 @@ void describe(V& v, Channel& c) {
   v.required("name", c.name, Text{}, "what results call it");
   v.one_of(option(c.process.has_value(),
                   [&](auto& w) {
-                    w.required("process", c.process, ChoiceOf<Process>{{"oil"}},
+                    w.required("process", c.process, ChoiceOf<Process>{},
                                "count all light of this process");
                   }),
            option(c.centre_nm.has_value(),

@@ -59,7 +59,8 @@ bool hold(const Node& written_scene, const Environment& environment) {
       assign(change.path, std::move(*value), {}, document, findings);
   const Scene read = scene_of(document, std::nullopt, findings);
   return findings.problems().empty() && read.optics == environment.optics &&
-         read.sea == environment.sea && read.bottom == environment.bottom;
+         read.sea == environment.sea && read.bottom == environment.bottom &&
+         read.oil == environment.oil;
 }
 
 /// Every key of one table is in the other one.
@@ -168,6 +169,7 @@ void read_environment(const Reference& reference, const Entry& set, const std::s
   environment.optics = read.optics;
   environment.sea = read.sea;
   environment.bottom = read.bottom;
+  environment.oil = read.oil;
 }
 
 const Entry& set_of(const Node& document, std::size_t i) {

@@ -55,6 +55,9 @@ constexpr Fixed fixed_of_surface[] = {{"model", bends},
                                       {"gram_charlier", bends},
                                       {"whitecap_reflectance", bends}};
 
+constexpr const char* shines = "the film's light has the same lines in all environments";
+constexpr Fixed fixed_of_oil[] = {{"class", shines}, {"file", shines}, {"lifetime_ns", times}};
+
 /// Looks at values with which nothing is wrong in the scene and in the environment.
 class Comparison {
  public:
@@ -63,6 +66,12 @@ class Comparison {
 
   void compare_optics(const Node& scene, const Node& here) {
     for (const Fixed& fixed : fixed_of_optics) compare(scene, here, "optics", fixed);
+  }
+
+  /// A film where the scene has none is refused where its optics are looked at.
+  void compare_oils(const Node* scene, const Node* here) {
+    if (!scene || !here) return;
+    for (const Fixed& fixed : fixed_of_oil) compare(*scene, *here, "oil", fixed);
   }
 
   void compare_seas(const Node& scene, const Node& here) {
@@ -140,12 +149,14 @@ Scene OtherWater::read() {
   Scene scene = scene_of(document_, reference_.files.folder, findings_);
   check_sea(scene, findings_);
   check_bottom(scene, findings_);
+  check_oil(scene, findings_);
   check_instrument(scene, findings_);
   check_gates(scene, findings_);
   const Node here = written(scene);
   Comparison comparison(reference_.findings, findings_);
   comparison.compare_optics(*reference_.written.find("optics"), *here.find("optics"));
   comparison.compare_seas(*reference_.written.find("sea"), *here.find("sea"));
+  comparison.compare_oils(reference_.written.find("oil"), here.find("oil"));
   if (reference_.check) reference_.check(scene, findings_);
   return scene;
 }

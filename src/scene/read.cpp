@@ -118,6 +118,28 @@ void read_on(const Node& document, const Layered& layered, const Check& check, S
   }
 }
 
+/// Oil damps the waves like a slick, on which there are no whitecaps. A file may tell its oil's
+/// yield and lifetime in lines of its own.
+void fill_in_oil(const Node& document, Scene& scene, Findings& findings) {
+  Surface& surface = scene.sea.surface;
+  const Node* sea = document.find("sea");
+  const Node* given = sea ? sea->find("surface") : nullptr;
+  if (surface.model == SurfaceModel::cox_munk && !(given && given->find("slick")))
+    surface.slick = true;
+  if (!surface.whitecaps && !surface.whitecap_fraction) surface.whitecaps = false;
+  if (scene.oil->table.columns().empty()) return;
+  const auto read = [&](std::optional<double>& value, const char* key) {
+    if (value) return;
+    try {
+      value = scene.oil->table.data().number_in_header(key);
+    } catch (const InputError& error) {
+      findings.add_from_file(below("oil", key), findings.place_of("oil.file"), error);
+    }
+  };
+  read(scene.oil->yield, "yield");
+  read(scene.oil->lifetime_ns, "lifetime_ns");
+}
+
 }  // namespace
 
 Scene scene_of(const Node& document, const std::optional<std::string>& folder, Findings& findings) {
@@ -134,6 +156,7 @@ Scene scene_of(const Node& document, const std::optional<std::string>& folder, F
     scene.optics.emission =
         std::ranges::any_of(scene.sea.layer, is_measured) ? Emission::lines : Emission::spectra;
   Surface& surface = scene.sea.surface;
+  if (scene.oil) fill_in_oil(document, scene, findings);
   if (surface.is_rough()) surface.whitecaps = surface.has_whitecaps();
   return scene;
 }
@@ -155,6 +178,7 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   Reading reading{scene_of(document, folder, findings), {}, std::move(files)};
   check_sea(reading.scene, findings);
   check_bottom(reading.scene, findings);
+  check_oil(reading.scene, findings);
   check_instrument(reading.scene, findings);
   check_gates(reading.scene, findings);
   check_surface(reading.scene, findings);

@@ -69,6 +69,7 @@ Scene scene_alone(const Scene& scene) {
           .optics = scene.optics,
           .sea = scene.sea,
           .bottom = scene.bottom,
+          .oil = scene.oil,
           .gates = scene.gates,
           .simulation = scene.simulation,
           .environment = {}};
@@ -79,6 +80,7 @@ Scene scene_in(const Scene& scene, const Environment& environment) {
   there.optics = environment.optics;
   there.sea = environment.sea;
   there.bottom = environment.bottom;
+  there.oil = environment.oil;
   return there;
 }
 

@@ -161,6 +161,17 @@ struct Bottom {
   friend bool operator==(const Bottom&, const Bottom&) = default;
 };
 
+/// A film of oil on all of the sea.
+struct Oil {
+  std::optional<OilClass> of_class;  ///< this, or:
+  UserTable table;                   ///< of wavelength_nm, n, a_per_m, emission_per_nm
+  double thickness_um{};
+  std::optional<double> yield;        ///< none: that of the class
+  std::optional<double> lifetime_ns;  ///< the same
+  double absorption_factor = 1.0;
+  friend bool operator==(const Oil&, const Oil&) = default;
+};
+
 /// Range gates by depth, by range along telescope 0's axis, or by time: exactly one kind
 /// is given.
 struct Gates {
@@ -243,6 +254,7 @@ struct Environment {
   Optics optics;  ///< with the changes; all else is the scene's
   Sea sea;
   std::optional<Bottom> bottom = std::nullopt;
+  std::optional<Oil> oil = std::nullopt;
   friend bool operator==(const Environment&, const Environment&) = default;
 };
 
@@ -264,6 +276,7 @@ struct Scene {
   Optics optics;
   Sea sea;
   std::optional<Bottom> bottom;  ///< none: black
+  std::optional<Oil> oil;        ///< none: the sea is clean
   Gates gates;
   Simulation simulation;
   std::vector<Environment> environment;

@@ -45,10 +45,11 @@ class ParameterReader {
       return refuse(fmt::format("'sensitivity' must hold paths, not {}", found_text(element_)),
                     R"(write "sea.layer.0.chlorophyll_mg_m3")");
     if (!leads_to_water(*path))
-      return refuse(fmt::format("there is no derivative with respect to '{}': only the water and "
-                                "the bed may differ, for the histories are the same",
+      return refuse(fmt::format("there is no derivative with respect to '{}': only the water, "
+                                "the bed and a film of oil may differ, for the histories are the "
+                                "same",
                                 *path),
-                    "name paths that begin with sea., optics. or bottom.");
+                    "name paths that begin with sea., optics., bottom. or oil.");
     return *path;
   }
 
@@ -123,7 +124,8 @@ class ParameterReader {
                    .set = {{sensitivity.path, format_value(to_node(value))}},
                    .optics = read.optics,
                    .sea = read.sea,
-                   .bottom = read.bottom};
+                   .bottom = read.bottom,
+                   .oil = read.oil};
     return true;
   }
 
@@ -165,7 +167,7 @@ void read_sensitivities(const Node& document, const Check& check, Scene& scene,
                         Findings& findings) {
   if (scene.sensitivity.empty()) return;
   // Where the water is wrong nobody knows what is in it; where anything is, what other water does.
-  const bool water_good = findings.good({"sea", "optics", "bottom"});
+  const bool water_good = findings.good({"sea", "optics", "bottom", "oil"});
   const bool all_good = findings.problems().empty();
   const Node as_written = written(scene);
   const NetcdfFiles no_files;  // a scene that is written names none

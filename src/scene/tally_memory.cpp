@@ -25,7 +25,8 @@ TallyMemory tally_memory(const Scene& scene) {
       number(scene.telescope.size() * scene.channel.size()) * number(scene.gates.count());
   const double depths = number(scene.gates.depth_cells);
   const double orders = number(scene.simulation.orders_kept) + 1;  // and 0
-  const double processes = scene.bottom ? 4 : 3;  // elastic, raman, chlorophyll; bottom
+  const double processes =
+      3.0 + (scene.bottom ? 1 : 0) + (scene.oil ? 1 : 0);  // elastic, raman, chlorophyll
   const double waters = number(scene.environment.size() + scene.sensitivity.size());
   return {.depths = cells * depths * per_sum,
           .orders = cells * orders * per_sum,

@@ -1,8 +1,8 @@
-// The flat surface between air and water: Snell's law and Fresnel's equations (optics/fresnel.hpp).
+// The flat surface between air and water: Snell's law and Fresnel's equations (surface/face.hpp).
 #pragma once
 
 #include "medium/medium.hpp"
-#include "optics/fresnel.hpp"
+#include "surface/face.hpp"
 #include "surface/interface.hpp"
 
 namespace photic::surface {
@@ -11,38 +11,39 @@ namespace photic::surface {
 template <class T>
 struct Flat {
   T n, inverse_n;  ///< index of the water against the air's, and 1 over it
+  Face<T> face;
 
   /// Of light that rises to it, in a direction whose z is >= 0.
   [[nodiscard]] Split<T> from_below(const Vec3<T>& direction) const {
-    const auto [cos_air, reflectance] = optics::refract(n, T(1), direction.z);
+    const auto [cos_air, reflectance, transmittance] = cross_face(face, n, T(1), direction.z);
     return {{direction.x, direction.y, -direction.z},
             {n * direction.x, n * direction.y, cos_air},
             reflectance,
-            T(1) - reflectance};
+            transmittance};
   }
   /// Of light that comes down to it, in a direction whose z is <= 0.
   [[nodiscard]] Split<T> from_above(const Vec3<T>& direction) const {
-    const auto [cos_water, reflectance] = optics::refract(T(1), n, T(-direction.z));
+    const auto [cos_water, reflectance, transmittance] = cross_face(face, T(1), n, T(-direction.z));
     return {{direction.x, direction.y, -direction.z},
             {direction.x * inverse_n, direction.y * inverse_n, -cos_water},
             reflectance,
-            T(1) - reflectance};
+            transmittance};
   }
 
   /// What light in the water that rises to it keeps of itself; `cosine`: to the vertical, 0 to 1.
   [[nodiscard]] T reflectance(const T& cosine) const {
-    return optics::refract(n, T(1), cosine).reflectance;
+    return cross_face(face, n, T(1), cosine).reflectance;
   }
   /// The share that goes through, either way, for the cosines to the vertical on both sides.
   [[nodiscard]] T transmittance(const T& cos_water, const T& cos_air) const {
-    return T(1) - optics::fresnel_reflectance(n, T(1), cos_water, cos_air);
+    return face.shares(n, T(1), cos_water, cos_air).transmittance;
   }
 };
 
 /// For light of a line.
 template <class T>
 Flat<T> flat_surface(const medium::MediumView& sea, const Index<T>& line) {
-  return {gather<T>(sea.index, line), gather<T>(sea.inverse_index, line)};
+  return {gather<T>(sea.index, line), gather<T>(sea.inverse_index, line), face_of<T>(sea, line)};
 }
 
 }  // namespace photic::surface

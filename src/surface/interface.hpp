@@ -11,6 +11,14 @@ template <class T>
 struct Split {
   Vec3<T> reflected, transmitted;
   T reflectance{}, transmittance{};
+
+  /// Of what does not pass, the share that is reflected. Where chance decides which way light goes
+  /// it passes by the transmittance, which is the same from both sides, and what goes back keeps
+  /// this share of its weight.
+  [[nodiscard]] T reflected_of_rest() const {
+    const T rest = T(1) - transmittance;
+    return reflectance / select(rest > T(0), rest, T(1));
+  }
 };
 
 }  // namespace photic::surface

@@ -14,7 +14,9 @@
 #include "core/vec3.hpp"
 #include "medium/medium.hpp"
 #include "medium/waves.hpp"
-#include "optics/fresnel.hpp"
+#include "surface/face.hpp"
+#include "surface/film_crossing.hpp"
+#include "surface/interface.hpp"
 #include "surface/lambert.hpp"
 
 namespace photic::surface {
@@ -130,22 +132,18 @@ T smith(const WavesView& waves, const Vec3<T>& direction) {
   return smith_of(T(sqrt(up * up + aside * aside)), T(abs(direction.z)));
 }
 
-/// Two ways that light may go on from a facet, and the share of its flux that goes back.
+/// Two ways that light may go on from a facet, from medium 1 to 2, of index n1 and n2.
 template <class T>
-struct AtFacet {
-  Vec3<T> reflected, transmitted;
-  T reflectance{};
-};
-/// From medium 1 to 2, of index n1 and n2.
-template <class T>
-AtFacet<T> meet_facet(const T& n1, const T& n2, const Vec3<T>& direction, const Facet<T>& facet) {
+Split<T> meet_facet(const Face<T>& face, const T& n1, const T& n2, const Vec3<T>& direction,
+                    const Facet<T>& facet) {
   const T along = dot(direction, facet.normal);
   const T cosine = select(along < T(0), -along, along);
   const T ratio = n1 / n2;
-  const auto [cos_transmitted, reflectance] = optics::refract(n1, n2, cosine);
+  const auto [cos_transmitted, reflectance, transmittance] = cross_face(face, n1, n2, cosine);
   const T signed_cosine = select(along < T(0), T(-cos_transmitted), cos_transmitted);
   return {direction - (T(2) * along) * facet.normal,
-          ratio * direction + (signed_cosine - ratio * along) * facet.normal, reflectance};
+          ratio * direction + (signed_cosine - ratio * along) * facet.normal, reflectance,
+          transmittance};
 }
 
 /// The facets that lead light of one direction on in another one.
@@ -160,8 +158,8 @@ struct Leading {
 /// From direction k1 to k2, on the same side (Walter et al. 2007, Eurographics Symposium on
 /// Rendering, eq. 20, times the cosine of k2 to the vertical).
 template <class T>
-Leading<T> reflecting(const WavesView& waves, const T& n1, const T& n2, const Vec3<T>& k1,
-                      const Vec3<T>& k2) {
+Leading<T> reflecting(const WavesView& waves, const Face<T>& face, const T& n1, const T& n2,
+                      const Vec3<T>& k1, const Vec3<T>& k2) {
   using std::abs;
   Leading<T> out;
   const Vec3<T>& h = out.along = k2 - k1;
@@ -171,15 +169,15 @@ Leading<T> reflecting(const WavesView& waves, const T& n1, const T& n2, const Ve
   const T cosine = abs(dot(k2, facet.normal));
   const T v = visibility(k1, facet);
   const T nz = facet.normal.z;
-  const T value = v * optics::refract(n1, n2, cosine).reflectance /
+  const T value = v * cross_face(face, n1, n2, cosine).reflectance /
                   (T(4) * select(cosine > T(0), cosine, T(1)) * nz * nz * nz);
   out.per_density = select(faces & (v > T(0)) & (cosine > T(0)), value, T(0));
   return out;
 }
 /// Through them (eq. 21 there).
 template <class T>
-Leading<T> transmitting(const WavesView& waves, const T& n1, const T& n2, const Vec3<T>& k1,
-                        const Vec3<T>& k2) {
+Leading<T> transmitting(const WavesView& waves, const Face<T>& face, const T& n1, const T& n2,
+                        const Vec3<T>& k1, const Vec3<T>& k2) {
   using std::abs;
   Leading<T> out;
   const Vec3<T>& h = out.along = n2 * k2 - n1 * k1;
@@ -191,8 +189,8 @@ Leading<T> transmitting(const WavesView& waves, const T& n1, const T& n2, const 
   const T v = visibility(k1, facet);
   const Mask<T> passes = upright & (cos1 * cos2 > T(0)) & (v > T(0));
   const T nz = facet.normal.z;
-  const T value = v * (T(1) - optics::fresnel_reflectance(n1, n2, abs(cos1), abs(cos2))) * n2 * n2 *
-                  abs(cos2) / (select(passes, square, T(1)) * nz * nz * nz);
+  const T through = face.shares(n1, n2, T(abs(cos1)), T(abs(cos2))).transmittance;
+  const T value = v * through * n2 * n2 * abs(cos2) / (select(passes, square, T(1)) * nz * nz * nz);
   out.per_density = select(passes, value, T(0));
   return out;
 }
@@ -216,13 +214,16 @@ struct RoughSurface {
   const WavesView& waves;
   T n;  ///< index of the water against the air's
   Whitecaps<T> white;
+  Face<T> face{};
+  Index<T> line{};
 
   /// The facets that lead light on. `in_air`: who comes from there, and goes down; the others rise
   /// from the water. `reflected`: whether k2 leads back there.
   [[nodiscard]] Leading<T> facets(const Mask<T>& in_air, bool reflected, const Vec3<T>& k1,
                                   const Vec3<T>& k2) const {
     const T n1 = select(in_air, T(1), n), n2 = select(in_air, n, T(1));
-    auto out = reflected ? reflecting(waves, n1, n2, k1, k2) : transmitting(waves, n1, n2, k1, k2);
+    auto out = reflected ? reflecting(waves, face, n1, n2, k1, k2)
+                         : transmitting(waves, face, n1, n2, k1, k2);
     out.per_density = out.per_density * (T(1) - white.fraction);
     return out;
   }
@@ -243,16 +244,33 @@ struct RoughSurface {
 /// Light that has met the surface once.
 template <class T>
 struct Meeting {
-  Slope<T> slope{};  ///< of the facet
-  T by_whitecaps{};  ///< how much of the light whitecaps have sent: none 0, all 1
-  Vec3<T> between;   ///< in which direction it goes on to another facet; 0: it does not
+  Slope<T> slope{};      ///< of the facet
+  T by_whitecaps{};      ///< how much of the light whitecaps have sent: none 0, all 1
+  Vec3<T> between;       ///< in which direction it goes on to another facet; 0: it does not
+  FilmCrossing<T> film;  ///< on the facet
 };
+/// Light of a direction that has come to a facet's film, from the air or from the water, and gone
+/// on in another one.
+template <class T>
+FilmCrossing<T> film_crossing(const Index<T>& line, const Mask<T>& in_air, const Mask<T>& passes,
+                              const Vec3<T>& k1, const Vec3<T>& k2, const Vec3<T>& normal) {
+  using std::abs;
+  const auto way = [](std::int32_t which) { return Index<T>(which); };
+  const Vec3<T> in_water = select(passes & in_air, k2, k1);
+  return {line,
+          select(passes, way(medium::through_film),
+                 select(in_air, way(medium::back_into_air), way(medium::back_into_water))),
+          T(abs(dot(in_water, normal)))};
+}
 /// Of light from direction k1 to k2, as density() weighs facets and whitecaps.
 template <class T>
 Meeting<T> meeting_of(const RoughSurface<T>& surface, const Mask<T>& in_air, bool reflected,
                       const Vec3<T>& k1, const Vec3<T>& k2) {
   const auto by = surface.facets(in_air, reflected, k1, k2);
-  Meeting<T> out{by.slope, T(0), {}};
+  Meeting<T> out{by.slope, T(0), {}, {}};
+  if (surface.face.oily)
+    out.film = film_crossing(surface.line, in_air, Mask<T>(!reflected), k1, k2,
+                             facet_of(surface.waves, by.slope).normal);
   if (surface.waves.whitecap_fraction == 0) return out;
   const T white = surface.by_whitecaps(in_air, reflected, k2);
   const T all = white + by.per_density * slope_density(surface.waves, by.slope);
@@ -263,7 +281,8 @@ Meeting<T> meeting_of(const RoughSurface<T>& surface, const Mask<T>& in_air, boo
 template <class T>
 RoughSurface<T> rough_surface(const medium::MediumView& sea, const Index<T>& line) {
   return {sea.waves, gather<T>(sea.index, line),
-          whitecaps<T>(sea.waves, line, gather<T>(sea.inverse_index, line))};
+          whitecaps<T>(sea.waves, line, gather<T>(sea.inverse_index, line)), face_of<T>(sea, line),
+          line};
 }
 
 }  // namespace photic::surface

@@ -142,10 +142,11 @@ void Totals::fill(Result& result) const {
 
   const double per_photon = state_.photons > 0 ? 1.0 / static_cast<double>(state_.photons) : 0.0;
   result.ledger = {
-      state_.ledger.absorbed * per_photon,     state_.ledger.escaped * per_photon,
-      state_.ledger.sea_bed * per_photon,      state_.ledger.cut_by_time * per_photon,
-      state_.ledger.cut_by_order * per_photon, state_.ledger.cut_by_weight * per_photon,
-      state_.ledger.roulette * per_photon,     state_.ledger.lost * per_photon};
+      state_.ledger.absorbed * per_photon,      state_.ledger.escaped * per_photon,
+      state_.ledger.sea_bed * per_photon,       state_.ledger.oil * per_photon,
+      state_.ledger.cut_by_time * per_photon,   state_.ledger.cut_by_order * per_photon,
+      state_.ledger.cut_by_weight * per_photon, state_.ledger.roulette * per_photon,
+      state_.ledger.lost * per_photon};
   result.ledger_standard_error =
       standard_error(state_.ledger_excess,
                      {static_cast<double>(state_.photons), static_cast<double>(state_.batches)});

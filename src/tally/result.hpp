@@ -39,8 +39,11 @@ struct Result {
   // Axes.
   std::vector<std::string> telescope_name, channel_name, process_name;
   std::vector<double> channel_wavelength_nm;  ///< mean over the light it counts
-  std::int64_t orders = 0;                    ///< so many: 0, 1, … and the last one and above
-  std::vector<double> gate_time_edge_ns;      ///< gates + 1
+  /// Of scenes with a film of oil, [telescope][channel]: its absorption on the way down and up, per
+  /// thickness, and what passes a clear film of what passes bare water (medium/film.hpp).
+  std::vector<double> film_attenuation_per_m, film_interface_ratio;
+  std::int64_t orders = 0;                ///< so many: 0, 1, … and the last one and above
+  std::vector<double> gate_time_edge_ns;  ///< gates + 1
   /// [telescope][channel][gates + 1]: depth of first-order light, or range; NaN where a telescope
   /// has none.
   std::vector<double> gate_depth_edge_m;

@@ -18,21 +18,27 @@ struct Ledger {
   double escaped =
       0;  ///< through the surface (what a telescope detects is part of it) or never in the water
   double sea_bed = 0;        ///< absorbed by the sea bed
+  double oil = 0;            ///< absorbed in a film of oil, and not emitted again out of it
   double cut_by_time = 0;    ///< could no longer come back within the last gate
   double cut_by_order = 0;   ///< ended at max_order
   double cut_by_weight = 0;  ///< ended below the weight threshold
   double roulette = 0;  ///< killed less gained by Russian roulette and splitting; 0 in expectation
   double lost = 0;      ///< too many events, or a number that is not finite
   [[nodiscard]] double sum() const {
-    return absorbed + escaped + sea_bed + cut_by_time + cut_by_order + cut_by_weight + roulette +
-           lost;
+    return absorbed + escaped + sea_bed + oil + cut_by_time + cut_by_order + cut_by_weight +
+           roulette + lost;
   }
   friend bool operator==(const Ledger&, const Ledger&) = default;
   friend Ledger operator+(const Ledger& a, const Ledger& b) {
-    return {a.absorbed + b.absorbed,         a.escaped + b.escaped,
-            a.sea_bed + b.sea_bed,           a.cut_by_time + b.cut_by_time,
-            a.cut_by_order + b.cut_by_order, a.cut_by_weight + b.cut_by_weight,
-            a.roulette + b.roulette,         a.lost + b.lost};
+    return {a.absorbed + b.absorbed,
+            a.escaped + b.escaped,
+            a.sea_bed + b.sea_bed,
+            a.oil + b.oil,
+            a.cut_by_time + b.cut_by_time,
+            a.cut_by_order + b.cut_by_order,
+            a.cut_by_weight + b.cut_by_weight,
+            a.roulette + b.roulette,
+            a.lost + b.lost};
   }
 };
 

@@ -81,6 +81,7 @@ void Totals::merge(const BatchTally& batch) {
   state_.ledger.absorbed += batch.ledger.absorbed;
   state_.ledger.escaped += batch.ledger.escaped;
   state_.ledger.sea_bed += batch.ledger.sea_bed;
+  state_.ledger.oil += batch.ledger.oil;
   state_.ledger.cut_by_time += batch.ledger.cut_by_time;
   state_.ledger.cut_by_order += batch.ledger.cut_by_order;
   state_.ledger.cut_by_weight += batch.ledger.cut_by_weight;

@@ -67,7 +67,7 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
   using std::sqrt;
   Connection<T> way;
   const auto surface = surface::flat_surface<T>(sea, line);
-  const auto& [n, inverse_n] = surface;
+  const T &n = surface.n, &inverse_n = surface.inverse_n;
   const T depth = -at.position.z;
   const T height = telescope.position.z;
   const T dx = telescope.position.x - at.position.x;

@@ -181,6 +181,8 @@ SurfaceConnection<T> connect_from_surface(const geometry::Slabs& sea,
     out.meeting.slope = {select(reflects, back.slope.upwind, through.slope.upwind),
                          select(reflects, back.slope.crosswind, through.slope.crosswind)};
     out.meeting.by_whitecaps = select(reflects, back.by_whitecaps, through.by_whitecaps);
+    out.meeting.film = {photon.line, select(reflects, back.film.way, through.film.way),
+                        select(reflects, back.film.cosine, through.film.cosine)};
   }
   out.direction = way.direction;
   out.acceptance = select(
@@ -210,7 +212,7 @@ RayConnection<T> connect_in_line(const geometry::Slabs& sea,
   const bool upwind = sea.waves.crosswind_deviation == 0;
   const auto facet = surface::facet_of(
       sea.waves, upwind ? surface::Slope<T>{s, T(0)} : surface::Slope<T>{T(0), s});
-  const auto by_facet = surface::meet_facet(n1, n2, photon.direction, facet);
+  const auto by_facet = surface::meet_facet(surface.face, n1, n2, photon.direction, facet);
   const T v = surface::visibility(photon.direction, facet);
   FromSurface<T> way;
   way.direction = select(reflects, by_facet.reflected, by_facet.transmitted);
@@ -220,7 +222,7 @@ RayConnection<T> connect_in_line(const geometry::Slabs& sea,
   out.sight = instrument::sight(telescope, hit.lens, way.direction);
   const Mask<T> seen = hit.open & out.sight.on_detector & (v > T(0));
   if (!any(seen)) return out;
-  const T share = select(reflects, by_facet.reflectance, T(1) - by_facet.reflectance);
+  const T share = select(reflects, by_facet.reflectance, by_facet.transmittance);
   out.direction = way.direction;
   out.acceptance = select(seen,
                           (T(1) - surface.white.fraction) * v * share * T(2) * bounds.half *

@@ -35,15 +35,26 @@ Mask<T> enter_water(const medium::MediumView& sea, const geometry::Region<T>& fr
   return downward;
 }
 
-/// Reflects a photon that stands at the surface back into the water: its weight takes the
-/// reflectance, 1 in total reflection. Returns the weight that leaves through the surface; clear
-/// air returns nothing. Photons that are `lossless` keep all: of them it has been taken before.
+/// Weight that comes to the surface and does not come back.
 template <class T>
-T reflect_down(const medium::MediumView& sea, Photon<T>& photon,
-               const Mask<T>& lossless = Mask<T>(false)) {
+struct Leaving {
+  T through{}, into_film{};
+};
+
+/// Reflects a photon that stands at the surface back into the water: its weight takes the
+/// reflectance, 1 in total reflection at bare water. Clear air returns nothing of what leaves.
+/// Photons that are `lossless` keep all: of them it has been taken before.
+template <class T>
+Leaving<T> reflect_down(const medium::MediumView& sea, Photon<T>& photon,
+                        const Mask<T>& lossless = Mask<T>(false)) {
   const auto split = surface::flat_surface<T>(sea, photon.line).from_below(photon.direction);
   const T r = select(lossless, T(1), split.reflectance);
-  const T leaving = photon.weight * (T(1) - r);
+  const T gone = photon.weight * (T(1) - r);
+  Leaving<T> leaving{gone, T(0)};
+  if (sea.film.exists) {
+    leaving.through = photon.weight * select(lossless, T(0), split.transmittance);
+    leaving.into_film = gone - leaving.through;
+  }
   photon.weight = photon.weight * r;
   photon.analog_weight = photon.analog_weight * r;
   photon.direction = split.reflected;

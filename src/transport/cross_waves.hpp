@@ -19,6 +19,7 @@ struct AfterFacet {
   Mask<T> in_water{};  ///< who goes down in the water
   Mask<T> left{};      ///< who rises in the air, where weights do not split
   T escaped{};         ///< weight that rises in the air
+  T into_film{};       ///< weight that a film of oil absorbs
   T gained{};          ///< weight less what it was, before that is taken off
   surface::Meeting<T> meeting;
   /// Where weights do not split: how likely a walk that comes the other way (waves_back.hpp) draws
@@ -41,8 +42,9 @@ struct WavesUniforms {
 template <class T>
 struct WaysOn {
   Vec3<T> down, up;
-  T share_down{};  ///< of the light
-  T gain{};        ///< of the weight: how densely facets are met over how they are drawn
+  T share_down{};   ///< of the light, with all that does not pass as if it were reflected
+  T unabsorbed{1};  ///< of what does not pass: the share that is reflected
+  T gain{};         ///< of the weight: how densely facets are met over how they are drawn
   surface::Facet<T> facet;
   T seen{};               ///< visibility of that facet
   Mask<T> meets_white{};  ///< a whitecap is met, and no facet
@@ -53,21 +55,38 @@ Vec3<T> up_from_whitecap(const WavesUniforms<T>& u) {
   const auto [cosine, sine] = cos_sin_of_turns(u.azimuth);
   return turned(Vec3<T>{T(0), T(0), T(1)}, surface::lambert_one_minus_cos(u.slope), cosine, sine);
 }
+/// A facet that light meets, and how densely it is met over how it is drawn: 0 where it cannot be.
+template <class T>
+struct FacetMet {
+  surface::Facet<T> facet;
+  T seen{};  ///< its visibility
+  T gain{};
+};
+template <class T>
+FacetMet<T> facet_met(const surface::WavesView& waves, const Vec3<T>& direction, const T& u1,
+                      const T& u2) {
+  FacetMet<T> met;
+  met.facet = surface::facet_of(waves, surface::sample_slope(waves, u1, u2));
+  met.seen = surface::visibility(direction, met.facet);
+  met.gain = select(met.seen > T(0), met.seen, T(0)) * surface::series(waves, met.facet.slope);
+  return met;
+}
 template <class T>
 WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direction,
                   const Mask<T>& in_air, const WavesUniforms<T>& u) {
   const auto& waves = surface.waves;
-  const auto facet = surface::facet_of(waves, surface::sample_slope(waves, u.slope, u.azimuth));
-  const T seen = surface::visibility(direction, facet);
+  const auto [facet, seen, gain] = facet_met(waves, direction, u.slope, u.azimuth);
   const T n1 = select(in_air, T(1), surface.n), n2 = select(in_air, surface.n, T(1));
-  const auto at = surface::meet_facet(n1, n2, direction, facet);
+  const auto at = surface::meet_facet(surface.face, n1, n2, direction, facet);
   WaysOn<T> out{select(in_air, at.transmitted, at.reflected),
                 select(in_air, at.reflected, at.transmitted),
-                select(in_air, T(1) - at.reflectance, at.reflectance),
-                select(seen > T(0), seen, T(0)) * surface::series(waves, facet.slope),
+                select(in_air, at.transmittance, T(1) - at.transmittance),
+                T(1),
+                gain,
                 facet,
                 seen,
                 Mask<T>(false)};
+  if (surface.face.oily) out.unabsorbed = at.reflected_of_rest();
   if (waves.whitecap_fraction == 0) return out;
   const auto& white = surface.white;
   const Mask<T> meets_white = out.meets_white = u.whitecap < white.fraction;
@@ -77,6 +96,7 @@ WaysOn<T> ways_on(const surface::RoughSurface<T>& surface, const Vec3<T>& direct
   out.share_down = select(meets_white, select(in_air, T(1) - white.from_above, white.from_below),
                           out.share_down);
   out.gain = select(meets_white, T(1), out.gain);
+  out.unabsorbed = select(meets_white, T(1), out.unabsorbed);
   return out;
 }
 
@@ -88,18 +108,28 @@ template <class T>
 AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& photon, AtWaves<T>& at,
                          const WavesUniforms<T>& u, bool splits) {
   const auto way = ways_on(surface, photon.direction, at.in_air, u);
-  const auto& [down, up, share_down, gain, facet, seen, meets_white] = way;
+  const auto& [down, up, share_down, unabsorbed, gain, facet, seen, meets_white] = way;
   const Mask<T> rises = up.z > T(0);
   const Mask<T> leaves = splits ? rises : Mask<T>(false);
   const Mask<T> goes_down = leaves | (u.choice < share_down);
   const Vec3<T> direction = select(goes_down, down, up);
-  const T kept = select(leaves, share_down, T(1)), weight = photon.weight * gain;
+  const T weight = photon.weight * gain;
+  T kept = select(leaves, share_down, T(1));
 
   AfterFacet<T> met;
   met.gained = weight - photon.weight;
   met.escaped = select(leaves, weight * (T(1) - share_down), T(0));
+  if (surface.face.oily) {
+    const T share_back = select(at.in_air, T(1) - share_down, share_down);
+    met.into_film = weight * share_back * (T(1) - unabsorbed);
+    met.escaped = met.escaped * select(at.in_air, unabsorbed, T(1));
+    const Mask<T> goes_back = (at.in_air & !goes_down) | (goes_down & !at.in_air);
+    kept = kept * select(goes_back, unabsorbed, T(1));
+  }
   met.in_water = at.meets & goes_down & (direction.z < T(0));
   met.left = at.meets & !goes_down & rises;
+  const Mask<T> came_from_air = at.in_air;
+  const Vec3<T> came = photon.direction;
   photon.direction = select(at.meets, direction, photon.direction);
   photon.weight = select(at.meets, weight * kept, photon.weight);
   photon.analog_weight = photon.analog_weight * select(at.meets, kept, T(1));
@@ -109,8 +139,13 @@ AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& pho
   const T between =
       select(at.meets, T(1) / (T(1) + surface::smith(surface.waves, direction)), T(1));
   met.gained = met.gained + photon.weight * (between - T(1));
-  met.meeting = {facet.slope, select(meets_white, T(1), T(0)),
-                 select(at.meets, direction, Vec3<T>{})};
+  met.meeting = {
+      facet.slope, select(meets_white, T(1), T(0)), select(at.meets, direction, Vec3<T>{}), {}};
+  if (surface.face.oily) {
+    const Mask<T> passes = (came_from_air & goes_down) | !(came_from_air | goes_down);
+    met.meeting.film =
+        surface::film_crossing(surface.line, came_from_air, passes, came, direction, facet.normal);
+  }
   using std::abs;
   const T back = abs(surface::visibility(direction, facet));
   met.chance_back =

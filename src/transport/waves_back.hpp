@@ -35,6 +35,7 @@ struct WayBack {
   T gain{};     ///< of the weight
   T chance{1};  ///< as of AfterFacetBack
   surface::Slope<T> slope{};
+  surface::FilmCrossing<T> film{};
 };
 /// From a facet.
 template <class T>
@@ -47,8 +48,8 @@ WayBack<T> back_from_facet(const surface::RoughSurface<T>& surface, const Vec3<T
   const T seen = select(at.leaving, T(0) - met, met);
   const Mask<T> exists = seen > T(0);
   const T n1 = select(at.in_air, T(1), surface.n), n2 = select(at.in_air, surface.n, T(1));
-  const auto by = surface::meet_facet(n1, n2, before, facet);
-  const Mask<T> reflects = u.choice < by.reflectance;
+  const auto by = surface::meet_facet(surface.face, n1, n2, before, facet);
+  const Mask<T> reflects = u.choice < T(1) - by.transmittance;
   WayBack<T> way;
   way.slope = facet.slope;
   way.direction = select(reflects, by.reflected, by.transmitted);
@@ -57,6 +58,12 @@ WayBack<T> back_from_facet(const surface::RoughSurface<T>& surface, const Vec3<T
   const T passes = (n1 / n2) * (n1 / n2);
   way.gain = select(exists, seen, T(0)) * surface::series(waves, facet.slope) *
              select(reflects, T(1), passes);
+  if (surface.face.oily) {
+    way.gain = way.gain * select(reflects, by.reflected_of_rest(), T(1));
+    // As light goes: the other way.
+    way.film = surface::film_crossing(surface.line, way.in_air, Mask<T>(!reflects), way.direction,
+                                      before, facet.normal);
+  }
   way.chance = abs(surface::visibility(way.direction, facet)) / select(exists, seen, T(1));
   return way;
 }
@@ -85,6 +92,7 @@ AfterFacetBack<T> meet_waves_back(const surface::RoughSurface<T>& surface, Photo
   auto way = back_from_facet(surface, photon.direction, at, u);
   AfterFacetBack<T> out;
   out.meeting.slope = way.slope;
+  out.meeting.film = way.film;
   if (surface.waves.whitecap_fraction > 0) {
     const Mask<T> white = u.whitecap < surface.white.fraction;
     const auto by = back_from_whitecap(surface, at, u);

@@ -63,7 +63,7 @@ FAULTY = {
     "angle too wide": ("half_divergence_mrad = 5.0", "half_divergence_mrad = 1571"),
     "vector of two": ("position_m = [0.0, 0.0, 12.0]", "position_m = [0.0, 12.0]"),
     "unknown choice": ('process = "elastic"', 'process = "ELASTIC"'),
-    "choice of later": ('process = "elastic"', 'process = "oil"'),
+    "choice of later": ('[source]', '[source]\nkind = "beam"'),
     "unknown word": (
         "chlorophyll_mg_m3 = 0.1",
         'iop = [{ wavelength_nm = 532, a_per_m = 1, b_per_m = 1 }]\nphase_function = "petzhold"',

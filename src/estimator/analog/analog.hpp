@@ -8,6 +8,7 @@
 
 #include "core/random.hpp"
 #include "estimator/analog/collide_by_chance.hpp"
+#include "estimator/analog/film_by_chance.hpp"
 #include "estimator/book.hpp"
 #include "estimator/cross_waves.hpp"
 #include "estimator/draws.hpp"
@@ -82,6 +83,10 @@ struct AnalogSteps {
       cross_waves(p, p.on, true, T(0));
       return p;
     }
+    if (world.sea.film.exists && world.laser_region.in_air) {
+      come_to_film(p, p.on, true, T(0));
+      return p;
+    }
     const Mask<T> passes = w[2] < p.photon.weight;
     book(ledger.roulette, p.on, p.photon.weight - select(passes, T(1), T(0)));
     p.photon.weight = T(1);
@@ -108,6 +113,10 @@ struct AnalogSteps {
     if (!any(at_surface)) return end;
     if (world.sea.waves.rough) {
       cross_waves(p, at_surface, false, depth);
+      return fly_on(p, p.photon, at_surface & p.on, depth, end);
+    }
+    if (world.sea.film.exists) {
+      come_to_film(p, at_surface, false, depth);
       return fly_on(p, p.photon, at_surface & p.on, depth, end);
     }
     const auto split =
@@ -156,10 +165,21 @@ struct AnalogSteps {
     estimator::cross_waves(
         world, p.place, p, {stand, Mask<T>(in_air)}, false, ledger,
         [](const transport::AtWaves<T>&, std::uint32_t) {},
+        [](const transport::AtWaves<T>&, std::uint32_t) { return Mask<T>(false); },
         [](const Mask<T>&, const surface::Meeting<T>&) {},
         [&](const Mask<T>& left) {
           detect(world, p.photon, p.touched, left, endless, true, depth, tally);
         });
+  }
+  /// Photons of a mask come to a flat film, from the air or from the water. `depth`: of the
+  /// collision that they come from; light of the film comes from none.
+  void come_to_film(AnalogPhotons<T>& p, const Mask<T>& stand, bool in_air, const T& depth) {
+    const auto after = film_by_chance(world.sea, p.place, p.spectral_bin, stand, in_air, p.photon);
+    const T endless(std::numeric_limits<Element<T>>::max());
+    detect(world, p.photon, p.touched, after.up, endless, true, select(after.emitted, T(0), depth),
+           tally);
+    book_out(p, after.up, ledger.escaped);
+    book_out(p, stand & !after.down, ledger.oil);
   }
   /// Photons of a mask that have been at the surface fly down from there. `depth`: of the collision
   /// that they come from.

@@ -20,6 +20,13 @@ void add_leg(const medium::MediumView& sea, const WalkPoint<T>& left, const Walk
   const Mask<T> reflected = left.direction.z * arrived.direction.z < T(0);
   const T steep = select(reflected, T(abs(left.direction.z)), T(1));
   const Index<T> top(0);
+  // It has come through a film, or will be sent back by it.
+  if (sea.environments.other_film) {
+    const Mask<T> enters = (from == T(0)) & (left.direction.z < T(0));
+    const Index<T> way = select(reflected, Index<T>(back_into_water),
+                                select(enters, Index<T>(through_film), Index<T>(-1)));
+    add_flat_film(sea, {left.line, way, T(abs(left.direction.z))}, ways);
+  }
   estimator::add_passage(
       sea,
       {left.line, left.layer, from, select(reflected, top, arrived.layer),

@@ -27,6 +27,8 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
   birth_at_laser(world, u[0], u[1], exist, t, ledger);
   if (world.sea.waves.rough && world.laser_region.in_air)
     cross_waves<Events>(world, t, t.on, true, estimates, tally, ledger);
+  if (!world.sea.waves.rough && world.sea.film.exists && world.laser_region.in_air)
+    cross_flat_film<Events>(world, t, t.on, true, estimates, tally, ledger);
 }
 
 /// Keeps the copies of a photon that was split, each with random numbers of its own.

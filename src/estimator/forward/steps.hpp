@@ -7,6 +7,7 @@
 #include "estimator/event.hpp"
 #include "estimator/forward/estimate.hpp"
 #include "estimator/forward/expected_collision.hpp"
+#include "estimator/forward/film.hpp"
 #include "estimator/forward/targets.hpp"
 #include "estimator/forward/tools.hpp"
 #include "estimator/forward/waves.hpp"
@@ -64,6 +65,11 @@ struct ForwardSteps {
     if (world.sea.waves.rough) {
       const Mask<T> stand = t.on & !t.colliding;
       if (any(stand)) cross_waves<Events>(world, t, stand, false, estimates, tally, ledger);
+      return;
+    }
+    if (world.sea.film.exists) [[unlikely]] {
+      const Mask<T> stand = t.on & !t.colliding;
+      if (any(stand)) cross_flat_film<Events>(world, t, stand, false, estimates, tally, ledger);
       return;
     }
     const Mask<T> lossless = Events::tools ? are_forced(world, t.place) : Mask<T>(false);
@@ -135,7 +141,7 @@ struct ForwardSteps {
   /// of the number that they play by others use what is left. Tells who goes on.
   Mask<T> reflect_in_flight(Travellers<T>& t, const Mask<T>& reflected,
                             transport::Photon<T>& photon) {
-    book(ledger.escaped, reflected, transport::reflect_down(world.sea, photon));
+    book_leaving(ledger, reflected, transport::reflect_down(world.sea, photon));
     constexpr double far_less = 1.0 / 8;
     const Mask<T> light = photon.analog_weight < T(far_less) * world.weight_threshold;
     if (!any(reflected & light)) return reflected;

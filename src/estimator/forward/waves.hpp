@@ -5,6 +5,7 @@
 
 #include "estimator/cross_waves.hpp"
 #include "estimator/forward/estimate.hpp"
+#include "estimator/forward/film.hpp"
 #include "transport/connect_waves.hpp"
 
 namespace photic::estimator {
@@ -71,6 +72,7 @@ template <class Events, class T, class Ledger>
 PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mask<T>& stand,
                               bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,
                               Ledger& ledger) {
+  const auto& waves = world.sea.waves;
   const auto score = [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
     Mask<T> scored = at.meets;
     if (facet == 0) scored = scored & (t.photon.order == Index<T>(0));
@@ -80,7 +82,16 @@ PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mas
     if (compares<Events>(world) && world.sea.environments.other_surface)
       t.ratios.met(world.sea, meeting, meets);
   };
-  cross_waves(world, t.place, t, {stand, Mask<T>(in_air)}, true, ledger, score, met,
+  const auto emit = [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
+    if (!surface::film_shines(world.sea)) return Mask<T>(false);
+    const auto u = uniforms(t.place, facet_blocks + facet);  // of the facet that is met
+    const auto by = transport::facet_met(waves, t.photon.direction, u[0], u[1]);
+    const Mask<T> meets = at.meets & (by.gain > T(0));
+    return emit_by_film<Events>(world, t,
+                                {meets, {at.in_air, t.photon.direction, by.facet.normal}, by.gain},
+                                facet, estimates, tally, ledger);
+  };
+  cross_waves(world, t.place, t, {stand, Mask<T>(in_air)}, true, ledger, score, emit, met,
               [](const Mask<T>&) {});
 }
 

@@ -18,7 +18,9 @@
 
 #include "core/elementary.hpp"
 #include "core/flatten.hpp"
+#include "estimator/variations/other_films.hpp"
 #include "estimator/variations/other_surfaces.hpp"
+#include "estimator/variations/terms.hpp"
 #include "geometry/region.hpp"
 #include "medium/medium.hpp"
 #include "optics/phase_table.hpp"
@@ -26,37 +28,6 @@
 #include "transport/photon.hpp"
 
 namespace photic::estimator {
-
-/// Rows of the environments' numbers, each with a factor, lane by lane.
-template <class T>
-class Terms {
- public:
-  void clear() { count_ = 0; }
-  void add(const Index<T>& row, const T& factor) {
-    if (count_ == term_.size()) term_.emplace_back();
-    term_[count_++] = {each_lane(row), each_lane(factor)};
-  }
-  /// Their sum in a lane, for environments from `first` on.
-  [[nodiscard]] T sum(const medium::EnvironmentsView& environments, std::size_t lane,
-                      std::int32_t first) const {
-    T sum(0);
-    for (std::size_t k = 0; k < count_; ++k) {
-      const auto& [rows, factors] = term_[k];
-      if (factors[lane] == 0) continue;
-      const T number = load<T>(environments.number, rows[lane] * environments.stride + first);
-      sum = sum + T(factors[lane]) * number;
-    }
-    return sum;
-  }
-
- private:
-  struct Term {
-    std::array<std::int32_t, lanes_of<T>> row{};
-    std::array<Element<T>, lanes_of<T>> factor{};
-  };
-  std::vector<Term> term_;  ///< the first `count_` count
-  std::size_t count_ = 0;
-};
 
 /// Calls act(first) for groups of environments, so many at a time as there are lanes.
 template <class T, class Act>
@@ -129,8 +100,9 @@ struct PathRatio {
       store(both[1], deeper + e);
     });
   }
-  /// The path has met the surface.
-  void meet(const medium::MediumView& sea, const OtherSurfaces<T>& met, std::size_t lane) const {
+  /// The path has met the surface, or a film has emitted its light.
+  template <class Met>
+  void meet(const medium::MediumView& sea, const Met& met, std::size_t lane) const {
     each_group<T>(sea.environments, [&](std::int32_t e) {
       const T old = load<T>(product + e);
       store(times(sea.environments, old, met.sum(sea, lane, e), e), product + e);
@@ -217,12 +189,16 @@ void add_way(const medium::MediumView& sea, const Index<T>& line, const Index<T>
              const geometry::Region<T>& region, geometry::Route route, Terms<T>& ways) {
   using std::abs;
   const Index<T> top(0);
-  if (region.in_air) return add_passage(sea, {line, layer, depth, top, T(0), length}, ways);
+  if (region.in_air) {
+    add_flat_film(sea, {line, Index<T>(through_film), direction.z}, ways);
+    return add_passage(sea, {line, layer, depth, top, T(0), length}, ways);
+  }
   if (route == geometry::Route::direct) {
     const T end_depth = depth - length * direction.z;
     return add_passage(sea, {line, layer, depth, region.layer, end_depth, length}, ways);
   }
   const T steep = abs(direction.z);
+  add_flat_film(sea, {line, Index<T>(back_into_water), steep}, ways);
   const T end_depth = length * steep - depth;
   add_passage(sea, {line, layer, depth, top, T(0), depth / steep}, ways);
   add_passage(sea, {line, region.layer, end_depth, top, T(0), end_depth / steep}, ways);
@@ -280,13 +256,15 @@ struct Completion {
   std::array<Terms<T>, 2> collision;
   std::size_t collisions = 0;
   OtherSurfaces<T> surface;
-  bool meets = false;  ///< the walks' rays have met, before what ends their legs
+  OtherEmission<T> emission;  ///< by a film
+  bool meets = false;         ///< the walks' rays have met, before what ends their legs
 
   void clear() {
     meets = false;
     ways.clear();
     collisions = 0;
     surface.clear();
+    emission.clear();
   }
   void pass(const medium::MediumView& sea, const Passage<T>& passage) {
     add_passage(sea, passage, ways);
@@ -315,6 +293,7 @@ std::uint64_t complete(const medium::MediumView& sea, const Completion<T>& compl
     for (std::size_t k = 0; k < completion.collisions; ++k)
       product = collided(environments, product, completion.collision[k], lane, first);
     product = times(environments, product, completion.surface.sum(sea, lane, first), first);
+    product = times(environments, product, completion.emission.sum(sea, lane, first), first);
     const T of_other_water = product * exp_minus(select(deeper > least, deeper, least));
     const T ratio =
         select(tangents<T>(environments, first), T(1) + product - deeper, of_other_water);
@@ -334,6 +313,7 @@ struct Ratios {
   transport::Photon<T> before;  ///< what happens to them
   Terms<T> terms;
   OtherSurfaces<T> surface;
+  OtherEmission<T> emission;
 
   /// The photons of a mask have flown so far.
   PHOTIC_APART PHOTIC_FLATTEN void flown(const medium::MediumView& sea, transport::Photon<T> after,
@@ -359,6 +339,26 @@ struct Ratios {
     for_each_lane(mask, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
       paths->of(first + i).collide(sea.environments, terms, i);
+    });
+  }
+  /// Those of a mask have come to a flat film, as it says.
+  PHOTIC_APART PHOTIC_FLATTEN void crossed(const medium::MediumView& sea, FilmCrossing<T> crossing,
+                                           Mask<T> mask) {
+    terms.clear();
+    add_flat_film(sea, crossing, terms);
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      paths->of(first + i).pass(sea.environments, terms, i);
+    });
+  }
+  /// A film has emitted the light of those of a mask.
+  PHOTIC_APART PHOTIC_FLATTEN void emitted(const medium::MediumView& sea, surface::AtFilm<T> at,
+                                           Index<T> line, Vec3<T> direction, bool up,
+                                           Mask<T> mask) {
+    emission.emit(sea, at, line, direction, up);
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      paths->of(first + i).meet(sea, emission, i);
     });
   }
   /// Those of a mask have met the surface.

@@ -9,6 +9,7 @@
 
 #include "core/elementary.hpp"
 #include "core/lanes.hpp"
+#include "estimator/variations/other_films.hpp"
 #include "medium/medium.hpp"
 #include "surface/waves.hpp"
 
@@ -25,6 +26,9 @@ class OtherSurfaces {
     using std::abs;
     any_ = sea.environments.other_surface;
     if (!any_) return;
+    film_.clear();
+    add_film(sea, m.film, film_);
+    if (!sea.environments.other_waves) return;
     const auto& waves = sea.waves;
     const T up = m.slope.upwind * per(waves.upwind_deviation);
     const T across = m.slope.crosswind * per(waves.crosswind_deviation);
@@ -44,12 +48,21 @@ class OtherSurfaces {
   /// The ratio less 1, or of tangents what it adds to their sum, for environments from `first` on.
   [[nodiscard]] T sum(const medium::MediumView& sea, std::size_t lane, std::int32_t first) const {
     if (!any_) return T(0);
+    const T of_waves = sea.environments.other_waves ? sum_of_waves(sea, lane, first) : T(0);
+    if (!sea.environments.other_film) return of_waves;
+    const T less = film_.sum(sea.environments, lane, first);
+    const Mask<T> tangent =
+        Index<T>(first) + lane_numbers<T>() >= Index<T>(sea.environments.first_tangent);
+    return select(tangent, of_waves - less, (T(1) + of_waves) * exp_minus(less) - T(1));
+  }
+
+ private:
+  [[nodiscard]] T sum_of_waves(const medium::MediumView& sea, std::size_t lane,
+                               std::int32_t first) const {
     constexpr auto rows = static_cast<std::int32_t>(medium::SurfaceRow::rows);
     const Rows at{sea.environments, first};
     return at[2 * rows] * (ratio(sea, at, lane, rows) - ratio(sea, at, lane, 0));
   }
-
- private:
   struct Rows {
     const medium::EnvironmentsView& of;
     std::int32_t first;
@@ -90,6 +103,7 @@ class OtherSurfaces {
   }
 
   bool any_ = false;
+  Terms<T> film_;
   std::array<Element<T>, lanes_of<T>> upwind_{}, crosswind_{}, exponent_{}, per_here_{},
       by_whitecaps_{}, along_{}, aside_{}, cosine_{};
 };

@@ -171,7 +171,8 @@ class Maker {
     result_.threads = 2;
     result_.ledger = {.absorbed = 0.71,
                       .escaped = 0.08,
-                      .sea_bed = 0.02,
+                      .sea_bed = 0.015,
+                      .oil = 0.005,
                       .cut_by_time = 0.18,
                       .cut_by_order = 0.0099,
                       .cut_by_weight = 1e-4,
@@ -193,7 +194,7 @@ class Maker {
     state.collisions = 187'654'000;
     state.too_many_events = 2;
     state.not_finite = 1;
-    state.ledger = {next(), next(), next(), next(), next(), next(), next()};
+    state.ledger = {next(), next(), next(), next(), next(), next(), next(), next(), next()};
     state.ledger_excess = {next(), next()};
     state.resting_target = next();
     for (auto& row : state.row) row = {++numbers_, ++numbers_, ++numbers_, ++numbers_};

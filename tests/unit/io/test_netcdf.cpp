@@ -164,7 +164,8 @@ TEST_F(WrittenResult, Run) {
   EXPECT_EQ(number("collisions_per_second"), 187'654'321 / 23.5);
   EXPECT_EQ(number("ledger_absorbed"), 0.71);
   EXPECT_EQ(number("ledger_escaped"), 0.08);
-  EXPECT_EQ(number("ledger_sea_bed"), 0.02);
+  EXPECT_EQ(number("ledger_sea_bed"), 0.015);
+  EXPECT_EQ(number("ledger_oil"), 0.005);
   EXPECT_EQ(number("ledger_cut_by_time"), 0.18);
   EXPECT_EQ(number("ledger_cut_by_order"), 0.0099);
   EXPECT_EQ(number("ledger_cut_by_weight"), 1e-4);

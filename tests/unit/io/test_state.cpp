@@ -191,7 +191,7 @@ void write_bare(const std::string& path, const std::function<void(NetcdfImage& f
   for (const char* name : {"photons", "batches", "collisions", "scores",
                            "photons_lost_too_many_events", "photons_lost_not_finite"})
     file.add_global(name, std::uint64_t{0});
-  for (const char* name : {"absorbed", "escaped", "sea_bed", "cut_by_time", "cut_by_order",
+  for (const char* name : {"absorbed", "escaped", "sea_bed", "oil", "cut_by_time", "cut_by_order",
                            "cut_by_weight", "roulette", "lost"})
     file.add_global(std::string("weight_") + name, 0.0);
   for (const char* name : {"weight_excess", "weight_excess_squares", "resting_target"})

@@ -9,8 +9,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-double cosine_of(double degrees) { return std::cos(degrees * radian_per_degree); }
-
 // Wiscombe's answers have seven digits; S is measured by the larger amplitude of the angle, since
 // at 90 degrees one of them vanishes in a small sphere. Case 11 is summed to one order less there,
 // whose resonance is 4e-6 of S(180 degrees). Seen red: without the terms above x; with m D_n in

@@ -41,6 +41,8 @@ inline void expect_contains(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is not in: " << text;
 }
 
+inline double cosine_of(double degrees) { return std::cos(degrees * radian_per_degree); }
+
 /// 1 - cos of an angle.
 inline double x_of(double degrees) {
   return 2 * std::pow(std::sin(degrees * radian_per_degree / 2), 2);

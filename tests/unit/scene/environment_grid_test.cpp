@@ -100,10 +100,10 @@ TEST(EnvironmentGrid, EveryTextOfWhatIsWrong) {
 "sea.layer.0.cdom_a440_per_m" = []
 "sea.layer.1.iop.0.a_per_m" = [inf]
 "sea.layer.1.iop.0.b_per_m" = [0.1, 0.2, 0.10])"),
-       {"scene.toml:32:1: 'gates.depth_max_m' cannot be set in an environment: only the water and "
-        "the bed may "
-        "differ, for the histories are the same (set paths that begin with sea., optics. or "
-        "bottom.)",
+       {"scene.toml:32:1: 'gates.depth_max_m' cannot be set in an environment: only the water, the "
+        "bed "
+        "and a film of oil may differ, for the histories are the same (set paths that begin with "
+        "sea., optics., bottom. or oil.)",
         R"(scene.toml:33:1: 'sea' cannot be set as a whole in an environment (quote the whole path: "sea.layer.0.chlorophyll_mg_m3" = 0.5))",
         "scene.toml:34:35: 'sea.layer.0.chlorophyll_mg_m3' must be an array of one or more values, "
         "not 0.5 (write the values in brackets: [0.1, 0.5])",

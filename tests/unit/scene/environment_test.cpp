@@ -95,17 +95,19 @@ struct ChangeCase {
 const std::vector<ChangeCase>& change_cases() {
   static const std::vector<ChangeCase> all{
       {R"("gates.depth_max_m" = 50)",
-       {"scene.toml:32:9: 'gates.depth_max_m' cannot be set in an environment: only the water and "
-        "the bed may differ, for the histories are the same (set paths that begin with sea., "
-        "optics. or bottom.)"}},
+       {"scene.toml:32:9: 'gates.depth_max_m' cannot be set in an environment: only the water, the "
+        "bed "
+        "and a film of oil may differ, for the histories are the same (set paths that begin with "
+        "sea., optics., bottom. or oil.)"}},
       {R"("environment.0.name" = "x")",
-       {"scene.toml:32:9: 'environment.0.name' cannot be set in an environment: only the water and "
-        "the bed may differ, for the histories are the same (set paths that begin with sea., "
-        "optics. or bottom.)"}},
+       {"scene.toml:32:9: 'environment.0.name' cannot be set in an environment: only the water, "
+        "the bed "
+        "and a film of oil may differ, for the histories are the same (set paths that begin with "
+        "sea., optics., bottom. or oil.)"}},
       {R"("" = 1)",
-       {"scene.toml:32:9: '' cannot be set in an environment: only the water and the bed may "
-        "differ, for the histories are the same (set paths that begin with sea., optics. or "
-        "bottom.)"}},
+       {"scene.toml:32:9: '' cannot be set in an environment: only the water, the bed "
+        "and a film of oil may differ, for the histories are the same (set paths that begin with "
+        "sea., optics., bottom. or oil.)"}},
       {R"("sea" = { layer = [{}] })",
        {R"(scene.toml:32:9: 'sea' cannot be set as a whole in an environment (quote the whole path: "sea.layer.0.chlorophyll_mg_m3" = 0.5))"}},
       {R"(optics.set = "paper")",
@@ -221,8 +223,8 @@ TEST(Environment, NamesTwiceAndKeysAmiss) {
   EXPECT_EQ(
       told("[[environment]]\nname = \"a\""),
       (Texts{"scene.toml:31:1: 'set' is missing in [[environment]] (add it: the values that differ "
-             "in this water, by their paths: those of --set that begin with sea., optics. or "
-             "bottom.)"}));
+             "in this water, by their paths: those of --set that begin with "
+             "sea., optics., bottom. or oil.)"}));
   EXPECT_EQ(
       told("[[environment]]\nset = 5"),
       (Texts{

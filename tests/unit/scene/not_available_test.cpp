@@ -13,9 +13,6 @@ const std::vector<Case>& not_available_cases() {
        {{2, 2, R"([source]
 kind = "beam")"}},
        {R"(scene.toml:3:8: 'kind' = "beam" is not available yet (available: laser))"}},
-      {"Process",
-       {{17, 17, R"(process = "oil")"}},
-       {R"(scene.toml:17:11: 'process' = "oil" is not available yet (available: elastic, raman, chlorophyll and cdom))"}},
       {"Atmosphere",
        {{25, 25, R"(phase_function = { model = "henyey-greenstein", g = 0.9 }
 [atmosphere]

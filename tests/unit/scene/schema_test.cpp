@@ -75,6 +75,9 @@ std::set<std::string> keys_of_scenes() {
            {"sea.surface={ model = \"cox-munk\", wind_speed_m_s = 5, whitecap_fraction = 0.01 }"},
            {"sea.surface={ model = \"gaussian\", upwind_slope_variance = 0.1, "
             "crosswind_slope_variance = 0 }"},
+           {"oil={ class = \"light-refined\", thickness_um = 1, yield = 0.1, lifetime_ns = 3 }"},
+           {"oil={ file = { wavelength_nm = [300, 900], n = [1.5, 1.5], a_per_m = [1e4, 1e3], "
+            "emission_per_nm = [0, 1] }, thickness_um = 1, yield = 0.1, lifetime_ns = 3 }"},
            {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }",
             "simulation.free_telescope_meetings=1", "simulation.free_laser_meetings=1"}})
@@ -326,8 +329,8 @@ TEST(Starter, NamesTheKindsThereAre) {
       said("satellite"),
       "there is no starter scene 'satellite' (choose from: ship, ship-tilted, "
       "ship-waves, biaxial, airborne, airborne-waves, bathymetric, airborne-high, spaceborne, "
-      "spaceborne-waves, rov, fluorosensor-355, argo, three-layers, minimal, benchmark-peaked, "
-      "benchmark-hg)");
+      "spaceborne-waves, rov, fluorosensor-355, oil-spill, argo, three-layers, minimal, "
+      "benchmark-peaked, benchmark-hg)");
 }
 
 }  // namespace

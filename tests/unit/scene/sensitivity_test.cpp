@@ -91,9 +91,11 @@ TEST(Sensitivity, IsWrittenAsItWasReadAndReadsBack) {
 // Seen red, each for itself: with any path allowed; zeros allowed; all told at the array.
 TEST(Sensitivity, EveryTextOfWhatIsWrong) {
   const std::string only_water =
-      ": only the water and the bed may differ, for the histories are the same (name paths that "
+      ": only the water, the bed and a film of oil may differ, for the histories are the same "
+      "(name "
+      "paths that "
       "begin with "
-      "sea., optics. or bottom.)";
+      "sea., optics., bottom. or oil.)";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"'gates.depth_max_m'",
        "there is no derivative with respect to 'gates.depth_max_m'" + only_water},

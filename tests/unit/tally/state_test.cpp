@@ -20,8 +20,8 @@ void score_at_random(Tallies& t, test::Random& random) {
   t.batch.not_finite = static_cast<std::uint64_t>(random.below(3));
   for (double* weight :
        {&t.batch.ledger.absorbed, &t.batch.ledger.escaped, &t.batch.ledger.sea_bed,
-        &t.batch.ledger.cut_by_time, &t.batch.ledger.cut_by_order, &t.batch.ledger.cut_by_weight,
-        &t.batch.ledger.roulette, &t.batch.ledger.lost})
+        &t.batch.ledger.oil, &t.batch.ledger.cut_by_time, &t.batch.ledger.cut_by_order,
+        &t.batch.ledger.cut_by_weight, &t.batch.ledger.roulette, &t.batch.ledger.lost})
     *weight = random.between(0, 1000);
 }
 

@@ -80,9 +80,9 @@ TEST(LanesOf, FlyAndReflectDown) {
       if (scalar[i].direction.z < 0) scalar[i].direction.z = -scalar[i].direction.z;
       packed.direction.z.set(i, scalar[i].direction.z);
     }
-    const auto leaving = reflect_down(sea.view(), packed);
+    const auto leaving = reflect_down(sea.view(), packed).through;
     for (std::size_t i = 0; i < lanes; ++i) {
-      expect_same(leaving[i], reflect_down(sea.view(), scalar[i]), "leaving");
+      expect_same(leaving[i], reflect_down(sea.view(), scalar[i]).through, "leaving");
       expect_same(packed, i, scalar[i]);
       total += leaving[i] == 0;
     }

@@ -71,19 +71,19 @@ TEST(Facets, ReflectWhatQuadraturesSay) {
                          {70, .13515, 1.3e-2, .99923},
                          {80, .27509, 3.3e-2, 1.02598}}) {
     const auto above = down(row.degrees), below = up(row.degrees);
-    EXPECT_NEAR(
-        mean_over_facets(five_m_s, above,
-                         [&](const auto& f) { return meet_facet(1.0, n, above, f).reflectance; }),
-        row.from_above, 1.1e-5)
+    EXPECT_NEAR(mean_over_facets(
+                    five_m_s, above,
+                    [&](const auto& f) { return meet_facet({}, 1.0, n, above, f).reflectance; }),
+                row.from_above, 1.1e-5)
         << row.degrees;
-    EXPECT_NEAR(
-        mean_over_facets(five_m_s, below,
-                         [&](const auto& f) { return meet_facet(n, 1.0, below, f).reflectance; }),
-        row.from_below, 1.1e-5)
+    EXPECT_NEAR(mean_over_facets(
+                    five_m_s, below,
+                    [&](const auto& f) { return meet_facet({}, n, 1.0, below, f).reflectance; }),
+                row.from_below, 1.1e-5)
         << row.degrees;
     EXPECT_NEAR(mean_over_facets(five_m_s, above,
                                  [&](const auto& f) {
-                                   const auto at = meet_facet(1.0, n, above, f);
+                                   const auto at = meet_facet({}, 1.0, n, above, f);
                                    return at.reflected.z < 0 ? at.reflectance : 0.0;
                                  }),
                 row.wrong_side, 0.05 * row.wrong_side + 1e-9)
@@ -115,7 +115,7 @@ TEST(Facets, ObeySnell) {
     const auto facet =
         facet_of(skewed(), Slope<double>{random.uniform() - 0.5, random.uniform() - 0.5});
     if (dot(in, facet.normal) >= 0) continue;
-    const auto at = meet_facet(1.0, n, in, facet);
+    const auto at = meet_facet({}, 1.0, n, in, facet);
     EXPECT_NEAR(length(at.transmitted), 1, 1e-12);
     const auto tangential = cross(n * at.transmitted - in, facet.normal);
     EXPECT_NEAR(length(tangential), 0, 1e-12);
@@ -160,24 +160,24 @@ TEST(Facets, DensityOfDirectionsIsThatOfDrawnFacets) {
     const double n1 = above ? 1 : n, n2 = above ? n : 1;
     const double through = integral(
         [&](const auto& d) {
-          const auto by = transmitting(waves, n1, n2, in, d);
+          const auto by = transmitting(waves, {}, n1, n2, in, d);
           return by.per_density * slope_density(waves, by.slope);
         },
         above ? -1 : 1);
     const double drawn_through = mean_over_facets(waves, in, [&](const auto& f) {
-      const auto at = meet_facet(n1, n2, in, f);
+      const auto at = meet_facet({}, n1, n2, in, f);
       const bool right = (at.transmitted.z < 0) == above;
       return right ? (1 - at.reflectance) * weight(at.transmitted) : 0.0;
     });
     EXPECT_NEAR(through, drawn_through, 2e-4 * drawn_through);
     const double back = integral(
         [&](const auto& d) {
-          const auto by = reflecting(waves, n1, n2, in, d);
+          const auto by = reflecting(waves, {}, n1, n2, in, d);
           return by.per_density * slope_density(waves, by.slope);
         },
         above ? 1 : -1);
     const double drawn_back = mean_over_facets(waves, in, [&](const auto& f) {
-      const auto at = meet_facet(n1, n2, in, f);
+      const auto at = meet_facet({}, n1, n2, in, f);
       const bool right = (at.reflected.z > 0) == above;
       return right ? at.reflectance * weight(at.reflected) : 0.0;
     });

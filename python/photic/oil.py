@@ -1,0 +1,174 @@
+"""How thick a film of oil is, by the light that it takes from the water's Raman echo."""
+
+import numpy
+import xarray
+
+from photic.errors import Error
+from photic.names import chosen, listed, suggestion
+
+FORMULAS = ["interfaces", "paper"]
+UM_PER_M = 1e6
+BOUNDS = ["gate_time_bounds", "gate_depth_bounds"]
+LEAST_DIFFERENCE = 1e-9  # of gates' bounds: relative, and in ns or m
+WITHOUT_FILM = "run the same scene with oil.thickness_um = 0"
+
+
+def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
+    """The thickness of the film that a run's Raman echoes tell, as an xarray.Dataset.
+
+    With E the echo of the sea under the film, W that of the clean sea, a the film's absorption per
+    metre of thickness [1/m], of the laser's light on its slanted way down and of the channel's on
+    its way up (film_attenuation), and r the share that passes both ways through a film that absorbs
+    nothing, over the share that passes the bare surface (film_interface_ratio):
+
+        thickness = (ln(W / E) + ln(r)) / a      formula="interfaces"
+        thickness = ln(W / E) / a                formula="paper", which takes r as 1
+
+    result   of a run over a film of oil, whole, as photic.open and photic.run return it
+    clean    the same sea without the film: the name of an environment of `result` with
+             oil.thickness_um = 0, or the whole result of another run with the same telescopes and
+             gates, and with another simulation.seed, since it is taken as independent. That nothing
+             but the film differs is not checked: leave [oil] in the scene, since it damps waves too
+    channel  name of the channel that counts the water's Raman light
+    formula  "interfaces" or "paper"
+
+    On (telescope, gate), with their coordinates:
+    thickness                 [um] any number: below 0 where noise has it so
+    thickness_standard_error  [um] 0 or more, to the first order in the errors of E and W: good
+                              while these are far below E and W. Echoes of one run stem from the
+                              same photons: their covariance is taken from the error of their
+                              difference. Those of two runs have none. a and r are taken as exact
+    reliable                  [bool] whether E and W are both converged and above 0, and the
+                              thickness is known
+    Thickness and error are NaN where E or W is not above 0, for telescopes or a laser in the water
+    (r is NaN there) and where the film absorbs nothing.
+
+    Every gate tells the thickness anew. From below a film of many 1/a next to no Raman light comes
+    back.
+
+    Raises photic.Error if `result` or `clean` is no whole result, `result` has no film or `clean`
+    has one, there is no such environment, channel or formula, or telescopes or gates differ.
+
+    Sources: Raman light that is missing as the measure of a film, Hoge & Swift 1980, Appl. Opt. 19,
+    3269 [from memory]; the formula without interfaces, Barbini et al. 2000 (PREMAR-2F), Proc.
+    EARSeL-SIG-Workshop LIDAR, Dresden.
+    """
+    _check_film(result)
+    if formula not in FORMULAS:
+        raise Error(f"there is no formula {formula!r}{suggestion(str(formula), FORMULAS)}")
+    oily = _of_channel(result, "result", channel)
+    if isinstance(clean, str):
+        water = _environment(result, oily, clean)
+    else:
+        water = _other_run(oily, clean, channel)
+
+    lit = (oily.echo > 0) & (water.echo > 0)
+    film = (oily.film_attenuation > 0) & (oily.film_interface_ratio > 0)
+    um = UM_PER_M / oily.film_attenuation.where(film)
+    logarithm = numpy.log(water.echo.where(lit) / oily.echo.where(lit))
+    if formula == "interfaces":
+        logarithm = logarithm + numpy.log(oily.film_interface_ratio.where(film))
+    thickness = um * logarithm
+    error = um * numpy.sqrt(_variance_of_log_ratio(oily, water, lit))
+    reliable = oily.converged & water.converged & thickness.notnull()
+
+    of = "thickness of the film of oil"
+    return xarray.Dataset(
+        {
+            "thickness": thickness.assign_attrs(long_name=of, units="um"),
+            "thickness_standard_error": error.assign_attrs(
+                long_name=f"standard error of the {of}", units="um"
+            ),
+            "reliable": reliable.assign_attrs(
+                long_name=f"whether the {of} and its standard error can be relied on"
+            ),
+        },
+        attrs={"formula": formula},
+    ).transpose("telescope", "gate")
+
+
+def _variance_of_log_ratio(oily, water, lit):
+    """Of ln(W / E), to the first order. It is vE/E^2 + vW/W^2 - 2 cov/(E W), with 2 cov =
+    vE + vW - vD, written so that like echoes lose no digits; rounding may leave it below 0."""
+    e, w = oily.echo.where(lit), water.echo.where(lit)
+    own = water.variance / w - oily.echo_standard_error**2 / e
+    return ((water.variance_of_difference - (w - e) * own) / (e * w)).clip(min=0)
+
+
+def _check_film(result):
+    _check_whole(result, "result: not")
+    if "film_attenuation" not in result:
+        raise Error(
+            "result: no film of oil: its scene has no [oil], or oil.thickness_um = 0; take the run "
+            "over the film as result, and the sea without it as clean"
+        )
+
+
+def _check_whole(dataset, refused):
+    whole = isinstance(dataset, xarray.Dataset) and set(BOUNDS) <= set(dataset.coords)
+    if not whole or not {"telescope", "channel", "gate"} <= set(dataset.dims):
+        raise Error(
+            f"{refused} the whole result of a run over the sea: take what photic.open or "
+            "photic.run returns"
+        )
+
+
+def _of_channel(dataset, name, channel):
+    (channel,) = chosen([dataset], [name], "channel", [str(channel)])
+    return dataset.sel(channel=channel)
+
+
+def _environment(result, oily, name):
+    """The clean sea as an environment: its echo, what is known of its errors, and whether it has
+    converged."""
+    if "environment" not in result.dims:
+        raise Error(
+            f"result: there is no environment {name!r}, nor any other: add [[environment]] with "
+            f'set = {{ "oil.thickness_um" = 0 }} to the scene, or {WITHOUT_FILM} and take that '
+            "result as clean"
+        )
+    chosen([result], ["result"], "environment", [name])
+    one = oily.sel(environment=name).reset_coords(drop=True)
+    return xarray.Dataset(
+        {
+            "echo": one.environment_echo,
+            "variance": one.environment_echo_standard_error**2,
+            "variance_of_difference": one.environment_difference_standard_error**2,
+            "converged": one.environment_converged,
+        }
+    )
+
+
+def _other_run(oily, clean, channel):
+    """The same, of a run that has no photons in common with that over the film."""
+    _check_whole(clean, "clean: neither the name of an environment nor")
+    if "film_attenuation" in clean:
+        raise Error(f"clean: has a film of oil itself: {WITHOUT_FILM} for it")
+    other = _of_channel(clean, "clean", channel)
+    wanted, there = (list(map(str, each.telescope.values)) for each in (oily, other))
+    if set(wanted) != set(there):
+        raise Error(
+            f"clean: other telescopes than those of result: {listed(there)} in the place of "
+            f"{listed(wanted)}; {WITHOUT_FILM}"
+        )
+    other = other.sel(telescope=oily.telescope)
+    if not _same_gates(oily, other):
+        raise Error(f"clean: other gates than those of result; {WITHOUT_FILM}")
+    other = other.reset_coords(drop=True)
+    variance = other.echo_standard_error**2
+    return xarray.Dataset(
+        {
+            "echo": other.echo,
+            "variance": variance,
+            "variance_of_difference": oily.echo_standard_error**2 + variance,
+            "converged": other.converged,
+        }
+    )
+
+
+def _same_gates(one, other):
+    if one.sizes["gate"] != other.sizes["gate"]:
+        return False
+    pairs = [(one[name], other[name].transpose(*one[name].dims)) for name in BOUNDS]
+    alike = {"rtol": LEAST_DIFFERENCE, "atol": LEAST_DIFFERENCE, "equal_nan": True}
+    return all(numpy.allclose(left.values, right.values, **alike) for left, right in pairs)

@@ -1,0 +1,146 @@
+// What a film of oil emits: telescopes are told of it whenever light of the laser's line comes to
+// the film, and some photons go on as light that it sends down into the water.
+#pragma once
+
+#include <cstdint>
+
+#include "estimator/book.hpp"
+#include "estimator/forward/estimate.hpp"
+#include "surface/oil.hpp"
+#include "transport/connect_waves.hpp"
+
+namespace photic::estimator {
+
+/// Blocks of an event's random numbers, one for each time that a photon comes to a film in it.
+inline constexpr std::uint32_t film_blocks = std::uint32_t{1} << 23;
+
+/// The chance that a photon goes on as light that the film emits downwards. What that adds to an
+/// echo of the film is a few per cent, but all of the film's light in deeper gates.
+inline constexpr double film_conversion = 0.1;
+
+/// Photons of a mask that come to a film; `met`: how often such a film is met over how often it is
+/// drawn.
+template <class T>
+struct ComeToFilm {
+  Mask<T> mask{};
+  surface::AtFilm<T> at;
+  T met{1};
+};
+
+/// Scores, in a group of telescopes, what the film emits in a line.
+template <class Events, class T>
+void score_film(const World<T>& world, const Travellers<T>& t, std::size_t g, const Index<T>& line,
+                const ComeToFilm<T>& film, Estimates<T>& estimates, tally::BatchTally& tally) {
+  const ViewGroup<T>& group = world.groups[g];
+  const transport::Photon<T>& photon = t.photon;
+  const auto way = transport::from_surface(group.widest, t.lens[g], photon.position);
+  const Mask<T> seen = film.mask & way.seen;
+  if (!any(seen)) return;
+  const T emitted =
+      surface::emitted_by_film(world.sea, film.at, line, way.direction, group.region.in_air);
+  Sources<T> from{photon, line, t.touched, t.lens[g], t.surface, sources_differ(world)};
+  const T value = photon.weight * film.met * emitted * group.widest.area() *
+                  way.sight.cos_off_axis / (way.length * way.length) *
+                  exp_minus(transport::depth_to_lens(world.sea, group.region, line, way));
+  Index<T> telescope(static_cast<std::int32_t>(group.number));
+  if (!group.narrower.empty()) telescope = group.narrowest(way.sight);
+  const auto scores = scores_of(world, group, telescope, from,
+                                transport::path_to_telescope(world.sea, group.widest, group.region,
+                                                             line, t.lens[g], photon.position, way),
+                                value);
+  if (!compares<Events>(world)) return estimates.scores[g].push(seen, scores, tally);
+  estimates.paths = t.ratios.paths;
+  estimates.first = t.ratios.first;
+  estimates.completion.clear();
+  estimates.completion.emission.emit(world.sea, film.at, line, way.direction, group.region.in_air);
+  if (!group.region.in_air)
+    add_passage(world.sea, {line, group.region.layer, way.depth(), Index<T>(0), T(0), way.length},
+                estimates.completion.ways);
+  score_completed(world, seen, scores, estimates, tally);
+}
+
+/// Weight that leaves the film of what it emits into one half of all directions: by one of them, an
+/// even one as Lambert's law has it.
+template <class T>
+T emitted_weight(const World<T>& world, const transport::Photon<T>& photon, const Index<T>& line,
+                 const ComeToFilm<T>& film, const Vec3<T>& direction, bool up) {
+  const T lambert = T(1 / pi) * (up ? direction.z : T(0) - direction.z);
+  return photon.weight * film.met *
+         surface::emitted_by_film(world.sea, film.at, line, direction, up) / lambert;
+}
+
+/// Telescopes are told, and chance sends photons down into the water as emitted light. Tells which;
+/// the weight of the others makes up for them.
+template <class Events, class T, class Ledger>
+PHOTIC_APART Mask<T> emit_by_film(const World<T>& world, Travellers<T>& t,
+                                  const ComeToFilm<T>& film, std::uint32_t number,
+                                  Estimates<T>& estimates, tally::BatchTally& tally,
+                                  Ledger& ledger) {
+  ComeToFilm<T> lit = film;
+  lit.mask = film.mask & (t.photon.line == Index<T>(0));
+  if (!any(lit.mask)) return lit.mask;
+  const Index<T> line = surface::film_line<T>(world.sea, t.spectral_bin);
+  for (std::size_t g = 0; g < world.groups.size(); ++g)
+    score_film<Events>(world, t, g, line, lit, estimates, tally);
+
+  const auto u = uniforms(t.place, film_blocks + number);
+  const auto [cosine, sine] = cos_sin_of_turns(u[1]);
+  const Vec3<T> up =
+      turned(Vec3<T>{T(0), T(0), T(1)}, surface::lambert_one_minus_cos(u[2]), cosine, sine);
+  const Vec3<T> down{up.x, up.y, T(0) - up.z};
+  transport::Photon<T>& photon = t.photon;
+  const T rises = emitted_weight(world, photon, line, lit, up, true);
+  book(ledger.escaped, lit.mask, rises);
+  book(ledger.oil, lit.mask, T(0) - rises);
+
+  const T sinks = emitted_weight(world, photon, line, lit, down, false) * T(1 / film_conversion);
+  const Mask<T> converted = lit.mask & (u[0] < T(film_conversion));
+  if (compares<Events>(world) && world.sea.environments.other_film && any(converted))
+    t.ratios.emitted(world.sea, lit.at, line, down, false, converted);
+  book(ledger.oil, converted, T(0) - sinks);
+  photon.weight = photon.weight * select(lit.mask, T(1 / (1 - film_conversion)), T(1));
+  photon.weight = select(converted, sinks, photon.weight);
+  photon.line = select(converted, line, photon.line);
+  photon.direction = select(converted, down, photon.direction);
+  photon.order = photon.order + select(converted, Index<T>(1), Index<T>(0));
+  t.on = t.on & ((!converted) | (sinks > T(0)));
+  if (world.last_order > 0)
+    book_out(t, converted & (photon.order == Index<T>(world.last_order)), ledger.cut_by_order);
+  return converted;
+}
+
+/// Photons of a mask who stand at a flat film, above it or below: some go on as light that it
+/// emits, the others cross it or are reflected, but for what is absorbed.
+template <class Events, class T, class Ledger>
+PHOTIC_APART void cross_flat_film(const World<T>& world, Travellers<T>& t, const Mask<T>& stand,
+                                  bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,
+                                  Ledger& ledger) {
+  transport::Photon<T>& photon = t.photon;
+  Mask<T> crosses = stand;
+  if (surface::film_shines(world.sea)) {
+    const ComeToFilm<T> film{stand, {Mask<T>(in_air), photon.direction, {T(0), T(0), T(1)}}, T(1)};
+    crosses = stand & !emit_by_film<Events>(world, t, film, 0, estimates, tally, ledger);
+  }
+  const auto crossed = [&](std::int32_t way, const T& cosine) {
+    if (compares<Events>(world) && world.sea.environments.other_film)
+      t.ratios.crossed(world.sea, {photon.line, Index<T>(way), cosine}, crosses);
+  };
+  if (!in_air) {
+    crossed(medium::back_into_water, photon.direction.z);
+    Track<T> below = t;
+    below.colliding = !crosses;
+    reflect_at_surface(world.sea, below, Mask<T>(false), ledger);
+    photon = below.photon;
+    return;
+  }
+  Vec3<T> direction = photon.direction;
+  direction.z = select(crosses, direction.z, T(-1));
+  const auto split = surface::flat_surface<T>(world.sea, photon.line).from_above(direction);
+  book(ledger.escaped, crosses, photon.weight * split.reflectance);
+  book(ledger.oil, crosses, photon.weight * (T(1) - split.reflectance - split.transmittance));
+  photon.direction = select(crosses, split.transmitted, photon.direction);
+  photon.weight = photon.weight * select(crosses, split.transmittance, T(1));
+  crossed(medium::through_film, T(T(0) - photon.direction.z));
+}
+
+}  // namespace photic::estimator

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/checks.hpp"
+#include "scene/waves.hpp"
+
+namespace photic::scene {
+namespace {
+
+constexpr double thickest_film_um = 1000;
+/// A line of the band has at least half as many spectral bins as its light is of all.
+constexpr double most_analog_yield = 0.5;
+
+void check_surface_under_oil(const Scene& scene, Findings& findings) {
+  const Surface& surface = scene.sea.surface;
+  if (!surface.has_whitecaps() || !findings.good({"sea.surface"})) return;
+  const char* key = surface.whitecap_fraction ? "whitecap_fraction" : "whitecaps";
+  findings.add(below("sea.surface", key), "there are no whitecaps on a film of oil",
+               "leave it out, or leave [oil] out");
+}
+
+}  // namespace
+
+bool counts_light_of_oil(const Scene& scene) {
+  return scene.oil && scene.oil->thickness_um > 0 &&
+         std::ranges::any_of(scene.channel, [](const Channel& c) {
+           return !c.process || *c.process == Process::oil;
+         });
+}
+
+void check_oil(const Scene& scene, Findings& findings) {
+  if (!scene.oil || !findings.good({"oil"})) return;
+  check_surface_under_oil(scene, findings);
+  if (scene.oil->thickness_um > thickest_film_um)
+    findings.remark("oil.thickness_um",
+                    "oil of more than 1 mm is no film: scattering in it, and how it bends the "
+                    "light aside, are left out");
+  if (scene.simulation.estimator == Estimator::bidirectional && counts_light_of_oil(scene) &&
+      findings.good({"simulation.estimator"}))
+    findings.add("simulation.estimator", "the bidirectional estimator has no " + light_of_oil,
+                 "write estimator = \"forward\", or channels of other processes");
+  if (scene.sea.surface.is_rough() && scene.simulation.estimator == Estimator::analog &&
+      findings.good({"simulation.estimator"}))
+    findings.add("simulation.estimator", "the analog estimator has no film of oil on waves",
+                 "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
+  if (scene.oil->yield.value_or(0) > most_analog_yield &&
+      scene.simulation.estimator == Estimator::analog && findings.good({"simulation.estimator"}))
+    findings.add("simulation.estimator",
+                 fmt::format("analog photons are emitted by chances below 1, and so by oils of a "
+                             "yield up to {}",
+                             most_analog_yield),
+                 "write estimator = \"forward\"");
+  if (scene.simulation.tools.forced_collisions > 0 && findings.good({"simulation.tools"}))
+    findings.add("simulation.tools.forced_collisions",
+                 "how much light leaves the water is known of a clean surface alone",
+                 "write forced_collisions = 0, or leave [oil] out");
+  if (scene.simulation.reception == Reception::overlap && findings.good({"simulation.reception"}))
+    findings.add("simulation.reception",
+                 "a film of oil shines on the lens unevenly: the mean over the lens is not known",
+                 "write reception = \"ray\"");
+}
+
+}  // namespace photic::scene

@@ -1,0 +1,339 @@
+"""photic.oil_thickness, on results of made-up numbers."""
+
+import subprocess
+import sys
+
+import numpy
+import pytest
+import xarray
+
+import photic
+
+TELESCOPES = ["narrow", "wide"]
+CHANNELS = ["elastic", "raman"]
+# By telescope and channel: absorption along both ways [1/m], and share passing over that of bare water.
+ATTENUATION = numpy.array([[3e5, 2e5], [3.5e5, 2.5e5]])
+RATIO = numpy.array([[0.97, 0.98], [0.99, 1.01]])
+CLEAN_ECHO = numpy.array([[[9e-6, 4e-6, 1e-6], [3e-7, 2e-7, 5e-8]], [[8e-6, 5e-6, 2e-6], [6e-7, 3e-7, 7e-8]]])
+THICKNESS_UM = numpy.array([[1.0, 2.5, 0.01], [5.0, 0.3, 20.0]])  # by telescope and gate
+AXES = ("telescope", "channel", "gate")
+
+
+def run_over_the_sea(echo, relative_error=0.02, **more):
+    """A result as photic.open gives it."""
+    telescopes, channels, gates = echo.shape
+    edges = numpy.arange(gates + 1.0)
+    bounds = numpy.stack([edges[:-1], edges[1:]], axis=1)
+    depths = numpy.tile(0.1 * bounds, (telescopes, channels, 1, 1))
+    return xarray.Dataset(
+        {
+            "echo": (AXES, echo.copy()),
+            "echo_standard_error": (AXES, relative_error * abs(echo)),
+            "converged": (AXES, numpy.full(echo.shape, True)),
+            **more,
+        },
+        coords={
+            "telescope": TELESCOPES[:telescopes],
+            "channel": CHANNELS[-channels:],
+            "channel_wavelength": ("channel", [355.0, 404.0][-channels:], {"units": "nm"}),
+            "gate_time": ("gate", bounds.mean(axis=-1), {"units": "ns"}),
+            "gate_time_bounds": (("gate", "bnds"), bounds),
+            "gate_depth": (AXES, depths.mean(axis=-1), {"units": "m"}),
+            "gate_depth_bounds": ((*AXES, "bnds"), depths),
+        },
+    )
+
+
+def film(attenuation, ratio):
+    axes = ("telescope", "channel")
+    return {
+        "film_attenuation": (axes, numpy.array(attenuation)),
+        "film_interface_ratio": (axes, numpy.array(ratio)),
+    }
+
+
+def with_environments(result, echoes, error=0.02, error_of_difference=0.02):
+    """The same with environments, by name; errors are relative to their echoes."""
+    axes = ("environment", *AXES)
+    echo = numpy.stack(list(echoes.values()))
+    return result.assign(
+        environment_echo=(axes, echo),
+        environment_echo_standard_error=(axes, error * abs(echo)),
+        environment_difference=(axes, echo - result.echo.values),
+        environment_difference_standard_error=(axes, error_of_difference * abs(echo)),
+        environment_converged=(axes, numpy.full(echo.shape, True)),
+    ).assign_coords(environment=list(echoes))
+
+
+@pytest.fixture
+def oily():
+    """Over a film, of another thickness in every gate, with the clean sea and other water."""
+    share = RATIO[:, :, None] * numpy.exp(-ATTENUATION[:, :, None] * 1e-6 * THICKNESS_UM[:, None, :])
+    result = run_over_the_sea(CLEAN_ECHO * share, **film(ATTENUATION, RATIO))
+    return with_environments(result, {"more algae": 0.5 * CLEAN_ECHO, "clean": CLEAN_ECHO})
+
+
+@pytest.fixture
+def clean():
+    return run_over_the_sea(CLEAN_ECHO, 0.03)
+
+
+def same(found, expected):
+    return numpy.allclose(found.values, expected, rtol=1e-12, atol=1e-12)
+
+
+# Seen red: with ln(E / W); with ln(r) subtracted; in m; with the first environment; with attenuation or
+# ratio of the first channel; with the attenuation of the first telescope.
+@pytest.mark.parametrize("by_run", [False, True], ids=["environment", "another run"])
+def test_the_thickness_of_the_film_comes_back(oily, clean, by_run):
+    found = photic.oil_thickness(oily, clean if by_run else "clean")
+    assert same(found.thickness, THICKNESS_UM)
+    assert found.reliable.values.all()
+    elastic = photic.oil_thickness(oily, clean if by_run else "clean", channel="elastic")
+    assert same(elastic.thickness, THICKNESS_UM)
+
+
+# Seen red: with the interfaces counted by both formulas.
+def test_the_papers_formula_takes_no_account_of_interfaces(oily):
+    found = photic.oil_thickness(oily, "clean", formula="paper")
+    off = -1e6 * numpy.log(RATIO[:, 1]) / ATTENUATION[:, 1]
+    assert same(found.thickness, THICKNESS_UM + off[:, None])
+    both = photic.oil_thickness(oily, "clean")
+    assert same(found.thickness_standard_error, both.thickness_standard_error)
+    assert (found.attrs["formula"], both.attrs["formula"]) == ("paper", "interfaces")
+
+
+# Seen red: with the coordinates of the other run, which differ by rounding, or of the environment kept;
+# without the order of axes; with gates compared in the order that their axes have.
+@pytest.mark.parametrize("by_run", [False, True], ids=["environment", "another run"])
+def test_shape_coordinates_and_units(oily, clean, by_run):
+    clean = clean.assign_coords(gate_time=clean.gate_time * (1 + 1e-15))
+    clean["gate_time_bounds"] = clean.gate_time_bounds * (1 + 1e-15)
+    found = photic.oil_thickness(oily, clean if by_run else "clean")
+    assert dict(found.sizes) == {"telescope": 2, "gate": 3}
+    assert {name: found[name].dims for name in found} == {
+        name: ("telescope", "gate") for name in ["thickness", "thickness_standard_error", "reliable"]
+    }
+    assert found.thickness.attrs == {"long_name": "thickness of the film of oil", "units": "um"}
+    assert found.thickness_standard_error.attrs["units"] == "um" and found.reliable.dtype == bool
+    assert list(found.telescope.values) == TELESCOPES
+    assert found.gate_time.attrs["units"] == "ns" and found.gate_depth.dims == ("telescope", "gate")
+    assert found.channel == "raman" and "environment" not in found.coords
+    assert found.equals(photic.oil_thickness(oily.transpose(), clean if by_run else "clean"))
+
+
+def drawn_gates(count, errors, correlation):
+    """Echoes under a film and of the clean sea, in as many gates as they were drawn: 2e-7 and 3e-7 on
+    average, with relative errors and a correlation. An error of each, and of the difference."""
+    means = numpy.array([2e-7, 3e-7])
+    e, w = means * errors
+    covariance = correlation * e * w
+    random = numpy.random.default_rng(20260501)
+    echoes = random.multivariate_normal(means, [[e**2, covariance], [covariance, w**2]], count)
+    of_difference = numpy.sqrt(e**2 + w**2 - 2 * covariance)
+    under, bare = (echoes[:, i].reshape(1, 1, count) for i in (0, 1))
+    oily = run_over_the_sea(under, **film([[2e5]], [[0.98]]))
+    oily["echo_standard_error"] = oily.echo * 0 + e
+    return with_environments(oily, {"clean": bare}), bare, e, w, of_difference
+
+
+def agrees(found):
+    """Whether the thicknesses scatter as their errors say. Those of 2e5 gates tell the scatter to
+    0.16 %, and terms of the second order are below 0.1 %: 1 % is passed by chance in 1 of 1e8 cases."""
+    predicted = float(numpy.sqrt((found.thickness_standard_error**2).mean()))
+    return float(found.thickness.std()) == pytest.approx(predicted, rel=0.01)
+
+
+# Seen red: without the covariance; with half of it; with the error of the difference for that of the
+# environment; with the wrong sign of what the echoes' own errors add.
+@pytest.mark.parametrize("correlation", [-0.5, 0.0, 0.9, 0.99])
+def test_errors_of_one_runs_echoes_are_correlated(correlation):
+    oily, _, _, w, of_difference = drawn_gates(200_000, numpy.array([0.02, 0.015]), correlation)
+    blank = oily.environment_echo * 0
+    oily["environment_echo_standard_error"] = blank + w
+    oily["environment_difference_standard_error"] = blank + of_difference
+    assert agrees(photic.oil_thickness(oily, "clean"))
+
+
+# Seen red: with the clean echo's error left out, or left out of that of the difference.
+def test_errors_of_another_run_are_not():
+    oily, bare, _, w, _ = drawn_gates(200_000, numpy.array([0.02, 0.015]), 0.0)
+    clean = run_over_the_sea(bare)
+    clean["echo_standard_error"] = clean.echo * 0 + w
+    found = photic.oil_thickness(oily.drop_dims("environment"), clean)
+    assert agrees(found)
+    expected = 1e6 / 2e5 * numpy.hypot(2e-7 * 0.02 / oily.echo, w / clean.echo).isel(channel=0)
+    assert same(found.thickness_standard_error, expected)
+
+
+def test_the_error_of_a_film_so_thin_that_the_echoes_are_alike():
+    """E and W differ by 1e-9 of themselves, with relative errors of 0.1 and one of the difference of
+    1e-9: of vE/E^2 + vW/W^2 - 2 cov/(E W) rounding leaves nothing."""
+    # Seen red: with that sum.
+    echo = numpy.array([[[2e-7]]])
+    oily = run_over_the_sea(echo, 0.1, **film([[2e5]], [[1.0]]))
+    oily = with_environments(oily, {"clean": echo * (1 + 1e-9)}, 0.1 * (1 - 0.5e-9), 1e-9)
+    found = photic.oil_thickness(oily, "clean")
+    assert found.thickness.values == pytest.approx(1e6 / 2e5 * 1e-9, rel=1e-6)
+    assert found.thickness_standard_error.values == pytest.approx(1e6 / 2e5 * 1e-9, rel=1e-6)
+
+
+# Seen red: without the limit, where it is NaN.
+def test_a_variance_that_rounding_has_below_0_is_0(oily):
+    oily["environment_difference_standard_error"] = 0 * oily.environment_echo
+    oily["echo_standard_error"] = 0 * oily.echo
+    found = photic.oil_thickness(oily, "clean")
+    assert (found.thickness_standard_error.values == 0).all()
+
+
+# Seen red: with 0 taken for light; with either echo not looked at; with the flags alone in `reliable`.
+@pytest.mark.parametrize("value", [0.0, -1e-9, numpy.nan])
+@pytest.mark.filterwarnings("error")
+def test_gates_without_light_are_nan(oily, clean, value):
+    oily.echo[0, 1, 0] = value
+    oily.environment_echo[1, 1, 1, 2] = value
+    clean.echo[1, 1, 2] = value
+    dark = numpy.array([[True, False, False], [False, False, True]])
+    for of in ("clean", clean):
+        found = photic.oil_thickness(oily, of)
+        assert numpy.array_equal(numpy.isnan(found.thickness), dark)
+        assert numpy.array_equal(numpy.isnan(found.thickness_standard_error), dark)
+        assert numpy.array_equal(found.reliable, ~dark)
+
+
+# Seen red: without a look at the ratio; without one at the attenuation; with the flags alone in `reliable`.
+@pytest.mark.parametrize("formula", ["interfaces", "paper"])
+@pytest.mark.parametrize("name, value", [("film_interface_ratio", numpy.nan), ("film_attenuation", 0.0)])
+@pytest.mark.filterwarnings("error")
+def test_instruments_in_the_water_and_films_that_absorb_nothing(oily, formula, name, value):
+    oily[name][0, 1] = value
+    found = photic.oil_thickness(oily, "clean", formula=formula)
+    for unknown in (found.thickness, found.thickness_standard_error):
+        assert numpy.isnan(unknown[0]).all() and not numpy.isnan(unknown[1]).any()
+    assert not found.reliable[0].any() and found.reliable[1].all()
+
+
+# Seen red: with either of the two not looked at; with the first environment's.
+def test_reliable_is_what_both_echoes_are(oily, clean):
+    oily.converged[0, 1, 0] = False
+    oily.converged[1, 0, :] = False  # of another channel
+    oily.environment_converged[1, 1, 1, 2] = False
+    oily.environment_converged[0] = False  # in other water
+    clean.converged[1, 1, 2] = False
+    for of in ("clean", clean):
+        found = photic.oil_thickness(oily, of)
+        assert found.reliable.values.tolist() == [[False, True, True], [True, True, False]]
+        assert same(found.thickness, THICKNESS_UM)
+
+
+# Seen red: with telescopes taken in the order of each run.
+def test_telescopes_of_another_run_go_by_their_names(oily, clean):
+    assert same(photic.oil_thickness(oily, clean.isel(telescope=[1, 0])).thickness, THICKNESS_UM)
+
+
+def refused(*arguments, **options):
+    with pytest.raises(photic.Error) as error:
+        photic.oil_thickness(*arguments, **options)
+    assert error.value.exit_code == 2
+    return str(error.value)
+
+
+def test_no_film(oily, clean):
+    reason = (
+        "result: no film of oil: its scene has no [oil], or oil.thickness_um = 0; take the run over the "
+        "film as result, and the sea without it as clean"
+    )
+    assert refused(clean, oily) == refused(clean, "clean") == reason
+
+
+# Seen red: with a film in both runs let through.
+def test_a_clean_sea_with_a_film(oily):
+    reason = "clean: has a film of oil itself: run the same scene with oil.thickness_um = 0 for it"
+    assert refused(oily, oily) == reason
+
+
+def test_unknown_environment(oily):
+    assert refused(oily, "clear") == "result: there is no environment 'clear' (did you mean 'clean'?)"
+    assert refused(oily, "x") == "result: there is no environment 'x'; there are: more algae, clean"
+    assert refused(oily.drop_dims("environment"), "clean") == (
+        "result: there is no environment 'clean', nor any other: add [[environment]] with "
+        'set = { "oil.thickness_um" = 0 } to the scene, or run the same scene with oil.thickness_um = 0 '
+        "and take that result as clean"
+    )
+
+
+def test_unknown_channel(oily, clean):
+    reason = "there is no channel 'rahman' (did you mean 'raman'?)"
+    assert refused(oily, "clean", channel="rahman") == f"result: {reason}"
+    reason = "there is no channel 'x'; there are: elastic, raman"
+    assert refused(oily, "clean", channel="x") == f"result: {reason}"
+    reason = "clean: there is no channel 'raman'; there are: elastic"
+    assert refused(oily, clean.sel(channel=["elastic"])) == reason
+
+
+def test_unknown_formula(oily):
+    reason = "there is no formula 'papers' (did you mean 'paper'?)"
+    assert refused(oily, "clean", formula="papers") == reason
+    assert refused(oily, "clean", formula=None) == "there is no formula None; there are: interfaces, paper"
+
+
+# Seen red: without the look at them.
+def test_other_telescopes(oily, clean):
+    reason = "clean: other telescopes than those of result: narrow in the place of narrow, wide; "
+    reason += "run the same scene with oil.thickness_um = 0"
+    assert refused(oily, clean.isel(telescope=[0])) == reason
+
+
+# Seen red: with their number alone compared, or not; with their centres compared; without depths.
+def test_other_gates(oily, clean):
+    reason = "clean: other gates than those of result; run the same scene with oil.thickness_um = 0"
+    assert refused(oily, clean.isel(gate=[0, 1])) == reason
+    wide = clean.copy(deep=True)
+    wide.gate_time_bounds[0] += [-0.5, 0.5]  # about the same centre
+    assert refused(oily, wide) == reason
+    deep = clean.copy(deep=True)
+    deep.gate_depth_bounds[1, 1] += 0.01
+    assert refused(oily, deep) == reason
+
+
+def test_instruments_in_the_water_have_the_same_gates_without_depths(oily, clean):
+    # Seen red: with NaN unlike NaN.
+    for result in (oily, clean):
+        result.gate_depth_bounds[0] = numpy.nan
+    assert same(photic.oil_thickness(oily, clean).thickness, THICKNESS_UM)
+
+
+# Seen red: without the look at its type; at its axes; at its coordinates.
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda result: "oily.nc",
+        lambda result: None,
+        lambda result: result.echo,
+        lambda result: result.sel(channel="raman"),
+        lambda result: result.isel(telescope=0),
+        lambda result: result.drop_vars(["telescope", "gate_time_bounds"]),
+        lambda result: xarray.Dataset(),
+    ],
+    ids=["path", "None", "echo", "one channel", "one telescope", "without coordinates", "empty"],
+)
+def test_what_is_no_whole_result(oily, clean, change):
+    reason = "the whole result of a run over the sea: take what photic.open or photic.run returns"
+    assert refused(change(oily), "clean") == f"result: not {reason}"
+    if not isinstance(change(clean), str):
+        neither = "clean: neither the name of an environment nor"
+        assert refused(oily, change(clean)) == f"{neither} {reason}"
+
+
+def test_the_result_is_written_and_read_again(oily, tmp_path):
+    found = photic.oil_thickness(oily, "clean")
+    found.to_netcdf(tmp_path / "thickness.nc")
+    with xarray.open_dataset(tmp_path / "thickness.nc", decode_timedelta=False) as again:
+        assert again.load().equals(found) and again.reliable.dtype == bool
+
+
+def test_no_matplotlib_is_needed():
+    # Seen red: with the names looked for by photic.choice, which draws.
+    call = "import sys; sys.modules['matplotlib'] = None; import photic; photic.oil_thickness(None, 'clean')"
+    done = subprocess.run([sys.executable, "-c", call], capture_output=True, text=True, check=False)
+    assert "photic.errors.Error: result: not the whole result" in done.stderr

@@ -1,0 +1,131 @@
+// The film of oil of a scene: what is filled in, and what is said of one that is amiss.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "scene/read.hpp"
+#include "unit/scene/base_scene.hpp"
+
+namespace photic::scene {
+namespace {
+
+const Override crude{"oil={ class = \"weakly-absorbing-crude\", thickness_um = 1 }"};
+const Override wind{"sea.surface={ model = \"cox-munk\", wind_speed_m_s = 7 }"};
+
+Texts told(const std::vector<Override>& overrides) { return diagnostics_of(edited({}), overrides); }
+
+TEST(Oil, IsNoneByItself) { EXPECT_FALSE(base_scene().oil); }
+
+// Seen red: with the default of a clean sea.
+TEST(Oil, DampsTheWavesUnlessTheSceneSaysNot) {
+  const Surface under = base_scene({wind, crude}).sea.surface;
+  EXPECT_TRUE(under.slick);
+  EXPECT_FALSE(under.has_whitecaps());
+  const Surface rough = base_scene({wind, crude, {"sea.surface.slick=false"}}).sea.surface;
+  EXPECT_FALSE(rough.slick);
+  EXPECT_FALSE(rough.has_whitecaps());
+  EXPECT_FALSE(base_scene({wind}).sea.surface.slick);
+  EXPECT_TRUE(base_scene({wind}).sea.surface.has_whitecaps());
+}
+
+TEST(Oil, IsWrittenAsItWasRead) {
+  const Scene scene = base_scene({wind, crude, {"oil.yield=0.02"}, {"sea.surface.slick=false"}});
+  EXPECT_EQ(read_text(write_scene(scene)), scene);
+}
+
+constexpr const char* columns = "wavelength_nm,n,a_per_m,emission_per_nm\n";
+constexpr const char* rows = "300,1.5,1e5,0\n900,1.5,1e3,1\n";
+
+/// The scene with an oil from a file.
+struct OilFile {
+  std::string folder;
+  explicit OilFile(const std::string& text) : folder(::testing::TempDir()) {
+    std::ofstream(folder + "photic-oil.csv") << text;
+  }
+  [[nodiscard]] std::vector<Override> overrides() const {
+    return {{"oil={ file = \"" + folder + "photic-oil.csv\", thickness_um = 1 }"}};
+  }
+};
+
+// What a file tells stands in the written scene, which needs no file.
+TEST(Oil, OfAFileHasItsYieldAndLifetime) {
+  const OilFile file(std::string("# yield: 0.05\n# lifetime_ns: 7\n") + columns + rows);
+  const Scene scene = base_scene(file.overrides());
+  EXPECT_EQ(scene.oil->yield, 0.05);
+  EXPECT_EQ(scene.oil->lifetime_ns, 7);
+  EXPECT_EQ(read_text(write_scene(scene)), scene);
+  auto given = file.overrides();
+  given.push_back({"oil.yield=0.1"});
+  EXPECT_EQ(base_scene(given).oil->yield, 0.1);
+}
+TEST(Oil, OfAFileWithoutThemIsRefused) {
+  const OilFile file(std::string("# yield: 0.05\n") + columns + rows);
+  const Texts all = told(file.overrides());
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_TRUE(all[0].ends_with("photic-oil.csv:1:1: no line \"# lifetime_ns: …\"")) << all[0];
+}
+
+TEST(Oil, EveryTextOfWhatIsWrong) {
+  const auto with = [](const Override& more) { return told({crude, more}); };
+  EXPECT_EQ(told({{"oil={ thickness_um = 1 }"}}),
+            Texts{"--set oil: [oil] needs 'class' or 'file'"});
+  EXPECT_EQ(
+      told({{"oil={ class = \"light-refined\" }"}}),
+      Texts{"--set oil: 'thickness_um' is missing in [oil] (add it: the thickness of the film "
+            "in um; of 0 there is none)"});
+  EXPECT_EQ(with({"oil.thickness_um=-1"}),
+            Texts{"--set oil.thickness_um: 'thickness_um' must be a finite number, at least 0, not "
+                  "-1"});
+  EXPECT_EQ(told({wind, crude, {"sea.surface.whitecaps=true"}}),
+            Texts{"--set sea.surface.whitecaps: there are no whitecaps on a film of oil (leave it "
+                  "out, or leave [oil] out)"});
+  EXPECT_EQ(told({wind, crude, {"sea.surface.whitecap_fraction=0.1"}}),
+            Texts{"--set sea.surface.whitecap_fraction: there are no whitecaps on a film of oil "
+                  "(leave it out, or leave [oil] out)"});
+  EXPECT_EQ(with({"simulation.reception=overlap"}),
+            Texts{"--set simulation.reception: a film of oil shines on the lens unevenly: the mean "
+                  "over the lens is not known (write reception = \"ray\")"});
+  EXPECT_EQ(with({"simulation.tools={ forced_collisions = 2 }"}),
+            Texts{"--set simulation.tools: how much light leaves the water is known of a clean "
+                  "surface alone (write forced_collisions = 0, or leave [oil] out)"});
+  EXPECT_EQ(told({crude, {"channel.0.process=oil"}, {"simulation.estimator=bidirectional"}}),
+            Texts{"--set simulation.estimator: the bidirectional estimator has no light of a film "
+                  "of oil in this version (write estimator = \"forward\", or channels of other "
+                  "processes)"});
+  EXPECT_EQ(told({crude, wind, {"simulation.estimator=analog"}}),
+            Texts{"--set simulation.estimator: the analog estimator has no film of oil on waves "
+                  "(write estimator = \"forward\", or sea.surface = { model = \"flat\" })"});
+  EXPECT_EQ(told({crude, {"oil.yield=0.6"}, {"simulation.estimator=analog"}}),
+            Texts{"--set simulation.estimator: analog photons are emitted by chances below 1, and "
+                  "so by oils of a yield up to 0.5 (write estimator = \"forward\")"});
+}
+
+TEST(Oil, AsThickAsAMillimetreIsRemarkedOn) {
+  const auto remarks = [](const Override& thickness) {
+    return read_scene_text(edited({}), "scene.toml", "/", {crude, thickness}).remarks;
+  };
+  EXPECT_EQ(remarks({"oil.thickness_um=1000"}), Texts{});
+  EXPECT_EQ(remarks({"oil.thickness_um=1001"}),
+            Texts{"--set oil.thickness_um: oil of more than 1 mm is no film: scattering in it, and "
+                  "how it bends the light aside, are left out"});
+}
+
+TEST(Oil, MayDifferInEnvironmentsButForWhatTimesItsLight) {
+  const auto in = [](const std::string& set) {
+    return told({crude, {"environment=[{ set = { " + set + " } }]"}});
+  };
+  EXPECT_EQ(in("\"oil.thickness_um\" = 0"), Texts{});
+  EXPECT_EQ(in("\"oil.yield\" = 0.1, \"oil.absorption_factor\" = 2"), Texts{});
+  for (const char* key : {"\"oil.lifetime_ns\" = 3", "\"oil.class\" = \"light-refined\""}) {
+    const Texts all = in(key);
+    ASSERT_EQ(all.size(), 1U) << key;
+    EXPECT_NE(all[0].find("must be as in the scene"), std::string::npos) << all[0];
+  }
+  const Scene scene = base_scene({crude, {"environment=[{ set = { \"oil.thickness_um\" = 0 } }]"}});
+  EXPECT_EQ(scene.environment[0].oil->thickness_um, 0);
+  EXPECT_EQ(scene_in(scene, scene.environment[0]).oil->thickness_um, 0);
+  EXPECT_EQ(read_text(write_scene(scene)), scene);
+}
+
+}  // namespace
+}  // namespace photic::scene
