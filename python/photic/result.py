@@ -21,7 +21,8 @@ def open(path):
     environment_echo and environment_difference (to echo), with _standard_error, and
     environment_converged. If it has sensitivities: the dimension parameter (indexed by path), with
     parameter_value, sensitivity and logarithmic_sensitivity, with _standard_error, and
-    sensitivity_converged. Attributes: the run, and the scene as text.
+    sensitivity_converged. Over a film of oil: film_attenuation [1/m] and film_interface_ratio, which
+    oil_thickness takes. Attributes: the run, and the scene as text.
 
     What `photic optics` wrote is opened too. Dimensions: depth (the layers' upper edges) [m],
     wavelength [nm], angle [degree], process (indexed by name), emission_line. Variables: a_per_m,
