@@ -257,6 +257,7 @@ void Checker::remark_dark_channels(const std::vector<EmittedLine>& lines) {
   for (std::size_t i = 0; i < scene_.channel.size(); ++i) {
     const auto& process = scene_.channel[i].process;
     if (!process || *process == Process::elastic) continue;
+    if (*process == Process::oil && scene_.oil) continue;  // a film of 0 um is no oversight
     bool emitted = false;
     for (const EmittedLine& line : lines) emitted |= *process == line.process;
     if (!emitted)

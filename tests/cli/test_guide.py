@@ -14,6 +14,7 @@ SECTIONS = {
     "`[optics]`": ["optics"],
     "`[sea]` and `[[sea.layer]]`": ["sea", "sea.layer", "sea.layer.iop", "sea.surface"],
     "`[bottom]`": ["bottom"],
+    "`[oil]`": ["oil"],
     "`[gates]`": ["gates"],
     "`[simulation]`": ["simulation"],
     "`[simulation.tools]`": ["simulation.tools", "simulation.tools.importance"],
