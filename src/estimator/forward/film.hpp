@@ -127,10 +127,11 @@ PHOTIC_APART void cross_flat_film(const World<T>& world, Travellers<T>& t, const
   };
   if (!in_air) {
     crossed(medium::back_into_water, photon.direction.z);
-    Track<T> below = t;
-    below.colliding = !crosses;
-    reflect_at_surface(world.sea, below, Mask<T>(false), ledger);
-    photon = below.photon;
+    transport::Photon<T> down = photon;
+    book_leaving(ledger, crosses, transport::reflect_down(world.sea, down));
+    photon.direction.z = select(crosses, down.direction.z, photon.direction.z);
+    photon.weight = select(crosses, down.weight, photon.weight);
+    photon.analog_weight = select(crosses, down.analog_weight, photon.analog_weight);
     return;
   }
   Vec3<T> direction = photon.direction;
