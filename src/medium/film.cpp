@@ -143,6 +143,10 @@ void add_films_of_environments(const scene::Scene& scene, const optics::Library&
       std::ranges::all_of(scene.environment, [&](const auto& e) { return e.oil == own; }) &&
       std::ranges::all_of(scene.sensitivity, [&](const auto& s) { return s.above.oil == own; });
   if (same) return;
+  if (scene.sea.surface.is_one_dimensional())
+    throw InputError(
+        {{"", 0, 0, "over waves of one direction all environments have the film of the scene",
+          "write a surface with waves in both directions, or leave 'oil' as it is"}});
   const auto of = [&](const scene::Environment& e) {
     return lines_of_film(scene::scene_in(scene, e), library, medium);
   };
