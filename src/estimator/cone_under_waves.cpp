@@ -84,9 +84,11 @@ Turning turning_at(const EntryCone<double>& cone, const medium::Medium& medium) 
       std::sqrt(std::max(0.0, 1 - n * n * (1 - cone.steep * cone.steep))) / (n * cone.steep);
   return {1 - per_angle, per_angle, std::max(waves.upwind_deviation, waves.crosswind_deviation)};
 }
-/// `radius`: of the spot that an instrument's rays fill on the surface, across them [m].
-bool are_wider_than_slopes(double radius, const EntryCone<double>& flat,
+/// Of an instrument that stands so high. `radius`: of the spot that its rays fill on the surface,
+/// across them [m].
+bool are_wider_than_slopes(double height, double radius, const EntryCone<double>& flat,
                            const medium::Medium& medium) {
+  if (height < 0 || medium.view().waves.one_dimensional) return false;
   const auto turning = turning_at(flat, medium);
   return radius > by_slopes_from * turning.per_slope * turning.slope;
 }
@@ -109,6 +111,12 @@ EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, 
   cone.exact = true;
   cone.even_outside = false;
   const auto [of_facets, of_rays, slope] = turning_at(flat, medium);
+  if (sea.waves.one_dimensional) {
+    cone.by_facets = 1;
+    cone.spot = {};
+    cone.by_depth = false;
+    return cone;
+  }
   cone.enters_by_slopes = by_slopes;
   cone.by_depth = frees && by_slopes;
   const double deviation = std::hypot(of_facets * slope, of_rays * half_angle / 2);
@@ -138,10 +146,12 @@ EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, 
 }  // namespace
 
 bool enters_by_slopes(const scene::Telescope& telescope, const medium::Medium& medium) {
-  return are_wider_than_slopes(spot_radius(telescope), entry_cone(telescope, medium, 0), medium);
+  return are_wider_than_slopes(telescope.position_m.z, spot_radius(telescope),
+                               entry_cone(telescope, medium, 0), medium);
 }
 bool enters_by_slopes(const scene::Source& source, const medium::Medium& medium) {
-  return are_wider_than_slopes(spot_radius(source), entry_cone(source, medium, 0), medium);
+  return are_wider_than_slopes(source.position_m.z, spot_radius(source),
+                               entry_cone(source, medium, 0), medium);
 }
 
 EntryCone<double> cone_under_waves(const scene::Telescope& telescope, const medium::Medium& medium,

@@ -52,9 +52,10 @@ struct EntryCone {
       false;           ///< depths of first vertices are drawn as along the axis, whatever the ray
   bool exact = false;  ///< all its rays are the instrument's own
   // Under waves:
-  T free_within{4};               ///< 1 - cos of the part that free walks begin in
-  T free_share{1};                ///< of walks that begin there
-  T by_facets{};                  ///< of those that meet several facets instead
+  T free_within{4};  ///< 1 - cos of the part that free walks begin in
+  T free_share{1};   ///< of walks that begin there
+  T by_facets{};     ///< of those that draw their facets instead: several, or any of waves of one
+                     ///< direction
   bool enters_by_slopes = false;  ///< entries are also drawn by slopes
   Spot<T> spot;
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "core/constants.hpp"
 #include "estimator/entry_cone.hpp"
@@ -23,7 +24,11 @@ Strategy off(std::string name, std::string reason) {
 
 Strategy to_laser(const scene::Scene& scene) {
   const std::string name = "walks from telescopes connected to the laser";
-  if (scene.sea.surface.is_rough()) return {name, true, "where a ray of it comes through waves"};
+  if (scene.sea.surface.is_rough() && scene.source.position_m.z >= 0) {
+    if (scene.sea.surface.is_one_dimensional())
+      return off(name, "waves of one direction lead no ray of it to a given point");
+    return {name, true, "where a ray of it comes through waves"};
+  }
   const auto laser = instrument::make_laser<double>(scene.source);
   if (laser.collimated) return off(name, "its rays are parallel, and no other ray meets them");
   if (!instrument::can_be_met(laser))
@@ -51,21 +56,31 @@ Strategy rotated(bool rough, bool converts, const Vec3<double>& beam) {
   return {name, true, {}};
 }
 
+const char* const in_water_under_waves = "it is in the water, and waves have no mirror images";
+std::string waves_are_wider(const char* than, const scene::Scene& scene) {
+  if (scene.sea.surface.is_one_dimensional())
+    return "waves of one direction lead no ray to a given point";
+  return fmt::format("waves spread light wider than {} is on the surface", than);
+}
+
 /// Which instruments' walks cannot be free.
 Strategy free_telescopes(const scene::Scene& scene, const medium::Medium& medium) {
   Strategy out{"free walks of telescopes", false, {}};
   const bool rough = scene.sea.surface.is_rough();
-  std::string bound;
+  std::map<std::string, std::string> bound;  // by the reason
   for (const auto& t : scene.telescope) {
-    if (rough ? enters_by_slopes(t, medium) : entry_cone(t, medium, 0).by_depth)
+    if (rough ? enters_by_slopes(t, medium) : entry_cone(t, medium, 0).by_depth) {
       out.used = true;
-    else
-      bound += (bound.empty() ? "" : ", ") + t.name;
+      continue;
+    }
+    const bool submerged = t.position_m.z < 0;
+    std::string& names = bound[!rough      ? "in the water, and tilted or with a view to the side"
+                               : submerged ? in_water_under_waves
+                                           : waves_are_wider("the view", scene)];
+    names += (names.empty() ? "" : ", ") + t.name;
   }
-  if (!bound.empty())
-    out.reason = fmt::format("not from {}: {}", bound,
-                             rough ? "waves spread light wider than the view is on the surface"
-                                   : "in the water, and tilted or with a view to the side");
+  for (const auto& [reason, names] : bound)
+    out.reason += fmt::format("{}not from {}: {}", out.reason.empty() ? "" : "; ", names, reason);
   return out;
 }
 Strategy free_laser(const scene::Scene& scene, const medium::Medium& medium) {
@@ -75,8 +90,9 @@ Strategy free_laser(const scene::Scene& scene, const medium::Medium& medium) {
   if (!instrument::can_be_met(laser))
     return off(name, "its rays seem to come from below the surface");
   if (scene.sea.surface.is_rough()) {
+    if (scene.source.position_m.z < 0) return off(name, in_water_under_waves);
     if (!enters_by_slopes(scene.source, medium))
-      return off(name, "waves spread light wider than the beam is on the surface");
+      return off(name, waves_are_wider("the beam", scene));
     return {name, true, {}};
   }
   if (!entry_cone(scene.source, medium, 0).by_depth)

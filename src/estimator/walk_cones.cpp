@@ -79,9 +79,12 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
   const Vec3<double> origin = origin_of(scene.source);
   const auto source = from_origin(scene.source, origin);
   const bool rough = scene.sea.surface.is_rough();
-  out.laser = rough                ? cone_under_waves(source, medium, deepest, out.free_laser > 0)
-              : out.free_laser > 0 ? entry_cone(source, medium, deepest)
-                                   : cone_of_own_rays(source, medium);
+  const auto through_waves = [&](const auto& instrument) {
+    return rough && instrument.position_m.z >= 0;
+  };
+  out.laser = through_waves(source) ? cone_under_waves(source, medium, deepest, out.free_laser > 0)
+              : out.free_laser > 0 && !rough ? entry_cone(source, medium, deepest)
+                                             : cone_of_own_rays(source, medium);
   out.telescope.resize(scene.telescope.size());
   for (const NestedViews& views : nested_views(scene)) {
     const auto widest = from_origin(scene.telescope[views.back()], origin);
@@ -89,11 +92,11 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
     if (const auto aimed = aimed_at_light(scene, views); aimed && out.free_laser > 0)
       inner.push_back(*aimed);
     auto& cone = out.telescope[views.back()];
-    if (rough) {
+    if (through_waves(widest)) {
       cone = cone_under_waves(widest, medium, deepest, out.free_telescope > 0);
       continue;
     }
-    if (out.free_telescope > 0) cone = entry_cone(widest, medium, deepest, inner);
+    if (out.free_telescope > 0 && !rough) cone = entry_cone(widest, medium, deepest, inner);
     if (!cone.by_depth) cone = cone_of_own_rays(widest, medium, inner);
   }
   return out;

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/constants.hpp"
+#include "core/vec3.hpp"
 #include "scene/checks.hpp"
 #include "scene/waves.hpp"
 
@@ -23,15 +26,24 @@ void check_size(const Surface& surface, Findings& findings) {
   check("crosswind_slope_variance", surface.crosswind_slope_variance, least_variance, variance);
 }
 
+/// Walks through waves of one direction have to be translated to meet, which flat rays of tilted
+/// lenses are not (instrument::flattest_translated, 11.5 degrees).
+constexpr double flattest_degrees = 12;
+/// Whether a telescope in the air sees rays flatter than that.
+bool looks_flat(const Telescope& t) {
+  if (t.position_m.z < 0) return false;
+  const double distance = t.focal_length_m + t.detector_shift_m;
+  const double blur = t.diameter_m / 2 * std::abs(1 / t.focal_length_m - 1 / distance);
+  const double view = std::atan(t.effective_detector_diameter_m() / 2 / distance + blur);
+  const double off_vertical = std::acos(std::clamp(-normalised(t.direction).z, -1.0, 1.0));
+  return off_vertical + view > (90 - flattest_degrees) * radian_per_degree;
+}
+
 std::optional<std::string> waves_that_bidirectional_lacks(const Scene& scene) {
   const Surface& surface = scene.sea.surface;
-  if (!surface.is_rough()) return {};
-  if (surface.is_one_dimensional()) return "waves of one direction in this version";
-  const bool in_water =
-      scene.source.position_m.z < 0 ||
-      std::ranges::any_of(scene.telescope, [](const Telescope& t) { return t.position_m.z < 0; });
-  if (in_water) return "waves over instruments in the water in this version";
-  return {};
+  if (!surface.is_one_dimensional() || !std::ranges::any_of(scene.telescope, looks_flat)) return {};
+  return fmt::format("waves of one direction seen by rays flatter than {} degrees",
+                     flattest_degrees);
 }
 
 /// What knows the flat surface alone.

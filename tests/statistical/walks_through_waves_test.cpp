@@ -31,6 +31,36 @@ struct Case {
 };
 
 // Gate by gate, process by process and order by order.
+void expect_both_estimators_find(const Case& c) {
+  const auto scene = [&](double photons, std::uint64_t seed, const std::string& estimator) {
+    auto s = read(c.scene);
+    s.simulation.photons = static_cast<std::uint64_t>(photons);
+    s.simulation.seed = seed;
+    s.simulation.estimator =
+        estimator == "forward" ? scene::Estimator::forward : scene::Estimator::bidirectional;
+    s.simulation.free_telescope_meetings = 0.1;
+    s.simulation.free_laser_meetings = 0.3;
+    return s;
+  };
+  const auto forward = run_in_lanes(scene(c.forward, 7, "forward"));
+  const auto both = run_in_lanes(scene(c.bidirectional, 8, "bidirectional"));
+  ZFamily family(0.01);
+  const auto compare = [&](const tally::Estimates& f, const tally::Estimates& b, const char* what) {
+    for (std::size_t i = 0; i < f.mean.size(); ++i) {
+      const double error = std::hypot(f.standard_error[i], b.standard_error[i]);
+      if (!(error < 0.05 * f.mean[i])) continue;
+      family.add(b.mean[i], f.mean[i], error, fmt::format("{}, {} {}", c.name, what, i));
+    }
+  };
+  compare(forward.echo_by_process, both.echo_by_process, "process");
+  compare(forward.echo_by_order, both.echo_by_order, "order");
+  std::printf("%s: %zu cells, rms z %.2f\n", c.name, family.size(), family.rms());
+  EXPECT_GE(family.size(), c.least) << c.name;
+  EXPECT_LT(family.rms(), 1.3) << c.name;
+  family.judge();
+  EXPECT_NEAR(both.ledger.sum(), 1, 5 * both.ledger_standard_error + 1e-6) << c.name;
+}
+
 TEST(WalksThroughWaves, FindWhatTheForwardEstimatorDoes) {
   const std::string bed = "[bottom]\nalbedo = 0.3\n";
   for (const Case& c :
@@ -81,36 +111,84 @@ TEST(WalksThroughWaves, FindWhatTheForwardEstimatorDoes) {
                  channel("elastic") + channel("raman") + channel("chlorophyll") +
                  sea("model = \"cox-munk\", wind_speed_m_s = 8.0") +
                  "[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n" + gates +
-                 simulation(1, 1, "max_order = 1\n")}}) {
-    const auto scene = [&](double photons, std::uint64_t seed, const std::string& estimator) {
-      auto s = read(c.scene);
-      s.simulation.photons = static_cast<std::uint64_t>(photons);
-      s.simulation.seed = seed;
-      s.simulation.estimator =
-          estimator == "forward" ? scene::Estimator::forward : scene::Estimator::bidirectional;
-      s.simulation.free_telescope_meetings = 0.1;
-      s.simulation.free_laser_meetings = 0.3;
-      return s;
-    };
-    const auto forward = run_in_lanes(scene(c.forward, 7, "forward"));
-    const auto both = run_in_lanes(scene(c.bidirectional, 8, "bidirectional"));
-    ZFamily family(0.01);
-    const auto compare = [&](const tally::Estimates& f, const tally::Estimates& b,
-                             const char* what) {
-      for (std::size_t i = 0; i < f.mean.size(); ++i) {
-        const double error = std::hypot(f.standard_error[i], b.standard_error[i]);
-        if (!(error < 0.05 * f.mean[i])) continue;
-        family.add(b.mean[i], f.mean[i], error, fmt::format("{}, {} {}", c.name, what, i));
-      }
-    };
-    compare(forward.echo_by_process, both.echo_by_process, "process");
-    compare(forward.echo_by_order, both.echo_by_order, "order");
-    std::printf("%s: %zu cells, rms z %.2f\n", c.name, family.size(), family.rms());
-    EXPECT_GE(family.size(), c.least) << c.name;
-    EXPECT_LT(family.rms(), 1.3) << c.name;
-    family.judge();
-    EXPECT_NEAR(both.ledger.sum(), 1, 5 * both.ledger_standard_error + 1e-6) << c.name;
-  }
+                 simulation(1, 1, "max_order = 1\n")}})
+    expect_both_estimators_find(c);
+}
+
+/// Laser and telescope at places of their own, looking in a plane, so many degrees off the nadir.
+std::string instruments(double laser_height, double laser_off_nadir, double height,
+                        double off_nadir, double view_mrad) {
+  const auto look = [](double degrees) {
+    const double t = degrees * radian_per_degree;
+    return fmt::format("direction = [{:.15g}, 0.0, {:.15g}]\n", std::sin(t), -std::cos(t));
+  };
+  return fmt::format(
+      "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, {}]\n{}diameter_m = 0.04\n"
+      "half_divergence_mrad = 20\n[[telescope]]\nposition_m = [0.3, 0.1, {}]\n{}"
+      "diameter_m = 0.4\nfocal_length_m = 1.0\nhalf_field_of_view_mrad = {}\n",
+      laser_height, look(laser_off_nadir), height, look(off_nadir), view_mrad);
+}
+const std::string raman_water =
+    "[[sea.layer]]\niop = [ { wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.20 }, "
+    "{ wavelength_nm = 649.0, a_per_m = 0.35, b_per_m = 0.15 } ]\n"
+    "phase_function = { model = \"henyey-greenstein\", g = 0.7 }\n";
+
+const std::string upper_water = "[[sea.layer]]\nbottom_depth_m = 3.0\n" + raman_water.substr(14);
+
+// No mirror images help there: what facets send to the instruments is found facet by facet.
+TEST(WalksUnderWaves, FindWhatTheForwardEstimatorDoesInTheWater) {
+  const std::string windy =
+      sea("model = \"cox-munk\", wind_speed_m_s = 9.0, wind_direction_deg = 30.0");
+  const std::string steep =
+      sea("model = \"gaussian\", upwind_slope_variance = 0.04, crosswind_slope_variance = 0.03, "
+          "whitecap_fraction = 0.1");
+  const std::string both = channel("elastic") + channel("raman");
+  const auto end = [](double range, double step) {
+    return fmt::format("[gates]\nrange_min_m = 0.0\nrange_max_m = {}\nrange_step_m = {}\n", range,
+                       step) +
+           simulation(1, 1, "max_order = 3\n");
+  };
+  for (const Case& c :
+       {Case{"both look up",
+             instruments(-5, 165, -4, 160, 300) + both + steep + raman_water + end(16, 2), 1e6, 2e5,
+             15},
+        Case{"both look down",
+             instruments(-1, 5, -1.5, 20, 300) + both + steep + raman_water + end(16, 2), 1e6, 2e5,
+             50},
+        Case{"the laser in the air",
+             instruments(6, 10, -8, 165, 300) + both + windy + upper_water + raman_water +
+                 end(24, 3),
+             1e6, 2e5, 15},
+        Case{"the telescope in the air",
+             instruments(-3, 160, 6, 10, 100) + both + windy + raman_water + end(24, 3), 1e6, 4e5,
+             8}})
+    expect_both_estimators_find(c);
+}
+
+// Walks that draw their facets, and meet by translation alone.
+TEST(WalksThroughWaves, OfOneDirectionFindWhatTheForwardEstimatorDoes) {
+  for (const Case& c :
+       {Case{"the paper's law, Raman",
+             instrument({.lens = 0.4, .view_mrad = 40, .divergence_mrad = 10, .laser = 0.04}) +
+                 channel("elastic") + channel("raman") +
+                 sea("model = \"paper\", wind_speed_m_s = 5.0, wind_direction_deg = 30.0") +
+                 raman_water + gates + simulation(1, 1, "max_order = 3\n")},
+        Case{"across the wind, tilted, whitecaps, layers over a bed",
+             instrument({.off_nadir = 15,
+             .azimuth = 40,
+             .lens = 0.4,
+             .view_mrad = 60,
+             .divergence_mrad = 20,
+             .laser = 0.04}) +
+                 channel("elastic") +
+                 sea("model = \"gaussian\", upwind_slope_variance = 0.0, "
+                     "crosswind_slope_variance = 0.03, whitecap_fraction = 0.1") +
+                 layer(0.8, "bottom_depth_m = 3.0\n") + layer(0.5, "bottom_depth_m = 9.0\n") +
+                 "[bottom]\nalbedo = 0.3\n[gates]\ndepth_min_m = -2.0\ndepth_max_m = 10.0\n"
+                 "depth_step_m = 2.0\n" +
+                 simulation(1, 1, "max_order = 3\n"),
+             1e6, 2e5, 15}})
+    expect_both_estimators_find(c);
 }
 
 TEST(WalksThroughWaves, BringSingleScatteringToALens) {

@@ -45,7 +45,8 @@ struct FromLaser : WalkDraws<T> {
   Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record, Met met) {
     const auto u = this->draw(walk, Index<T>(0), 0);
     const T n(gather<T>(world.sea.index, Index<T>(0)));
-    if (world.sea.waves.rough) return birth_through_waves(walk, exist, u, met);
+    if (enters_through_waves(world, world.laser_region))
+      return birth_through_waves(walk, exist, u, met);
     auto birth = world.laser.collimated
                      ? birth_at_collimated_laser(world.sea, world.laser, world.laser_region, cone(),
                                                  n, u[0], u[1])
@@ -100,7 +101,8 @@ struct FromTelescope : WalkDraws<T> {
     record.grid_offset = v[0];
     record.connected = select(v[1] < world.connected, Index<T>(1), Index<T>(0));
     record.line = line_of(medium::spectral_bin_of(v[2]));
-    if (world.sea.waves.rough) return birth_through_waves(walk, record, u, met);
+    if (enters_through_waves(world, receiver.region))
+      return birth_through_waves(walk, record, u, met);
     const auto ray = draw_entry(cone(), gather<T>(world.sea.index, record.line),
                                 gather<T>(world.sea.index, Index<T>(0)), u[2], u[3]);
     record.outward = ray.outside;
@@ -110,6 +112,10 @@ struct FromTelescope : WalkDraws<T> {
     record.own = birth.own;
     record.telescope = world.groups[receiver.group].narrowest(birth.sight);
     if (!cone().even_outside) birth.exists = exist;
+    if (world.sea.waves.rough) {
+      const auto w = this->draw(walk, Index<T>(0), 2);
+      birth.entry.u_choice = w[0], birth.entry.u_slope = w[1], birth.entry.u_azimuth = w[2];
+    }
     return birth;
   }
   template <class Met>

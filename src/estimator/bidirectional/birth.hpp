@@ -12,20 +12,20 @@
 
 namespace photic::estimator {
 
-/// Where an instrument's ray comes through waves.
+/// Where an instrument's ray comes through waves. Of a telescope in the water only the uniforms.
 template <class T>
 struct SurfaceEntry {
-  Mask<T> exists{true};      ///< not kept
-  Vec3<T> at;                ///< point of the surface
-  Vec3<T> outside;           ///< direction of the ray, away from the instrument
-  T weight{1};               ///< of a walk there, in the air
-  T path{};                  ///< [m]
-  T u_slope{}, u_azimuth{};  ///< uniforms, for entries that are drawn by slopes
+  Mask<T> exists{true};                  ///< not kept
+  Vec3<T> at;                            ///< point of the surface
+  Vec3<T> outside;                       ///< direction of the ray, away from the instrument
+  T weight{1};                           ///< of a walk there, in the air
+  T path{};                              ///< [m]
+  T u_choice{}, u_slope{}, u_azimuth{};  ///< uniforms, for points that are drawn by slopes
 
   template <class F>
   constexpr void each_member(F f) {
     f(at.x), f(at.y), f(outside.x), f(outside.y), f(outside.z), f(weight), f(path);
-    f(u_slope), f(u_azimuth);
+    f(u_choice), f(u_slope), f(u_azimuth);
   }
 };
 

@@ -23,8 +23,23 @@ PHOTIC_APART void Connections<T>::complete_to_telescope(const Pairing<T>& pairin
 /// By a way to an instrument.
 template <class T>
 void Connections<T>::complete_surface(const Index<T>& line, const geometry::Sightline<T>& way) {
-  if (sea_.environments.other_surface)
+  if (sea_.environments.other_surface && way.to.in_air)
     completion_.surface.meet(sea_, meeting_along(sea_, line, way));
+}
+/// By a facet to a telescope in the water.
+template <class T>
+PHOTIC_APART void Connections<T>::complete_by_facet(const Pairing<T>& pairing, const Vertex& v,
+                                                    const transport::WavesConnection<T>& way) {
+  const Index<T> line = back_.line(pairing.back);
+  const Index<T> top(0);
+  completion_.clear();
+  add_leg(sea_, laser_.ray(pairing.laser, pairing.i), v, completion_.ways);
+  completion_.pass(sea_, {line, v.layer, T(-v.position.z), top, T(0), way.length_water});
+  completion_.pass(
+      sea_, {line, receiver_.region.layer, way.onward.depth(), top, T(0), way.onward.length});
+  completion_.collide(sea_, {v.line, v.layer, line > Index<T>(0), line,
+                             one_minus_cos(v.direction, way.direction), T(-v.direction.z)});
+  if (sea_.environments.other_surface) completion_.surface.meet(sea_, way.meeting);
 }
 
 /// `length`: in the water.

@@ -77,7 +77,7 @@ PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
   }
   met.longer = length;
   back.path = back.path + length * at_lens(birth, line).index;
-  if (sea_.waves.rough) return lengthen_to_entry(pairing, first, met);
+  if (enters_through_waves(world_, receiver_.region)) return lengthen_to_entry(pairing, first, met);
   met.back_spread.before = met.back_spread.before + length;
   if (all(first)) return;
   const FirstLeg<T> way = first_leg(birth, pairing.back);

@@ -9,6 +9,7 @@ namespace photic::estimator {
 
 template <class T>
 void Connections<T>::to_telescope(std::size_t walk) {
+  if (!connects(receiver_.region)) return;
   lanes::each_index<T>(laser_.vertices(walk), [&](const Index<T>& i, const Mask<T>& mask) {
     to_telescope_.push(mask, pairing_of<T>(walk, i, walk, Index<T>(0)),
                        [this](const auto& e, const auto& all) { serve_to_telescope(e, all); });
@@ -23,7 +24,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
   const auto in_path = usable(pairing.i + Index<T>(1));
   const Vertex v = laser_.in_path(pairing.laser, pairing.i, in_path);
   const Mask<T> wanted = mask & emits(line, v.layer);
-  if (sea_.waves.rough) {
+  if (enters_through_waves(world_, receiver_.region)) {
     const auto own = back_.entry(pairing.back);
     for (const bool by_slopes : {false, true}) {
       if (by_slopes && !world_.cone(instrument()).enters_by_slopes) break;
@@ -34,15 +35,47 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
     }
     return;
   }
+  if (sea_.waves.rough) score_by_facet(pairing, v, birth.lens, wanted);
   const Mask<T> near_view =
       wanted & transport::may_see(sea_, telescope_, v.position, line, birth.lens);
   if (!any(near_view)) return;
   const Vec3<T> at = in_space(telescope_, birth.lens);
   for (const auto route : geometry::routes_to(receiver_.region.in_air)) {
+    if (sea_.waves.rough && route == geometry::Route::mirrored) return;
     const auto way =
         geometry::sightline(sea_, v.position, line, at, receiver_.region, route, near_view);
     score_to_telescope(pairing, v, way, edge_to_telescope(near_view, birth.lens, line, way));
   }
+}
+/// To a telescope in the water by way of a facet. No other strategy draws such a path: it has the
+/// whole weight of the laser's walk.
+template <class T>
+PHOTIC_APART void Connections<T>::score_by_facet(Pairing<T> pairing, const Vertex& v,
+                                                 instrument::PlanePoint<T> lens, Mask<T> mask) {
+  const Index<T> line = back_.line(pairing.back);
+  const auto entry = back_.entry(pairing.back);
+  transport::Photon<T> photon;
+  photon.position = v.position;
+  photon.layer = v.layer;
+  const auto way =
+      transport::connect_by_waves(sea_, telescope_, receiver_.region, photon, line, lens,
+                                  {entry.u_choice, entry.u_slope, entry.u_azimuth}, mask);
+  const T path = v.path + way.path;
+  const Mask<T> seen = mask & (way.acceptance > T(0)) & (path < receiver_.last_path);
+  if (!any(seen)) return;
+  const Freedom<T> none{T(0), RotationAxis<T>{}};
+  const ConnectionEnd from =
+      all(line == Index<T>(0)) ? scattering_from_laser(sea_, v, T(0), way.direction,
+                                                       world_.inverse_conversion, T(1), none)
+                               : conversion_from_laser(sea_, v, T(0), way.direction, line,
+                                                       world_.inverse_conversion, T(1), T(1), none);
+  if (world_.compares) [[unlikely]]
+    complete_by_facet(pairing, v, way);
+  const auto in_path = usable(pairing.i + Index<T>(1));
+  score(pairing, Walked::laser, seen,
+        {from.weight * from.densities.p * way.acceptance * exp_minus(way.optical_depth) /
+             (samples_.to_instrument * from.chance),
+         path, -v.position.z, in_path.order, in_path.order, Index<T>(0), seen_by(way.sight)});
 }
 
 /// Along a way to a point of the lens.
@@ -125,6 +158,7 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
 
 template <class T>
 void Connections<T>::to_laser(std::size_t walk) {
+  if (!connects(world_.laser_region)) return;
   lanes::each_index<T>(back_.vertices(walk), [&](const Index<T>& m, const Mask<T>& mask) {
     to_laser_.push(mask, pairing_of<T>(walk, Index<T>(0), walk, m),
                    [this](const auto& e, const auto& all) { serve_to_laser(e, all); });
@@ -135,12 +169,12 @@ template <class T>
 PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>& pairing,
                                                                 const Mask<T>& mask) {
   const auto& laser = world_.laser;
-  const bool rough = sea_.waves.rough;
-  if (!rough && !can_be_met(laser)) return;
+  const bool through_waves = enters_through_waves(world_, world_.laser_region);
+  if (!through_waves && !can_be_met(laser)) return;
   const Vertex w = back_.in_path(pairing.back, pairing.m, usable(pairing.m + Index<T>(1)));
   const Mask<T> wanted = mask & emits(w.line, w.layer);
   const Index<T> line(0);
-  if (rough) {
+  if (through_waves) {
     const auto own = laser_.entry(pairing.laser);
     for (const bool by_slopes : {false, true}) {
       if (by_slopes && !world_.laser_cone.enters_by_slopes) break;
@@ -152,6 +186,8 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>
   }
   const Vec3<T> vertex = fictitious_vertex(laser);
   for (const auto route : geometry::routes_to(world_.laser_region.in_air)) {
+    // What facets of waves send down to a vertex is left to the laser's walks.
+    if (sea_.waves.rough && route == geometry::Route::mirrored) return;
     const auto way =
         geometry::sightline(sea_, w.position, line, vertex, world_.laser_region, route, wanted);
     score_to_laser(pairing, w, way, way_to_laser(wanted, w.position, w.layer, way));

@@ -21,6 +21,7 @@
 #include "lanes/queue.hpp"
 #include "tally/batch_tally.hpp"
 #include "transport/connect_ray.hpp"
+#include "transport/connect_waves.hpp"
 #include "transport/flight.hpp"
 
 namespace photic::estimator {
@@ -123,6 +124,8 @@ class Connections {
                                                      const instrument::PlanePoint<T>& lens) const;
   void score_to_telescope(const Pairing<T>& pairing, const Vertex& v,
                           const geometry::Sightline<T>& way, const EdgeToTelescope<T>& edge);
+  void score_by_facet(Pairing<T> pairing, const Vertex& v, instrument::PlanePoint<T> lens,
+                      Mask<T> mask);
   void score_to_laser(const Pairing<T>& pairing, const Vertex& w, const geometry::Sightline<T>& way,
                       const WayToLaser<T>& to_laser);
   void along(const Pairing<T>& pairing, const Mask<T>& mask, const Index<T>& line,
@@ -209,6 +212,11 @@ class Connections {
   [[nodiscard]] Mask<T> is_lit(const Index<T>& laser) const {
     return world_.laser_cone.exact ? Mask<T>(true) : laser_.is_own(laser);
   }
+  /// Whether vertices can be connected to an instrument in a region: waves of one direction lead no
+  /// ray of it to a given point.
+  [[nodiscard]] bool connects(const geometry::Region<T>& region) const {
+    return !(sea_.waves.one_dimensional && region.in_air);
+  }
   [[nodiscard]] std::int32_t instrument() const { return of_telescope(receiver_.telescope); }
   /// Of the bed, where places are asked for.
   [[nodiscard]] Mask<T> on_bed(const Index<T>& place) const {
@@ -280,6 +288,8 @@ class Connections {
   // What whole paths, put together of two walks, are in environments.
   void complete_to_telescope(const Pairing<T>& pairing, const Vertex& v,
                              const geometry::Sightline<T>& way);
+  void complete_by_facet(const Pairing<T>& pairing, const Vertex& v,
+                         const transport::WavesConnection<T>& way);
   void complete_to_laser(const Pairing<T>& pairing, const Vertex& w,
                          const geometry::Sightline<T>& way, const T& length);
   void complete_between(const Pairing<T>& pairing, const Index<T>& line, const Vertex& v,

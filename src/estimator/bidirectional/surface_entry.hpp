@@ -2,6 +2,7 @@
 // instrument's ray leads to a point of the surface. From there a walk goes on in a direction of its
 // instrument's cone, which does not depend on that ray; its weight takes how much light the facets
 // and whitecaps of the point send so. What goes by way of several facets has walks of its own.
+// Waves of one direction send a ray in none that is given: there all walks draw their facets.
 #pragma once
 
 #include "core/turn.hpp"
@@ -19,6 +20,12 @@
 #include "transport/surface_points.hpp"
 
 namespace photic::estimator {
+
+/// Whether an instrument's rays come into the water through waves.
+template <class T>
+bool enters_through_waves(const World<T>& world, const geometry::Region<T>& region) {
+  return world.sea.waves.rough && region.in_air;
+}
 
 /// By a ray of the laser, from two uniforms.
 template <class T>
@@ -206,28 +213,32 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
   photon.path = entry.path;
   photon.line = line;
   photon.layer = region.layer;
-  const Vec3<T> direction = direction_in_water(cone, u_polar, u_azimuth);
-  const T solid_angle = cone.solid_angle_at(one_minus_cos(direction, cone.axis));
-  photon.direction = direction;
-  photon.weight = weight_along(sea, entry, from_telescope, line, direction, solid_angle);
-  birth.spread.solid_angle = solid_angle;
-  birth.exists = entry.exists & (direction.z < T(0));
-  const Mask<T> several = entry.exists & (u_polar >= cone.by_one_facet());
-  if (sea.environments.other_surface)
-    met_surface(Mask<T>(!several),
-                surface::meeting_of(surface::rough_surface<T>(sea, line), Mask<T>(true), false,
-                                    entry.outside, direction));
-  if (any(several)) {
+  const Mask<T> drawn_facets = entry.exists & (u_polar >= cone.by_one_facet());
+  const bool by_any = sea.waves.one_dimensional;  // else by several: one can be found
+  if (!by_any) {
+    const Vec3<T> direction = direction_in_water(cone, u_polar, u_azimuth);
+    const T solid_angle = cone.solid_angle_at(one_minus_cos(direction, cone.axis));
+    photon.direction = direction;
+    photon.weight = weight_along(sea, entry, from_telescope, line, direction, solid_angle);
+    birth.spread.solid_angle = solid_angle;
+    birth.exists = entry.exists & (direction.z < T(0));
+    if (sea.environments.other_surface)
+      met_surface(Mask<T>(!drawn_facets),
+                  surface::meeting_of(surface::rough_surface<T>(sea, line), Mask<T>(true), false,
+                                      entry.outside, direction));
+  }
+  if (any(drawn_facets)) {
     auto by = photon;
     by.direction = entry.outside;
     by.weight = entry.weight / cone.by_facets;
     const auto surface = surface::rough_surface<T>(sea, line);
-    const auto met = from_telescope
-                         ? back_by_facets(surface, by, several, true, true, draw, met_surface)
-                         : light_by_facets(surface, by, several, true, draw, met_surface);
-    photon = select(several, by, photon);
-    birth.spread.solid_angle = select(several, T(0), solid_angle);
-    birth.exists = (birth.exists & !several) | (met.in_water & met.several);
+    const auto met =
+        from_telescope ? back_by_facets(surface, by, drawn_facets, true, !by_any, draw, met_surface)
+                       : light_by_facets(surface, by, drawn_facets, true, draw, met_surface);
+    photon = select(drawn_facets, by, photon);
+    birth.spread.solid_angle = select(drawn_facets, T(0), birth.spread.solid_angle);
+    birth.exists =
+        (birth.exists & !drawn_facets) | (met.in_water & (met.several | Mask<T>(by_any)));
   }
   birth.own = birth.exists;
   return birth;

@@ -112,13 +112,15 @@ T reach_of(const geometry::Slabs& sea, const EntryCone<T>& cone, const Mask<T>& 
                     sea.bed_angles > 0 ? surface::on_bed<T>(sea, photon.layer) : Mask<T>(false));
 }
 
-/// Comes to a vertex by facets. Walks come this way, either way; none are made to meet at its ends.
+/// Comes to a vertex by facets. Walks come this way, either way; none are made to meet at its ends,
+/// and nothing is connected by it.
 template <class T>
 void pass_facets(const Arrival<T>& by, Vertex<T>& v) {
   const Mask<T>& reflected = by.leg.reflected;
   if (!any(reflected)) return;
   v.chance = v.chance * select(reflected, by.facets->chance, T(1));
   v.reverse_chance = v.reverse_chance * select(reflected, by.facets->reverse_chance, T(1));
+  v.arriving_edge = select(reflected, T(0), v.arriving_edge);
   v.translated = select(reflected, T(0), v.translated);
   v.added.translated = select(reflected, T(0), v.added.translated);
 }

@@ -111,7 +111,7 @@ class WalkSteps {
     if (!any(w.colliding)) return;
     const Mask<T> first = w.colliding & (w.vertices == Index<T>(0));
     Spread<T> spread = any(first) ? walks_.birth_record(w.walk).spread : Spread<T>{};
-    if (sea_.waves.rough && any(first)) [[unlikely]]
+    if (source_.cone().enters_by_slopes && any(first)) [[unlikely]]
       spread = enter_by_slopes(world_, walks_, source_.instrument(), w.walk, w.photon.line,
                                w.photon.position, first);
     const T reach = reach_of(sea_, source_.cone(), first, w.photon, w.leg);
@@ -185,7 +185,11 @@ class WalkSteps {
       w.facets.reverse_chance = select(stand, by.chance, w.facets.reverse_chance);
     }
     book(source.ledger.escaped, stand, before - select(by.in_water, w.photon.weight, T(0)));
-    w.on = w.on & ((!stand) | by.in_water);
+    Mask<T> goes_on = by.in_water;
+    // From a telescope to its first vertex by one facet: a way of the laser's walks, which find the
+    // facet (serve_to_telescope).
+    if (back) goes_on = goes_on & (by.several | (w.vertices > Index<T>(0)));
+    w.on = w.on & ((!stand) | goes_on);
     w.leg.reflected = w.leg.reflected | stand;
     return w;
   }

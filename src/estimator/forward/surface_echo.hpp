@@ -9,6 +9,28 @@
 
 namespace photic::estimator {
 
+/// Photons of a laser in the water that rise come to the surface, but for what is lost on the way.
+template <class Events, class T, class Ledger>
+void rise_to_surface(const World<T>& world, Travellers<T>& t, Estimates<T>& estimates,
+                     tally::BatchTally& tally, Ledger& ledger) {
+  transport::Photon<T>& photon = t.photon;
+  const Mask<T> rises = t.on & (photon.direction.z > T(0));
+  if (!any(rises)) return;
+  if (compares<Events>(world)) t.ratios.before = photon;
+  const T secant = T(1) / select(rises, photon.direction.z, T(1));
+  const T length = T(-photon.position.z) * secant;
+  photon.weight =
+      photon.weight *
+      exp_minus(world.sea.optical_depth(photon.line, geometry::level_of(world.sea, photon)) *
+                secant);
+  photon.position = photon.position + length * photon.direction;
+  photon.position.z = T(0);
+  photon.path = photon.path + length * gather<T>(world.sea.group_index, photon.line);
+  photon.layer = Index<T>(0);
+  if (compares<Events>(world)) t.ratios.flown(world.sea, photon, length, rises);
+  cross_waves<Events>(world, t, rises, false, estimates, tally, ledger);
+}
+
 /// Of photons `first` … `first + count - 1` of a batch, if there are waves; nothing else of them
 /// counts.
 template <class Ledger, class T>
@@ -27,8 +49,12 @@ PHOTIC_APART void surface_echo(const World<T>& world, std::uint64_t first, std::
     if (world.compares) {
       for (std::size_t k = 0; k < lanes_of<T>; ++k) paths.of(k).begin(world.sea.environments);
       birth<AllEvents>(world, draws, number, exist, t, estimates, tally, not_counted);
+      if (!world.laser_region.in_air)
+        rise_to_surface<AllEvents>(world, t, estimates, tally, not_counted);
     } else {
       birth<PlainEvents>(world, draws, number, exist, t, estimates, tally, not_counted);
+      if (!world.laser_region.in_air)
+        rise_to_surface<PlainEvents>(world, t, estimates, tally, not_counted);
     }
   }
   flush_queues(world, estimates, tally);

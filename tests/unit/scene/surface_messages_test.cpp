@@ -112,10 +112,6 @@ const std::vector<Wrong>& wrong_surfaces() {
         "1e-06)",
         "scene.toml:20:92: a variance of 1e-07 is too small for waves (write 0, or at least "
         "1e-06)"}},
-      {"BidirectionalWavesOfOneDirection",
-       R"(model = "paper", wind_speed_m_s = 5)",
-       "estimator = \"bidirectional\"",
-       {R"(scene.toml:32:13: the bidirectional estimator has no waves of one direction in this version (write estimator = "forward", or sea.surface = { model = "flat" }))"}},
       {"OverlapOfWaves",
        own,
        "reception = \"overlap\"",
@@ -126,8 +122,8 @@ const std::vector<Wrong>& wrong_surfaces() {
        {R"(scene.toml:32:31: how much light leaves the water is known of a flat surface alone (write forced_collisions = 0, or sea.surface = { model = "flat" }))"}},
       {"AllThatHasNoWaves",
        R"(model = "paper", wind_speed_m_s = 5)",
-       "estimator = \"bidirectional\"\nreception = \"overlap\"",
-       {R"(scene.toml:32:13: the bidirectional estimator has no waves of one direction in this version (write estimator = "forward", or sea.surface = { model = "flat" }))",
+       "tools = { forced_collisions = 1 }\nreception = \"overlap\"",
+       {R"(scene.toml:32:31: how much light leaves the water is known of a flat surface alone (write forced_collisions = 0, or sea.surface = { model = "flat" }))",
         R"(scene.toml:33:13: waves spread light over the lens unevenly: the mean over the lens is not known (write reception = "ray"))"}},
       {"NoWhitecapsAndSome",
        sea + ", whitecaps = false, whitecap_fraction = 0.1",
@@ -150,6 +146,17 @@ TEST(Surface, EveryTextWithLineAndColumn) {
     SCOPED_TRACE(c.name);
     EXPECT_EQ(diagnostics_of(edited(with_surface(c.keys, c.simulation))), c.expected);
   }
+}
+
+// Seen red: with all telescopes taken to look down.
+TEST(Surface, BidirectionalOverWavesOfOneDirectionSeenFlat) {
+  auto edits =
+      with_surface(R"(model = "paper", wind_speed_m_s = 5)", "estimator = \"bidirectional\"");
+  edits.insert(edits.begin(), {11, 11, "direction = [1, 0, -0.2]"});
+  EXPECT_EQ(
+      diagnostics_of(edited(edits)),
+      Texts{
+          R"(scene.toml:32:13: the bidirectional estimator has no waves of one direction seen by rays flatter than 12 degrees (write estimator = "forward", or sea.surface = { model = "flat" }))"});
 }
 
 // Nothing is said of whitecaps that are not there, nor twice of one thing.

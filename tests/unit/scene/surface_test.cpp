@@ -1,8 +1,11 @@
 // The sea surface of a scene: what it becomes, in environments, how it is written.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
+#include "core/constants.hpp"
 #include "scene/waves.hpp"
 #include "unit/scene/surface_scenes.hpp"
 
@@ -220,17 +223,25 @@ TEST(Surface, KeysOfSeveralModelsHaveOneConditionInTheSchema) {
 TEST(Surface, WhatTheBidirectionalEstimatorHasNot) {
   Scene scene = read_text(edited(with_surface(waves)));
   EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);
-  scene.telescope[0].position_m.z = -1;
-  EXPECT_EQ(bidirectional_lacks(scene), "waves over instruments in the water in this version");
+  const auto looks_off_vertical = [&](double degrees) {
+    const double angle = degrees * radian_per_degree;
+    scene.telescope[0].direction = {std::sin(angle), 0, -std::cos(angle)};
+  };
+  scene.telescope[0].detector_diameter_m = 0.4;  // 5.7 degrees to each side
+  looks_off_vertical(74);
+  EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);
   scene.sea.surface = surface_of(
       R"(model = "gaussian", upwind_slope_variance = 0.0, crosswind_slope_variance = 0.02)");
-  EXPECT_EQ(bidirectional_lacks(scene), "waves of one direction in this version");
-  scene.sea.surface = {};
+  EXPECT_EQ(bidirectional_lacks(scene),
+            "waves of one direction seen by rays flatter than 12 degrees");
+  looks_off_vertical(71);
+  EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);
+  looks_off_vertical(74);
+  scene.telescope[0].position_m.z = -1;
   EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);
   scene.telescope[0].position_m.z = 1;
-  scene.sea.surface = surface_of(waves);
-  scene.source.position_m.z = -1;
-  EXPECT_EQ(bidirectional_lacks(scene), "waves over instruments in the water in this version");
+  scene.sea.surface = {};
+  EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);
 }
 
 }  // namespace
