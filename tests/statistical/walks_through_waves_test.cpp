@@ -269,6 +269,28 @@ TEST(WalksThroughWaves, OverOtherWavesAreTheirOwnRun) {
   }
 }
 
+// Of instruments in the water, whose light facets send down again: the surface's own, and what is
+// scattered before and after.
+TEST(WalksUnderWaves, OverOtherWavesAndWaterAreTheirOwnRun) {
+  const auto run = [](double upwind, double crosswind, double whitecaps, double chlorophyll,
+                      const std::string& more, std::uint64_t seed) {
+    return run_in_lanes(
+        read(more + instruments(-5, 165, -4, 160, 300) + channel("elastic") + channel("raman") +
+             sea(fmt::format("model = \"gaussian\", upwind_slope_variance = {}, "
+                             "crosswind_slope_variance = {}, whitecap_fraction = {}",
+                             upwind, crosswind, whitecaps)) +
+             fmt::format("[[sea.layer]]\nchlorophyll_mg_m3 = {}\n", chlorophyll) +
+             "[gates]\nrange_min_m = 0.0\nrange_max_m = 8.0\nrange_step_m = 1.0\n" +
+             simulation(2e5, seed, no_free_walks, "bidirectional")));
+  };
+  const std::string other =
+      "[[environment]]\nset = { \"sea.surface.upwind_slope_variance\" = 0.02, "
+      "\"sea.surface.crosswind_slope_variance\" = 0.015, "
+      "\"sea.surface.whitecap_fraction\" = 0.05, \"sea.layer.0.chlorophyll_mg_m3\" = 1.4 }\n";
+  const auto all = run(0.04, 0.03, 0.1, 1.0, other, 31);
+  expect_environment_is(all, run(0.02, 0.015, 0.05, 1.4, "", 32), 6);
+}
+
 // In turbid water the surface sends much light back down, which whitecaps do more than facets.
 // Seen red: without what the surface does to walks that it sends back (6 %, 5 standard errors).
 TEST(WalksThroughWaves, ComeBackFromOtherWhitecapsAsInTheirOwnRun) {
