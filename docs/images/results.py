@@ -25,10 +25,10 @@ LARGEST_ERROR = 0.10  # above it a gate is flagged large_error: src/tally/result
 SHIP = 5e5  # photons of the runs that two pictures share
 
 
-def run(scene, photons, estimator="auto", telescope=0, **changes):
+def run(scene, photons, estimator="auto", telescope=0, seed=1, **changes):
     """What a telescope of a scene sees; changes: values by their paths. Nothing but the
     photons ends it, not the time, so that it is the same anywhere."""
-    changes["simulation"] = {"seed": 1, "photons": int(photons / run.fewer), "estimator": estimator}
+    changes["simulation"] = {"seed": seed, "photons": int(photons / run.fewer), "estimator": estimator}
     return _run(scene, json.dumps(changes)).isel(telescope=telescope)
 
 

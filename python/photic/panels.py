@@ -1,5 +1,5 @@
 """The panels of a figure: echoes and their ratios as lines, orders of scattering as shares, all
-against depth."""
+against depth; and spectra."""
 
 import itertools
 
@@ -41,23 +41,29 @@ def _ends(middle, half_width):
     return numpy.maximum(middle - half_width, 0.1 * middle), middle + half_width
 
 
-def _curve(panel, depth, middle, ends, settled, colour):
-    """The line with its band, both faded where not converged."""
+def _curve(panel, depth, middle, ends, settled, colour, upright=True):
+    """The line with its band, both faded where not converged. Not upright: along the horizontal axis,
+    with wavelengths for depths."""
     there = ~numpy.isnan(middle)
+    fill = panel.fill_betweenx if upright else panel.fill_between
     look = {"color": colour, "linewidth": 0}
-    panel.fill_betweenx(depth, *ends, where=there & settled, alpha=BAND, **look)
+    fill(depth, *ends, where=there & settled, alpha=BAND, **look)
     # Each gate twice, so that the rest begins and ends in the gate where the other does.
     rest = numpy.concatenate([[True], (~(settled[:-1] & settled[1:])).repeat(2), [True]])
     twice = [each.repeat(2) for each in (depth, *ends)]
     where = there.repeat(2) & rest
-    panel.fill_betweenx(*twice, where=where, alpha=FADED_BAND, **look)
+    fill(*twice, where=where, alpha=FADED_BAND, **look)
     thick = numpy.where(settled, middle, numpy.nan)
     alone = list(numpy.flatnonzero(_alone(settled & there)))  # a line needs two neighbours
     dots = {"marker": "o", "markersize": 3, "markevery": alone}
-    panel.plot(thick, depth, color=colour, linewidth=1.8, **dots)
-    panel.plot(middle, depth, color=colour, linewidth=0.8, alpha=FADED)
     marked = thinned(~settled, -(-len(depth) // MARKERS_PER_LINE))
-    panel.plot(middle[marked], depth[marked], color=colour, **_circles())
+
+    def plot(across, along, **look):
+        panel.plot(*((across, along) if upright else (along, across)), color=colour, **look)
+
+    plot(thick, depth, linewidth=1.8, **dots)
+    plot(middle, depth, linewidth=0.8, alpha=FADED)
+    plot(middle[marked], depth[marked], **_circles())
 
 
 def _alone(drawn):
@@ -95,9 +101,9 @@ def lines_legend(lines, faded, title=None):
 
 def finish_lines(panel, echoes, every=None):
     """Axes for the echoes shown; every: those that other panels show on the same axis."""
-    if _echo_limits(echoes) is None:
+    if _limits(echoes) is None:
         say(panel, NO_LIGHT)
-    limits = _echo_limits(every or echoes)
+    limits = _limits(every or echoes)
     if limits is None:  # no numbers for a logarithmic axis
         panel.set_xticks([])
     else:
@@ -121,9 +127,9 @@ def unsettled(echo, converged):
     return bool(((echo > 0) & ~converged).any())
 
 
-def _echo_limits(echoes):
+def _limits(echoes):
     """What holds every echo above 0; None if there is none."""
-    values = numpy.concatenate([echo.values.ravel() for echo in echoes])
+    values = numpy.concatenate([numpy.ravel(echo) for echo in echoes])
     values = values[values > 0]
     if len(values) == 0:
         return None
@@ -137,6 +143,31 @@ def processes(panel, part, lines):
         one = part.sel(process=process)
         line(panel, part, one.echo_by_process, one.echo_by_process_standard_error, colour)
     finish_lines(panel, [part.echo_by_process])
+
+
+def spectra(lines, every, panel):
+    """lines: what spectra are called, their colours, and the spectra; every: those that the axis is
+    chosen by."""
+    for _, colour, one in lines:
+        density = numpy.where(one.density > 0, one.density, numpy.nan)
+        ends = _ends(density, INTERVAL_95 * one.standard_error)
+        _curve(panel, one.wavelength, density, ends, one.settled, colour, upright=False)
+    limits = _limits([one.density for one in every])
+    if limits is None:
+        say(panel, NO_LIGHT)
+        panel.set_yticks([])
+    else:
+        panel.set_yscale("log")
+        panel.set_ylim(limits)
+    panel.set_xlabel("wavelength [nm]")
+    panel.set_ylabel("photons detected per photon emitted and nm")
+    grid(panel)
+
+
+def spectra_legend(lines, title=None):
+    """For one panel of them."""
+    faded = any((~one.settled & (one.density > 0)).any() for *_, one in lines)
+    return lines_legend([(name, colour) for name, colour, _ in lines], faded, title)
 
 
 def environments(panel, part, colours):

@@ -12,7 +12,8 @@ def figure(results, names, telescopes=(), channels=(), title=None, width_mm=None
     environments, below these a row for each channel with the echo in every one and what it changes; if
     there are sensitivities, below all a panel of them for each channel. Several: a row for each
     telescope and channel, with the echoes overlaid, and beside them each result by order. Results of
-    one telescope each are drawn over each other whatever its name is.
+    one telescope each are drawn over each other whatever its name is. Above all stands the spectrum,
+    where more filters see it than have colours of their own.
 
     results   datasets of photic.open; names: what to call each of them
     telescopes, channels  by name; default: all, as far as a page holds them

@@ -4,7 +4,7 @@ from functools import partial
 
 import numpy
 
-from photic import panels
+from photic import panels, spectrum
 from photic.choice import kept, through
 from photic.names import listed
 from photic.page import Cell, as_many_as_fit, columns, page, rows, with_legend
@@ -18,8 +18,9 @@ HIGH, LOW, SMALL = 6.2, 4.4, 3.6
 
 
 def draw(results, names, shown, width_mm):
-    """The page, its rows, and notes of what has no place. For each telescope echoes by channel with
-    their breakdowns, and below, if there are any, environments and sensitivities."""
+    """The page, its rows, and notes of what has no place. For each telescope the spectrum, if many
+    filters see one, echoes by channel with their breakdowns, and below, if there are any, environments
+    and sensitivities."""
     views = [through(results, name, shown.channels)[0] for name in shown.telescopes]
     broken = [_broken_down(view) for view in views]
     beside = max(len(mixed) + len(by_order) for mixed, by_order in broken)
@@ -28,12 +29,15 @@ def draw(results, names, shown, width_mm):
     told = min(len(by_order) for _, by_order in broken)
     notes = []
     kept(shown.channels, told, "channel", notes, "Orders of scattering are of")
-    fit = partial(_rows, sheet, shown, views, broken)
+    filters = spectrum.filters(results[0], shown.channels)
+    if filters:
+        notes.append(spectrum.CAPTION)
+    fit = partial(_rows, sheet, shown, filters, views, broken)
     out, more = as_many_as_fit(sheet, MOST_ROWS, fit)
     return sheet, out, more + notes
 
 
-def _rows(sheet, shown, views, broken, most):
+def _rows(sheet, shown, filters, views, broken, most):
     """The rows where each telescope has at most so many of a kind, and notes."""
     notes = []
     groups = _groups(sheet, shown.channels, views, most, notes)
@@ -43,6 +47,8 @@ def _rows(sheet, shown, views, broken, most):
     out = []
     for telescope, view, (mixed, by_order) in zip(shown.telescopes, views, broken):
         said = partial(shown.title, telescope)
+        if filters:
+            out += _spectra(sheet, view, filters, said)
         echoes, parts = _echoes(view, groups, mixed, said), _parts(view, mixed, by_order, said)
         if len(groups) > 1:
             out += rows(sheet, echoes, SMALL) + rows(sheet, parts, SMALL)
@@ -53,6 +59,33 @@ def _rows(sheet, shown, views, broken, most):
         if "parameter" in view.sizes:
             out += _sensitivities(sheet, view, changed, said)
     return out, notes
+
+
+def _spectra(sheet, view, filters, said):
+    """The spectrum of all light with that of each process; beside it those in the environments."""
+    whole = spectrum.seen(view, filters)
+    processes = {str(name): view.sel(process=name) for name in view.process.values}
+    parts = {name: spectrum.seen(one, filters, "echo_by_process") for name, one in processes.items()}
+    fed = [name for name, one in parts.items() if (one.density > 0).any()]
+    lines = [(name, colour, parts[name]) for name, colour in zip(fed, panels.family(len(fed)))]
+    lines.append(("all light", "black", whole))
+    others = []
+    if "environment" in view.sizes:
+        names = ("environment_echo", "environment_converged")
+        for name, colour in zip(view.environment.values, panels.family(view.sizes["environment"])):
+            one = spectrum.seen(view.sel(environment=name), filters, *names)
+            others.append((name, colour, one))
+    every = [whole, *(one for *_, one in others)]
+    cells = [_spectrum(said("Spectrum by process"), lines, every, "process")]
+    if others:
+        others.insert(0, ("the scene", "black", whole))
+        cells.append(_spectrum(said("Spectrum in the environments"), others, every))
+    return rows(sheet, cells, LOW)
+
+
+def _spectrum(title, lines, every, of=None):
+    drawn = partial(panels.spectra, lines, every)
+    return Cell(title, MIDDLE, drawn, panels.spectra_legend(lines, of))
 
 
 def _broken_down(result):

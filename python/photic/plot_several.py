@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from photic import panels
+from photic import panels, spectrum
 from photic.choice import kept, through
 from photic.page import Cell, as_many_as_fit, page, rows
 from photic.panels import COLOURS
@@ -13,8 +13,9 @@ WIDEST = 16.5
 
 
 def draw(results, names, shown, width_mm):
-    """The page, its rows, and notes of what has no place: a row for each telescope and channel, with
-    the echoes over each other, and beside them the orders of each result."""
+    """The page, its rows, and notes of what has no place: for each telescope the spectra, if many
+    filters see one, and a row for each channel with the echoes over each other, and beside them the
+    orders of each result."""
     count = len(results)
     slim = max(1.6, 3.0 - 0.3 * count)  # the orders of one result
     sheet = page(width_mm, min(WIDE + slim * count, WIDEST))
@@ -28,6 +29,10 @@ def _rows(sheet, results, looks, shown, slim, most):
     notes, out = [], []
     channels = kept(shown.channels, most, "channel", notes)
     for telescope in shown.telescopes:
+        spectra = _spectra(sheet, results, looks, shown, telescope)
+        if spectra and spectrum.CAPTION not in notes:
+            notes.append(spectrum.CAPTION)
+        out += spectra
         seen = through(results, telescope, channels)
         for channel in channels:
             of_all = [
@@ -39,6 +44,20 @@ def _rows(sheet, results, looks, shown, slim, most):
                 said = partial(shown.title, telescope)
                 out += rows(sheet, _cells(of_all, channel, slim, said), HIGH)
     return out, notes
+
+
+def _spectra(sheet, results, looks, shown, telescope):
+    """A row of the spectra over each other; none if no result has one."""
+    lines = []
+    for one, look in zip(through(results, telescope, shown.channels), looks):
+        filters = [] if one is None else spectrum.filters(one, list(one.channel.values))
+        if filters:
+            lines.append((*look, spectrum.seen(one, filters)))
+    if not lines:
+        return []
+    draws = partial(panels.spectra, lines, [one for *_, one in lines])
+    cell = Cell(shown.title(telescope, "Spectrum"), WIDE, draws, panels.spectra_legend(lines))
+    return rows(sheet, [cell], HIGH)
 
 
 def _cells(of_all, channel, slim, said):

@@ -1,0 +1,57 @@
+"""The spectrum that the filters of a result see."""
+
+import math
+import tomllib
+from dataclasses import dataclass
+
+import numpy
+import xarray
+
+from photic.panels import COLOURS
+
+# What a filter lets pass in all, over its full width at half maximum.
+AREA = {"top-hat": 1.0, "gaussian": math.sqrt(math.pi / math.log(16))}
+CAPTION = "Spectra are sums over the gates. So are their bands: an upper bound."
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Photons per photon emitted and nm, by wavelength; standard_error: not below the true one;
+    settled: whether all gates that see light have converged."""
+
+    wavelength: numpy.ndarray
+    density: numpy.ndarray
+    standard_error: numpy.ndarray
+    settled: numpy.ndarray
+
+
+def filters(result, channels):
+    """The channels that are filters, by ascending wavelength; empty if these are so few that each has
+    a colour of its own. The scene of a result tells what a channel is."""
+    told = {channel["name"]: channel for channel in _scene(result).get("channel", [])}
+    there = [name for name in channels if name in told and "centre_nm" in told[name]]
+    there.sort(key=lambda name: told[name]["centre_nm"])
+    return [told[name] for name in there] if len(there) > len(COLOURS) else []
+
+
+def _scene(result):
+    return tomllib.loads(result.attrs["scene"])
+
+
+def seen(view, found, echo="echo", converged="converged"):
+    """What one telescope sees through the filters found; echo, converged: names of variables with the
+    dimensions channel and gate.
+
+    A result holds no covariances of gates. Whatever these are, the error of a sum is not above the
+    sum of the errors.
+    """
+    names = [each["name"] for each in found]
+    width = [each["fwhm_nm"] * AREA[each.get("filter", "top-hat")] for each in found]
+    width = xarray.DataArray(width, dims="channel", coords={"channel": names})
+    part = view.sel(channel=names)
+    density, error = (
+        (part[name].sum("gate", skipna=False) / width).values
+        for name in (echo, echo + "_standard_error")
+    )
+    settled = (part[converged] | ~(part[echo] > 0)).all("gate").values
+    return Spectrum(numpy.array([each["centre_nm"] for each in found]), density, error, settled)
