@@ -11,6 +11,7 @@ UM_PER_M = 1e6
 # Of gates, and by how much they may differ, relative and in ns or m. Depths are those of a channel's
 # mean wavelength: behind a filter it is a little another one under a film.
 BOUNDS = {"gate_time_bounds": 1e-9, "gate_depth_bounds": 1e-3}
+ROUNDING = 1e-9
 WITHOUT_FILM = "run the same scene with oil.thickness_um = 0"
 
 
@@ -38,9 +39,10 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
     thickness_standard_error  [um] 0 or more, to the first order in the errors of E and W: good
                               while these are far below E and W. Echoes of one run stem from the
                               same photons: their covariance is taken from the error of their
-                              difference. Those of two runs have none. a and r are taken as exact
-    reliable                  [bool] whether E and W are both converged and above 0, and the
-                              thickness is known
+                              difference, and the error is NaN where no covariance fits all three.
+                              Those of two runs have none. a and r are taken as exact
+    reliable                  [bool] whether E and W are both converged and above 0, and thickness
+                              and error are known
     Thickness and error are NaN where E or W is not above 0, for telescopes or a laser in the water
     (r is NaN there) and where the film absorbs nothing.
 
@@ -71,7 +73,7 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
         logarithm = logarithm + numpy.log(oily.film_interface_ratio.where(film))
     thickness = um * logarithm
     error = um * numpy.sqrt(_variance_of_log_ratio(oily, water, lit))
-    reliable = oily.converged & water.converged & thickness.notnull()
+    reliable = oily.converged & water.converged & error.notnull()
 
     of = "thickness of the film of oil"
     return xarray.Dataset(
@@ -90,10 +92,14 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
 
 def _variance_of_log_ratio(oily, water, lit):
     """Of ln(W / E), to the first order. It is vE/E^2 + vW/W^2 - 2 cov/(E W), with 2 cov =
-    vE + vW - vD, written so that like echoes lose no digits; rounding may leave it below 0."""
+    vE + vW - vD, written so that like echoes lose no digits. NaN where the three errors contradict
+    one another: no covariance is so large that it falls below (sE/E - sW/W)^2, but for rounding."""
     e, w = oily.echo.where(lit), water.echo.where(lit)
     own = water.variance / w - oily.echo_standard_error**2 / e
-    return ((water.variance_of_difference - (w - e) * own) / (e * w)).clip(min=0)
+    variance = (water.variance_of_difference - (w - e) * own) / (e * w)
+    of_oily, of_water = oily.echo_standard_error / e, numpy.sqrt(water.variance) / w
+    least = (of_oily - of_water) ** 2
+    return variance.clip(min=least).where(variance > least - ROUNDING * (of_oily + of_water) ** 2)
 
 
 def _check_film(result):

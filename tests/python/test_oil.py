@@ -178,12 +178,27 @@ def test_the_error_of_a_film_so_thin_that_the_echoes_are_alike():
     assert found.thickness_standard_error.values == pytest.approx(1e6 / 2e5 * 1e-9, rel=1e-6)
 
 
-# Seen red: without the limit, where it is NaN.
-def test_a_variance_that_rounding_has_below_0_is_0(oily):
-    oily["environment_difference_standard_error"] = 0 * oily.environment_echo
-    oily["echo_standard_error"] = 0 * oily.echo
+# Seen red: without room for rounding (NaN).
+def test_echoes_that_are_off_together_have_no_error(oily):
+    oily["environment_difference_standard_error"] = 0.02 * abs(oily.environment_difference)
     found = photic.oil_thickness(oily, "clean")
-    assert (found.thickness_standard_error.values == 0).all()
+    assert found.thickness_standard_error.values == pytest.approx(numpy.zeros((2, 3)), abs=1e-6)
+    assert found.reliable.values.all()
+
+
+# Seen red: with variances below 0 taken for 0; without the bound of covariances.
+@pytest.mark.parametrize("of_difference", [0.0, 0.009], ids=["below 0", "below what any covariance gives"])
+def test_errors_that_contradict_one_another_are_not_relied_on(oily, of_difference):
+    error = oily.echo_standard_error.copy()
+    error[1, 1, 2] *= 2  # of E; that of W is 0.02
+    without = oily.drop_dims("environment").assign(echo_standard_error=error)
+    one = with_environments(without, {"clean": CLEAN_ECHO}, 0.02, 0.1)
+    assert photic.oil_thickness(one, "clean").reliable.values.all()
+    one.environment_difference_standard_error[0, 1, 1, 2] = of_difference * CLEAN_ECHO[1, 1, 2]
+    found = photic.oil_thickness(one, "clean")
+    assert found.reliable.values.tolist() == [[True, True, True], [True, True, False]]
+    assert numpy.isnan(found.thickness_standard_error.values[1, 2])
+    assert same(found.thickness, THICKNESS_UM)
 
 
 # Seen red: with 0 taken for light; with either echo not looked at; with the flags alone in `reliable`.
