@@ -8,13 +8,16 @@
 
 namespace photic::estimator {
 
+/// So many vertices of a telescope's walk invert conversions alike.
+inline constexpr double first_vertices = 1;
+
 /// How a walk from a telescope inverts conversions: how often, and where to. Converted light
 /// leaves in all directions, but the light it was made of comes along the laser's beam, which some
 /// scatterings of the laser's light look for, too. Where that is vertical, the densities depend on
 /// the angle to the vertical alone.
 template <class T>
 struct InverseConversion {
-  T probability{};  ///< at a vertex
+  T probability{};  ///< at a vertex, of the walk's first ones
   T directed{};     ///< share of directions drawn about the beam, with the shape `lobe`; the rest
                     ///< is drawn from all alike
   Vec3<T> beam;     ///< of the laser in the water, a unit vector
@@ -22,9 +25,16 @@ struct InverseConversion {
   T scattered{};    ///< share of directions drawn so where the laser's light is scattered
 
   /// Where a telescope detects `line`: 0 for the laser's own and where that line is not emitted.
-  T chance(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer) const {
+  /// `before`: vertices that the walk has had. Behind the first few ever fewer conversions are
+  /// inverted: of n vertices more a walk leaves them all out with a chance of about 1 / (n p). So
+  /// light that is scattered many times after its conversion, as in wide views, is not left to a
+  /// few walks of great weight, which a constant p would make as rare as (1 - p)^n.
+  T chance(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
+           const Index<T>& before) const {
     const T emitted = gather<T>(sea.conversion, sea.at(line, layer));
-    return select((line > Index<T>(0)) & (emitted > T(0)), probability, T(0));
+    const T beyond = to_real<T>(before) - T(first_vertices);
+    const T rarer = T(1) + probability * select(beyond > T(0), beyond, T(0));
+    return select((line > Index<T>(0)) & (emitted > T(0)), probability / rarer, T(0));
   }
 
   /// The density of directions drawn over the phase function's value `p`.
@@ -45,10 +55,12 @@ struct InverseConversion {
   /// inverts a conversion at a vertex where the path `converts`, or scatters the laser's light
   /// elsewhere.
   T goes_on(const medium::MediumView& sea, const Index<T>& line, const Index<T>& layer,
-            const Mask<T>& converts, const Vec3<T>& direction, const T& p) const {
+            const Index<T>& before, const Mask<T>& converts, const Vec3<T>& direction,
+            const T& p) const {
     const T scatters = scattered_over_phase(sea, layer, direction, p);
     if (!any(converts)) return scatters;
-    return select(converts, chance(sea, line, layer) * over_phase(sea, direction, p), scatters);
+    return select(converts, chance(sea, line, layer, before) * over_phase(sea, direction, p),
+                  scatters);
   }
 };
 

@@ -143,18 +143,19 @@ TEST(WalksUnderWaves, FindWhatTheForwardEstimatorDoesInTheWater) {
       sea("model = \"gaussian\", upwind_slope_variance = 0.04, crosswind_slope_variance = 0.03, "
           "whitecap_fraction = 0.1");
   const std::string both = channel("elastic") + channel("raman");
-  const auto end = [](double range, double step) {
+  const auto end = [](double range, double step, int order = 3) {
     return fmt::format("[gates]\nrange_min_m = 0.0\nrange_max_m = {}\nrange_step_m = {}\n", range,
                        step) +
-           simulation(1, 1, "max_order = 3\n");
+           simulation(1, 1, fmt::format("max_order = {}\n", order));
   };
   for (const Case& c :
        {Case{"both look up",
              instruments(-5, 165, -4, 160, 300) + both + steep + raman_water + end(16, 2), 1e6, 2e5,
-             15},
-        Case{"both look down",
-             instruments(-1, 5, -1.5, 20, 300) + both + steep + raman_water + end(16, 2), 1e6, 2e5,
-             50},
+             10},
+        // All light has been sent back by facets.
+        Case{"the telescope looks up, the laser down, once",
+             instruments(-3, 0, -3, 180, 300) + both + steep + raman_water + end(16, 2, 1), 1e6,
+             2e5, 24},
         Case{"the laser in the air",
              instruments(6, 10, -8, 165, 300) + both + windy + upper_water + raman_water +
                  end(24, 3),
@@ -269,26 +270,29 @@ TEST(WalksThroughWaves, OverOtherWavesAreTheirOwnRun) {
   }
 }
 
-// Of instruments in the water, whose light facets send down again: the surface's own, and what is
-// scattered before and after.
+// All light of a laser that looks down that comes to a telescope that looks up has been sent back
+// by facets.
 TEST(WalksUnderWaves, OverOtherWavesAndWaterAreTheirOwnRun) {
-  const auto run = [](double upwind, double crosswind, double whitecaps, double chlorophyll,
-                      const std::string& more, std::uint64_t seed) {
+  struct Sea {
+    double upwind, crosswind, whitecaps, absorption, scattering;
+  };
+  const auto run = [](const Sea& is, const std::string& more, std::uint64_t seed) {
     return run_in_lanes(
-        read(more + instruments(-5, 165, -4, 160, 300) + channel("elastic") + channel("raman") +
+        read(more + instruments(-3, 0, -3, 180, 300) + channel("elastic") +
              sea(fmt::format("model = \"gaussian\", upwind_slope_variance = {}, "
                              "crosswind_slope_variance = {}, whitecap_fraction = {}",
-                             upwind, crosswind, whitecaps)) +
-             fmt::format("[[sea.layer]]\nchlorophyll_mg_m3 = {}\n", chlorophyll) +
+                             is.upwind, is.crosswind, is.whitecaps)) +
+             water(is.absorption, is.scattering, R"({ model = "henyey-greenstein", g = 0.3 })") +
              "[gates]\nrange_min_m = 0.0\nrange_max_m = 8.0\nrange_step_m = 1.0\n" +
-             simulation(2e5, seed, no_free_walks, "bidirectional")));
+             simulation(4e5, seed, "max_order = 1\n" + no_free_walks, "bidirectional")));
   };
-  const std::string other =
-      "[[environment]]\nset = { \"sea.surface.upwind_slope_variance\" = 0.02, "
-      "\"sea.surface.crosswind_slope_variance\" = 0.015, "
-      "\"sea.surface.whitecap_fraction\" = 0.05, \"sea.layer.0.chlorophyll_mg_m3\" = 1.4 }\n";
-  const auto all = run(0.04, 0.03, 0.1, 1.0, other, 31);
-  expect_environment_is(all, run(0.02, 0.015, 0.05, 1.4, "", 32), 6);
+  const Sea here{0.04, 0.03, 0.1, 0.06, 0.2}, there{0.02, 0.015, 0.03, 0.12, 0.25};
+  const std::string other = fmt::format(
+      "[[environment]]\nset = {{ \"sea.surface.upwind_slope_variance\" = {}, "
+      "\"sea.surface.crosswind_slope_variance\" = {}, \"sea.surface.whitecap_fraction\" = {}, "
+      "\"sea.layer.0.iop.0.a_per_m\" = {}, \"sea.layer.0.iop.0.b_per_m\" = {} }}\n",
+      there.upwind, there.crosswind, there.whitecaps, there.absorption, there.scattering);
+  expect_environment_is(run(here, other, 31), run(there, "", 32), 5);
 }
 
 // In turbid water the surface sends much light back down, which whitecaps do more than facets.

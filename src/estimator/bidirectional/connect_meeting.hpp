@@ -140,8 +140,9 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
                           laser_side.connecting(sea_, at.length_out, samples_) * at.reach_back +
                       walk_c_ratio<T>(sea_, back.line, place) *
                           side.connecting(sea_, at.length_back, samples_) * at.reach_out;
-  const T goes_on = back.chance * world_.inverse_conversion.goes_on(
-                                      sea_, back.line, place, at.converts, -out.direction, at.p);
+  const T goes_on =
+      back.chance * world_.inverse_conversion.goes_on(sea_, back.line, place, pairing.m,
+                                                      at.converts, -out.direction, at.p);
   const T met_next = goes_on * laser_side.meeting * at.reach_back + side.meeting * at.reach_out;
   const T met_behind = at.reach_out * at.reach_back * (goes_on * laser_side.behind + side.behind);
   const T value = out.weight * back.weight * at.coefficient * at.p * exp_minus(at.tau) /

@@ -35,7 +35,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
     }
     return;
   }
-  if (sea_.waves.rough) score_by_facet(pairing, v, birth.lens, wanted);
+  if (sea_.waves.rough) score_by_facet(pairing, v, birth.lens, wanted & (pairing.i == Index<T>(0)));
   const Mask<T> near_view =
       wanted & transport::may_see(sea_, telescope_, v.position, line, birth.lens);
   if (!any(near_view)) return;
@@ -47,8 +47,8 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
     score_to_telescope(pairing, v, way, edge_to_telescope(near_view, birth.lens, line, way));
   }
 }
-/// To a telescope in the water by way of a facet. No other strategy draws such a path: it has the
-/// whole weight of the laser's walk.
+/// To a telescope in the water by way of a facet, from the only vertex of a path. No other strategy
+/// draws this: it has the whole weight of the laser's walk.
 template <class T>
 PHOTIC_APART void Connections<T>::score_by_facet(Pairing<T> pairing, const Vertex& v,
                                                  instrument::PlanePoint<T> lens, Mask<T> mask) {
@@ -65,10 +65,11 @@ PHOTIC_APART void Connections<T>::score_by_facet(Pairing<T> pairing, const Verte
   if (!any(seen)) return;
   const Freedom<T> none{T(0), RotationAxis<T>{}};
   const ConnectionEnd from =
-      all(line == Index<T>(0)) ? scattering_from_laser(sea_, v, T(0), way.direction,
-                                                       world_.inverse_conversion, T(1), none)
-                               : conversion_from_laser(sea_, v, T(0), way.direction, line,
-                                                       world_.inverse_conversion, T(1), T(1), none);
+      all(line == Index<T>(0))
+          ? scattering_from_laser(sea_, v, T(0), way.direction, world_.inverse_conversion, T(1),
+                                  none)
+          : conversion_from_laser(sea_, v, T(0), way.direction, line, world_.inverse_conversion,
+                                  Index<T>(0), T(1), T(1), none);
   if (world_.compares) [[unlikely]]
     complete_by_facet(pairing, v, way);
   const auto in_path = usable(pairing.i + Index<T>(1));
@@ -146,7 +147,7 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
       elastic ? scattering_from_laser(sea_, v, behind, way.direction, world_.inverse_conversion,
                                       T(1), here)
               : conversion_from_laser(sea_, v, behind, way.direction, line,
-                                      world_.inverse_conversion, T(1), T(1), here);
+                                      world_.inverse_conversion, Index<T>(0), T(1), T(1), here);
   const T area = samples_.to_instrument * from.chance * edge.area + from.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_telescope(pairing, v, way);
@@ -172,7 +173,9 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>
   const bool through_waves = enters_through_waves(world_, world_.laser_region);
   if (!through_waves && !can_be_met(laser)) return;
   const Vertex w = back_.in_path(pairing.back, pairing.m, usable(pairing.m + Index<T>(1)));
-  const Mask<T> wanted = mask & emits(w.line, w.layer);
+  Mask<T> wanted = mask & emits(w.line, w.layer);
+  if (sea_.waves.rough)  // see score_by_facet()
+    wanted = wanted & !((pairing.m == Index<T>(0)) & back_.by_one_facet(pairing.back));
   const Index<T> line(0);
   if (through_waves) {
     const auto own = laser_.entry(pairing.laser);
@@ -264,8 +267,8 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
       select(is_pivot(w.line, pairing.m), axis_at(w.position, w.direction, way.direction),
              back_.axis(pairing.back))};
   const T behind = back_.behind(w, pairing.back, pairing.m, in_path, freedom, here.axis);
-  const ConnectionEnd to =
-      arrival_from_laser(sea_, w, behind, way.direction, world_.inverse_conversion, here);
+  const ConnectionEnd to = arrival_from_laser(sea_, w, behind, way.direction,
+                                              world_.inverse_conversion, pairing.m, here);
   const T area = samples_.to_instrument * to.chance * to_laser.area + to.meeting;
   if (world_.compares) [[unlikely]]
     complete_to_laser(pairing, w, way, to_laser.water);
@@ -330,7 +333,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>&
     const T behind_arrival = back_.behind(w, pairing.back, pairing.m, in_path, freedom, axis);
     const ConnectionEnd to =
         arrival_from_laser(sea_, w, behind_arrival, -direction, world_.inverse_conversion,
-                           {freedom.at(Mask<T>(false), at_last), axis});
+                           pairing.m, {freedom.at(Mask<T>(false), at_last), axis});
     along(pairing, arrives, Index<T>(0),
           scattering_from_laser(sea_, v, behind, direction, world_.inverse_conversion, to.goes_on,
                                 {freedom.at(first, Mask<T>(false)), axis}),
@@ -341,10 +344,10 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>&
     const auto freedom = freedom_of(w.line);
     const auto axis = axis_at(v.position, w.direction, v.direction);
     const T behind = behind_laser_vertex(pairing, v, in_path, freedom, axis);
-    const T goes_on = T(1) - world_.inverse_conversion.chance(sea_, w.line, w.layer);
+    const T goes_on = T(1) - world_.inverse_conversion.chance(sea_, w.line, w.layer, pairing.m);
     along(pairing, converts, w.line,
           conversion_from_laser(sea_, v, behind, direction, w.line, world_.inverse_conversion,
-                                w.chance, w.chance * goes_on,
+                                pairing.m + Index<T>(1), w.chance, w.chance * goes_on,
                                 {freedom.at(first, Mask<T>(false)), axis}),
           scattering_of_converted(sea_, w, -direction), v, w, length, in_path);
   }

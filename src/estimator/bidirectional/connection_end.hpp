@@ -67,13 +67,13 @@ ConnectionEnd<T> conversion_from_laser(const geometry::Slabs& sea, const Vertex<
                                        const T& behind, const Vec3<T>& direction,
                                        const Index<T>& line,
                                        const estimator::InverseConversion<T>& inverse_conversion,
-                                       const T& chance, const T& goes_on,
+                                       const Index<T>& before, const T& chance, const T& goes_on,
                                        const Freedom<T>& freedom) {
   const T ratio = walk_c_ratio<T>(sea, line, v.layer);
   ConnectionEnd<T> end;
   end.densities.p = phase_value(sea, v, direction, gather_index<T>(sea.conversion_phase, line));
   end.densities.arriving_edge = goes_on * arriving_edge(sea, v, end.densities.p);
-  end.densities.behind = goes_on * inverse_conversion.chance(sea, line, v.layer) *
+  end.densities.behind = goes_on * inverse_conversion.chance(sea, line, v.layer, before) *
                          inverse_conversion.over_phase(sea, -v.direction, end.densities.p) * behind;
   end.meeting = goes_on * ratio * freedom.meeting(v, direction);
   end.weight = v.weight * ratio * gather<T>(sea.conversion, sea.at(line, v.layer));
@@ -88,7 +88,7 @@ template <class T>
 ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>& v, const T& behind,
                                     const Vec3<T>& direction,
                                     const estimator::InverseConversion<T>& inverse_conversion,
-                                    const Freedom<T>& freedom) {
+                                    const Index<T>& before, const Freedom<T>& freedom) {
   const Index<T> here = sea.at(v.line, v.layer);
   const Mask<T> converts = v.line > Index<T>(0);
   const T ratio = walk_c_ratio<T>(sea, v.line, v.layer);  // 1 for the laser's line
@@ -102,8 +102,8 @@ ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>&
   end.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),
                                  transport::scattered_share(sea, v.line, v.layer, direction.z));
   end.chance = v.chance;
-  end.goes_on = v.chance * inverse_conversion.goes_on(sea, v.line, v.layer, converts, direction,
-                                                      end.densities.p);
+  end.goes_on = v.chance * inverse_conversion.goes_on(sea, v.line, v.layer, before, converts,
+                                                      direction, end.densities.p);
   return end;
 }
 

@@ -64,7 +64,7 @@ Departure<T> depart(const geometry::Slabs& sea, transport::Photon<T>& photon,
   const transport::Photon<T> before = photon;
   const Index<T> here = sea.at(photon.line, photon.layer);
   const T albedo = gather<T>(sea.albedo, here);
-  const T chance = inverse_conversion.chance(sea, photon.line, photon.layer);
+  const T chance = inverse_conversion.chance(sea, photon.line, photon.layer, photon.order);
   const Mask<T> converts = u.branch < chance;
   const Mask<T> inelastic = photon.line > Index<T>(0);
   Departure<T> departure;

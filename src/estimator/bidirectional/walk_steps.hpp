@@ -185,11 +185,8 @@ class WalkSteps {
       w.facets.reverse_chance = select(stand, by.chance, w.facets.reverse_chance);
     }
     book(source.ledger.escaped, stand, before - select(by.in_water, w.photon.weight, T(0)));
-    Mask<T> goes_on = by.in_water;
-    // From a telescope to its first vertex by one facet: a way of the laser's walks, which find the
-    // facet (serve_to_telescope).
-    if (back) goes_on = goes_on & (by.several | (w.vertices > Index<T>(0)));
-    w.on = w.on & ((!stand) | goes_on);
+    if (back) walks.come_by_one_facet(stand & (!by.several) & (w.vertices == Index<T>(0)), w.walk);
+    w.on = w.on & ((!stand) | by.in_water);
     w.leg.reflected = w.leg.reflected | stand;
     return w;
   }

@@ -143,7 +143,8 @@ class Writer {
         world_.sea, photon_.layer,
         converts ? world_.sea.conversion_phase[photon_.line] : world_.sea.elastic_phase[here()],
         old, photon_.direction);
-    const double chance = world_.inverse_conversion.chance(world_.sea, photon_.line, photon_.layer);
+    const double chance = world_.inverse_conversion.chance(world_.sea, photon_.line, photon_.layer,
+                                                           walks.vertices(0) - 1);
     departure.p = p;
     departure.chance = 1 - chance;
     departure.c_ratio = photon_.line > 0 ? 0 : 1;

@@ -166,17 +166,18 @@ TEST(LanesOf, Joints) {
     const auto vertex4 = pack_fields<estimator::Vertex>(vertex);
     const auto direction = four([&] { return random.direction(); });
     const auto line = four([&] { return random.below(3); });
+    const auto before = four([&] { return random.below(6); });
     const auto chance = uniforms4(random), goes_on = uniforms4(random), area = uniforms4(random),
                behind = uniforms4(random), tau = uniforms4(random), walk_tau = uniforms4(random);
     const auto freedom = four([&] { return random_freedom(random); });
     const auto freedom4 = pack_fields<estimator::Freedom>(freedom);
     const auto scattered4 = estimator::scattering_from_laser(
         view, vertex4, pack(behind), pack(direction), reversal4, pack(goes_on), freedom4);
-    const auto converted4 =
-        estimator::conversion_from_laser(view, vertex4, pack(behind), pack(direction), pack(line),
-                                         reversal4, pack(chance), pack(goes_on), freedom4);
-    const auto arrived4 = estimator::arrival_from_laser(view, vertex4, pack(behind),
-                                                        pack(direction), reversal4, freedom4);
+    const auto converted4 = estimator::conversion_from_laser(
+        view, vertex4, pack(behind), pack(direction), pack(line), reversal4, pack(before),
+        pack(chance), pack(goes_on), freedom4);
+    const auto arrived4 = estimator::arrival_from_laser(
+        view, vertex4, pack(behind), pack(direction), reversal4, pack(before), freedom4);
     const auto last4 = estimator::scattering_of_converted(view, vertex4, pack(direction));
     const auto balance4 = estimator::balance(pack(area), pack(tau), pack(walk_tau),
                                              scattered4.densities, arrived4.densities);
@@ -185,12 +186,12 @@ TEST(LanesOf, Joints) {
       const auto scattered = estimator::scattering_from_laser(
           view, v, behind[i], direction[i], inverse_conversion, goes_on[i], freedom[i]);
       const auto arrived = estimator::arrival_from_laser(view, v, behind[i], direction[i],
-                                                         inverse_conversion, freedom[i]);
+                                                         inverse_conversion, before[i], freedom[i]);
       expect_same_fields(scattered4, i, scattered);
-      expect_same_fields(
-          converted4, i,
-          estimator::conversion_from_laser(view, v, behind[i], direction[i], line[i],
-                                           inverse_conversion, chance[i], goes_on[i], freedom[i]));
+      expect_same_fields(converted4, i,
+                         estimator::conversion_from_laser(view, v, behind[i], direction[i], line[i],
+                                                          inverse_conversion, before[i], chance[i],
+                                                          goes_on[i], freedom[i]));
       expect_same_fields(arrived4, i, arrived);
       expect_same_fields(last4, i, estimator::scattering_of_converted(view, v, direction[i]));
       expect_same(
