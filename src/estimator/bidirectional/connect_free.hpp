@@ -73,14 +73,16 @@ FreeStart<T> Connections<T>::free_laser_start(const Index<T>& laser) const {
                     {T(0), T(0), T(0)});
 }
 
-/// The depths of a grid, and the bed, at which rays meet so that a first vertex comes into the
-/// circle. `to`: from it to there as it moves with depth, `sign` of the offset of the rays.
+/// The depths of a grid where rays `meet`, and the bed, at which they do so that a first vertex
+/// comes into the circle. `to`: from it to there as it moves with depth, `sign` of the offset of
+/// the rays.
 template <class T>
 template <class Push>
 void Connections<T>::free_meetings(const RayPairing<T>& pairing, const Mask<T>& mask,
-                                   const DepthLine& out_line, const DepthLine& back_line,
-                                   const FreeStart<T>& start, const T& sign,
-                                   const MeetingGrid<T>& grid, const T& offset, Push push) {
+                                   const Mask<T>& meet, const DepthLine& out_line,
+                                   const DepthLine& back_line, const FreeStart<T>& start,
+                                   const T& sign, const MeetingGrid<T>& grid, const T& offset,
+                                   Push push) {
   if (!any(mask)) return;
   const auto [at_surface, per_depth] = horizontal_offset(back_line, out_line);
   const LensLine<T> line{{start.x + sign * at_surface.x, start.y + sign * at_surface.y},
@@ -102,8 +104,7 @@ void Connections<T>::free_meetings(const RayPairing<T>& pairing, const Mask<T>& 
       number = number + T(1);
     }
   };
-  each_point(mask & chord.exists & reverses(out_line, back_line), chord.from, chord.to,
-             Index<T>(0));
+  each_point(mask & chord.exists & meet, chord.from, chord.to, Index<T>(0));
   if (!comes_to_bed()) return;
   const T bed = world_.deepest;
   const auto there = line.at(bed);

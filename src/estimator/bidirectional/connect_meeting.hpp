@@ -125,7 +125,10 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
 
   // Densities of the strategies, each times p and both rays' chances: meeting here, connecting
   // either ray's edge, meeting where either ray begins, all behind them.
-  const T steep = select(reverses(out, back), T(out.direction.z * back.direction.z), T(0));
+  using std::abs;
+  const T both = out.direction.z * back.direction.z;
+  T steep = select(reverses(out, back), both, T(0));
+  if (samples_.frees()) steep = select(at.converts, T(abs(both)), steep);
   const T jacobian = rotation_jacobian(where, out.direction, back.direction).about(axis);
   const T translations = freedom.at(is_first, is_last);
   T moved = translations * steep + samples_.rotated * T(2 * pi) * jacobian;

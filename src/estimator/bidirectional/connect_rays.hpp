@@ -86,11 +86,12 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
       [&](const auto& pairing, const auto& all, const DepthLine& out_line,
           const DepthLine& back_line) {
         const Mask<T> mask = all & is_lit(pairing.laser);
-        if (translates)
-          translate(pairing, mask & reverses(out_line, back_line), out_line, back_line, start);
+        const Mask<T> either_way = samples_.frees() ? converts(back, pairing.m) : Mask<T>(false);
+        const Mask<T> meets = reverses(out_line, back_line) | either_way;
+        if (translates) translate(pairing, mask & meets, out_line, back_line, start);
         if (rotates) rotate(pairing, mask & (pairing.m > pivot), out_line, back_line, axis);
         if (of_telescope)
-          free_meetings(pairing, mask & (pairing.m > Index<T>(0)), out_line, back_line,
+          free_meetings(pairing, mask & (pairing.m > Index<T>(0)), meets, out_line, back_line,
                         telescope_start, T(1), samples_.free_telescope, birth.grid_offset,
                         [this](const Mask<T>& meet, const FreePairing<T>& at) {
                           free_telescope_.push(meet, at, [this](const auto& e, const auto& m) {
@@ -101,8 +102,8 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
         const Mask<T> later = all & (pairing.i > Index<T>(0)) &
                               may_be_free(laser_, photic::estimator::of_laser, pairing.laser);
         if (any(later))
-          free_meetings(pairing, later, out_line, back_line, free_laser_start(pairing.laser), T(-1),
-                        samples_.free_laser, birth.grid_offset,
+          free_meetings(pairing, later, meets, out_line, back_line, free_laser_start(pairing.laser),
+                        T(-1), samples_.free_laser, birth.grid_offset,
                         [this](const Mask<T>& meet, const FreePairing<T>& at) {
                           free_laser_.push(meet, at, [this](const auto& e, const auto& m) {
                             serve_free_laser(e, m);

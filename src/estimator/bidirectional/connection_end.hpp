@@ -25,11 +25,15 @@ template <class T>
 struct Freedom {
   T translations{};      ///< of PathFreedom, there [m]
   RotationAxis<T> axis;  ///< of a telescope's walk's rotation beyond its pivot
+  bool frees = false;    ///< there are free walks
 
   /// Density of meeting at a vertex that is left in a direction, but for the phase function there
-  /// and for what the edge beyond adds.
-  T meeting(const Vertex<T>& v, const Vec3<T>& direction) const {
-    return translations * if_reversed(v.translated, direction.z) +
+  /// and for what the edge beyond adds. `converts`: who converts light there.
+  T meeting(const Vertex<T>& v, const Vec3<T>& direction, const Mask<T>& converts) const {
+    T density = v.translated;
+    if (frees) density = select(converts, met_either_way(density, direction.z), density);
+    return translations * if_reversed(density, direction.z) +
+
            rotation_at(v, direction).about(axis);
   }
 };
@@ -54,7 +58,7 @@ ConnectionEnd<T> scattering_from_laser(const geometry::Slabs& sea, const Vertex<
   end.densities.behind =
       goes_on *
       inverse_conversion.scattered_over_phase(sea, v.layer, -v.direction, end.densities.p) * behind;
-  end.meeting = goes_on * freedom.meeting(v, direction);
+  end.meeting = goes_on * freedom.meeting(v, direction, Mask<T>(false));
   end.weight = v.weight * transport::scattered_share(sea, v.line, v.layer, T(-v.direction.z));
   return end;
 }
@@ -75,7 +79,7 @@ ConnectionEnd<T> conversion_from_laser(const geometry::Slabs& sea, const Vertex<
   end.densities.arriving_edge = goes_on * arriving_edge(sea, v, end.densities.p);
   end.densities.behind = goes_on * inverse_conversion.chance(sea, line, v.layer, before) *
                          inverse_conversion.over_phase(sea, -v.direction, end.densities.p) * behind;
-  end.meeting = goes_on * ratio * freedom.meeting(v, direction);
+  end.meeting = goes_on * ratio * freedom.meeting(v, direction, Mask<T>(true));
   end.weight = v.weight * ratio * gather<T>(sea.conversion, sea.at(line, v.layer));
   end.chance = chance * ratio;
   return end;
@@ -98,7 +102,7 @@ ConnectionEnd<T> arrival_from_laser(const geometry::Slabs& sea, const Vertex<T>&
                                        gather_index<T>(sea.elastic_phase, here)));
   end.densities.arriving_edge = ratio * arriving_edge(sea, v, end.densities.p);
   end.densities.behind = behind;  // 0 before a conversion
-  end.meeting = freedom.meeting(v, direction);
+  end.meeting = freedom.meeting(v, direction, converts);
   end.weight = v.weight * select(converts, conversion_per_emitted_c<T>(sea, v.line, v.layer),
                                  transport::scattered_share(sea, v.line, v.layer, direction.z));
   end.chance = v.chance;

@@ -99,9 +99,10 @@ class Connections {
   [[nodiscard]] FreeStart<T> free_telescope_start(std::size_t back) const;
   [[nodiscard]] FreeStart<T> free_laser_start(const Index<T>& laser) const;
   template <class Push>
-  void free_meetings(const RayPairing<T>& pairing, const Mask<T>& mask, const DepthLine& out_line,
-                     const DepthLine& back_line, const FreeStart<T>& start, const T& sign,
-                     const MeetingGrid<T>& grid, const T& offset, Push push);
+  void free_meetings(const RayPairing<T>& pairing, const Mask<T>& mask, const Mask<T>& meet,
+                     const DepthLine& out_line, const DepthLine& back_line,
+                     const FreeStart<T>& start, const T& sign, const MeetingGrid<T>& grid,
+                     const T& offset, Push push);
   [[nodiscard]] Vec3<T> apart(const RayPair<T>& pair, const T& depth) const;
   [[nodiscard]] T collision_gain(const Vertex& first) const;
   void meet_free(const FreePairing<T>& pairing, const Mask<T>& mask, const Met<T>& met);
@@ -230,6 +231,13 @@ class Connections {
   /// Whether light of the laser's line can leave a layer as light of a line.
   [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {
     return (line == Index<T>(0)) | (gather<T>(sea_.conversion, sea_.at(line, layer)) > T(0));
+  }
+  /// Whether rays m of a telescope's walk, and the laser's that meet them, meet where light is
+  /// converted.
+  [[nodiscard]] Mask<T> converts(std::size_t back, const Index<T>& m) const {
+    if (!any(back_.line(Index<T>(back)) > Index<T>(0))) return Mask<T>(false);
+    const std::int32_t last = back_.pivot_vertex(back);  // it converts there
+    return last < 0 ? Mask<T>(true) : m <= Index<T>(last);
   }
   /// Whether there is a bed that reflects light within the gates.
   [[nodiscard]] bool comes_to_bed() const {

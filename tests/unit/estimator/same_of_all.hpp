@@ -36,6 +36,7 @@ inline Counts expect_same_of_all(Sea& sea, const Path& path, const Samples<doubl
     ++counts.connected;
   }
   for (std::int32_t i = 1; i <= path.order(); ++i) {
+    if (expected.as_long_elsewhere(i)) continue;  // other meetings would be taken for this one
     const Path other =
         translated_path(sea.world, path, {0.1 * std::sin(i), 0.1 * std::cos(3 * i), 0});
     if (expected.translated(i) == 0) {
@@ -56,6 +57,7 @@ inline Counts expect_same_of_all(Sea& sea, const Path& path, const Samples<doubl
     ++counts.met;
   }
   for (std::int32_t i = 1; i <= path.order(); ++i) {
+    if (expected.as_long_elsewhere(i)) continue;
     const Path other = moved_path(path, 0.4 * std::sin(i), 0.4 * std::cos(3 * i));
     if (expected.free_telescope(i) > 0) {
       EXPECT_NEAR(scores.free_telescope(i, other) / value, 1, 1e-10)
@@ -90,7 +92,11 @@ inline Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most =
   const Counts bound = expect_same_of_all(sea, path, samples, most);
   sea.begin(true);
   EXPECT_EQ(bound.connected, counts.connected);
-  EXPECT_EQ(bound.met, counts.met);
+  // Where light is converted free walks meet, and others with them, though it does not reverse.
+  EXPECT_LE(bound.met, counts.met);
+  if (path.converted == 0) {
+    EXPECT_EQ(bound.met, counts.met);
+  }
   EXPECT_EQ(bound.free_telescope + bound.free_laser, 0);
   return counts;
 }

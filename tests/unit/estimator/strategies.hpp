@@ -72,6 +72,15 @@ struct StrategiesOfPath {
            (e.spread / samples.to_instrument / std::abs(e.arriving.z)) * mean_over_laser() *
            moved_to(i);
   }
+  /// Whether rays that meet at vertex i may have the same group path where they meet at other points
+  /// of a grid: where light goes on down or up about as steep as it came.
+  [[nodiscard]] bool as_long_elsewhere(std::int32_t i) const {
+    const auto per_depth = [&](double z, std::int32_t line) {
+      return medium.line[static_cast<std::size_t>(line)].group_index / z;
+    };
+    return std::abs(per_depth(at(i - 1).arriving.z, i <= path.converted ? 0 : path.line_of(i)) -
+                    per_depth(at(i).leaving.z, path.line_of(i))) < 0.03;
+  }
   /// Whether telescopes' walks may be rotated about the pivot.
   [[nodiscard]] bool rotates() const {
     if (path.line > 0) return true;
@@ -112,7 +121,8 @@ struct StrategiesOfPath {
  private:
   /// Where walks can be moved sideways to meet at vertex i: 1 over what is not drawn of it.
   [[nodiscard]] double moved_to(std::int32_t i) const {
-    const double steep = -at(i - 1).arriving.z * at(i).leaving.z;
+    double steep = -at(i - 1).arriving.z * at(i).leaving.z;
+    if (i == path.converted && samples.frees()) steep = std::abs(steep);  // free walks meet there
     if (steep <= 0) return 0;
     // On the bed pi exp(tau + tau'), as often as a point of the grid lies that far below.
     return is_on_bed(i) ? samples.grid.below_bed() * pi * met_but(i) : steep * drawn_but(i);
@@ -192,9 +202,9 @@ struct StrategiesOfPath {
   }
   /// That a telescope's walk converts the detected light back into the laser's at vertex i.
   [[nodiscard]] double inverse_conversion(std::int32_t i) const {
-    return path.line > 0 && !is_on_bed(i) && of(medium.conversion, path.line, i) > 0
-               ? world.inverse_conversion.probability
-               : 0;
+    return is_on_bed(i)
+               ? 0
+               : world.inverse_conversion.chance(world.sea, path.line, layer(i), path.order() - i);
   }
   /// That it does not so at vertices `from` … k.
   [[nodiscard]] double stays_converted(std::int32_t from) const {
