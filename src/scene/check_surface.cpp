@@ -23,21 +23,10 @@ void check_size(const Surface& surface, Findings& findings) {
   check("crosswind_slope_variance", surface.crosswind_slope_variance, least_variance, variance);
 }
 
-std::optional<std::string> waves_that_bidirectional_lacks(const Scene& scene) {
-  const Surface& surface = scene.sea.surface;
-  if (!surface.is_rough()) return {};
-  if (surface.is_one_dimensional()) return "waves of one direction in this version";
-  const bool in_water =
-      scene.source.position_m.z < 0 ||
-      std::ranges::any_of(scene.telescope, [](const Telescope& t) { return t.position_m.z < 0; });
-  if (in_water) return "waves over instruments in the water in this version";
-  return {};
-}
-
 /// What knows the flat surface alone.
 void check_simulation(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
-  if (const auto reason = waves_that_bidirectional_lacks(scene);
+  if (const auto reason = bidirectional_lacks(scene);
       reason && s.estimator == Estimator::bidirectional)
     findings.add("simulation.estimator", "the bidirectional estimator has no " + *reason,
                  "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
@@ -65,8 +54,14 @@ void check_whitecaps(const Surface& surface, Findings& findings) {
 }  // namespace
 
 std::optional<std::string> bidirectional_lacks(const Scene& scene) {
-  if (auto reason = waves_that_bidirectional_lacks(scene)) return reason;
-  return counts_light_of_oil(scene) ? std::optional(light_of_oil) : std::nullopt;
+  const Surface& surface = scene.sea.surface;
+  if (!surface.is_rough()) return {};
+  if (surface.is_one_dimensional()) return "waves of one direction in this version";
+  const bool in_water =
+      scene.source.position_m.z < 0 ||
+      std::ranges::any_of(scene.telescope, [](const Telescope& t) { return t.position_m.z < 0; });
+  if (in_water) return "waves over instruments in the water in this version";
+  return {};
 }
 
 void check_surface(const Scene& scene, Findings& findings) {
