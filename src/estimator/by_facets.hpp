@@ -17,6 +17,7 @@ struct ByFacets {
   Mask<T> several{};   ///< by way of more than one facet
   /// A telescope's walk's chance to go so over that of the laser's.
   T chance{1};
+  T into_film{};  ///< weight of the laser's walks that a film of oil has absorbed
 };
 
 /// Blocks of an event's random numbers, two for each facet, as far apart as receivers' never are.
@@ -37,6 +38,8 @@ ByFacets<T> light_by_facets(const surface::RoughSurface<T>& surface, transport::
     const std::array<T, 4> u = draw(block_of_facet(facet, 0));
     const auto met = transport::meet_waves(surface, photon, at, {u[0], u[1], u[2], u[3]}, false);
     met_surface(meets, met.meeting);
+    if (surface.face.oily) [[unlikely]]
+      out.into_film = out.into_film + select(meets, met.into_film, T(0));
     out.in_water = out.in_water | met.in_water;
     out.chance = out.chance * select(meets, met.chance_back, T(1));
     at.meets = at.meets & (photon.weight > T(0));

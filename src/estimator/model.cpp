@@ -157,6 +157,14 @@ Model make_model(const scene::Scene& scene) {
           std::move(gates),     std::move(shape),  std::move(averaged)};
 }
 
+Model simulated_by(const Model& model, const scene::Simulation& simulation) {
+  Model out = model;
+  out.scene.simulation = simulation;
+  out.paths = free_paths(out.medium, simulation);
+  out.averaged = averaged_phases(out.scene, out.medium);
+  return out;
+}
+
 tally::Result describe(const Model& model) {
   const auto& [scene, medium, paths, gates, shape, averaged] = model;
   tally::Result result;

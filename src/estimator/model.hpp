@@ -37,6 +37,9 @@ scene::Check optics_check();
 /// Throws InputError for what optics_check finds, EnvironmentError for missing data files.
 Model make_model(const scene::Scene& scene);
 
+/// The same scene, simulated otherwise.
+Model simulated_by(const Model& model, const scene::Simulation& simulation);
+
 /// A result's axes, and what it says of the scene; the tallies are still to be filled in.
 tally::Result describe(const Model& model);
 

@@ -133,6 +133,7 @@ struct World {
   /// Past the surface in one flight: where each part of it is scored alike, and where photons that
   /// are sent there come there so often that it is worth the while.
   bool flies_on = false;
+  bool beside_walks = false;    ///< scores are of light alone that the walks of the run leave out
   std::int32_t last_order = 0;  ///< scores go on to this order; 0: no limit
   RandomKey key{0};
   std::uint64_t batch_photons = 0;
@@ -227,6 +228,7 @@ void add_receivers(const medium::Medium& medium, World<T>& world) {
       const auto& line = medium.line[l];
       if (l > 0 && line.process == medium.line[l - 1].process) continue;
       if (l > 0) ++band;
+      if (line.process == medium::Process::oil) continue;  // walks leave a film's light out
       if (l > 0 || std::ranges::any_of(line.counted_by, [](double share) { return share > 0; }))
         world.receivers.push_back({world.receivers.size(), g, group.number, group.region,
                                    Index<T>(static_cast<std::int32_t>(l)), band});

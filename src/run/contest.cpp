@@ -56,15 +56,11 @@ Isa engine_of_pilots(const RunOptions& options) {
 }
 
 estimator::Model model_of(const estimator::Model& open, const Contender& contender) {
-  estimator::Model out = open;
-  scene::Simulation& s = out.scene.simulation;
-  s = contender.simulation;
+  scene::Simulation s = contender.simulation;
   s.seed ^= pilot_stream;
   s.target_relative_error.reset();
   s.max_time_s.reset();
-  out.paths = estimator::free_paths(out.medium, s);
-  out.averaged = estimator::averaged_phases(out.scene, out.medium);
-  return out;
+  return estimator::simulated_by(open, s);
 }
 
 /// The pilot of one contender, which can go on.

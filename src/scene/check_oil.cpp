@@ -1,9 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "scene/checks.hpp"
-#include "scene/waves.hpp"
 
 namespace photic::scene {
 namespace {
@@ -22,13 +19,6 @@ void check_surface_under_oil(const Scene& scene, Findings& findings) {
 
 }  // namespace
 
-bool counts_light_of_oil(const Scene& scene) {
-  return scene.oil && scene.oil->thickness_um > 0 &&
-         std::ranges::any_of(scene.channel, [](const Channel& c) {
-           return !c.process || *c.process == Process::oil;
-         });
-}
-
 void check_oil(const Scene& scene, Findings& findings) {
   if (!scene.oil || !findings.good({"oil"})) return;
   check_surface_under_oil(scene, findings);
@@ -36,10 +26,6 @@ void check_oil(const Scene& scene, Findings& findings) {
     findings.remark("oil.thickness_um",
                     "oil of more than 1 mm is no film: scattering in it, and how it bends the "
                     "light aside, are left out");
-  if (scene.simulation.estimator == Estimator::bidirectional && counts_light_of_oil(scene) &&
-      findings.good({"simulation.estimator"}))
-    findings.add("simulation.estimator", "the bidirectional estimator has no " + light_of_oil,
-                 "write estimator = \"forward\", or channels of other processes");
   if (scene.sea.surface.is_rough() && scene.simulation.estimator == Estimator::analog &&
       findings.good({"simulation.estimator"}))
     findings.add("simulation.estimator", "the analog estimator has no film of oil on waves",

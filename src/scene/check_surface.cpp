@@ -39,17 +39,10 @@ bool looks_flat(const Telescope& t) {
   return off_vertical + view > (90 - flattest_degrees) * radian_per_degree;
 }
 
-std::optional<std::string> waves_that_bidirectional_lacks(const Scene& scene) {
-  const Surface& surface = scene.sea.surface;
-  if (!surface.is_one_dimensional() || !std::ranges::any_of(scene.telescope, looks_flat)) return {};
-  return fmt::format("waves of one direction seen by rays flatter than {} degrees",
-                     flattest_degrees);
-}
-
 /// What knows the flat surface alone.
 void check_simulation(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
-  if (const auto reason = waves_that_bidirectional_lacks(scene);
+  if (const auto reason = bidirectional_lacks(scene);
       reason && s.estimator == Estimator::bidirectional)
     findings.add("simulation.estimator", "the bidirectional estimator has no " + *reason,
                  "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
@@ -77,8 +70,10 @@ void check_whitecaps(const Surface& surface, Findings& findings) {
 }  // namespace
 
 std::optional<std::string> bidirectional_lacks(const Scene& scene) {
-  if (auto reason = waves_that_bidirectional_lacks(scene)) return reason;
-  return counts_light_of_oil(scene) ? std::optional(light_of_oil) : std::nullopt;
+  const Surface& surface = scene.sea.surface;
+  if (!surface.is_one_dimensional() || !std::ranges::any_of(scene.telescope, looks_flat)) return {};
+  return fmt::format("waves of one direction seen by rays flatter than {} degrees",
+                     flattest_degrees);
 }
 
 void check_surface(const Scene& scene, Findings& findings) {

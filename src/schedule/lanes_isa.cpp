@@ -2,15 +2,18 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "core/pack.hpp"
 #include "estimator/analog/analog.hpp"
 #include "estimator/bidirectional/bidirectional.hpp"
+#include "estimator/forward/beside_walks.hpp"
 #include "estimator/forward/surface_echo.hpp"
 #include "lanes/lane_ledger.hpp"
 #include "schedule/engines.hpp"
 #include "schedule/pool.hpp"
+#include "surface/oil.hpp"
 
 namespace photic::schedule {
 namespace {
@@ -44,6 +47,19 @@ class Spares {
   std::vector<std::unique_ptr<Tools>> spare_;
 };
 
+/// Forward histories of a world.
+class Pools {
+ public:
+  void run(const estimator::World<Lanes>& world, std::uint64_t first, std::uint64_t count,
+           tally::BatchTally& tally) {
+    pools_.lend([&] { return std::make_unique<Pool<Lanes>>(world); },
+                [&](auto& pool) { pool.run(first, count, tally, [](const auto&...) {}); });
+  }
+
+ private:
+  Spares<Pool<Lanes>> pools_;
+};
+
 class ForwardLanes final : public Simulator {
  public:
   explicit ForwardLanes(const estimator::Model& model)
@@ -51,24 +67,27 @@ class ForwardLanes final : public Simulator {
 
  private:
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
-    pools_.lend([&] { return std::make_unique<Pool<Lanes>>(world_); },
-                [&](auto& pool) { pool.run(first, count, tally, [](const auto&...) {}); });
+    pools_.run(world_, first, count, tally);
   }
 
   estimator::World<Lanes> world_;
-  mutable Spares<Pool<Lanes>> pools_;
+  mutable Pools pools_;
 };
 
 class BidirectionalLanes final : public Simulator {
  public:
   explicit BidirectionalLanes(const estimator::Model& model)
-      : world_(estimator::make_world<Lanes>(model)) {}
+      : world_(estimator::make_world<Lanes>(model)) {
+    if (surface::film_shines(world_.sea)) beside_walks_.emplace(model, world_);
+  }
 
  private:
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     walks_.lend([&] { return std::make_unique<Walks>(world_, at_once()); },
                 [&](auto& walks) { walks.run(first, count, tally); });
-    estimator::surface_echo<lanes::LaneLedger<Lanes>>(world_, first, count, tally);
+    if (!beside_walks_)
+      return estimator::surface_echo<lanes::LaneLedger<Lanes>>(world_, first, count, tally);
+    beside_walks_->follow(tally, [&] { pools_.run(beside_walks_->world(), first, count, tally); });
   }
 
   using Walks = estimator::Bidirectional<Lanes, lanes::LaneLedger<Lanes>>;
@@ -84,6 +103,8 @@ class BidirectionalLanes final : public Simulator {
 
   estimator::World<Lanes> world_;
   mutable Spares<Walks> walks_;
+  std::optional<estimator::BesideWalks<Lanes>> beside_walks_;  ///< where a film shines
+  mutable Pools pools_;                                        ///< of them
 };
 
 class AnalogLanes final : public Simulator {

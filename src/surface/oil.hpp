@@ -20,6 +20,13 @@ Index<T> film_line(const medium::MediumView& sea, const Index<T>& spectral_bin) 
                          Index<T>(sea.film.band * medium::spectral_bins) + spectral_bin);
 }
 
+/// Whether light of a line has been emitted by the film: such a line is of no other process, and
+/// light stays in it.
+template <class T>
+Mask<T> is_film_light(const medium::MediumView& sea, const Index<T>& line) {
+  return gather<T>(sea.film.emission, line) > T(0);
+}
+
 template <class T>
 optics::FilmOnWater<T> film_on_water(const medium::MediumView& sea, const Index<T>& line) {
   return {{gather<T>(sea.film.index, line), gather<T>(sea.film.optical_thickness, line)},

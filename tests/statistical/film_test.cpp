@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -102,6 +103,11 @@ std::string wide_lenses() {
          "[[telescope]]\nname = \"below\"\nposition_m = [0.3, 0.0, -1.0]\n"
          "direction = [0.2, 0.1, 1.0]\ndiameter_m = 1.0\nfocal_length_m = 2.0\n"
          "half_field_of_view_mrad = 800.0\n";
+}
+
+/// A lidar's text without the telescopes below the surface.
+std::string above_water(const std::string& lidar) {
+  return lidar.substr(0, lidar.find("[[telescope]]\nname = \"below\""));
 }
 
 // Process by process and order by order: the film's own light, straight, of light that comes back
@@ -261,7 +267,7 @@ TEST(OilFilm, OfEnvironmentsIsThatOfItsOwnRun) {
   expect_films_are_their_own_runs(lidar, waves, "forward", 1e6, 10);
 }
 TEST(OilFilm, OfEnvironmentsIsThatOfItsOwnRunByWalks) {
-  const std::string lidar = instrument(12, 15, 355) + of_water;
+  const std::string lidar = instrument(12, 15, 355) + of_water + channel("oil");
   expect_films_are_their_own_runs(lidar, flat, "bidirectional", 2e5, 16);
   expect_films_are_their_own_runs(lidar, waves, "bidirectional", 2e5, 16);
 }
@@ -284,13 +290,13 @@ TEST(OilFilm, IsAsThickAsTheMissingRamanLightTells) {
 }
 
 // The derivative by the thickness is that of films a little thicker and thinner.
-TEST(OilFilm, HasDerivativesByItsThickness) {
+void expect_derivatives_by_the_film(const std::string& estimator, double photons) {
   const auto r = run_in_lanes(read("sensitivity = [\"oil.thickness_um\", \"oil.yield\"]\n" +
                                    instrument(12, 15, 355) + of_water + channel("oil") +
                                    film(5, "yield = 0.02\n") + clear_water + two_gates +
                                    "[[environment]]\nset = { \"oil.thickness_um\" = 5.05 }\n"
                                    "[[environment]]\nset = { \"oil.thickness_um\" = 4.95 }\n" +
-                                   simulation(1e5, 11)));
+                                   simulation(photons, 11, "", estimator)));
   const std::size_t cells = r.echo.mean.size();
   for (std::size_t i = 0; i < cells; ++i) {
     if (r.echo.mean[i] == 0) continue;
@@ -300,6 +306,10 @@ TEST(OilFilm, HasDerivativesByItsThickness) {
     const double by_yield = r.sensitivity.mean[cells + i] * 0.02;
     EXPECT_NEAR(by_yield, of_oil ? r.echo.mean[i] : 0, 1e-4 * r.echo.mean[i]) << i;
   }
+}
+TEST(OilFilm, HasDerivativesByItsThickness) {
+  expect_derivatives_by_the_film("forward", 1e5);
+  expect_derivatives_by_the_film("bidirectional", 2e4);
 }
 
 // Both estimators have the same light of the water, by gates and by orders: down and up through the
@@ -330,6 +340,101 @@ TEST(OilFilm, IsCrossedAlikeByBothEstimators) {
     EXPECT_LT(family.rms(), 1.3);
     family.judge();
   }
+}
+
+// The film takes as much of the laser's light by the accounts of walks, on the way in and of light
+// from below.
+// Seen red: with what the film absorbs on the way in left to what escapes, flat and on waves; on
+// waves with that of light from below.
+TEST(OilFilm, TakesAlikeByTheAccountsOfBothEstimators) {
+  for (const auto& surface : {flat, waves}) {
+    const std::string scene =
+        instrument(12, 10, 355) + channel("elastic") + film(2) + "[sea]\nsurface = { " + surface +
+        " }\n[[sea.layer]]\nbottom_depth_m = 6.0\niop = [{ wavelength_nm = 355.0, " +
+        "a_per_m = 0.2, b_per_m = 0.6 }]\n" +
+        "phase_function = { model = \"henyey-greenstein\", g = 0.3 }\n[bottom]\nalbedo = 0.5\n"
+        "[gates]\ndepth_max_m = 20.0\ndepth_step_m = 20.0\n";
+    const auto forward =
+        run_in_lanes(read(scene + simulation(4e4, 33, "directed_fraction = 0.0"))).ledger;
+    const auto walks =
+        run_in_lanes(read(scene + simulation(1e4, 34, no_free_walks, "bidirectional")));
+    std::printf("%s: oil %.4f and %.4f, escaped %.4f and %.4f\n", surface.c_str(), walks.ledger.oil,
+                forward.oil, walks.ledger.escaped, forward.escaped);
+    EXPECT_NEAR(walks.ledger.oil, forward.oil, 0.02 * forward.oil) << surface;
+    EXPECT_NEAR(walks.ledger.escaped, forward.escaped, 0.02 * forward.escaped) << surface;
+    EXPECT_NEAR(walks.ledger.sum(), 1, 5 * walks.ledger_standard_error + 1e-6) << surface;
+  }
+}
+
+struct BothEstimators {
+  const char* name;
+  std::string scene;
+  double photons, sets;
+  std::size_t least;  ///< cells that are to be compared
+  std::string settings = "";
+};
+/// Gate by gate, process by process and order by order.
+void expect_both_estimators_agree(const BothEstimators& c) {
+  const auto run = [&](double photons, std::uint64_t seed, const std::string& estimator) {
+    return run_in_lanes(
+        read(c.scene + simulation(photons, seed, c.settings + no_free_walks, estimator)));
+  };
+  const auto forward = run(c.photons, 41, "forward"), walks = run(c.sets, 42, "bidirectional");
+  ZFamily family(0.01);
+  const auto compare = [&](const tally::Estimates& f, const tally::Estimates& b, const char* what) {
+    for (std::size_t i = 0; i < f.mean.size(); ++i) {
+      const double error = std::hypot(f.standard_error[i], b.standard_error[i]);
+      if (!(error < 0.05 * f.mean[i])) continue;
+      family.add(b.mean[i], f.mean[i], error, fmt::format("{}, {} {}", c.name, what, i));
+    }
+  };
+  compare(forward.echo_by_process, walks.echo_by_process, "process");
+  compare(forward.echo_by_order, walks.echo_by_order, "order");
+  std::printf("%s: %zu cells, rms z %.2f\n", c.name, family.size(), family.rms());
+  EXPECT_GE(family.size(), c.least) << c.name;
+  EXPECT_LT(family.rms(), 1.3) << c.name;
+  family.judge();
+  // The accounts are the walks', to whom what the film emits is absorbed.
+  EXPECT_NEAR(walks.ledger.sum(), 1, 5 * walks.ledger_standard_error + 1e-6) << c.name;
+}
+const std::string slick = "[sea]\nsurface = { model = \"cox-munk\", wind_speed_m_s = 5.0 }\n";
+
+// In runs of walks the film's light comes beside these: straight, of light that comes back from
+// below, and by way of the water. Few walks are drawn where no other light is asked for.
+TEST(OilFilm, ShinesBesideWalks) {
+  const std::string undirected = "directed_fraction = 0.0\n";
+  const std::string grey =
+      "iop = [{ wavelength_nm = 355.0, a_per_m = 0.05, b_per_m = 0.5 }, "
+      "{ wavelength_nm = 800.0, a_per_m = 0.05, b_per_m = 0.5 }]\n"
+      "phase_function = { model = \"henyey-greenstein\", g = 0.3 }\n";
+  const std::string bright = channel("oil") + film(2, "yield = 0.45\n");
+  const std::string gates = "[gates]\nstart_ns = 5.0\nstop_ns = 101.0\nstep_ns = 24.0\n";
+  expect_both_estimators_agree(
+      {"a slick", above_water(wide_lenses()) + bright + slick + "[[sea.layer]]\n" + grey + gates,
+       8e5, 8e5, 10, undirected});
+  expect_both_estimators_agree(
+      {"three layers over a bed",
+       wide_lenses() + bright + "[[sea.layer]]\nbottom_depth_m = 1.0\n" + grey +
+           "[[sea.layer]]\nbottom_depth_m = 2.0\nchlorophyll_mg_m3 = 2.0\n" +
+           "[[sea.layer]]\nbottom_depth_m = 5.0\n" + grey + "[bottom]\nalbedo = 0.4\n" + gates,
+       8e5, 8e5, 10, undirected});
+}
+
+// With all other light: filters see it together, and none of it is counted twice.
+TEST(OilFilm, ShinesWithAllOtherLightBesideWalks) {
+  const std::string gates = "[gates]\ndepth_min_m = -1.0\ndepth_max_m = 8.0\ndepth_step_m = 3.0\n";
+  expect_both_estimators_agree(
+      {"filters",
+       instrument(12, 15, 355) +
+           "[[channel]]\nname = \"raman line\"\ncentre_nm = 404.0\nfwhm_nm = 12.0\n"
+           "[[channel]]\nname = \"blue\"\ncentre_nm = 450.0\nfwhm_nm = 40.0\n" +
+           film(5, "yield = 0.01\n") +
+           "[[sea.layer]]\nchlorophyll_mg_m3 = 0.1\ncdom_a440_per_m = 0.05\n" + gates,
+       5e5, 6e4, 15});
+  expect_both_estimators_agree(
+      {"a slick",
+       instrument(12, 15, 355) + channel("oil") + of_water + film(10) + slick + clear_water + gates,
+       1e6, 1e5, 20});
 }
 
 }  // namespace

@@ -54,8 +54,7 @@ struct FromLaser : WalkDraws<T> {
                                       draw_entry(cone(), n, n, u[0], u[1]));
     if (world.laser.collimated) birth.own = birth.exists;
     record.own = birth.own;
-    if (of_own_rays)
-      book(ledger.escaped, exist, T(1) - select(birth.own, birth.photon.weight, T(0)));
+    if (of_own_rays) book_way_in(walk, exist, u, select(birth.own, birth.photon.weight, T(0)));
     birth.exists = of_own_rays ? birth.own : !birth.own;
     return birth;
   }
@@ -68,8 +67,21 @@ struct FromLaser : WalkDraws<T> {
     auto birth = estimator::birth_through_waves(
         world.sea, world.laser_region, cone(), entry, false, Index<T>(0), u[2], u[3],
         [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); }, met);
-    book(ledger.escaped, exist, T(1) - select(birth.exists, birth.photon.weight, T(0)));
+    book_way_in(walk, exist, u, select(birth.exists, birth.photon.weight, T(0)));
     return birth;
+  }
+  /// What does not get into the water; `weight`: what does.
+  void book_way_in(const Index<T>& walk, const Mask<T>& exist, const std::array<T, 4>& u,
+                   const T& weight) {
+    T escaped = T(1) - weight;
+    if (world.sea.film.exists) [[unlikely]] {
+      const T absorbed = absorbed_on_way_in(world, u[0], u[1], [this, walk](std::uint32_t block) {
+        return this->draw(walk, Index<T>(0), block);
+      });
+      book(ledger.oil, exist, absorbed);
+      escaped = escaped - absorbed;
+    }
+    book(ledger.escaped, exist, escaped);
   }
   /// Who does not set out.
   [[nodiscard]] Mask<T> left_out(const Birth<T>& birth) const {

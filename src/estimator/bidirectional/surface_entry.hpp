@@ -5,6 +5,7 @@
 // Waves of one direction send a ray in none that is given: there all walks draw their facets.
 #pragma once
 
+#include "core/flatten.hpp"
 #include "core/turn.hpp"
 #include "estimator/bidirectional/beam_spread.hpp"
 #include "estimator/bidirectional/birth.hpp"
@@ -242,6 +243,23 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
   }
   birth.own = birth.exists;
   return birth;
+}
+
+/// The share of the laser's light that a film of oil absorbs on its way into the water: of a ray
+/// by two uniforms; draw(block) draws more.
+template <class T, class Draw>
+PHOTIC_APART T absorbed_on_way_in(const World<T>& world, T u_polar, T u_azimuth, Draw draw) {
+  auto photon = transport::emit(world.laser, world.laser_region.layer, u_polar, u_azimuth);
+  if (!world.laser_region.in_air) return T(0);
+  const Mask<T> comes = transport::come_down(photon);
+  if (world.sea.waves.rough) {
+    const auto surface = surface::rough_surface<T>(world.sea, photon.line);
+    return light_by_facets(surface, photon, comes, true, draw, [](const auto&...) {}).into_film;
+  }
+  Vec3<T> direction = photon.direction;
+  direction.z = select(comes, direction.z, T(-1));
+  const auto split = surface::flat_surface<T>(world.sea, photon.line).from_above(direction);
+  return select(comes, T(1) - split.reflectance - split.transmittance, T(0));
 }
 
 }  // namespace photic::estimator

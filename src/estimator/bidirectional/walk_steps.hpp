@@ -184,7 +184,12 @@ class WalkSteps {
     } else {
       w.facets.reverse_chance = select(stand, by.chance, w.facets.reverse_chance);
     }
-    book(source.ledger.escaped, stand, before - select(by.in_water, w.photon.weight, T(0)));
+    T escaped = before - select(by.in_water, w.photon.weight, T(0));
+    if (sea.film.exists) [[unlikely]] {
+      escaped = escaped - by.into_film;
+      book(source.ledger.oil, stand, by.into_film);
+    }
+    book(source.ledger.escaped, stand, escaped);
     if (back) walks.come_by_one_facet(stand & (!by.several) & (w.vertices == Index<T>(0)), w.walk);
     w.on = w.on & ((!stand) | by.in_water);
     w.leg.reflected = w.leg.reflected | stand;

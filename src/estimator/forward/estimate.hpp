@@ -9,6 +9,7 @@
 #include "estimator/world.hpp"
 #include "lanes/each_score.hpp"
 #include "lanes/queue.hpp"
+#include "surface/oil.hpp"
 #include "tally/batch_tally.hpp"
 #include "transport/connect_ray.hpp"
 #include "transport/connect_waves.hpp"
@@ -295,6 +296,15 @@ void flush_queues(const World<T>& world, Estimates<T>& estimates, tally::BatchTa
 template <class T>
 T weight_at_point(const World<T>& world, const transport::Photon<T>& photon) {
   return photon.weight * T(1.0 / world.scored_points);
+}
+
+/// Of photons of a mask, whose light a world's histories score.
+template <class T>
+Mask<T> who_are_scored(const World<T>& world, const transport::Photon<T>& photon,
+                       const Mask<T>& mask) {
+  if (!world.beside_walks) [[likely]]
+    return mask;
+  return mask & surface::is_film_light<T>(world.sea, photon.line);
 }
 
 /// Scores what the telescopes expect of photons of a mask that are scattered where they stand.

@@ -41,7 +41,8 @@ T path_number(const Travellers<T>& travellers, const T& u) {
 template <class Events, class T>
 void score_further_points(const World<T>& world, const Travellers<T>& travellers,
                           Estimates<T>& estimates, tally::BatchTally& tally) {
-  if (!any(travellers.on)) return;
+  const Mask<T> travelling = who_are_scored(world, travellers.photon, travellers.on);
+  if (!any(travelling)) return;
   const auto from = transport::flight_start(world.sea, travellers.photon);
   for (std::int32_t k = 1; k < world.scored_points; ++k) {
     const T rest = T(static_cast<double>(k) / world.scored_points);
@@ -55,7 +56,7 @@ void score_further_points(const World<T>& world, const Travellers<T>& travellers
         transport::reflect_down(world.sea, down);
       });
     }
-    const Mask<T> scored = travellers.on & !(end.surface | end.sea_bed) & in_time(world, at);
+    const Mask<T> scored = travelling & !(end.surface | end.sea_bed) & in_time(world, at);
     if (!any(scored)) continue;
     ratios_at<Events>(world, travellers, at, estimates);
     score_light<Events>(world, travellers, at, weight_at_point(world, at), scored, at.line,

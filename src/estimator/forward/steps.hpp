@@ -78,7 +78,7 @@ struct ForwardSteps {
 
   /// If that has not been done on the way, where only collisions in the water are.
   void score(const Travellers<T>& t) {
-    Mask<T> scored = t.colliding;
+    Mask<T> scored = who_are_scored(world, t.photon, t.colliding);
     if (Events::tools && world.tools.scores_on_the_way)
       scored = scored & surface::on_bed<T>(world.sea, t.photon.layer);
     if (any(scored)) score_scattering<Events>(world, t, scored, estimates, tally);

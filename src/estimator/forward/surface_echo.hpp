@@ -1,5 +1,6 @@
 // The surface's own echo, of light that has not been in the water. The bidirectional estimator's
-// walks leave it to the forward one.
+// walks leave it to the forward one. Where a film of oil shines, histories beside the walks score
+// it (beside_walks.hpp).
 #pragma once
 
 #include <cstdint>

@@ -75,7 +75,9 @@ PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mas
   const auto& waves = world.sea.waves;
   const auto score = [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
     Mask<T> scored = at.meets;
-    if (facet == 0) scored = scored & (t.photon.order == Index<T>(0));
+    const Mask<T> fresh = t.photon.order == Index<T>(0);
+    if (facet == 0) scored = scored & fresh;
+    scored = (scored & fresh) | who_are_scored(world, t.photon, scored);
     if (any(scored)) score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);
   };
   const auto met = [&](const Mask<T>& meets, const surface::Meeting<T>& meeting) {

@@ -86,14 +86,30 @@ scene::Scene bed_scene(const std::string& estimator = "forward", const std::stri
                     environments + test::depth_gates(12, 1) +
                     test::simulation(estimator == "forward" ? 20000 : 2200, 5, more, estimator));
 }
+/// Under a film whose light comes beside the walks, flat or on waves.
+scene::Scene oil_scene(const std::string& more, const std::string& surface,
+                       const std::string& submerged = "") {
+  return test::read(test::ship_instrument + submerged + test::channel("raman") +
+                    test::channel("oil") + fmt::format("[sea]\nsurface = {{ {} }}\n", surface) +
+                    test::three_layers +
+                    "[oil]\nclass = \"weakly-absorbing-crude\"\nthickness_um = 20.0\n" + more +
+                    "[gates]\ndepth_min_m = -1.0\ndepth_max_m = 12.0\ndepth_step_m = 1.0\n" +
+                    test::simulation(2200, 5, "", "bidirectional"));
+}
+const std::string flat = "model = \"flat\"";
+const std::string waves = "model = \"cox-munk\", wind_speed_m_s = 5.0";
+const std::string clean = "[[environment]]\nset = { \"oil.thickness_um\" = 0.0 }\n";
 /// Sets of three walks do not divide a batch.
 const std::string few_free_walks = "free_telescope_meetings = 0.4\nfree_laser_meetings = 0.6";
 std::vector<scene::Scene> bidirectional_scenes() {
   const std::string name = "bidirectional";
-  return {plain_scene("", name), plain_scene("walks = 3\nsampling = \"random\"", name),
+  return {plain_scene("", name),
+          plain_scene("walks = 3\nsampling = \"random\"", name),
           rich_scene("max_order = 5\n" + few_free_walks, name),
           nested_scene(other_water, 2200, few_free_walks, name),
-          bed_scene(name, "walks = 3\nmax_order = 3\n" + few_free_walks, beds)};
+          bed_scene(name, "walks = 3\nmax_order = 3\n" + few_free_walks, beds),
+          oil_scene("", flat, test::submerged_telescope),
+          oil_scene(clean, waves)};
 }
 
 /// All of the forward estimator's tools at once.
@@ -297,8 +313,9 @@ TEST(Lanes, BidirectionalEchoesAreThoseOfTheScalarEngineInFloat) {
 
 TEST(Lanes, ThreadsChangeNoBit) {
   const Isa isa = isas_here().back();
-  for (const auto& scene :
-       {rich_scene(), rich_scene(tools), nested_scene(), bidirectional_scenes().back()}) {
+  const std::string name = "bidirectional";
+  for (const auto& scene : {rich_scene(), rich_scene(tools), nested_scene(),
+                            bed_scene(name, few_free_walks, beds), oil_scene(clean, flat)}) {
     const auto one = run_on(1, scene, isa), three = run_on(3, scene, isa);
     EXPECT_EQ(one.echo.mean, three.echo.mean);
     EXPECT_EQ(one.echo.standard_error, three.echo.standard_error);
