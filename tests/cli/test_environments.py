@@ -62,6 +62,18 @@ def test_water_that_histories_never_see_is_told_at_its_place(photic, environment
     assert f'quick.toml:{line}:1: environment "more algae": layer "layer1" emits chlorophyll light' in done.stderr
 
 
+def test_another_film_over_waves_of_one_direction_is_refused_at_its_place(photic, scene):
+    # Seen red: taken, with the glint of the scene's own film in its environment (unflagged).
+    scene.write_text(scene.read_text() + '[[environment]]\nset = { "oil.thickness_um" = 2.0 }\n')
+    oil = ("--set", 'oil={ class = "weakly-absorbing-crude", thickness_um = 1.0 }')
+    paper = ("--set", 'sea.surface={ model = "paper", wind_speed_m_s = 5.0 }')
+    done = photic("check", "quick.toml", *oil, *paper)
+    assert done.returncode == 2
+    line = 1 + scene.read_text().splitlines().index("[[environment]]")
+    assert f"quick.toml:{line}:1: over waves of one direction all environments have the film of the scene" in done.stderr
+    assert photic("check", "quick.toml", *oil).returncode == 0
+
+
 GRID = """\
 [environment_grid]
 "sea.layer.1.chlorophyll_mg_m3" = [1.0, 2.0]
