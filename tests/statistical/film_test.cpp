@@ -392,7 +392,6 @@ void expect_both_estimators_agree(const BothEstimators& c) {
   compare(forward.echo_by_order, walks.echo_by_order, "order");
   std::printf("%s: %zu cells, rms z %.2f\n", c.name, family.size(), family.rms());
   EXPECT_GE(family.size(), c.least) << c.name;
-  EXPECT_LT(family.rms(), 1.3) << c.name;
   family.judge();
   // The accounts are the walks', to whom what the film emits is absorbed.
   EXPECT_NEAR(walks.ledger.sum(), 1, 5 * walks.ledger_standard_error + 1e-6) << c.name;
@@ -401,6 +400,7 @@ const std::string slick = "[sea]\nsurface = { model = \"cox-munk\", wind_speed_m
 
 // In runs of walks the film's light comes beside these: straight, of light that comes back from
 // below, and by way of the water. Few walks are drawn where no other light is asked for.
+// Seen red: without the light that telescopes see straight; without that which is sent down.
 TEST(OilFilm, ShinesBesideWalks) {
   const std::string undirected = "directed_fraction = 0.0\n";
   const std::string grey =
@@ -411,16 +411,18 @@ TEST(OilFilm, ShinesBesideWalks) {
   const std::string gates = "[gates]\nstart_ns = 5.0\nstop_ns = 101.0\nstep_ns = 24.0\n";
   expect_both_estimators_agree(
       {"a slick", above_water(wide_lenses()) + bright + slick + "[[sea.layer]]\n" + grey + gates,
-       8e5, 8e5, 10, undirected});
+       5e5, 5e5, 8, undirected});
   expect_both_estimators_agree(
       {"three layers over a bed",
        wide_lenses() + bright + "[[sea.layer]]\nbottom_depth_m = 1.0\n" + grey +
            "[[sea.layer]]\nbottom_depth_m = 2.0\nchlorophyll_mg_m3 = 2.0\n" +
            "[[sea.layer]]\nbottom_depth_m = 5.0\n" + grey + "[bottom]\nalbedo = 0.4\n" + gates,
-       8e5, 8e5, 10, undirected});
+       5e5, 5e5, 8, undirected});
 }
 
 // With all other light: filters see it together, and none of it is counted twice.
+// Seen red: with elastic light scored beside the walks, too; with the surface's own echo, and the
+// film's first light, scored twice; with the weights of both in the accounts.
 TEST(OilFilm, ShinesWithAllOtherLightBesideWalks) {
   const std::string gates = "[gates]\ndepth_min_m = -1.0\ndepth_max_m = 8.0\ndepth_step_m = 3.0\n";
   expect_both_estimators_agree(

@@ -6,6 +6,7 @@
 
 #include "estimator/model.hpp"
 #include "estimator/world.hpp"
+#include "tally/batch_tally.hpp"
 
 namespace photic::estimator {
 

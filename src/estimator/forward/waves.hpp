@@ -75,9 +75,10 @@ PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mas
   const auto& waves = world.sea.waves;
   const auto score = [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
     Mask<T> scored = at.meets;
-    const Mask<T> fresh = t.photon.order == Index<T>(0);
-    if (facet == 0) scored = scored & fresh;
-    scored = (scored & fresh) | who_are_scored(world, t.photon, scored);
+    const auto fresh = [&] { return t.photon.order == Index<T>(0); };
+    if (facet == 0) scored = scored & fresh();
+    if (world.beside_walks) [[unlikely]]
+      scored = (scored & fresh()) | who_are_scored(world, t.photon, scored);
     if (any(scored)) score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);
   };
   const auto met = [&](const Mask<T>& meets, const surface::Meeting<T>& meeting) {
