@@ -231,6 +231,11 @@ class Connections {
   [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {
     return (line == Index<T>(0)) | (gather<T>(sea_.conversion, sea_.at(line, layer)) > T(0));
   }
+  /// Whether a path's light was scattered once and comes by one facet to a telescope in the water:
+  /// score_by_facet() has that.
+  [[nodiscard]] Mask<T> is_scored_by_facet(const Pairing<T>& pairing) const {
+    return (pairing.i + pairing.m == Index<T>(0)) & (back_.facets(pairing.back) == Index<T>(1));
+  }
   /// Whether there is a bed that reflects light within the gates.
   [[nodiscard]] bool comes_to_bed() const {
     return sea_.bed_angles > 0 && all(world_.deepest >= T(sea_.top[sea_.layers]));

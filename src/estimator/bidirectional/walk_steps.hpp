@@ -162,10 +162,12 @@ class WalkSteps {
         slopes_over_rays(world, instrument, line, position, walks.entry(walk), record.lens, first),
         record.spread);
   }
-  /// Those who stand at the surface meet facets until they go down in the water, or have left.
+  /// Those who stand at the surface meet facets until they go down in the water, or have left. Who
+  /// comes there straight from an instrument ends: others begin with what facets send back.
   PHOTIC_APART static Walker<T> cross_waves(const geometry::Slabs& sea, Source& source,
                                             Walks<T>& walks, Walker<T> w) {
     const bool back = walks.from_telescope();
+    w.on = w.on & (w.colliding | (w.vertices > Index<T>(0)));
     const Mask<T> stand = w.on & !w.colliding;
     if (!any(stand)) return w;
     const T before = w.photon.weight;
@@ -185,7 +187,6 @@ class WalkSteps {
       w.facets.reverse_chance = select(stand, by.chance, w.facets.reverse_chance);
     }
     book(source.ledger.escaped, stand, before - select(by.in_water, w.photon.weight, T(0)));
-    if (back) walks.come_by_one_facet(stand & (!by.several) & (w.vertices == Index<T>(0)), w.walk);
     w.on = w.on & ((!stand) | by.in_water);
     w.leg.reflected = w.leg.reflected | stand;
     return w;
