@@ -117,7 +117,7 @@ TEST(WalksThroughWaves, FindWhatTheForwardEstimatorDoes) {
 
 /// Laser and telescope at places of their own, looking in a plane, so many degrees off the nadir.
 std::string instruments(double laser_height, double laser_off_nadir, double height,
-                        double off_nadir, double view_mrad) {
+                        double off_nadir, double view_mrad, double lens = 0.4) {
   const auto look = [](double degrees) {
     const double t = degrees * radian_per_degree;
     return fmt::format("direction = [{:.15g}, 0.0, {:.15g}]\n", std::sin(t), -std::cos(t));
@@ -125,8 +125,8 @@ std::string instruments(double laser_height, double laser_off_nadir, double heig
   return fmt::format(
       "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, {}]\n{}diameter_m = 0.04\n"
       "half_divergence_mrad = 20\n[[telescope]]\nposition_m = [0.3, 0.1, {}]\n{}"
-      "diameter_m = 0.4\nfocal_length_m = 1.0\nhalf_field_of_view_mrad = {}\n",
-      laser_height, look(laser_off_nadir), height, look(off_nadir), view_mrad);
+      "diameter_m = {}\nfocal_length_m = 1.0\nhalf_field_of_view_mrad = {}\n",
+      laser_height, look(laser_off_nadir), height, look(off_nadir), lens, view_mrad);
 }
 const std::string raman_water =
     "[[sea.layer]]\niop = [ { wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.20 }, "
@@ -143,6 +143,7 @@ TEST(WalksUnderWaves, FindWhatTheForwardEstimatorDoesInTheWater) {
       sea("model = \"gaussian\", upwind_slope_variance = 0.04, crosswind_slope_variance = 0.03, "
           "whitecap_fraction = 0.1");
   const std::string both = channel("elastic") + channel("raman");
+  const std::string turbid = water(0.3, 0.7, R"({ model = "henyey-greenstein", g = 0.7 })");
   const auto end = [](double range, double step, int order = 3) {
     return fmt::format("[gates]\nrange_min_m = 0.0\nrange_max_m = {}\nrange_step_m = {}\n", range,
                        step) +
@@ -153,9 +154,22 @@ TEST(WalksUnderWaves, FindWhatTheForwardEstimatorDoesInTheWater) {
              instruments(-5, 165, -4, 160, 300) + both + steep + raman_water + end(16, 2), 1e6, 2e5,
              10},
         // All light has been sent back by facets.
-        Case{"the telescope looks up, the laser down, once",
-             instruments(-3, 0, -3, 180, 300) + both + steep + raman_water + end(16, 2, 1), 1e6,
-             2e5, 24},
+        Case{"the telescope looks up, the laser down",
+             instruments(-3, 0, -3, 180, 300) + both + steep + raman_water + end(16, 2), 2e6, 4e5,
+             24},
+        Case{"the laser looks up, the telescope down",
+             instruments(-3, 180, -3, 0, 300) + both + steep + raman_water + end(16, 2), 2e6, 4e5,
+             24},
+        // Its points are at depths that differ by 1.4 m, and so do the ways up.
+        Case{"a large tilted lens in turbid water",
+             instruments(-3, 0, -3, 135, 300, 2.0) + channel("elastic") + steep + turbid +
+                 end(12, 2, 2),
+             1e6, 2e5, 8},
+        Case{"waves of one direction over a telescope that looks up",
+             instruments(6, 10, -3, 170, 300) + both +
+                 sea("model = \"paper\", wind_speed_m_s = 9.0, wind_direction_deg = 30.0") +
+                 raman_water + end(16, 2),
+             1e6, 2e5, 15},
         Case{"the laser in the air",
              instruments(6, 10, -8, 165, 300) + both + windy + upper_water + raman_water +
                  end(24, 3),

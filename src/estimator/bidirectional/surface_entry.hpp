@@ -235,9 +235,11 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
     by.direction = entry.outside;
     by.weight = entry.weight / cone.by_facets;
     const auto surface = surface::rough_surface<T>(sea, line);
+    const auto which = by_any ? Facets::any : Facets::several;
     const auto met =
-        from_telescope ? back_by_facets(surface, by, drawn_facets, true, !by_any, draw, met_surface)
-                       : light_by_facets(surface, by, drawn_facets, true, draw, met_surface);
+        from_telescope
+            ? back_by_facets(surface, by, drawn_facets, true, which, draw, met_surface)
+            : light_by_facets(surface, by, drawn_facets, true, Facets::any, draw, met_surface);
     photon = select(drawn_facets, by, photon);
     birth.spread.solid_angle = select(drawn_facets, T(0), birth.spread.solid_angle);
     birth.exists =
@@ -271,9 +273,10 @@ T begin_at_facets(const medium::MediumView& sea, const EntryCone<T>& cone, const
   const T comes = by.weight;
   const Mask<T> stand = rises & (comes > T(0));
   const auto surface = surface::rough_surface<T>(sea, by.line);
-  const auto met = from_telescope
-                       ? back_by_facets(surface, by, stand, false, false, draw, met_surface)
-                       : light_by_facets(surface, by, stand, false, draw, met_surface);
+  const auto met =
+      from_telescope
+          ? back_by_facets(surface, by, stand, false, Facets::that_return, draw, met_surface)
+          : light_by_facets(surface, by, stand, false, Facets::that_return, draw, met_surface);
   birth.photon = select(stand, by, birth.photon);
   birth.spread.solid_angle = select(chosen, T(0), birth.spread.solid_angle);
   birth.facets = select(chosen, select(met.several, Index<T>(2), Index<T>(1)), Index<T>(0));

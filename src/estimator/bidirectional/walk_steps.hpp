@@ -177,8 +177,8 @@ class WalkSteps {
       if (sea.environments.other_surface)
         meet_surface(sea, walks, w.walk, w.vertices, meeting, mask);
     };
-    const auto by = back ? back_by_facets(surface, w.photon, stand, false, false, draw, met)
-                         : light_by_facets(surface, w.photon, stand, false, draw, met);
+    const auto by = back ? back_by_facets(surface, w.photon, stand, false, Facets::any, draw, met)
+                         : light_by_facets(surface, w.photon, stand, false, Facets::any, draw, met);
     // A walk's weight is what light is worth that comes the path, but for its chances.
     if (back) {
       w.photon.weight = w.photon.weight * select(stand, by.chance, T(1));
