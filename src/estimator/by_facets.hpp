@@ -20,6 +20,10 @@ struct ByFacets {
   T into_film{};  ///< weight of the laser's walks that a film of oil has absorbed
 };
 
+/// Which facets walks are to meet: several, by which they come down from the air; or such that send
+/// them back into the water, most of them at once. Their weight takes the chance of that.
+enum class Facets : std::int8_t { any, several, that_return };
+
 /// Blocks of an event's random numbers, two for each facet, as far apart as receivers' never are.
 inline constexpr std::uint32_t apart_of_facets = std::uint32_t{1} << 12;
 inline constexpr std::uint32_t block_of_facet(std::uint32_t facet, std::uint32_t part) {
@@ -29,14 +33,16 @@ inline constexpr std::uint32_t block_of_facet(std::uint32_t facet, std::uint32_t
 /// Walks of the laser's light, of a mask. met(mask, meeting) is told of each facet.
 template <class T, class Draw, class Met>
 ByFacets<T> light_by_facets(const surface::RoughSurface<T>& surface, transport::Photon<T>& photon,
-                            const Mask<T>& stand, bool in_air, Draw draw, Met met_surface) {
+                            const Mask<T>& stand, bool in_air, Facets which, Draw draw,
+                            Met met_surface) {
   ByFacets<T> out;
   transport::AtWaves<T> at{stand, Mask<T>(in_air)};
   for (std::uint32_t facet = 0; facet < most_facets && any(at.meets); ++facet) {
     if (facet == 1) out.several = at.meets;
     const Mask<T> meets = at.meets;
     const std::array<T, 4> u = draw(block_of_facet(facet, 0));
-    const auto met = transport::meet_waves(surface, photon, at, {u[0], u[1], u[2], u[3]}, false);
+    const auto met = transport::meet_waves(surface, photon, at, {u[0], u[1], u[2], u[3]},
+                                           which == Facets::that_return);
     met_surface(meets, met.meeting);
     if (surface.face.oily) [[unlikely]]
       out.into_film = out.into_film + select(meets, met.into_film, T(0));
@@ -48,10 +54,10 @@ ByFacets<T> light_by_facets(const surface::RoughSurface<T>& surface, transport::
   return out;
 }
 
-/// A telescope's. `several`: who is to meet more than one facet.
+/// A telescope's.
 template <class T, class Draw, class Met>
 ByFacets<T> back_by_facets(const surface::RoughSurface<T>& surface, transport::Photon<T>& photon,
-                           const Mask<T>& stand, bool in_air, bool several, Draw draw,
+                           const Mask<T>& stand, bool in_air, Facets which, Draw draw,
                            Met met_surface) {
   ByFacets<T> out;
   transport::BackAtWaves<T> at{stand, Mask<T>(in_air), Mask<T>(false)};
@@ -60,8 +66,10 @@ ByFacets<T> back_by_facets(const surface::RoughSurface<T>& surface, transport::P
     const Mask<T> meets = at.meets;
     const std::array<T, 4> u = draw(block_of_facet(facet, 0));
     const std::array<T, 4> v = draw(block_of_facet(facet, 1));
+    const bool first = facet == 0;
     const auto met = transport::meet_waves_back(surface, photon, at, {u[0], u[1], u[2], u[3]}, v[0],
-                                                several && facet == 0);
+                                                first && which == Facets::several,
+                                                first && which == Facets::that_return);
     met_surface(meets, met.meeting);
     out.in_water = out.in_water | met.in_water;
     out.chance = out.chance * met.chance;

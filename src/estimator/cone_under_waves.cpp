@@ -27,7 +27,7 @@ double share_of_several(const medium::MediumView& sea, const Vec3<double>& outsi
     transport::Photon<double> photon;
     photon.direction = outside;
     const auto draw = [&](std::uint32_t block) { return uniforms<double>(key, n, 0, block); };
-    const auto met = light_by_facets(surface, photon, true, true, draw,
+    const auto met = light_by_facets(surface, photon, true, true, Facets::any, draw,
                                      [](bool, const surface::Meeting<double>&) {});
     if (met.in_water && met.several) sum += std::min(photon.weight, 10.0);
   }
@@ -143,7 +143,34 @@ EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, 
   return cone;
 }
 
+/// So many walks of an instrument in the water begin at the facets, of those whose rays go up; and
+/// of all no fewer than the least, if any rays do.
+constexpr double share_by_facets = 0.25, least_by_facets = 0.02;
+
+/// How much of a cone goes up.
+double share_upwards(const Vec3<double>& axis, double half_angle) {
+  if (std::asin(std::clamp(axis.z, -1.0, 1.0)) + half_angle <= 0) return 0;
+  constexpr int rings = 64, azimuths = 64;
+  const double widest = one_minus_cos_of(half_angle);
+  int up = 0;
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < azimuths; ++j) {
+      const double azimuth = 2 * pi * (j + 0.5) / azimuths;
+      const double x = widest * (i + 0.5) / rings;
+      up += turned(axis, x, std::cos(azimuth), std::sin(azimuth)).z > 0;
+    }
+  return std::max(least_by_facets / share_by_facets, static_cast<double>(up) / (rings * azimuths));
+}
+
 }  // namespace
+
+void begin_some_at_facets(double half_angle, EntryCone<double>& cone) {
+  cone.by_facets = share_by_facets * share_upwards(cone.axis, half_angle);
+  for (std::size_t k = 0; k < cone.rings; ++k) {
+    cone.ring.at(k).up_to *= cone.others();
+    cone.ring.at(k).solid_angle /= cone.others();
+  }
+}
 
 bool enters_by_slopes(const scene::Telescope& telescope, const medium::Medium& medium) {
   return are_wider_than_slopes(telescope.position_m.z, spot_radius(telescope),

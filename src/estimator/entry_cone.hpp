@@ -55,12 +55,12 @@ struct EntryCone {
   T free_within{4};  ///< 1 - cos of the part that free walks begin in
   T free_share{1};   ///< of walks that begin there
   T by_facets{};     ///< of those that draw their facets instead: several, or any of waves of one
-                     ///< direction
+                     ///< direction; of an instrument in the water all that send its rays back
   bool enters_by_slopes = false;  ///< entries are also drawn by slopes
   Spot<T> spot;
 
-  /// The share of the others.
-  [[nodiscard]] T by_one_facet() const { return T(1) - by_facets; }
+  /// The share of the others: they come by one facet, or straight from an instrument in the water.
+  [[nodiscard]] T others() const { return T(1) - by_facets; }
   /// Whether a direction in the water is one that free walks begin in.
   [[nodiscard]] Mask<T> frees(const Vec3<T>& direction) const {
     return photic::one_minus_cos(direction, axis) < free_within;
@@ -189,7 +189,7 @@ EntryRay<T> draw_entry(const EntryCone<T>& cone, const T& n, const T& n_axis, co
   using std::sqrt;
   const auto [cosine, sine] = cos_sin_of_turns(u_azimuth);
   const Vec3<T>& axis = cone.even_outside ? cone.outside : cone.axis;
-  const T x = cone.draw(u_polar);
+  const T x = cone.draw(cone.others() * u_polar);
   const Vec3<T> off_axis = sqrt(x * (T(2) - x)) * turned(axis, T(1), cosine, sine) - x * axis;
   if (cone.even_outside) return entry_ray_outside(cone, n, axis + off_axis, off_axis);
   return entry_ray(cone, n, n_axis, axis + off_axis, off_axis);
@@ -222,6 +222,9 @@ EntryCone<double> cone_under_waves(const scene::Telescope& telescope, const medi
                                    double deepest, bool frees);
 EntryCone<double> cone_under_waves(const scene::Source& source, const medium::Medium& medium,
                                    double deepest, bool frees);
+/// Of an instrument in the water under waves, whose rays are off its axis by no more [rad]: a share
+/// of the walks begins at the facets that send rays back, if any rays go up.
+void begin_some_at_facets(double half_angle, EntryCone<double>& cone);
 /// The same of walks that are not free: of the instrument's own rays.
 EntryCone<double> cone_of_own_rays(const scene::Telescope& telescope, const medium::Medium& medium,
                                    const std::vector<InnerCone>& inner = {});

@@ -27,6 +27,9 @@ struct AfterFacetBack {
   surface::Meeting<T> meeting;
 };
 
+/// The chance, at least, with which the first facet sends a walk back that is to return.
+inline constexpr double sent_back = 0.9;
+
 /// The way on that chance decides for.
 template <class T>
 struct WayBack {
@@ -37,10 +40,10 @@ struct WayBack {
   surface::Slope<T> slope{};
   surface::FilmCrossing<T> film{};
 };
-/// From a facet.
+/// From a facet. `returns`: most are to be sent back.
 template <class T>
 WayBack<T> back_from_facet(const surface::RoughSurface<T>& surface, const Vec3<T>& before,
-                           const BackAtWaves<T>& at, const WavesUniforms<T>& u) {
+                           const BackAtWaves<T>& at, const WavesUniforms<T>& u, bool returns) {
   using std::abs;
   const auto& waves = surface.waves;
   const auto facet = surface::facet_of(waves, surface::sample_slope(waves, u.slope, u.azimuth));
@@ -49,7 +52,9 @@ WayBack<T> back_from_facet(const surface::RoughSurface<T>& surface, const Vec3<T
   const Mask<T> exists = seen > T(0);
   const T n1 = select(at.in_air, T(1), surface.n), n2 = select(at.in_air, surface.n, T(1));
   const auto by = surface::meet_facet(surface.face, n1, n2, before, facet);
-  const Mask<T> reflects = u.choice < T(1) - by.transmittance;
+  const T back = T(1) - by.transmittance;
+  const T drawn = returns ? select(back > T(sent_back), back, T(sent_back)) : back;
+  const Mask<T> reflects = u.choice < drawn;
   WayBack<T> way;
   way.slope = facet.slope;
   way.direction = select(reflects, by.reflected, by.transmitted);
@@ -58,6 +63,8 @@ WayBack<T> back_from_facet(const surface::RoughSurface<T>& surface, const Vec3<T
   const T passes = (n1 / n2) * (n1 / n2);
   way.gain = select(exists, seen, T(0)) * surface::series(waves, facet.slope) *
              select(reflects, T(1), passes);
+  if (returns)
+    way.gain = way.gain * select(reflects, back / drawn, by.transmittance / (T(1) - drawn));
   if (surface.face.oily) {
     way.gain = way.gain * select(reflects, by.reflected_of_rest(), T(1));
     // As light goes: the other way.
@@ -84,12 +91,12 @@ WayBack<T> back_from_whitecap(const surface::RoughSurface<T>& surface, const Bac
 }
 
 /// Has walks meet a facet or a whitecap. `u_leaves`: a uniform. `must`: all go on to a further
-/// facet.
+/// facet; `returns`: most are to be sent back, and their chance is not known.
 template <class T>
 AfterFacetBack<T> meet_waves_back(const surface::RoughSurface<T>& surface, Photon<T>& photon,
                                   BackAtWaves<T>& at, const WavesUniforms<T>& u, const T& u_leaves,
-                                  bool must) {
-  auto way = back_from_facet(surface, photon.direction, at, u);
+                                  bool must, bool returns) {
+  auto way = back_from_facet(surface, photon.direction, at, u, returns);
   AfterFacetBack<T> out;
   out.meeting.slope = way.slope;
   out.meeting.film = way.film;

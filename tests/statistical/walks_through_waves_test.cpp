@@ -117,16 +117,16 @@ TEST(WalksThroughWaves, FindWhatTheForwardEstimatorDoes) {
 
 /// Laser and telescope at places of their own, looking in a plane, so many degrees off the nadir.
 std::string instruments(double laser_height, double laser_off_nadir, double height,
-                        double off_nadir, double view_mrad) {
+                        double off_nadir, double view_mrad, double divergence_mrad = 20) {
   const auto look = [](double degrees) {
     const double t = degrees * radian_per_degree;
     return fmt::format("direction = [{:.15g}, 0.0, {:.15g}]\n", std::sin(t), -std::cos(t));
   };
   return fmt::format(
       "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, {}]\n{}diameter_m = 0.04\n"
-      "half_divergence_mrad = 20\n[[telescope]]\nposition_m = [0.3, 0.1, {}]\n{}"
+      "half_divergence_mrad = {}\n[[telescope]]\nposition_m = [0.3, 0.1, {}]\n{}"
       "diameter_m = 0.4\nfocal_length_m = 1.0\nhalf_field_of_view_mrad = {}\n",
-      laser_height, look(laser_off_nadir), height, look(off_nadir), view_mrad);
+      laser_height, look(laser_off_nadir), divergence_mrad, height, look(off_nadir), view_mrad);
 }
 const std::string raman_water =
     "[[sea.layer]]\niop = [ { wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.20 }, "
@@ -156,6 +156,15 @@ TEST(WalksUnderWaves, FindWhatTheForwardEstimatorDoesInTheWater) {
         Case{"the telescope looks up, the laser down, once",
              instruments(-3, 0, -3, 180, 300) + both + steep + raman_water + end(16, 2, 1), 1e6,
              2e5, 24},
+        // What facets send back twice in a row would find a narrow beam by chance alone.
+        Case{"the telescope looks up, a wide laser down, twice",
+             instruments(-3, 0, -3, 180, 300, 600) + both + steep + raman_water + end(16, 2, 2),
+             3e6, 1e6, 5},
+        Case{"waves of one direction over a telescope that looks up",
+             instruments(6, 10, -3, 170, 300) + both +
+                 sea("model = \"paper\", wind_speed_m_s = 9.0, wind_direction_deg = 30.0") +
+                 raman_water + end(16, 2),
+             1e6, 2e5, 5},
         Case{"the laser in the air",
              instruments(6, 10, -8, 165, 300) + both + windy + upper_water + raman_water +
                  end(24, 3),
@@ -270,21 +279,24 @@ TEST(WalksThroughWaves, OverOtherWavesAreTheirOwnRun) {
   }
 }
 
-// All light of a laser that looks down that comes to a telescope that looks up has been sent back
-// by facets.
+// All light between a laser and a telescope of which one looks down and the other up has been sent
+// back by facets: on its way to the telescope, or where walks of the laser begin.
 TEST(WalksUnderWaves, OverOtherWavesAndWaterAreTheirOwnRun) {
   struct Sea {
     double upwind, crosswind, whitecaps, absorption, scattering;
   };
-  const auto run = [](const Sea& is, const std::string& more, std::uint64_t seed) {
+  const auto run = [](const Sea& is, const std::string& more, std::uint64_t seed,
+                      bool laser_looks_up) {
     return run_in_lanes(
-        read(more + instruments(-3, 0, -3, 180, 300) + channel("elastic") +
+        read(more + instruments(-3, laser_looks_up ? 180 : 0, -3, laser_looks_up ? 0 : 180, 300) +
+             channel("elastic") +
              sea(fmt::format("model = \"gaussian\", upwind_slope_variance = {}, "
                              "crosswind_slope_variance = {}, whitecap_fraction = {}",
                              is.upwind, is.crosswind, is.whitecaps)) +
              water(is.absorption, is.scattering, R"({ model = "henyey-greenstein", g = 0.3 })") +
              "[gates]\nrange_min_m = 0.0\nrange_max_m = 8.0\nrange_step_m = 1.0\n" +
-             simulation(4e5, seed, "max_order = 1\n" + no_free_walks, "bidirectional")));
+             simulation(laser_looks_up ? 2e6 : 4e5, seed, "max_order = 1\n" + no_free_walks,
+                        "bidirectional")));
   };
   const Sea here{0.04, 0.03, 0.1, 0.06, 0.2}, there{0.02, 0.015, 0.03, 0.12, 0.25};
   const std::string other = fmt::format(
@@ -292,7 +304,8 @@ TEST(WalksUnderWaves, OverOtherWavesAndWaterAreTheirOwnRun) {
       "\"sea.surface.crosswind_slope_variance\" = {}, \"sea.surface.whitecap_fraction\" = {}, "
       "\"sea.layer.0.iop.0.a_per_m\" = {}, \"sea.layer.0.iop.0.b_per_m\" = {} }}\n",
       there.upwind, there.crosswind, there.whitecaps, there.absorption, there.scattering);
-  expect_environment_is(run(here, other, 31), run(there, "", 32), 5);
+  expect_environment_is(run(here, other, 31, false), run(there, "", 32, false), 5);
+  expect_environment_is(run(here, other, 33, true), run(there, "", 34, true), 4);
 }
 
 // In turbid water the surface sends much light back down, which whitecaps do more than facets.

@@ -40,9 +40,10 @@ struct FromLaser : WalkDraws<T> {
   [[nodiscard]] static std::int32_t instrument() { return of_laser; }
   [[nodiscard]] const EntryCone<T>& cone() const { return world.laser_cone; }
 
-  /// met(mask, meeting): as of birth_through_waves().
-  template <class Met>
-  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record, Met met) {
+  /// met(mask, meeting), flown(mask, passage): as of begin_at_facets().
+  template <class Met, class Flown>
+  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record, Met met,
+                 Flown flown) {
     const auto u = this->draw(walk, Index<T>(0), 0);
     const T n(gather<T>(world.sea.index, Index<T>(0)));
     if (enters_through_waves(world, world.laser_region))
@@ -53,8 +54,16 @@ struct FromLaser : WalkDraws<T> {
                      : birth_at_laser(world.sea, world.laser, world.laser_region, cone(),
                                       draw_entry(cone(), n, n, u[0], u[1]));
     if (world.laser.collimated) birth.own = birth.exists;
+    if (world.sea.waves.rough) {
+      const auto lost = begin_at_facets(
+          world.sea, cone(), u[2], false, birth,
+          [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); }, met, flown);
+      book(ledger.oil, exist, lost.into_film);
+      book(ledger.escaped, exist, lost.weight - lost.into_film);
+    } else if (of_own_rays) {
+      book_way_in(walk, exist, u, select(birth.own, birth.photon.weight, T(0)));
+    }
     record.own = birth.own;
-    if (of_own_rays) book_way_in(walk, exist, u, select(birth.own, birth.photon.weight, T(0)));
     birth.exists = of_own_rays ? birth.own : !birth.own;
     return birth;
   }
@@ -104,8 +113,9 @@ struct FromTelescope : WalkDraws<T> {
     return world.telescope_cones[receiver.telescope];
   }
 
-  template <class Met>
-  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record, Met met) {
+  template <class Met, class Flown>
+  Birth<T> birth(const Index<T>& walk, const Mask<T>& exist, BirthRecord<T>& record, Met met,
+                 Flown flown) {
     const auto& telescope = world.telescopes[receiver.telescope];
     const auto u = this->draw(walk, Index<T>(0), 0);
     record.lens = lens_point(telescope, u[0], u[1]);
@@ -121,13 +131,16 @@ struct FromTelescope : WalkDraws<T> {
     record.translation_area = translation_area(telescope, record.outward);
     auto birth = birth_at_telescope(world.sea, telescope, receiver.region, cone(), ray, record.line,
                                     record.lens);
-    record.own = birth.own;
     record.telescope = world.groups[receiver.group].narrowest(birth.sight);
     if (!cone().even_outside) birth.exists = exist;
     if (world.sea.waves.rough) {
       const auto w = this->draw(walk, Index<T>(0), 2);
       birth.entry.u_choice = w[0], birth.entry.u_slope = w[1], birth.entry.u_azimuth = w[2];
+      begin_at_facets(
+          world.sea, cone(), v[3], true, birth,
+          [&](std::uint32_t block) { return this->draw(walk, Index<T>(0), block); }, met, flown);
     }
+    record.own = birth.own;
     return birth;
   }
   template <class Met>

@@ -36,6 +36,7 @@ struct Birth {
   Mask<T> own{};     ///< its ray is one of the instrument's own; else it has to be moved
   transport::Photon<T> photon;
   Spread<T> spread;
+  Index<T> facets{};           ///< of BirthRecord
   instrument::Sight<T> sight;  ///< what a telescope sees by it
   SurfaceEntry<T> entry;       ///< if it comes through waves
 };
@@ -103,7 +104,9 @@ Birth<T> birth_at_collimated_laser(const medium::MediumView& sea, const instrume
                                    const T& n, const T& u_radius, const T& u_azimuth) {
   const auto photon = transport::emit(laser, region.layer, u_radius, u_azimuth);
   const auto ray = entry_ray_outside(cone, n, laser.axis, {T(0), T(0), T(0)});
-  return birth_in_water(sea, region, ray, photon.position, T(0), Index<T>(0));
+  auto birth = birth_in_water(sea, region, ray, photon.position, T(0), Index<T>(0));
+  birth.photon.weight = birth.photon.weight / cone.others();
+  return birth;
 }
 
 /// A telescope's walk from a point of its lens. It carries étendue: the weight begins with that of

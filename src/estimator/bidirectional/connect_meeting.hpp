@@ -90,7 +90,7 @@ PHOTIC_APART void Connections<T>::meet_under_waves(const RayPairing<T>& pairing,
         met.out_spread);
   enter(pairing.m == Index<T>(0), instrument(), met.back->line, entry_of(pairing.back, met),
         met.back_spread);
-  meet_there(pairing, mask, met, depth, place);
+  meet_there(pairing, mask & !is_scored_by_facet(pairing), met, depth, place);
 }
 
 template <class T>

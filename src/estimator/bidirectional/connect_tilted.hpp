@@ -61,7 +61,8 @@ PHOTIC_APART void Connections<T>::lengthen_to_entry(const RayPairing<T>& pairing
 
 /// The way from a tilted lens becomes longer, or shorter. That changes when light is there; in the
 /// water also how much of it is, and how likely walks go so far; and the densities of connecting
-/// this edge and of meeting at its end, which later rays carry on.
+/// this edge and of meeting at its end, which later rays carry on. Walks that begin at facets come
+/// there anyhow, and their edge is not connected.
 template <class T>
 PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
                                            const BirthRecord<T>& birth, T length, Ray& back,
@@ -71,9 +72,10 @@ PHOTIC_APART void Connections<T>::lengthen(const RayPairing<T>& pairing,
   const Mask<T> first = pairing.m == Index<T>(0);
   T growth(1);  // of what walks draw along it
   if (telescope_.submerged) {
-    length = select(first, T(0), length);  // first rays have been moved
+    const Mask<T> straight = back_.facets(pairing.back) == Index<T>(0);
+    length = select(first & straight, T(0), length);  // such first rays have been moved
     met.gain = exp_minus(length * gather<T>(sea_.c.first, here));
-    growth = exp_minus(-length / gather<T>(sea_.walk_mean_path, here));
+    growth = select(straight, exp_minus(-length / gather<T>(sea_.walk_mean_path, here)), T(1));
   }
   met.longer = length;
   back.path = back.path + length * at_lens(birth, line).index;
@@ -108,8 +110,9 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::meet_tilted(const RayPair<T>& p
   translate(met, in_plane(telescope_, aside) + longer * outward);
   if (sea_.waves.rough) met.lens = lens;
   Ray back = pair.back;
-  if (telescope_.submerged) {  // there a first ray begins at the lens
-    const T begins = select(pair.pairing.m == Index<T>(0), longer, T(0));
+  if (telescope_.submerged) {  // there a first ray begins at the lens, or at facets
+    const Mask<T> at_lens = (pair.pairing.m + back_.facets(pair.pairing.back)) == Index<T>(0);
+    const T begins = select(at_lens, longer, T(0));
     back.position = pair.back.position - begins * pair.back.direction;
   }
   const Mask<T> meets = mask & can_meet(pair, back, depth);

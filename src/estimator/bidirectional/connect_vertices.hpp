@@ -175,8 +175,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_laser(const Pairing<T>
   if (!through_waves && !can_be_met(laser)) return;
   const Vertex w = back_.in_path(pairing.back, pairing.m, usable(pairing.m + Index<T>(1)));
   Mask<T> wanted = mask & emits(w.line, w.layer);
-  if (sea_.waves.rough)  // see score_by_facet()
-    wanted = wanted & !((pairing.m == Index<T>(0)) & back_.by_one_facet(pairing.back));
+  if (sea_.waves.rough) wanted = wanted & !is_scored_by_facet(pairing);
   const Index<T> line(0);
   if (through_waves) {
     const auto own = laser_.entry(pairing.laser);

@@ -239,6 +239,11 @@ class Connections {
     const std::int32_t last = back_.pivot_vertex(back);  // it converts there
     return last < 0 ? Mask<T>(true) : m <= Index<T>(last);
   }
+  /// Whether a path's light was scattered once and comes by one facet to a telescope in the water:
+  /// score_by_facet() has that.
+  [[nodiscard]] Mask<T> is_scored_by_facet(const Pairing<T>& pairing) const {
+    return (pairing.i + pairing.m == Index<T>(0)) & (back_.facets(pairing.back) == Index<T>(1));
+  }
   /// Whether there is a bed that reflects light within the gates.
   [[nodiscard]] bool comes_to_bed() const {
     return sea_.bed_angles > 0 && all(world_.deepest >= T(sea_.top[sea_.layers]));

@@ -2,7 +2,8 @@
 // instrument's ray leads to a point of the surface. From there a walk goes on in a direction of its
 // instrument's cone, which does not depend on that ray; its weight takes how much light the facets
 // and whitecaps of the point send so. What goes by way of several facets has walks of its own.
-// Waves of one direction send a ray in none that is given: there all walks draw their facets.
+// Waves of one direction send a ray in none that is given: there all walks draw their facets. So do
+// walks of instruments in the water that begin with what facets send back.
 #pragma once
 
 #include "core/flatten.hpp"
@@ -11,7 +12,9 @@
 #include "estimator/bidirectional/birth.hpp"
 #include "estimator/by_facets.hpp"
 #include "estimator/entry_cone.hpp"
+#include "estimator/variations/environments.hpp"
 #include "estimator/world.hpp"
+#include "geometry/depths.hpp"
 #include "geometry/sightline.hpp"
 #include "instrument/laser.hpp"
 #include "surface/waves.hpp"
@@ -214,7 +217,7 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
   photon.path = entry.path;
   photon.line = line;
   photon.layer = region.layer;
-  const Mask<T> drawn_facets = entry.exists & (u_polar >= cone.by_one_facet());
+  const Mask<T> drawn_facets = entry.exists & (u_polar >= cone.others());
   const bool by_any = sea.waves.one_dimensional;  // else by several: one can be found
   if (!by_any) {
     const Vec3<T> direction = direction_in_water(cone, u_polar, u_azimuth);
@@ -233,9 +236,11 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
     by.direction = entry.outside;
     by.weight = entry.weight / cone.by_facets;
     const auto surface = surface::rough_surface<T>(sea, line);
+    const auto which = by_any ? Facets::any : Facets::several;
     const auto met =
-        from_telescope ? back_by_facets(surface, by, drawn_facets, true, !by_any, draw, met_surface)
-                       : light_by_facets(surface, by, drawn_facets, true, draw, met_surface);
+        from_telescope
+            ? back_by_facets(surface, by, drawn_facets, true, which, draw, met_surface)
+            : light_by_facets(surface, by, drawn_facets, true, Facets::any, draw, met_surface);
     photon = select(drawn_facets, by, photon);
     birth.spread.solid_angle = select(drawn_facets, T(0), birth.spread.solid_angle);
     birth.exists =
@@ -254,12 +259,55 @@ PHOTIC_APART T absorbed_on_way_in(const World<T>& world, T u_polar, T u_azimuth,
   const Mask<T> comes = transport::come_down(photon);
   if (world.sea.waves.rough) {
     const auto surface = surface::rough_surface<T>(world.sea, photon.line);
-    return light_by_facets(surface, photon, comes, true, draw, [](const auto&...) {}).into_film;
+    return light_by_facets(surface, photon, comes, true, Facets::any, draw, [](const auto&...) {})
+        .into_film;
   }
   Vec3<T> direction = photon.direction;
   direction.z = select(comes, direction.z, T(-1));
   const auto split = surface::flat_surface<T>(world.sea, photon.line).from_above(direction);
   return select(comes, T(1) - split.reflectance - split.transmittance, T(0));
+}
+
+/// Weight of the laser's light that facets do not send down in the water.
+template <class T>
+struct NotSentDown {
+  T weight{}, into_film{};  ///< `into_film`: of that, what a film of oil absorbs
+};
+/// Of walks that an instrument in the water begins, those that `u_class` chooses, a uniform, begin
+/// at the surface instead: they have come there without colliding, and facets send them down again.
+/// Returns what facets do not send down; flown(mask, passage) is told of the way up.
+template <class T, class Draw, class Met, class Flown>
+NotSentDown<T> begin_at_facets(const medium::MediumView& sea, const EntryCone<T>& cone,
+                               const T& u_class, bool from_telescope, Birth<T>& birth, Draw draw,
+                               Met met_surface, Flown flown) {
+  const Mask<T> chosen = u_class >= cone.others();
+  if (!any(chosen)) return {};
+  auto by = birth.photon;
+  const Mask<T> rises = chosen & birth.exists & (by.direction.z > T(0));
+  const T steep = select(rises, by.direction.z, T(1));
+  const T depth = T(0) - by.position.z;
+  const T length = depth / steep;
+  const T tau = sea.optical_depth(by.line, geometry::level_of(sea, by)) / steep;
+  const Index<T> top(0);
+  flown(rises, Passage<T>{by.line, by.layer, depth, top, T(0), length});
+  by.position = {by.position.x + length * by.direction.x, by.position.y + length * by.direction.y,
+                 T(0)};
+  by.path = by.path + length * gather<T>(sea.group_index, by.line);
+  by.layer = top;
+  by.weight = by.weight * exp_minus(tau) * (cone.others() / cone.by_facets);
+  const T comes = by.weight;
+  const Mask<T> stand = rises & (comes > T(0));
+  const auto surface = surface::rough_surface<T>(sea, by.line);
+  const auto met =
+      from_telescope
+          ? back_by_facets(surface, by, stand, false, Facets::that_return, draw, met_surface)
+          : light_by_facets(surface, by, stand, false, Facets::that_return, draw, met_surface);
+  birth.photon = select(stand, by, birth.photon);
+  birth.spread.solid_angle = select(chosen, T(0), birth.spread.solid_angle);
+  birth.facets = select(chosen, select(met.several, Index<T>(2), Index<T>(1)), Index<T>(0));
+  birth.exists = (met.in_water & chosen) | (birth.exists & !chosen);
+  birth.own = birth.own & birth.exists;
+  return {select(stand, comes - select(birth.exists, by.weight, T(0)), T(0)), met.into_film};
 }
 
 }  // namespace photic::estimator

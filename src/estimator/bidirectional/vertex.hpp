@@ -134,7 +134,6 @@ void pass_facets(const Arrival<T>& by, Vertex<T>& v) {
   if (!any(reflected)) return;
   v.chance = v.chance * select(reflected, by.facets->chance, T(1));
   v.reverse_chance = v.reverse_chance * select(reflected, by.facets->reverse_chance, T(1));
-  v.arriving_edge = select(reflected, T(0), v.arriving_edge);
   v.translated = select(reflected, T(0), v.translated);
   v.added.translated = select(reflected, T(0), v.added.translated);
 }

@@ -53,7 +53,7 @@ class Walks {
         free_area_(walks),
         rotated_first_(walks),
         entry_(sea.waves.rough ? walks : 0),
-        by_one_facet_(sea.waves.rough ? walks : 0),
+        facets_(sea.waves.rough ? walks : 0),
         rays_(walks),
         vertices_(walks),
         pivot_vertex_(walks),
@@ -76,7 +76,7 @@ class Walks {
     scatter(mask, walk, Index<T>(0), vertices_.data());
     scatter(mask, walk, Index<T>(-1), pivot_vertex_.data());
     if (!first_on_bed_.empty()) scatter(mask, walk, Index<T>(most_vertices), first_on_bed_.data());
-    if (!by_one_facet_.empty()) scatter(mask, walk, Index<T>(0), by_one_facet_.data());
+    if (!facets_.empty()) scatter(mask, walk, record.facets, facets_.data());
     add(mask, walk, Index<T>(0), first);
   }
   /// Those of a mask come through waves.
@@ -101,10 +101,6 @@ class Walks {
     near_first_.put(mask, walk, first.near);
     if (frees) free_area_.put(mask, walk, first.free);
     if (!from_telescope_) rotated_first_.put(mask, walk, first.rotated);
-  }
-  /// Those of a mask, from an instrument in the water, come to their first vertex by one facet.
-  void come_by_one_facet(const Mask<T>& mask, const Index<T>& walk) {
-    scatter(mask, walk, Index<T>(1), by_one_facet_.data());
   }
   /// Vertex i, where walks of a mask stand, is on the bed.
   void come_to_bed(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i) {
@@ -190,9 +186,9 @@ class Walks {
     record.spread.through_surface = through_surface_;
     return record;
   }
-  /// Whether one facet led it from its instrument to its first vertex.
-  [[nodiscard]] Mask<T> by_one_facet(const Index<T>& walk) const {
-    return gather_index<T>(by_one_facet_.data(), walk) == Index<T>(1);
+  /// BirthRecord::facets.
+  [[nodiscard]] Index<T> facets(const Index<T>& walk) const {
+    return facets_.empty() ? Index<T>(0) : gather_index<T>(facets_.data(), walk);
   }
   /// Where it comes through waves.
   [[nodiscard]] SurfaceEntry<T> entry(const Index<T>& walk) const { return entry_.at(walk); }
@@ -368,7 +364,7 @@ class Walks {
   lanes::Records<T, FreeArea<T>> free_area_;
   lanes::Records<T, RotatedMeeting<T>> rotated_first_;
   lanes::Records<T, SurfaceEntry<T>> entry_;  ///< of walks that come through waves
-  std::vector<std::int32_t> by_one_facet_;    ///< whether it came so to its first vertex
+  std::vector<std::int32_t> facets_;          ///< that sent it down, under waves
   std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_, telescope_,
       line_;                                ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many

@@ -21,6 +21,8 @@ struct BirthRecord {
   Mask<T> own{true};      ///< its ray is one of its instrument's own: not all rays of cones are
   Index<T> telescope{};   ///< the narrowest of nested views that sees its ray
   Index<T> line{};        ///< of the light that comes back
+  Index<T> facets{};      ///< under waves, that sent it down where its instrument is in the water:
+                          ///< none, one, or 2 for several
   template <class F>
   constexpr void each_member(F f) {
     spread.each_member(f);

@@ -162,10 +162,12 @@ class WalkSteps {
         slopes_over_rays(world, instrument, line, position, walks.entry(walk), record.lens, first),
         record.spread);
   }
-  /// Those who stand at the surface meet facets until they go down in the water, or have left.
+  /// Those who stand at the surface meet facets until they go down in the water, or have left. Who
+  /// comes there straight from an instrument ends: others begin with what facets send back.
   PHOTIC_APART static Walker<T> cross_waves(const geometry::Slabs& sea, Source& source,
                                             Walks<T>& walks, Walker<T> w) {
     const bool back = walks.from_telescope();
+    w.on = w.on & (w.colliding | (w.vertices > Index<T>(0)));
     const Mask<T> stand = w.on & !w.colliding;
     if (!any(stand)) return w;
     const T before = w.photon.weight;
@@ -175,8 +177,8 @@ class WalkSteps {
       if (sea.environments.other_surface)
         meet_surface(sea, walks, w.walk, w.vertices, meeting, mask);
     };
-    const auto by = back ? back_by_facets(surface, w.photon, stand, false, false, draw, met)
-                         : light_by_facets(surface, w.photon, stand, false, draw, met);
+    const auto by = back ? back_by_facets(surface, w.photon, stand, false, Facets::any, draw, met)
+                         : light_by_facets(surface, w.photon, stand, false, Facets::any, draw, met);
     // A walk's weight is what light is worth that comes the path, but for its chances.
     if (back) {
       w.photon.weight = w.photon.weight * select(stand, by.chance, T(1));
@@ -190,7 +192,6 @@ class WalkSteps {
       book(source.ledger.oil, stand, by.into_film);
     }
     book(source.ledger.escaped, stand, escaped);
-    if (back) walks.come_by_one_facet(stand & (!by.several) & (w.vertices == Index<T>(0)), w.walk);
     w.on = w.on & ((!stand) | by.in_water);
     w.leg.reflected = w.leg.reflected | stand;
     return w;

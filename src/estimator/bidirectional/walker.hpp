@@ -54,10 +54,14 @@ class WalkTracer {
       if (world_.sea.environments.other_surface)
         meet_surface(world_.sea, walks_, walker.walk, Index<T>(0), meeting, Mask<T>(mask & exist));
     };
-    const auto birth = source_.birth(walker.walk, exist, record, met);
+    const auto flown = [&](const Mask<T>& mask, const Passage<T>& way) {
+      if (world_.compares) pass_ratios(walker.walk, Mask<T>(mask & exist), way);
+    };
+    const auto birth = source_.birth(walker.walk, exist, record, met, flown);
     const Mask<T> born = exist & birth.exists;
     walker.photon = birth.photon;
     record.spread = birth.spread;
+    record.facets = birth.facets;
     // Who does not set out still has a point of the lens.
     const Mask<T> left_out = exist & source_.left_out(birth);
     walks_.birth(born | left_out, walker.walk, record, {walk_point(birth.photon)});
@@ -94,6 +98,16 @@ class WalkTracer {
       walks_.ratios().of(slot).begin(world_.sea.environments);
       if (world_.sea.environments.other_surface)
         walks_.at_surface().of(slot).begin(world_.sea.environments);
+    });
+  }
+  /// Those of a mask have gone a way before their first ray begins.
+  PHOTIC_APART void pass_ratios(Index<T> walk, const Mask<T>& mask, Passage<T> way) {
+    Terms<T> ways;
+    add_passage(world_.sea, way, ways);
+    const auto first = each_lane(Walks<T>::slot(walk, Index<T>(0)));
+    for_each_lane(mask, [&](int lane) {
+      const auto k = static_cast<std::size_t>(lane);
+      walks_.ratios().of(static_cast<std::size_t>(first[k])).pass(world_.sea.environments, ways, k);
     });
   }
   const World<T>& world_;

@@ -48,6 +48,29 @@ TEST(EntryCone, GivesNarrowerConesTheirShares) {
   }
 }
 
+// Of an instrument in the water. Other walks are as much less dense. Seen red: with a solid angle
+// that does not know of the share.
+TEST(EntryCone, UnderWavesLeavesAShareToWalksThatBeginAtFacets) {
+  const auto flat_sea = transport::make_sea(40);
+  auto sea = transport::make_sea(40);
+  sea.waves.slopes.upwind_variance = sea.waves.slopes.crosswind_variance = 0.02;
+  const std::vector<InnerCone> inner{{0.3, 0.5}};
+  for (const auto& [direction, share] : {std::pair{V{0, 0, 1}, 0.25},
+                                         {V{1, 0, 0}, 0.125},
+                                         {V{0.6, 0, -0.8}, 0.02},
+                                         {V{0, 0, -1}, 0.0}}) {
+    const auto telescope = telescope_at({0, 0, -4}, direction);
+    const auto flat = cone_of_own_rays(telescope, flat_sea, inner);
+    const auto cone = cone_of_own_rays(telescope, sea, inner);
+    EXPECT_NEAR(cone.by_facets, share, 1e-3);
+    ASSERT_EQ(cone.rings, flat.rings);
+    for (std::size_t k = 0; k < cone.rings; ++k)
+      EXPECT_NEAR(cone.others() * cone.ring[k].solid_angle, flat.ring[k].solid_angle, 1e-12);
+    for (const double u : {0.1, 0.4, 0.6, 0.9})
+      EXPECT_NEAR(cone.draw(cone.others() * u), flat.draw(u), 1e-12);
+  }
+}
+
 // Seen red: with their light sent down.
 TEST(EntryCone, OfParallelRaysThatLookAwayLightNothing) {
   const auto sea = transport::make_sea(40);
