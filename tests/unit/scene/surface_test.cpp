@@ -239,7 +239,12 @@ TEST(Surface, WhatTheBidirectionalEstimatorHasNot) {
   looks_off_vertical(74);
   scene.telescope[0].position_m.z = -1;
   EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);
-  scene.telescope[0].position_m.z = 1;
+  scene.source.position_m.z = -2;
+  EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);
+  scene.telescope[0].direction.z *= -1;
+  EXPECT_EQ(bidirectional_lacks(scene),
+            "waves over a laser and a telescope in the water of which one looks up, the other "
+            "down");
   scene.sea.surface = {};
   EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);
 }
