@@ -154,8 +154,8 @@ TEST(LanesOf, DepartAndNextRay) {
       directed += photon[i].line != line && d[i] < inverse_conversion.directed;
     }
   }
-  EXPECT_GT(converted, groups / 4);
-  EXPECT_GT(directed, groups / 8);
+  EXPECT_GT(converted, groups / 6);
+  EXPECT_GT(directed, groups / 12);
 }
 
 TEST(LanesOf, Joints) {
