@@ -72,8 +72,8 @@ struct StrategiesOfPath {
            (e.spread / samples.to_instrument / std::abs(e.arriving.z)) * mean_over_laser() *
            moved_to(i);
   }
-  /// Whether rays that meet at vertex i may have the same group path where they meet at other points
-  /// of a grid: where light goes on down or up about as steep as it came.
+  /// Whether rays that meet at vertex i may have the same group path where they meet at other
+  /// points of a grid: where light goes on down or up about as steep as it came.
   [[nodiscard]] bool as_long_elsewhere(std::int32_t i) const {
     const auto per_depth = [&](double z, std::int32_t line) {
       return medium.line[static_cast<std::size_t>(line)].group_index / z;
