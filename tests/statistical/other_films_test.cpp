@@ -1,0 +1,104 @@
+// Films of oil as environments, and derivatives by them, against runs of their own.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/films.hpp"
+#include "support/runs.hpp"
+#include "support/scenes.hpp"
+#include "support/z_test.hpp"
+
+namespace photic::test {
+namespace {
+
+/// Of a gate, in an environment and in its own run, where both are known well.
+void compare_environment(const tally::Result& all, std::size_t e, const tally::Result& own,
+                         ZFamily& family, const std::string& what) {
+  const std::size_t cells = own.echo.mean.size();
+  for (std::size_t i = 0; i < cells; ++i) {
+    const double other = all.environment_echo.standard_error[e * cells + i];
+    const double error = std::hypot(other, own.echo.standard_error[i]);
+    const bool known =
+        own.convergence_flags[i] == 0 && all.environment_convergence_flags[e * cells + i] == 0;
+    if (!known || !(error < 0.1 * own.echo.mean[i])) continue;
+    family.add(all.environment_echo.mean[e * cells + i], own.echo.mean[i], error,
+               fmt::format("{} cell {}", what, i));
+  }
+}
+
+struct OtherFilm {
+  const char* name;
+  std::string set, own;
+};
+const std::vector<OtherFilm>& other_films() {
+  static const std::vector<OtherFilm> all{
+      {"thinner", "\"oil.thickness_um\" = 3.0", film(3)},
+      {"none", "\"oil.thickness_um\" = 0.0", film(0)},
+      {"darker", "\"oil.absorption_factor\" = 2.5", film(12, "absorption_factor = 2.5\n")},
+      {"brighter", "\"oil.yield\" = 0.05", film(12, "yield = 0.05\n")}};
+  return all;
+}
+
+// Films of environments are those of their own runs: flat and on waves, of all light.
+// Seen red: with the crossings left out, of all ways, of walks' legs, or of ways to telescopes;
+// with the emission's ratio left out.
+void expect_films_are_their_own_runs(const std::string& lidar, const std::string& surface,
+                                     const std::string& estimator, double photons,
+                                     std::size_t least) {
+  const auto scene = [&](const std::string& oil, const std::string& more, std::uint64_t seed) {
+    return read(lidar + oil + "[sea]\nsurface = { " + surface + " }\n" + clear_water +
+                "[gates]\ndepth_min_m = -1.0\ndepth_max_m = 8.0\ndepth_step_m = 3.0\n" + more +
+                simulation(photons, seed, "", estimator));
+  };
+  std::string environments;
+  for (const auto& f : other_films())
+    environments += fmt::format("[[environment]]\nname = \"{}\"\nset = {{ {} }}\n", f.name, f.set);
+  const auto all = run_in_lanes(scene(film(12), environments, 21));
+  ZFamily family(0.01);
+  for (std::size_t e = 0; e < other_films().size(); ++e)
+    compare_environment(all, e, run_in_lanes(scene(other_films()[e].own, "", 22 + e)), family,
+                        other_films()[e].name);
+  std::printf("%s, %s: %zu cells, rms z %.2f\n", estimator.c_str(), surface.c_str(), family.size(),
+              family.rms());
+  EXPECT_GE(family.size(), least);
+  family.judge();
+}
+TEST(OilFilm, OfEnvironmentsIsThatOfItsOwnRun) {
+  const std::string lidar = instrument(12, 15, 355) + of_water + channel("oil");
+  expect_films_are_their_own_runs(lidar, flat, "forward", 1e6, 20);
+  expect_films_are_their_own_runs(lidar, waves, "forward", 1e6, 10);
+}
+TEST(OilFilm, OfEnvironmentsIsThatOfItsOwnRunByWalks) {
+  const std::string lidar = instrument(12, 15, 355) + of_water + channel("oil");
+  expect_films_are_their_own_runs(lidar, flat, "bidirectional", 2e5, 16);
+  expect_films_are_their_own_runs(lidar, waves, "bidirectional", 2e5, 16);
+}
+
+// The derivative by the thickness is that of films a little thicker and thinner.
+void expect_derivatives_by_the_film(const std::string& estimator, double photons) {
+  const auto r = run_in_lanes(read("sensitivity = [\"oil.thickness_um\", \"oil.yield\"]\n" +
+                                   instrument(12, 15, 355) + of_water + channel("oil") +
+                                   film(5, "yield = 0.02\n") + clear_water + two_gates +
+                                   "[[environment]]\nset = { \"oil.thickness_um\" = 5.05 }\n"
+                                   "[[environment]]\nset = { \"oil.thickness_um\" = 4.95 }\n" +
+                                   simulation(photons, 11, "", estimator)));
+  const std::size_t cells = r.echo.mean.size();
+  for (std::size_t i = 0; i < cells; ++i) {
+    if (r.echo.mean[i] == 0) continue;
+    const double by_steps = (r.environment_echo.mean[i] - r.environment_echo.mean[cells + i]) / 0.1;
+    EXPECT_NEAR(r.sensitivity.mean[i], by_steps, 1e-3 * std::abs(by_steps)) << i;
+    const bool of_oil = i / r.gates() == 2;
+    const double by_yield = r.sensitivity.mean[cells + i] * 0.02;
+    EXPECT_NEAR(by_yield, of_oil ? r.echo.mean[i] : 0, 1e-4 * r.echo.mean[i]) << i;
+  }
+}
+TEST(OilFilm, HasDerivativesByItsThickness) {
+  expect_derivatives_by_the_film("forward", 1e5);
+  expect_derivatives_by_the_film("bidirectional", 2e4);
+}
+
+}  // namespace
+}  // namespace photic::test
