@@ -44,6 +44,11 @@ bool looks_flat(const Telescope& t) {
   return off_vertical + view > (90 - flattest_degrees) * radian_per_degree;
 }
 
+bool may_count_converted(const Scene& scene) {
+  return std::ranges::any_of(scene.channel,
+                             [](const Channel& c) { return c.process != Process::elastic; });
+}
+
 /// What knows the flat surface alone.
 void check_simulation(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
@@ -51,6 +56,11 @@ void check_simulation(const Scene& scene, Findings& findings) {
       reason && s.estimator == Estimator::bidirectional)
     findings.add("simulation.estimator", "the bidirectional estimator has no " + *reason,
                  "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
+  else if (s.estimator == Estimator::bidirectional && may_count_converted(scene))
+    findings.remark("simulation.estimator",
+                    "over waves this estimator finds by chance what facets send back after its "
+                    "conversion: in turbid water gates near the surface may be some per cent low, "
+                    "and not flagged; compare with \"forward\"");
   if (s.reception == Reception::overlap)
     findings.add("simulation.reception",
                  "waves spread light over the lens unevenly: the mean over the lens is not known",
