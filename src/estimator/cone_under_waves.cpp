@@ -72,16 +72,15 @@ constexpr double farthest = 5 * transport::wider_slopes;
 /// wider than what slopes do with light from so deep [m].
 constexpr double by_slopes_from = 10;
 
-/// How slopes and rays turn light in the water at an instrument's axis: angle there per slope, and
-/// per angle in the air.
+/// How slopes and rays turn light in the water at a ray with the cosine `steep` to the vertical
+/// there: angle there per slope, and per angle in the air.
 struct Turning {
   double per_slope, per_angle, slope;  ///< `slope`: the larger deviation of slopes
 };
-Turning turning_at(const EntryCone<double>& cone, const medium::Medium& medium) {
+Turning turning_at(double steep, const medium::Medium& medium) {
   const auto waves = medium.view().waves;
   const double n = medium.line.front().refractive_index;
-  const double per_angle =
-      std::sqrt(std::max(0.0, 1 - n * n * (1 - cone.steep * cone.steep))) / (n * cone.steep);
+  const double per_angle = std::sqrt(std::max(0.0, 1 - n * n * (1 - steep * steep))) / (n * steep);
   return {1 - per_angle, per_angle, std::max(waves.upwind_deviation, waves.crosswind_deviation)};
 }
 /// Of an instrument that stands so high. `radius`: of the spot that its rays fill on the surface,
@@ -89,7 +88,7 @@ Turning turning_at(const EntryCone<double>& cone, const medium::Medium& medium) 
 bool are_wider_than_slopes(double height, double radius, const EntryCone<double>& flat,
                            const medium::Medium& medium) {
   if (height < 0 || medium.view().waves.one_dimensional) return false;
-  const auto turning = turning_at(flat, medium);
+  const auto turning = turning_at(flat.steep, medium);
   return radius > by_slopes_from * turning.per_slope * turning.slope;
 }
 double spot_radius(const scene::Telescope& telescope) {
@@ -103,6 +102,15 @@ double spot_radius(const scene::Source& source) {
   return source.diameter_m / 2 + laser.ahead * std::tan(source.half_divergence_mrad * 1e-3);
 }
 
+/// Cosine to the vertical of an instrument's flattest ray in the water.
+double flattest_steepness(const EntryCone<double>& flat, double half_angle,
+                          const medium::Medium& medium) {
+  const double n = medium.line.front().refractive_index;
+  const double outside = std::acos(std::clamp(-flat.outside.z, -1.0, 1.0)) + half_angle;
+  const double sine = std::sin(std::min(outside, pi / 2)) / n;
+  return std::sqrt(1 - sine * sine);
+}
+
 /// `flat`: of the same instrument over a flat surface.
 EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, bool by_slopes,
                               const medium::Medium& medium, double deepest, bool frees) {
@@ -110,7 +118,6 @@ EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, 
   EntryCone<double> cone = flat;
   cone.exact = true;
   cone.even_outside = false;
-  const auto [of_facets, of_rays, slope] = turning_at(flat, medium);
   if (sea.waves.one_dimensional) {
     cone.by_facets = 1;
     cone.spot = {};
@@ -119,8 +126,12 @@ EntryCone<double> under_waves(const EntryCone<double>& flat, double half_angle, 
   }
   cone.enters_by_slopes = by_slopes;
   cone.by_depth = frees && by_slopes;
-  const double deviation = std::hypot(of_facets * slope, of_rays * half_angle / 2);
-  const double axis_angle = std::acos(cone.steep);
+  cone.about_rays = !cone.by_depth;
+  const double steep = cone.about_rays ? flattest_steepness(flat, half_angle, medium) : flat.steep;
+  const auto [of_facets, of_rays, slope] = turning_at(steep, medium);
+  const double deviation =
+      std::hypot(of_facets * slope, cone.about_rays ? 0 : of_rays * half_angle / 2);
+  const double axis_angle = std::acos(steep);
   const double most = pi / 2 - above_horizon - axis_angle;
   const Vec3<double> down = cone.outside.z < 0 ? cone.outside : Vec3<double>{0, 0, -1};
   cone.by_facets = std::clamp(1.5 * share_of_several(sea, down), 0.005, 0.3);

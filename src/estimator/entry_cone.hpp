@@ -57,6 +57,8 @@ struct EntryCone {
   T by_facets{};     ///< of those that draw their facets instead: several, or any of waves of one
                      ///< direction; of an instrument in the water all that send its rays back
   bool enters_by_slopes = false;  ///< entries are also drawn by slopes
+  bool about_rays = false;  ///< directions in the water are drawn about each ray of the instrument,
+                            ///< as the flat surface refracts it, not about the axis
   Spot<T> spot;
 
   /// The share of the others: they come by one facet, or straight from an instrument in the water.
@@ -135,18 +137,24 @@ struct EntryRay {
   Mask<T> exists{};   ///< light of a line can come through the surface by it
 };
 
+/// A ray that comes down through the flat surface, in the water.
+template <class T>
+Vec3<T> refracted_down(const Vec3<T>& outside, const T& n) {
+  using std::sqrt;
+  const T x = outside.x / n, y = outside.y / n;
+  return {x, y, T(0) - sqrt(T(1) - (x * x + y * y))};
+}
+
 /// Completes one whose direction outside is `off_axis` from the instrument's axis. `n`: of the
 /// line.
 template <class T>
 EntryRay<T> entry_ray_outside(const EntryCone<T>& cone, const T& n, const Vec3<T>& outside,
                               const Vec3<T>& off_axis) {
-  using std::sqrt;
   EntryRay<T> ray{outside, outside, off_axis, cone.solid_angle_outside(n, outside, outside),
                   Mask<T>(true)};
   if (!cone.in_air) return ray;
   ray.exists = outside.z < T(0);
-  const T x = outside.x / n, y = outside.y / n;
-  ray.direction = {x, y, T(0) - sqrt(T(1) - (x * x + y * y))};
+  ray.direction = refracted_down(outside, n);
   return ray;
 }
 /// Completes one whose direction in the water is `off_axis` from the cone's axis. `n_axis`: of the
@@ -175,11 +183,12 @@ EntryRay<T> entry_ray(const EntryCone<T>& cone, const T& n, const T& n_axis,
   return ray;
 }
 
-/// Directions in the water that are drawn evenly about its axis, from two uniforms.
+/// Directions in the water that are drawn evenly about an axis, from two uniforms.
 template <class T>
-Vec3<T> direction_in_water(const EntryCone<T>& cone, const T& u_polar, const T& u_azimuth) {
+Vec3<T> direction_about(const Vec3<T>& axis, const EntryCone<T>& cone, const T& u_polar,
+                        const T& u_azimuth) {
   const auto [cosine, sine] = cos_sin_of_turns(u_azimuth);
-  return turned(cone.axis, cone.draw(u_polar), cosine, sine);
+  return turned(axis, cone.draw(u_polar), cosine, sine);
 }
 
 /// From two uniforms.
@@ -250,6 +259,7 @@ EntryCone<T> cone_cast(const EntryCone<double>& c) {
   out.free_share = T(c.free_share);
   out.by_facets = T(c.by_facets);
   out.enters_by_slopes = c.enters_by_slopes;
+  out.about_rays = c.about_rays;
   out.spot = {T(s.x),           T(s.y),
               T(s.x_per_depth), T(s.y_per_depth),
               T(s.radius),      T(s.radius_per_depth),

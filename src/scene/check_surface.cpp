@@ -29,11 +29,6 @@ void check_size(const Surface& surface, Findings& findings) {
 /// Walks through waves of one direction have to be translated to meet, which flat rays of tilted
 /// lenses are not (instrument::flattest_translated, 11.5 degrees).
 constexpr double flattest_degrees = 12;
-/// Whether facets send a telescope nearly all its light. What they send back twice in a row is
-/// found by chance alone (docs/decisions/0045): echoes are too low, and not flagged.
-bool by_facets_alone(const Source& laser, const Telescope& t) {
-  return laser.position_m.z < 0 && t.position_m.z < 0 && laser.direction.z * t.direction.z < 0;
-}
 /// Whether a telescope in the air sees rays flatter than that.
 bool looks_flat(const Telescope& t) {
   if (t.position_m.z < 0) return false;
@@ -44,11 +39,6 @@ bool looks_flat(const Telescope& t) {
   return off_vertical + view > (90 - flattest_degrees) * radian_per_degree;
 }
 
-bool may_count_converted(const Scene& scene) {
-  return std::ranges::any_of(scene.channel,
-                             [](const Channel& c) { return c.process != Process::elastic; });
-}
-
 /// What knows the flat surface alone.
 void check_simulation(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
@@ -56,11 +46,6 @@ void check_simulation(const Scene& scene, Findings& findings) {
       reason && s.estimator == Estimator::bidirectional)
     findings.add("simulation.estimator", "the bidirectional estimator has no " + *reason,
                  "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
-  else if (s.estimator == Estimator::bidirectional && may_count_converted(scene))
-    findings.remark("simulation.estimator",
-                    "over waves this estimator finds by chance what facets send back after its "
-                    "conversion: in turbid water gates near the surface may be some per cent low, "
-                    "and not flagged; compare with \"forward\"");
   if (s.reception == Reception::overlap)
     findings.add("simulation.reception",
                  "waves spread light over the lens unevenly: the mean over the lens is not known",
@@ -87,9 +72,6 @@ void check_whitecaps(const Surface& surface, Findings& findings) {
 std::optional<std::string> bidirectional_lacks(const Scene& scene) {
   const Surface& surface = scene.sea.surface;
   if (!surface.is_rough()) return {};
-  if (std::ranges::any_of(scene.telescope,
-                          [&](const Telescope& t) { return by_facets_alone(scene.source, t); }))
-    return "waves over a laser and a telescope in the water of which one looks up, the other down";
   if (!surface.is_one_dimensional() || !std::ranges::any_of(scene.telescope, looks_flat)) return {};
   return fmt::format("waves of one direction seen by rays flatter than {} degrees",
                      flattest_degrees);

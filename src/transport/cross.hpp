@@ -1,6 +1,8 @@
 // What the surface makes of photons that come to it: the share of their weight that goes on.
 #pragma once
 
+#include "core/elementary.hpp"
+#include "geometry/depths.hpp"
 #include "geometry/region.hpp"
 #include "medium/medium.hpp"
 #include "surface/flat.hpp"
@@ -18,6 +20,30 @@ Mask<T> come_down(Photon<T>& photon) {
   photon.position = select(downward, Vec3<T>{there.x, there.y, T(0)}, photon.position);
   photon.path = photon.path + select(downward, distance, T(0));
   return downward;
+}
+
+/// A way up to the surface.
+template <class T>
+struct CameUp {
+  Mask<T> rises{};  ///< who comes there
+  T length{};       ///< [m]
+};
+/// Takes photons in the water to the surface, without colliding: their weight takes the chance of
+/// that. Those who do not rise are left as they are.
+template <class T>
+CameUp<T> come_up(const medium::MediumView& sea, Photon<T>& photon) {
+  CameUp<T> way;
+  way.rises = photon.direction.z > T(0);
+  const T steep = select(way.rises, photon.direction.z, T(1));
+  way.length = T(-photon.position.z) / steep;
+  const T tau = sea.optical_depth(photon.line, geometry::level_of(sea, photon)) / steep;
+  const Vec3<T> there = photon.position + way.length * photon.direction;
+  const T index = gather<T>(sea.group_index, photon.line);
+  photon.position = select(way.rises, Vec3<T>{there.x, there.y, T(0)}, photon.position);
+  photon.path = photon.path + select(way.rises, way.length * index, T(0));
+  photon.weight = photon.weight * select(way.rises, exp_minus(tau), T(1));
+  photon.layer = select(way.rises, Index<T>(0), photon.layer);
+  return way;
 }
 
 /// Takes photons from where their instrument stands into the water: from the air through the flat

@@ -74,14 +74,23 @@ PHOTIC_APART void Connections<T>::complete_between(const Pairing<T>& pairing, co
 
 /// By a meeting of a laser's ray and a telescope's.
 template <class T>
-PHOTIC_APART void Connections<T>::complete_by_meeting(const Met<T>& met, const T& depth,
+PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPairing<T>& pairing,
+                                                      const Met<T>& met, const T& depth,
                                                       const Index<T>& layer) {
   const Ray &out = *met.out, &back = *met.back;
-  const auto pass = [&](const Ray& ray) {
+  const bool rough = sea_.waves.rough;
+  const auto pass = [&](const Ray& ray, const Walks<T>& walks, const Index<T>& walk,
+                        const Index<T>& m, const Mask<T>& sent_back) {
     const Mask<T> reflected = ray.is_reflected();
     WalkPoint<T> left = ray;
     left.position.z = select(reflected, T(-ray.position.z), ray.position.z);
     left.direction.z = ray.leaving_z();
+    if (rough && any(sent_back)) {
+      const Ray up = walks.ray(walk, m);
+      left.position.z = select(sent_back, up.position.z, left.position.z);
+      left.direction.z = select(sent_back, up.direction.z, left.direction.z);
+      left.layer = select(sent_back, up.layer, left.layer);
+    }
     const T reach = (-ray.position.z - depth) / ray.direction.z;
     WalkPoint<T> arrived = ray;
     arrived.position = ray.position + reach * ray.direction;
@@ -90,8 +99,9 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const Met<T>& met, const T
   };
   completion_.clear();
   completion_.meets = true;
-  pass(out);
-  pass(back);
+  if (rough) completion_.sent_back = pairing.reflected;
+  pass(out, laser_, pairing.laser, pairing.i, pairing.reflects_laser());
+  pass(back, back_, pairing.back, pairing.m, pairing.reflects_telescope());
   if (is_aslant(telescope_)) {
     const Index<T>& at = receiver_.region.layer;
     completion_.pass(sea_, {met.line, at, T(0), at, T(0), met.longer});
@@ -115,16 +125,20 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::score_in_environments(Pairing<T
                                                                        FoundPath<T> path) {
   const auto laser = each_lane(pairing.laser), out = each_lane(pairing.i);
   const auto telescope = each_lane(pairing.back), back = each_lane(pairing.m);
+  const auto sent_back = each_lane(completion_.sent_back);
   lanes::each_score(tally_, mask, scores_of(pairing, walked, path),
                     [&](std::size_t lane, const tally::Score& score, const auto& at) {
+                      const auto whole_leg = [&](std::int32_t of_walk) {
+                        return !completion_.meets || (sent_back[lane] & of_walk) != 0;
+                      };
                       const auto of_walks = [&](std::int32_t e) {
                         const auto of_laser = [&] {
                           return laser_.ratio(sea_.environments, laser[lane], out[lane],
-                                              path.free == Free::laser, !completion_.meets, e);
+                                              path.free == Free::laser, whole_leg(1), e);
                         };
                         const auto of_telescope = [&] {
                           return back_.ratio(sea_.environments, telescope[lane], back[lane],
-                                             path.free == Free::telescope, !completion_.meets, e);
+                                             path.free == Free::telescope, whole_leg(2), e);
                         };
                         if (walked == Walked::laser) return of_laser();
                         if (walked == Walked::telescope) return of_telescope();

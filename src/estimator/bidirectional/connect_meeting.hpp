@@ -117,11 +117,12 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
   RotationAxis<T> axis_of_laser = axis;
   axis_of_laser.x = axis.x - met.out_moved.x;
   axis_of_laser.y = axis.y - met.out_moved.y;
-  const auto laser_side =
-      laser_.side(out, met.out_spread, pairing.laser, pairing.i, in_path, freedom, axis_of_laser,
-                  met.out_near, T(1), false, met.out_rotated);
-  const auto side = back_.side(back, met.back_spread, pairing.back, pairing.m, in_path, freedom,
-                               met.own_axis, met.back_near, met.rest, met.rotates_anew);
+  auto laser_side = laser_.side(out, met.out_spread, pairing.laser, pairing.i, in_path, freedom,
+                                axis_of_laser, met.out_near, T(1), false, met.out_rotated);
+  auto side = back_.side(back, met.back_spread, pairing.back, pairing.m, in_path, freedom,
+                         met.own_axis, met.back_near, met.rest, met.rotates_anew);
+  laser_side.straight = !pairing.reflects_laser();
+  side.straight = !pairing.reflects_telescope();
 
   // Densities of the strategies, each times p and both rays' chances: meeting here, connecting
   // either ray's edge, meeting where either ray begins, all behind them.
@@ -146,12 +147,18 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
   const T goes_on =
       back.chance * world_.inverse_conversion.goes_on(sea_, back.line, place, pairing.m,
                                                       at.converts, -out.direction, at.p);
-  const T met_next = goes_on * laser_side.meeting * at.reach_back + side.meeting * at.reach_out;
+  // Walks that meet where a ray begins that facets have sent back do not come by what is behind.
+  T by_out = at.reach_back, by_back = at.reach_out;
+  if (sea_.waves.rough) {
+    by_out = by_out * select(laser_side.straight, T(1), at.reach_out);
+    by_back = by_back * select(side.straight, T(1), at.reach_back);
+  }
+  const T met_next = goes_on * laser_side.meeting * by_out + side.meeting * by_back;
   const T met_behind = at.reach_out * at.reach_back * (goes_on * laser_side.behind + side.behind);
   const T value = out.weight * back.weight * at.coefficient * at.p * exp_minus(at.tau) /
                   (here_met + connected + at.p * (met_next + met_behind));
   if (world_.compares) [[unlikely]]
-    complete_by_meeting(met, depth, place);
+    complete_by_meeting(pairing, met, depth, place);
   score(pairing, Walked::both, emitting & (at.path < receiver_.last_path),
         {met.gain * value, at.path, last, in_path.order, pairing.i, pairing.m, met.telescope,
          at.bed, met.free});

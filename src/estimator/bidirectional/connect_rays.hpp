@@ -23,42 +23,45 @@ std::int32_t Connections<T>::list_laser_rays(std::size_t first, std::size_t walk
 
 /// Calls act(pairing, mask, line of ray i, line of ray m) for all rays i of so many of the laser's
 /// walks and m of the telescope's that may meet in time: as they are, and those that go up as the
-/// surface reflects them.
+/// surface reflects them, or as facets of waves have sent them back.
 template <class T>
 template <class Act>
 void Connections<T>::each_pair(std::size_t first_laser, std::size_t walks, std::size_t back,
                                Act act) {
+  const bool rough = sea_.waves.rough;
   lanes::each_index<T>(back_.rays(back), [&](const Index<T>& m, const Mask<T>&) {
     const auto first = static_cast<std::size_t>(each_lane(m)[0]);
     DepthLine line = depth_line_of(back_.ray(Index<T>(back), m));
     lines_.each(line, [first](const T& member, auto* column) { store(member, column + first); });
   });
-  lanes::each_index<T>(
-      list_laser_rays(first_laser, walks), [&](const Index<T>& k, const Mask<T>& mask) {
-        const Index<T> laser = gather_index<T>(walk_of_.data(), k);
-        const Index<T> i = gather_index<T>(ray_of_.data(), k);
-        const auto out_line = depth_line_of(laser_.ray(laser, i));
-        const auto image = reflected(out_line, world_.deepest);
-        const Mask<T> rises = mask & (out_line.rise > T(0));
-        for (std::int32_t m = 0; m < back_.rays(back); ++m) {
-          DepthLine back_line;
-          lines_.each(back_line, [m](T& member, const auto* column) { member = T(column[m]); });
-          const Mask<T> in_time = mask & in_order(i + Index<T>(m + 1)) &
-                                  (out_line.start + back_line.start < receiver_.longest);
-          if (!any(in_time)) break;
-          const Pairing<T> pairing{laser, i, Index<T>(back), Index<T>(m)};
-          const bool back_rises = all(back_line.rise > T(0));
-          const auto back_image = reflected(back_line, world_.deepest);
-          // Waves have no mirror images.
-          const std::int32_t images = sea_.waves.rough ? 1 : (back_rises ? 4 : 2);
-          for (std::int32_t which = 0; which < images; ++which) {
-            const Mask<T> some = which % 2 == 0 ? in_time : in_time & rises;
-            if (any(some))
-              act(RayPairing<T>{pairing, Index<T>(which)}, some, which % 2 == 0 ? out_line : image,
-                  which < 2 ? back_line : back_image);
-          }
-        }
-      });
+  lanes::each_index<T>(list_laser_rays(first_laser, walks), [&](const Index<T>& k,
+                                                                const Mask<T>& mask) {
+    const Index<T> laser = gather_index<T>(walk_of_.data(), k);
+    const Index<T> i = gather_index<T>(ray_of_.data(), k);
+    const auto out_line = depth_line_of(laser_.ray(laser, i));
+    const auto image =
+        rough ? depth_line_of(laser_.behind_facets(laser, i)) : reflected(out_line, world_.deepest);
+    const Mask<T> returns =
+        mask & (rough ? laser_.is_sent_back(laser, i) : Mask<T>(out_line.rise > T(0)));
+    for (std::int32_t m = 0; m < back_.rays(back); ++m) {
+      DepthLine back_line;
+      lines_.each(back_line, [m](T& member, const auto* column) { member = T(column[m]); });
+      const Mask<T> in_time = mask & in_order(i + Index<T>(m + 1)) &
+                              (out_line.start + back_line.start < receiver_.longest);
+      if (!any(in_time)) break;
+      const Pairing<T> pairing{laser, i, Index<T>(back), Index<T>(m)};
+      const bool back_returns = rough ? back_.is_sent_back(back, m) : all(back_line.rise > T(0));
+      const auto back_image = rough && back_returns
+                                  ? depth_line_of(back_.behind_facets_in_all_lanes(back, m))
+                                  : reflected(back_line, world_.deepest);
+      for (std::int32_t which = 0; which < (back_returns ? 4 : 2); ++which) {
+        const Mask<T> some = which % 2 == 0 ? in_time : in_time & returns;
+        if (any(some))
+          act(RayPairing<T>{pairing, Index<T>(which)}, some, which % 2 == 0 ? out_line : image,
+              which < 2 ? back_line : back_image);
+      }
+    }
+  });
 }
 
 template <class T>
@@ -222,11 +225,14 @@ RayPair<T> Connections<T>::pair_of(const RayPairing<T>& pairing) const {
                   axis.y,
                   pairing,
                   {}};
-  const Mask<T> back_reflected = pairing.reflected >= Index<T>(2);
-  const Mask<T> out_reflected =
-      (pairing.reflected == Index<T>(1)) | (pairing.reflected == Index<T>(3));
-  if (any(out_reflected)) lanes::assign<T>(out_reflected, reflected(sea_, pair.out), pair.out);
-  if (any(back_reflected)) lanes::assign<T>(back_reflected, reflected(sea_, pair.back), pair.back);
+  const auto reflect = [&](const Mask<T>& mask, const Walks<T>& walks, const Index<T>& walk,
+                           const Index<T>& m, Ray& ray) {
+    if (!any(mask)) return;
+    lanes::assign<T>(mask, sea_.waves.rough ? walks.behind_facets(walk, m) : reflected(sea_, ray),
+                     ray);
+  };
+  reflect(pairing.reflects_laser(), laser_, pairing.laser, pairing.i, pair.out);
+  reflect(pairing.reflects_telescope(), back_, pairing.back, pairing.m, pair.back);
   return pair;
 }
 

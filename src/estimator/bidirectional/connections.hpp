@@ -308,7 +308,8 @@ class Connections {
   void complete_between(const Pairing<T>& pairing, const Index<T>& line, const Vertex& v,
                         const Vertex& w, const T& length);
   void complete_surface(const Index<T>& line, const geometry::Sightline<T>& way);
-  void complete_by_meeting(const Met<T>& met, const T& depth, const Index<T>& layer);
+  void complete_by_meeting(const RayPairing<T>& pairing, const Met<T>& met, const T& depth,
+                           const Index<T>& layer);
   void score_in_environments(Pairing<T> pairing, Walked walked, Mask<T> mask, FoundPath<T> path);
 
   void score(const Pairing<T>& pairing, Walked walked, const Mask<T>& mask,

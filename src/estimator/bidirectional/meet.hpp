@@ -273,8 +273,9 @@ struct Side {
   Ray<T> ray;
   Mask<T> first{};  ///< it leaves the instrument, as light that spreads so
   Spread<T> spread;
-  T behind{};   ///< sum of the densities behind the ray
-  T meeting{};  ///< density of meeting where the ray begins, but for what its edge adds
+  T behind{};              ///< sum of the densities behind the ray
+  T meeting{};             ///< density of meeting where the ray begins, but for what its edge adds
+  Mask<T> straight{true};  ///< the surface has not reflected it
 
   /// Density of connecting the edge along the ray, times the phase function and exp(-tau) of the
   /// walk's coefficient. What the surface reflects can only be connected to an instrument, by its
@@ -282,7 +283,7 @@ struct Side {
   T connecting(const geometry::Slabs& sea, const T& length,
                const estimator::Samples<T>& samples) const {
     const T area = connecting_area(sea, ray, first, spread, length, samples);
-    return select(ray.is_reflected() & !first, T(0), area);
+    return select(straight | first, area, T(0));
   }
 };
 

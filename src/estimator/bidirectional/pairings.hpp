@@ -34,6 +34,10 @@ struct RayPairing : Pairing<T> {
 
   /// Vertices of the path that they make.
   [[nodiscard]] Index<T> order() const { return Pairing<T>::i + Pairing<T>::m + Index<T>(1); }
+  [[nodiscard]] Mask<T> reflects_laser() const {
+    return (reflected == Index<T>(1)) | (reflected == Index<T>(3));
+  }
+  [[nodiscard]] Mask<T> reflects_telescope() const { return reflected >= Index<T>(2); }
   template <class F>
   constexpr void each_member(F f) {
     Pairing<T>::each_member(f);

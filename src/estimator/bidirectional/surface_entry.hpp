@@ -1,9 +1,10 @@
 // How walks come into the water through waves (docs/theory.md, "Walks through waves"). An
-// instrument's ray leads to a point of the surface. From there a walk goes on in a direction of its
-// instrument's cone, which does not depend on that ray; its weight takes how much light the facets
-// and whitecaps of the point send so. What goes by way of several facets has walks of its own.
-// Waves of one direction send a ray in none that is given: there all walks draw their facets. So do
-// walks of instruments in the water that begin with what facets send back.
+// instrument's ray leads to a point of the surface. From there a walk goes on in a direction of a
+// cone about that ray or, if walks may be free, about its instrument's axis, whatever the ray; its
+// weight takes how much light the facets and whitecaps of the point send so. What goes by way of
+// several facets has walks of its own. Waves of one direction send a ray in none that is given:
+// there all walks draw their facets. So do walks of instruments in the water that begin with what
+// facets send back.
 #pragma once
 
 #include "core/flatten.hpp"
@@ -14,7 +15,6 @@
 #include "estimator/entry_cone.hpp"
 #include "estimator/variations/environments.hpp"
 #include "estimator/world.hpp"
-#include "geometry/depths.hpp"
 #include "geometry/sightline.hpp"
 #include "instrument/laser.hpp"
 #include "surface/waves.hpp"
@@ -124,6 +124,14 @@ Spread<T> spread_by_entries(const T& slopes_over_rays, Spread<T> spread) {
   return spread;
 }
 
+/// About which directions in the water are drawn at an entry.
+template <class T>
+Vec3<T> axis_in_water(const medium::MediumView& sea, const EntryCone<T>& cone,
+                      const SurfaceEntry<T>& entry) {
+  return cone.about_rays ? refracted_down(entry.outside, gather<T>(sea.index, Index<T>(0)))
+                         : cone.axis;
+}
+
 /// The weight of a walk that goes on from an entry in a direction of the cone. `line`: of its
 /// light.
 template <class T>
@@ -172,7 +180,8 @@ EntryEdge<T> entry_to(const World<T>& world, std::int32_t instrument, const Inde
   edge.exists = wanted & edge.by.exists & (there.z < T(0));
   edge.direction = (T(1) / select(edge.exists, edge.length, T(1))) * there;
   Spread<T> spread;
-  spread.solid_angle = cone.solid_angle_at(one_minus_cos(edge.direction, cone.axis));
+  spread.solid_angle =
+      cone.solid_angle_at(one_minus_cos(edge.direction, axis_in_water(world.sea, cone, edge.by)));
   edge.weight = weight_along(world.sea, edge.by, instrument != of_laser, line, edge.direction,
                              spread.solid_angle);
   spread = spread_by_entries(ratio, spread);
@@ -220,8 +229,9 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
   const Mask<T> drawn_facets = entry.exists & (u_polar >= cone.others());
   const bool by_any = sea.waves.one_dimensional;  // else by several: one can be found
   if (!by_any) {
-    const Vec3<T> direction = direction_in_water(cone, u_polar, u_azimuth);
-    const T solid_angle = cone.solid_angle_at(one_minus_cos(direction, cone.axis));
+    const Vec3<T> axis = axis_in_water(sea, cone, entry);
+    const Vec3<T> direction = direction_about(axis, cone, u_polar, u_azimuth);
+    const T solid_angle = cone.solid_angle_at(one_minus_cos(direction, axis));
     photon.direction = direction;
     photon.weight = weight_along(sea, entry, from_telescope, line, direction, solid_angle);
     birth.spread.solid_angle = solid_angle;
@@ -283,18 +293,11 @@ NotSentDown<T> begin_at_facets(const medium::MediumView& sea, const EntryCone<T>
   const Mask<T> chosen = u_class >= cone.others();
   if (!any(chosen)) return {};
   auto by = birth.photon;
-  const Mask<T> rises = chosen & birth.exists & (by.direction.z > T(0));
-  const T steep = select(rises, by.direction.z, T(1));
-  const T depth = T(0) - by.position.z;
-  const T length = depth / steep;
-  const T tau = sea.optical_depth(by.line, geometry::level_of(sea, by)) / steep;
-  const Index<T> top(0);
-  flown(rises, Passage<T>{by.line, by.layer, depth, top, T(0), length});
-  by.position = {by.position.x + length * by.direction.x, by.position.y + length * by.direction.y,
-                 T(0)};
-  by.path = by.path + length * gather<T>(sea.group_index, by.line);
-  by.layer = top;
-  by.weight = by.weight * exp_minus(tau) * (cone.others() / cone.by_facets);
+  const auto up = transport::come_up(sea, by);
+  const Mask<T> rises = chosen & birth.exists & up.rises;
+  flown(rises, Passage<T>{by.line, birth.photon.layer, T(-birth.photon.position.z), Index<T>(0),
+                          T(0), up.length});
+  by.weight = by.weight * (cone.others() / cone.by_facets);
   const T comes = by.weight;
   const Mask<T> stand = rises & (comes > T(0));
   const auto surface = surface::rough_surface<T>(sea, by.line);

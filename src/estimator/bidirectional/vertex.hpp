@@ -100,22 +100,22 @@ T connecting_area(const geometry::Slabs& sea, const Ray<T>& ray, const Mask<T>& 
   return select(first, from_instrument, area);
 }
 
-/// Chances that walks choose as one that facets have reflected did.
+/// How facets of waves have sent back a walk that came up to them on its leg.
 template <class T>
-struct FacetChances {
-  T chance{1}, reverse_chance{1};
+struct SentBack {
+  T chance{1}, reverse_chance{1};  ///< that walks choose so, as of a Vertex
+  T walk_tau{};                    ///< of the leg up to there
 };
 
 /// How a walk came to a vertex where it collides.
 template <class T>
 struct Arrival {
-  Ray<T> ray;       ///< by this one
-  Leg<T> leg;       ///< along it
-  Mask<T> first{};  ///< which leaves the instrument
-  Mask<T> far{};    ///< the vertex lies beyond the walk's second
-  T reach{};        ///< chance to come here by the leg, as the walk drew it
-  /// Under waves: chances that walks come through the facets of the leg, as of a Vertex.
-  const FacetChances<T>* facets = nullptr;
+  Ray<T> ray;                           ///< by this one
+  Leg<T> leg;                           ///< along it
+  Mask<T> first{};                      ///< which leaves the instrument
+  Mask<T> far{};                        ///< the vertex lies beyond the walk's second
+  T reach{};                            ///< chance to come here by the leg, as the walk drew it
+  const SentBack<T>* facets = nullptr;  ///< under waves
 };
 
 /// That chance. `cone`: of the walk's instrument.
@@ -126,16 +126,32 @@ T reach_of(const geometry::Slabs& sea, const EntryCone<T>& cone, const Mask<T>& 
                     sea.bed_angles > 0 ? surface::on_bed<T>(sea, photon.layer) : Mask<T>(false));
 }
 
-/// Comes to a vertex by facets. Walks come this way, either way; none are made to meet at its ends,
-/// and nothing is connected by it.
+/// Comes to a vertex by facets. Nothing is connected by them: every strategy draws how they are
+/// met. So one whose walks meet at an end of the leg leaves out only what lies on this side of
+/// them.
 template <class T>
 void pass_facets(const Arrival<T>& by, Vertex<T>& v) {
   const Mask<T>& reflected = by.leg.reflected;
   if (!any(reflected)) return;
+  const T reach_up = exp_minus(by.facets->walk_tau);
   v.chance = v.chance * select(reflected, by.facets->chance, T(1));
   v.reverse_chance = v.reverse_chance * select(reflected, by.facets->reverse_chance, T(1));
-  v.translated = select(reflected, T(0), v.translated);
-  v.added.translated = select(reflected, T(0), v.added.translated);
+  v.translated = v.translated * select(reflected, by.facets->chance * reach_up, T(1));
+  v.added.translated = v.added.translated * select(reflected, by.reach / reach_up, T(1));
+}
+
+/// What a ray that goes up becomes where facets send it back.
+template <class T>
+Ray<T> behind_facets(const Ray<T>& ray, const transport::Photon<T>& photon,
+                     const SentBack<T>& facets) {
+  Ray<T> behind = ray;
+  static_cast<WalkPoint<T>&>(behind) = walk_point(photon);
+  behind.chance = ray.chance * facets.chance;
+  behind.reverse_chance = ray.reverse_chance * facets.reverse_chance;
+  // Of meeting where the ray up begins: but for the cosine there, not for that of the ray behind.
+  behind.translated = if_reversed(ray.translated, ray.direction.z) * facets.reverse_chance *
+                      exp_minus(T(0) - facets.walk_tau) / (T(0) - photon.direction.z);
+  return behind;
 }
 
 /// The vertex where a photon collides. `axis`: that of the walk.

@@ -54,6 +54,8 @@ class Walks {
         rotated_first_(walks),
         entry_(sea.waves.rough ? walks : 0),
         facets_(sea.waves.rough ? walks : 0),
+        behind_facets_(sea.waves.rough ? walks * stride : 0),
+        sent_back_(sea.waves.rough ? walks * stride : 0),
         rays_(walks),
         vertices_(walks),
         pivot_vertex_(walks),
@@ -91,6 +93,12 @@ class Walks {
   void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& m, const Ray& ray) {
     ray_.put(mask, slot(walk, m), ray);
     scatter(mask, walk, m + Index<T>(1), rays_.data());
+    if (!sent_back_.empty()) scatter(mask, slot(walk, m), Index<T>(0), sent_back_.data());
+  }
+  /// Facets of waves have sent ray m back, which goes on so.
+  void send_back(const Mask<T>& mask, const Index<T>& walk, const Index<T>& m, const Ray& behind) {
+    behind_facets_.put(mask, slot(walk, m), behind);
+    scatter(mask, slot(walk, m), Index<T>(1), sent_back_.data());
   }
   void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i, const Vertex& vertex) {
     vertex_.put(mask, slot(walk, i), vertex);
@@ -144,7 +152,7 @@ class Walks {
       if (is_free) return of_ray(m);
       return joined(environments, first, of_ray(1), of_ray(m));
     };
-    const bool meets = environments.other_surface && !is_free && (whole_leg || m == 0);
+    const bool meets = environments.other_surface && (m == 0 ? !is_free : whole_leg);
     if (!meets) return of_walk();
     return joined(environments, first, of_walk(), at_surface_.at(slot(m), first));
   }
@@ -176,6 +184,13 @@ class Walks {
   [[nodiscard]] Ray ray_in_all_lanes(std::size_t walk, std::int32_t m) const {
     return ray_.in_all_lanes(walk * stride + static_cast<std::size_t>(m));
   }
+  /// Whether facets have sent ray m back, and that ray behind them.
+  [[nodiscard]] bool is_sent_back(std::size_t walk, std::int32_t m) const {
+    return sent_back_[walk * stride + static_cast<std::size_t>(m)] != 0;
+  }
+  [[nodiscard]] Ray behind_facets_in_all_lanes(std::size_t walk, std::int32_t m) const {
+    return behind_facets_.in_all_lanes(walk * stride + static_cast<std::size_t>(m));
+  }
   [[nodiscard]] Vertex vertex_in_all_lanes(std::size_t walk, std::int32_t i) const {
     return vertex_.in_all_lanes(walk * stride + static_cast<std::size_t>(i));
   }
@@ -194,6 +209,12 @@ class Walks {
   [[nodiscard]] SurfaceEntry<T> entry(const Index<T>& walk) const { return entry_.at(walk); }
   [[nodiscard]] Ray ray(const Index<T>& walk, const Index<T>& m) const {
     return ray_.at(slot(walk, m));
+  }
+  [[nodiscard]] Mask<T> is_sent_back(const Index<T>& walk, const Index<T>& m) const {
+    return gather_index<T>(sent_back_.data(), slot(walk, m)) == Index<T>(1);
+  }
+  [[nodiscard]] Ray behind_facets(const Index<T>& walk, const Index<T>& m) const {
+    return behind_facets_.at(slot(walk, m));
   }
   [[nodiscard]] Vertex vertex(const Index<T>& walk, const Index<T>& i) const {
     return vertex_.at(slot(walk, i));
@@ -365,6 +386,8 @@ class Walks {
   lanes::Records<T, RotatedMeeting<T>> rotated_first_;
   lanes::Records<T, SurfaceEntry<T>> entry_;  ///< of walks that come through waves
   std::vector<std::int32_t> facets_;          ///< that sent it down, under waves
+  lanes::Records<T, Ray> behind_facets_;      ///< rays that go up, as facets have sent them back
+  std::vector<std::int32_t> sent_back_;       ///< of each ray: 1 if they have
   std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_, telescope_,
       line_;                                ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many

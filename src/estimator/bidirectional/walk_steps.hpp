@@ -31,9 +31,9 @@ struct Walker : Track<T> {
   Index<T> event{}, vertices{};
   Ray<T> ray;  ///< its last one
   Leg<T> leg;
-  FacetChances<T> facets;  ///< of the leg, if facets have reflected it
-  RotationAxis<T> axis;    ///< of a telescope's walk that has its pivot behind it
-  FirstVertex<T> first;    ///< as far as it is known
+  SentBack<T> facets;    ///< on the leg
+  RotationAxis<T> axis;  ///< of a telescope's walk that has its pivot behind it
+  FirstVertex<T> first;  ///< as far as it is known
 };
 
 /// Walks of a mask have met the surface on their way to vertex i: what is kept of it.
@@ -186,6 +186,9 @@ class WalkSteps {
     } else {
       w.facets.reverse_chance = select(stand, by.chance, w.facets.reverse_chance);
     }
+    w.facets.walk_tau = select(stand, w.leg.walk_tau, w.facets.walk_tau);
+    walks.send_back(stand & by.in_water, w.walk, w.vertices,
+                    behind_facets(w.ray, w.photon, w.facets));
     T escaped = before - select(by.in_water, w.photon.weight, T(0));
     if (sea.film.exists) [[unlikely]] {
       escaped = escaped - by.into_film;

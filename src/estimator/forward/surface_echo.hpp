@@ -7,6 +7,7 @@
 
 #include "estimator/draws.hpp"
 #include "estimator/forward/history.hpp"
+#include "transport/cross.hpp"
 
 namespace photic::estimator {
 
@@ -14,21 +15,11 @@ namespace photic::estimator {
 template <class Events, class T, class Ledger>
 void rise_to_surface(const World<T>& world, Travellers<T>& t, Estimates<T>& estimates,
                      tally::BatchTally& tally, Ledger& ledger) {
-  transport::Photon<T>& photon = t.photon;
-  const Mask<T> rises = t.on & (photon.direction.z > T(0));
+  if (compares<Events>(world)) t.ratios.before = t.photon;
+  const auto up = transport::come_up(world.sea, t.photon);
+  const Mask<T> rises = t.on & up.rises;
   if (!any(rises)) return;
-  if (compares<Events>(world)) t.ratios.before = photon;
-  const T secant = T(1) / select(rises, photon.direction.z, T(1));
-  const T length = T(-photon.position.z) * secant;
-  photon.weight =
-      photon.weight *
-      exp_minus(world.sea.optical_depth(photon.line, geometry::level_of(world.sea, photon)) *
-                secant);
-  photon.position = photon.position + length * photon.direction;
-  photon.position.z = T(0);
-  photon.path = photon.path + length * gather<T>(world.sea.group_index, photon.line);
-  photon.layer = Index<T>(0);
-  if (compares<Events>(world)) t.ratios.flown(world.sea, photon, length, rises);
+  if (compares<Events>(world)) t.ratios.flown(world.sea, t.photon, up.length, rises);
   cross_waves<Events>(world, t, rises, false, estimates, tally, ledger);
 }
 

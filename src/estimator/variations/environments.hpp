@@ -258,9 +258,11 @@ struct Completion {
   OtherSurfaces<T> surface;
   OtherEmission<T> emission;  ///< by a film
   bool meets = false;         ///< the walks' rays have met, before what ends their legs
+  Index<T> sent_back{};       ///< of those, by facets: 1 the laser's, 2 the telescope's, 3 both
 
   void clear() {
     meets = false;
+    sent_back = Index<T>(0);
     ways.clear();
     collisions = 0;
     surface.clear();

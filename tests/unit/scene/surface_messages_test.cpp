@@ -159,22 +159,6 @@ TEST(Surface, BidirectionalOverWavesOfOneDirectionSeenFlat) {
           R"(scene.toml:32:13: the bidirectional estimator has no waves of one direction seen by rays flatter than 12 degrees (write estimator = "forward", or sea.surface = { model = "flat" }))"});
 }
 
-// Seen red: of elastic light, too; with the forward estimator.
-TEST(Surface, BidirectionalConvertedLightUnderWavesIsRemarkedOn) {
-  const auto told = [](const std::string& process, const std::string& estimator) {
-    auto edits = with_surface(waves, "estimator = \"" + estimator + "\"");
-    edits.insert(edits.begin(), {17, 17, "process = \"" + process + "\""});
-    edits.insert(edits.end() - 1, {24, 25, "chlorophyll_mg_m3 = 0.1"});
-    return read_scene_text(edited(edits), "scene.toml", "/").remarks;
-  };
-  EXPECT_EQ(told("elastic", "bidirectional"), Texts{});
-  EXPECT_EQ(told("raman", "forward"), Texts{});
-  EXPECT_EQ(told("raman", "bidirectional"),
-            Texts{"scene.toml:31:13: over waves this estimator finds by chance what facets send "
-                  "back after its conversion: in turbid water gates near the surface may be some "
-                  "per cent low, and not flagged; compare with \"forward\""});
-}
-
 // Nothing is said of whitecaps that are not there, nor twice of one thing.
 TEST(Surface, WhitecapsOfNoneAreNoProblem) {
   const std::string sea = waves;
