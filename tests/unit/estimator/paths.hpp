@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "estimator/bidirectional/connection_end.hpp"
@@ -15,6 +16,13 @@ namespace photic::estimator {
 
 using V = Vec3<double>;
 
+/// Facets that send light back on an edge.
+struct WayByFacets {
+  V at;               ///< point of the surface
+  double share = 1;   ///< of the light, over the density with which walks of the laser draw them
+  double chance = 1;  ///< density with which telescopes' walks do, over that
+};
+
 /// From the laser's fictitious vertex by x_1 … x_k to a point of telescope 0's lens.
 struct Path {
   std::vector<V> vertex;
@@ -22,6 +30,7 @@ struct Path {
   std::int32_t line = 0;           ///< in which it is detected
   std::int32_t converted = 0;      ///< the number of the vertex that converts; 0: none
   std::array<bool, 8> mirrored{};  ///< edges by way of the surface
+  std::array<std::optional<WayByFacets>, 8> by_facets;  ///< and by way of facets of waves
 
   [[nodiscard]] std::int32_t order() const { return static_cast<std::int32_t>(vertex.size()); }
   /// Vertex i of 1 … k.
@@ -35,6 +44,9 @@ struct Path {
   [[nodiscard]] std::int32_t pivot() const { return line > 0 ? converted : order(); }
   [[nodiscard]] bool is_mirrored(std::int32_t edge) const {
     return mirrored[static_cast<std::size_t>(edge)];
+  }
+  [[nodiscard]] const std::optional<WayByFacets>& facets(std::int32_t edge) const {
+    return by_facets[static_cast<std::size_t>(edge)];
   }
 };
 
@@ -80,6 +92,8 @@ inline Path translated_path(const World<double>& world, const Path& path, const 
                             dot(outward, telescope.axis) * outward;
   Path other = path;
   for (V& x : other.vertex) x = x + translation;
+  for (auto& facets : other.by_facets)
+    if (facets) facets->at = facets->at + translation;
   other.lens = {dot(at - telescope.position, telescope.across),
                 dot(at - telescope.position, telescope.up)};
   return other;
@@ -106,9 +120,12 @@ class Writer {
     walks.birth(true, 0, record, ray_);
   }
 
-  void collide_at(const V& place, bool mirrored) {
+  void collide_at(const V& place, bool mirrored, const std::optional<WayByFacets>& facets = {}) {
     Leg<double> leg;
-    if (mirrored) {
+    SentBack<double> sent_back;
+    if (facets) {
+      come_back(*facets, place, leg, sent_back);
+    } else if (mirrored) {
       const double rise = -photon_.position.z / photon_.direction.z;
       fly_to(photon_.position + rise * photon_.direction, leg);
       transport::reflect_down(world_.sea, photon_);
@@ -123,8 +140,12 @@ class Writer {
     const auto& cone = world_.cone(instrument_);
     const std::int32_t before = walks.vertices(0);
     if (before == 0) photon_.weight *= cone.over_reach(leg.walk_tau, photon_.direction.z, bed);
-    const Arrival<double> arrival{ray_, leg, before == 0, before > 1,
-                                  reach_of(world_.sea, cone, before == 0, photon_, leg)};
+    const Arrival<double> arrival{ray_,
+                                  leg,
+                                  before == 0,
+                                  before > 1,
+                                  reach_of(world_.sea, cone, before == 0, photon_, leg),
+                                  world_.sea.waves.rough ? &sent_back : nullptr};
     vertex_ = vertex_on(world_.sea, arrival, spread_, photon_, walks.axis(0), samples_);
     walks.add(true, 0, before, vertex_);
     if (before < 2) {
@@ -134,10 +155,29 @@ class Writer {
     if (bed) walks.come_to_bed(true, 0, walks.vertices(0) - 1);
   }
 
+  /// Comes to facets on its way, and leaves them for a place.
+  void come_back(const WayByFacets& facets, const V& place, Leg<double>& leg,
+                 SentBack<double>& sent_back) {
+    fly_to(facets.at, leg);
+    photon_.direction = normalised(place - facets.at);
+    photon_.weight *= facets.share;
+    (walks.from_telescope() ? sent_back.chance : sent_back.reverse_chance) = facets.chance;
+    sent_back.walk_tau = leg.walk_tau;
+    leg.reflected = true;
+    walks.send_back(true, 0, walks.rays(0) - 1, behind_facets(ray_, photon_, sent_back));
+  }
+  void come_back(const WayByFacets& facets, const V& place) {
+    Leg<double> leg;
+    SentBack<double> sent_back;
+    come_back(facets, place, leg, sent_back);
+  }
+
   /// Goes on towards the next place. Only a telescope's walk `converts`.
-  void leave_for(const V& next, bool mirrored, bool converts) {
+  void leave_for(const V& next, bool mirrored, bool converts,
+                 const std::optional<WayByFacets>& facets = {}) {
     const V old = photon_.direction;
-    photon_.direction = direction_to(photon_.position, next, mirrored);
+    photon_.direction = facets ? normalised(facets->at - photon_.position)
+                               : direction_to(photon_.position, next, mirrored);
     Departure<double> departure;
     const double p = transport::scattered_density(
         world_.sea, photon_.layer,
@@ -235,9 +275,12 @@ inline Walks<double> laser_walk(const World<double>& world, const Samples<double
   }
   Writer writer(world, samples, birth, {}, false);
   for (std::int32_t i = 1; i <= vertices; ++i) {
-    writer.collide_at(path.x(i), path.is_mirrored(i - 1));
-    if (i < vertices || leaves) writer.leave_for(path.x(i + 1), path.is_mirrored(i), false);
+    writer.collide_at(path.x(i), path.is_mirrored(i - 1), path.facets(i - 1));
+    if (i < vertices || leaves)
+      writer.leave_for(path.x(i + 1), path.is_mirrored(i), false, path.facets(i));
   }
+  if (leaves && path.facets(vertices))
+    writer.come_back(*path.facets(vertices), path.x(vertices + 1));
   return writer.walks;
 }
 
@@ -261,10 +304,13 @@ inline Walks<double> telescope_walk(const World<double>& world, const Samples<do
                 record, true);
   const std::int32_t k = path.order();
   for (std::int32_t i = k; i > k - vertices; --i) {
-    writer.collide_at(path.x(i), path.is_mirrored(i));
+    writer.collide_at(path.x(i), path.is_mirrored(i), path.facets(i));
     if (i > k - vertices + 1 || leaves)
-      writer.leave_for(path.x(i - 1), path.is_mirrored(i - 1), i == path.converted);
+      writer.leave_for(path.x(i - 1), path.is_mirrored(i - 1), i == path.converted,
+                       path.facets(i - 1));
   }
+  if (leaves && path.facets(k - vertices))
+    writer.come_back(*path.facets(k - vertices), path.x(k - vertices));
   return writer.walks;
 }
 

@@ -13,6 +13,8 @@ struct Edge {
   double path = 0;    ///< group path [m]
   double spread = 0;  ///< d^2; at an instrument, its solid angle over that per area [m^2]
   bool mirrored = false;
+  bool by_facets = false;
+  double walk_tau_before = 0, walk_tau_behind = 0;  ///< the facets
 };
 
 struct StrategiesOfPath {
@@ -44,10 +46,11 @@ struct StrategiesOfPath {
 
   /// n h / g of connecting edge e; 0 if that does not draw the path.
   [[nodiscard]] double connecting(std::int32_t e) const {
-    const auto& [leaving, arriving, tau, walk_tau, length, spread, mirrored] = at(e);
+    const Edge& edge = at(e);
     if (e > most || path.order() - e > most) return 0;
-    if (mirrored && e > 0 && e < path.order()) return 0;
-    return spread * std::exp(walk_tau) * chance_of_connecting(e) /
+    if (edge.by_facets || (edge.mirrored && e > 0 && e < path.order())) return 0;
+    return edge.spread * std::exp(edge.walk_tau) * chance_of_connecting(e) *
+           chance_of_facets(e + 1) /
            ((e > 0 ? phase(e, e) : 1) * (e < path.order() ? phase(e + 1, e) : 1));
   }
   /// The same of translating to meet at vertex i.
@@ -158,7 +161,17 @@ struct StrategiesOfPath {
   }
   [[nodiscard]] double met_but(std::int32_t i) const {
     if (i > most || path.order() - i + 1 > most) return 0;
-    return std::exp(at(i - 1).walk_tau + at(i).walk_tau) * chance_of_meeting(i);
+    const Edge &out = at(i - 1), &back = at(i);
+    return std::exp((out.by_facets ? out.walk_tau_behind : out.walk_tau) +
+                    (back.by_facets ? back.walk_tau_before : back.walk_tau)) *
+           chance_of_meeting(i) * chance_of_facets(i);
+  }
+  /// Of a telescope's walk, to draw the facets of edges from one on, over that of the laser's.
+  [[nodiscard]] double chance_of_facets(std::int32_t from) const {
+    double chance = 1;
+    for (std::int32_t e = from; e < path.order(); ++e)
+      if (path.facets(e)) chance *= path.facets(e)->chance;
+    return chance;
   }
   [[nodiscard]] const Edge& at(std::int32_t e) const { return edge[static_cast<std::size_t>(e)]; }
   [[nodiscard]] std::int32_t layer(std::int32_t i) const { return medium.layer_at(-path.x(i).z); }
@@ -280,6 +293,7 @@ struct StrategiesOfPath {
     const V& from = path.x(e);
     const V& to = path.x(e + 1);
     const bool mirrored = path.is_mirrored(e);
+    if (path.facets(e)) return add_by_facets(e, *path.facets(e));
     const V way = direction_to(from, to, mirrored);
     Edge inner{way, {way.x, way.y, mirrored ? -way.z : way.z}};
     inner.mirrored = mirrored;
@@ -291,6 +305,17 @@ struct StrategiesOfPath {
       add_water(inner, path.line_of(e), {from, to});
     }
     edge.push_back(inner);
+  }
+  void add_by_facets(std::int32_t e, const WayByFacets& facets) {
+    const V &from = path.x(e), &to = path.x(e + 1);
+    Edge edge{normalised(facets.at - from), normalised(to - facets.at)};
+    edge.by_facets = true;
+    add_water(edge, path.line_of(e), {from, facets.at});
+    edge.walk_tau_before = edge.walk_tau;
+    add_water(edge, path.line_of(e), {facets.at, to});
+    edge.walk_tau_behind = edge.walk_tau - edge.walk_tau_before;
+    common *= facets.share;
+    this->edge.push_back(edge);
   }
   /// Directions outside are drawn with 1 over this density: they, or those in the water, evenly in
   /// a cone.

@@ -1,0 +1,89 @@
+// Strategies of paths that facets of waves send back between their vertices: all give the same.
+#include <gtest/gtest.h>
+
+#include "support/random.hpp"
+#include "unit/estimator/same_of_all.hpp"
+
+namespace photic::estimator {
+namespace {
+
+using test::Random;
+
+/// Random vertices, with facets on some of the edges between them. What the facets do to light, and
+/// how densely walks draw them, may be anything.
+Path random_path(Random& random, std::int32_t order, std::int32_t edges) {
+  Path path;
+  const auto aside = [&] { return random.between(-2, 2); };
+  for (std::int32_t i = 0; i < order; ++i)
+    path.vertex.push_back({aside(), aside(), -random.between(0.5, 11.9)});
+  for (std::int32_t e = 1; e < order; ++e)
+    if ((edges >> (e - 1)) % 2 == 1)
+      path.by_facets[static_cast<std::size_t>(e)] =
+          WayByFacets{{aside(), aside(), 0}, random.between(0.2, 3), random.between(0.3, 2)};
+  path.lens = instrument::ring_point(0.05, 0.15, random.uniform(), random.uniform());
+  return path;
+}
+
+/// Instruments in the water: their walks begin as under a flat surface.
+struct SeaUnderWaves : Sea {
+  SeaUnderWaves(const scene::Source& source, const scene::Telescope& telescope,
+                const std::vector<double>& bed = {})
+      : Sea(source, telescope, transport::make_sea(bed.empty() ? 40 : 15, bed)) {
+    begin(false);
+    auto& waves = world.sea.waves;
+    waves.rough = true;
+    waves.upwind_deviation = waves.crosswind_deviation = 0.1;
+    if (!bed.empty()) world.deepest = 15;
+  }
+};
+
+struct Looks {
+  const char* what;
+  V laser, telescope;
+};
+
+bool is_before(const V& place, const V& axis, const V& x) {
+  return dot(normalised(x - place), normalised(axis)) > 0.64;
+}
+
+// Seen red: TODO
+TEST(StrategiesOfPath, OfLightThatFacetsSendBackBetweenCollisionsAgree) {
+  Random random(131);
+  Samples<double> samples = translating;
+  samples.free_telescope = samples.free_laser = {};
+  int met = 0, connected = 0, on_bed = 0;
+  for (const Looks& looks :
+       {Looks{"down", {0, 0, -1}, {0, 0, -1}}, Looks{"up", {0, 0, 1}, {0, 0, 1}},
+        Looks{"laser up", {0, 0, 1}, {0, 0, -1}},
+        Looks{"tilted telescope", {0.1, 0, -1}, {0, 0.1, -1}}}) {
+    const auto source = laser_at({0.5, 0, -6}, looks.laser);
+    const auto telescope = telescope_at({0, 0, -6.5}, looks.telescope);
+    SeaUnderWaves black(source, telescope), bright(source, telescope, {0.3, 0.2, 0.4});
+    for (int n = 0; n < 480; ++n) {
+      const bool bed = n % 4 == 3;
+      auto path = random_path(random, 4, 1 + n % 7);
+      path.line = n / 2 % 2;
+      if (path.line > 0) path.converted = 1 + n / 4 % 4;
+      if (bed) {
+        const auto i = static_cast<std::size_t>(n / 16 % 4);
+        if (path.converted == static_cast<std::int32_t>(i) + 1) continue;  // it converts nothing
+        path.vertex[i].z = -15;
+      }
+      // Lit and seen: the first and the last vertex lie within 50 degrees about the axes.
+      if (!is_before(source.position_m, looks.laser, path.x(1)) ||
+          !is_before(telescope.position_m, looks.telescope, path.x(4)))
+        continue;
+      SCOPED_TRACE(std::string(looks.what) + ", path " + std::to_string(n));
+      const auto counts = expect_same_of_all(bed ? bright : black, path, samples, most_vertices);
+      met += counts.met;
+      connected += counts.connected;
+      on_bed += bed ? counts.met : 0;
+    }
+  }
+  EXPECT_GT(met, 100);
+  EXPECT_GT(connected, 100);
+  EXPECT_GT(on_bed, 10);
+}
+
+}  // namespace
+}  // namespace photic::estimator
