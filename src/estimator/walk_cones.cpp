@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,13 +14,17 @@
 namespace photic::estimator {
 namespace {
 
-/// Where a view is many times as wide as the part of the sea that sends light back, a share of the
-/// telescope's walks is aimed at that part: the laser's spot, and what scattering in the water adds
-/// to it [m]. The numbers were tried (docs/decisions/0042).
-constexpr double aimed_share = 0.8, scattered_aside = 12, narrowest_of_view = 0.2;
+/// Where a view is wider than the part of the sea that sends light back, a share of the telescope's
+/// walks is aimed at that part: the laser's spot, and what scattering in the water adds to it [m],
+/// most of the light nearest. Each cone has half the angle of the one before, at most. The numbers
+/// were tried (docs/decisions/0042).
+constexpr double aimed_share = 0.8, next_of_aimed = 0.5;
+constexpr std::array scattered_aside{12.0, 6.0, 3.0, 1.5};
 
-/// The half angle about a telescope's axis that holds that part; pi if there is none [rad].
-double half_angle_of_light(const scene::Source& source, const scene::Telescope& telescope) {
+/// The half angle about a telescope's axis that holds the laser's spot and so much aside of it [m];
+/// pi if it does not see that [rad].
+double half_angle_of_light(const scene::Source& source, const scene::Telescope& telescope,
+                           double aside) {
   const auto beam = normalised(source.direction), axis = normalised(telescope.direction);
   if (source.position_m.z <= 0 || telescope.position_m.z <= 0 || beam.z >= 0 || axis.z >= 0)
     return pi;
@@ -28,7 +33,7 @@ double half_angle_of_light(const scene::Source& source, const scene::Telescope& 
   const double distance = length(to_spot);
   const double radius =
       (source.diameter_m / 2 + way * std::tan(source.half_divergence_mrad * 1e-3)) / -beam.z +
-      scattered_aside;
+      aside;
   return std::acos(std::min(1.0, dot(to_spot, axis) / distance)) + std::atan(radius / distance);
 }
 
@@ -52,13 +57,18 @@ std::vector<InnerCone> in_nested(const scene::Scene& scene, const NestedViews& v
   return inner;
 }
 
-/// That part of the sea, seen from the telescope of a group of its own, if its walks are aimed
-/// there.
-std::optional<InnerCone> aimed_at_light(const scene::Scene& scene, const NestedViews& views) {
+/// Those that hold the light, of a telescope in a group of its own, in equal shares.
+std::vector<InnerCone> aimed_at_light(const scene::Scene& scene, const NestedViews& views) {
+  std::vector<InnerCone> inner;
+  if (views.size() > 1) return inner;
   const auto& telescope = scene.telescope[views.back()];
-  const double half_angle = half_angle_of_light(scene.source, telescope);
-  if (views.size() > 1 || half_angle > narrowest_of_view * half_view(telescope)) return {};
-  return InnerCone{half_angle, aimed_share};
+  double last = half_view(telescope);
+  for (const double aside : scattered_aside) {
+    const double half_angle = half_angle_of_light(scene.source, telescope, aside);
+    if (half_angle <= next_of_aimed * last) inner.push_back({last = half_angle, 0});
+  }
+  for (InnerCone& cone : inner) cone.share = aimed_share / static_cast<double>(inner.size());
+  return inner;
 }
 
 /// How often rays of free walks meet [1/m]; 0: there are none.
@@ -89,8 +99,8 @@ WalkCones walk_cones(const scene::Scene& scene, const medium::Medium& medium, do
   for (const NestedViews& views : nested_views(scene)) {
     const auto widest = from_origin(scene.telescope[views.back()], origin);
     auto inner = in_nested(scene, views);
-    if (const auto aimed = aimed_at_light(scene, views); aimed && out.free_laser > 0)
-      inner.push_back(*aimed);
+    if (out.free_laser > 0)
+      for (const InnerCone& cone : aimed_at_light(scene, views)) inner.push_back(cone);
     auto& cone = out.telescope[views.back()];
     if (through_waves(widest)) {
       cone = cone_under_waves(widest, medium, deepest, out.free_telescope > 0);
@@ -106,12 +116,16 @@ std::vector<std::string> aimed_walks_told(const scene::Scene& scene, const mediu
   std::vector<std::string> out;
   const auto of_laser = make_strategies(scene, medium).free_laser;
   if (meetings(scene, of_laser, scene.simulation.free_laser_meetings) == 0) return out;
-  for (const NestedViews& views : nested_views(scene))
-    if (const auto aimed = aimed_at_light(scene, views))
-      out.push_back(fmt::format(
-          "walks from {}: a share of {:g} aimed at the laser's light, {:.3g} mrad about "
-          "the axis",
-          scene.telescope[views.back()].name, aimed->share, aimed->half_angle * 1e3));
+  for (const NestedViews& views : nested_views(scene)) {
+    const auto aimed = aimed_at_light(scene, views);
+    if (aimed.empty()) continue;
+    std::string angles;
+    for (const InnerCone& cone : aimed)
+      angles += fmt::format("{}{:.3g}", angles.empty() ? "" : ", ", cone.half_angle * 1e3);
+    out.push_back(fmt::format(
+        "walks from {}: a share of {:g} aimed at the laser's light, within {} mrad about the axis",
+        scene.telescope[views.back()].name, aimed_share, angles));
+  }
   return out;
 }
 

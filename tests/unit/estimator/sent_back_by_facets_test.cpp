@@ -46,7 +46,11 @@ bool is_before(const V& place, const V& axis, const V& x) {
   return dot(normalised(x - place), normalised(axis)) > 0.64;
 }
 
-// Seen red: TODO
+// Seen red: with all of a leg, or what lies before the facets, for what lies on a meeting's side of
+// them, in a vertex's densities, in a ray's, in a meeting; with edges behind facets connected, of
+// either walk; with rays of either that do not meet behind them; without the chance to draw facets
+// in a vertex's density and in a ray's chance; without the reverse chance in a ray's density and
+// its reverse chance.
 TEST(StrategiesOfPath, OfLightThatFacetsSendBackBetweenCollisionsAgree) {
   Random random(131);
   Samples<double> samples = translating;
