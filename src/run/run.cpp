@@ -76,7 +76,8 @@ void warn(tally::Result& result, const scene::Simulation& simulation) {
   }
   if (result.lost_not_finite > 0) {
     result.warnings.push_back(
-        fmt::format("{} numbers were not finite and were dropped", result.lost_not_finite));
+        fmt::format("{} scores were not finite and are missing: echoes may be too low",
+                    result.lost_not_finite));
   }
   for (std::size_t c = 0; c < result.channels(); ++c) {
     double sum = 0;

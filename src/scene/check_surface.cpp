@@ -79,7 +79,13 @@ std::optional<std::string> bidirectional_lacks(const Scene& scene) {
 
 void check_surface(const Scene& scene, Findings& findings) {
   const Surface& surface = scene.sea.surface;
-  if (!findings.good({"sea.surface"}) || !surface.is_rough()) return;
+  if (!findings.good({"sea.surface"})) return;
+  if (!surface.is_rough()) {
+    if (surface.whitecap_fraction.value_or(0) > 0)
+      findings.add("sea.surface.whitecap_fraction", "a sea without waves has no whitecaps",
+                   "give it a wind, or variances of slopes, or leave whitecap_fraction out");
+    return;
+  }
   check_size(surface, findings);
   check_whitecaps(surface, findings);
   if (findings.good({"simulation.estimator", "simulation.reception", "simulation.tools"}))

@@ -15,7 +15,7 @@ namespace photic::test {
 namespace {
 
 constexpr int seeds = 40;
-constexpr double photons = 1e6;
+constexpr double photons = 4e5;
 constexpr double reference_photons = 25 * photons;  // its own error is in the intervals
 constexpr double gate_step = 0.5;
 

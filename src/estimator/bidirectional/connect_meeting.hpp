@@ -128,8 +128,7 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
   // either ray's edge, meeting where either ray begins, all behind them.
   using std::abs;
   const T both = out.direction.z * back.direction.z;
-  T steep = select(reverses(out, back), both, T(0));
-  if (samples_.frees()) steep = select(at.converts, T(abs(both)), steep);
+  const T steep = select(reverses(out, back) | at.converts, T(abs(both)), T(0));
   const T jacobian = rotation_jacobian(where, out.direction, back.direction).about(axis);
   const T translations = freedom.at(is_first, is_last);
   T moved = translations * steep + samples_.rotated * T(2 * pi) * jacobian;

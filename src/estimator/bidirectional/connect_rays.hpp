@@ -89,8 +89,7 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
       [&](const auto& pairing, const auto& all, const DepthLine& out_line,
           const DepthLine& back_line) {
         const Mask<T> mask = all & is_lit(pairing.laser);
-        const Mask<T> either_way = samples_.frees() ? converts(back, pairing.m) : Mask<T>(false);
-        const Mask<T> meets = reverses(out_line, back_line) | either_way;
+        const Mask<T> meets = reverses(out_line, back_line) | converts(back, pairing.m);
         if (translates) translate(pairing, mask & meets, out_line, back_line, start);
         if (rotates) rotate(pairing, mask & (pairing.m > pivot), out_line, back_line, axis);
         if (of_telescope)

@@ -141,8 +141,7 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
   const auto freedom =
       path_freedom(in_path.order, instrument::translation_area(telescope_, way.arriving), depth,
                    telescope_area, free_area(laser_, of_laser, pairing.laser));
-  const Freedom<T> here{freedom.at_last, axis_at(v.position, way.direction, v.direction),
-                        samples_.frees()};
+  const Freedom<T> here{freedom.at_last, axis_at(v.position, way.direction, v.direction)};
   const T behind = behind_laser_vertex(pairing, v, in_path, freedom, here.axis);
   const ConnectionEnd from =
       elastic ? scattering_from_laser(sea_, v, behind, way.direction, world_.inverse_conversion,
@@ -265,8 +264,7 @@ void Connections<T>::score_to_laser(const Pairing<T>& pairing, const Vertex& w,
   const Freedom<T> here{
       freedom.at(Mask<T>(true), pairing.m == Index<T>(0)),
       select(is_pivot(w.line, pairing.m), axis_at(w.position, w.direction, way.direction),
-             back_.axis(pairing.back)),
-      samples_.frees()};
+             back_.axis(pairing.back))};
   const T behind = back_.behind(w, pairing.back, pairing.m, in_path, freedom, here.axis);
   const ConnectionEnd to = arrival_from_laser(sea_, w, behind, way.direction,
                                               world_.inverse_conversion, pairing.m, here);
@@ -332,12 +330,12 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>&
                              axis_at(w.position, w.direction, direction), back_.axis(pairing.back));
     const T behind = behind_laser_vertex(pairing, v, in_path, freedom, axis);
     const T behind_arrival = back_.behind(w, pairing.back, pairing.m, in_path, freedom, axis);
-    const ConnectionEnd to = arrival_from_laser(
-        sea_, w, behind_arrival, -direction, world_.inverse_conversion, pairing.m,
-        {freedom.at(Mask<T>(false), at_last), axis, samples_.frees()});
+    const ConnectionEnd to =
+        arrival_from_laser(sea_, w, behind_arrival, -direction, world_.inverse_conversion,
+                           pairing.m, {freedom.at(Mask<T>(false), at_last), axis});
     along(pairing, arrives, Index<T>(0),
           scattering_from_laser(sea_, v, behind, direction, world_.inverse_conversion, to.goes_on,
-                                {freedom.at(first, Mask<T>(false)), axis, samples_.frees()}),
+                                {freedom.at(first, Mask<T>(false)), axis}),
           to, v, w, length, in_path);
   }
   const Mask<T> converts = mask & inelastic & emits(w.line, v.layer);
@@ -349,7 +347,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>&
     along(pairing, converts, w.line,
           conversion_from_laser(sea_, v, behind, direction, w.line, world_.inverse_conversion,
                                 pairing.m + Index<T>(1), w.chance, w.chance * goes_on,
-                                {freedom.at(first, Mask<T>(false)), axis, samples_.frees()}),
+                                {freedom.at(first, Mask<T>(false)), axis}),
           scattering_of_converted(sea_, w, -direction), v, w, length, in_path);
   }
 }

@@ -25,16 +25,13 @@ template <class T>
 struct Freedom {
   T translations{};      ///< of PathFreedom, there [m]
   RotationAxis<T> axis;  ///< of a telescope's walk's rotation beyond its pivot
-  bool frees = false;    ///< there are free walks
 
   /// Density of meeting at a vertex that is left in a direction, but for the phase function there
   /// and for what the edge beyond adds. `converts`: who converts light there.
   T meeting(const Vertex<T>& v, const Vec3<T>& direction, const Mask<T>& converts) const {
     T density = v.translated;
-    if (frees) density = select(converts, met_either_way(density, direction.z), density);
-    return translations * if_reversed(density, direction.z) +
-
-           rotation_at(v, direction).about(axis);
+    if (any(converts)) density = select(converts, met_either_way(density, direction.z), density);
+    return translations * if_reversed(density, direction.z) + rotation_at(v, direction).about(axis);
   }
 };
 

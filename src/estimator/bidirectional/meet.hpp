@@ -112,7 +112,7 @@ struct LensLine {
 };
 
 /// Whether light reverses, between up and down, where two rays meet: else no walk is translated for
-/// it.
+/// it, unless it is converted there.
 template <class T>
 Mask<T> reverses(const Ray<T>& laser, const Ray<T>& back) {
   return laser.direction.z * back.direction.z > T(0);

@@ -11,7 +11,7 @@
 // side. The sea is the same all over a horizontal plane. So the telescope's walk may be translated
 // sideways, as long as it still comes through the lens, until both rays meet at a chosen depth.
 // Phase functions' peaks on both sides of x_i are drawn, and x_i is where light reverses between up
-// and down.
+// and down, or is converted.
 //
 // Rotated (eq. 41): light that is converted at x_q leaves there with densities that depend on the
 // angle to the vertical alone. So the telescope's walk beyond x_q may be rotated about the vertical

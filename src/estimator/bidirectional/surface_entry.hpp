@@ -212,6 +212,11 @@ surface::Meeting<T> meeting_along(const medium::MediumView& sea, const Index<T>&
                              Vec3<T>(-way.arriving), Vec3<T>(-way.direction));
 }
 
+/// Facets send light so far aside of where they send most of it that floats hold no number for how
+/// little it is. Walks that may be free take it for this density [1/sr]: their own entry counts for
+/// nothing still.
+inline constexpr double least_passing = 1e-12;
+
 /// A walk that begins at an entry, by two uniforms; draw(block) draws more, and met(mask, meeting)
 /// is told how it meets the surface.
 template <class T, class Draw, class Met>
@@ -234,6 +239,10 @@ Birth<T> birth_through_waves(const medium::MediumView& sea, const geometry::Regi
     const T solid_angle = cone.solid_angle_at(one_minus_cos(direction, axis));
     photon.direction = direction;
     photon.weight = weight_along(sea, entry, from_telescope, line, direction, solid_angle);
+    if (cone.by_depth) {  // else nothing would be left for a free walk to put another entry's for
+      const T least = T(least_passing) * entry.weight * solid_angle;
+      photon.weight = select(photon.weight > least, photon.weight, least);
+    }
     birth.spread.solid_angle = solid_angle;
     birth.exists = entry.exists & (direction.z < T(0));
     if (sea.environments.other_surface)

@@ -21,8 +21,8 @@ T if_reversed(const T& density, const T& z) {
   return select(product > T(0), product, T(0));
 }
 
-/// Such a density where light is converted: it goes to all sides, and free walks meet there
-/// whichever way it goes on. Has the sign of light that reverses. `z`: of the other direction.
+/// Such a density where light is converted: it goes to all sides, and walks meet there whichever
+/// way it goes on. Has the sign of light that reverses. `z`: of the other direction.
 template <class T>
 T met_either_way(const T& density, const T& z) {
   using std::abs;
@@ -60,12 +60,10 @@ T arriving_edge(const geometry::Slabs& sea, const Vertex<T>& v, const T& p) {
 }
 
 /// The ray in which the photon has departed from a vertex. `far`: that lies beyond the walk's
-/// second; nearer edges are kept in FirstVertex. `either_way`: of meetings there, as in
-/// met_either_way().
+/// second; nearer edges are kept in FirstVertex.
 template <class T>
 Ray<T> next_ray(const geometry::Slabs& sea, const transport::Photon<T>& photon,
-                const Vertex<T>& from, const Departure<T>& departure, const Mask<T>& far,
-                const Mask<T>& either_way) {
+                const Vertex<T>& from, const Departure<T>& departure, const Mask<T>& far) {
   Ray<T> ray{walk_point(photon)};
   ray.vertex_chance = from.chance;
   ray.chance = from.chance * departure.chance;
@@ -77,9 +75,10 @@ Ray<T> next_ray(const geometry::Slabs& sea, const transport::Photon<T>& photon,
   ray.behind.edges = from.behind.edges + select(far, ray.last_edge, T(0));
   const Mask<T> known = departure.c_ratio > T(0);
   ray.translated = select(known, from.translated * ray.per_p, T(0));
-  if (any(either_way))
+  const Mask<T> converts = from.line > photon.line;
+  if (any(converts))
     ray.translated =
-        select(either_way, met_either_way(ray.translated, photon.direction.z), ray.translated);
+        select(converts, met_either_way(ray.translated, photon.direction.z), ray.translated);
   ray.rotated = rotation_at(from, photon.direction);
   ray.rotated.density = select(known, ray.rotated.density * ray.per_p, T(0));
   return ray;

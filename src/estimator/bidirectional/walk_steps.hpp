@@ -215,9 +215,8 @@ class WalkSteps {
     }
     book(ledger.absorbed, in_water, w.photon.weight - photon.weight);
     w.photon = any(w.on & !colliding) ? select(colliding, photon, w.photon) : photon;
-    const Mask<T> either_way = samples_.frees() ? vertex_.line > photon.line : Mask<T>(false);
-    const Ray<T> ray = next_ray(sea_, photon, vertex_, departure, w.vertices > Index<T>(2),
-                                either_way);  // of those with the one that is left
+    const Ray<T> ray = next_ray(sea_, photon, vertex_, departure,
+                                w.vertices > Index<T>(2));  // of those with the one that is left
     walks_.add(colliding, w.walk, w.vertices, ray);
     const Mask<T> near = colliding & (w.vertices < Index<T>(3));
     if (any(near)) {

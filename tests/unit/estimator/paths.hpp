@@ -207,8 +207,7 @@ class Writer {
     }
     photon_.layer = world_.sea.layer_of<double>(photon_.layer);
     const std::int32_t left = walks.vertices(0);
-    ray_ =
-        next_ray(world_.sea, photon_, vertex_, departure, left > 2, converts && samples_.frees());
+    ray_ = next_ray(world_.sea, photon_, vertex_, departure, left > 2);
     walks.add(true, 0, left, ray_);
     if (left < 3) {
       first_.depart(ray_,

@@ -92,11 +92,7 @@ inline Counts expect_same_of_all(Sea& sea, const Path& path, std::int32_t most =
   const Counts bound = expect_same_of_all(sea, path, samples, most);
   sea.begin(true);
   EXPECT_EQ(bound.connected, counts.connected);
-  // Where light is converted free walks meet, and others with them, though it does not reverse.
-  EXPECT_LE(bound.met, counts.met);
-  if (path.converted == 0) {
-    EXPECT_EQ(bound.met, counts.met);
-  }
+  EXPECT_EQ(bound.met, counts.met);
   EXPECT_EQ(bound.free_telescope + bound.free_laser, 0);
   return counts;
 }

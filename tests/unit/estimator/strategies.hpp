@@ -125,7 +125,7 @@ struct StrategiesOfPath {
   /// Where walks can be moved sideways to meet at vertex i: 1 over what is not drawn of it.
   [[nodiscard]] double moved_to(std::int32_t i) const {
     double steep = -at(i - 1).arriving.z * at(i).leaving.z;
-    if (i == path.converted && samples.frees()) steep = std::abs(steep);  // free walks meet there
+    if (i == path.converted) steep = std::abs(steep);  // walks meet there either way
     if (steep <= 0) return 0;
     // On the bed pi exp(tau + tau'), as often as a point of the grid lies that far below.
     return is_on_bed(i) ? samples.grid.below_bed() * pi * met_but(i) : steep * drawn_but(i);

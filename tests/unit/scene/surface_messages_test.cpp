@@ -130,6 +130,16 @@ const std::vector<Wrong>& wrong_surfaces() {
        "",
        {"scene.toml:20:92: whitecaps = false says that there are no whitecaps (leave one of them "
         "out)"}},
+      {"WhitecapsOfNoWind",
+       R"(model = "cox-munk", wind_speed_m_s = 0, whitecap_fraction = 0.5)",
+       "",
+       {"scene.toml:20:73: a sea without waves has no whitecaps (give it a wind, or variances of "
+        "slopes, or leave whitecap_fraction out)"}},
+      {"WhitecapsOfNoSlopes",
+       R"(model = "gaussian", upwind_slope_variance = 0, crosswind_slope_variance = 0, whitecap_fraction = 0.5)",
+       "",
+       {"scene.toml:20:110: a sea without waves has no whitecaps (give it a wind, or variances of "
+        "slopes, or leave whitecap_fraction out)"}},
       {"WhitecapsWithoutWind",
        own + ", whitecaps = true",
        "",

@@ -63,9 +63,9 @@ TEST(Surface, IsFlatWithoutWindAndWithoutSlopes) {
 // What a flat surface can do, all surfaces without waves can.
 TEST(Surface, WithoutWavesMayHaveAllEstimators) {
   for (const std::string model : {"cox-munk", "paper"})
-    EXPECT_EQ(diagnostics_of(edited(with_surface(
-                  "model = \"" + model + "\", wind_speed_m_s = 0, whitecap_fraction = 0.1",
-                  "estimator = \"bidirectional\"\nreception = \"overlap\""))),
+    EXPECT_EQ(diagnostics_of(
+                  edited(with_surface("model = \"" + model + "\", wind_speed_m_s = 0",
+                                      "estimator = \"bidirectional\"\nreception = \"overlap\""))),
               Texts{});
   for (const std::string estimator : {"auto", "forward", "analog"})
     EXPECT_EQ(diagnostics_of(edited(with_surface(waves, "estimator = \"" + estimator + '"'))),

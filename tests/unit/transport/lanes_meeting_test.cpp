@@ -137,19 +137,16 @@ TEST(LanesOf, DepartAndNextRay) {
     const auto departure4 = estimator::depart(sea.view(), photon4, in_all_lanes(inverse_conversion),
                                               {pack(a), pack(b), pack(c), pack(d)}, from_telescope);
     const auto far = four([&] { return random.chance(0.5); });
-    const auto either_way = four([&] { return random.chance(0.5); });
-    const auto ray4 =
-        estimator::next_ray(sea.view(), photon4, pack_fields<estimator::Vertex>(vertex), departure4,
-                            pack_mask(far), pack_mask(either_way));
+    const auto ray4 = estimator::next_ray(
+        sea.view(), photon4, pack_fields<estimator::Vertex>(vertex), departure4, pack_mask(far));
     for (std::size_t i = 0; i < lanes; ++i) {
       const auto line = photon[i].line;
       const auto departure = estimator::depart(sea.view(), photon[i], inverse_conversion,
                                                {a[i], b[i], c[i], d[i]}, from_telescope);
       expect_same(photon4, i, photon[i]);
       expect_same_fields(departure4, i, departure);
-      expect_same_fields(
-          ray4, i,
-          estimator::next_ray(sea.view(), photon[i], vertex[i], departure, far[i], either_way[i]));
+      expect_same_fields(ray4, i,
+                         estimator::next_ray(sea.view(), photon[i], vertex[i], departure, far[i]));
       converted += photon[i].line != line;
       directed += photon[i].line != line && d[i] < inverse_conversion.directed;
     }
