@@ -63,7 +63,7 @@ TEST(StrategiesOfPath, OfLightThatFacetsSendBackBetweenCollisionsAgree) {
     const auto source = laser_at({0.5, 0, -6}, looks.laser);
     const auto telescope = telescope_at({0, 0, -6.5}, looks.telescope);
     SeaUnderWaves black(source, telescope), bright(source, telescope, {0.3, 0.2, 0.4});
-    for (int n = 0; n < 480; ++n) {
+    for (int n = 0; n < 240; ++n) {
       const bool bed = n % 4 == 3;
       auto path = random_path(random, 4, 1 + n % 7);
       path.line = n / 2 % 2;
