@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/constants.hpp"
+#include "support/both_estimators_over_waves.hpp"
 #include "support/lidars_over_waves.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
@@ -23,81 +24,42 @@ std::string layer(double g, const std::string& bottom = "") {
 }
 const std::string gates = "[gates]\ndepth_min_m = -2.0\ndepth_max_m = 14.0\ndepth_step_m = 2.0\n";
 
-struct Case {
-  const char* name;
-  std::string scene;
-  double forward = 1e6, bidirectional = 2e5;
-  std::size_t least = 25;  ///< cells that are to be compared
-  bool frees = true;       ///< with free walks
-};
-
-// Gate by gate, process by process and order by order.
-void expect_both_estimators_find(const Case& c) {
-  const auto scene = [&](double photons, std::uint64_t seed, const std::string& estimator) {
-    auto s = read(c.scene);
-    s.simulation.photons = static_cast<std::uint64_t>(photons);
-    s.simulation.seed = seed;
-    s.simulation.estimator =
-        estimator == "forward" ? scene::Estimator::forward : scene::Estimator::bidirectional;
-    s.simulation.free_telescope_meetings = c.frees ? 0.1 : 0;
-    s.simulation.free_laser_meetings = c.frees ? 0.3 : 0;
-    return s;
-  };
-  const auto forward = run_in_lanes(scene(c.forward, 7, "forward"));
-  const auto both = run_in_lanes(scene(c.bidirectional, 8, "bidirectional"));
-  ZFamily family(0.01);
-  const auto compare = [&](const tally::Estimates& f, const tally::Estimates& b, const char* what) {
-    for (std::size_t i = 0; i < f.mean.size(); ++i) {
-      const double error = std::hypot(f.standard_error[i], b.standard_error[i]);
-      if (!(error < 0.05 * f.mean[i])) continue;
-      family.add(b.mean[i], f.mean[i], error, fmt::format("{}, {} {}", c.name, what, i));
-    }
-  };
-  compare(forward.echo_by_process, both.echo_by_process, "process");
-  compare(forward.echo_by_order, both.echo_by_order, "order");
-  std::printf("%s: %zu cells, rms z %.2f\n", c.name, family.size(), family.rms());
-  EXPECT_GE(family.size(), c.least) << c.name;
-  EXPECT_LT(family.rms(), 1.3) << c.name;
-  family.judge();
-  EXPECT_EQ(both.lost_not_finite, 0U) << c.name;
-  EXPECT_NEAR(both.ledger.sum(), 1, 5 * both.ledger_standard_error + 1e-6) << c.name;
-}
-
 TEST(WalksThroughWaves, FindWhatTheForwardEstimatorDoes) {
   const std::string bed = "[bottom]\nalbedo = 0.3\n";
-  for (const Case& c :
-       {Case{"tilted, whitecaps, layers over a bed",
-             instrument({.off_nadir = 15,
-             .azimuth = 40,
-             .lens = 0.4,
-             .view_mrad = 40,
-             .divergence_mrad = 10,
-             .laser = 0.04}) +
-                 channel("elastic") +
-                 sea("model = \"cox-munk\", wind_speed_m_s = 12.0, wind_direction_deg = 30.0") +
-                 layer(0.8, "bottom_depth_m = 3.0\n") + layer(0.5, "bottom_depth_m = 9.0\n") + bed +
-                 gates + simulation(1, 1, "max_order = 3\n")},
-        Case{"300 m, a wide view", instrument({.height = 300,
-                                   .lens = 0.3,
-                                   .view_mrad = 15,
-                                   .divergence_mrad = 2,
-                                   .laser = 0.04}) +
-                                       channel("elastic") +
-                                       sea("model = \"cox-munk\", wind_speed_m_s = 2.0") +
-                                       layer(0.8) + gates + simulation(1, 1, "max_order = 3\n")},
-        Case{"70 degrees, steep",
-             instrument({.height = 3,
-             .off_nadir = 70,
-             .lens = 1,
-             .view_mrad = 100,
-             .divergence_mrad = 10,
-             .laser = 0.04}) +
-                 channel("elastic") +
-                 sea("model = \"gaussian\", upwind_slope_variance = 0.04, "
-                     "crosswind_slope_variance = 0.03, whitecap_fraction = 0.1") +
-                 layer(0.3) + gates + simulation(1, 1, "max_order = 2\n"),
-             1e6, 4e5, 15},
-        Case{
+  for (const OverWaves& c :
+       {OverWaves{
+            "tilted, whitecaps, layers over a bed",
+            instrument({.off_nadir = 15,
+            .azimuth = 40,
+            .lens = 0.4,
+            .view_mrad = 40,
+            .divergence_mrad = 10,
+            .laser = 0.04}) +
+                channel("elastic") +
+                sea("model = \"cox-munk\", wind_speed_m_s = 12.0, wind_direction_deg = 30.0") +
+                layer(0.8, "bottom_depth_m = 3.0\n") + layer(0.5, "bottom_depth_m = 9.0\n") + bed +
+                gates + simulation(1, 1, "max_order = 3\n")},
+        OverWaves{"300 m, a wide view",
+                  instrument({.height = 300,
+                  .lens = 0.3,
+                  .view_mrad = 15,
+                  .divergence_mrad = 2,
+                  .laser = 0.04}) +
+                      channel("elastic") + sea("model = \"cox-munk\", wind_speed_m_s = 2.0") +
+                      layer(0.8) + gates + simulation(1, 1, "max_order = 3\n")},
+        OverWaves{"70 degrees, steep",
+                  instrument({.height = 3,
+                  .off_nadir = 70,
+                  .lens = 1,
+                  .view_mrad = 100,
+                  .divergence_mrad = 10,
+                  .laser = 0.04}) +
+                      channel("elastic") +
+                      sea("model = \"gaussian\", upwind_slope_variance = 0.04, "
+                          "crosswind_slope_variance = 0.03, whitecap_fraction = 0.1") +
+                      layer(0.3) + gates + simulation(1, 1, "max_order = 2\n"),
+                  1e6, 4e5, 15},
+        OverWaves{
             "Raman",
             instrument({.lens = 0.4, .view_mrad = 40, .divergence_mrad = 10, .laser = 0.04}) +
                 channel("elastic") + channel("raman") +
@@ -108,122 +70,66 @@ TEST(WalksThroughWaves, FindWhatTheForwardEstimatorDoes) {
                 gates + simulation(1, 1, "max_order = 3\n"),
             2e6, 3e5, 40},
         // Facets send back much light after its conversion. Their spread is a tenth of the view's.
-        Case{"Raman light of turbid water, a wide view from near",
-             "[source]\nwavelength_nm = 355.0\nposition_m = [0.0, 0.0, 1.0]\n"
-             "direction = [0.3, 0.0, -1.0]\ndiameter_m = 0.05\nhalf_divergence_mrad = 50.0\n"
-             "[[telescope]]\nposition_m = [0.8, 0.2, 1.0]\ndirection = [-0.2, 0.0, -1.0]\n"
-             "diameter_m = 1.5\nfocal_length_m = 3.0\nhalf_field_of_view_mrad = 700.0\n" +
-                 channel("raman") + sea("model = \"cox-munk\", wind_speed_m_s = 5.0") +
-                 "[[sea.layer]]\niop = [ { wavelength_nm = 355.0, a_per_m = 0.05, b_per_m = 0.5 }, "
-                 "{ wavelength_nm = 800.0, a_per_m = 0.05, b_per_m = 0.5 } ]\n"
-                 "phase_function = { model = \"henyey-greenstein\", g = 0.3 }\n"
-                 "[gates]\nstart_ns = 5.0\nstop_ns = 101.0\nstep_ns = 24.0\n" +
-                 simulation(1, 1),
-             1e6, 5e5, 20, false},
+        OverWaves{
+            "Raman light of turbid water, a wide view from near",
+            "[source]\nwavelength_nm = 355.0\nposition_m = [0.0, 0.0, 1.0]\n"
+            "direction = [0.3, 0.0, -1.0]\ndiameter_m = 0.05\nhalf_divergence_mrad = 50.0\n"
+            "[[telescope]]\nposition_m = [0.8, 0.2, 1.0]\ndirection = [-0.2, 0.0, -1.0]\n"
+            "diameter_m = 1.5\nfocal_length_m = 3.0\nhalf_field_of_view_mrad = 700.0\n" +
+                channel("raman") + sea("model = \"cox-munk\", wind_speed_m_s = 5.0") +
+                "[[sea.layer]]\niop = [ { wavelength_nm = 355.0, a_per_m = 0.05, b_per_m = 0.5 }, "
+                "{ wavelength_nm = 800.0, a_per_m = 0.05, b_per_m = 0.5 } ]\n"
+                "phase_function = { model = \"henyey-greenstein\", g = 0.3 }\n"
+                "[gates]\nstart_ns = 5.0\nstop_ns = 101.0\nstep_ns = 24.0\n" +
+                simulation(1, 1),
+            1e6, 5e5, 20, false},
         // Facets send hardly anything where many of the free walks go. Seen red: with the weights
         // of these left to what floats hold (3 to 10 % low, by 8 errors, and 5210 scores not
         // finite).
-        Case{"nearly calm, a wide view from near",
-             instrument({.height = 5,
-             .lens = 0.4,
-             .view_mrad = 300,
-             .divergence_mrad = 10,
-             .laser = 0.05}) +
-                 channel("elastic") +
-                 sea("model = \"cox-munk\", wind_speed_m_s = 1.0, slick = true") + layer(0.6) +
-                 "[gates]\ndepth_min_m = -1.0\ndepth_max_m = 5.0\ndepth_step_m = 1.0\n" +
-                 simulation(1, 1),
-             1e6, 2e5, 15},
+        OverWaves{"nearly calm, a wide view from near",
+                  instrument({.height = 5,
+                  .lens = 0.4,
+                  .view_mrad = 300,
+                  .divergence_mrad = 10,
+                  .laser = 0.05}) +
+                      channel("elastic") +
+                      sea("model = \"cox-munk\", wind_speed_m_s = 1.0, slick = true") + layer(0.6) +
+                      "[gates]\ndepth_min_m = -1.0\ndepth_max_m = 5.0\ndepth_step_m = 1.0\n" +
+                      simulation(1, 1),
+                  1e6, 2e5, 15},
         // Once: of more, the forward estimator's scores have a tail in such water.
-        Case{"Raman and fluorescence, once",
-             instrument({.lens = 0.4, .view_mrad = 40, .divergence_mrad = 10, .laser = 0.04}) +
-                 channel("elastic") + channel("raman") + channel("chlorophyll") +
-                 sea("model = \"cox-munk\", wind_speed_m_s = 8.0") +
-                 "[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n" + gates +
-                 simulation(1, 1, "max_order = 1\n")}})
-    expect_both_estimators_find(c);
-}
-
-/// Laser and telescope at places of their own, looking in a plane, so many degrees off the nadir.
-std::string instruments(double laser_height, double laser_off_nadir, double height,
-                        double off_nadir, double view_mrad, double divergence_mrad = 20) {
-  const auto look = [](double degrees) {
-    const double t = degrees * radian_per_degree;
-    return fmt::format("direction = [{:.15g}, 0.0, {:.15g}]\n", std::sin(t), -std::cos(t));
-  };
-  return fmt::format(
-      "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, {}]\n{}diameter_m = 0.04\n"
-      "half_divergence_mrad = {}\n[[telescope]]\nposition_m = [0.3, 0.1, {}]\n{}"
-      "diameter_m = 0.4\nfocal_length_m = 1.0\nhalf_field_of_view_mrad = {}\n",
-      laser_height, look(laser_off_nadir), divergence_mrad, height, look(off_nadir), view_mrad);
-}
-const std::string raman_water =
-    "[[sea.layer]]\niop = [ { wavelength_nm = 532.0, a_per_m = 0.06, b_per_m = 0.20 }, "
-    "{ wavelength_nm = 649.0, a_per_m = 0.35, b_per_m = 0.15 } ]\n"
-    "phase_function = { model = \"henyey-greenstein\", g = 0.7 }\n";
-
-const std::string upper_water = "[[sea.layer]]\nbottom_depth_m = 3.0\n" + raman_water.substr(14);
-
-// No mirror images help there: what facets send to the instruments is found facet by facet.
-TEST(WalksUnderWaves, FindWhatTheForwardEstimatorDoesInTheWater) {
-  const std::string windy =
-      sea("model = \"cox-munk\", wind_speed_m_s = 9.0, wind_direction_deg = 30.0");
-  const std::string steep =
-      sea("model = \"gaussian\", upwind_slope_variance = 0.04, crosswind_slope_variance = 0.03, "
-          "whitecap_fraction = 0.1");
-  const std::string both = channel("elastic") + channel("raman");
-  const auto end = [](double range, double step, int order = 3) {
-    return fmt::format("[gates]\nrange_min_m = 0.0\nrange_max_m = {}\nrange_step_m = {}\n", range,
-                       step) +
-           simulation(1, 1, fmt::format("max_order = {}\n", order));
-  };
-  for (const Case& c :
-       {Case{"both look up",
-             instruments(-5, 165, -4, 160, 300) + both + steep + raman_water + end(16, 2), 1e6, 2e5,
-             10},
-        // All light has been sent back by facets. That of higher orders has tails there by the
-        // forward estimator: OfHardlyAnySlopeSendBackWhatAFlatSurfaceDoes.
-        Case{"the telescope looks up, the laser down, once",
-             instruments(-3, 0, -3, 180, 300) + both + steep + raman_water + end(16, 2, 1), 1e6,
-             2e5, 24},
-        Case{"waves of one direction over a telescope that looks up",
-             instruments(6, 10, -3, 170, 300) + both +
-                 sea("model = \"paper\", wind_speed_m_s = 9.0, wind_direction_deg = 30.0") +
-                 raman_water + end(16, 2),
-             1e6, 2e5, 5},
-        Case{"the laser in the air",
-             instruments(6, 10, -8, 165, 300) + both + windy + upper_water + raman_water +
-                 end(24, 3),
-             1e6, 2e5, 15},
-        Case{"the telescope in the air",
-             instruments(-3, 160, 6, 10, 100) + both + windy + raman_water + end(24, 3), 1e6, 4e5,
-             8}})
+        OverWaves{"Raman and fluorescence, once",
+                  instrument({.lens = 0.4, .view_mrad = 40, .divergence_mrad = 10, .laser = 0.04}) +
+                      channel("elastic") + channel("raman") + channel("chlorophyll") +
+                      sea("model = \"cox-munk\", wind_speed_m_s = 8.0") +
+                      "[[sea.layer]]\nchlorophyll_mg_m3 = 1.0\n" + gates +
+                      simulation(1, 1, "max_order = 1\n")}})
     expect_both_estimators_find(c);
 }
 
 // Walks that draw their facets, and meet by translation alone.
 TEST(WalksThroughWaves, OfOneDirectionFindWhatTheForwardEstimatorDoes) {
-  for (const Case& c :
-       {Case{"the paper's law, Raman",
-             instrument({.lens = 0.4, .view_mrad = 40, .divergence_mrad = 10, .laser = 0.04}) +
-                 channel("elastic") + channel("raman") +
-                 sea("model = \"paper\", wind_speed_m_s = 5.0, wind_direction_deg = 30.0") +
-                 raman_water + gates + simulation(1, 1, "max_order = 3\n")},
-        Case{"across the wind, tilted, whitecaps, layers over a bed",
-             instrument({.off_nadir = 15,
-             .azimuth = 40,
-             .lens = 0.4,
-             .view_mrad = 60,
-             .divergence_mrad = 20,
-             .laser = 0.04}) +
-                 channel("elastic") +
-                 sea("model = \"gaussian\", upwind_slope_variance = 0.0, "
-                     "crosswind_slope_variance = 0.03, whitecap_fraction = 0.1") +
-                 layer(0.8, "bottom_depth_m = 3.0\n") + layer(0.5, "bottom_depth_m = 9.0\n") +
-                 "[bottom]\nalbedo = 0.3\n[gates]\ndepth_min_m = -2.0\ndepth_max_m = 10.0\n"
-                 "depth_step_m = 2.0\n" +
-                 simulation(1, 1, "max_order = 3\n"),
-             1e6, 2e5, 15}})
+  for (const OverWaves& c :
+       {OverWaves{"the paper's law, Raman",
+                  instrument({.lens = 0.4, .view_mrad = 40, .divergence_mrad = 10, .laser = 0.04}) +
+                      channel("elastic") + channel("raman") +
+                      sea("model = \"paper\", wind_speed_m_s = 5.0, wind_direction_deg = 30.0") +
+                      raman_water + gates + simulation(1, 1, "max_order = 3\n")},
+        OverWaves{"across the wind, tilted, whitecaps, layers over a bed",
+                  instrument({.off_nadir = 15,
+                  .azimuth = 40,
+                  .lens = 0.4,
+                  .view_mrad = 60,
+                  .divergence_mrad = 20,
+                  .laser = 0.04}) +
+                      channel("elastic") +
+                      sea("model = \"gaussian\", upwind_slope_variance = 0.0, "
+                          "crosswind_slope_variance = 0.03, whitecap_fraction = 0.1") +
+                      layer(0.8, "bottom_depth_m = 3.0\n") + layer(0.5, "bottom_depth_m = 9.0\n") +
+                      "[bottom]\nalbedo = 0.3\n[gates]\ndepth_min_m = -2.0\ndepth_max_m = 10.0\n"
+                      "depth_step_m = 2.0\n" +
+                      simulation(1, 1, "max_order = 3\n"),
+                  1e6, 2e5, 15}})
     expect_both_estimators_find(c);
 }
 
@@ -256,39 +162,6 @@ TEST(WalksThroughWaves, OfHardlyAnySlopeAreThoseUnderAFlatSurface) {
     family.add(level.echo.mean[i], flat.echo.mean[i], error, fmt::format("gate {}", i));
     EXPECT_LT(error, 0.03 * flat.echo.mean[i]) << i;
   }
-  family.judge();
-}
-
-// Between a laser and a telescope in the water, of which one looks up and the other down, all light
-// is sent back by the surface, some of it several times in a row: between its vertices, too, before
-// and after it is converted. Both are tilted. Seen red: with rays behind facets that do not meet.
-TEST(WalksUnderWaves, OfHardlyAnySlopeSendBackWhatAFlatSurfaceDoes) {
-  const auto run = [](bool laser_looks_up, const std::string& surface, double photons,
-                      std::uint64_t seed) {
-    return run_in_lanes(
-        read(instruments(-3, laser_looks_up ? 174 : 6, -3, laser_looks_up ? 5 : 172, 200) +
-             channel("elastic") + channel("raman") + sea(surface) + raman_water +
-             "[gates]\nstart_ns = 20.0\nstop_ns = 120.0\nstep_ns = 25.0\n" +
-             simulation(photons, seed, no_free_walks, "bidirectional")));
-  };
-  ZFamily family(0.01);
-  for (const bool laser_looks_up : {false, true}) {
-    const auto flat = run(laser_looks_up, "model = \"flat\"", 2e5, 41);
-    const auto level = run(laser_looks_up,
-                           "model = \"gaussian\", upwind_slope_variance = 1e-6, "
-                           "crosswind_slope_variance = 1e-6",
-                           6e5, 42);
-    const auto &f = flat.echo_by_order, &l = level.echo_by_order;
-    for (std::size_t i = 0; i < f.mean.size(); ++i) {
-      const double error = std::hypot(f.standard_error[i], l.standard_error[i]);
-      if (!(error < 0.1 * f.mean[i])) continue;
-      family.add(l.mean[i], f.mean[i], error,
-                 fmt::format("the laser looks {}, cell {}", laser_looks_up ? "up" : "down", i));
-    }
-  }
-  std::printf("%zu cells, rms z %.2f\n", family.size(), family.rms());
-  EXPECT_GE(family.size(), 60);
-  EXPECT_LT(family.rms(), 1.3);
   family.judge();
 }
 
@@ -336,35 +209,6 @@ TEST(WalksThroughWaves, OverOtherWavesAreTheirOwnRun) {
     const auto own = run(weak, "", 22, estimator);
     expect_environment_is(all, own, 7);
   }
-}
-
-// All light between a laser and a telescope of which one looks down and the other up has been sent
-// back by facets: on its way to the telescope, or where walks of the laser begin.
-TEST(WalksUnderWaves, OverOtherWavesAndWaterAreTheirOwnRun) {
-  struct Sea {
-    double upwind, crosswind, whitecaps, absorption, scattering;
-  };
-  const auto run = [](const Sea& is, const std::string& more, std::uint64_t seed,
-                      bool laser_looks_up) {
-    const auto scene =
-        read(more + instruments(-3, laser_looks_up ? 180 : 0, -3, laser_looks_up ? 0 : 180, 300) +
-             channel("elastic") +
-             sea(fmt::format("model = \"gaussian\", upwind_slope_variance = {}, "
-                             "crosswind_slope_variance = {}, whitecap_fraction = {}",
-                             is.upwind, is.crosswind, is.whitecaps)) +
-             water(is.absorption, is.scattering, R"({ model = "henyey-greenstein", g = 0.3 })") +
-             "[gates]\nrange_min_m = 0.0\nrange_max_m = 8.0\nrange_step_m = 1.0\n" +
-             simulation(laser_looks_up ? 2e6 : 4e5, seed, no_free_walks, "bidirectional"));
-    return run_in_lanes(scene);
-  };
-  const Sea here{0.04, 0.03, 0.1, 0.06, 0.2}, there{0.02, 0.015, 0.03, 0.12, 0.25};
-  const std::string other = fmt::format(
-      "[[environment]]\nset = {{ \"sea.surface.upwind_slope_variance\" = {}, "
-      "\"sea.surface.crosswind_slope_variance\" = {}, \"sea.surface.whitecap_fraction\" = {}, "
-      "\"sea.layer.0.iop.0.a_per_m\" = {}, \"sea.layer.0.iop.0.b_per_m\" = {} }}\n",
-      there.upwind, there.crosswind, there.whitecaps, there.absorption, there.scattering);
-  expect_environment_is(run(here, other, 31, false), run(there, "", 32, false), 5);
-  expect_environment_is(run(here, other, 33, true), run(there, "", 34, true), 4);
 }
 
 // In turbid water the surface sends much light back down, which whitecaps do more than facets.
