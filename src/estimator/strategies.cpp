@@ -48,11 +48,13 @@ Strategy translated(const scene::Scene& scene) {
   return out;
 }
 
-Strategy rotated(bool rough, bool converts, const Vec3<double>& beam) {
+Strategy rotated(const medium::Medium& medium, const Vec3<double>& beam) {
   const std::string name = "walks from telescopes rotated about a vertical so that rays meet";
-  if (rough) return off(name, "waves are not alike to all sides, and walks may have met them");
-  if (converts && (beam.x != 0 || beam.y != 0))
+  if (medium.line.size() > 1 && (beam.x != 0 || beam.y != 0))
     return off(name, "light is converted, and looked for about a beam that is not vertical");
+  const auto waves = medium.view().waves;
+  if (waves.rough && !waves.isotropic)
+    return {name, true, "where waves, not alike to all sides, have not met what is rotated"};
   return {name, true, {}};
 }
 
@@ -127,8 +129,7 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
   out.between = {"walks from both sides connected", true,
                  fmt::format("a share of {:g}", scene.simulation.connected_fraction)};
   out.translated = translated(scene);
-  const bool rough = scene.sea.surface.is_rough();
-  out.rotated = rotated(rough, medium.line.size() > 1, beam_in_water(scene, medium));
+  out.rotated = rotated(medium, beam_in_water(scene, medium));
   out.rotated_scattered = out.rotated;
   out.rotated_scattered.name += ", of light that is not converted";
   // What environments make of the angle that a rotation changes is not known apart.

@@ -212,6 +212,7 @@ WavesView Medium::waves_view() const {
   WavesView v;
   v.rough = !s.is_flat();
   v.one_dimensional = s.is_one_dimensional();
+  v.isotropic = s.is_isotropic();
   v.upwind_x = waves.upwind_x;
   v.upwind_y = waves.upwind_y;
   v.upwind_deviation = std::sqrt(s.upwind_variance);
@@ -264,6 +265,7 @@ MediumView Medium::view() const {
   e.other_film = !environments.film.empty();
   e.other_waves = !environments.surface.empty();
   e.other_surface = e.other_waves || (v.waves.rough && e.other_film);
+  v.waves.isotropic = v.waves.isotropic && !e.other_waves;
   e.first_film = e.first_surface + (e.other_waves ? surface_rows : 0);
   e.first_emission = e.first_film + ways_at_film * v.lines * (film_angle_steps + 1);
   e.number = environment_rows_.table();

@@ -10,6 +10,7 @@ namespace photic::medium {
 struct WavesView {
   bool rough = false;                 ///< else the surface is flat, and nothing below counts
   bool one_dimensional = false;       ///< all facets are level across the wind
+  bool isotropic = false;             ///< slopes are alike to all sides, also in environments
   double upwind_x = 1, upwind_y = 0;  ///< towards where the wind comes from, a unit vector
   double upwind_deviation = 0, crosswind_deviation = 0;  ///< of slopes
   optics::GramCharlier series;

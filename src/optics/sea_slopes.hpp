@@ -15,6 +15,7 @@ struct GramCharlierOf {
   C c21{}, c03{};         ///< skewness
   C c40{}, c22{}, c04{};  ///< peakedness
 
+  friend constexpr bool operator==(const GramCharlierOf&, const GramCharlierOf&) = default;
   /// May be below 0 far out.
   template <class T>
   [[nodiscard]] T operator()(const T& crosswind, const T& upwind) const {
@@ -45,6 +46,10 @@ struct SlopeLaw {
   /// Waves of one direction alone.
   [[nodiscard]] bool is_one_dimensional() const {
     return !is_flat() && (upwind_variance == 0 || crosswind_variance == 0);
+  }
+  /// Slopes alike to all sides.
+  [[nodiscard]] bool is_isotropic() const {
+    return upwind_variance == crosswind_variance && series == GramCharlier{};
   }
 };
 

@@ -112,9 +112,12 @@ void Connections<T>::meet_there(const RayPairing<T>& pairing, const Mask<T>& mas
   const T last = select(is_last, depth, last_depth(pairing.back));
   const auto freedom = freedom_at(pairing, met, at, last, place);
   const Vec3<T> where = out.position + at.length_out * out.direction;
-  const RotationAxis<T> axis = select(is_pivot(back.line, pairing.m),
-                                      axis_at(where, back.direction, out.direction), met.axis);
+  const RotationAxis<T> axis =
+      select(is_pivot(back.line, pairing.m), axis_at(where, back.direction, out.direction),
+             rotated_with(met.axis, pairing, pairing.reflects_telescope()));
   RotationAxis<T> axis_of_laser = axis;
+  if (sea_.waves.rough && !sea_.waves.isotropic)
+    axis_of_laser.exists = axis_of_laser.exists & !pairing.reflects_laser();
   axis_of_laser.x = axis.x - met.out_moved.x;
   axis_of_laser.y = axis.y - met.out_moved.y;
   auto laser_side = laser_.side(out, met.out_spread, pairing.laser, pairing.i, in_path, freedom,

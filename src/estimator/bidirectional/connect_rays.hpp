@@ -91,7 +91,9 @@ PHOTIC_FLATTEN void Connections<T>::meetings(std::size_t first_laser, std::size_
         const Mask<T> mask = all & is_lit(pairing.laser);
         const Mask<T> meets = reverses(out_line, back_line) | converts(back, pairing.m);
         if (translates) translate(pairing, mask & meets, out_line, back_line, start);
-        if (rotates) rotate(pairing, mask & (pairing.m > pivot), out_line, back_line, axis);
+        if (rotates)
+          rotate(pairing, mask & (pairing.m > pivot), out_line, back_line,
+                 rotated_with(axis, pairing, pairing.reflects_telescope()));
         if (of_telescope)
           free_meetings(pairing, mask & (pairing.m > Index<T>(0)), meets, out_line, back_line,
                         telescope_start, T(1), samples_.free_telescope, birth.grid_offset,

@@ -326,8 +326,9 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_between(const Pairing<T>&
   const Mask<T> arrives = mask & emits(w.line, w.layer);
   if (any(arrives)) {
     const auto freedom = freedom_of(Index<T>(0));
-    const auto axis = select(is_pivot(w.line, pairing.m),
-                             axis_at(w.position, w.direction, direction), back_.axis(pairing.back));
+    const auto axis =
+        select(is_pivot(w.line, pairing.m), axis_at(w.position, w.direction, direction),
+               rotated_with(back_.axis(pairing.back), pairing, Mask<T>(true)));
     const T behind = behind_laser_vertex(pairing, v, in_path, freedom, axis);
     const T behind_arrival = back_.behind(w, pairing.back, pairing.m, in_path, freedom, axis);
     const ConnectionEnd to =

@@ -292,6 +292,15 @@ class Connections {
         world_.rotates_scattered ? leads_aside(telescope_edge, laser_edge) : Mask<T>(false);
     return {Mask<T>((receiver_.line > Index<T>(0)) | scatters), place.x, place.y};
   }
+  /// The same in paths whose pivot lies on the telescope's walk, of which ray m and what lies
+  /// between are rotated, too. `reflected`: facets have sent that ray back.
+  [[nodiscard]] RotationAxis<T> rotated_with(RotationAxis<T> axis, const Pairing<T>& pairing,
+                                             const Mask<T>& reflected) const {
+    if (!sea_.waves.rough) return axis;
+    const Index<T> last = select(reflected, pairing.m, pairing.m - Index<T>(1));
+    axis.exists = axis.exists & back_.rotates(pairing.back, last);
+    return axis;
+  }
   /// Whether a path's pivot is where light comes upon its telescope's walk of so many vertices, as
   /// of a line there: an emitted line's is converted there, the laser's scattered for the last time
   /// if the walk has no vertex before.

@@ -71,8 +71,16 @@ struct FirstVertex {
 /// path.
 template <class T>
 struct Complete {
-  Mask<T> instrument_edge{}, next_edge{}, meeting{};
+  Mask<T> instrument_edge, next_edge, meeting;
 
+  Complete(const Mask<T>& has_instrument_edge, const Mask<T>& has_next_edge,
+           const Mask<T>& has_meeting, bool of_telescope, const Usable<T>& usable) {
+    const Index<T> end(of_telescope ? usable.order : Index<T>(0));
+    const Index<T> inwards(of_telescope ? -1 : 1);
+    instrument_edge = has_instrument_edge & usable.connecting(end);
+    next_edge = has_next_edge & usable.connecting(end + inwards);
+    meeting = has_meeting & usable.meeting(of_telescope ? end : inwards);
+  }
   /// Sum of the first vertex' densities. `translations`: for meetings there [m].
   [[nodiscard]] T sum(const NearFirst<T>& first, const T& translations) const {
     return select(instrument_edge, first.instrument_edge, T(0)) +

@@ -34,10 +34,28 @@
 // connection knows the densities of all strategies at once, however long its walks are.
 #pragma once
 
+#include <cstdint>
+
 #include "core/elementary.hpp"
 #include "core/lanes.hpp"
 
 namespace photic::estimator {
+
+/// Which strategies can be used for a path of `order` vertices by walks of at most `most`.
+template <class T>
+struct Usable {
+  Index<T> order, most;
+  Usable(const Index<T>& vertices, std::int32_t most_of_a_walk)
+      : order(vertices), most(most_of_a_walk) {}
+  [[nodiscard]] Mask<T> all() const { return order <= most; }
+  [[nodiscard]] Mask<T> connecting(const Index<T>& edge) const {
+    return (edge <= most) & (order - edge <= most);
+  }
+  /// A walk that has all the vertices it may have does not set out from the last one.
+  [[nodiscard]] Mask<T> meeting(const Index<T>& vertex) const {
+    return (vertex <= most) & (order - vertex < most);
+  }
+};
 
 /// How far whole walks may be moved sideways so that rays meet at a vertex of a path: how many do
 /// per metre of depth, times an area [m]. At the first vertex the laser's walk cannot, at the last

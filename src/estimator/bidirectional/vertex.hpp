@@ -115,6 +115,7 @@ struct Arrival {
   Mask<T> far{};                        ///< the vertex lies beyond the walk's second
   T reach{};                            ///< chance to come here by the leg, as the walk drew it
   const SentBack<T>* facets = nullptr;  ///< under waves
+  Mask<T> rotates{true};                ///< of a telescope's walk, Walks::rotates()
 };
 
 /// That chance. `cone`: of the walk's instrument.
@@ -130,13 +131,19 @@ T reach_of(const geometry::Slabs& sea, const EntryCone<T>& cone, const Mask<T>& 
 /// them.
 template <class T>
 void pass_facets(const Arrival<T>& by, Vertex<T>& v) {
+  v.rotated = select(by.rotates, v.rotated, T(0));
   const Mask<T>& reflected = by.leg.reflected;
   if (!any(reflected)) return;
   const T reach_up = exp_minus(by.facets->walk_tau);
   v.chance = v.chance * select(reflected, by.facets->chance, T(1));
   v.reverse_chance = v.reverse_chance * select(reflected, by.facets->reverse_chance, T(1));
-  v.translated = v.translated * select(reflected, by.facets->chance * reach_up, T(1));
-  v.added.translated = v.added.translated * select(reflected, by.reach / reach_up, T(1));
+  const T here = select(reflected, by.facets->chance * reach_up, T(1));
+  const T before = select(reflected, by.reach / reach_up, T(1));
+  v.translated = v.translated * here;
+  v.rotated = v.rotated * here;
+  v.added.translated = v.added.translated * before;
+  v.added.rotated = v.added.rotated * before;
+  v.added_rotated.density = v.added_rotated.density * before;
 }
 
 /// What a ray that goes up becomes where facets send it back.
@@ -148,8 +155,10 @@ Ray<T> behind_facets(const Ray<T>& ray, const transport::Photon<T>& photon,
   behind.chance = ray.chance * facets.chance;
   behind.reverse_chance = ray.reverse_chance * facets.reverse_chance;
   // Of meeting where the ray up begins: but for the cosine there, not for that of the ray behind.
-  behind.translated = if_reversed(ray.translated, ray.direction.z) * facets.reverse_chance *
-                      exp_minus(T(0) - facets.walk_tau) / (T(0) - photon.direction.z);
+  const T grows = facets.reverse_chance * exp_minus(T(0) - facets.walk_tau);
+  behind.translated =
+      if_reversed(ray.translated, ray.direction.z) * grows / (T(0) - photon.direction.z);
+  behind.rotated.density = ray.rotated.density * grows;
   return behind;
 }
 
@@ -158,7 +167,7 @@ template <class T>
 Vertex<T> vertex_on(const geometry::Slabs& sea, const Arrival<T>& by, const Spread<T>& spread,
                     const transport::Photon<T>& photon, const RotationAxis<T>& axis,
                     const estimator::Samples<T>& samples) {
-  const auto& [ray, leg, first, far, reach, facets] = by;
+  const auto& [ray, leg, first, far, reach, facets, rotates] = by;
   Vertex<T> v{walk_point(photon)};
   v.chance = ray.chance;
   v.reverse_chance = ray.reverse_chance;

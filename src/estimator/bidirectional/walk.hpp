@@ -17,22 +17,6 @@
 
 namespace photic::estimator {
 
-/// Which strategies can be used for a path of `order` vertices by walks of at most `most`.
-template <class T>
-struct Usable {
-  Index<T> order, most;
-  Usable(const Index<T>& vertices, std::int32_t most_of_a_walk)
-      : order(vertices), most(most_of_a_walk) {}
-  [[nodiscard]] Mask<T> all() const { return order <= most; }
-  [[nodiscard]] Mask<T> connecting(const Index<T>& edge) const {
-    return (edge <= most) & (order - edge <= most);
-  }
-  /// A walk that has all the vertices it may have does not set out from the last one.
-  [[nodiscard]] Mask<T> meeting(const Index<T>& vertex) const {
-    return (vertex <= most) & (order - vertex < most);
-  }
-};
-
 /// The rays and vertices of walks from one instrument: ray m leads to vertex m, and ray 0 from the
 /// instrument.
 template <class T>
@@ -45,6 +29,7 @@ class Walks {
   Walks(std::size_t walks, bool from_telescope, bool through_surface, const medium::MediumView& sea)
       : from_telescope_(from_telescope),
         through_surface_(through_surface),
+        facets_have_sides_(sea.waves.rough && !sea.waves.isotropic),
         record_(walks),
         ray_(walks * stride),
         vertex_(walks * stride),
@@ -56,6 +41,7 @@ class Walks {
         facets_(sea.waves.rough ? walks : 0),
         behind_facets_(sea.waves.rough ? walks * stride : 0),
         sent_back_(sea.waves.rough ? walks * stride : 0),
+        facets_beyond_(from_telescope && facets_have_sides_ ? walks : 0),
         rays_(walks),
         vertices_(walks),
         pivot_vertex_(walks),
@@ -77,6 +63,8 @@ class Walks {
     scatter(mask, walk, record.line, line_.data());
     scatter(mask, walk, Index<T>(0), vertices_.data());
     scatter(mask, walk, Index<T>(-1), pivot_vertex_.data());
+    if (!facets_beyond_.empty())
+      scatter(mask, walk, Index<T>(most_vertices), facets_beyond_.data());
     if (!first_on_bed_.empty()) scatter(mask, walk, Index<T>(most_vertices), first_on_bed_.data());
     if (!facets_.empty()) scatter(mask, walk, record.facets, facets_.data());
     add(mask, walk, Index<T>(0), first);
@@ -99,6 +87,7 @@ class Walks {
   void send_back(const Mask<T>& mask, const Index<T>& walk, const Index<T>& m, const Ray& behind) {
     behind_facets_.put(mask, slot(walk, m), behind);
     scatter(mask, slot(walk, m), Index<T>(1), sent_back_.data());
+    if (!facets_beyond_.empty()) scatter(mask & rotates(walk, m), walk, m, facets_beyond_.data());
   }
   void add(const Mask<T>& mask, const Index<T>& walk, const Index<T>& i, const Vertex& vertex) {
     vertex_.put(mask, slot(walk, i), vertex);
@@ -126,6 +115,8 @@ class Walks {
                              Mask<T>(of_elastic_light) &
                              leads_aside(vertex.direction, ray.direction);
     const Mask<T> pivots = converts | scatters;
+    if (!facets_beyond_.empty())
+      scatter((mask & first) | converts, walk, Index<T>(most_vertices), facets_beyond_.data());
     if (any(pivots)) {
       scatter(pivots, walk, i, pivot_vertex_.data());
       pivot_.put(pivots, walk, pivot_at(sea, vertex, ray));
@@ -216,6 +207,12 @@ class Walks {
   [[nodiscard]] Ray behind_facets(const Index<T>& walk, const Index<T>& m) const {
     return behind_facets_.at(slot(walk, m));
   }
+  /// Whether a telescope's walk beyond its pivot can be rotated as far as where ray m ends, if it
+  /// has come there, and be the same light: facets that have sent it back see it turned.
+  [[nodiscard]] Mask<T> rotates(const Index<T>& walk, const Index<T>& m) const {
+    if (facets_beyond_.empty()) return Mask<T>(true);
+    return m < gather_index<T>(facets_beyond_.data(), walk);
+  }
   [[nodiscard]] Vertex vertex(const Index<T>& walk, const Index<T>& i) const {
     return vertex_.at(slot(walk, i));
   }
@@ -254,11 +251,11 @@ class Walks {
   }
   /// Which of its densities lie behind ray m, or behind vertex i.
   [[nodiscard]] Complete<T> complete_behind_ray(const Index<T>& m, const Usable<T>& usable) const {
-    return complete(m > Index<T>(0), m > Index<T>(1), m > Index<T>(1), usable);
+    return {m > Index<T>(0), m > Index<T>(1), m > Index<T>(1), from_telescope_, usable};
   }
   [[nodiscard]] Complete<T> complete_behind_vertex(const Index<T>& i,
                                                    const Usable<T>& usable) const {
-    return complete(i > Index<T>(0), i > Index<T>(1), i > Index<T>(0), usable);
+    return {i > Index<T>(0), i > Index<T>(1), i > Index<T>(0), from_telescope_, usable};
   }
 
   /// Vertex i as it is in a path of which perhaps not all strategies can be used.
@@ -276,17 +273,18 @@ class Walks {
     return v;
   }
   /// The densities of rotating a telescope's walk about an axis so that it meets this walk of the
-  /// laser, or so that it is met itself, at a vertex before vertex i but not at the first, over
-  /// reverse_chance.
+  /// laser, or so that it is met itself, at a vertex before vertex i, over reverse_chance. `first`:
+  /// at the first vertex.
   [[nodiscard]] T rotated_before(const Index<T>& walk, const Index<T>& i, const Usable<T>& usable,
-                                 const RotationAxis<T>& axis) const {
-    T sum(0);
-    if (!any(axis.exists)) return sum;
+                                 const RotationAxis<T>& axis, const T& first) const {
+    if (!any(axis.exists)) return T(0);
+    T sum = rotated_with(first, walk, Index<T>(1), Index<T>(1) <= i);
     for (Index<T> k(2);; k = k + Index<T>(1)) {
       const Mask<T> before = k <= i;
       if (!any(before)) return sum;
       const T density = vertex(walk, select(before, k, Index<T>(0))).added_rotated.about(axis);
       sum = sum + select(before & usable.meeting(number_in_path(k, usable)), density, T(0));
+      sum = rotated_with(sum, walk, k, before);
     }
   }
   /// Ray m as one side of a meeting, in a path whose walks may be moved so. `spread`: of the walk's
@@ -304,7 +302,7 @@ class Walks {
     side.spread.through_surface = through_surface_;
     const T& near_end = from_telescope_ ? freedom.at_last : freedom.at_first;
     auto others = behind(ray, walk, m, usable);
-    if (rotates_anew) others.rotated = rotated_before(walk, m - Index<T>(1), usable, axis);
+    if (rotates_anew) others.rotated = rotated_before(walk, m - Index<T>(1), usable, axis, T(0));
     side.behind =
         ray.reverse_chance *
         (rest * others.all(freedom.inner) + complete_behind_ray(m, usable).sum(first, near_end) +
@@ -350,16 +348,13 @@ class Walks {
     if (from_telescope_ || !any(axis.exists)) return T(0);
     const Mask<T> beyond_first = (i > Index<T>(0)) & usable.meeting(Index<T>(1));
     const T first = anew == nullptr ? rotated_first(walk).about(axis) : anew->about(axis);
-    return rotated_before(walk, i, usable, axis) + select(beyond_first, first, T(0));
+    return rotated_before(walk, i, usable, axis, select(beyond_first, first, T(0)));
   }
-  [[nodiscard]] Complete<T> complete(const Mask<T>& instrument_edge, const Mask<T>& next_edge,
-                                     const Mask<T>& meeting, const Usable<T>& usable) const {
-    const Index<T> edge = from_telescope_ ? usable.order : Index<T>(0);
-    const Index<T> next = from_telescope_ ? usable.order - Index<T>(1) : Index<T>(1);
-    const Index<T> vertex = from_telescope_ ? usable.order : Index<T>(1);
-    return {Mask<T>(instrument_edge & usable.connecting(edge)),
-            Mask<T>(next_edge & usable.connecting(next)),
-            Mask<T>(meeting & usable.meeting(vertex))};
+  /// A sum over vertices of a laser's walk, with which its ray k is to be rotated, too.
+  [[nodiscard]] T rotated_with(const T& sum, const Index<T>& walk, const Index<T>& k,
+                               const Mask<T>& mask) const {
+    if (from_telescope_ || !facets_have_sides_) return sum;
+    return select(mask & is_sent_back(walk, select(mask, k, Index<T>(0))), T(0), sum);
   }
   /// Which vertex of the path ray m leaves, counted from the laser.
   [[nodiscard]] Index<T> number_in_path(const Index<T>& m, const Usable<T>& usable) const {
@@ -377,6 +372,7 @@ class Walks {
   }
 
   bool from_telescope_, through_surface_;
+  bool facets_have_sides_;  ///< what they do to light changes if that is rotated
   lanes::Records<T, BirthRecord<T>> record_;
   lanes::Records<T, Ray> ray_;
   lanes::Records<T, Vertex> vertex_;
@@ -388,6 +384,8 @@ class Walks {
   std::vector<std::int32_t> facets_;          ///< that sent it down, under waves
   lanes::Records<T, Ray> behind_facets_;      ///< rays that go up, as facets have sent them back
   std::vector<std::int32_t> sent_back_;       ///< of each ray: 1 if they have
+  std::vector<std::int32_t> facets_beyond_;   ///< of each telescope's walk, its first ray beyond
+                                              ///< the pivot that they have; none: many
   std::vector<std::int32_t> rays_, vertices_, pivot_vertex_, connected_, own_, telescope_,
       line_;                                ///< of each walk
   std::vector<std::int32_t> first_on_bed_;  ///< of each walk, its first vertex there; none: many

@@ -115,9 +115,13 @@ class WalkSteps {
       spread = enter_by_slopes(world_, walks_, source_.instrument(), w.walk, w.photon.line,
                                w.photon.position, first);
     const T reach = reach_of(sea_, source_.cone(), first, w.photon, w.leg);
-    const Arrival<T> arrival{w.ray, w.leg,
-                             first, w.vertices > Index<T>(1),
-                             reach, sea_.waves.rough ? &w.facets : nullptr};
+    const Arrival<T> arrival{w.ray,
+                             w.leg,
+                             first,
+                             w.vertices > Index<T>(1),
+                             reach,
+                             sea_.waves.rough ? &w.facets : nullptr,
+                             walks_.rotates(w.walk, w.vertices)};
     vertex_ = vertex_on(sea_, arrival, spread, w.photon, w.axis, samples_);
     walks_.add(w.colliding, w.walk, w.vertices, vertex_);
     const Mask<T> near = w.colliding & (w.vertices < Index<T>(2));

@@ -55,11 +55,14 @@ struct Path {
 inline Path rotated_path(const Path& path, double angle) {
   Path rotated = path;
   const V& axis = path.x(path.pivot());
-  for (std::int32_t i = 1; i < path.pivot(); ++i) {
-    const V from = path.x(i) - axis;
-    V& to = rotated.vertex[static_cast<std::size_t>(i - 1)];
+  const auto rotate = [&](V& to) {
+    const V from = to - axis;
     to.x = axis.x + (std::cos(angle) * from.x - std::sin(angle) * from.y);
     to.y = axis.y + (std::sin(angle) * from.x + std::cos(angle) * from.y);
+  };
+  for (std::int32_t i = 1; i < path.pivot(); ++i) {
+    rotate(rotated.vertex[static_cast<std::size_t>(i - 1)]);
+    if (auto& facets = rotated.by_facets[static_cast<std::size_t>(i)]) rotate(facets->at);
   }
   return rotated;
 }
@@ -145,7 +148,8 @@ class Writer {
                                   before == 0,
                                   before > 1,
                                   reach_of(world_.sea, cone, before == 0, photon_, leg),
-                                  world_.sea.waves.rough ? &sent_back : nullptr};
+                                  world_.sea.waves.rough ? &sent_back : nullptr,
+                                  walks.rotates(0, before)};
     vertex_ = vertex_on(world_.sea, arrival, spread_, photon_, walks.axis(0), samples_);
     walks.add(true, 0, before, vertex_);
     if (before < 2) {

@@ -11,7 +11,7 @@
 namespace photic::estimator {
 
 struct Counts {
-  int connected = 0, met = 0, rotated = 0, free_telescope = 0, free_laser = 0;
+  int connected = 0, met = 0, rotated = 0, not_rotated = 0, free_telescope = 0, free_laser = 0;
 };
 
 /// The path with all its vertices elsewhere, by so much sideways.
@@ -71,8 +71,12 @@ inline Counts expect_same_of_all(Sea& sea, const Path& path, const Samples<doubl
     }
   }
   for (std::int32_t i = 1; i < path.pivot(); ++i) {
-    if (expected.rotated(i) == 0) continue;
     const Path other = rotated_path(path, 1.0 + i);
+    if (samples.rotated > 0 && expected.meets_facets_with_sides(i)) {
+      EXPECT_EQ(scores.rotated(i, other), 0) << "rotated to meet at " << i;
+      ++counts.not_rotated;
+    }
+    if (expected.rotated(i) == 0) continue;
     // It is drawn so often, and counts so little.
     const double drawn =
         expected.drawn_at_pivot() /

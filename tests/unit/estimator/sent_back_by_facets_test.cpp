@@ -26,13 +26,15 @@ Path random_path(Random& random, std::int32_t order, std::int32_t edges) {
 
 /// Instruments in the water: their walks begin as under a flat surface.
 struct SeaUnderWaves : Sea {
-  SeaUnderWaves(const scene::Source& source, const scene::Telescope& telescope,
+  SeaUnderWaves(const scene::Source& source, const scene::Telescope& telescope, bool isotropic,
                 const std::vector<double>& bed = {})
       : Sea(source, telescope, transport::make_sea(bed.empty() ? 40 : 15, bed)) {
     begin(false);
     auto& waves = world.sea.waves;
     waves.rough = true;
-    waves.upwind_deviation = waves.crosswind_deviation = 0.1;
+    waves.upwind_deviation = 0.1;
+    waves.crosswind_deviation = isotropic ? 0.1 : 0.05;
+    waves.isotropic = isotropic;
     if (!bed.empty()) world.deepest = 15;
   }
 };
@@ -50,24 +52,31 @@ bool is_before(const V& place, const V& axis, const V& x) {
 // them, in a vertex's densities, in a ray's, in a meeting; with edges behind facets connected, of
 // either walk; with rays of either that do not meet behind them; without the chance to draw facets
 // in a vertex's density and in a ray's chance; without the reverse chance in a ray's density and
-// its reverse chance.
+// its reverse chance. With walks rotated that facets with sides have sent back.
 TEST(StrategiesOfPath, OfLightThatFacetsSendBackBetweenCollisionsAgree) {
   Random random(131);
-  Samples<double> samples = translating;
-  samples.free_telescope = samples.free_laser = {};
-  int met = 0, connected = 0, on_bed = 0;
+  int met = 0, connected = 0, on_bed = 0, rotated = 0, not_rotated = 0;
   for (const Looks& looks :
        {Looks{"down", {0, 0, -1}, {0, 0, -1}}, Looks{"up", {0, 0, 1}, {0, 0, 1}},
         Looks{"laser up", {0, 0, 1}, {0, 0, -1}},
         Looks{"tilted telescope", {0.1, 0, -1}, {0, 0.1, -1}}}) {
     const auto source = laser_at({0.5, 0, -6}, looks.laser);
     const auto telescope = telescope_at({0, 0, -6.5}, looks.telescope);
-    SeaUnderWaves black(source, telescope), bright(source, telescope, {0.3, 0.2, 0.4});
-    for (int n = 0; n < 240; ++n) {
-      const bool bed = n % 4 == 3;
+    const bool rotates = looks.laser.x == 0;
+    Samples<double> samples = rotates ? rotating : translating;
+    samples.free_telescope = samples.free_laser = {};
+    const std::vector<double> albedo{0.3, 0.2, 0.4};
+    SeaUnderWaves black(source, telescope, false), black_isotropic(source, telescope, true),
+        bright(source, telescope, false, albedo), bright_isotropic(source, telescope, true, albedo);
+    for (int n = 0; n < 480; ++n) {
+      const bool bed = n % 4 == 3, isotropic = n / 2 % 2 == 1;
+      SeaUnderWaves& sea = bed         ? (isotropic ? bright_isotropic : bright)
+                           : isotropic ? black_isotropic
+                                       : black;
       auto path = random_path(random, 4, 1 + n % 7);
-      path.line = n / 2 % 2;
-      if (path.line > 0) path.converted = 1 + n / 4 % 4;
+      path.line = n / 4 % 2;
+      if (path.line > 0) path.converted = 1 + n / 8 % 4;
+      if (path.line == 0 && n % 3 == 0) path.vertex[3].x = path.vertex[3].y = 0.05;
       if (bed) {
         const auto i = static_cast<std::size_t>(n / 16 % 4);
         if (path.converted == static_cast<std::int32_t>(i) + 1) continue;  // it converts nothing
@@ -78,15 +87,19 @@ TEST(StrategiesOfPath, OfLightThatFacetsSendBackBetweenCollisionsAgree) {
           !is_before(telescope.position_m, looks.telescope, path.x(4)))
         continue;
       SCOPED_TRACE(std::string(looks.what) + ", path " + std::to_string(n));
-      const auto counts = expect_same_of_all(bed ? bright : black, path, samples, most_vertices);
+      const auto counts = expect_same_of_all(sea, path, samples, n % 5 == 4 ? 3 : most_vertices);
       met += counts.met;
       connected += counts.connected;
       on_bed += bed ? counts.met : 0;
+      rotated += counts.rotated;
+      not_rotated += counts.not_rotated;
     }
   }
   EXPECT_GT(met, 100);
   EXPECT_GT(connected, 100);
   EXPECT_GT(on_bed, 10);
+  EXPECT_GT(rotated, 50);
+  EXPECT_GT(not_rotated, 20);
 }
 
 }  // namespace

@@ -94,11 +94,18 @@ struct StrategiesOfPath {
   }
   /// The same of rotating about the pivot so that rays meet at vertex i.
   [[nodiscard]] double rotated(std::int32_t i) const {
-    if (i >= path.pivot() || !rotates()) return 0;
+    if (i >= path.pivot() || !rotates() || meets_facets_with_sides(i)) return 0;
     const V radius = path.x(i) - path.x(path.pivot());
     const V around{-radius.y, radius.x, 0};
     return samples.rotated * 2 * pi *
            std::abs(dot(around, cross(at(i - 1).arriving, at(i).leaving))) * drawn_but(i);
+  }
+  /// Whether facets send light back, from vertex i to the pivot, that see it turned by a rotation.
+  [[nodiscard]] bool meets_facets_with_sides(std::int32_t i) const {
+    if (world.sea.waves.isotropic) return false;
+    for (std::int32_t e = i; e < path.pivot(); ++e)
+      if (path.facets(e)) return true;
+    return false;
   }
   /// The density with which the direction is drawn in which a telescope's walk leaves the pivot,
   /// but for what no rotation changes [1/sr].

@@ -49,6 +49,20 @@ TEST(Strategies, RotateAboutNoSlantedBeamThatConversionsLookFor) {
   EXPECT_TRUE(s.translated.used);
 }
 
+// Seen red: with waves of one variance taken for others.
+TEST(Strategies, RotateOverWavesWhatTheseHaveNotMet) {
+  const auto over = [](const std::string& waves) {
+    return strategies_of(ship(down) + elastic + "[sea]\nsurface = " + waves + "\n" + water).rotated;
+  };
+  const auto cox_munk = over("{ model = \"cox-munk\", wind_speed_m_s = 7.0 }");
+  EXPECT_TRUE(cox_munk.used);
+  EXPECT_TRUE(has(cox_munk.reason, "have not met what is rotated"));
+  const auto isotropic = over(
+      "{ model = \"gaussian\", upwind_slope_variance = 0.02, crosswind_slope_variance = 0.02 }");
+  EXPECT_TRUE(isotropic.used);
+  EXPECT_EQ(isotropic.reason, "");
+}
+
 // Seen red: with rotations left in.
 TEST(Strategies, DoNotRotateScatteredLightInOtherWaters) {
   const Strategies s =
