@@ -54,7 +54,7 @@ void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
   t.photon = transport::emit(world.laser, world.laser_region.layer, u_polar, u_azimuth);
   const T emitted = t.photon.weight;
   const Mask<T> entered = stands_at_surface(world.sea) && world.laser_region.in_air
-                              ? transport::come_down(t.photon)
+                              ? transport::come_down(world.laser_region, t.photon)
                               : transport::enter_water(world.sea, world.laser_region, t.photon);
   book(ledger.escaped, exist, select(entered, emitted - t.photon.weight, emitted));
   t.on = exist & entered;

@@ -15,6 +15,7 @@
 #include "medium/check.hpp"
 #include "medium/environments.hpp"
 #include "medium/film.hpp"
+#include "medium/upside_down.hpp"
 #include "optics/data_folder.hpp"
 #include "scene/forward_settings.hpp"
 #include "transport/touched.hpp"
@@ -27,33 +28,35 @@ std::string process_of(const medium::Line& line, transport::Touched touched) {
   if (line.process == medium::Process::elastic) {
     if (touched == transport::Touched::bed) return "bottom";
     if (touched == transport::Touched::surface) return "surface";
+    if (touched == transport::Touched::air) return "air";
   }
   return std::string(scene::word_of(line.process));
 }
 
-/// What light touches in a medium.
-std::vector<transport::Touched> touched_in(const medium::Medium& medium) {
+/// What light touches in a medium under air.
+std::vector<transport::Touched> touched_in(const medium::Medium& medium, bool air) {
   std::vector<transport::Touched> out{transport::Touched::water};
   if (!medium.bed_albedo.empty()) out.push_back(transport::Touched::bed);
   if (!medium.waves.slopes.is_flat()) out.push_back(transport::Touched::surface);
+  if (air) out.push_back(transport::Touched::air);
   return out;
 }
 
 /// The processes of all light, in the order of medium::Process, each once.
-std::vector<std::string> processes_in(const medium::Medium& medium) {
+std::vector<std::string> processes_in(const medium::Medium& medium, bool air) {
   auto lines = medium.line;
   std::ranges::stable_sort(lines, {}, &medium::Line::process);
   std::vector<std::string> out;
   for (const auto& line : lines)
-    for (const auto touched : touched_in(medium)) out.push_back(process_of(line, touched));
+    for (const auto touched : touched_in(medium, air)) out.push_back(process_of(line, touched));
   out.erase(std::ranges::unique(out).begin(), out.end());
   return out;
 }
 
-tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
+tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium, bool air,
                         const tally::Gates& gates) {
   tally::Shape shape;
-  const auto processes = processes_in(medium);
+  const auto processes = processes_in(medium, air);
   shape.telescopes = scene.telescope.size();
   shape.channels = scene.channel.size();
   shape.processes = processes.size();
@@ -79,7 +82,7 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
     }
     shape.channels_of_line.push_back(std::move(counted_by));
   }
-  const auto last_touched = static_cast<std::int32_t>(touched_in(medium).back());
+  const auto last_touched = static_cast<std::int32_t>(touched_in(medium, air).back());
   for (std::int32_t touched = 0; touched <= last_touched; ++touched)
     for (const auto& line : medium.line) {
       const auto at =
@@ -90,6 +93,17 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   if (std::ranges::any_of(medium.line, [](const auto& line) { return line.lifetime_ns > 0; }))
     for (const auto& line : medium.line) shape.decay_of_line.emplace_back(line.lifetime_ns, gates);
   return shape;
+}
+
+/// See Model.
+std::vector<TwinTable> air_depths(const scene::Scene& scene, const medium::Air& air) {
+  std::vector<TwinTable> out;
+  const auto add = [&](const Vec3<double>& position) {
+    out.emplace_back(medium::depths_to(air, position.z));
+  };
+  add(scene.source.position_m);
+  for (const auto& t : scene.telescope) add(t.position_m);
+  return out;
 }
 
 /// The light channel number c stands for: the mean over the lines it counts, else the laser's or
@@ -143,7 +157,8 @@ Model make_model(const scene::Scene& scene) {
   const optics::Library library(optics::find_data_folder());
   auto medium = medium::build_medium(scene, library);
   tally::Gates gates(scene, medium.line);
-  auto shape = make_shape(scene, medium, gates);
+  auto air = medium::build_air(scene, medium.line);
+  auto shape = make_shape(scene, medium, air.has_value(), gates);
   scene::Scene effective = scene;
   if (scene.simulation.estimator == scene::Estimator::bidirectional)
     effective.simulation.walk_attenuation = walk_attenuation_in(medium, scene.simulation);
@@ -153,8 +168,9 @@ Model make_model(const scene::Scene& scene) {
   }
   auto paths = free_paths(medium, scene.simulation);
   auto averaged = averaged_phases(scene, medium);
-  return {std::move(effective), std::move(medium), std::move(paths),
-          std::move(gates),     std::move(shape),  std::move(averaged)};
+  auto depths = air ? air_depths(scene, *air) : std::vector<TwinTable>{};
+  return {std::move(effective), std::move(medium),   std::move(paths), std::move(gates),
+          std::move(shape),     std::move(averaged), std::move(air),   std::move(depths)};
 }
 
 Model simulated_by(const Model& model, const scene::Simulation& simulation) {
@@ -166,7 +182,7 @@ Model simulated_by(const Model& model, const scene::Simulation& simulation) {
 }
 
 tally::Result describe(const Model& model) {
-  const auto& [scene, medium, paths, gates, shape, averaged] = model;
+  const auto& [scene, medium, paths, gates, shape, averaged, air, air_depth] = model;
   tally::Result result;
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
   for (const auto& e : scene.environment) {
@@ -177,7 +193,7 @@ tally::Result describe(const Model& model) {
     result.parameter_name.push_back(s.path);
     result.parameter_value.push_back(s.value);
   }
-  result.process_name = processes_in(medium);
+  result.process_name = processes_in(medium, air.has_value());
   result.orders = static_cast<std::int64_t>(shape.orders);
   result.gate_depth_is_range = gates.depth_is_range();
   for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {
@@ -211,6 +227,8 @@ tally::Result describe(const Model& model) {
   result.strategies = strategies_told(scene, medium);
   std::ranges::move(aimed_walks_told(scene, medium), std::back_inserter(result.strategies));
   for (const auto& source : medium.sources) result.sources.push_back(medium::source_line(source));
+  if (air)
+    for (const auto& source : air->sources) result.sources.push_back(medium::source_line(source));
   return result;
 }
 

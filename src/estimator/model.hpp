@@ -2,9 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "estimator/averaged_phases.hpp"
+#include "core/twin_table.hpp"
 #include "geometry/free_paths.hpp"
+#include "medium/air.hpp"
 #include "medium/medium.hpp"
 #include "scene/read.hpp"
 #include "scene/scene.hpp"
@@ -28,6 +32,9 @@ struct Model {
   tally::Gates gates;
   tally::Shape shape;
   AveragedPhaseTables averaged;  ///< of scenes with free walks
+  std::optional<medium::Air> air;
+  std::vector<TwinTable> air_depth;  ///< of the laser and each telescope, from there straight down
+                                     ///< to the sea, [line]; none where the air is clear
 };
 
 /// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. The

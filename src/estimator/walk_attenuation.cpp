@@ -70,6 +70,14 @@ double share_in(const medium::Medium& medium, std::size_t cell, const Share& sha
   return std::min(own * change, 1.0);
 }
 
+/// In thin air free paths are drawn from so much more than its attenuation: some of the laser's
+/// light is scattered on its way to the sea.
+double denser_in(const medium::Medium& medium) {
+  constexpr double once = 1, most = 1e5;
+  if (!medium.upside_down) return 1;
+  return std::clamp(once / medium.scattering_to_instrument, 1.0, most);
+}
+
 }  // namespace
 
 double highest_albedo(const medium::Medium& medium) {
@@ -115,7 +123,7 @@ std::vector<double> shares_of_free_paths(const medium::Medium& medium,
   const Share share_of(medium, simulation);
   std::vector<double> out;
   for (std::size_t cell = 0; cell < medium.c.size(); ++cell)
-    out.push_back(share_in(medium, cell, share_of));
+    out.push_back(denser_in(medium) * share_in(medium, cell, share_of));
   return out;
 }
 

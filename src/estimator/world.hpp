@@ -140,6 +140,10 @@ struct World {
   SobolPoints points;  ///< of a batch; none: all numbers are drawn independently
 
   /// Of an instrument: of_laser, or a telescope behind it.
+  [[nodiscard]] const geometry::Region<T>& region(std::int32_t instrument) const {
+    return instrument == of_laser ? laser_region
+                                  : telescope_region[static_cast<std::size_t>(instrument - 1)];
+  }
   [[nodiscard]] const EntryCone<T>& cone(std::int32_t instrument) const {
     return instrument == of_laser ? laser_cone
                                   : telescope_cones[static_cast<std::size_t>(instrument - 1)];
@@ -276,7 +280,7 @@ inline bool spreads_evenly(const scene::Scene& scene) {
 
 template <class T>
 World<T> make_world(const Model& model) {
-  const auto& [scene, medium, paths, gates, shape, averaged] = model;
+  const auto& [scene, medium, paths, gates, shape, averaged, air, air_depth] = model;
   World<T> world;
   world.estimator = scene.simulation.estimator;
   world.sea = paths.slabs(medium);
@@ -285,15 +289,16 @@ World<T> make_world(const Model& model) {
   const auto layer = [&](const auto& instrument) {
     return medium.layer_at(std::max(0.0, -instrument.position_m.z));
   };
-  const auto region = [&](const auto& instrument) {
-    return geometry::Region<T>{!geometry::stands_in_water(instrument.position_m),
-                               Index<T>(layer(instrument))};
+  const auto region = [&](const auto& instrument, std::size_t number) {
+    const bool in_air = !geometry::stands_in_water(instrument.position_m);
+    return geometry::Region<T>{in_air, Index<T>(layer(instrument)),
+                               in_air && air ? air_depth[number].view() : ShortTable{}};
   };
-  world.laser_region = region(scene.source);
+  world.laser_region = region(scene.source, 0);
   for (const auto& t : scene.telescope) {
     world.telescopes.push_back(instrument::make_telescope<T>(from_origin(t, origin)));
     world.path_to_origin.push_back(path_to_origin(scene.source, from_origin(t, origin)));
-    world.telescope_region.push_back(region(t));
+    world.telescope_region.push_back(region(t, world.telescopes.size()));
   }
   add_groups(scene, world);
   const bool converts = medium.line.size() > 1;

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/elementary.hpp"
 #include "core/lanes.hpp"
 
 namespace photic::geometry {
@@ -12,6 +13,16 @@ template <class T>
 struct Region {
   bool in_air = false;
   Index<T> layer{};  ///< of what stands in the water
+  ShortTable air{};  ///< of what stands in the air, the optical depth straight down to the sea,
+                     ///< [line]; without numbers where the air is clear
+
+  /// The share of a line's light that gets between there and the sea without meeting the air.
+  /// `cosine`: of its direction to the vertical, above 0.
+  [[nodiscard]] T through_air(const Index<T>& line, const T& cosine) const {
+    if (air.size == 0) [[likely]]
+      return T(1);
+    return exp_minus(gather<T>(air, line) / cosine);
+  }
 };
 
 /// A sequence of interfaces that light may take from the water to where an instrument stands.

@@ -233,6 +233,7 @@ MediumView Medium::view() const {
   v.bed_angles =
       bed_albedo.empty() ? 0 : static_cast<std::int32_t>(bed_albedo.size() / line.size());
   v.bed_albedo = bed_albedo_.view();
+  v.upside_down = upside_down;
   v.top = top_.view();
   v.c = c_.view();
   v.albedo = albedo_.view();

@@ -86,6 +86,7 @@ struct MediumView {
   std::int32_t layers = 0, lines = 0, bands = 0;
   std::int32_t places = 0;      ///< where light is scattered: the layers, and a bed that reflects
   std::int32_t bed_angles = 0;  ///< 0: the sea bed is black
+  bool upside_down = false;     ///< it is the air above the sea, whose heights are depths here
   ShortTable bed_albedo;        ///< [line][bed_angles], see surface/lambert.hpp
   ShortTable top;     ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
   ShortTable albedo;  ///< b / c, [line][layer]
@@ -263,6 +264,8 @@ class Medium {
   std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam
   Waves waves;
   Film film;
+  bool upside_down = false;  ///< see upside_down.hpp
+  double scattering_to_instrument = 0;  ///< optical depth of it from there to the sea, if it is
   EnvironmentTables environments;
   std::vector<Source> sources;  ///< of all that it is made of
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/pack.hpp"
+#include "estimator/air_alone.hpp"
 #include "estimator/analog/analog.hpp"
 #include "estimator/bidirectional/bidirectional.hpp"
 #include "estimator/forward/beside_walks.hpp"
@@ -60,49 +61,82 @@ class Pools {
   Spares<Pool<Lanes>> pools_;
 };
 
+/// Sets of walks of a world.
+class SetsOfWalks {
+ public:
+  void run(const estimator::World<Lanes>& world, std::uint64_t first, std::uint64_t count,
+           tally::BatchTally& tally) {
+    walks_.lend([&] { return std::make_unique<Walks>(world, at_once(world)); },
+                [&](auto& walks) { walks.run(first, count, tally); });
+  }
+
+ private:
+  using Walks = estimator::Bidirectional<Lanes, lanes::LaneLedger<Lanes>>;
+  /// So many that few packs are partly empty, and all stay in the second cache; fewer where many
+  /// environments would take more memory than that.
+  static std::size_t at_once(const estimator::World<Lanes>& world) {
+    constexpr std::size_t wanted = 250;
+    constexpr std::size_t bytes = 16'000'000;
+    const std::size_t size = estimator::Walks<Lanes>::size(world.sea.environments);
+    const std::size_t fit = size > 0 ? std::min(wanted, bytes / size) : wanted;
+    return std::max<std::size_t>(1, fit / world.walks);
+  }
+
+  Spares<Walks> walks_;
+};
+
+/// Light that stays in the air.
+template <class Histories>
+class AirLanes {
+ public:
+  explicit AirLanes(const estimator::Model& model) {
+    if (model.air) air_.emplace(model);
+  }
+  void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) {
+    if (!air_) return;
+    air_->follow(tally, [&](const auto& world) { histories_.run(world, first, count, tally); });
+  }
+
+ private:
+  std::optional<estimator::AirAlone<Lanes>> air_;
+  Histories histories_;
+};
+
 class ForwardLanes final : public Simulator {
  public:
   explicit ForwardLanes(const estimator::Model& model)
-      : world_(estimator::make_world<Lanes>(model)) {}
+      : world_(estimator::make_world<Lanes>(model)), air_(model) {}
 
  private:
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
     pools_.run(world_, first, count, tally);
+    air_.run(first, count, tally);
   }
 
   estimator::World<Lanes> world_;
   mutable Pools pools_;
+  mutable AirLanes<Pools> air_;
 };
 
 class BidirectionalLanes final : public Simulator {
  public:
   explicit BidirectionalLanes(const estimator::Model& model)
-      : world_(estimator::make_world<Lanes>(model)) {
+      : world_(estimator::make_world<Lanes>(model)), air_(model) {
     if (surface::film_shines(world_.sea)) beside_walks_.emplace(model, world_);
   }
 
  private:
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
-    walks_.lend([&] { return std::make_unique<Walks>(world_, at_once()); },
-                [&](auto& walks) { walks.run(first, count, tally); });
+    walks_.run(world_, first, count, tally);
+    air_.run(first, count, tally);
     if (!beside_walks_)
       return estimator::surface_echo<lanes::LaneLedger<Lanes>>(world_, first, count, tally);
     beside_walks_->follow(tally, [&] { pools_.run(beside_walks_->world(), first, count, tally); });
   }
 
-  using Walks = estimator::Bidirectional<Lanes, lanes::LaneLedger<Lanes>>;
-  /// Sets of walks at once: so many that few packs are partly empty, and all stay in the second
-  /// cache; fewer where many environments would take more memory than that.
-  [[nodiscard]] std::size_t at_once() const {
-    constexpr std::size_t wanted = 250;
-    constexpr std::size_t bytes = 16'000'000;
-    const std::size_t size = estimator::Walks<Lanes>::size(world_.sea.environments);
-    const std::size_t fit = size > 0 ? std::min(wanted, bytes / size) : wanted;
-    return std::max<std::size_t>(1, fit / world_.walks);
-  }
-
   estimator::World<Lanes> world_;
-  mutable Spares<Walks> walks_;
+  mutable SetsOfWalks walks_;
+  mutable AirLanes<SetsOfWalks> air_;
   std::optional<estimator::BesideWalks<Lanes>> beside_walks_;  ///< where a film shines
   mutable Pools pools_;                                        ///< of them
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "estimator/air_alone.hpp"
 #include "estimator/analog/analog.hpp"
 #include "estimator/bidirectional/bidirectional.hpp"
 #include "estimator/forward/beside_walks.hpp"
@@ -27,6 +28,7 @@ class ScalarSimulator final : public Simulator {
   explicit ScalarSimulator(const estimator::Model& model)
       : world_(estimator::make_world<T>(model)) {
     if (needs_histories()) beside_walks_.emplace(model, world_);
+    if (model.air) air_.emplace(model);
   }
 
  private:
@@ -35,12 +37,21 @@ class ScalarSimulator final : public Simulator {
   }
 
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
+    follow_into_water(first, count, tally);
+    if (!air_) return;
+    air_->follow(tally, [&](const estimator::World<T>& world) {
+      if (world.estimator == scene::Estimator::bidirectional)
+        return walks(world, first, count, tally);
+      forward(world, first, count, tally);
+    });
+  }
+  void follow_into_water(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const {
     switch (world_.estimator) {
       case scene::Estimator::automatic:  // left open: as forward
       case scene::Estimator::forward:
         return forward(world_, first, count, tally);
       case scene::Estimator::bidirectional:
-        estimator::Bidirectional<T, tally::Ledger>(world_, 1).run(first, count, tally);
+        walks(world_, first, count, tally);
         if (!beside_walks_)
           return estimator::surface_echo<tally::Ledger>(world_, first, count, tally);
         return beside_walks_->follow(tally,
@@ -51,6 +62,10 @@ class ScalarSimulator final : public Simulator {
     }
   }
 
+  static void walks(const estimator::World<T>& world, std::uint64_t first, std::uint64_t count,
+                    tally::BatchTally& tally) {
+    estimator::Bidirectional<T, tally::Ledger>(world, 1).run(first, count, tally);
+  }
   static void forward(const estimator::World<T>& world, std::uint64_t first, std::uint64_t count,
                       tally::BatchTally& tally) {
     estimator::Travellers<T> photon(world);
@@ -71,6 +86,7 @@ class ScalarSimulator final : public Simulator {
 
   estimator::World<T> world_;
   std::optional<estimator::BesideWalks<T>> beside_walks_;  ///< where a film shines
+  std::optional<estimator::AirAlone<T>> air_;              ///< unless the air is clear
 };
 
 }  // namespace photic::schedule

@@ -23,6 +23,7 @@ struct Connection {
   T acceptance{};  ///< solid angle about it that ends on the detector, surface losses included [sr]
   T optical_depth{};  ///< of the way
   T length_water{};   ///< [m]
+  T secant_air{};     ///< of a way through the surface, 1 over the cosine to the vertical
   T path{};           ///< length times group index; in the air, what its way there is longer than
                       ///< from the lens' centre to the origin [m]
 };
@@ -101,6 +102,7 @@ Connection<T> connect_through_surface(const medium::MediumView& sea,
       T(0));
   way.optical_depth = sea.optical_depth(line, geometry::level_of(sea, at)) * secant_water;
   way.length_water = in_water;
+  way.secant_air = secant_air;
   way.path = longer_way(telescope, geometry::crossed_at(at.position, ray, in_water), {}, in_air) +
              in_water * gather<T>(sea.group_index, line);
   return way;
@@ -172,8 +174,11 @@ template <class T>
 Connection<T> connect(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
                       const geometry::Region<T>& region, const Photon<T>& at, const Index<T>& line,
                       geometry::Route route, const Mask<T>& near_view) {
-  return region.in_air ? connect_through_surface(sea, telescope, at, line, near_view)
-                       : connect_in_water(sea, telescope, region.layer, at, line, route);
+  if (!region.in_air) return connect_in_water(sea, telescope, region.layer, at, line, route);
+  auto way = connect_through_surface(sea, telescope, at, line, near_view);
+  if (region.air.size > 0) [[unlikely]]
+    way.optical_depth = way.optical_depth + gather<T>(region.air, line) * way.secant_air;
+  return way;
 }
 
 }  // namespace photic::transport

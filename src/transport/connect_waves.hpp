@@ -15,7 +15,12 @@ namespace photic::transport {
 template <class T>
 T depth_to_lens(const medium::MediumView& sea, const geometry::Region<T>& region,
                 const Index<T>& line, const FromSurface<T>& way) {
-  if (region.in_air) return T(0);
+  if (region.in_air) {
+    if (region.air.size == 0) [[likely]]
+      return T(0);
+    const Mask<T> rises = way.direction.z > T(0);
+    return gather<T>(region.air, line) / select(rises, way.direction.z, T(1));
+  }
   return sea.optical_depth(line, sea.level(region.layer, way.depth())) / -way.direction.z;
 }
 /// What its path counts as.

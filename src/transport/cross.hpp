@@ -10,15 +10,20 @@
 
 namespace photic::transport {
 
-/// Takes photons in the air to the surface, as it were flat. Tells which get there; the others fly
-/// away and are left as they are.
+/// Takes photons from a region of the air to the surface, as it were flat, but for what meets the
+/// air. Tells which get there; the others fly away and are left as they are.
 template <class T>
-Mask<T> come_down(Photon<T>& photon) {
+Mask<T> come_down(const geometry::Region<T>& from, Photon<T>& photon) {
   const Mask<T> downward = photon.direction.z < T(0);
   const T distance = photon.position.z / -select(downward, photon.direction.z, T(-1));
   const Vec3<T> there = photon.position + distance * photon.direction;
   photon.position = select(downward, Vec3<T>{there.x, there.y, T(0)}, photon.position);
   photon.path = photon.path + select(downward, distance, T(0));
+  if (from.air.size > 0) [[unlikely]] {
+    const T cosine = select(downward, T(0) - photon.direction.z, T(1));
+    photon.weight =
+        photon.weight * select(downward, from.through_air(photon.line, cosine), T(1));
+  }
   return downward;
 }
 
@@ -52,7 +57,7 @@ template <class T>
 Mask<T> enter_water(const medium::MediumView& sea, const geometry::Region<T>& from,
                     Photon<T>& photon) {
   if (!from.in_air) return Mask<T>(true);
-  const Mask<T> downward = come_down(photon);
+  const Mask<T> downward = come_down(from, photon);
   Vec3<T> direction = photon.direction;
   direction.z = select(downward, direction.z, T(-1));
   const auto split = surface::flat_surface<T>(sea, photon.line).from_above(direction);

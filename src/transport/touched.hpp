@@ -9,9 +9,10 @@
 
 namespace photic::transport {
 
-/// Of several the highest counts. `surface`: nothing but a rough surface.
-enum class Touched : std::int32_t { water, bed, surface };
-inline constexpr std::int32_t kinds_touched = 3;
+/// Of several the highest counts. `surface`: nothing but a rough surface. `air`: nothing but that
+/// and the air.
+enum class Touched : std::int32_t { water, bed, surface, air };
+inline constexpr std::int32_t kinds_touched = 4;
 
 /// What light has touched that comes to a place.
 template <class T>
@@ -23,8 +24,16 @@ Index<T> touched_at(const medium::MediumView& sea, const Index<T>& layer, const 
 /// A line and what its light has touched, as tallies count them: an index [touched][line].
 template <class T>
 Index<T> light_of(const medium::MediumView& sea, const Index<T>& line, const Index<T>& touched) {
+  if (sea.upside_down)
+    return Index<T>(static_cast<std::int32_t>(Touched::air) * sea.lines) + line;
   if (sea.bed_angles == 0 && !sea.waves.rough) return line;
   return touched * Index<T>(sea.lines) + line;
+}
+
+/// The depth below the surface of a place in a medium: negative in the air.
+template <class T>
+T depth_told(const medium::MediumView& sea, const T& depth) {
+  return sea.upside_down ? T(0) - depth : depth;
 }
 
 }  // namespace photic::transport

@@ -70,7 +70,7 @@ struct FromLaser : WalkDraws<T> {
   template <class Met>
   Birth<T> birth_through_waves(const Index<T>& walk, const Mask<T>& exist,
                                const std::array<T, 4>& u, Met met) {
-    auto entry = entry_of_laser(world.laser, world.laser_region.layer, u[0], u[1]);
+    auto entry = entry_of_laser(world.laser, world.laser_region, u[0], u[1]);
     const auto v = this->draw(walk, Index<T>(0), 1);
     entry.u_slope = v[0], entry.u_azimuth = v[1];
     auto birth = estimator::birth_through_waves(
@@ -152,6 +152,7 @@ struct FromTelescope : WalkDraws<T> {
     instrument::Sight<T> sight;
     T density;
     auto entry = entry_of_telescope(telescope, record.lens, point.at, sight, density);
+    entry = behind_air(receiver.region, record.line, entry);
     entry.exists = entry.exists & point.exists;
     entry.u_slope = w[2], entry.u_azimuth = w[3];
     record.outward = entry.outside;

@@ -63,6 +63,8 @@ Birth<T> birth_in_water(const medium::MediumView& sea, const geometry::Region<T>
   birth.photon.path = distance;
   birth.photon.weight =
       surface::flat_surface<T>(sea, line).transmittance(-ray.direction.z, cos_air);
+  if (region.air.size > 0) [[unlikely]]
+    birth.photon.weight = birth.photon.weight * region.through_air(line, cos_air);
   birth.spread.through_surface = true;
   birth.spread.before = before + distance;
   birth.spread.cos_air = cos_air;

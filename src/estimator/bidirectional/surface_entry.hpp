@@ -33,18 +33,20 @@ bool enters_through_waves(const World<T>& world, const geometry::Region<T>& regi
 
 /// By a ray of the laser, from two uniforms.
 template <class T>
-SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser, const Index<T>& layer,
-                               const T& u_polar, const T& u_azimuth) {
-  auto photon = transport::emit(laser, layer, u_polar, u_azimuth);
+SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser,
+                               const geometry::Region<T>& region, const T& u_polar,
+                               const T& u_azimuth) {
+  auto photon = transport::emit(laser, region.layer, u_polar, u_azimuth);
   SurfaceEntry<T> entry;
-  entry.exists = transport::come_down(photon);
+  entry.exists = transport::come_down(region, photon);
   entry.at = photon.position;
   entry.outside = photon.direction;
+  entry.weight = photon.weight;
   entry.path = photon.path;
   return entry;
 }
-/// At a point of the surface, by the ray from the fictitious vertex. `density`: of points that the
-/// laser's rays draw there [1/m^2].
+/// At a point of the surface, by the ray from the fictitious vertex, as if the air were clear.
+/// `density`: of points that the laser's rays draw there [1/m^2].
 template <class T>
 SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser, const Vec3<T>& at, T& density) {
   using std::abs;
@@ -61,8 +63,8 @@ SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser, const Vec3<T>&
   return entry;
 }
 
-/// At a point of the surface, seen by a point of the lens. The weight is that of all rays that the
-/// detector sees; `density`: of points that they draw there, alike for all points of the detector
+/// At a point of the surface, seen by a point of the lens, as if the air were clear. The weight is
+/// that of all rays that the detector sees; `density`: of points that they draw there, alike for all points of the detector
 /// [1/m^2].
 template <class T>
 SurfaceEntry<T> entry_of_telescope(const instrument::Telescope<T>& telescope,
@@ -103,6 +105,17 @@ SurfaceEntry<T> entry_at(const World<T>& world, std::int32_t instrument, const V
   instrument::Sight<T> sight;
   return entry_of_telescope(world.telescopes[static_cast<std::size_t>(instrument - 1)], lens, at,
                             sight, density);
+}
+/// An entry's weight behind the air between its instrument and the sea.
+template <class T>
+SurfaceEntry<T> behind_air(const geometry::Region<T>& region, const Index<T>& line,
+                           SurfaceEntry<T> entry) {
+  if (region.air.size == 0) [[likely]]
+    return entry;
+  const Mask<T> down = entry.outside.z < T(0);
+  const T cosine = select(down, T(0) - entry.outside.z, T(1));
+  entry.weight = entry.weight * region.through_air(line, cosine);
+  return entry;
 }
 /// How densely entries are drawn by slopes, over how densely by an instrument's own rays.
 template <class T>
@@ -172,7 +185,7 @@ EntryEdge<T> entry_to(const World<T>& world, std::int32_t instrument, const Inde
         by_slopes ? transport::point_by_slopes(level, waves, own.u_slope, own.u_azimuth) : own.at;
     T density(1);
     const auto entry = entry_at(world, instrument, at, lens, density);
-    if (by_slopes) edge.by = entry;
+    if (by_slopes) edge.by = behind_air(world.region(instrument), line, entry);
     ratio = transport::density_by_slopes(level, waves, at) / density;
   }
   const Vec3<T> there = to - edge.by.at;
@@ -275,7 +288,7 @@ template <class T, class Draw>
 PHOTIC_APART T absorbed_on_way_in(const World<T>& world, T u_polar, T u_azimuth, Draw draw) {
   auto photon = transport::emit(world.laser, world.laser_region.layer, u_polar, u_azimuth);
   if (!world.laser_region.in_air) return T(0);
-  const Mask<T> comes = transport::come_down(photon);
+  const Mask<T> comes = transport::come_down(world.laser_region, photon);
   if (world.sea.waves.rough) {
     const auto surface = surface::rough_surface<T>(world.sea, photon.line);
     return light_by_facets(surface, photon, comes, true, Facets::any, draw, [](const auto&...) {})

@@ -77,6 +77,7 @@ PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mas
     Mask<T> scored = at.meets;
     const auto fresh = [&] { return t.photon.order == Index<T>(0); };
     if (facet == 0) scored = scored & fresh();
+    if (world.sea.upside_down) scored = scored & !fresh();  // the surface's own echo is another
     if (world.beside_walks) [[unlikely]]
       scored = (scored & fresh()) | who_are_scored(world, t.photon, scored);
     if (any(scored)) score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);

@@ -1,0 +1,76 @@
+#include "medium/upside_down.hpp"
+
+#include <algorithm>
+
+namespace photic::medium {
+namespace {
+
+/// The integral of a coefficient of line l up to a height.
+double integral(const Air& air, const std::vector<double>& coefficient, std::size_t l,
+                double height_m) {
+  const std::size_t layers = air.height_m.size() - 1;
+  double sum = 0;
+  for (std::size_t k = 0; k < layers; ++k) {
+    const double within = std::min(height_m, air.height_m[k + 1]) - air.height_m[k];
+    sum += coefficient[l * layers + k] * std::max(0.0, within);
+  }
+  return sum;
+}
+
+/// The sea's surface from the other side: what rises there falls, seen from here, and whitecaps
+/// reflect from below what they do from above.
+void add_surface(const Medium& sea, Medium& medium) {
+  Waves& waves = medium.waves = sea.waves;
+  waves.upwind_x = -waves.upwind_x;
+  waves.upwind_y = -waves.upwind_y;
+  for (std::size_t l = 0; l < waves.whitecap_reflectance.size(); ++l) {
+    const double n = sea.line[l].refractive_index;
+    waves.whitecap_reflectance[l] = 1 - (1 - waves.whitecap_reflectance[l]) / (n * n);
+  }
+}
+
+}  // namespace
+
+Medium upside_down(const Air& air, const Medium& sea, double lowest_m, double highest_m) {
+  Medium medium;
+  medium.upside_down = true;
+  medium.line = sea.line;
+  for (Line& line : medium.line) {
+    line.refractive_index = 1 / line.refractive_index;
+    line.group_index = 1;
+  }
+  medium.top = air.height_m;
+  const bool vacuum = highest_m > air.height_m.back();
+  if (vacuum) medium.top.push_back(highest_m);
+  const std::size_t layers = air.height_m.size() - 1;
+  std::vector<std::int32_t> phase;
+  for (std::size_t k = 0; k < layers; ++k) phase.push_back(medium.add_phase(air.phase[k]));
+  if (vacuum) phase.push_back(phase.back());
+  const auto add = [&](double a, double b) {
+    const double c = std::max(a + b, least_attenuation);
+    medium.c.push_back(c);
+    medium.albedo.push_back(b / c);
+    medium.absorption.push_back(1 - b / c);
+    medium.conversion.push_back(0);
+  };
+  for (std::size_t l = 0; l < medium.line.size(); ++l) {
+    for (std::size_t k = 0; k < layers; ++k) add(air.a[l * layers + k], air.b[l * layers + k]);
+    if (vacuum) add(0, 0);
+    medium.elastic_phase.insert(medium.elastic_phase.end(), phase.begin(), phase.end());
+    medium.conversion_phase.push_back(0);
+  }
+  add_surface(sea, medium);
+  medium.scattering_to_instrument = integral(air, air.b, 0, lowest_m);
+  medium.finish();
+  return medium;
+}
+
+std::vector<double> depths_to(const Air& air, double height_m) {
+  const std::size_t lines = air.a.size() / (air.height_m.size() - 1);
+  std::vector<double> out;
+  for (std::size_t l = 0; l < lines; ++l)
+    out.push_back(integral(air, air.a, l, height_m) + integral(air, air.b, l, height_m));
+  return out;
+}
+
+}  // namespace photic::medium

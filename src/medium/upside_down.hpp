@@ -1,0 +1,21 @@
+// The air above the sea as a medium like the sea, upside down: heights above the surface stand for
+// depths. What is made for instruments and light in the water does for those in the air then, with
+// the surface as light from the air sees it.
+#pragma once
+
+#include "medium/air.hpp"
+#include "medium/medium.hpp"
+
+namespace photic::medium {
+
+/// What scatters and absorbs least [1/m]: a vacuum counts as this, which nobody can tell from it.
+inline constexpr double least_attenuation = 1e-20;
+
+/// Light of the sea's lines is scattered there and absorbed, but not converted. Above the air there
+/// is nothing up to a height [m], where light ends. `lowest`: height of the lowest instrument.
+Medium upside_down(const Air& air, const Medium& sea, double lowest_m, double highest_m);
+
+/// The optical depth of each line between the sea and a height.
+std::vector<double> depths_to(const Air& air, double height_m);
+
+}  // namespace photic::medium
