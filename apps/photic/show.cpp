@@ -8,6 +8,7 @@
 #include "io/netcdf.hpp"
 #include "io/netcdf_variable.hpp"
 #include "io/table_parts.hpp"
+#include "medium/air.hpp"
 #include "photic/commands.hpp"
 #include "photic/output.hpp"
 
@@ -37,11 +38,22 @@ std::string comments(const std::string& head, const std::vector<std::string>& it
   return out;
 }
 
+/// What the air takes of the laser's light, and where its numbers come from.
+std::string notes_on_air(const estimator::Model& model) {
+  const auto air = medium::build_air(model.scene, model.medium.line);
+  if (!air) return "";
+  std::vector<std::string> sources;
+  for (const medium::Source& source : air->sources) sources.push_back(source_line(source));
+  return comments("The air above the sea", medium::air_told(model.scene, *air)) +
+         comments("The optics of this air and their sources", sources);
+}
+
 /// How its paths are drawn, which telescopes share them, and where every number of the water comes
 /// from.
 std::string notes_on(const estimator::Model& model) {
   const tally::Result result = estimator::describe(model);
-  return comments("How the bidirectional estimator draws paths", result.strategies) +
+  return notes_on_air(model) +
+         comments("How the bidirectional estimator draws paths", result.strategies) +
          comments("Telescopes that share their light", estimator::nested_views_told(model.scene)) +
          comments("The optics of this scene and their sources", result.sources);
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "medium/air.hpp"
 #include "medium/film.hpp"
 #include "medium/layer_optics.hpp"
 #include "medium/lines.hpp"
@@ -39,6 +40,7 @@ class Checker {
     if (scene_.oil && findings.good({"oil"}))
       if (const auto oil = ask(oil_path(), [&] { return oil_of(scene_, library_); })) oil_ = *oil;
     if (oil_) remark_placeholders();
+    if (scene_.atmosphere && scene_.atmosphere->layer.empty()) read_air();
   }
 
   void check_tables();
@@ -55,6 +57,9 @@ class Checker {
   void check_index(Process process, const Wavelength& light);
   void check_bed(const Wavelength& light);
   void check_whitecaps(const Wavelength& light);
+  void read_air();
+  void check_air(const Wavelength& light);
+  void check_air_layers(const Wavelength& light);
   void check_film(const Wavelength& light);
   void remark_placeholders();
   /// The key that says which oil it is.
@@ -83,6 +88,8 @@ class Checker {
   std::vector<std::string> channel_path_;
   std::vector<bool> readable_;  ///< the layers whose optics can be asked for
   bool bed_readable_ = false, surface_readable_ = false;
+  /// The profile of the air up to its top, if there is one and nothing is wrong with it.
+  std::optional<optics::AirProfile> air_profile_;
   std::optional<optics::Oil> oil_;  ///< if there is a film, and it is known
   const optics::Library& library_;
   scene::Findings& findings_;
@@ -156,6 +163,10 @@ void Checker::check_tables() {
   for (std::size_t k = 0; k < scene_.sea.layer.size(); ++k)
     if (const auto& function = scene_.sea.layer[k].phase_function)
       check_phase_function(*function, below(layer_path(k), "phase_function"));
+  if (!scene_.atmosphere) return;
+  for (std::size_t k = 0; k < scene_.atmosphere->layer.size(); ++k)
+    if (const auto& function = scene_.atmosphere->layer[k].phase_function)
+      check_phase_function(*function, below(below("atmosphere.layer", k), "phase_function"));
 }
 
 void Checker::check_index(Process process, const Wavelength& light) {
@@ -204,6 +215,48 @@ void Checker::remark_placeholders() {
                      fmt::format("of the oil \"{}\" these are placeholders and no data: {}; give "
                                  "your own oil by file = \"….csv\"",
                                  oil_->name, fmt::join(items, ", ")));
+}
+
+/// What is wrong with the air at any wavelength.
+void Checker::read_air() {
+  const std::string profile = "atmosphere.profile", aerosol = "atmosphere.aerosol";
+  if (!findings_.good({"atmosphere"})) return;
+  const scene::Atmosphere& air = *scene_.atmosphere;
+  const optics::AirLibrary& library = library_.air();
+  constexpr double known_nm = 550, any_humidity = 0;  // of all aerosols
+  const bool known = !air.has_aerosols() || ask(aerosol, [&] {
+    return optics::aerosol_optics(library, air.aerosol, known_nm, any_humidity,
+                                  optics::Phases::left_out)
+        .g;
+  });
+  const auto whole = ask(profile, [&] { return whole_profile(air, library); });
+  if (!whole) return;
+  const auto to_top = ask("atmosphere.top_km", [&] { return profile_to_top(air, *whole); });
+  if (known) air_profile_ = to_top;
+}
+
+/// What is wrong with layers is told of the layer, with a profile of the wavelength.
+void Checker::check_air(const Wavelength& light) {
+  if (!scene_.atmosphere) return;
+  if (!scene_.atmosphere->layer.empty()) return check_air_layers(light);
+  if (!air_profile_) return;
+  const auto known = [&] {
+    const auto aerosols = aerosols_of(*scene_.atmosphere);
+    return optics::air_at(library_.air(), *air_profile_, aerosols, light.nm,
+                          optics::Phases::left_out)
+        .depolarisation;
+  };
+  ask(light.path, known, light.why_here);
+}
+
+void Checker::check_air_layers(const Wavelength& light) {
+  for (std::size_t k = 0; k < scene_.atmosphere->layer.size(); ++k) {
+    const scene::AirLayer& layer = scene_.atmosphere->layer[k];
+    const std::string iop = below(below("atmosphere.layer", k), "iop");
+    if (findings_.good({iop}))
+      ask(
+          iop, [&] { return optics_of_(as_layer(layer), light.nm); }, light.why_there);
+  }
 }
 
 void Checker::check_film(const Wavelength& light) {
@@ -295,6 +348,7 @@ void Checker::check_inelastic_light(const std::vector<std::optional<WaterOptics>
     check_bed(asked);
     check_whitecaps(asked);
     check_film(asked);
+    check_air(asked);
     check_layers(asked);
     if (told_.size() > before) told = line.process;
   }
@@ -315,6 +369,7 @@ void Checker::check_light() {
   check_bed(laser);
   check_whitecaps(laser);
   check_film(laser);
+  check_air(laser);
   const auto at_laser = check_layers(laser);
   for (const auto& water : at_laser)
     if (water) highest_albedo_ = std::max(highest_albedo_, water->albedo());

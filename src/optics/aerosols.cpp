@@ -67,10 +67,11 @@ AerosolOptics AerosolModel::at(double nm, double relative_humidity_percent) cons
 }
 
 AerosolOptics aerosol_optics(const AirLibrary& library, const std::string& model,
-                             double wavelength_nm, double relative_humidity_percent) {
+                             double wavelength_nm, double relative_humidity_percent,
+                             Phases phases) {
   const std::string opac = "opac-";
   if (model.starts_with(opac))
-    return library.opac.at(library.spheres, model.substr(opac.size()), wavelength_nm);
+    return library.opac.at(library.spheres, model.substr(opac.size()), wavelength_nm, phases);
   const auto found = library.aerosols.find(model);
   if (found == library.aerosols.end()) {
     no_model("aerosol", model,

@@ -12,10 +12,13 @@ namespace photic::optics {
 
 class AirLibrary;
 
+/// Whether phase functions are wanted, which Mie theory takes seconds for.
+enum class Phases { told, left_out };
+
 struct AerosolOptics {
   double extinction = 0, absorption = 0;  ///< over the extinction at 550 nm
   double g = 0;                           ///< mean cosine of what is scattered
-  PhaseShape phase;
+  PhaseShape phase;                       ///< none where it is left out
   std::string source;
 
   [[nodiscard]] double scattering() const { return extinction - absorption; }
@@ -51,6 +54,7 @@ class AerosolModel {
 /// "fog-advection", "fog-radiation", "stratospheric", "meteoric", or a component of OPAC at a
 /// relative humidity of its own, as in "opac-waso-80". Throws InputError.
 AerosolOptics aerosol_optics(const AirLibrary& library, const std::string& model,
-                             double wavelength_nm, double relative_humidity_percent);
+                             double wavelength_nm, double relative_humidity_percent,
+                             Phases phases = Phases::told);
 
 }  // namespace photic::optics

@@ -20,8 +20,13 @@ void add_source(std::string& list, const std::string& source) {
 class LayerMaker {
  public:
   LayerMaker(const AirLibrary& library, const AirProfile& profile, const AerosolChoice& choice,
-             double nm, AirOptics& out)
-      : library_(library), profile_(profile), choice_(choice), nm_(nm), out_(out) {}
+             double nm, Phases phases, AirOptics& out)
+      : library_(library),
+        profile_(profile),
+        choice_(choice),
+        nm_(nm),
+        phases_(phases),
+        out_(out) {}
 
   /// Between the levels i - 1 and i.
   AirLayer operator()(std::size_t i) {
@@ -46,8 +51,8 @@ class LayerMaker {
     for (std::size_t k = 0; k < aerosol_regions; ++k) {
       const double at_550_per_m = per_m_of_km * mean(profile_.aerosols_per_km[k]);
       if (at_550_per_m == 0) continue;
-      const AerosolOptics of = aerosol_optics(library_, choice_.model[k], nm_,
-                                              middle(profile_.relative_humidity_percent, i));
+      const AerosolOptics of = aerosol_optics(
+          library_, choice_.model[k], nm_, middle(profile_.relative_humidity_percent, i), phases_);
       const double b = at_550_per_m * of.scattering();
       layer.aerosols_a_per_m += at_550_per_m * of.absorption;
       layer.aerosols_b_per_m += b;
@@ -56,6 +61,7 @@ class LayerMaker {
       add_source(out_.aerosols_source, of.source);
     }
     if (layer.aerosols_b_per_m > 0) layer.aerosols_g = g_b / layer.aerosols_b_per_m;
+    if (phases_ == Phases::left_out) return layer;
     for (auto& [share, shape] : parts) share /= layer.b_per_m();
     layer.phase = mixture(parts);
     return layer;
@@ -72,18 +78,19 @@ class LayerMaker {
   const AirProfile& profile_;
   const AerosolChoice& choice_;
   double nm_;
+  Phases phases_;
   AirOptics& out_;
 };
 
 }  // namespace
 
 AirOptics air_at(const AirLibrary& library, const AirProfile& profile,
-                 const AerosolChoice& aerosols, double wavelength_nm) {
+                 const AerosolChoice& aerosols, double wavelength_nm, Phases phases) {
   AirOptics out;
   out.depolarisation = air_depolarisation(wavelength_nm);
   out.profile_source = profile.source;
   out.molecules_source = air_scattering_source;
-  LayerMaker make(library, profile, aerosols, wavelength_nm, out);
+  LayerMaker make(library, profile, aerosols, wavelength_nm, phases, out);
   for (std::size_t i = 1; i < profile.z_km.size(); ++i) out.layers.push_back(make(i));
   if (out.ozone_source.empty()) out.ozone_source = "no ozone";
   if (out.aerosols_source.empty()) out.aerosols_source = "no aerosols";

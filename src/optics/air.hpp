@@ -23,7 +23,7 @@ struct AirLayer {
   double ozone_a_per_m = 0;
   double aerosols_a_per_m = 0, aerosols_b_per_m = 0;
   double aerosols_g = 0;  ///< mean cosine of what aerosols scatter, 0 without aerosols
-  PhaseShape phase;       ///< of all that is scattered
+  PhaseShape phase;       ///< of all that is scattered; none where it is left out
 
   [[nodiscard]] double a_per_m() const { return ozone_a_per_m + aerosols_a_per_m; }
   [[nodiscard]] double b_per_m() const { return molecules_b_per_m + aerosols_b_per_m; }
@@ -38,6 +38,6 @@ struct AirOptics {
 /// Throws InputError for a wavelength without data (200 to 1100 nm; to 1099 nm where
 /// there is ozone, from 250 nm for OPAC) or a model that does not exist.
 AirOptics air_at(const AirLibrary& library, const AirProfile& profile,
-                 const AerosolChoice& aerosols, double wavelength_nm);
+                 const AerosolChoice& aerosols, double wavelength_nm, Phases phases = Phases::told);
 
 }  // namespace photic::optics

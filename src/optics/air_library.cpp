@@ -59,6 +59,12 @@ AirLibrary::AirLibrary(const std::string& folder)
       })),
       atmospheres_(read_atmospheres(folder)) {}
 
+const AirLibrary& AirLibraryCache::operator()() const {
+  const std::scoped_lock lock(mutex_);
+  if (!known_) known_ = std::make_shared<const AirLibrary>(folder_);
+  return *known_;
+}
+
 const AirProfile& AirLibrary::atmosphere(const std::string& name) const {
   const auto found = atmospheres_.find(name);
   if (found == atmospheres_.end()) {

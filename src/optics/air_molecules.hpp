@@ -15,6 +15,9 @@ inline constexpr double air_min_nm = 200, air_max_nm = 1100;
 inline constexpr const char* air_scattering_source =
     "Bodhaine et al. 1999, J. Atmos. Ocean. Technol. 16, 1854, eq. (29) [verified]";
 
+inline constexpr const char* air_index_source =
+    "Ciddor 1996, Appl. Opt. 35, 1566, eq. (1), in proportion to the density [verified]";
+
 /// Scattering cross-section of one molecule [m^2]. Bodhaine et al. 1999, eq. (29): fitted to 250 to
 /// 850 nm, within 0.2 % of their theory (eqs. (22) and (23)) from 200 to 1100 nm. Throws InputError
 /// outside.

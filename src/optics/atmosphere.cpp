@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/constants.hpp"
 #include "core/error.hpp"
@@ -134,6 +135,43 @@ double relative_humidity_percent(double water_vapour_per_m3, double temperature_
   const double saturated_g_m3 = a * std::exp(18.9766 - 14.9595 * a - 2.43882 * a * a);
   const double g_m3 = water_vapour_per_m3 * grams_per_mol / avogadro_per_mol;
   return std::min(100.0, 100 * g_m3 / saturated_g_m3);
+}
+
+AirProfile with_level(AirProfile profile, double z_km) {
+  auto& z = profile.z_km;
+  expect(z.front() <= z_km && z_km <= z.back(), "a level is added where there are others");
+  const auto above = std::lower_bound(z.begin(), z.end(), z_km);
+  if (*above == z_km) return profile;
+  const auto i = above - z.begin();
+  const double t = (z_km - *(above - 1)) / (*above - *(above - 1));
+  const auto add = [&](std::vector<double>& values, const auto& between) {
+    const auto at = values.begin() + i;
+    values.insert(at, between(*(at - 1), *at));
+  };
+  const auto straight = [t](double a, double b) { return std::lerp(a, b, t); };
+  const auto exponential = [t](double a, double b) { return geometric_lerp(a, b, t); };
+  add(profile.pressure_hpa, exponential);
+  add(profile.temperature_k, straight);
+  add(profile.air_per_m3, exponential);
+  add(profile.ozone_per_m3, exponential);
+  add(profile.relative_humidity_percent, straight);
+  for (auto& aerosols : profile.aerosols_per_km) add(aerosols, exponential);
+  z.insert(above, z_km);
+  return profile;
+}
+
+AirProfile up_to(AirProfile profile, double top_km) {
+  profile = with_level(std::move(profile), top_km);
+  const auto levels =
+      static_cast<std::size_t>(std::lower_bound(profile.z_km.begin(), profile.z_km.end(), top_km) -
+                               profile.z_km.begin() + 1);
+  expect(levels > 1, "there is air below the top");
+  for (auto* values :
+       {&profile.z_km, &profile.pressure_hpa, &profile.temperature_k, &profile.air_per_m3,
+        &profile.ozone_per_m3, &profile.relative_humidity_percent})
+    values->resize(levels);
+  for (auto& aerosols : profile.aerosols_per_km) aerosols.resize(levels);
+  return profile;
 }
 
 double mean_between(const std::vector<double>& z_km, const std::vector<double>& values,

@@ -141,6 +141,7 @@ Library::Library(const std::string& folder)
           [&] { return JerlovSpectra(own_table(folder, "jerlov_williamson_hollins_2022.csv")); })),
       oils(own([&] { return oil_properties(own_table(folder, "oils.csv")); })),
       whitecaps_koepke(spectrum(folder, "whitecaps_koepke_1984.csv", "reflectance")),
-      whitecaps_frouin(spectrum(folder, "whitecaps_frouin_1996.csv", "relative")) {}
+      whitecaps_frouin(spectrum(folder, "whitecaps_frouin_1996.csv", "relative")),
+      air(folder) {}
 
 }  // namespace photic::optics

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/interpolation.hpp"
@@ -80,6 +83,22 @@ struct JerlovSpectra {
   std::map<std::string, AbsorptionAndScattering> of_type;
 };
 
+class AirLibrary;
+
+/// The tables of air (optics/air_library.hpp), read when they are first asked for. May be used by
+/// several threads.
+class AirLibraryCache {
+ public:
+  explicit AirLibraryCache(std::string folder) : folder_(std::move(folder)) {}
+  /// Throws EnvironmentError for a file that is missing or damaged.
+  const AirLibrary& operator()() const;
+
+ private:
+  std::string folder_;
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const AirLibrary> known_;
+};
+
 /// All tables. Throws EnvironmentError for a file that is missing or damaged.
 class Library {
  public:
@@ -99,6 +118,7 @@ class Library {
   const Spectrum whitecaps_koepke, whitecaps_frouin;  ///< reflectance; over that at short waves
 
   const SpheresCache spheres;  ///< no table: what Mie theory gives, computed once
+  const AirLibraryCache air;
 };
 
 }  // namespace photic::optics

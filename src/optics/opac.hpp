@@ -23,7 +23,7 @@ class Opac {
 
   /// Throws InputError as spheres() does. Takes up to some seconds, once for each wavelength.
   [[nodiscard]] AerosolOptics at(const SampledSpheresCache& cache, const std::string& component,
-                                 double wavelength_nm) const;
+                                 double wavelength_nm, Phases phases = Phases::told) const;
 
  private:
   struct Component {

@@ -21,10 +21,17 @@ bool leads_to_water(const std::string& path) {
          begins_with(path, "bottom.") || begins_with(path, "oil.");
 }
 
+bool leads_to_air(const std::string& path) {
+  return path == "atmosphere" || begins_with(path, "atmosphere.");
+}
+
 std::optional<Refusal> check_path(const std::string& path) {
   if (path == "sea" || path == "optics" || path == "bottom" || path == "oil")
     return Refusal{fmt::format("'{}' cannot be set as a whole in an environment", path),
                    R"(quote the whole path: "sea.layer.0.chlorophyll_mg_m3" = 0.5)"};
+  if (leads_to_air(path))
+    return Refusal{fmt::format("'{}' cannot be set in an environment: {}", path, one_air),
+                   "simulate that air in a scene of its own"};
   if (!leads_to_water(path))
     return Refusal{fmt::format("'{}' cannot be set in an environment: only the water, the bed "
                                "and a film of oil may differ, for the histories are the same",

@@ -24,6 +24,10 @@ Node to_node(const std::vector<Change>& value);
 /// Whether a path leads to what may differ in other water: sea, optics and bed.
 bool leads_to_water(const std::string& path);
 
+/// Whether it leads to the air, which may not.
+bool leads_to_air(const std::string& path);
+inline constexpr const char* one_air = "the air is the same in all environments, as yet";
+
 /// Why a path must not be changed in other water, as far as it alone tells.
 std::optional<Refusal> check_path(const std::string& path);
 

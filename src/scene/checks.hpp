@@ -13,6 +13,8 @@ void check_sea(const Scene& scene, Findings& findings);
 void check_surface(const Scene& scene, Findings& findings);
 /// A film of oil, and what cannot do with it.
 void check_oil(const Scene& scene, Findings& findings);
+/// The air, and what cannot do with it.
+void check_atmosphere(const Scene& scene, Findings& findings);
 void check_bottom(const Scene& scene, Findings& findings);
 void check_instrument(const Scene& scene, Findings& findings);
 void check_gates(const Scene& scene, Findings& findings);

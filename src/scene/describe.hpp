@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/changes.hpp"
+#include "scene/describe_air.hpp"
 #include "scene/describe_instrument.hpp"
 #include "scene/describe_sea.hpp"
 #include "scene/environment_grid.hpp"
@@ -158,13 +159,14 @@ void describe(V& v, Scene& s) {
   v.section("bottom", s.bottom, Need::optional,
             "the sea bed, where the last layer ends; black without this section");
   v.section("oil", s.oil, Need::optional, "a film of oil on all of the sea");
+  v.section("atmosphere", s.atmosphere, Need::optional,
+            "the air above the sea; a vacuum without this section");
   v.section("gates", s.gates, Need::required, "the range gates");
   v.section("simulation", s.simulation, Need::required, "how long and how to simulate");
   v.sections(expert("environment"), s.environment, Need::optional,
              "other water, whose echoes are computed from the same histories; any number of them");
   v.expanded(expert("environment_grid"), Grid{},
              "more such environments: one for each choice of a value of each path");
-  v.unavailable("atmosphere", "the air is clear vacuum in this version");
 }
 
 }  // namespace photic::scene

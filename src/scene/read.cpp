@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "scene/air_levels.hpp"
 #include "scene/channel_steps.hpp"
 #include "scene/checks.hpp"
 #include "scene/describe.hpp"
@@ -140,6 +141,14 @@ void fill_in_oil(const Node& document, Scene& scene, Findings& findings) {
   read(scene.oil->lifetime_ns, "lifetime_ns");
 }
 
+/// LOWTRAN 7's visibility of clear air, but where levels tell of their own aerosols.
+void fill_in_air(Atmosphere& air) {
+  fill_names(air.layer, "air");
+  if (!air.layer.empty() || !air.has_aerosols() || air.visibility_km) return;
+  const auto* levels = std::get_if<UserTable>(&air.profile);
+  if (!levels || !tells_of_aerosols(*levels)) air.visibility_km = default_visibility_km;
+}
+
 }  // namespace
 
 Scene scene_of(const Node& document, const std::optional<std::string>& folder, Findings& findings) {
@@ -158,6 +167,7 @@ Scene scene_of(const Node& document, const std::optional<std::string>& folder, F
   Surface& surface = scene.sea.surface;
   if (scene.oil) fill_in_oil(document, scene, findings);
   if (surface.is_rough()) surface.whitecaps = surface.has_whitecaps();
+  if (scene.atmosphere) fill_in_air(*scene.atmosphere);
   return scene;
 }
 
@@ -179,6 +189,7 @@ Reading read_scene_text(const std::string& text, const std::string& name, const 
   check_sea(reading.scene, findings);
   check_bottom(reading.scene, findings);
   check_oil(reading.scene, findings);
+  check_atmosphere(reading.scene, findings);
   check_instrument(reading.scene, findings);
   check_gates(reading.scene, findings);
   check_surface(reading.scene, findings);

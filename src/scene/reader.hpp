@@ -136,6 +136,8 @@ class Reader : public TableReader {
       problem = read_user_table(rule, node, inline_name(key), shared_, plain);
     else if constexpr (std::is_same_v<Rule, NumberOrTable>)
       problem = read_number_or_table(rule, node, inline_name(key), shared_, plain);
+    else if constexpr (std::is_same_v<Rule, WordOrTable>)
+      problem = read_word_or_table(rule, node, inline_name(key), shared_, plain);
     else if constexpr (std::is_same_v<Rule, File>)
       problem = check(rule, node, plain, shared_.folder);
     else

@@ -124,6 +124,14 @@ struct NumberOrTable {
   [[nodiscard]] std::vector<std::string> depends_on() const;
 };
 
+/// A word, a file, or the columns of a table in the scene.
+struct WordOrTable {
+  using Value = std::variant<std::string, UserTable>;
+  Choice words;
+  TableOrFile table;
+  optics::DataTable (*read)(const std::string& path);  ///< what a file holds
+};
+
 /// [x, y, z], finite.
 struct Position {
   using Value = Vec3<double>;
@@ -183,6 +191,7 @@ Node schema_of(const Text& rule);
 Node schema_of(const File& rule);
 Node schema_of(const TableOrFile& rule);
 Node schema_of(const NumberOrTable& rule);
+Node schema_of(const WordOrTable& rule);
 Node schema_of(const Position& rule);
 Node schema_of(const Direction& rule);
 

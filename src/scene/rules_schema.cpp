@@ -112,6 +112,10 @@ Node schema_of(const NumberOrTable& rule) {
   return one_of_these({schema_of(rule.number), std::move(file), std::move(table)});
 }
 
+Node schema_of(const WordOrTable& rule) {
+  return one_of_these({schema_of(rule.words), schema_of(File{}), columns_schema(rule.table)});
+}
+
 Node schema_of(const Position&) { return three_numbers(); }
 Node schema_of(const Direction&) { return three_numbers(); }
 

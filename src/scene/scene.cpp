@@ -70,6 +70,7 @@ Scene scene_alone(const Scene& scene) {
           .sea = scene.sea,
           .bottom = scene.bottom,
           .oil = scene.oil,
+          .atmosphere = scene.atmosphere,
           .gates = scene.gates,
           .simulation = scene.simulation,
           .environment = {}};

@@ -172,6 +172,30 @@ struct Oil {
   friend bool operator==(const Oil&, const Oil&) = default;
 };
 
+/// A layer of air, told outright.
+struct AirLayer {
+  std::string name;
+  double bottom_height_m{}, top_height_m{};     ///< above the sea
+  std::vector<IopEntry> iop;                    ///< a and b alone, ascending in wavelength
+  std::optional<PhaseFunction> phase_function;  ///< none: that of the air's molecules
+  double refractive_index = 1.0;                ///< at all wavelengths
+  friend bool operator==(const AirLayer&, const AirLayer&) = default;
+};
+
+/// The air above the sea: a profile and its aerosols, or layers. Above it is a vacuum.
+struct Atmosphere {
+  std::variant<std::string, UserTable> profile;  ///< one of AFGL's six, or levels
+  std::string aerosol = "rural";                 ///< of the boundary layer; none: of all the air
+  std::optional<double> visibility_km;           ///< none: no aerosols, or those of the levels
+  std::string season = "spring-summer";
+  std::optional<double> relative_humidity_percent;  ///< of the boundary layer; none: the profile's
+  double top_km = 100.0;
+  std::vector<AirLayer> layer;  ///< from the sea up; empty where there is a profile
+
+  [[nodiscard]] bool has_aerosols() const { return aerosol != "none"; }
+  friend bool operator==(const Atmosphere&, const Atmosphere&) = default;
+};
+
 /// Range gates by depth, by range along telescope 0's axis, or by time: exactly one kind
 /// is given.
 struct Gates {
@@ -275,8 +299,9 @@ struct Scene {
   std::vector<Channel> channel;
   Optics optics;
   Sea sea;
-  std::optional<Bottom> bottom;  ///< none: black
-  std::optional<Oil> oil;        ///< none: the sea is clean
+  std::optional<Bottom> bottom;          ///< none: black
+  std::optional<Oil> oil;                ///< none: the sea is clean
+  std::optional<Atmosphere> atmosphere;  ///< none: a vacuum
   Gates gates;
   Simulation simulation;
   std::vector<Environment> environment;

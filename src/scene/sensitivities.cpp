@@ -44,6 +44,9 @@ class ParameterReader {
     if (!path)
       return refuse(fmt::format("'sensitivity' must hold paths, not {}", found_text(element_)),
                     R"(write "sea.layer.0.chlorophyll_mg_m3")");
+    if (leads_to_air(*path))
+      return refuse(fmt::format("there is no derivative with respect to '{}': {}", *path, one_air),
+                    "name paths that begin with sea., optics., bottom. or oil.");
     if (!leads_to_water(*path))
       return refuse(fmt::format("there is no derivative with respect to '{}': only the water, "
                                 "the bed and a film of oil may differ, for the histories are the "

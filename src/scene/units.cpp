@@ -27,6 +27,8 @@ constexpr std::array key_units{
     KeyUnit{"_m2_per_mg", "m2/mg"},
     KeyUnit{"_m2_per_g", "m2/g"},
     KeyUnit{"_per_nm", "1/nm"},
+    KeyUnit{"_per_km", "1/km"},
+    KeyUnit{"_per_cm3", "1/cm3"},
     KeyUnit{"_per_sr", "1/sr"},
     KeyUnit{"_per_m", "1/m", Unit{0, 0, -1, 0}, "units of 1/length are understood, as \"m-1\""},
     KeyUnit{"_mg_m3", "mg/m3", Unit{-3, 1, -3, 0}, masses},
@@ -36,6 +38,10 @@ constexpr std::array key_units{
     KeyUnit{"_psu", "PSU"},
     KeyUnit{"_nm", "nm", Unit{-9, 0, 1, 0}, "units of length are understood, as \"nm\" and \"um\""},
     KeyUnit{"_um", "um"},
+    KeyUnit{"_km", "km"},
+    KeyUnit{"_hpa", "hPa"},
+    KeyUnit{"_k", "K"},
+    KeyUnit{"_percent", "%"},
     KeyUnit{"_ns", "ns"},
     KeyUnit{"_c", "degrees Celsius"},
     KeyUnit{"_m", "m", Unit{0, 0, 1, 0}, lengths},
@@ -123,6 +129,7 @@ std::string unit_of(const std::string& key) {
 std::vector<OtherUnit> other_units_of(const std::string& key) {
   constexpr double longest_nm = 2e4;
   if (key.ends_with("_nm")) return {{"in um", 1e3, 0, longest_nm}, {"in m", 1e9, 0, longest_nm}};
+  if (key.ends_with("_km")) return {{"in m", 1e-3}};
   if (is_temperature(key)) return {{"in K", 1, -273.15}};
   if (key.ends_with("relative_error")) return {{"per cent", 0.01}};
   return {};

@@ -45,5 +45,8 @@ Node to_node(const UserTable& table) {
 Node to_node(const std::variant<double, UserTable>& value) {
   return std::visit([](const auto& one) { return to_node(one); }, value);
 }
+Node to_node(const std::variant<std::string, UserTable>& value) {
+  return std::visit([](const auto& one) { return to_node(one); }, value);
+}
 
 }  // namespace photic::scene

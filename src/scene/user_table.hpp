@@ -47,5 +47,6 @@ class UserTable {
 /// As the scene file has it: { angle_deg = [ … ], … }.
 Node to_node(const UserTable& table);
 Node to_node(const std::variant<double, UserTable>& value);
+Node to_node(const std::variant<std::string, UserTable>& value);
 
 }  // namespace photic::scene

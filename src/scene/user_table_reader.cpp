@@ -11,10 +11,13 @@
 namespace photic::scene {
 namespace {
 
+using ReadTable = optics::DataTable (*)(const std::string& path);
+
 void read_file(const TableOrFile& rule, const std::string& path, const TableName& name,
-               ReadContext& shared, UserTable& value) {
+               ReadContext& shared, UserTable& value,
+               ReadTable read_table = optics::DataTable::read) {
   try {
-    const auto data = optics::DataTable::read(path);
+    const auto data = read_table(path);
     std::vector<std::string> taken;
     for (const TableOrFile::Column& column : rule.columns)
       if (!column.may_lack || data.has(column.name)) taken.emplace_back(column.name);
@@ -127,6 +130,30 @@ std::optional<Refusal> read_number_or_table(const NumberOrTable& rule, const Nod
     read_columns(rule.table, node, name, shared, table);
   }
   check_dependence(rule, node, name, shared, table);
+  value = std::move(table);
+  return std::nullopt;
+}
+
+std::optional<Refusal> read_word_or_table(const WordOrTable& rule, const Node& node,
+                                          const TableName& name, ReadContext& shared,
+                                          std::variant<std::string, UserTable>& value) {
+  UserTable table;
+  if (node.as<Node::Table>()) {
+    read_columns(rule.table, node, name, shared, table);
+  } else if (const auto* text = node.as<std::string>()) {
+    std::string word, path;
+    const auto no_word = check(rule.words, node, word);
+    if (!no_word) {
+      value = word;
+      return std::nullopt;
+    }
+    const auto no_file = check(File{}, node, path, shared.folder);
+    if (no_file && text->find_first_of("./") != std::string::npos) return no_file;
+    if (no_file) return Refusal{no_word->reason + ", and no file", no_word->suggestion};
+    read_file(rule.table, path, name, shared, table, rule.read);
+  } else {
+    return Refusal{fmt::format("must be a word, a file or a table, not {}", found_text(node)), ""};
+  }
   value = std::move(table);
   return std::nullopt;
 }

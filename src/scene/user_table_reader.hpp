@@ -20,4 +20,9 @@ std::optional<Refusal> read_number_or_table(const NumberOrTable& rule, const Nod
                                             const TableName& name, ReadContext& shared,
                                             std::variant<double, UserTable>& value);
 
+/// The same of what may be a word.
+std::optional<Refusal> read_word_or_table(const WordOrTable& rule, const Node& node,
+                                          const TableName& name, ReadContext& shared,
+                                          std::variant<std::string, UserTable>& value);
+
 }  // namespace photic::scene

@@ -89,6 +89,10 @@ class Names {
     required(name);
   }
   template <class... Rest>
+  void sections(const char* name, Rest&&...) {
+    required(name);
+  }
+  template <class... Rest>
   void table_or_word(const char* name, Rest&&...) {
     all_.push_back(name);
   }

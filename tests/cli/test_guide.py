@@ -15,6 +15,7 @@ SECTIONS = {
     "`[sea]` and `[[sea.layer]]`": ["sea", "sea.layer", "sea.layer.iop", "sea.surface"],
     "`[bottom]`": ["bottom"],
     "`[oil]`": ["oil"],
+    "`[atmosphere]`": ["atmosphere", "atmosphere.layer", "atmosphere.layer.iop"],
     "`[gates]`": ["gates"],
     "`[simulation]`": ["simulation"],
     "`[simulation.tools]`": ["simulation.tools", "simulation.tools.importance"],
@@ -57,7 +58,7 @@ def properties_under(schema, heading, header="key"):
     named = re.search(r"\[([a-z.]+)\]", header)
     paths = [named[1]] if named else SECTIONS[heading]
     found = {f"{path}.{key}": value for path in paths for key, value in properties_of(schema, path).items()}
-    sections = {path for paths in SECTIONS.values() for path in paths} - {"sea.layer.iop", "sea.surface"}
+    sections = {path for paths in SECTIONS.values() for path in paths} - {"sea.layer.iop", "sea.surface", "atmosphere.layer.iop"}
     sections -= {"simulation.tools.importance"}
     return {path.split(".")[-1]: value for path, value in found.items() if path not in sections}
 

@@ -53,6 +53,14 @@ GOOD = {
     "calm": ("[gates]", '[sea.surface]\nmodel = "paper"\nwind_speed_m_s = 0\nwhitecaps = false\n[gates]'),
     "bed": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = 0.1\n[gates]"),
     "bed by angle": ("[gates]", "bottom_depth_m = 20.0\n[bottom]\nalbedo = { zenith_deg = [0, 90], albedo = [0.1, 0.2] }\n[gates]"),
+    "air": ("[gates]", '[atmosphere]\nprofile = "us-standard"\naerosol = "maritime"\n[gates]'),
+    "levels of air": (
+        "[gates]",
+        "[atmosphere]\nprofile = { z_km = [0, 9], p_hpa = [1000, 300], t_k = [290, 230] }\ntop_km = 9\n[gates]"),
+    "layers of air": (
+        "[gates]",
+        "[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 9\n"
+        "iop = [{ wavelength_nm = 532, a_per_m = 0, b_per_m = 0 }]\n[gates]"),
 }
 FAULTY = {
     "unknown key": ("diameter_m = 0.04", "diameter_m = 0.04\ndiametre_m = 0.04"),
@@ -79,6 +87,12 @@ FAULTY = {
     "a share above 1": ("photons = 20000", "target_relative_error = 2"),
     "half a photon": ("photons = 20000", "photons = 0.5"),
     "key of another section": ("photons = 20000", "photons = 20000\ndepth_step_m = 1"),
+    "air of no kind": ("[gates]", "[atmosphere]\ntop_km = 9\n[gates]"),
+    "air of two kinds": (
+        "[gates]",
+        '[atmosphere]\nprofile = "us-standard"\n[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 9\n'
+        "iop = [{ wavelength_nm = 532, a_per_m = 0, b_per_m = 0 }]\n[gates]"),
+    "a visibility in metres": ("[gates]", '[atmosphere]\nprofile = "us-standard"\nvisibility_km = 23000\n[gates]'),
     "no section": ("[simulation]", "[simulations]"),
     "profile of one depth": (
         "chlorophyll_mg_m3 = 0.1", "chlorophyll_mg_m3 = { depth_m = [0], value = [1], above = 'constant' }"),

@@ -127,7 +127,8 @@ diameter_m = 0.05)"}},
        {{1, 1, R"(author = "me")"}},
        {"scene.toml:1:1: unknown key 'author' in the scene (known here: title, sensitivity, "
         "source, telescope, "
-        "channel, optics, sea, bottom, oil, gates, simulation, environment, environment_grid)"}},
+        "channel, optics, sea, bottom, oil, atmosphere, gates, simulation, environment, "
+        "environment_grid)"}},
       {"UnknownKeyInLayer",
        {{22, 22, "chlorophyl_mg_m3 = 0.1"}},
        {"scene.toml:22:1: unknown key 'chlorophyl_mg_m3' in [[sea.layer]] (did you mean "

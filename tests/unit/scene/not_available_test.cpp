@@ -13,12 +13,6 @@ const std::vector<Case>& not_available_cases() {
        {{2, 2, R"([source]
 kind = "beam")"}},
        {R"(scene.toml:3:8: 'kind' = "beam" is not available yet (available: laser))"}},
-      {"Atmosphere",
-       {{25, 25, R"(phase_function = { model = "henyey-greenstein", g = 0.9 }
-[atmosphere]
-model = "us-standard")"}},
-       {"scene.toml:26:2: 'atmosphere' is not available yet (the air is clear vacuum in this "
-        "version)"}},
   };
   return all;
 }

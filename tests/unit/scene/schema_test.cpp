@@ -78,6 +78,13 @@ std::set<std::string> keys_of_scenes() {
            {"oil={ class = \"light-refined\", thickness_um = 1, yield = 0.1, lifetime_ns = 3 }"},
            {"oil={ file = { wavelength_nm = [300, 900], n = [1.5, 1.5], a_per_m = [1e4, 1e3], "
             "emission_per_nm = [0, 1] }, thickness_um = 1, yield = 0.1, lifetime_ns = 3 }"},
+           {"atmosphere={ profile = { z_km = [0, 9], p_hpa = [1000, 300], t_k = [290, 230], "
+            "air_per_cm3 = [1e19, 1e18], ozone_per_cm3 = [0, 0], relative_humidity_percent = [1, "
+            "1], water_vapour_per_cm3 = [0, 0], boundary_layer_per_km = [0, 0], "
+            "troposphere_per_km = [0, 0], stratosphere_per_km = [0, 0], upper_atmosphere_per_km = "
+            "[0, 0] }, visibility_km = 9, relative_humidity_percent = 80 }"},
+           {"atmosphere={ layer = [{ bottom_height_m = 0, top_height_m = 9, iop = [{ "
+            "wavelength_nm = 532, a_per_m = 0, b_per_m = 1 }] }] }"},
            {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }",
             "simulation.free_telescope_meetings=1", "simulation.free_laser_meetings=1"}})

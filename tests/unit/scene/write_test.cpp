@@ -53,6 +53,9 @@ std::vector<Override> everything() {
       "}, { fraction = 0.3, model = \"mie\", absorption_index = 1e-9, max_radius_um = "
       "0.30000000000000004 }] }] }",
       "sea.layer.1.bottom_depth_m=60",
+      "atmosphere={ profile = \"tropical\", aerosol = \"opac-sscm-80\", visibility_km = "
+      "7.000000000000001, season = \"fall-winter\", relative_humidity_percent = 1e-300, top_km = "
+      "30.000000000000004 }",
       "gates.depth_min_m=-0.7",
       "simulation.target_relative_error=0.01",
       "simulation.max_time_s=1e9",

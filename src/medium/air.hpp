@@ -1,0 +1,62 @@
+// The air above the sea: its optics in layers, at the wavelengths that light of a scene can have.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "medium/medium.hpp"
+#include "medium/sources.hpp"
+#include "optics/air.hpp"
+#include "optics/phase_table.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::medium {
+
+/// Optical depths of the laser's light, from the sea straight up to the top of the air.
+struct AirDepths {
+  double molecules = 0, ozone = 0, aerosols = 0;
+};
+
+/// The air above the sea in layers, from the sea up. Values of line l in layer k stand at
+/// l * layers() + k.
+struct Air {
+  std::vector<double> height_m;           ///< edges, ascending, the first 0: layers + 1
+  std::vector<double> a, b;               ///< absorption, scattering [1/m], [line][layer]
+  std::vector<double> refractive_index;   ///< [line][layer]
+  std::vector<optics::PhaseTable> phase;  ///< of the laser's line alone, [layer]
+  std::vector<Source> sources;
+  std::optional<AirDepths> depths;  ///< none in layers told outright
+
+  [[nodiscard]] std::size_t layers() const { return height_m.size() - 1; }
+  /// Of a line's light, from the sea straight up to the top.
+  [[nodiscard]] double optical_depth(std::size_t line) const;
+};
+
+/// Layers of a profile are halved until what they take for granted, that light is attenuated alike
+/// all over them, is wrong by no more than this of the optical depth up to their middle, in the
+/// laser's light.
+inline constexpr double air_depth_tolerance = 1e-3;
+
+/// None without an [atmosphere]. Throws InputError for what check_medium (medium/check.hpp) finds,
+/// EnvironmentError for data that are missing or damaged.
+std::optional<Air> build_air(const scene::Scene& scene, const std::vector<Line>& lines);
+
+/// What `photic show` tells of the air.
+std::vector<std::string> air_told(const scene::Scene& scene, const Air& air);
+
+// What the check of a scene asks for one by one:
+
+/// The profile of a scene that has one, with its aerosols. Throws InputError where it is of no use.
+optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::AirLibrary& library);
+
+/// What of it is below the top of the air. Throws InputError if it does not reach it.
+optics::AirProfile profile_to_top(const scene::Atmosphere& air, optics::AirProfile whole);
+
+/// Whose aerosols are where.
+optics::AerosolChoice aerosols_of(const scene::Atmosphere& air);
+
+/// A layer told outright as a layer of water, for LayerOptics.
+scene::Layer as_layer(const scene::AirLayer& layer);
+
+}  // namespace photic::medium

@@ -1,0 +1,18 @@
+// The levels of air that a user gives.
+#pragma once
+
+#include <string>
+
+#include "optics/data_table.hpp"
+#include "scene/user_table.hpp"
+
+namespace photic::scene {
+
+/// What a file tells of them: a CSV by its name, or else a tape6 of LOWTRAN 7 or MODTRAN, which
+/// becomes the columns that a CSV would have. Throws InputError.
+optics::DataTable read_air_levels(const std::string& path);
+
+/// Whether there are columns of aerosols among them.
+bool tells_of_aerosols(const UserTable& levels);
+
+}  // namespace photic::scene

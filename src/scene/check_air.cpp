@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include "scene/checks.hpp"
+
+namespace photic::scene {
+namespace {
+
+/// Light that comes to the sea from above, and goes back there, is all that the air is known for.
+void check_what_is_below(const Scene& scene, Findings& findings) {
+  const auto check = [&](const std::string& path, double z) {
+    if (findings.good({path}) && z < 0)
+      findings.add(path, "instruments in the water do not see the air yet",
+                   "put it into the air (z > 0), or leave [atmosphere] out");
+  };
+  check("source.position_m", scene.source.position_m.z);
+  for (std::size_t i = 0; i < scene.telescope.size(); ++i)
+    check(below(below("telescope", i), "position_m"), scene.telescope[i].position_m.z);
+  if (scene.oil && findings.good({"oil"}))
+    findings.add("oil", "a film of oil has no air above it yet", "leave [oil] or [atmosphere] out");
+}
+
+void check_heights(const std::vector<AirLayer>& layers, Findings& findings) {
+  double ground = 0;  // where the layer should begin
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const std::string path = below("atmosphere.layer", i);
+    const std::string bottom = below(path, "bottom_height_m"), top = below(path, "top_height_m");
+    const AirLayer& layer = layers[i];
+    if (!findings.good({bottom, top})) return;
+    const std::string from = plain_number(layer.bottom_height_m), here = plain_number(ground);
+    const std::string suggestion = fmt::format("write bottom_height_m = {}", here);
+    if (layer.bottom_height_m != ground && i == 0)
+      findings.add(bottom, fmt::format("the air begins at {} m, not at the sea", from), suggestion);
+    else if (layer.bottom_height_m > ground)
+      findings.add(bottom, fmt::format("there is a gap in the air from {} to {} m", here, from),
+                   suggestion);
+    else if (layer.bottom_height_m < ground)
+      findings.add(bottom,
+                   fmt::format("the layer begins at {} m, below {} m, where the one below it ends",
+                               from, here),
+                   suggestion);
+    if (layer.top_height_m <= layer.bottom_height_m)
+      findings.add(top,
+                   fmt::format("the layer ends at {} m, not above {} m, where it begins",
+                               plain_number(layer.top_height_m), from),
+                   "layers go from the sea up");
+    ground = layer.top_height_m;
+  }
+}
+
+void check_iop(const AirLayer& layer, const std::string& path, Findings& findings) {
+  if (!findings.good({path})) return;
+  for (std::size_t k = 1; k < layer.iop.size(); ++k) {
+    const double before = layer.iop[k - 1].wavelength_nm, here = layer.iop[k].wavelength_nm;
+    if (!(here > before))
+      findings.add(
+          below(below(path, k), "wavelength_nm"),
+          fmt::format("{} nm does not come after {} nm", plain_number(here), plain_number(before)),
+          "sort the iop by ascending wavelength, each once");
+  }
+}
+
+/// The spheres of "mie" have an index relative to water.
+void refuse_spheres(const PhaseFunction& function, const std::string& path, Findings& findings) {
+  for (std::size_t k = 0; k < function.components.size(); ++k)
+    refuse_spheres(function.components[k], below(below(path, "components"), k), findings);
+  if (function.model == PhaseModel::mie)
+    findings.add(path, "the spheres of \"mie\" are in water, and not in air",
+                 "take another model, or a table");
+}
+
+void check_aerosols(const Atmosphere& air, Findings& findings) {
+  if (air.has_aerosols() || !air.visibility_km) return;
+  findings.add("atmosphere.visibility_km", "aerosol = \"none\" says that there are no aerosols",
+               "leave one of them out");
+}
+
+}  // namespace
+
+void check_atmosphere(const Scene& scene, Findings& findings) {
+  if (!scene.atmosphere) return;
+  const Atmosphere& air = *scene.atmosphere;
+  check_what_is_below(scene, findings);
+  if (scene.simulation.estimator == Estimator::analog && findings.good({"simulation.estimator"}))
+    findings.add("simulation.estimator", "the analog estimator has no air yet",
+                 "write estimator = \"forward\", or leave [atmosphere] out");
+  if (findings.good({"atmosphere.aerosol", "atmosphere.visibility_km"}))
+    check_aerosols(air, findings);
+  check_heights(air.layer, findings);
+  for (std::size_t i = 0; i < air.layer.size(); ++i) {
+    const std::string path = below("atmosphere.layer", i);
+    check_iop(air.layer[i], below(path, "iop"), findings);
+    const std::string function = below(path, "phase_function");
+    if (air.layer[i].phase_function && findings.good({function}))
+      refuse_spheres(*air.layer[i].phase_function, function, findings);
+  }
+}
+
+}  // namespace photic::scene

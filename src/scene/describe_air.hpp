@@ -1,0 +1,90 @@
+// The keys of [atmosphere] and [[atmosphere.layer]] (see describe_instrument.hpp).
+#pragma once
+
+#include "optics/aerosol_profiles.hpp"
+#include "scene/air_levels.hpp"
+#include "scene/describe_sea.hpp"
+
+namespace photic::scene {
+
+/// LOWTRAN 7's of rural and maritime air.
+inline constexpr double default_visibility_km = 23.0;
+
+template <class V>
+void describe_air_iop(V& v, IopEntry& i) {
+  v.required("wavelength_nm", i.wavelength_nm, Wavelength{}, "the wavelength in nm");
+  v.required("a_per_m", i.a_per_m, not_negative, "the absorption coefficient in 1/m");
+  v.required("b_per_m", i.b_per_m, not_negative, "the scattering coefficient in 1/m");
+}
+
+template <class V>
+void describe(V& v, AirLayer& l) {
+  v.optional("name", l.name, Text{}, "what messages and --set call it; by default air0, air1 …");
+  v.required("bottom_height_m", l.bottom_height_m, not_negative,
+             "the height of the layer's lower end above the sea in m: where the one below it ends, "
+             "of the first one 0");
+  v.required("top_height_m", l.top_height_m, positive, "the height of its upper end in m");
+  v.tables("iop", l.iop, "absorption and scattering by ascending wavelength",
+           [](auto& inner, IopEntry& entry) { describe_air_iop(inner, entry); });
+  v.table_or_word("phase_function", l.phase_function, model_key,
+                  "the phase function of all scattering; by default that of the air's molecules");
+  v.optional(expert("refractive_index"), l.refractive_index, from_to(1.0, 2.0),
+             "the refractive index, at all wavelengths");
+}
+
+/// The levels of a profile.
+inline TableOrFile air_levels_rule() {
+  const char* region = "the extinction by the region's aerosols at 550 nm in 1/km; else 0";
+  return {{{"z_km", "altitudes above the sea in km, ascending from 0"},
+           {"p_hpa", "the pressure in hPa"},
+           {"t_k", "the temperature in K"},
+           {"air_per_cm3", "molecules of air per cm3; else those of an ideal gas", true},
+           {"ozone_per_cm3", "molecules of ozone per cm3; else 0", true},
+           {"relative_humidity_percent", "the relative humidity in per cent; else 0", true},
+           {"water_vapour_per_cm3", "molecules of water per cm3, in place of the humidity", true},
+           {"boundary_layer_per_km", region, true},
+           {"troposphere_per_km", region, true},
+           {"stratosphere_per_km", region, true},
+           {"upper_atmosphere_per_km", region, true}}};
+}
+
+template <class V>
+void describe_profile(V& v, Atmosphere& a) {
+  v.required("profile", a.profile,
+             WordOrTable{{{{"us-standard", "the US standard atmosphere of 1976"},
+                           {"tropical", "15 degrees north"},
+                           {"midlatitude-summer", "45 degrees north in July"},
+                           {"midlatitude-winter", "45 degrees north in January"},
+                           {"subarctic-summer", "60 degrees north in July"},
+                           {"subarctic-winter", "60 degrees north in January"}}},
+                         air_levels_rule(),
+                         read_air_levels},
+             "the air by altitude: one of AFGL's six (Anderson et al. 1986), a CSV file of levels, "
+             "a tape6 of LOWTRAN 7 or MODTRAN, or a table of the columns of a CSV");
+  v.optional("aerosol", a.aerosol, Text{},
+             "the aerosols of the lowest 2 km: rural, maritime, urban, tropospheric, "
+             "fog-advection, fog-radiation, or a component of OPAC, as opac-waso-80; none: no "
+             "aerosols at all");
+  v.optional("visibility_km", a.visibility_km,
+             from_to(optics::lowest_visibility_km, optics::highest_visibility_km),
+             "the visibility at the sea in km, which tells how much aerosol there is; by default "
+             "23, or what the profile's own levels tell of aerosols");
+  v.optional(expert("season"), a.season,
+             Choice{{{"spring-summer", "LOWTRAN 7's profile of these seasons"},
+                     {"fall-winter", "that of the others"}}},
+             "the season of the aerosols above the lowest 2 km");
+  v.optional(expert("relative_humidity_percent"), a.relative_humidity_percent, from_to(0.0, 100.0),
+             "the relative humidity at levels up to 2 km in per cent, in which aerosols swell; by "
+             "default the profile's");
+  v.optional("top_km", a.top_km, positive, "where the air ends, in km above the sea");
+}
+
+template <class V>
+void describe(V& v, Atmosphere& a) {
+  v.one_of(option(a.layer.empty(), [&](auto& w) { describe_profile(w, a); }),
+           option(!a.layer.empty(), [&](auto& w) {
+             w.sections(expert("layer"), a.layer, Need::required, "the layers of air from the sea up");
+           }));
+}
+
+}  // namespace photic::scene

@@ -1,0 +1,288 @@
+// The air of a scene: what is filled in, and what is said of air that is amiss.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "unit/scene/base_scene.hpp"
+
+namespace photic::scene {
+namespace {
+
+const Override us_standard{"atmosphere={ profile = \"us-standard\" }"};
+constexpr const char* one_layer =
+    "[[atmosphere.layer]]\n"
+    "bottom_height_m = 0\n"
+    "top_height_m = 100\n"
+    "iop = [{ wavelength_nm = 532, a_per_m = 0, b_per_m = 1e-4 }]";
+constexpr const char* levels = "{ z_km = [0, 9], p_hpa = [1000, 300], t_k = [290, 230] }";
+
+/// A file of levels in a folder of its own.
+struct LevelsFile {
+  std::string path;
+  explicit LevelsFile(const std::string& name, const std::string& text)
+      : path(::testing::TempDir() + name) {
+    std::ofstream(path) << text;
+  }
+  [[nodiscard]] std::vector<Override> overrides() const {
+    return {{"atmosphere={ profile = \"" + path + "\", top_km = 9 }"}};
+  }
+};
+
+/// The base scene with this section before [gates], which is line 26.
+Texts with_section(const std::string& section) {
+  return diagnostics_of(edited({{25, 25, base_lines()[24] + "\n" + section}}));
+}
+
+// --- What is filled in ---------------------------------------------------------------------------
+
+TEST(Atmosphere, IsAVacuumByItself) { EXPECT_FALSE(base_scene().atmosphere); }
+
+// Seen red: with a visibility filled in beside aerosol = "none".
+TEST(Atmosphere, HasTheAirOfTheLandOnAClearDay) {
+  const Atmosphere air = *base_scene({us_standard}).atmosphere;
+  EXPECT_EQ(std::get<std::string>(air.profile), "us-standard");
+  EXPECT_EQ(air.aerosol, "rural");
+  EXPECT_EQ(air.visibility_km, 23);
+  EXPECT_EQ(air.season, "spring-summer");
+  EXPECT_FALSE(air.relative_humidity_percent);
+  EXPECT_EQ(air.top_km, 100);
+  EXPECT_TRUE(air.layer.empty());
+  EXPECT_FALSE(base_scene({us_standard, {"atmosphere.aerosol=none"}}).atmosphere->visibility_km);
+}
+
+// Seen red: with LOWTRAN's visibility in place of the aerosols that levels tell of.
+TEST(Atmosphere, OfLevelsThatTellOfAerosolsKeepsThem) {
+  const auto visibility_km = [](const std::string& more) {
+    const std::string all = std::string(levels).substr(0, std::string(levels).size() - 2) + more;
+    return base_scene({{"atmosphere={ profile = " + all + " } }"}}).atmosphere->visibility_km;
+  };
+  EXPECT_EQ(visibility_km(""), 23);
+  EXPECT_FALSE(visibility_km(", boundary_layer_per_km = [0.1, 0]"));
+  EXPECT_FALSE(visibility_km(", upper_atmosphere_per_km = [0, 0]"));
+}
+
+// --- Written and read ----------------------------------------------------------------------------
+
+void expect_written_as_read(const std::vector<Override>& overrides) {
+  const Scene scene = base_scene(overrides);
+  ASSERT_TRUE(scene.atmosphere);
+  EXPECT_EQ(read_text(write_scene(scene)), scene);
+  EXPECT_EQ(scene_alone(scene).atmosphere, scene.atmosphere);
+}
+
+// Seen red: with scene_alone without the air; with aerosol not written.
+TEST(Atmosphere, IsWrittenAsItWasRead) {
+  expect_written_as_read({us_standard});
+  expect_written_as_read(
+      {{"atmosphere={ profile = \"tropical\", aerosol = \"maritime\", visibility_km = 40, season = "
+        "\"fall-winter\", relative_humidity_percent = 80, top_km = 60 }"}});
+  expect_written_as_read(
+      {{"atmosphere={ layer = [{ bottom_height_m = 0, top_height_m = 30, iop = [{ wavelength_nm = "
+        "532, a_per_m = 0, b_per_m = 1e-4 }], refractive_index = 1.0003, phase_function = { model "
+        "= \"henyey-greenstein\", g = 0.7 } }, { name = \"fog\", bottom_height_m = 30, "
+        "top_height_m = 50, iop = [{ wavelength_nm = 532, a_per_m = 0.1, b_per_m = 1 }] }] }"}});
+  EXPECT_EQ(base_scene({{"atmosphere={ layer = [{ bottom_height_m = 0, top_height_m = 30, iop = "
+                         "[{ wavelength_nm = 532, a_per_m = 0, b_per_m = 0 }] }] }"}})
+                .atmosphere->layer[0]
+                .name,
+            "air0");
+}
+
+/// The numbers of a column.
+std::vector<double> column_of(const Scene& scene, const std::string& name) {
+  for (const auto& column : std::get<UserTable>(scene.atmosphere->profile).columns())
+    if (column.name == name) return column.values;
+  return {};
+}
+
+// The written scene needs no file.
+TEST(Atmosphere, OfACsvKeepsItsNumbers) {
+  const LevelsFile file("photic-air.csv",
+                        "z_km,p_hpa,t_k,ozone_per_cm3\n0,1000,290,6e11\n9,300,230,9e11\n");
+  expect_written_as_read(file.overrides());
+  const Scene scene = base_scene(file.overrides());
+  EXPECT_EQ(column_of(scene, "ozone_per_cm3"), (std::vector{6e11, 9e11}));
+  EXPECT_EQ(column_of(scene, "water_vapour_per_cm3"), std::vector<double>{});
+  EXPECT_EQ(scene.atmosphere->visibility_km, 23);
+}
+
+// In the layout of LOWTRAN 7, with numbers of its own. Seen red: with air in molecules per m3.
+TEST(Atmosphere, OfATape6HasItsLevelsAndAerosols) {
+  const LevelsFile file(
+      "photic-tape6",
+      "1                    ***** LOWTRAN 7 *****\n"
+      "  ATMOSPHERIC PROFILES\n\n"
+      "   I     Z       P       T     MOL SCAT  O3 (UV)\n"
+      "        (KM)    (MB)    (K)       (-)  (ATM CM/KM)\n\n"
+      "   1      .00 1010.000  290.0  9.400E-01 2.500E-03\n"
+      "   2     9.00     .000  230.0  2.600E-06 1.800E-07\n"
+      "1\n"
+      "  ATMOSPHERIC PROFILES\n\n"
+      "   I     Z       P       T     AEROSOL 1 AEROSOL 2 AEROSOL 3 AEROSOL 4         RH\n"
+      "        (KM)    (MB)    (K)       (-)       (-)       (-)       (-)      (PERCNT)\n\n"
+      "   1      .00 1010.000  290.0  1.200E-01 0.000E+00 0.000E+00 0.000E+00 7.550E+01\n"
+      "   2     9.00     .000  230.0  0.000E+00 2.100E-02 0.000E+00 0.000E+00 4.400E+01\n");
+  expect_written_as_read(file.overrides());
+  const Scene scene = base_scene(file.overrides());
+  EXPECT_FALSE(scene.atmosphere->visibility_km);
+  EXPECT_EQ(column_of(scene, "z_km"), (std::vector{0.0, 9.0}));
+  EXPECT_EQ(column_of(scene, "p_hpa"), (std::vector{1010.0, 1e-12}));  // 0 is no pressure
+  EXPECT_NEAR(column_of(scene, "air_per_cm3")[0], 0.94 * 2.6867801e19, 1e13);
+  EXPECT_EQ(column_of(scene, "relative_humidity_percent"), (std::vector{75.5, 44.0}));
+  EXPECT_EQ(column_of(scene, "boundary_layer_per_km"), (std::vector{0.12, 0.0}));
+  EXPECT_EQ(column_of(scene, "troposphere_per_km"), (std::vector{0.0, 0.021}));
+}
+
+// --- What is said of bad air ---------------------------------------------------------------------
+
+struct AirCase {
+  std::string section;
+  Texts expected;
+};
+
+const std::vector<AirCase>& profile_cases() {
+  const static std::string head = "[atmosphere]\n", us = head + "profile = \"us-standard\"\n";
+  static const std::vector<AirCase> all{
+      {head, {"scene.toml:26:1: [atmosphere] needs 'profile' or 'layer'"}},
+      {us + one_layer,
+       {"scene.toml:28:14: 'profile' and 'layer' exclude each other in [atmosphere] (keep one of "
+        "them)"}},
+      {head + "profile = \"us-standart\"",
+       {"scene.toml:27:11: 'profile' must be \"us-standard\", \"tropical\", "
+        "\"midlatitude-summer\", \"midlatitude-winter\", \"subarctic-summer\" or "
+        "\"subarctic-winter\", not text \"us-standart\", and no file (did you mean "
+        "'us-standard'?)"}},
+      {head + "profile = \"/no/air.csv\"",
+       {"scene.toml:27:11: 'profile' names a file that cannot be read: /no/air.csv (a relative "
+        "path starts at the scene file)"}},
+      {head + "profile = 3",
+       {"scene.toml:27:11: 'profile' must be a word, a file or a table, not 3"}},
+      {head + "profile = { z_km = [0, 9], p_hpa = [1000, 300] }",
+       {"scene.toml:27:11: 't_k' is missing in 'profile' (add it: the temperature in K)"}},
+      {head + "profile = { z_km = [0, 9], p_hpa = [1000, 300], t_k = [290, 230, 220] }",
+       {"scene.toml:27:11: 'profile' has columns of different lengths: z_km 2, p_hpa 2, t_k 3 "
+        "(give one number a row in each)"}},
+      {us + "visibility_km = 0.1",
+       {"scene.toml:28:17: 'visibility_km' must be a finite number, at least 0.2 and at most 300, "
+        "not 0.1"}},
+      {us + "visibility_km = 23000",
+       {"scene.toml:28:17: 'visibility_km' must be a finite number, at least 0.2 and at most 300, "
+        "not 23000 (did you mean 23? 23000 would be in m)"}},
+      {us + "relative_humidity_percent = 101",
+       {"scene.toml:28:29: 'relative_humidity_percent' must be a finite number, at least 0 and at "
+        "most 100, not 101"}},
+      {us + "relative_humidity_percent = -1",
+       {"scene.toml:28:29: 'relative_humidity_percent' must be a finite number, at least 0 and at "
+        "most 100, not -1"}},
+      {us + "season = \"monsoon\"",
+       {"scene.toml:28:10: 'season' must be \"spring-summer\" or \"fall-winter\", not text "
+        "\"monsoon\" (choose from: spring-summer, fall-winter)"}},
+      {us + "top_km = 0",
+       {"scene.toml:28:10: 'top_km' must be a finite number, greater than 0, not 0"}},
+      {us + "aerosol = \"none\"\nvisibility_km = 23",
+       {"scene.toml:29:17: aerosol = \"none\" says that there are no aerosols (leave one of them "
+        "out)"}},
+      {us + "gases = true",
+       {"scene.toml:28:1: unknown key 'gases' in [atmosphere] (known here: profile, aerosol, "
+        "visibility_km, season, relative_humidity_percent, top_km, layer)"}},
+      {us + "refraction = true",
+       {"scene.toml:28:1: unknown key 'refraction' in [atmosphere] (known here: profile, aerosol, "
+        "visibility_km, season, relative_humidity_percent, top_km, layer)"}},
+  };
+  return all;
+}
+
+TEST(Atmosphere, EveryTextOfAProfileThatIsWrong) {
+  for (const AirCase& c : profile_cases()) EXPECT_EQ(with_section(c.section), c.expected);
+}
+
+/// A layer between two heights.
+std::string layer(const std::string& bottom, const std::string& top, const std::string& more = "") {
+  return "[[atmosphere.layer]]\nbottom_height_m = " + bottom + "\ntop_height_m = " + top +
+         "\niop = [{ wavelength_nm = 532, a_per_m = 0, b_per_m = 1e-4 }]\n" + more;
+}
+
+const std::vector<AirCase>& layer_cases() {
+  static const std::vector<AirCase> all{
+      {layer("0", "10") + layer("10", "20"), {}},
+      {layer("1", "10"),
+       {"scene.toml:27:19: the air begins at 1 m, not at the sea (write bottom_height_m = 0)"}},
+      {layer("0", "10") + layer("11", "20"),
+       {"scene.toml:31:19: there is a gap in the air from 10 to 11 m (write bottom_height_m = "
+        "10)"}},
+      {layer("0", "10") + layer("9", "20"),
+       {"scene.toml:31:19: the layer begins at 9 m, below 10 m, where the one below it ends (write "
+        "bottom_height_m = 10)"}},
+      {layer("0", "10") + layer("10", "10"),
+       {"scene.toml:32:16: the layer ends at 10 m, not above 10 m, where it begins (layers go from "
+        "the sea up)"}},
+      {layer("-1", "10"),
+       {"scene.toml:27:19: 'bottom_height_m' must be a finite number, at least 0, not -1"}},
+      {layer("0", "10", "refractive_index = 0.9997"),
+       {"scene.toml:30:20: 'refractive_index' must be a finite number, at least 1 and at most 2, "
+        "not 0.9997"}},
+      {layer("0", "10", "phase_function = \"mie\""),
+       {"scene.toml:30:18: the spheres of \"mie\" are in water, and not in air (take another "
+        "model, or a table)"}},
+      {"[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 9\niop = [{ wavelength_nm = 532, "
+       "a_per_m = -1e-4, b_per_m = -1 }]",
+       {"scene.toml:29:41: 'a_per_m' must be a finite number, at least 0, not -0.0001",
+        "scene.toml:29:58: 'b_per_m' must be a finite number, at least 0, not -1"}},
+      {"[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 9\niop = [{ wavelength_nm = 532, "
+       "a_per_m = 0, b_per_m = 1 }, { wavelength_nm = 355, a_per_m = 0, b_per_m = 1 }]",
+       {"scene.toml:29:77: 355 nm does not come after 532 nm (sort the iop by ascending "
+        "wavelength, each once)"}},
+      {"[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 9",
+       {"scene.toml:26:1: 'iop' is missing in [[atmosphere.layer]] (add it: absorption and "
+        "scattering by ascending wavelength)"}},
+  };
+  return all;
+}
+
+// Seen red: without check_heights; with the gap and the overlap changed over.
+TEST(Atmosphere, EveryTextOfLayersThatAreWrong) {
+  for (const AirCase& c : layer_cases()) EXPECT_EQ(with_section(c.section), c.expected);
+}
+
+TEST(Atmosphere, EveryTextOfWhatDoesNotGoWithIt) {
+  const auto told = [](const std::vector<Override>& more) {
+    std::vector<Override> all{us_standard};
+    all.insert(all.end(), more.begin(), more.end());
+    return diagnostics_of(edited({}), all);
+  };
+  const std::string no_air =
+      "instruments in the water do not see the air yet (put it into the air (z > 0), or leave "
+      "[atmosphere] out)";
+  EXPECT_EQ(told({{"gates={ start_ns = 0, stop_ns = 100, step_ns = 1 }"},
+                  {"source.position_m=[0, 0, -1]"}}),
+            Texts{"--set source.position_m: " + no_air});
+  EXPECT_EQ(told({{"gates={ start_ns = 0, stop_ns = 100, step_ns = 1 }"},
+                  {"telescope.0.position_m=[0, 0, -1]"}}),
+            Texts{"--set telescope.0.position_m: " + no_air});
+  EXPECT_EQ(told({{"oil={ class = \"light-refined\", thickness_um = 1 }"}}),
+            Texts{"--set oil: a film of oil has no air above it yet (leave [oil] or [atmosphere] "
+                  "out)"});
+  EXPECT_EQ(told({{"simulation.estimator=analog"}}),
+            Texts{"--set simulation.estimator: the analog estimator has no air yet (write "
+                  "estimator = \"forward\", or leave [atmosphere] out)"});
+  EXPECT_EQ(told({{"source.position_m=[0, 0, 7e5]"}, {"telescope.0.position_m=[0, 0, 7e5]"}}),
+            Texts{});  // above the top
+}
+
+// Seen red: with the air taken for other water.
+TEST(Atmosphere, IsTheSameInAllEnvironments) {
+  EXPECT_EQ(
+      diagnostics_of(
+          edited({}),
+          {us_standard, {"environment=[{ set = { \"atmosphere.visibility_km\" = 5 } }]"}}),
+      Texts{"--set environment: 'atmosphere.visibility_km' cannot be set in an environment: the "
+            "air is the same in all environments, as yet (simulate that air in a scene of its "
+            "own)"});
+  EXPECT_EQ(diagnostics_of(edited({}), {us_standard, {"sensitivity=['atmosphere.visibility_km']"}}),
+            Texts{"--set sensitivity: there is no derivative with respect to "
+                  "'atmosphere.visibility_km': the air is the same in all environments, as yet "
+                  "(name paths that begin with sea., optics., bottom. or oil.)"});
+}
+
+}  // namespace
+}  // namespace photic::scene
