@@ -17,8 +17,8 @@ inline constexpr std::uint32_t most_facets = 64;
 
 /// Those of `at` who meet facets do so until they have left the surface. observe(at, facet) is told
 /// before each facet that is met, met(mask, meeting) behind it; emit(at, facet) tells who goes down
-/// in the water as light that a film of oil emits. Where weights split, what rises in
-/// the air has escaped; where not, whole photons do, of whom leave(mask) is told.
+/// in the water as light that a film of oil emits. leave(mask, direction, weight) is told of
+/// what rises in the air: weight that is split off, or else whole photons.
 template <class T, class Ledger, class Observe, class Emit, class Met, class Leave>
 void cross_waves(const World<T>& world, const RandomPlace<T>& place, Track<T>& t,
                  transport::AtWaves<T> at, bool splits, Ledger& ledger, Observe observe, Emit emit,
@@ -39,8 +39,9 @@ void cross_waves(const World<T>& world, const RandomPlace<T>& place, Track<T>& t
     book(ledger.roulette, meets, T(0) - met.gained);
     book(ledger.escaped, meets, met.escaped);
     book(ledger.oil, meets, met.into_film);
+    if (splits) leave(meets & (met.escaped > T(0)), met.risen, met.escaped);
     if (any(met.left)) {
-      leave(met.left);
+      leave(met.left, t.photon.direction, t.photon.weight);
       book(ledger.escaped, met.left, t.photon.weight);
     }
     const Mask<T> lit = t.photon.weight > T(0);

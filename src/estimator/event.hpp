@@ -18,6 +18,7 @@
 #include "transport/cross.hpp"
 #include "transport/emit.hpp"
 #include "transport/flight.hpp"
+#include "transport/touched.hpp"
 
 namespace photic::estimator {
 
@@ -58,7 +59,9 @@ void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
                               : transport::enter_water(world.sea, world.laser_region, t.photon);
   book(ledger.escaped, exist, select(entered, emitted - t.photon.weight, emitted));
   t.on = exist & entered;
-  t.touched = Index<T>(0);
+  using transport::Touched;
+  const Touched touched = world.sea.upside_down ? Touched::air : Touched::water;
+  t.touched = Index<T>(static_cast<std::int32_t>(touched));
 }
 
 /// Flights of all: at their ends, who has not come to the sea bed, nor comes too late, stands at
@@ -97,14 +100,17 @@ void book_leaving(Ledger& ledger, const Mask<T>& mask, const transport::Leaving<
 }
 
 /// Those who stand at the surface are reflected, but for the weight that passes; those that are
-/// `lossless` keep all of it. Tells who stood there.
-template <class T, class Ledger>
+/// `lossless` keep all of it. Tells who stood there. leave(mask, direction, weight) is told of what
+/// passes.
+template <class T, class Ledger, class Leave>
 Mask<T> reflect_at_surface(const medium::MediumView& sea, Track<T>& t, const Mask<T>& lossless,
-                           Ledger& ledger) {
+                           Ledger& ledger, Leave leave) {
   const Mask<T> reflected = t.on & !t.colliding;
   if (!any(reflected)) return reflected;
   transport::Photon<T> down = t.photon;
-  book_leaving(ledger, reflected, transport::reflect_down(sea, down, lossless));
+  const auto leaving = transport::reflect_down(sea, down, lossless);
+  book_leaving(ledger, reflected, leaving);
+  leave(reflected & (leaving.through > T(0)), leaving.direction, leaving.through);
   transport::Photon<T>& photon = t.photon;
   photon.direction.z = select(reflected, down.direction.z, photon.direction.z);
   photon.weight = select(reflected, down.weight, photon.weight);

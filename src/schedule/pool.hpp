@@ -24,6 +24,8 @@ namespace photic::schedule {
 template <class T>
 class Pool {
  public:
+  /// Photons on their way from one medium to the other.
+  using Passed = Reserve<T>;
   static constexpr std::size_t width = lanes_of<T>;
   /// Such that all of it stays in the first cache, and few packs are partly empty.
   static constexpr std::size_t slots = 128;
@@ -33,7 +35,7 @@ class Pool {
       : world_(world),
         ratios_(world.sea.environments, 2 * slots),
         pack_(packs, estimator::Travellers<T>(world)),
-        reserve_(world),
+        reserve_(carried_in(world)),
         newborn_(packs, estimator::Travellers<T>(world)),
         estimates_(world) {
     for (std::size_t k = 0; k < packs; ++k) {
@@ -50,6 +52,21 @@ class Pool {
     draws_.emplace(estimator::draws_of_laser(world_, first));
     next_ = 0;
     count_ = count;
+    run(tally, witness);
+  }
+  /// Follows those who have come from the other medium.
+  void run(Passed& arrivals, tally::BatchTally& tally) {
+    next_ = count_ = 0;
+    arrivals_ = &arrivals;
+    run(tally, [](const auto&...) {});
+    arrivals_ = nullptr;
+  }
+  /// Those who have gone on to the other medium are told to this.
+  void leave_to(Passed& passed) { passed_ = &passed; }
+
+ private:
+  template <class Witness>
+  void run(tally::BatchTally& tally, Witness witness) {
     if (world_.all_events)
       run<estimator::AllEvents>(tally, witness);
     else
@@ -58,20 +75,34 @@ class Pool {
     tally.ledger = tally.ledger + total(ledger_);
     ledger_ = {};
   }
-
- private:
   template <class Events, class Witness>
   void run(tally::BatchTally& tally, Witness& witness) {
     const auto all = [this](auto stage) { each_of(pack_.data(), used_, stage); };
-    auto steps = estimator::forward_steps<Events>(
-        world_, ledger_, tally, estimates_,
-        [this](std::uint32_t block) { draw(pack_.data(), used_, block); });
+    auto steps = steps_of<Events>(
+        tally, [this](std::uint32_t block) { draw(pack_.data(), used_, block); });
     for (fill<Events>(tally); used_ > 0; fill<Events>(tally)) {
       collisions(steps, all);
       tell(witness);
       if constexpr (Events::tools) keep_copies(tally);
       flights(steps, all);
     }
+  }
+  template <class Events, class Draw>
+  auto steps_of(tally::BatchTally& tally, Draw draw) {
+    return estimator::forward_steps<Events>(
+        world_, ledger_, tally, estimates_, draw,
+        [this](estimator::Travellers<T>& gone, std::int32_t copy) {
+          number_anew(gone, copy);
+          passed_->push(gone.on, gone);
+        });
+  }
+  /// They draw random numbers of their own.
+  void number_anew(estimator::Travellers<T>& copies, std::int32_t copy) const {
+    for_each_lane(copies.on, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      copies.place.photon.set(i, estimator::copy_number(world_.key, copies.place.photon[i],
+                                                        copies.place.event[i], copy));
+    });
   }
   template <class Stage>
   PHOTIC_APART PHOTIC_FLATTEN static void each_of(estimator::Travellers<T>* pack, std::size_t count,
@@ -115,6 +146,10 @@ class Pool {
       births<Events>(tally);
       return true;
     }
+    if (arrivals_ != nullptr && arrivals_->size() > 0) {
+      arrive<Events>(tally);
+      return true;
+    }
     if (used_ <= first) return false;
     estimator::Travellers<T>& last = pack_[--used_];
     wait(last);
@@ -142,10 +177,21 @@ class Pool {
                                estimates_, tally, ledger_);
     });
     next_ += born * width;
-    auto steps =
-        estimator::forward_steps<Events>(world_, ledger_, tally, estimates_, [&](auto block) {
-          all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });
-        });
+    auto steps = steps_of<Events>(tally, [&](auto block) {
+      all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });
+    });
+    flights(steps, all);
+    all([&](auto& t) { wait(t); });
+  }
+  /// The next of those who have come from the other medium, to where their first flight here ends.
+  template <class Events>
+  PHOTIC_APART void arrive(tally::BatchTally& tally) {
+    std::size_t came = 0;
+    for (; came < packs && arrivals_->size() > 0; ++came)
+      newborn_[came].on = arrivals_->pop(Mask<T>(true), newborn_[came]);
+    auto steps = steps_of<Events>(
+        tally, [&](std::uint32_t block) { draw(newborn_.data(), came, block); });
+    const auto all = [&](auto stage) { each_of(newborn_.data(), came, stage); };
     flights(steps, all);
     all([&](auto& t) { wait(t); });
   }
@@ -179,16 +225,14 @@ class Pool {
     copies = pack;
     copies.ratios = ratios;
     copies.on = mask;
-    for_each_lane(mask, [&](int lane) {
-      const auto i = static_cast<std::size_t>(lane);
-      if (world_.compares)
+    number_anew(copies, number);
+    if (world_.compares)
+      for_each_lane(mask, [&](int lane) {
+        const auto i = static_cast<std::size_t>(lane);
         ratios_.copy(world_.sea.environments, pack.ratios.first + i, ratios.first + i);
-      const auto own = pack.place.photon[i];
-      copies.place.photon.set(i,
-                              estimator::copy_number(world_.key, own, pack.place.event[i], number));
-    });
-    auto steps = estimator::forward_steps<estimator::AllEvents>(
-        world_, ledger_, tally, estimates_, [&](std::uint32_t block) { draw(&copies, 1, block); });
+      });
+    auto steps = steps_of<estimator::AllEvents>(
+        tally, [&](std::uint32_t block) { draw(&copies, 1, block); });
     flights(steps, [&](auto stage) { each_of(&copies, 1, stage); });
     wait(copies);
   }
@@ -211,6 +255,8 @@ class Pool {
   std::array<Mask<T>, packs> before_{};  ///< who was on the way when an event began
 
   Reserve<T> reserve_;
+  Passed* arrivals_ = nullptr;
+  Passed* passed_ = nullptr;
   std::vector<estimator::Travellers<T>> newborn_;  ///< on their first flight
   std::optional<estimator::Draws<T>> draws_;       ///< of the batch
   std::uint64_t next_ = 0, count_ = 0;             ///< its photons that have yet to set out

@@ -13,11 +13,21 @@
 
 namespace photic::schedule {
 
+/// What photons take along; else it is the same for all of them.
+struct Carried {
+  bool spectral_bin = true, touched = true, surface = true, choices = true, tools = true;
+};
+template <class T>
+Carried carried_in(const estimator::World<T>& world) {
+  return {world.sea.bands > 0, world.sea.bed_angles > 0 || world.sea.upside_down,
+          world.sea.waves.rough, world.makes_choices, world.all_events};
+}
+
 /// A stack of photons at the end of a flight, word by word in columns: who came last goes first.
 template <class T>
 class Reserve {
  public:
-  explicit Reserve(const estimator::World<T>& world) : world_(world) {}
+  explicit Reserve(const Carried& carried) : carried_(carried) {}
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -53,16 +63,15 @@ class Reserve {
     const auto member = [&]<class M>(M& m) { m = std::bit_cast<M>(f(std::bit_cast<Index<T>>(m))); };
     t.photon.each_member(member);
     member(t.place.event);
-    // What is the same for all of them stays where it is.
-    if (world_.sea.bands > 0) member(t.spectral_bin);
-    if (world_.sea.bed_angles > 0) member(t.touched);
+    if (carried_.spectral_bin) member(t.spectral_bin);
+    if (carried_.touched) member(t.touched);
     for (auto& point : t.lens) member(point.x), member(point.y);
     for (std::size_t i = 1; i < t.u.size(); ++i) member(t.u[i]);
-    if (world_.sea.waves.rough)
+    if (carried_.surface)
       for (auto& number : t.surface) member(number);
-    if (world_.makes_choices)
+    if (carried_.choices)
       for (auto& number : t.choices) member(number);
-    if (world_.all_events) member(t.analog_before), member(t.importance_before);
+    if (carried_.tools) member(t.analog_before), member(t.importance_before);
     const Index<T> colliding = f(select(t.colliding, Index<T>(1), Index<T>(0)));
     t.colliding = colliding == Index<T>(1);
     const auto [lower, upper] = words_of<T>(t.place.photon);
@@ -90,7 +99,7 @@ class Reserve {
     word_ = std::move(word);
   }
 
-  const estimator::World<T>& world_;
+  Carried carried_;
   std::vector<std::int32_t> word_;  ///< [word][photon]
   std::size_t column_ = 0, size_ = 0;
 };

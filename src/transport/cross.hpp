@@ -70,6 +70,7 @@ Mask<T> enter_water(const medium::MediumView& sea, const geometry::Region<T>& fr
 template <class T>
 struct Leaving {
   T through{}, into_film{};
+  Vec3<T> direction;  ///< of what goes through
 };
 
 /// Reflects a photon that stands at the surface back into the water: its weight takes the
@@ -81,7 +82,7 @@ Leaving<T> reflect_down(const medium::MediumView& sea, Photon<T>& photon,
   const auto split = surface::flat_surface<T>(sea, photon.line).from_below(photon.direction);
   const T r = select(lossless, T(1), split.reflectance);
   const T gone = photon.weight * (T(1) - r);
-  Leaving<T> leaving{gone, T(0)};
+  Leaving<T> leaving{gone, T(0), split.transmitted};
   if (sea.film.exists) {
     leaving.through = photon.weight * select(lossless, T(0), split.transmittance);
     leaving.into_film = gone - leaving.through;

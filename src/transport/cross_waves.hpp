@@ -18,7 +18,8 @@ template <class T>
 struct AfterFacet {
   Mask<T> in_water{};  ///< who goes down in the water
   Mask<T> left{};      ///< who rises in the air, where weights do not split
-  T escaped{};         ///< weight that rises in the air
+  T escaped{};         ///< weight that rises in the air ...
+  Vec3<T> risen;       ///< ... in this direction
   T into_film{};       ///< weight that a film of oil absorbs
   T gained{};          ///< weight less what it was, before that is taken off
   surface::Meeting<T> meeting;
@@ -119,6 +120,7 @@ AfterFacet<T> meet_waves(const surface::RoughSurface<T>& surface, Photon<T>& pho
   AfterFacet<T> met;
   met.gained = weight - photon.weight;
   met.escaped = select(leaves, weight * (T(1) - share_down), T(0));
+  met.risen = up;
   if (surface.face.oily) {
     const T share_back = select(at.in_air, T(1) - share_down, share_down);
     met.into_film = weight * share_back * (T(1) - unabsorbed);

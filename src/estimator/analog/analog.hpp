@@ -167,7 +167,7 @@ struct AnalogSteps {
         [](const transport::AtWaves<T>&, std::uint32_t) {},
         [](const transport::AtWaves<T>&, std::uint32_t) { return Mask<T>(false); },
         [](const Mask<T>&, const surface::Meeting<T>&) {},
-        [&](const Mask<T>& left) {
+        [&](const Mask<T>& left, const auto&...) {
           detect(world, p.photon, p.touched, left, endless, true, depth, tally);
         });
   }

@@ -329,7 +329,8 @@ class Connections {
   }
   [[nodiscard]] lanes::LaneScores<T> scores_of(const Pairing<T>& pairing, Walked walked,
                                                const FoundPath<T>& path) const {
-    Index<T> touched(0);
+    using transport::Touched;
+    Index<T> touched(static_cast<std::int32_t>(sea_.upside_down ? Touched::air : Touched::water));
     if (sea_.bed_angles > 0)
       touched =
           select(path.met_on_bed, Index<T>(static_cast<std::int32_t>(transport::Touched::bed)),

@@ -39,8 +39,8 @@ struct SourcesDiffer {
 };
 template <class T>
 SourcesDiffer sources_differ(const World<T>& world) {
-  return {world.sea.lines > 1, world.sea.places > 1, world.single_rays, world.sea.bed_angles > 0,
-          world.sea.waves.rough};
+  return {world.sea.lines > 1, world.sea.places > 1, world.single_rays,
+          world.sea.bed_angles > 0 || world.sea.upside_down, world.sea.waves.rough};
 }
 
 /// Light of one line that leaves collisions, one in each lane: scattered, or converted from another
@@ -261,6 +261,8 @@ void score_light(const World<T>& world, const Travellers<T>& of, const transport
   Index<T> touched(0);
   if (world.sea.bed_angles > 0)
     touched = transport::touched_at<T>(world.sea, photon.layer, of.touched);
+  else if (world.sea.upside_down)
+    touched = of.touched;
   for (std::size_t g = 0; g < world.groups.size(); ++g) {
     const Mask<T> seen = colliding & near_view(world, g, photon.position, line, lens);
     if (!any(seen)) continue;
@@ -300,11 +302,18 @@ T weight_at_point(const World<T>& world, const transport::Photon<T>& photon) {
 
 /// Of photons of a mask, whose light a world's histories score.
 template <class T>
-Mask<T> who_are_scored(const World<T>& world, const transport::Photon<T>& photon,
-                       const Mask<T>& mask) {
-  if (!world.beside_walks) [[likely]]
-    return mask;
-  return mask & surface::is_film_light<T>(world.sea, photon.line);
+Mask<T> who_are_scored(const World<T>& world, const Travellers<T>& t, const Mask<T>& mask) {
+  switch (world.scored) {
+    [[likely]] case Scored::all:
+      return mask;
+    case Scored::film:
+      return mask & surface::is_film_light<T>(world.sea, t.photon.line);
+    case Scored::from_water:
+      return mask & !(t.touched == Index<T>(static_cast<std::int32_t>(transport::Touched::air)));
+    case Scored::none:
+      break;
+  }
+  return Mask<T>(false);
 }
 
 /// Scores what the telescopes expect of photons of a mask that are scattered where they stand.

@@ -41,7 +41,7 @@ T path_number(const Travellers<T>& travellers, const T& u) {
 template <class Events, class T>
 void score_further_points(const World<T>& world, const Travellers<T>& travellers,
                           Estimates<T>& estimates, tally::BatchTally& tally) {
-  const Mask<T> travelling = who_are_scored(world, travellers.photon, travellers.on);
+  const Mask<T> travelling = who_are_scored(world, travellers, travellers.on);
   if (!any(travelling)) return;
   const auto from = transport::flight_start(world.sea, travellers.photon);
   for (std::int32_t k = 1; k < world.scored_points; ++k) {

@@ -19,13 +19,14 @@ namespace photic::estimator {
 
 /// Of photons by Events: PlainEvents or AllEvents, as the world asks for. draw(block) draws a block
 /// of the random numbers of their events. Ledger: of one photon, or of lanes.
-template <class Events, class T, class Ledger, class Draw>
+template <class Events, class T, class Ledger, class Draw, class Leave>
 struct ForwardSteps {
   const World<T>& world;
   Ledger& ledger;
   tally::BatchTally& tally;
   Estimates<T>& estimates;
   Draw draw;
+  Leave leave;
 
   template <class Each>
   void begin_event(Each each) {
@@ -64,7 +65,7 @@ struct ForwardSteps {
     if (flies_on()) return;
     if (world.sea.waves.rough) {
       const Mask<T> stand = t.on & !t.colliding;
-      if (any(stand)) cross_waves<Events>(world, t, stand, false, estimates, tally, ledger);
+      if (any(stand)) cross_waves<Events>(world, t, stand, false, estimates, tally, ledger, leave);
       return;
     }
     if (world.sea.film.exists) [[unlikely]] {
@@ -73,12 +74,15 @@ struct ForwardSteps {
       return;
     }
     const Mask<T> lossless = Events::tools ? are_forced(world, t.place) : Mask<T>(false);
-    reflect_at_surface(world.sea, t, lossless, ledger);
+    reflect_at_surface(world.sea, t, lossless, ledger,
+                       [&](const Mask<T>& passes, const Vec3<T>& direction, const T& weight) {
+                         pass_surface(world, t, passes, direction, weight, 0, leave);
+                       });
   }
 
   /// If that has not been done on the way, where only collisions in the water are.
   void score(const Travellers<T>& t) {
-    Mask<T> scored = who_are_scored(world, t.photon, t.colliding);
+    Mask<T> scored = who_are_scored(world, t, t.colliding);
     if (Events::tools && world.tools.scores_on_the_way)
       scored = scored & surface::on_bed<T>(world.sea, t.photon.layer);
     if (any(scored)) score_scattering<Events>(world, t, scored, estimates, tally);
@@ -191,10 +195,12 @@ struct ForwardSteps {
   }
 };
 
-template <class Events, class T, class Ledger, class Draw>
+/// `leave`: see pass_surface().
+template <class Events, class T, class Ledger, class Draw, class Leave>
 auto forward_steps(const World<T>& world, Ledger& ledger, tally::BatchTally& tally,
-                   Estimates<T>& estimates, Draw draw) {
-  return ForwardSteps<Events, T, Ledger, Draw>{world, ledger, tally, estimates, draw};
+                   Estimates<T>& estimates, Draw draw, Leave leave) {
+  return ForwardSteps<Events, T, Ledger, Draw, Leave>{world,     ledger, tally,
+                                                      estimates, draw,   leave};
 }
 
 }  // namespace photic::estimator

@@ -6,6 +6,7 @@
 #include "estimator/cross_waves.hpp"
 #include "estimator/forward/estimate.hpp"
 #include "estimator/forward/film.hpp"
+#include "estimator/forward/passing.hpp"
 #include "transport/connect_waves.hpp"
 
 namespace photic::estimator {
@@ -67,19 +68,21 @@ PHOTIC_APART void score_at_surface(const World<T>& world, const Travellers<T>& t
   }
 }
 
-/// Photons of a mask who stand at the surface cross it or go back.
-template <class Events, class T, class Ledger>
+/// Photons of a mask who stand at the surface cross it or go back. `leave`: see pass_surface().
+template <class Events, class T, class Ledger, class Leave>
 PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mask<T>& stand,
                               bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,
-                              Ledger& ledger) {
+                              Ledger& ledger, Leave leave) {
   const auto& waves = world.sea.waves;
   const auto score = [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
     Mask<T> scored = at.meets;
     const auto fresh = [&] { return t.photon.order == Index<T>(0); };
     if (facet == 0) scored = scored & fresh();
     if (world.sea.upside_down) scored = scored & !fresh();  // the surface's own echo is another
-    if (world.beside_walks) [[unlikely]]
-      scored = (scored & fresh()) | who_are_scored(world, t.photon, scored);
+    if (world.scored != Scored::all) [[unlikely]] {
+      const Mask<T> own = world.scored == Scored::film ? scored & fresh() : Mask<T>(false);
+      scored = own | who_are_scored(world, t, scored);
+    }
     if (any(scored)) score_at_surface<Events>(world, t, at.in_air, scored, facet, estimates, tally);
   };
   const auto met = [&](const Mask<T>& meets, const surface::Meeting<T>& meeting) {
@@ -95,8 +98,11 @@ PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mas
                                 {meets, {at.in_air, t.photon.direction, by.facet.normal}, by.gain},
                                 facet, estimates, tally, ledger);
   };
+  std::uint32_t meetings = 0;
   cross_waves(world, t.place, t, {stand, Mask<T>(in_air)}, true, ledger, score, emit, met,
-              [](const Mask<T>&) {});
+              [&](const Mask<T>& passes, const Vec3<T>& direction, const T& weight) {
+                pass_surface(world, t, passes, direction, weight, meetings++, leave);
+              });
 }
 
 }  // namespace photic::estimator
