@@ -16,6 +16,7 @@ namespace photic::medium {
 namespace {
 
 constexpr double metre_per_km = 1e3;
+constexpr std::size_t most_levels = 1000;
 /// Where LOWTRAN 7's boundary layer ends.
 constexpr double boundary_layer_km = 2;
 
@@ -28,30 +29,30 @@ std::vector<double> depths_of(const optics::AirOptics& air) {
   return out;
 }
 
-optics::AirProfile halved(const optics::AirProfile& profile) {
-  optics::AirProfile out = profile;
+/// Halfway between the levels.
+std::vector<double> middles_km(const optics::AirProfile& profile) {
+  std::vector<double> out;
   for (std::size_t i = 1; i < profile.z_km.size(); ++i)
-    out = with_level(std::move(out), (profile.z_km[i - 1] + profile.z_km[i]) / 2);
+    out.push_back((profile.z_km[i - 1] + profile.z_km[i]) / 2);
   return out;
 }
 
 /// With more levels where the layers between them are too thick.
 optics::AirProfile refined(const optics::AirLibrary& library, optics::AirProfile profile,
                            const optics::AerosolChoice& aerosols, double laser_nm) {
-  for (bool enough = false; !enough;) {
-    enough = true;
-    const optics::AirProfile halves = halved(profile);
-    const auto depths =
-        depths_of(optics::air_at(library, halves, aerosols, laser_nm, optics::Phases::left_out));
-    optics::AirProfile finer = profile;
-    for (std::size_t k = 0; k + 1 < profile.z_km.size(); ++k) {
-      if (std::abs(depths[2 * k] - depths[2 * k + 1]) / 2 <= air_depth_tolerance) continue;
-      finer = with_level(std::move(finer), halves.z_km[2 * k + 1]);
-      enough = false;
+  for (;;) {
+    const std::vector<double> middles = middles_km(profile);
+    const auto depths = depths_of(optics::air_at(library, with_levels(profile, middles), aerosols,
+                                                 laser_nm, optics::Phases::left_out));
+    std::vector<double> more;
+    for (std::size_t k = 0; k < middles.size(); ++k) {
+      const double lower = depths[2 * k], upper = depths[2 * k + 1];
+      if (std::abs(lower - upper) / 2 > air_depth_tolerance * std::max(1.0, lower + upper))
+        more.push_back(middles[k]);
     }
-    profile = std::move(finer);
+    if (more.empty()) return profile;
+    profile = with_levels(profile, more);
   }
-  return profile;
 }
 
 void add_sources(const optics::AirOptics& at, double nm, std::vector<Source>& sources) {
@@ -166,6 +167,9 @@ optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::Air
   optics::AirProfile profile =
       name ? library.atmosphere(*name)
            : optics::air_profile(std::get<scene::UserTable>(air.profile).data());
+  if (profile.z_km.size() > most_levels)
+    throw InputError({{"", 0, 0, fmt::format("the profile has {} levels", profile.z_km.size()),
+                       fmt::format("at most {} can be had: leave some out", most_levels)}});
   if (profile.z_km.front() != 0)
     throw InputError(
         {{"", 0, 0,
@@ -182,7 +186,7 @@ optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::Air
   return profile;
 }
 
-optics::AirProfile profile_to_top(const scene::Atmosphere& air, optics::AirProfile whole) {
+optics::AirProfile profile_to_top(const scene::Atmosphere& air, const optics::AirProfile& whole) {
   const double end = whole.z_km.back();
   if (end < air.top_km)
     throw InputError({{"", 0, 0,
@@ -190,7 +194,7 @@ optics::AirProfile profile_to_top(const scene::Atmosphere& air, optics::AirProfi
                                    "km",
                                    end, air.top_km),
                        fmt::format("write top_km = {:g}, or add levels", end)}});
-  return optics::up_to(std::move(whole), air.top_km);
+  return optics::up_to(whole, air.top_km);
 }
 
 optics::AerosolChoice aerosols_of(const scene::Atmosphere& air) {

@@ -35,7 +35,7 @@ struct Air {
 
 /// Layers of a profile are halved until what they take for granted, that light is attenuated alike
 /// all over them, is wrong by no more than this of the optical depth up to their middle, in the
-/// laser's light.
+/// laser's light; of layers thicker than 1, by this share of their depth.
 inline constexpr double air_depth_tolerance = 1e-3;
 
 /// None without an [atmosphere]. Throws InputError for what check_medium (medium/check.hpp) finds,
@@ -51,7 +51,7 @@ std::vector<std::string> air_told(const scene::Scene& scene, const Air& air);
 optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::AirLibrary& library);
 
 /// What of it is below the top of the air. Throws InputError if it does not reach it.
-optics::AirProfile profile_to_top(const scene::Atmosphere& air, optics::AirProfile whole);
+optics::AirProfile profile_to_top(const scene::Atmosphere& air, const optics::AirProfile& whole);
 
 /// Whose aerosols are where.
 optics::AerosolChoice aerosols_of(const scene::Atmosphere& air);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <iterator>
 
 #include "core/constants.hpp"
 #include "core/error.hpp"
@@ -137,31 +137,34 @@ double relative_humidity_percent(double water_vapour_per_m3, double temperature_
   return std::min(100.0, 100 * g_m3 / saturated_g_m3);
 }
 
-AirProfile with_level(AirProfile profile, double z_km) {
-  auto& z = profile.z_km;
-  expect(z.front() <= z_km && z_km <= z.back(), "a level is added where there are others");
-  const auto above = std::lower_bound(z.begin(), z.end(), z_km);
-  if (*above == z_km) return profile;
-  const auto i = above - z.begin();
-  const double t = (z_km - *(above - 1)) / (*above - *(above - 1));
-  const auto add = [&](std::vector<double>& values, const auto& between) {
-    const auto at = values.begin() + i;
-    values.insert(at, between(*(at - 1), *at));
+AirProfile with_levels(const AirProfile& profile, const std::vector<double>& more_km) {
+  const auto& z = profile.z_km;
+  AirProfile out;
+  out.source = profile.source;
+  std::set_union(z.begin(), z.end(), more_km.begin(), more_km.end(), std::back_inserter(out.z_km));
+  expect(out.z_km.front() == z.front() && out.z_km.back() == z.back(),
+         "levels are added between others");
+  const auto fill = [&](const std::vector<double>& from, std::vector<double>& to,
+                        const auto& between) {
+    for (const double level_km : out.z_km) {
+      const auto [i, t] = interval_of(z, level_km);
+      to.push_back(t == 0 ? from[i - 1] : t == 1 ? from[i] : between(from[i - 1], from[i], t));
+    }
   };
-  const auto straight = [t](double a, double b) { return std::lerp(a, b, t); };
-  const auto exponential = [t](double a, double b) { return geometric_lerp(a, b, t); };
-  add(profile.pressure_hpa, exponential);
-  add(profile.temperature_k, straight);
-  add(profile.air_per_m3, exponential);
-  add(profile.ozone_per_m3, exponential);
-  add(profile.relative_humidity_percent, straight);
-  for (auto& aerosols : profile.aerosols_per_km) add(aerosols, exponential);
-  z.insert(above, z_km);
-  return profile;
+  const auto straight = [](double a, double b, double t) { return std::lerp(a, b, t); };
+  const auto exponential = [](double a, double b, double t) { return geometric_lerp(a, b, t); };
+  fill(profile.pressure_hpa, out.pressure_hpa, exponential);
+  fill(profile.temperature_k, out.temperature_k, straight);
+  fill(profile.air_per_m3, out.air_per_m3, exponential);
+  fill(profile.ozone_per_m3, out.ozone_per_m3, exponential);
+  fill(profile.relative_humidity_percent, out.relative_humidity_percent, straight);
+  for (std::size_t k = 0; k < aerosol_regions; ++k)
+    fill(profile.aerosols_per_km[k], out.aerosols_per_km[k], exponential);
+  return out;
 }
 
-AirProfile up_to(AirProfile profile, double top_km) {
-  profile = with_level(std::move(profile), top_km);
+AirProfile up_to(const AirProfile& whole, double top_km) {
+  AirProfile profile = with_levels(whole, {top_km});
   const auto levels =
       static_cast<std::size_t>(std::lower_bound(profile.z_km.begin(), profile.z_km.end(), top_km) -
                                profile.z_km.begin() + 1);

@@ -45,12 +45,12 @@ AirProfile air_profile(const DataTable& table);
 /// 1988, AFGL-TR-88-0177) [verified: gives the humidities that it prints].
 double relative_humidity_percent(double water_vapour_per_m3, double temperature_k);
 
-/// The profile with one more level, between which and its neighbours all is as it was: densities
-/// and extinctions as above, temperature and humidity on straight lines. The levels must cover it.
-AirProfile with_level(AirProfile profile, double z_km);
+/// The profile with more levels, ascending and between its own, between which all is as it was:
+/// densities and extinctions as above, temperature and humidity on straight lines.
+AirProfile with_levels(const AirProfile& profile, const std::vector<double>& more_km);
 
 /// What of a profile is below an altitude, which its levels must cover.
-AirProfile up_to(AirProfile profile, double top_km);
+AirProfile up_to(const AirProfile& whole, double top_km);
 
 /// The mean of what has the values at the levels z_km, between two altitudes. The levels must cover
 /// them.

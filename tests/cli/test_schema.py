@@ -60,7 +60,7 @@ GOOD = {
     "layers of air": (
         "[gates]",
         "[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 9\n"
-        "iop = [{ wavelength_nm = 532, a_per_m = 0, b_per_m = 0 }]\n[gates]"),
+        "iop = [{ wavelength_nm = 300, a_per_m = 0, b_per_m = 0 }, { wavelength_nm = 900, a_per_m = 0, b_per_m = 0 }]\n[gates]"),
 }
 FAULTY = {
     "unknown key": ("diameter_m = 0.04", "diameter_m = 0.04\ndiametre_m = 0.04"),

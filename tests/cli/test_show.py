@@ -72,6 +72,25 @@ def test_show_writes_a_scene_that_reads_back_the_same(photic, scene, tmp_path):
     assert photic("show", "again.toml", "--json").stdout == photic("show", "quick.toml", "--json").stdout
 
 
+def test_show_tells_of_the_air(photic, scene):
+    """Seen red: without the notes on air."""
+    head = "# The air above the sea:\n"
+    assert head not in photic("show", "quick.toml").stdout
+    shown = photic("show", "quick.toml", "--set", 'atmosphere={ profile = "us-standard", aerosol = "maritime" }').stdout
+    told = " ".join(line.lstrip("# ") for line in shown.split(head)[1].split("\n\n")[0].splitlines())
+    assert re.match(r"\d+ layers of the profile us-standard, up to 100 km; above them a vacuum ", told)
+    all_, *parts = re.search(r"at 532 nm .* top: ([\d.]+), of which molecules (.*), ozone (.*), aerosols ([\d.]+)", told).groups()
+    assert float(parts[0]) == pytest.approx(0.1112, abs=2e-4)
+    assert float(all_) == pytest.approx(sum(map(float, parts)), abs=2e-4)
+    assert told.endswith("left out: the absorption lines of water vapour, oxygen, carbon dioxide and other gases")
+    assert "Bodhaine et al. 1999" in shown and "Ciddor 1996" in shown
+    layers = ('atmosphere={ layer = [{ bottom_height_m = 0, top_height_m = 100, '
+              "iop = [{ wavelength_nm = 300, a_per_m = 1e-4, b_per_m = 1e-3 }, "
+              "{ wavelength_nm = 900, a_per_m = 1e-4, b_per_m = 1e-3 }] }] }")
+    shown = photic("show", "quick.toml", "--set", layers).stdout
+    assert "optical depth at 532 nm from the sea to the top: 0.11\n" in shown
+
+
 def test_show_tells_which_telescopes_share_their_light(photic, scene):
     """Seen red: with what is told left out."""
     head = "# Telescopes that share their light:\n"

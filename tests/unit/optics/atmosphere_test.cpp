@@ -39,6 +39,28 @@ TEST(Atmosphere, OfTheUsHasTheOpticalDepthsOfBodhaine) {
   EXPECT_NEAR(n * air_scattering_m2(550) / 0.0971, 1, 5e-4);
 }
 
+// Seen red: with straight lines for the density at new levels.
+TEST(AirProfile, IsTheSameWithMoreLevels) {
+  const AirProfile& coarse = us_standard();
+  const AirProfile fine = with_levels(coarse, {0.7, 3, 3.5});
+  ASSERT_EQ(fine.z_km.size(), coarse.z_km.size() + 2);
+  EXPECT_EQ(fine.z_km[1], 0.7);
+  EXPECT_DOUBLE_EQ(fine.temperature_k[1], 0.3 * 288.2 + 0.7 * 281.7);
+  for (const double top_km : {0.7, 0.9, 5.0})
+    EXPECT_NEAR(mean_between(fine.z_km, fine.air_per_m3, 0, top_km) /
+                    mean_between(coarse.z_km, coarse.air_per_m3, 0, top_km),
+                1, 1e-12);
+  EXPECT_EQ(with_levels(coarse, {3, 4}), coarse);
+}
+
+TEST(AirProfile, IsCutAtAnAltitude) {
+  const AirProfile low = up_to(us_standard(), 2.5);
+  EXPECT_EQ(low.z_km, (std::vector{0.0, 1.0, 2.0, 2.5}));
+  EXPECT_DOUBLE_EQ(low.air_per_m3.back(), std::sqrt(2.092331e25 * 1.890105e25));
+  EXPECT_EQ(low.aerosols_per_km[upper_atmosphere].size(), 4U);
+  EXPECT_EQ(up_to(us_standard(), 120), us_standard());
+}
+
 // Expected values: what LOWTRAN 7 prints for its copy of this atmosphere, as lengths at 0 C and one
 // atmosphere.
 TEST(Atmosphere, OfTheUsHasLowtransColumns) {

@@ -87,6 +87,10 @@ TEST(Opac, IsAnAerosolModel) {
   EXPECT_LT(infrared.extinction, 0.5);
   EXPECT_LT(infrared.g, green.g);
   EXPECT_NEAR(whole(infrared.phase), 1, 1e-6);
+  const auto sections = aerosol_optics(air_library(), "opac-soot-0", 1100, 37, Phases::left_out);
+  EXPECT_DOUBLE_EQ(sections.extinction, infrared.extinction);
+  EXPECT_DOUBLE_EQ(sections.absorption, infrared.absorption);
+  EXPECT_FALSE(sections.phase.p);
 }
 
 // Every component and humidity of Hess et al. 1998, at the laser's wavelength where the largest

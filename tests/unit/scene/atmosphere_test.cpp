@@ -70,7 +70,7 @@ void expect_written_as_read(const std::vector<Override>& overrides) {
   EXPECT_EQ(scene_alone(scene).atmosphere, scene.atmosphere);
 }
 
-// Seen red: with scene_alone without the air; with aerosol not written.
+// Seen red: with scene_alone without the air.
 TEST(Atmosphere, IsWrittenAsItWasRead) {
   expect_written_as_read({us_standard});
   expect_written_as_read(
