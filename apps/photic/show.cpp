@@ -38,21 +38,13 @@ std::string comments(const std::string& head, const std::vector<std::string>& it
   return out;
 }
 
-/// What the air takes of the laser's light, and where its numbers come from.
-std::string notes_on_air(const estimator::Model& model) {
-  const auto air = medium::build_air(model.scene, model.medium.line);
-  if (!air) return "";
-  std::vector<std::string> sources;
-  for (const medium::Source& source : air->sources) sources.push_back(source_line(source));
-  return comments("The air above the sea", medium::air_told(model.scene, *air)) +
-         comments("The optics of this air and their sources", sources);
-}
-
-/// How its paths are drawn, which telescopes share them, and where every number of the water comes
-/// from.
+/// What the air takes of the laser's light, how paths are drawn, which telescopes share them, and
+/// where every number comes from.
 std::string notes_on(const estimator::Model& model) {
   const tally::Result result = estimator::describe(model);
-  return notes_on_air(model) +
+  const auto of_air =
+      model.air ? medium::air_told(model.scene, *model.air) : std::vector<std::string>{};
+  return comments("The air above the sea", of_air) +
          comments("How the bidirectional estimator draws paths", result.strategies) +
          comments("Telescopes that share their light", estimator::nested_views_told(model.scene)) +
          comments("The optics of this scene and their sources", result.sources);

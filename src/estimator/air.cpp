@@ -11,36 +11,38 @@ namespace {
 /// Instruments at the sea's level count as a little above.
 constexpr double least_height_m = 1e-6;
 
-template <class Instrument> void turn_upside_down(Instrument &instrument) {
+template <class Instrument>
+void turn_upside_down(Instrument& instrument) {
   instrument.position_m.z = std::min(-instrument.position_m.z, -least_height_m);
   instrument.direction.z = -instrument.direction.z;
 }
 
-} // namespace
+}  // namespace
 
-Model model_of_air(const Model &model) {
+Model model_of_air(const Model& model) {
   Model out = model;
   turn_upside_down(out.scene.source);
   double lowest = out.scene.source.position_m.z,
-         highest = lowest; // depths with a minus
-  for (scene::Telescope &t : out.scene.telescope) {
+         highest = lowest;  // depths with a minus
+  for (scene::Telescope& t : out.scene.telescope) {
     turn_upside_down(t);
     lowest = std::max(lowest, t.position_m.z);
     highest = std::min(highest, t.position_m.z);
   }
-  constexpr double ample_m = 1; // for lenses' rims
+  constexpr double ample_m = 1;  // for lenses' rims
   out.scene.bottom.reset();
-  out.medium = medium::upside_down(*model.air, model.medium, -lowest,
-                                   -highest + ample_m);
+  out.scene.simulation.tools.importance.clear();  // of depths in the water
+  out.scene.simulation.tools.forced_collisions = 0;
+  out.medium = medium::upside_down(*model.air, model.medium, -lowest, -highest + ample_m);
   out.paths = free_paths(out.medium, out.scene.simulation);
   out.averaged = averaged_phases(out.scene, out.medium);
   return out;
 }
 
-Model by_histories(const Model &model) {
+Model by_histories(const Model& model) {
   scene::Simulation forward = model.scene.simulation;
   forward.estimator = scene::Estimator::forward;
   return simulated_by(model, forward);
 }
 
-} // namespace photic::estimator
+}  // namespace photic::estimator

@@ -1,9 +1,8 @@
 // One event of a history, as the physics tells it: a flight, and what stands at its end.
 //
-//   birth --> flight --+--> a black sea bed, or too late: the end
-//               ^      +--> the surface: reflected, but for what passes --+
-//               |      +--> a collision: scattered, converted, absorbed --+
-//               +--------------- Russian roulette <-----------------------+
+//   birth --> flight --+--> a black sea bed, or too late: the end               ^      +--> the
+// surface: reflected, but for what passes --+               |      +--> a collision: scattered,
+// converted, absorbed --+               +--------------- Russian roulette <-----------------------+
 //
 // Photons of the forward estimator, the bidirectional one's walks and analog photons all go through
 // this text. What each estimator makes of a step, it says in its Steps. each(stage) has a stage

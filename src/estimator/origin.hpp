@@ -1,9 +1,8 @@
-// Where places and paths in a World are told from: near where the light gets
-// into the water, that floats tell times to 0.01 ns even from space.
+// Where places and paths in a World are told from: near where the light gets into the water, that
+// floats tell times to 0.01 ns even from space.
 //
-// The sea is the same everywhere, so places are told from a point of the
-// surface, the origin. Paths leave out the ways in the air between the
-// instruments and the origin; scores add them, in double.
+// The sea is the same everywhere, so places are told from a point of the surface, the origin. Paths
+// leave out the ways in the air between the instruments and the origin; scores add them, in double.
 #pragma once
 
 #include <algorithm>
@@ -20,44 +19,37 @@
 
 namespace photic::estimator {
 
-inline double way_ahead(const scene::Source &source) {
+inline double way_ahead(const scene::Source& source) {
   return geometry::way_ahead(source.position_m, normalised(source.direction));
 }
-/// The point of the surface above or below the one where a laser's light
-/// starts. `upside_down`: of one in the air, as such a medium has it
-/// (medium/upside_down.hpp).
-inline Vec3<double> origin_of(const scene::Source &source, bool upside_down) {
+/// The point of the surface above or below the one where a laser's light starts. `upside_down`: of
+/// one in the air, as such a medium has it (medium/upside_down.hpp).
+inline Vec3<double> origin_of(const scene::Source& source, bool upside_down) {
   const double side = upside_down ? -1 : 1;
-  const auto upright = [&](const Vec3<double> &v) {
-    return Vec3<double>{v.x, v.y, side * v.z};
-  };
+  const auto upright = [&](const Vec3<double>& v) { return Vec3<double>{v.x, v.y, side * v.z}; };
   const auto axis = upright(normalised(source.direction));
   const auto start =
-      source.position_m +
-      geometry::way_ahead(upright(source.position_m), axis) * axis;
+      source.position_m + geometry::way_ahead(upright(source.position_m), axis) * axis;
   return {start.x, start.y, 0};
 }
 /// An instrument of a scene, its place told from there.
 template <class Instrument>
-Instrument from_origin(Instrument instrument, const Vec3<double> &origin) {
+Instrument from_origin(Instrument instrument, const Vec3<double>& origin) {
   instrument.position_m = instrument.position_m - origin;
   return instrument;
 }
 
-/// What paths from the laser to a telescope, its place told from the origin,
-/// leave out [m].
-inline double path_to_origin(const scene::Source &source,
-                             const scene::Telescope &telescope) {
-  const Vec3<double> &lens = telescope.position_m;
-  return way_ahead(source) +
-         (geometry::stands_in_water(lens) ? 0 : length(lens));
+/// What paths from the laser to a telescope, its place told from the origin, leave out [m].
+inline double path_to_origin(const scene::Source& source, const scene::Telescope& telescope) {
+  const Vec3<double>& lens = telescope.position_m;
+  return way_ahead(source) + (geometry::stands_in_water(lens) ? 0 : length(lens));
 }
 
 /// Until when light in the water has to be on its way to an instrument.
-template <class T> struct Deadline {
-  T z{};    ///< of the instrument, if it is in the water, or of the surface [m]
-  T path{}; ///< of light that gets there, or else to the surface, by the end of
-            ///< the last gate [m]
+template <class T>
+struct Deadline {
+  T z{};     ///< of the instrument, if it is in the water, or of the surface [m]
+  T path{};  ///< of light that gets there, or else to the surface, by the end of the last gate [m]
 
   /// `path`: of light that gets to the instrument then.
   static Deadline to(double z, double path) {
@@ -65,44 +57,35 @@ template <class T> struct Deadline {
   }
 
   /// The shortest way, at the least group index, is over in time.
-  Mask<T> is_met(const transport::Photon<T> &photon,
-                 const T &least_group_index) const {
+  Mask<T> is_met(const transport::Photon<T>& photon, const T& least_group_index) const {
     using std::abs;
-    return photon.path + least_group_index * T(abs(z - photon.position.z)) <
-           path;
+    return photon.path + least_group_index * T(abs(z - photon.position.z)) < path;
   }
 };
 
-/// Of the laser's light, of which it has to meet one; `last_path`: the end of
-/// the last gate [m]. Points of a tilted lens may be nearer than its centre.
-/// Those of nested views are the same.
+/// Of the laser's light, of which it has to meet one; `last_path`: the end of the last gate [m].
+/// Points of a tilted lens may be nearer than its centre. Those of nested views are the same.
 template <class T>
-std::vector<Deadline<T>> deadlines_at_telescopes(const scene::Scene &scene,
-                                                 double last_path,
+std::vector<Deadline<T>> deadlines_at_telescopes(const scene::Scene& scene, double last_path,
                                                  double greatest_index) {
   const double path = last_path - way_ahead(scene.source);
   std::vector<Deadline<T>> deadlines;
   std::optional<double> lowest_in_air;
-  for (const NestedViews &views : nested_views(scene)) {
-    const scene::Telescope &t = scene.telescope[views.back()];
+  for (const NestedViews& views : nested_views(scene)) {
+    const scene::Telescope& t = scene.telescope[views.back()];
     const double rise = instrument::lens_rise(t);
     const double z = t.position_m.z;
-    if (z < 0)
-      deadlines.push_back(Deadline<T>::to(z, path + greatest_index * rise));
-    if (z >= 0)
-      lowest_in_air = std::min(z - rise, lowest_in_air.value_or(z - rise));
+    if (z < 0) deadlines.push_back(Deadline<T>::to(z, path + greatest_index * rise));
+    if (z >= 0) lowest_in_air = std::min(z - rise, lowest_in_air.value_or(z - rise));
   }
-  if (lowest_in_air)
-    deadlines.push_back(Deadline<T>::to(std::max(0.0, *lowest_in_air), path));
+  if (lowest_in_air) deadlines.push_back(Deadline<T>::to(std::max(0.0, *lowest_in_air), path));
   return deadlines;
 }
 
-/// Of a telescope's walks; `last_path`: of both walks together, at the end of
-/// the last gate [m].
+/// Of a telescope's walks; `last_path`: of both walks together, at the end of the last gate [m].
 template <class T>
-Deadline<T> deadline_at_laser(const scene::Scene &scene, double last_path) {
-  return Deadline<T>::to(scene.source.position_m.z,
-                         last_path + way_ahead(scene.source));
+Deadline<T> deadline_at_laser(const scene::Scene& scene, double last_path) {
+  return Deadline<T>::to(scene.source.position_m.z, last_path + way_ahead(scene.source));
 }
 
-} // namespace photic::estimator
+}  // namespace photic::estimator

@@ -15,25 +15,20 @@ namespace {
 using optics::PhaseView;
 /// So many numbers as there are in a row for so many environments.
 std::int32_t padded(std::int32_t environments) {
-  return (environments + environment_padding - 1) / environment_padding *
-         environment_padding;
+  return (environments + environment_padding - 1) / environment_padding * environment_padding;
 }
 
-/// Shares out the spectral_bins among the lines of a band: half of them by
-/// their photons, half of them evenly, for a channel's filter may let through
-/// one line alone.
+/// Shares out the spectral_bins among the lines of a band: half of them by their photons, half of
+/// them evenly, for a channel's filter may let through one line alone.
 std::vector<std::int32_t> spectral_bins_of(std::span<const Line> band) {
-  expect(2 * band.size() <= spectral_bins,
-         "a band has no more lines than half the spectral_bins");
+  expect(2 * band.size() <= spectral_bins, "a band has no more lines than half the spectral_bins");
   double all = 0;
-  for (const Line &line : band)
-    all += line.photons;
+  for (const Line& line : band) all += line.photons;
   std::vector<std::int32_t> count;
   double due = 0;
   std::int32_t given = 0;
-  for (const Line &line : band) {
-    due += spectral_bins * 0.5 *
-           (line.photons / all + 1 / static_cast<double>(band.size()));
+  for (const Line& line : band) {
+    due += spectral_bins * 0.5 * (line.photons / all + 1 / static_cast<double>(band.size()));
     const auto upto = static_cast<std::int32_t>(std::lround(due));
     count.push_back(upto - given);
     given = upto;
@@ -41,14 +36,13 @@ std::vector<std::int32_t> spectral_bins_of(std::span<const Line> band) {
   return count;
 }
 
-constexpr std::size_t phase_lines = std::size_t{PhaseView::lines} *
-                                    PhaseView::line_fields,
-                      phase_quantiles = std::size_t{PhaseView::quantiles} *
-                                        PhaseView::quantile_fields;
+constexpr std::size_t phase_lines = std::size_t{PhaseView::lines} * PhaseView::line_fields,
+                      phase_quantiles =
+                          std::size_t{PhaseView::quantiles} * PhaseView::quantile_fields;
 
-} // namespace
+}  // namespace
 
-std::int32_t Medium::add_phase(const optics::PhaseTable &table) {
+std::int32_t Medium::add_phase(const optics::PhaseTable& table) {
   const PhaseView v = table.view();
   const std::span lines{v.line.exact, phase_lines};
   const auto there = phase_lines_.numbers();
@@ -67,8 +61,7 @@ std::int32_t Medium::phase_count() const {
   return static_cast<std::int32_t>(phase_lines_.numbers().size() / phase_lines);
 }
 
-std::vector<double>
-Medium::depth_integrals(const std::vector<double> &coefficient) const {
+std::vector<double> Medium::depth_integrals(const std::vector<double>& coefficient) const {
   const auto n_layers = static_cast<std::size_t>(layers());
   std::vector<double> out;
   for (std::size_t l = 0; l < coefficient.size() / n_layers; ++l) {
@@ -76,21 +69,18 @@ Medium::depth_integrals(const std::vector<double> &coefficient) const {
     out.push_back(sum);
     for (std::size_t k = 0; k < n_layers; ++k) {
       const double per_metre = coefficient[l * n_layers + k];
-      if (per_metre != 0)
-        sum += per_metre * (top[k + 1] - top[k]); // the last layer has no end
+      if (per_metre != 0) sum += per_metre * (top[k + 1] - top[k]);  // the last layer has no end
       out.push_back(sum);
     }
   }
   return out;
 }
 
-TwinPairs Medium::with_integrals(const std::vector<double> &coefficient,
-                                 double at_bed) const {
-  auto to_tops = depth_integrals(coefficient); // and, of each line, to the bed
+TwinPairs Medium::with_integrals(const std::vector<double>& coefficient, double at_bed) const {
+  auto to_tops = depth_integrals(coefficient);  // and, of each line, to the bed
   if (bed_albedo.empty()) {
     const auto n_layers = static_cast<std::size_t>(layers());
-    for (std::size_t i = 0; i < coefficient.size(); ++i)
-      to_tops[i] = to_tops[i + i / n_layers];
+    for (std::size_t i = 0; i < coefficient.size(); ++i) to_tops[i] = to_tops[i + i / n_layers];
     to_tops.resize(coefficient.size());
   }
   return {with_bed<double>(coefficient, at_bed), to_tops};
@@ -101,26 +91,24 @@ std::vector<double> Medium::environment_rows() const {
   const auto stride = static_cast<std::size_t>(padded(environments.count));
   std::vector<double> out;
   /// Of a table [environment][row].
-  const auto add_rows = [&](const std::vector<double> &table) {
+  const auto add_rows = [&](const std::vector<double>& table) {
     const std::size_t rows = count > 0 ? table.size() / count : 0;
     for (std::size_t row = 0; row < rows; ++row) {
       for (std::size_t e = 0; e < stride; ++e)
         out.push_back(e < count ? table[e * rows + row] : 0.0);
     }
   };
-  const auto add = [&](const std::vector<double> &table,
-                       std::size_t numbers = 1) {
+  const auto add = [&](const std::vector<double>& table, std::size_t numbers = 1) {
     add_rows(with_bed<double>(table, 0.0, numbers));
   };
   add(environments.excess_c);
   auto to_edges = depth_integrals(environments.excess_c);
-  if (!bed_albedo.empty()) { // one more number behind each line's layers + 1
+  if (!bed_albedo.empty()) {  // one more number behind each line's layers + 1
     std::vector<double> longer;
     const auto row = static_cast<std::size_t>(layers()) + 1;
     for (std::size_t i = 0; i < to_edges.size(); ++i) {
       longer.push_back(to_edges[i]);
-      if ((i + 1) % row == 0)
-        longer.push_back(0);
+      if ((i + 1) % row == 0) longer.push_back(0);
     }
     to_edges = std::move(longer);
   }
@@ -137,18 +125,15 @@ std::vector<double> Medium::environment_rows() const {
 double Medium::scattering() const {
   double sum = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(layers()); ++k)
-    if (albedo[k] > 0)
-      sum += albedo[k] * c[k] * (top[k + 1] - top[k]);
+    if (albedo[k] > 0) sum += albedo[k] * c[k] * (top[k + 1] - top[k]);
   return sum;
 }
 
 double Medium::scattering_in(std::size_t environment, std::size_t cell) const {
   const auto parts = static_cast<std::size_t>(environments.parts);
-  const auto first =
-      environments.excess_part.begin() +
-      static_cast<std::ptrdiff_t>((environment * c.size() + cell) * parts);
-  return albedo[cell] * c[cell] *
-         std::accumulate(first, first + environments.parts, 1.0);
+  const auto first = environments.excess_part.begin() +
+                     static_cast<std::ptrdiff_t>((environment * c.size() + cell) * parts);
+  return albedo[cell] * c[cell] * std::accumulate(first, first + environments.parts, 1.0);
 }
 
 void Medium::finish() {
@@ -157,9 +142,8 @@ void Medium::finish() {
   const std::size_t cells = n_layers * n_lines;
   expect(n_layers >= 1 && n_lines >= 1 && top.front() == 0.0,
          "a medium has layers from the surface and lines");
-  expect(c.size() == cells && albedo.size() == cells &&
-             conversion.size() == cells && absorption.size() == cells &&
-             elastic_phase.size() == cells &&
+  expect(c.size() == cells && albedo.size() == cells && conversion.size() == cells &&
+             absorption.size() == cells && elastic_phase.size() == cells &&
              conversion_phase.size() == n_lines,
          "every table of the medium is complete");
   const auto of_lines = [&](auto value) {
@@ -167,10 +151,9 @@ void Medium::finish() {
     std::ranges::transform(line, std::back_inserter(out), value);
     return TwinTable(out);
   };
-  index_ = of_lines([](const Line &l) { return l.refractive_index; });
-  inverse_index_ =
-      of_lines([](const Line &l) { return 1 / l.refractive_index; });
-  group_index_ = of_lines([](const Line &l) { return l.group_index; });
+  index_ = of_lines([](const Line& l) { return l.refractive_index; });
+  inverse_index_ = of_lines([](const Line& l) { return 1 / l.refractive_index; });
+  group_index_ = of_lines([](const Line& l) { return l.group_index; });
   top_ = TwinTable(top);
   bed_albedo_ = TwinTable(bed_albedo);
   whitecap_reflectance_ = TwinTable(waves.whitecap_reflectance);
@@ -181,14 +164,12 @@ void Medium::finish() {
   absorption_ = TwinTable(with_bed<double>(absorption, 0.0));
   const auto to_edges = depth_integrals(c);
   std::vector<double> to_bed;
-  for (std::size_t l = 1; l <= n_lines; ++l)
-    to_bed.push_back(to_edges[l * (n_layers + 1) - 1]);
+  for (std::size_t l = 1; l <= n_lines; ++l) to_bed.push_back(to_edges[l * (n_layers + 1) - 1]);
   bed_tau_ = TwinTable(to_bed);
   by_depth_ = Layering(top, layers());
   environment_rows_ = TwinTable(environment_rows());
-  part_phase_ = IndexTableOwner(
-      with_bed<std::int32_t>(environments.part_phase, 0,
-                             static_cast<std::size_t>(environments.parts)));
+  part_phase_ = IndexTableOwner(with_bed<std::int32_t>(
+      environments.part_phase, 0, static_cast<std::size_t>(environments.parts)));
   elastic_phase_ = IndexTableOwner(with_bed<std::int32_t>(elastic_phase, {}));
   conversion_phase_ = IndexTableOwner(conversion_phase);
   finish_bands();
@@ -201,37 +182,27 @@ void Medium::finish_bands() {
   std::vector<double> emitted = conversion;
   std::vector<double> film_emission = film.emission;
   bands_ = 0;
-  for (std::size_t first = 1, end = 1; first < line.size();
-       first = end, ++bands_) {
-    while (end < line.size() && line[end].process == line[first].process)
-      ++end;
-    const auto count =
-        spectral_bins_of(std::span(line).subspan(first, end - first));
+  for (std::size_t first = 1, end = 1; first < line.size(); first = end, ++bands_) {
+    while (end < line.size() && line[end].process == line[first].process) ++end;
+    const auto count = spectral_bins_of(std::span(line).subspan(first, end - first));
     for (std::size_t l = first; l < end; ++l) {
       line_of_spectral_bin.insert(line_of_spectral_bin.end(),
                                   static_cast<std::size_t>(count[l - first]),
                                   static_cast<std::int32_t>(l));
       for (std::size_t k = 0; k < n_layers; ++k)
-        emitted[l * n_layers + k] *=
-            static_cast<double>(spectral_bins) / count[l - first];
-      if (film.exists)
-        film_emission[l] *=
-            static_cast<double>(spectral_bins) / count[l - first];
+        emitted[l * n_layers + k] *= static_cast<double>(spectral_bins) / count[l - first];
+      if (film.exists) film_emission[l] *= static_cast<double>(spectral_bins) / count[l - first];
     }
-    if (line[first].process == Process::oil)
-      film_band_ = bands_;
+    if (line[first].process == Process::oil) film_band_ = bands_;
     for (std::size_t k = 0; k < n_layers; ++k) {
-      const auto emits = [&](std::size_t l) {
-        return conversion[l * n_layers + k] > 0;
-      };
+      const auto emits = [&](std::size_t l) { return conversion[l * n_layers + k] > 0; };
       if (std::ranges::any_of(std::views::iota(first, end), emits))
         convertible[k].push_back(bands_);
     }
   }
   std::vector<std::int32_t> padded_lists, list_lengths;
-  if (!bed_albedo.empty())
-    convertible.emplace_back(); // nothing is converted there
-  for (auto &list : convertible) {
+  if (!bed_albedo.empty()) convertible.emplace_back();  // nothing is converted there
+  for (auto& list : convertible) {
     list_lengths.push_back(static_cast<std::int32_t>(list.size()));
     list.resize(static_cast<std::size_t>(bands_));
     padded_lists.insert(padded_lists.end(), list.begin(), list.end());
@@ -244,7 +215,7 @@ void Medium::finish_bands() {
 }
 
 WavesView Medium::waves_view() const {
-  const optics::SlopeLaw &s = waves.slopes;
+  const optics::SlopeLaw& s = waves.slopes;
   WavesView v;
   v.rough = !s.is_flat();
   v.one_dimensional = s.is_one_dimensional();
@@ -267,9 +238,7 @@ MediumView Medium::view() const {
   v.bands = bands_;
   v.places = v.layers + (bed_albedo.empty() ? 0 : 1);
   v.bed_angles =
-      bed_albedo.empty()
-          ? 0
-          : static_cast<std::int32_t>(bed_albedo.size() / line.size());
+      bed_albedo.empty() ? 0 : static_cast<std::int32_t>(bed_albedo.size() / line.size());
   v.bed_albedo = bed_albedo_.view();
   v.upside_down = upside_down;
   v.top = top_.view();
@@ -288,9 +257,9 @@ MediumView Medium::view() const {
   v.elastic_phase = elastic_phase_.view();
   v.conversion_phase = conversion_phase_.view();
   v.waves = waves_view();
-  v.film = {film.exists, film_band_, film_index_.view(),
-            film_optical_thickness_.view(), film_emission_.view()};
-  EnvironmentsView &e = v.environments;
+  v.film = {film.exists, film_band_, film_index_.view(), film_optical_thickness_.view(),
+            film_emission_.view()};
+  EnvironmentsView& e = v.environments;
   e.count = environments.count;
   e.first_tangent = environments.first_tangent;
   e.stride = padded(e.count);
@@ -306,8 +275,7 @@ MediumView Medium::view() const {
   e.other_surface = e.other_waves || (v.waves.rough && e.other_film);
   v.waves.isotropic = v.waves.isotropic && !e.other_waves;
   e.first_film = e.first_surface + (e.other_waves ? surface_rows : 0);
-  e.first_emission =
-      e.first_film + ways_at_film * v.lines * (film_angle_steps + 1);
+  e.first_emission = e.first_film + ways_at_film * v.lines * (film_angle_steps + 1);
   e.number = environment_rows_.table();
   e.part_phase = part_phase_.view();
   v.phases.line = phase_lines_.table();
@@ -318,8 +286,7 @@ MediumView Medium::view() const {
 
 std::int32_t Medium::layer_at(double depth_m) const {
   const auto below = std::upper_bound(top.begin(), top.end() - 1, depth_m);
-  return std::max<std::int32_t>(
-      0, static_cast<std::int32_t>(below - top.begin()) - 1);
+  return std::max<std::int32_t>(0, static_cast<std::int32_t>(below - top.begin()) - 1);
 }
 
-} // namespace photic::medium
+}  // namespace photic::medium

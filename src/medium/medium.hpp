@@ -1,11 +1,9 @@
-// The medium: everything a walk needs to know of the water, as flat immutable
-// tables.
+// The medium: everything a walk needs to know of the water, as flat immutable tables.
 //
-// Lines are the wavelengths light can have: line 0 is the laser's, the others
-// those that inelastic processes emit. Layers run from the surface (0) down. A
-// value of line l in layer k stands at l * layers + k. Where the sea bed
-// reflects light, it stands in the view's tables as one more layer below the
-// last, without thickness.
+// Lines are the wavelengths light can have: line 0 is the laser's, the others those that inelastic
+// processes emit. Layers run from the surface (0) down. A value of line l in layer k stands at
+// l * layers + k. Where the sea bed reflects light, it stands in the view's tables as one more
+// layer below the last, without thickness.
 #pragma once
 
 #include <cmath>
@@ -27,192 +25,180 @@ namespace photic::medium {
 
 using scene::Process;
 
-/// What a walk sees of the environments: other waters, whose echoes are those
-/// of the same paths with other weights. What light meets in them more or less
-/// than in the medium stands in rows of one number for each.
+/// What a walk sees of the environments: other waters, whose echoes are those of the same paths
+/// with other weights. What light meets in them more or less than in the medium stands in rows of
+/// one number for each.
 ///
-/// Behind the environments stand tangents, one for each parameter p that
-/// derivatives are asked for: for them a path's weight is 1 + p d ln(weight) /
-/// dp times what it is in the medium, and their rows hold p d/dp of what those
-/// of environments hold the differences of.
+/// Behind the environments stand tangents, one for each parameter p that derivatives are asked for:
+/// for them a path's weight is 1 + p d ln(weight) / dp times what it is in the medium, and their
+/// rows hold p d/dp of what those of environments hold the differences of.
 struct EnvironmentsView {
-  std::int32_t count = 0; ///< of environments and tangents
+  std::int32_t count = 0;  ///< of environments and tangents
   std::int32_t first_tangent = 0;
-  std::int32_t stride = 0; ///< from row to row: padded with zeros
-  std::int32_t parts =
-      0; ///< of the scattering that are more or less in some environment
-  std::int32_t first_depth = 0; ///< row of ...
-  std::int32_t first_emitted = 0, first_part = 0, first_bed = 0,
-               first_surface = 0;
-  bool other_waves = false; ///< some have other waves or whitecaps
-  bool other_film = false;  ///< some have another film of oil
-  bool other_surface =
-      false; ///< facets or whitecaps that light meets count: one of both
+  std::int32_t stride = 0;       ///< from row to row: padded with zeros
+  std::int32_t parts = 0;        ///< of the scattering that are more or less in some environment
+  std::int32_t first_depth = 0;  ///< row of ...
+  std::int32_t first_emitted = 0, first_part = 0, first_bed = 0, first_surface = 0;
+  bool other_waves = false;    ///< some have other waves or whitecaps
+  bool other_film = false;     ///< some have another film of oil
+  bool other_surface = false;  ///< facets or whitecaps that light meets count: one of both
   std::int32_t first_film = 0, first_emission = 0;
-  Table number;          ///< [row][environment]
-  IndexTable part_phase; ///< table in the medium's phases, [line][layer][part]
+  Table number;           ///< [row][environment]
+  IndexTable part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
 
 /// Rows are a multiple of this long: a whole number of packs, however wide.
 inline constexpr std::int32_t environment_padding = 16;
 
-/// The lines of a process are a band, between which photons are shared out: a
-/// photon has a spectral_bin, by which it is known beforehand in which line of
-/// each band its light is emitted, if it is.
+/// The lines of a process are a band, between which photons are shared out: a photon has a
+/// spectral_bin, by which it is known beforehand in which line of each band its light is emitted,
+/// if it is.
 inline constexpr std::int32_t spectral_bins = 512;
 
-template <class T> Index<T> spectral_bin_of(const T &u) {
+template <class T>
+Index<T> spectral_bin_of(const T& u) {
   return floor_index(u * T(spectral_bins));
 }
 
-/// An albedo of the sea bed that depends on the angle is known at the ends of
-/// so many steps.
+/// An albedo of the sea bed that depends on the angle is known at the ends of so many steps.
 inline constexpr std::int32_t bed_angle_steps = 256;
 
-/// What a film of an environment lets pass and reflects is known at the ends of
-/// so many even steps of sqrt(1 - cos).
+/// What a film of an environment lets pass and reflects is known at the ends of so many even steps
+/// of sqrt(1 - cos).
 inline constexpr std::int32_t film_angle_steps = 128;
 
 /// A depth [m] in a layer.
-template <class T> struct Level {
+template <class T>
+struct Level {
   Index<T> layer{};
   T depth{};
-  T below_top{}; ///< how far below the layer's upper edge
+  T below_top{};  ///< how far below the layer's upper edge
 };
 
-/// A coefficient at a level [1/m], and its integral from the surface straight
-/// down to there.
-template <class T> struct Column {
+/// A coefficient at a level [1/m], and its integral from the surface straight down to there.
+template <class T>
+struct Column {
   T coefficient{}, integral{};
 };
 
-/// What a walk sees of a Medium. Depths are positive down [m]; coefficients in
-/// 1/m.
+/// What a walk sees of a Medium. Depths are positive down [m]; coefficients in 1/m.
 struct MediumView {
   std::int32_t layers = 0, lines = 0, bands = 0;
-  std::int32_t places =
-      0; ///< where light is scattered: the layers, and a bed that reflects
-  std::int32_t bed_angles = 0; ///< 0: the sea bed is black
-  bool upside_down =
-      false; ///< it is the air above the sea, whose heights are depths here
-  ShortTable bed_albedo; ///< [line][bed_angles], see surface/lambert.hpp
-  ShortTable top;    ///< depth of a layer's upper edge; layers + 1 values, the
-                     ///< last may be inf
-  ShortTable albedo; ///< b / c, [line][layer]
-  // Coefficients and their integrals from the surface to a layer's top,
-  // [line][layer]:
-  ShortPairs c;          ///< attenuation
-  ShortTable bed_tau;    ///< the integral of c to the sea bed, [line]
-  LayeringView by_depth; ///< in one row, whose edges are `top`
-  ShortTable
-      conversion; ///< share of a collision at line 0 that emits at this line,
-                  ///< over the share of spectral_bins that may, [line][layer]
-  ShortTable
-      absorption; ///< share of a collision that ends the photon, [line][layer]
-  IndexTable convertible; ///< the bands that a layer emits in, [layer][bands]
-  IndexTable convertible_count;    ///< how many they are, [layer]
-  IndexTable line_of_spectral_bin; ///< the line of a band that a photon emits
-                                   ///< in, [band][spectral_bin]
-  ShortTable index;                ///< refractive index against air, [line]
-  ShortTable inverse_index;        ///< 1 / index, [line]
-  ShortTable group_index;          ///< [line]
-  IndexTable elastic_phase;        ///< table in `phases`, [line][layer]
-  IndexTable conversion_phase; ///< table in `phases`, [line]; of line 0 unused
+  std::int32_t places = 0;      ///< where light is scattered: the layers, and a bed that reflects
+  std::int32_t bed_angles = 0;  ///< 0: the sea bed is black
+  bool upside_down = false;     ///< it is the air above the sea, whose heights are depths here
+  ShortTable bed_albedo;        ///< [line][bed_angles], see surface/lambert.hpp
+  ShortTable top;     ///< depth of a layer's upper edge; layers + 1 values, the last may be inf
+  ShortTable albedo;  ///< b / c, [line][layer]
+  // Coefficients and their integrals from the surface to a layer's top, [line][layer]:
+  ShortPairs c;            ///< attenuation
+  ShortTable bed_tau;      ///< the integral of c to the sea bed, [line]
+  LayeringView by_depth;   ///< in one row, whose edges are `top`
+  ShortTable conversion;   ///< share of a collision at line 0 that emits at this line, over the
+                           ///< share of spectral_bins that may, [line][layer]
+  ShortTable absorption;   ///< share of a collision that ends the photon, [line][layer]
+  IndexTable convertible;  ///< the bands that a layer emits in, [layer][bands]
+  IndexTable convertible_count;  ///< how many they are, [layer]
+  IndexTable
+      line_of_spectral_bin;     ///< the line of a band that a photon emits in, [band][spectral_bin]
+  ShortTable index;             ///< refractive index against air, [line]
+  ShortTable inverse_index;     ///< 1 / index, [line]
+  ShortTable group_index;       ///< [line]
+  IndexTable elastic_phase;     ///< table in `phases`, [line][layer]
+  IndexTable conversion_phase;  ///< table in `phases`, [line]; of line 0 unused
   optics::PhaseView phases;
   WavesView waves;
   FilmView film;
   EnvironmentsView environments;
 
-  template <class I> I at(const I &line, const I &layer) const {
+  template <class I>
+  I at(const I& line, const I& layer) const {
     return line * I(places) + layer;
   }
 
-  /// The line that a photon of a spectral_bin emits in, if it is the i-th band
-  /// of its layer that it does.
+  /// The line that a photon of a spectral_bin emits in, if it is the i-th band of its layer that it
+  /// does.
   template <class T>
-  Index<T> emitted_line(const Index<T> &layer, const Index<T> &i,
-                        const Index<T> &spectral_bin) const {
-    const Index<T> band =
-        gather_index<T>(convertible, layer * Index<T>(bands) + i);
-    return gather_index<T>(line_of_spectral_bin,
-                           band * Index<T>(spectral_bins) + spectral_bin);
+  Index<T> emitted_line(const Index<T>& layer, const Index<T>& i,
+                        const Index<T>& spectral_bin) const {
+    const Index<T> band = gather_index<T>(convertible, layer * Index<T>(bands) + i);
+    return gather_index<T>(line_of_spectral_bin, band * Index<T>(spectral_bins) + spectral_bin);
   }
 
   /// The layer that ways from a place go through: of the bed the last one.
-  template <class T> Index<T> layer_of(const Index<T> &place) const {
-    if (bed_angles == 0)
-      return place;
+  template <class T>
+  Index<T> layer_of(const Index<T>& place) const {
+    if (bed_angles == 0) return place;
     return select(place == Index<T>(layers), place - Index<T>(1), place);
   }
   template <class T>
-  Level<T> level(const Index<T> &place, const T &depth) const {
+  Level<T> level(const Index<T>& place, const T& depth) const {
     const Index<T> layer = layer_of<T>(place);
     return {layer, depth, depth - gather<T>(top, layer)};
   }
 
   /// Optical depth from the surface straight down to a level.
   template <class T>
-  T optical_depth(const Index<T> &line, const Level<T> &at) const {
+  T optical_depth(const Index<T>& line, const Level<T>& at) const {
     return column(c, line, at).integral;
   }
 
   /// Optical depth of a straight way of the given length between two levels.
   template <class T>
-  T slant_optical_depth(const Index<T> &line, const Level<T> &from,
-                        const Level<T> &to, const T &length) const {
+  T slant_optical_depth(const Index<T>& line, const Level<T>& from, const Level<T>& to,
+                        const T& length) const {
     return slant(c, line, from, to, length);
   }
 
-  // Rows of the environments' numbers: attenuation less the medium's [1/m], its
-  // integral from the surface to a layer's top, emitted light over the medium's
-  // less 1, and a part's scattering less the medium's, over all scattering of
-  // the medium.
-  template <class I> I excess_c(const I &line, const I &layer) const {
+  // Rows of the environments' numbers: attenuation less the medium's [1/m], its integral from the
+  // surface to a layer's top, emitted light over the medium's less 1, and a part's scattering less
+  // the medium's, over all scattering of the medium.
+  template <class I>
+  I excess_c(const I& line, const I& layer) const {
     return at(line, layer);
   }
-  template <class I> I excess_depth_tau(const I &line, const I &layer) const {
+  template <class I>
+  I excess_depth_tau(const I& line, const I& layer) const {
     return I(environments.first_depth) + line * I(places + 1) + layer;
   }
-  template <class I> I excess_emitted(const I &line, const I &layer) const {
+  template <class I>
+  I excess_emitted(const I& line, const I& layer) const {
     return I(environments.first_emitted) + at(line, layer);
   }
   template <class I>
-  I excess_part(const I &line, const I &layer, std::int32_t part) const {
-    return I(environments.first_part + part) +
-           at(line, layer) * I(environments.parts);
+  I excess_part(const I& line, const I& layer, std::int32_t part) const {
+    return I(environments.first_part + part) + at(line, layer) * I(environments.parts);
   }
   /// The bed's albedo less the medium's, at an angle of it.
-  template <class I> I excess_bed(const I &line, const I &angle) const {
+  template <class I>
+  I excess_bed(const I& line, const I& angle) const {
     return I(environments.first_bed) + line * I(bed_angles) + angle;
   }
-  /// How much less light goes on at a film by a way
-  /// (surface/film_crossing.hpp), as an optical depth, at the end of a step.
+  /// How much less light goes on at a film by a way (surface/film_crossing.hpp), as an optical
+  /// depth, at the end of a step.
   template <class I>
-  I film_row(const I &way, const I &line, const I &step) const {
-    return I(environments.first_film) +
-           (way * I(lines) + line) * I(film_angle_steps + 1) + step;
+  I film_row(const I& way, const I& line, const I& step) const {
+    return I(environments.first_film) + (way * I(lines) + line) * I(film_angle_steps + 1) + step;
   }
 
-protected:
+ protected:
   template <class T>
-  Column<T> column(const ShortPairs &coefficient, const Index<T> &line,
-                   const Level<T> &level) const {
-    const auto [here, above] =
-        gather_pair<T>(coefficient, at(line, level.layer));
+  Column<T> column(const ShortPairs& coefficient, const Index<T>& line,
+                   const Level<T>& level) const {
+    const auto [here, above] = gather_pair<T>(coefficient, at(line, level.layer));
     return {here, above + here * level.below_top};
   }
   template <class T>
-  T slant(const ShortPairs &coefficient, const Index<T> &line,
-          const Level<T> &from, const Level<T> &to, const T &length) const {
+  T slant(const ShortPairs& coefficient, const Index<T>& line, const Level<T>& from,
+          const Level<T>& to, const T& length) const {
     if (all(from.layer == to.layer))
       return gather<T>(coefficient.first, at(line, from.layer)) * length;
-    return across(from, column(coefficient, line, from), to,
-                  column(coefficient, line, to), length);
+    return across(from, column(coefficient, line, from), to, column(coefficient, line, to), length);
   }
   /// Straight between two levels, also of one layer.
   template <class T>
-  static T across(const Level<T> &from, const Column<T> &first,
-                  const Level<T> &to, const Column<T> &last, const T &length) {
+  static T across(const Level<T>& from, const Column<T>& first, const Level<T>& to,
+                  const Column<T>& last, const T& length) {
     using std::abs;
     const Mask<T> same = from.layer == to.layer;
     const T rise = select(same, T(1), abs(from.depth - to.depth));
@@ -228,76 +214,63 @@ struct Line {
   double wavelength_nm = 0;
   double refractive_index = 1;
   double group_index = 1;
-  double photons = 1;     ///< in it, relative to others of its process
-  double lifetime_ns = 0; ///< mean time from excitation to emission
-  std::vector<double> counted_by =
-      {}; ///< each channel of the scene: the share of its light
+  double photons = 1;                   ///< in it, relative to others of its process
+  double lifetime_ns = 0;               ///< mean time from excitation to emission
+  std::vector<double> counted_by = {};  ///< each channel of the scene: the share of its light
 };
 
 /// The tables of the environments.
 struct EnvironmentTables {
-  std::int32_t count = 0, first_tangent = 0; ///< as in EnvironmentsView
+  std::int32_t count = 0, first_tangent = 0;  ///< as in EnvironmentsView
   std::int32_t parts = 0;
-  std::vector<double>
-      excess_c, ///< attenuation less the medium's, [environment][line][layer]
-      excess_emitted, ///< emitted light over the medium's, less 1, as above
-      excess_bed,     ///< the bed's albedo less the medium's,
-                      ///< [environment][line][angle]
-      excess_part;    ///< a part's scattering less the medium's, over all
-                      ///< scattering of the medium,
-                      ///< [environment][line][layer][part]
-  /// Of films that differ from the medium's, or none if all are as that: as an
-  /// optical depth, how much less light goes on,
-  /// [environment][way][line][angle]; and two films and what their difference
-  /// counts, [environment][row]: each has the optical thickness of each line,
-  /// and its yield over the medium's.
+  std::vector<double> excess_c,  ///< attenuation less the medium's, [environment][line][layer]
+      excess_emitted,            ///< emitted light over the medium's, less 1, as above
+      excess_bed,                ///< the bed's albedo less the medium's, [environment][line][angle]
+      excess_part;  ///< a part's scattering less the medium's, over all scattering of the medium,
+                    ///< [environment][line][layer][part]
+  /// Of films that differ from the medium's, or none if all are as that: as an optical depth, how
+  /// much less light goes on, [environment][way][line][angle]; and two films and what their
+  /// difference counts, [environment][row]: each has the optical thickness of each line, and its
+  /// yield over the medium's.
   std::vector<double> film, film_emission;
-  std::vector<double> surface; ///< [environment][row], see SurfaceRow; none:
-                               ///< all as the medium's
-  std::vector<std::int32_t>
-      part_phase; ///< table in the medium's phases, [line][layer][part]
+  std::vector<double> surface;  ///< [environment][row], see SurfaceRow; none: all as the medium's
+  std::vector<std::int32_t> part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
 
 /// A rough sea surface.
 struct Waves {
-  optics::SlopeLaw slopes; ///< flat: nothing else counts
-  double upwind_x = 1,
-         upwind_y = 0; ///< towards where the wind comes from, a unit vector
+  optics::SlopeLaw slopes;            ///< flat: nothing else counts
+  double upwind_x = 1, upwind_y = 0;  ///< towards where the wind comes from, a unit vector
   double whitecap_fraction = 0;
-  std::vector<double>
-      whitecap_reflectance; ///< from above, [line]; empty if there are none
+  std::vector<double> whitecap_reflectance;  ///< from above, [line]; empty if there are none
 };
 
 /// A film of oil.
 struct Film {
   bool exists = false;
-  std::vector<double> index, optical_thickness,
-      emission; ///< as in FilmView, emission over all
-                ///< spectral bins, [line]
+  std::vector<double> index, optical_thickness, emission;  ///< as in FilmView, emission over all
+                                                           ///< spectral bins, [line]
 };
 
 /// Owns what a MediumView points to.
 class Medium {
-public:
+ public:
   std::vector<Line> line;
   std::vector<double> top, c, albedo, conversion, absorption;
   std::vector<std::int32_t> elastic_phase, conversion_phase;
-  /// Of a sea bed that reflects light, its albedo at angles
-  /// (surface/lambert.hpp), [line][angle]; empty if it is black.
+  /// Of a sea bed that reflects light, its albedo at angles (surface/lambert.hpp), [line][angle];
+  /// empty if it is black.
   std::vector<double> bed_albedo;
-  std::int32_t beam_lobe =
-      0; ///< table of a narrow lobe, for walks that look for the laser's beam
+  std::int32_t beam_lobe = 0;  ///< table of a narrow lobe, for walks that look for the laser's beam
   Waves waves;
   Film film;
-  bool upside_down = false; ///< see upside_down.hpp
-  double scattering_to_instrument =
-      0; ///< optical depth of it from there to the sea, if it is
+  bool upside_down = false;             ///< see upside_down.hpp
+  double scattering_to_instrument = 0;  ///< optical depth of it from there to the sea, if it is
   EnvironmentTables environments;
-  std::vector<Source> sources; ///< of all that it is made of
+  std::vector<Source> sources;  ///< of all that it is made of
 
-  /// Adds a phase function, or finds the equal one that is there already;
-  /// returns its number.
-  std::int32_t add_phase(const optics::PhaseTable &table);
+  /// Adds a phase function, or finds the equal one that is there already; returns its number.
+  std::int32_t add_phase(const optics::PhaseTable& table);
 
   [[nodiscard]] std::int32_t phase_count() const;
 
@@ -305,46 +278,37 @@ public:
   void finish();
 
   [[nodiscard]] MediumView view() const;
-  [[nodiscard]] std::int32_t layers() const {
-    return static_cast<std::int32_t>(top.size()) - 1;
-  }
+  [[nodiscard]] std::int32_t layers() const { return static_cast<std::int32_t>(top.size()) - 1; }
   /// The layer a depth lies in; a depth on an edge belongs to the layer below.
   [[nodiscard]] std::int32_t layer_at(double depth_m) const;
   /// Optical depth of the laser's light by scattering, through all layers.
   [[nodiscard]] double scattering() const;
   /// Scattering in an environment, of a line and layer [1/m].
-  [[nodiscard]] double scattering_in(std::size_t environment,
-                                     std::size_t cell) const;
-  /// Integrals over depth from the surface to the layers' edges, [line][layers
-  /// + 1], for as many lines as there are coefficients of.
-  [[nodiscard]] std::vector<double>
-  depth_integrals(const std::vector<double> &coefficient) const;
-  /// A table [line][layer], so many numbers each, with those of a bed that
-  /// reflects; none: as in the last layer.
+  [[nodiscard]] double scattering_in(std::size_t environment, std::size_t cell) const;
+  /// Integrals over depth from the surface to the layers' edges, [line][layers + 1], for as many
+  /// lines as there are coefficients of.
+  [[nodiscard]] std::vector<double> depth_integrals(const std::vector<double>& coefficient) const;
+  /// A table [line][layer], so many numbers each, with those of a bed that reflects; none: as in
+  /// the last layer.
   template <class Number>
-  [[nodiscard]] std::vector<Number> with_bed(const std::vector<Number> &table,
+  [[nodiscard]] std::vector<Number> with_bed(const std::vector<Number>& table,
                                              std::optional<Number> at_bed,
                                              std::size_t numbers = 1) const {
-    if (bed_albedo.empty())
-      return table;
+    if (bed_albedo.empty()) return table;
     const std::size_t row = static_cast<std::size_t>(layers()) * numbers;
     std::vector<Number> out;
-    for (auto from = table.begin(); from != table.end();
-         from += static_cast<std::ptrdiff_t>(row)) {
+    for (auto from = table.begin(); from != table.end(); from += static_cast<std::ptrdiff_t>(row)) {
       out.insert(out.end(), from, from + static_cast<std::ptrdiff_t>(row));
       for (std::size_t k = 0; k < numbers; ++k)
-        out.push_back(
-            at_bed ? *at_bed
-                   : *(from + static_cast<std::ptrdiff_t>(row - numbers + k)));
+        out.push_back(at_bed ? *at_bed : *(from + static_cast<std::ptrdiff_t>(row - numbers + k)));
     }
     return out;
   }
-  /// A coefficient and its integrals to the layers' tops, [line][place]; on the
-  /// bed it is `at_bed`.
-  [[nodiscard]] TwinPairs with_integrals(const std::vector<double> &coefficient,
+  /// A coefficient and its integrals to the layers' tops, [line][place]; on the bed it is `at_bed`.
+  [[nodiscard]] TwinPairs with_integrals(const std::vector<double>& coefficient,
                                          double at_bed) const;
 
-private:
+ private:
   [[nodiscard]] WavesView waves_view() const;
   /// The environments' numbers, [row][environment].
   [[nodiscard]] std::vector<double> environment_rows() const;
@@ -352,17 +316,16 @@ private:
   void finish_bands();
 
   /// The tables of the view, in both precisions.
-  TwinTable bed_albedo_, top_, albedo_, conversion_, absorption_, bed_tau_,
-      index_, inverse_index_, group_index_, environment_rows_,
-      whitecap_reflectance_, film_index_, film_optical_thickness_,
+  TwinTable bed_albedo_, top_, albedo_, conversion_, absorption_, bed_tau_, index_, inverse_index_,
+      group_index_, environment_rows_, whitecap_reflectance_, film_index_, film_optical_thickness_,
       film_emission_;
   TwinPairs c_;
-  IndexTableOwner convertible_, convertible_count_, line_of_spectral_bin_,
-      elastic_phase_, conversion_phase_, part_phase_;
+  IndexTableOwner convertible_, convertible_count_, line_of_spectral_bin_, elastic_phase_,
+      conversion_phase_, part_phase_;
   Layering by_depth_;
   std::int32_t bands_ = 0, film_band_ = -1;
   TwinTable phase_lines_, phase_quantiles_,
-      phase_cores_; ///< of all phase functions, one behind the other
+      phase_cores_;  ///< of all phase functions, one behind the other
 };
 
-} // namespace photic::medium
+}  // namespace photic::medium

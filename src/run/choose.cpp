@@ -109,11 +109,19 @@ scene::Simulation best_of(const estimator::Model& model, const std::vector<Conte
   return best;
 }
 
+/// The model that pilots run. Of a scene with air they follow the light in the water alone, weakened
+/// by the air: gates above the sea would outvote those below, and any estimator knows them.
+estimator::Model pilot_model(const scene::Scene& scene) {
+  estimator::Model model = estimator::make_model(scene);
+  model.air.reset();
+  return model;
+}
+
 /// A scene that names the bidirectional estimator, and leaves open whether walks are free.
 scene::Scene choose_free_walks(const scene::Scene& scene, const RunOptions& options) {
   const scene::Simulation& asked = scene.simulation;
   if (asked.free_telescope_meetings && asked.free_laser_meetings) return scene;
-  const estimator::Model model = estimator::make_model(scene);
+  const estimator::Model model = pilot_model(scene);
   const auto free = open_free_meetings(model, model.scene.simulation, options);
   std::vector<Contender> all;
   add_bidirectional(asked, "without free walks", free, all);
@@ -143,7 +151,7 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
     simulation.estimator_reason = "the bidirectional one has no " + *reason;
     return chosen;
   }
-  const estimator::Model model = estimator::make_model(scene);
+  const estimator::Model model = pilot_model(scene);
   simulation = best_of(model, contenders(model, options), usual_bidirectional(model), options);
   return chosen;
 }

@@ -17,6 +17,11 @@ void check_what_is_below(const Scene& scene, Findings& findings) {
     check(below(below("telescope", i), "position_m"), scene.telescope[i].position_m.z);
   if (scene.oil && findings.good({"oil"}))
     findings.add("oil", "a film of oil has no air above it yet", "leave [oil] or [atmosphere] out");
+  const std::string alone = "leave [atmosphere] out, or ask for one water";
+  if (!scene.environment.empty() && findings.good({"environment"}))
+    findings.add("environment", "there is no air above environments yet", alone);
+  if (!scene.sensitivity.empty() && findings.good({"sensitivity"}))
+    findings.add("sensitivity", "derivatives do not know the air above the sea yet", alone);
 }
 
 void check_heights(const std::vector<AirLayer>& layers, Findings& findings) {

@@ -78,8 +78,8 @@ class Pool {
   template <class Events, class Witness>
   void run(tally::BatchTally& tally, Witness& witness) {
     const auto all = [this](auto stage) { each_of(pack_.data(), used_, stage); };
-    auto steps = steps_of<Events>(
-        tally, [this](std::uint32_t block) { draw(pack_.data(), used_, block); });
+    auto steps =
+        steps_of<Events>(tally, [this](std::uint32_t block) { draw(pack_.data(), used_, block); });
     for (fill<Events>(tally); used_ > 0; fill<Events>(tally)) {
       collisions(steps, all);
       tell(witness);
@@ -189,8 +189,8 @@ class Pool {
     std::size_t came = 0;
     for (; came < packs && arrivals_->size() > 0; ++came)
       newborn_[came].on = arrivals_->pop(Mask<T>(true), newborn_[came]);
-    auto steps = steps_of<Events>(
-        tally, [&](std::uint32_t block) { draw(newborn_.data(), came, block); });
+    auto steps =
+        steps_of<Events>(tally, [&](std::uint32_t block) { draw(newborn_.data(), came, block); });
     const auto all = [&](auto stage) { each_of(newborn_.data(), came, stage); };
     flights(steps, all);
     all([&](auto& t) { wait(t); });

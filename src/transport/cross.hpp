@@ -21,8 +21,7 @@ Mask<T> come_down(const geometry::Region<T>& from, Photon<T>& photon) {
   photon.path = photon.path + select(downward, distance, T(0));
   if (from.air.size > 0) [[unlikely]] {
     const T cosine = select(downward, T(0) - photon.direction.z, T(1));
-    photon.weight =
-        photon.weight * select(downward, from.through_air(photon.line, cosine), T(1));
+    photon.weight = photon.weight * select(downward, from.through_air(photon.line, cosine), T(1));
   }
   return downward;
 }

@@ -102,7 +102,8 @@ class WalkSteps {
       w = cross_waves(sea_, source_, walks_, w);
       return;
     }
-    const Mask<T> reflected = reflect_at_surface(sea_, w, Mask<T>(false), ledger, [](const auto&...) {});
+    const Mask<T> reflected =
+        reflect_at_surface(sea_, w, Mask<T>(false), ledger, [](const auto&...) {});
     w.leg.reflected = w.leg.reflected | reflected;
   }
 

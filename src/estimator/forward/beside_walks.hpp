@@ -1,6 +1,5 @@
-// Histories of the forward estimator beside the walks of the bidirectional one,
-// where a film of oil shines. They score what walks leave out: the film's
-// light, and the surface's own echo.
+// Histories of the forward estimator beside the walks of the bidirectional one, where a film of oil
+// shines. They score what walks leave out: the film's light, and the surface's own echo.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +15,10 @@ namespace photic::estimator {
 inline constexpr std::uint64_t beside_walks_stream = 0x5be0cd19137e2179;
 
 /// A world of such histories, and the model that it looks into.
-template <class T> class BesideWalks {
-public:
-  BesideWalks(const Model &walks, const World<T> &of_walks)
+template <class T>
+class BesideWalks {
+ public:
+  BesideWalks(const Model& walks, const World<T>& of_walks)
       : model_(by_histories(walks)), world_(make_world<T>(model_)) {
     world_.scored = Scored::film;
     // What the water converts is left to the walks.
@@ -30,22 +30,23 @@ public:
     if (world_.points.dimensions() > 0)
       world_.points = {world_.batch_photons, quasi_random_dimensions};
   }
-  BesideWalks(const BesideWalks &) = delete;
-  BesideWalks &operator=(const BesideWalks &) = delete;
+  BesideWalks(const BesideWalks&) = delete;
+  BesideWalks& operator=(const BesideWalks&) = delete;
 
-  [[nodiscard]] const World<T> &world() const { return world_; }
+  [[nodiscard]] const World<T>& world() const { return world_; }
 
-  /// Has run() follow them. The accounts of their weights are not kept: light
-  /// of the laser is in those of the walks.
-  template <class Run> static void follow(tally::BatchTally &tally, Run run) {
+  /// Has run() follow them. The accounts of their weights are not kept: light of the laser is in
+  /// those of the walks.
+  template <class Run>
+  static void follow(tally::BatchTally& tally, Run run) {
     const tally::Ledger of_walks = tally.ledger;
     run();
     tally.ledger = of_walks;
   }
 
-private:
+ private:
   Model model_;
   World<T> world_;
 };
 
-} // namespace photic::estimator
+}  // namespace photic::estimator

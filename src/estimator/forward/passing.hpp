@@ -15,8 +15,8 @@ inline constexpr std::uint32_t passing_blocks = std::uint32_t{1} << 23;
 
 /// Calls leave(photons, copy) for those of a mask whose light goes on in the other medium, in a
 /// direction and with a weight. Who has not been scattered yet is left out: what of the laser's
-/// light comes straight through the air sets out in the water by itself. `meeting`: of the event; `copy`:
-/// what their new random numbers are drawn by.
+/// light comes straight through the air sets out in the water by itself. `meeting`: of the event;
+/// `copy`: what their new random numbers are drawn by.
 template <class T, class Leave>
 void pass_surface(const World<T>& world, const Travellers<T>& t, const Mask<T>& mask,
                   const Vec3<T>& direction, const T& weight, std::uint32_t meeting, Leave leave) {

@@ -38,7 +38,8 @@ struct ForwardSteps {
 
   /// What is scored of a flight before it begins.
   void look_ahead(Travellers<T>& t) {
-    if (!world.cones.empty()) score_on_the_way<Events>(world, t, t.on, estimates, tally);
+    if (!world.cones.empty())
+      score_on_the_way<Events>(world, t, who_are_scored(world, t, t.on), estimates, tally);
     if constexpr (Events::tools) begin_with_tools(world, t, t.on, ledger);
     score_further_points<Events>(world, t, estimates, tally);
   }
@@ -199,8 +200,7 @@ struct ForwardSteps {
 template <class Events, class T, class Ledger, class Draw, class Leave>
 auto forward_steps(const World<T>& world, Ledger& ledger, tally::BatchTally& tally,
                    Estimates<T>& estimates, Draw draw, Leave leave) {
-  return ForwardSteps<Events, T, Ledger, Draw, Leave>{world,     ledger, tally,
-                                                      estimates, draw,   leave};
+  return ForwardSteps<Events, T, Ledger, Draw, Leave>{world, ledger, tally, estimates, draw, leave};
 }
 
 }  // namespace photic::estimator
