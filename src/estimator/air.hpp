@@ -38,7 +38,7 @@ inline double share_that_passes(const medium::Medium& air) {
 template <class T>
 void join(const Model& air, const scene::Source& source, World<T>& water_world,
           World<T>& air_world) {
-  const T ahead = T(way_ahead(source));
+  const T ahead = T(way_ahead(source) - delay_along_axis(source, air.medium.line.front(), 0));
   water_world.beyond = {true, T(share_that_passes(air.medium)), ahead};
   air_world.beyond = {true, T(1), T(0) - ahead};
   water_world.flies_on = air_world.flies_on = false;  // past the surface without meeting it

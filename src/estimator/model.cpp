@@ -96,10 +96,11 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
 }
 
 /// See Model.
-std::vector<TwinTable> air_depths(const scene::Scene& scene, const medium::Air& air) {
-  std::vector<TwinTable> out;
+std::vector<AirTables> air_tables_of(const scene::Scene& scene, const medium::Air& air) {
+  std::vector<AirTables> out;
   const auto add = [&](const Vec3<double>& position) {
-    out.emplace_back(medium::depths_to(air, position.z));
+    const auto column = medium::column_to(air, position.z);
+    out.push_back({TwinTable(column.optical_depth), TwinTable(column.delay_m)});
   };
   add(scene.source.position_m);
   for (const auto& t : scene.telescope) add(t.position_m);
@@ -114,17 +115,21 @@ medium::Line channel_line(const scene::Channel& channel, std::size_t c,
   double all = 0;
   double wavelength = 0;
   double refractive_index = 0, group_index = 0;
+  std::vector<double> air_delay_m(mean.air_delay_m.size());
   for (const auto& line : lines) {
     const double counted = line.photons * line.counted_by[c];
     all += counted;
     wavelength += counted * line.wavelength_nm;
     refractive_index += counted * line.refractive_index;
     group_index += counted * line.group_index;
+    for (std::size_t i = 0; i < air_delay_m.size(); ++i)
+      air_delay_m[i] += counted * line.air_delay_m[i];
   }
   if (all > 0) {
     mean.wavelength_nm = wavelength / all;
     mean.refractive_index = refractive_index / all;
     mean.group_index = group_index / all;
+    for (std::size_t i = 0; i < air_delay_m.size(); ++i) mean.air_delay_m[i] = air_delay_m[i] / all;
   } else if (channel.centre_nm) {
     mean.wavelength_nm = *channel.centre_nm;
   }
@@ -156,8 +161,12 @@ scene::Check optics_check() {
 Model make_model(const scene::Scene& scene) {
   const optics::Library library(optics::find_data_folder());
   auto medium = medium::build_medium(scene, library);
-  tally::Gates gates(scene, medium.line);
   auto air = medium::build_air(scene, medium.line);
+  auto tables = air ? air_tables_of(scene, *air) : std::vector<AirTables>{};
+  for (const AirTables& to : tables)
+    for (std::size_t l = 0; l < medium.line.size(); ++l)
+      medium.line[l].air_delay_m.push_back(to.delay.numbers()[l]);
+  tally::Gates gates(scene, medium.line);
   auto shape = make_shape(scene, medium, air.has_value(), gates);
   scene::Scene effective = scene;
   if (scene.simulation.estimator == scene::Estimator::bidirectional)
@@ -168,9 +177,8 @@ Model make_model(const scene::Scene& scene) {
   }
   auto paths = free_paths(medium, scene.simulation);
   auto averaged = averaged_phases(scene, medium);
-  auto depths = air ? air_depths(scene, *air) : std::vector<TwinTable>{};
   return {std::move(effective), std::move(medium),   std::move(paths), std::move(gates),
-          std::move(shape),     std::move(averaged), std::move(air),   std::move(depths)};
+          std::move(shape),     std::move(averaged), std::move(air),   std::move(tables)};
 }
 
 Model simulated_by(const Model& model, const scene::Simulation& simulation) {
@@ -182,7 +190,7 @@ Model simulated_by(const Model& model, const scene::Simulation& simulation) {
 }
 
 tally::Result describe(const Model& model) {
-  const auto& [scene, medium, paths, gates, shape, averaged, air, air_depth] = model;
+  const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables] = model;
   tally::Result result;
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
   for (const auto& e : scene.environment) {

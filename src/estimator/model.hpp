@@ -5,9 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "estimator/averaged_phases.hpp"
 #include "core/twin_table.hpp"
+#include "estimator/averaged_phases.hpp"
 #include "geometry/free_paths.hpp"
+#include "geometry/region.hpp"
 #include "medium/air.hpp"
 #include "medium/medium.hpp"
 #include "scene/read.hpp"
@@ -25,6 +26,13 @@ inline std::uint64_t batch_photons(const scene::Simulation& simulation) {
   return simulation.estimator == scene::Estimator::bidirectional ? 2000 : 8000;
 }
 
+/// A medium::AirColumn as lanes read it.
+struct AirTables {
+  TwinTable optical_depth, delay;  ///< [line]
+
+  [[nodiscard]] geometry::AirColumn view() const { return {optical_depth.view(), delay.view()}; }
+};
+
 struct Model {
   scene::Scene scene;  ///< with what it leaves to the water (walk_attenuation)
   medium::Medium medium;
@@ -33,8 +41,8 @@ struct Model {
   tally::Shape shape;
   AveragedPhaseTables averaged;  ///< of scenes with free walks
   std::optional<medium::Air> air;
-  std::vector<TwinTable> air_depth;  ///< of the laser and each telescope, from there straight down
-                                     ///< to the sea, [line]; none where the air is clear
+  /// Between the sea and the laser, and each telescope; none where the air is clear.
+  std::vector<AirTables> air_tables;
 };
 
 /// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. The

@@ -297,7 +297,7 @@ inline bool spreads_evenly(const scene::Scene& scene) {
 
 template <class T>
 World<T> make_world(const Model& model) {
-  const auto& [scene, medium, paths, gates, shape, averaged, air, air_depth] = model;
+  const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables] = model;
   World<T> world;
   world.estimator = scene.simulation.estimator;
   world.sea = paths.slabs(medium);
@@ -310,12 +310,16 @@ World<T> make_world(const Model& model) {
     const bool in_air = !geometry::stands_in_water(instrument.position_m);
     return geometry::Region<T>{
         in_air, Index<T>(layer(instrument)),
-        in_air && !air_depth.empty() ? air_depth[number].view() : ShortTable{}};
+        in_air && !air_tables.empty() ? air_tables[number].view() : geometry::AirColumn{}};
   };
   world.laser_region = region(scene.source, 0);
   for (const auto& t : scene.telescope) {
     world.telescopes.push_back(instrument::make_telescope<T>(from_origin(t, origin)));
-    world.path_to_origin.push_back(path_to_origin(scene.source, from_origin(t, origin)));
+    double left_out = path_to_origin(scene.source, from_origin(t, origin));
+    if (medium.upside_down)  // as if it all came from below where light is scattered
+      left_out += delay_along_axis(scene.source, medium.line.front(), 0) +
+                  delay_along_axis(t, medium.line.front(), world.telescopes.size());
+    world.path_to_origin.push_back(left_out);
     world.telescope_region.push_back(region(t, world.telescopes.size()));
   }
   add_groups(scene, world);

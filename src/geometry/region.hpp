@@ -8,20 +8,33 @@
 
 namespace photic::geometry {
 
+/// The air straight up from the sea to an instrument; without numbers where it is clear.
+struct AirColumn {
+  ShortTable optical_depth;  ///< [line]
+  ShortTable delay;          ///< by how much the group path is longer than in a vacuum [m], [line]
+
+  [[nodiscard]] bool exists() const { return optical_depth.size > 0; }
+};
+
 /// Where something stands: in the air above the surface, or in a layer of the water.
 template <class T>
 struct Region {
   bool in_air = false;
   Index<T> layer{};  ///< of what stands in the water
-  ShortTable air{};  ///< of what stands in the air, the optical depth straight down to the sea,
-                     ///< [line]; without numbers where the air is clear
+  AirColumn air{};   ///< below what stands in the air
 
   /// The share of a line's light that gets between there and the sea without meeting the air.
   /// `cosine`: of its direction to the vertical, above 0.
   [[nodiscard]] T through_air(const Index<T>& line, const T& cosine) const {
-    if (air.size == 0) [[likely]]
+    if (!air.exists()) [[likely]]
       return T(1);
-    return exp_minus(gather<T>(air, line) / cosine);
+    return exp_minus(gather<T>(air.optical_depth, line) / cosine);
+  }
+  /// By how much that way is longer than in a vacuum, as group path [m].
+  [[nodiscard]] T delay(const Index<T>& line, const T& cosine) const {
+    if (!air.exists()) [[likely]]
+      return T(0);
+    return gather<T>(air.delay, line) / cosine;
   }
 };
 

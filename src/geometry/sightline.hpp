@@ -90,7 +90,7 @@ Sightline<T> sightline(const medium::MediumView& sea, const Vec3<T>& from, const
                        const Mask<T>& wanted) {
   auto way = region.in_air ? sightline_through_surface(sea, from, line, to, wanted)
                            : sightline_in_water(sea, from, line, to, route);
-  if (region.air.size > 0) [[unlikely]]
+  if (region.air.exists()) [[unlikely]]
     way.throughput = way.throughput * region.through_air(line, way.arriving.z);
   way.to = region;
   return way;

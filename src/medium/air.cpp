@@ -90,6 +90,7 @@ Air air_of_profile(const scene::Atmosphere& atmosphere, const std::vector<Line>&
       air.a.push_back(layer.a_per_m());
       air.b.push_back(layer.b_per_m());
       air.refractive_index.push_back(layer.refractive_index);
+      air.group_index.push_back(layer.group_index);
       if (is_laser) air.phase.emplace_back(layer.phase);
     }
     if (is_laser) air.depths = depths_by_part(at);
@@ -116,6 +117,7 @@ Air air_of_layers(const scene::Scene& scene, const std::vector<Line>& lines) {
       air.a.push_back(at.a_per_m);
       air.b.push_back(at.b_per_m);
       air.refractive_index.push_back(layer.refractive_index);
+      air.group_index.push_back(layer.refractive_index);  // as if it were alike at all wavelengths
       add_source("a and b of the air", "given in the scene", line.wavelength_nm, air.sources);
     }
   return air;

@@ -21,10 +21,10 @@ struct AirDepths {
 /// The air above the sea in layers, from the sea up. Values of line l in layer k stand at
 /// l * layers() + k.
 struct Air {
-  std::vector<double> height_m;           ///< edges, ascending, the first 0: layers + 1
-  std::vector<double> a, b;               ///< absorption, scattering [1/m], [line][layer]
-  std::vector<double> refractive_index;   ///< [line][layer]
-  std::vector<optics::PhaseTable> phase;  ///< of the laser's line alone, [layer]
+  std::vector<double> height_m;  ///< edges, ascending, the first 0: layers + 1
+  std::vector<double> a, b;      ///< absorption, scattering [1/m], [line][layer]
+  std::vector<double> refractive_index, group_index;  ///< [line][layer]
+  std::vector<optics::PhaseTable> phase;              ///< of the laser's line alone, [layer]
   std::vector<Source> sources;
   std::optional<AirDepths> depths;  ///< none in layers told outright
 

@@ -214,8 +214,11 @@ struct Line {
   double wavelength_nm = 0;
   double refractive_index = 1;
   double group_index = 1;
-  double photons = 1;                   ///< in it, relative to others of its process
-  double lifetime_ns = 0;               ///< mean time from excitation to emission
+  double photons = 1;      ///< in it, relative to others of its process
+  double lifetime_ns = 0;  ///< mean time from excitation to emission
+  /// By how much its group path is longer than in a vacuum, straight up from the sea to the laser
+  /// and each telescope [m]; none where the air is clear.
+  std::vector<double> air_delay_m = {};
   std::vector<double> counted_by = {};  ///< each channel of the scene: the share of its light
 };
 

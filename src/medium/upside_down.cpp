@@ -8,7 +8,7 @@ namespace {
 /// The integral of a coefficient of line l up to a height.
 double integral(const Air& air, const std::vector<double>& coefficient, std::size_t l,
                 double height_m) {
-  const std::size_t layers = air.height_m.size() - 1;
+  const std::size_t layers = air.layers();
   double sum = 0;
   for (std::size_t k = 0; k < layers; ++k) {
     const double within = std::min(height_m, air.height_m[k + 1]) - air.height_m[k];
@@ -42,7 +42,7 @@ Medium upside_down(const Air& air, const Medium& sea, double lowest_m, double hi
   medium.top = air.height_m;
   const bool vacuum = highest_m > air.height_m.back();
   if (vacuum) medium.top.push_back(highest_m);
-  const std::size_t layers = air.height_m.size() - 1;
+  const std::size_t layers = air.layers();
   std::vector<std::int32_t> phase;
   for (std::size_t k = 0; k < layers; ++k) phase.push_back(medium.add_phase(air.phase[k]));
   if (vacuum) phase.push_back(phase.back());
@@ -65,11 +65,15 @@ Medium upside_down(const Air& air, const Medium& sea, double lowest_m, double hi
   return medium;
 }
 
-std::vector<double> depths_to(const Air& air, double height_m) {
-  const std::size_t lines = air.a.size() / (air.height_m.size() - 1);
-  std::vector<double> out;
-  for (std::size_t l = 0; l < lines; ++l)
-    out.push_back(integral(air, air.a, l, height_m) + integral(air, air.b, l, height_m));
+AirColumn column_to(const Air& air, double height_m) {
+  std::vector<double> slower;
+  for (const double index : air.group_index) slower.push_back(index - 1);
+  AirColumn out;
+  for (std::size_t l = 0; l < air.a.size() / air.layers(); ++l) {
+    out.optical_depth.push_back(integral(air, air.a, l, height_m) +
+                                integral(air, air.b, l, height_m));
+    out.delay_m.push_back(integral(air, slower, l, height_m));
+  }
   return out;
 }
 

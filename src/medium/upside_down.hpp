@@ -15,7 +15,11 @@ inline constexpr double least_attenuation = 1e-20;
 /// is nothing up to a height [m], where light ends. `lowest`: height of the lowest instrument.
 Medium upside_down(const Air& air, const Medium& sea, double lowest_m, double highest_m);
 
-/// The optical depth of each line between the sea and a height.
-std::vector<double> depths_to(const Air& air, double height_m);
+/// Of the air straight up from the sea to a height, for each line.
+struct AirColumn {
+  std::vector<double> optical_depth;
+  std::vector<double> delay_m;  ///< by how much the group path is longer than in a vacuum
+};
+AirColumn column_to(const Air& air, double height_m);
 
 }  // namespace photic::medium

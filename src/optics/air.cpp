@@ -38,6 +38,7 @@ class LayerMaker {
     };
     const double air = mean(profile_.air_per_m3);
     layer.refractive_index = air_index(nm_, air);
+    layer.group_index = 1 + (layer.refractive_index - 1) * air_group_over_phase(nm_);
     layer.molecules_b_per_m = air * air_scattering_m2(nm_);
     const double ozone = mean(profile_.ozone_per_m3);
     if (ozone > 0) {

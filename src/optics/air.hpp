@@ -18,7 +18,7 @@ struct AerosolChoice {
 /// What is between two levels of a profile: means over it.
 struct AirLayer {
   double bottom_km = 0, top_km = 0;
-  double refractive_index = 1;
+  double refractive_index = 1, group_index = 1;
   double molecules_b_per_m = 0;
   double ozone_a_per_m = 0;
   double aerosols_a_per_m = 0, aerosols_b_per_m = 0;

@@ -44,6 +44,14 @@ double standard_air_index(double nm) {
   return 1 + (5792105 / (238.0185 - k2) + 167917 / (57.362 - k2)) * 1e-8;
 }
 
+double air_group_over_phase(double nm) {
+  const double k2 = 1e6 / (nm * nm);
+  // -L d/dL is 2 k2 d/dk2.
+  const double a = 238.0185 - k2, b = 57.362 - k2;
+  const double slope = 2 * k2 * (5792105 / (a * a) + 167917 / (b * b)) * 1e-8;
+  return 1 + slope / (standard_air_index(nm) - 1);
+}
+
 double air_index(double nm, double molecules_per_m3) {
   constexpr double standard_per_m3 = 101325 / (boltzmann_j_k * 288.15);
   return 1 + (standard_air_index(nm) - 1) * molecules_per_m3 / standard_per_m3;

@@ -34,6 +34,10 @@ double standard_air_index(double wavelength_nm);
 /// The same at any density: n - 1 goes as the number of molecules.
 double air_index(double wavelength_nm, double molecules_per_m3);
 
+/// The group index n - L dn/dL at standard conditions less 1, over n - 1: 1.0415 at 532 nm. It is
+/// the same at any density.
+double air_group_over_phase(double wavelength_nm);
+
 /// Absorption cross-section of one molecule of ozone [m^2]: Molina & Molina 1986 from 200 to 350
 /// nm, with its temperature (from 226 to 298 K, else that of the nearer end); above that
 /// Serdyuchenko et al. 2014 at 293 K. Throws InputError outside.

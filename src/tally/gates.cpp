@@ -15,11 +15,16 @@ bool looks_down(const scene::Source& source, const scene::Telescope& telescope) 
   return normalised(source.direction).z < -steep && normalised(telescope.direction).z < -steep;
 }
 
+/// Of a line, to an instrument: 0 is the laser.
+double air_delay(const medium::Line& line, std::size_t instrument) {
+  return line.air_delay_m.empty() ? 0 : line.air_delay_m[instrument];
+}
 /// Along the axis of an instrument, at a line.
 template <class Instrument>
-geometry::GroupPath group_path_of(const Instrument& instrument, const medium::Line& line) {
+geometry::GroupPath group_path_of(const Instrument& instrument, std::size_t number,
+                                  const medium::Line& line) {
   return geometry::group_path(instrument.position_m, normalised(instrument.direction),
-                              line.refractive_index, line.group_index);
+                              line.refractive_index, line.group_index, air_delay(line, number));
 }
 
 /// The depths that a range along the axis of a telescope leads to.
@@ -40,9 +45,9 @@ Gates::Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines)
   const bool by_range = scene.gates.range_m.has_value();
   depth_is_range_ = by_range || (!by_depth && !looks_down(source_, telescope_.front()));
   if (by_depth) {
-    scale_ = depth_scale(telescope_.front(), laser_);
+    scale_ = depth_scale(0, laser_);
   } else if (by_range) {
-    scale_ = range_scale(telescope_.front(), laser_);
+    scale_ = range_scale(0, laser_);
   } else {
     scale_ = {0.0, 0.0, metre_per_nanosecond, metre_per_nanosecond};
   }
@@ -61,9 +66,9 @@ double Gates::edge_path(std::int32_t edge) const {
 
 /// Down along the axis of the source and up along that of the telescope, refracted
 /// (docs/theory.md, eq. 35).
-PathScale Gates::depth_scale(const scene::Telescope& telescope, const medium::Line& back) const {
-  const auto out = group_path_of(source_, laser_);
-  const auto home = group_path_of(telescope, back);
+PathScale Gates::depth_scale(std::size_t telescope, const medium::Line& back) const {
+  const auto out = group_path_of(source_, 0, laser_);
+  const auto home = group_path_of(telescope_[telescope], telescope + 1, back);
   PathScale scale;
   scale.knee_path = out.to_surface + home.to_surface;
   scale.slope_before = out.per_depth_in_air + home.per_depth_in_air;
@@ -73,17 +78,21 @@ PathScale Gates::depth_scale(const scene::Telescope& telescope, const medium::Li
 
 /// Out and back along the (refracted) axis of the telescope. The source counts as where it is along
 /// that axis, before or behind the telescope and on its own side of the surface.
-PathScale Gates::range_scale(const scene::Telescope& telescope, const medium::Line& back) const {
+PathScale Gates::range_scale(std::size_t number, const medium::Line& back) const {
+  const scene::Telescope& telescope = telescope_[number];
   const auto axis = normalised(telescope.direction);
   const double z = telescope.position_m.z;
   const double ahead = dot(source_.position_m - telescope.position_m, axis);
+  const auto in_air = [&](const medium::Line& light) {
+    return z > 0 ? 1 + air_delay(light, number + 1) / z : 1.0;
+  };
   const auto before = [&](const medium::Line& light) {
     const bool in_water = axis.z > 0 || (axis.z == 0 && z < 0);
-    return in_water ? light.group_index : 1.0;
+    return in_water ? light.group_index : in_air(light);
   };
   const auto after = [&](const medium::Line& light) {
     const bool in_water = axis.z < 0 || (axis.z == 0 && z < 0);
-    return in_water ? light.group_index : 1.0;
+    return in_water ? light.group_index : in_air(light);
   };
   PathScale scale;
   scale.knee_coordinate = axis.z == 0 ? 0.0 : -z / axis.z;  // the surface
@@ -99,8 +108,8 @@ PathScale Gates::range_scale(const scene::Telescope& telescope, const medium::Li
 }
 
 double Gates::depth(double path, std::size_t telescope, const medium::Line& line) const {
-  const scene::Telescope& t = telescope_[telescope];
-  return (depth_is_range_ ? range_scale(t, line) : depth_scale(t, line)).coordinate(path);
+  const auto scale = depth_is_range_ ? range_scale(telescope, line) : depth_scale(telescope, line);
+  return scale.coordinate(path);
 }
 
 std::vector<double> Gates::depth_edges(std::int64_t cells) const {

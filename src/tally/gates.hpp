@@ -70,10 +70,8 @@ class Gates {
   [[nodiscard]] std::vector<double> depth_edges(std::int64_t cells) const;
 
  private:
-  [[nodiscard]] PathScale depth_scale(const scene::Telescope& telescope,
-                                      const medium::Line& back) const;
-  [[nodiscard]] PathScale range_scale(const scene::Telescope& telescope,
-                                      const medium::Line& back) const;
+  [[nodiscard]] PathScale depth_scale(std::size_t telescope, const medium::Line& back) const;
+  [[nodiscard]] PathScale range_scale(std::size_t telescope, const medium::Line& back) const;
 
   scene::Source source_;
   std::vector<scene::Telescope> telescope_;

@@ -176,8 +176,11 @@ Connection<T> connect(const medium::MediumView& sea, const instrument::Telescope
                       geometry::Route route, const Mask<T>& near_view) {
   if (!region.in_air) return connect_in_water(sea, telescope, region.layer, at, line, route);
   auto way = connect_through_surface(sea, telescope, at, line, near_view);
-  if (region.air.size > 0) [[unlikely]]
-    way.optical_depth = way.optical_depth + gather<T>(region.air, line) * way.secant_air;
+  if (region.air.exists()) [[unlikely]] {
+    const auto& [depth, delay] = region.air;
+    way.optical_depth = way.optical_depth + gather<T>(depth, line) * way.secant_air;
+    way.path = way.path + gather<T>(delay, line) * way.secant_air;
+  }
   return way;
 }
 

@@ -12,8 +12,10 @@ namespace photic::transport {
 /// What a way's part in the air is longer than from the lens' centre to the origin [m].
 template <class T>
 T longer_in_air(const instrument::Telescope<T>& telescope, const geometry::Sightline<T>& way,
-                const instrument::PlanePoint<T>& lens) {
-  return way.to.in_air ? longer_way(telescope, way.crossing, lens, way.length_air) : T(0);
+                const Index<T>& line, const instrument::PlanePoint<T>& lens) {
+  if (!way.to.in_air) return T(0);
+  return longer_way(telescope, way.crossing, lens, way.length_air) +
+         way.to.delay(line, way.arriving.z);
 }
 
 /// A connection to one point of the lens.
@@ -43,8 +45,8 @@ RayConnection<T> connect_ray(const geometry::Slabs& sea, const instrument::Teles
       T(0));
   connection.optical_depth = tau.all;
   connection.length_water = way.length_water;
-  connection.path =
-      way.length_water * gather<T>(sea.group_index, line) + longer_in_air(telescope, way, lens);
+  connection.path = way.length_water * gather<T>(sea.group_index, line) +
+                    longer_in_air(telescope, way, line, lens);
   return connection;
 }
 

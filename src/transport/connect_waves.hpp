@@ -16,10 +16,9 @@ template <class T>
 T depth_to_lens(const medium::MediumView& sea, const geometry::Region<T>& region,
                 const Index<T>& line, const FromSurface<T>& way) {
   if (region.in_air) {
-    if (region.air.size == 0) [[likely]]
+    if (!region.air.exists()) [[likely]]
       return T(0);
-    const Mask<T> rises = way.direction.z > T(0);
-    return gather<T>(region.air, line) / select(rises, way.direction.z, T(1));
+    return gather<T>(region.air.optical_depth, line) / way.rising_cosine();
   }
   return sea.optical_depth(line, sea.level(region.layer, way.depth())) / -way.direction.z;
 }
@@ -29,7 +28,8 @@ T path_to_telescope(const medium::MediumView& sea, const instrument::Telescope<T
                     const geometry::Region<T>& region, const Index<T>& line,
                     const instrument::PlanePoint<T>& lens, const Vec3<T>& at,
                     const FromSurface<T>& way) {
-  if (region.in_air) return longer_way(telescope, at, lens, way.length);
+  if (region.in_air)
+    return longer_way(telescope, at, lens, way.length) + region.delay(line, way.rising_cosine());
   return way.length * gather<T>(sea.group_index, line);
 }
 

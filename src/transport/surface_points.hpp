@@ -91,6 +91,8 @@ struct FromSurface {
 
   /// Of the point of the lens, if it is in the water.
   [[nodiscard]] T depth() const { return T(0) - direction.z * length; }
+  /// To the vertical, of a way up; of others 1.
+  [[nodiscard]] T rising_cosine() const { return select(direction.z > T(0), direction.z, T(1)); }
 };
 template <class T>
 FromSurface<T> from_surface(const instrument::Telescope<T>& telescope,

@@ -99,5 +99,94 @@ TEST(Air, BothEstimatorsFindTheSameLight) {
     expect_both_estimators_find(c);
 }
 
+/// Every gate of the first channel's light scattered once in the air, against what it should be.
+void expect_of_air(const tally::Result& r, const std::vector<double>& expected,
+                   const std::string& what) {
+  ZFamily family(0.01);
+  const std::size_t order = 1;
+  for (std::size_t g = 0; g < expected.size(); ++g) {
+    const std::size_t i = order * r.gates() + g;
+    family.add(r.echo_by_order.mean[i], expected[g], r.echo_by_order.standard_error[i],
+               fmt::format("{}, gate {}", what, g));
+    EXPECT_LT(r.echo_by_order.standard_error[i], 0.05 * expected[g]) << what << ", gate " << g;
+  }
+  family.judge();
+}
+
+// The ship's lidar of PREMAR-2F's Table 1 sees ever more of its beam: molecules at 15 C and 1 atm
+// send back per metre 7.786e-9 x 0.0625 = 3.041e-9 x 0.16 = 4.866e-10 of its photons, from 5 m as
+// from 8 m. Over a plane of 3 km, 15 degrees off nadir, all of the beam is seen: b p(180) A / R^2
+// exp(-2 tau). Seen red: with the air upside down twice (its layers in the wrong order); with the
+// laser's way weakened alone.
+TEST(Air, FirstOrderIsThatOfTheLidarEquation) {
+  const std::string molecules =
+      "[[atmosphere.layer]]\nbottom_height_m = 0.0\ntop_height_m = 20.0\n"
+      "iop = [ { wavelength_nm = 532.0, a_per_m = 0.0, b_per_m = 1.31605e-5 } ]\n";
+  const std::string sea = "[[sea.layer]]\nchlorophyll_mg_m3 = 0.1\n" + channel("elastic");
+  const double low_c = 2.2e-4, high_c = 1.2e-5, low_b = 2e-4, high_b = 1e-5,
+               cosine = std::cos(15 * radian_per_degree);
+  const std::string layers =
+      "[[atmosphere.layer]]\nbottom_height_m = 0.0\ntop_height_m = 1000.0\n" +
+      optics(low_c - low_b, low_b, 0.5) +
+      "[[atmosphere.layer]]\nbottom_height_m = 1000.0\ntop_height_m = 5000.0\n" +
+      optics(high_c - high_b, high_b, 0.0);
+  const auto back = [](double g) { return (1 - g * g) / (4 * pi * std::pow(1 + g, 3)); };
+  std::vector<double> plane;
+  for (double height = 1800; height > 150; height -= 200) {  // gates of 200 m
+    double sum = 0;
+    constexpr int steps = 400;
+    for (int i = 0; i < steps; ++i) {
+      const double h = height - (i + 0.5) * 200.0 / steps;
+      const double tau =
+          (high_c * (3000 - std::max(h, 1000.0)) + low_c * std::max(0.0, 1000 - h)) / cosine;
+      const double beta = h < 1000 ? low_b * back(0.5) : high_b * back(0);
+      const double range = (3000 - h) / cosine;
+      sum += beta * (pi * 0.04) / (range * range) * std::exp(-2 * tau) * (200.0 / steps / cosine);
+    }
+    plane.push_back(sum);
+  }
+  for (const auto& [estimator, photons] : {std::pair("forward", 1e6), {"bidirectional", 1e5}}) {
+    const auto ship = run_in_lanes(read(ship_instrument + molecules + sea +
+                                        "[gates]\ndepth_min_m = -9.0\ndepth_max_m = -1.0\n"
+                                        "depth_step_m = 1.0\n" +
+                                        simulation(photons, 3, "", estimator)));
+    expect_of_air(ship, std::vector<double>(8, 4.866e-10), fmt::format("{}, ship", estimator));
+    const auto high = run_in_lanes(read(lidar(3000, 15, 5, 1) + layers + sea +
+                                        "[gates]\ndepth_min_m = -1800.0\ndepth_max_m = -200.0\n"
+                                        "depth_step_m = 200.0\n" +
+                                        simulation(photons, 4, "", estimator)));
+    plane.resize(high.gates());
+    expect_of_air(high, plane, fmt::format("{}, plane", estimator));
+  }
+}
+
+// From space the air delays the sea's echo by 2.449 m one way (8451 m of air at 15 C and 1 atm, n_g
+// - 1 = 2.8975e-4): gates of depth know it. So every gate is weaker by the same factor. Seen red:
+// with the delay left out of gates (1.8 m of depth), or of either way.
+TEST(Air, WeakensAndDelaysTheSeasEcho) {
+  const std::string sea =
+      "[[sea.layer]]\nchlorophyll_mg_m3 = 0.1\n" + channel("elastic") + depth_gates(30, 5);
+  const std::string air = "[atmosphere]\nprofile = \"us-standard\"\naerosol = \"none\"\n";
+  const std::string run = simulation(1e5, 5, "", "bidirectional");
+  const std::string instruments = lidar(705e3, 3, 0.065, 0.05);
+  const auto clear = run_in_lanes(read(instruments + sea + run));
+  const auto dim = run_in_lanes(read(instruments + air + sea + run));
+  const double secant = 1 / std::cos(3 * radian_per_degree);
+  for (std::size_t e = 0; e < clear.gate_time_edge_ns.size(); ++e)
+    EXPECT_NEAR((dim.gate_time_edge_ns[e] - clear.gate_time_edge_ns[e]) * metre_per_nanosecond / 2,
+                2.449 * secant, 2e-3);
+  const double passes = std::exp(-2 * 0.1365 * secant);
+  ZFamily family(0.01);
+  for (std::size_t g = 0; g < clear.gates(); ++g) {  // process 0: elastic
+    const double expected = passes * clear.echo.mean[g];
+    family.add(
+        dim.echo_by_process.mean[g], expected,
+        std::hypot(dim.echo_by_process.standard_error[g], passes * clear.echo.standard_error[g]),
+        fmt::format("gate {}", g));
+    EXPECT_LT(dim.echo_by_process.standard_error[g], 0.01 * expected);
+  }
+  family.judge();
+}
+
 }  // namespace
 }  // namespace photic::test

@@ -63,8 +63,10 @@ Birth<T> birth_in_water(const medium::MediumView& sea, const geometry::Region<T>
   birth.photon.path = distance;
   birth.photon.weight =
       surface::flat_surface<T>(sea, line).transmittance(-ray.direction.z, cos_air);
-  if (region.air.size > 0) [[unlikely]]
+  if (region.air.exists()) [[unlikely]] {
     birth.photon.weight = birth.photon.weight * region.through_air(line, cos_air);
+    birth.photon.path = distance + region.delay(line, cos_air);
+  }
   birth.spread.through_surface = true;
   birth.spread.before = before + distance;
   birth.spread.cos_air = cos_air;
@@ -134,7 +136,8 @@ Birth<T> birth_at_telescope(const medium::MediumView& sea,
   if (!region.in_air) return birth;
   const T inverse_n = gather<T>(sea.inverse_index, line);
   birth.photon.weight = birth.photon.weight * (inverse_n * inverse_n);
-  birth.photon.path = longer_way(telescope, birth.photon.position, lens, birth.spread.before);
+  birth.photon.path = longer_way(telescope, birth.photon.position, lens, birth.spread.before) +
+                      region.delay(line, birth.spread.cos_air);
   return birth;
 }
 

@@ -90,7 +90,7 @@ EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask,
   edge.seen = mask & way.exists & sight.on_detector;
   if (!any(edge.seen)) return edge;
   edge.telescope = seen_by(sight);
-  edge.path = transport::longer_in_air(telescope_, way, lens) +
+  edge.path = transport::longer_in_air(telescope_, way, line, lens) +
               way.length_water * gather<T>(sea_.group_index, line);
   const T solid_angle =
       world_.cone(instrument())
@@ -207,7 +207,9 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
   const T x = one_minus_cos(-way.arriving, laser.axis);
   // The way from the disc on; the fictitious vertex lies behind it.
   const T hidden = laser.vertex_distance / (T(1) - x);
-  const T air = way.to.in_air ? longer_from_disc(laser, way.crossing, way.length_air, x) : T(0);
+  const T air = way.to.in_air ? longer_from_disc(laser, way.crossing, way.length_air, x) +
+                                    way.to.delay(line, way.arriving.z)
+                              : T(0);
   WayToLaser<T> out;
   out.water = way.to.in_air ? way.length_water : way.length_water - hidden;
   out.path = air + out.water * gather<T>(sea_.group_index, line);

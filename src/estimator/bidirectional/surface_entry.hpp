@@ -33,9 +33,8 @@ bool enters_through_waves(const World<T>& world, const geometry::Region<T>& regi
 
 /// By a ray of the laser, from two uniforms.
 template <class T>
-SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser,
-                               const geometry::Region<T>& region, const T& u_polar,
-                               const T& u_azimuth) {
+SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser, const geometry::Region<T>& region,
+                               const T& u_polar, const T& u_azimuth) {
   auto photon = transport::emit(laser, region.layer, u_polar, u_azimuth);
   SurfaceEntry<T> entry;
   entry.exists = transport::come_down(region, photon);
@@ -64,8 +63,8 @@ SurfaceEntry<T> entry_of_laser(const instrument::Laser<T>& laser, const Vec3<T>&
 }
 
 /// At a point of the surface, seen by a point of the lens, as if the air were clear. The weight is
-/// that of all rays that the detector sees; `density`: of points that they draw there, alike for all points of the detector
-/// [1/m^2].
+/// that of all rays that the detector sees; `density`: of points that they draw there, alike for
+/// all points of the detector [1/m^2].
 template <class T>
 SurfaceEntry<T> entry_of_telescope(const instrument::Telescope<T>& telescope,
                                    const instrument::PlanePoint<T>& lens, const Vec3<T>& at,
@@ -106,15 +105,16 @@ SurfaceEntry<T> entry_at(const World<T>& world, std::int32_t instrument, const V
   return entry_of_telescope(world.telescopes[static_cast<std::size_t>(instrument - 1)], lens, at,
                             sight, density);
 }
-/// An entry's weight behind the air between its instrument and the sea.
+/// An entry behind the air between its instrument and the sea: its weight, and its path.
 template <class T>
 SurfaceEntry<T> behind_air(const geometry::Region<T>& region, const Index<T>& line,
                            SurfaceEntry<T> entry) {
-  if (region.air.size == 0) [[likely]]
+  if (!region.air.exists()) [[likely]]
     return entry;
   const Mask<T> down = entry.outside.z < T(0);
   const T cosine = select(down, T(0) - entry.outside.z, T(1));
   entry.weight = entry.weight * region.through_air(line, cosine);
+  entry.path = entry.path + region.delay(line, cosine);
   return entry;
 }
 /// How densely entries are drawn by slopes, over how densely by an instrument's own rays.

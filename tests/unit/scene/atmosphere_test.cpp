@@ -270,18 +270,15 @@ TEST(Atmosphere, EveryTextOfWhatDoesNotGoWithIt) {
 }
 
 // Seen red: with the air taken for other water.
-TEST(Atmosphere, IsTheSameInAllEnvironments) {
+TEST(Atmosphere, DoesNotGoWithEnvironmentsYet) {
+  const std::string alone = " (leave [atmosphere] out, or ask for one water)";
+  EXPECT_EQ(diagnostics_of(edited({}), {us_standard,
+                                        {"environment=[{ set = { \"sea.layer.0.chlorophyll_mg_m3\" "
+                                         "= 0.2 } }]"}}),
+            Texts{"--set environment: there is no air above environments yet" + alone});
   EXPECT_EQ(
-      diagnostics_of(
-          edited({}),
-          {us_standard, {"environment=[{ set = { \"atmosphere.visibility_km\" = 5 } }]"}}),
-      Texts{"--set environment: 'atmosphere.visibility_km' cannot be set in an environment: the "
-            "air is the same in all environments, as yet (simulate that air in a scene of its "
-            "own)"});
-  EXPECT_EQ(diagnostics_of(edited({}), {us_standard, {"sensitivity=['atmosphere.visibility_km']"}}),
-            Texts{"--set sensitivity: there is no derivative with respect to "
-                  "'atmosphere.visibility_km': the air is the same in all environments, as yet "
-                  "(name paths that begin with sea., optics., bottom. or oil.)"});
+      diagnostics_of(edited({}), {us_standard, {"sensitivity=['sea.layer.0.chlorophyll_mg_m3']"}}),
+      Texts{"--set sensitivity: derivatives do not know the air above the sea yet" + alone});
 }
 
 }  // namespace
