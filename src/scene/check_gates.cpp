@@ -93,9 +93,9 @@ void check_depth_gates(const Scene& scene, const Keys& keys, Findings& findings)
                              "first telescope",
                              plain_number(depth.min)),
                  fmt::format("begin at {} m or deeper", plain_number(highest)));
-  if (depth.max <= 0.0)
+  if (depth.max <= 0.0 && !scene.atmosphere)
     findings.add(keys.max, "all gates lie in the air",
-                 "end them below the sea surface, at depth 0");
+                 "end them below the sea surface, at depth 0, or give the scene an [atmosphere]");
   for (std::size_t t = 1; t < scene.telescope.size(); ++t) {
     if (scene.telescope[t].direction.z >= 0.0)
       findings.remark(fmt::format("telescope.{}.direction", t),
@@ -111,7 +111,7 @@ void check_depth_gates(const Scene& scene, const Keys& keys, Findings& findings)
                  fmt::format("all gates lie below the sea bed at {} m", plain_number(*bed)), "");
 }
 
-/// Range gates along an axis that starts in the air must get as far as the water.
+/// Range gates along an axis that starts in clear air must get as far as the water.
 void check_range_gates(const Scene& scene, const Keys& keys, Findings& findings) {
   const Telescope& t = scene.telescope[0];
   if (t.position_m.z < 0.0) return;
@@ -119,12 +119,12 @@ void check_range_gates(const Scene& scene, const Keys& keys, Findings& findings)
     return findings.add(keys.max, "the axis of the first telescope never meets the water",
                         "let it look down, or give the gates by …_ns");
   const double to_water = t.position_m.z * length(t.direction) / -t.direction.z;
-  if (scene.gates.range_m->max <= to_water)
+  if (scene.gates.range_m->max <= to_water && !scene.atmosphere)
     findings.add(keys.max,
                  fmt::format("all gates lie in the air: the axis of the first telescope meets "
                              "the water at {:.4g} m",
                              to_water),
-                 "end them beyond that");
+                 "end them beyond that, or give the scene an [atmosphere]");
 }
 
 /// A time before which no light can have been in the water and come to the telescope: by way of the
@@ -137,6 +137,7 @@ double earliest_ns(const Source& source, const Telescope& telescope) {
 }
 
 void check_time_gates(const Scene& scene, const Keys& keys, Findings& findings) {
+  if (scene.atmosphere) return;  // light comes back at once
   double earliest = earliest_ns(scene.source, scene.telescope[0]);
   for (const Telescope& t : scene.telescope)
     earliest = std::min(earliest, earliest_ns(scene.source, t));

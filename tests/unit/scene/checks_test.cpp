@@ -123,7 +123,8 @@ depth_min_m = 50)"}},
       {"GatesInTheAir",
        {{27, 27, R"(depth_min_m = -5
 depth_max_m = 0)"}},
-       {"scene.toml:28:15: all gates lie in the air (end them below the sea surface, at depth 0)"}},
+       {"scene.toml:28:15: all gates lie in the air (end them below the sea surface, at depth 0, "
+        "or give the scene an [atmosphere])"}},
       {"GatesAboveTheInstrument",
        {{27, 27, R"(depth_min_m = -12.5
 depth_max_m = 10)"}},
@@ -151,7 +152,7 @@ direction = [0, 0, 1])"}},
 range_max_m = 13
 range_step_m = 1)"}},
        {"scene.toml:28:15: all gates lie in the air: the axis of the first telescope meets the "
-        "water at 13.86 m (end them beyond that)"}},
+        "water at 13.86 m (end them beyond that, or give the scene an [atmosphere])"}},
       {"RangeGatesLookingUp",
        {{11, 11, "direction = [0, 0, 1]"}, {27, 28, R"(range_min_m = 0
 range_max_m = 13
