@@ -46,6 +46,11 @@ inline bool stands_at_surface(const medium::MediumView& sea) {
   return sea.waves.rough || sea.film.exists;
 }
 
+/// What light has touched that sets out in a medium.
+inline transport::Touched touched_at_birth(const medium::MediumView& sea) {
+  return sea.upside_down ? transport::Touched::air : transport::Touched::water;
+}
+
 /// Light of a mask leaves the laser, by two uniforms. What gets into the water is on its way, and
 /// what stands at such a surface.
 template <class T, class Ledger>
@@ -58,9 +63,7 @@ void birth_at_laser(const World<T>& world, const T& u_polar, const T& u_azimuth,
                               : transport::enter_water(world.sea, world.laser_region, t.photon);
   book(ledger.escaped, exist, select(entered, emitted - t.photon.weight, emitted));
   t.on = exist & entered;
-  using transport::Touched;
-  const Touched touched = world.sea.upside_down ? Touched::air : Touched::water;
-  t.touched = Index<T>(static_cast<std::int32_t>(touched));
+  t.touched = Index<T>(static_cast<std::int32_t>(touched_at_birth(world.sea)));
 }
 
 /// Flights of all: at their ends, who has not come to the sea bed, nor comes too late, stands at

@@ -121,9 +121,11 @@ void check_walk_attenuation(const scene::Scene& scene, double highest_albedo,
 std::vector<double> shares_of_free_paths(const medium::Medium& medium,
                                          const scene::Simulation& simulation) {
   const Share share_of(medium, simulation);
+  const bool by_chance = simulation.estimator == scene::Estimator::analog;
+  const double denser = by_chance ? 1 : denser_in(medium);
   std::vector<double> out;
   for (std::size_t cell = 0; cell < medium.c.size(); ++cell)
-    out.push_back(denser_in(medium) * share_in(medium, cell, share_of));
+    out.push_back(denser * share_in(medium, cell, share_of));
   return out;
 }
 

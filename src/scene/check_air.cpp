@@ -85,9 +85,6 @@ void check_atmosphere(const Scene& scene, Findings& findings) {
   if (!scene.atmosphere) return;
   const Atmosphere& air = *scene.atmosphere;
   check_what_is_below(scene, findings);
-  if (scene.simulation.estimator == Estimator::analog && findings.good({"simulation.estimator"}))
-    findings.add("simulation.estimator", "the analog estimator has no air yet",
-                 "write estimator = \"forward\", or leave [atmosphere] out");
   if (findings.good({"atmosphere.aerosol", "atmosphere.visibility_km"}))
     check_aerosols(air, findings);
   check_heights(air.layer, findings);

@@ -182,15 +182,19 @@ class BidirectionalLanes final : public Simulator {
 class AnalogLanes final : public Simulator {
  public:
   explicit AnalogLanes(const estimator::Model& model)
-      : world_(estimator::make_world<Lanes>(model)) {}
+      : world_(estimator::make_world<Lanes>(model)) {
+    if (model.air) air_.emplace(model, world_);
+  }
 
  private:
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const override {
-    estimator::Analog<Lanes, lanes::LaneLedger<Lanes>>(world_).run(first, count, tally,
-                                                                   [](const auto&...) {});
+    using Analog = estimator::Analog<Lanes, lanes::LaneLedger<Lanes>>;
+    (air_ ? Analog(world_, air_->air()) : Analog(world_))
+        .run(first, count, tally, [](const auto&...) {});
   }
 
   estimator::World<Lanes> world_;
+  std::optional<estimator::AirWorlds<Lanes>> air_;  ///< unless the air is clear
 };
 
 }  // namespace

@@ -48,8 +48,9 @@ class ScalarSimulator final : public Simulator {
       case scene::Estimator::bidirectional:
         return bidirectional(first, count, tally);
       case scene::Estimator::analog:
-        return estimator::Analog<T, tally::Ledger>(world_).run(first, count, tally,
-                                                               [](const auto&...) {});
+        using Analog = estimator::Analog<T, tally::Ledger>;
+        return (air_ ? Analog(world_, air_->air()) : Analog(world_))
+            .run(first, count, tally, [](const auto&...) {});
     }
   }
 

@@ -190,5 +190,52 @@ TEST(Air, WeakensAndDelaysTheSeasEcho) {
   family.judge();
 }
 
+/// A big lens with a wide view in dense air, over water that turns much light back: what a photon
+/// can fall on.
+scene::Scene big_lens(const std::string& surface, const std::string& estimator, double photons,
+                      std::uint64_t seed) {
+  return read(
+      "[source]\nwavelength_nm = 532.0\nposition_m = [0.0, 0.0, 5.0]\ndirection = [0.05, 0.0, "
+      "-1.0]\n"
+      "diameter_m = 0.1\nhalf_divergence_mrad = 20.0\n"
+      "[[telescope]]\nposition_m = [0.0, 0.2, 5.0]\ndirection = [0.0, 0.1, -1.0]\n"
+      "diameter_m = 3.0\nfocal_length_m = 2.0\ndetector_diameter_m = 2.0\n"
+      "[[atmosphere.layer]]\nbottom_height_m = 0.0\ntop_height_m = 3.0\n" +
+      optics(0.02, 0.15, 0.3) +
+      "[[atmosphere.layer]]\nbottom_height_m = 3.0\ntop_height_m = 8.0\n" +
+      optics(0.01, 0.06, 0.0) + channel("elastic") + channel("raman") + "[sea]\nsurface = " +
+      surface + "\n[[sea.layer]]\nbottom_depth_m = 4.0\n" + optics(0.1, 0.4, 0.3) +
+      "[bottom]\nalbedo = 0.5\n[gates]\nstart_ns = 0.0\nstop_ns = 96.0\nstep_ns = 8.0\n" +
+      simulation(photons, seed, "max_order = 30", estimator));
+}
+
+// Photons that chance alone sends about, from one medium to the other and back, fall on the
+// detector as often as the forward estimator expects: light of the air, of the water and of the
+// bed, under a flat surface and under waves. Seen red: with what passes the surface upwards taken
+// for what escapes; with nothing mirrored by the sea.
+TEST(Air, AnalogPhotonsAreCountedAsOftenAsExpected) {
+  for (const std::string surface :
+       {"{ model = \"flat\" }", "{ model = \"cox-munk\", wind_speed_m_s = 8.0 }"}) {
+    const auto expected = run_in_lanes(big_lens(surface, "forward", 1e6, 3));
+    const auto counted = run_in_lanes(big_lens(surface, "analog", 8e6, 4));
+    EXPECT_NEAR(counted.ledger.sum(), 1, 1e-9);
+    ZFamily family(0.01);
+    const auto compare = [&](const tally::Estimates& a, const tally::Estimates& e,
+                             const char* what) {
+      for (std::size_t i = 0; i < a.mean.size(); ++i) {
+        const double error = std::hypot(a.standard_error[i], e.standard_error[i]);
+        if (error < 0.1 * a.mean[i])
+          family.add(a.mean[i], e.mean[i], error, fmt::format("{}, {} {}", surface, what, i));
+      }
+    };
+    compare(counted.echo_by_process, expected.echo_by_process, "process");
+    compare(counted.echo_by_order, expected.echo_by_order, "order");
+    std::printf("%s: %zu cells, rms z %.2f\n", surface.c_str(), family.size(), family.rms());
+    EXPECT_GE(family.size(), 40U);
+    EXPECT_LT(family.rms(), 1.3);
+    family.judge();
+  }
+}
+
 }  // namespace
 }  // namespace photic::test

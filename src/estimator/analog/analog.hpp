@@ -5,10 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/random.hpp"
 #include "estimator/analog/collide_by_chance.hpp"
 #include "estimator/analog/film_by_chance.hpp"
+#include "estimator/beyond.hpp"
 #include "estimator/book.hpp"
 #include "estimator/cross_waves.hpp"
 #include "estimator/draws.hpp"
@@ -64,12 +67,17 @@ struct AnalogPhotons : Track<T> {
   Index<T> spectral_bin{};  ///< in which lines it emits
 };
 
+/// Photons on their way from one medium to the other.
+template <class T>
+using AnalogPassed = std::vector<AnalogPhotons<T>>;
+
 /// What analog photons make of the steps of an event (estimator/event.hpp): chance decides.
 template <class T, class Ledger>
 struct AnalogSteps {
   const World<T>& world;
   Ledger& ledger;
   tally::BatchTally& tally;
+  AnalogPassed<T>& passed;
   std::array<T, 4> u{}, v{};  ///< numbers of the event
 
   /// A batch's photons n, n + 1, … of a mask leave the laser. The surface's losses, taken from
@@ -124,8 +132,7 @@ struct AnalogSteps {
     const Mask<T> leaves = at_surface & (u[1] >= split.reflectance);
     transport::Photon<T> out = p.photon;
     out.direction = split.transmitted;
-    const T endless(std::numeric_limits<Element<T>>::max());
-    detect(world, out, p.touched, leaves, endless, true, depth, tally);
+    leave(p, out, leaves, depth);
     book_out(p, leaves, ledger.escaped);
     transport::Photon<T> down = p.photon;
     down.direction = split.reflected;
@@ -142,8 +149,9 @@ struct AnalogSteps {
     if (world.last_order > 0) book_out(p, last, ledger.cut_by_order);
     const Mask<T> bed = surface::on_bed<T>(world.sea, p.photon.layer);
     const Mask<T> first = p.photon.order == Index<T>(0);
+    const Index<T> fresh(static_cast<std::int32_t>(touched_at_birth(world.sea)));
     p.touched =
-        transport::touched_at<T>(world.sea, p.photon.layer, select(first, Index<T>(0), p.touched));
+        transport::touched_at<T>(world.sea, p.photon.layer, select(first, fresh, p.touched));
     const Mask<T> stays =
         collide_by_chance(world.sea, p.photon, p.spectral_bin, p.on, u[3], v[0], v[1]);
     book_out(p, bed & !stays, ledger.sea_bed);
@@ -156,20 +164,33 @@ struct AnalogSteps {
   [[nodiscard]] static const Index<T>& event_of(const AnalogPhotons<T>& p) { return p.place.event; }
 
  private:
+  /// Photons of a mask leave the surface, as `out`: in clear air they may meet a detector, else
+  /// they go on in the other medium. `depth`: of the collision that they come from.
+  void leave(const AnalogPhotons<T>& p, const transport::Photon<T>& out, const Mask<T>& leaving,
+             const T& depth) {
+    if (!world.beyond.exists) {
+      const T endless(std::numeric_limits<Element<T>>::max());
+      return detect(world, out, p.touched, leaving, endless, true, depth, tally);
+    }
+    if (!any(leaving)) return;
+    AnalogPhotons<T> gone = p;
+    gone.photon = out;
+    gone.on = leaving;
+    go_beyond(world, out.direction, gone);
+    passed.push_back(gone);
+    book(ledger.escaped, leaving, T(0) - out.weight);  // it has not
+  }
   /// Photons of a mask stand at a rough surface, in the air or in the water; those that rise from
   /// it may meet a detector. `depth`: of the collision that they come from.
   void cross_waves(AnalogPhotons<T>& p, const Mask<T>& stand, bool in_air, const T& depth) {
     const Index<T> of_surface(static_cast<std::int32_t>(transport::Touched::surface));
     p.touched = select(stand & (p.photon.order == Index<T>(0)), of_surface, p.touched);
-    const T endless(std::numeric_limits<Element<T>>::max());
     estimator::cross_waves(
         world, p.place, p, {stand, Mask<T>(in_air)}, false, ledger,
         [](const transport::AtWaves<T>&, std::uint32_t) {},
         [](const transport::AtWaves<T>&, std::uint32_t) { return Mask<T>(false); },
         [](const Mask<T>&, const surface::Meeting<T>&) {},
-        [&](const Mask<T>& left, const auto&...) {
-          detect(world, p.photon, p.touched, left, endless, true, depth, tally);
-        });
+        [&](const Mask<T>& left, const auto&...) { leave(p, p.photon, left, depth); });
   }
   /// Photons of a mask come to a flat film, from the air or from the water. `depth`: of the
   /// collision that they come from; light of the film comes from none.
@@ -206,31 +227,59 @@ struct AnalogSteps {
 template <class T, class Ledger>
 class Analog {
  public:
-  explicit Analog(const World<T>& world) : world_(world) {}
+  explicit Analog(const World<T>& world) : water_(world) {}
+  /// The same under air, in which the laser stands.
+  Analog(const World<T>& water, const World<T>& air) : water_(water), air_(&air) {}
 
   /// Photons `first` … `first + count - 1`, the first of a batch and up. `witness` is told of them
   /// at the end of each event, and who was on the way before.
   template <class Witness>
   void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally, Witness witness) {
-    const Draws<T> draws = draws_of_laser(world_, first);
-    AnalogSteps<T, Ledger> steps{world_, ledger_, tally};
+    const World<T>& world = air_ != nullptr ? *air_ : water_;
+    const Draws<T> draws = draws_of_laser(world, first);
+    AnalogPassed<T> to_air, to_water;
+    auto& passed = air_ != nullptr ? to_water : to_air;
+    AnalogSteps<T, Ledger> steps{world, air_ != nullptr ? in_air_ : in_water_, tally, passed};
     for (std::uint64_t n = 0; n < count; n += lanes_of<T>) {
       auto photons = steps.birth(draws, static_cast<std::int32_t>(n), first_lanes<T>(count - n));
-      const auto each = [&](auto stage) { stage(photons); };
-      while (any(photons.on)) {
-        const Mask<T> before = photons.on;
-        flights(steps, each);
-        collisions(steps, each);
-        witness(photons, before);
+      follow(steps, photons, witness);
+      while (!to_air.empty() || !to_water.empty()) {
+        go_on(*air_, in_air_, to_air, to_water, tally, witness);
+        go_on(water_, in_water_, to_water, to_air, tally, witness);
       }
     }
-    tally.ledger = tally.ledger + total(ledger_);
-    ledger_ = {};
+    tally::Ledger all = total(in_air_);
+    all.escaped += std::exchange(all.sea_bed, 0);  // upwards
+    tally.ledger = tally.ledger + all + total(in_water_);
+    in_air_ = in_water_ = {};
   }
 
  private:
-  const World<T>& world_;
-  Ledger ledger_{};
+  template <class Witness>
+  static void follow(AnalogSteps<T, Ledger>& steps, AnalogPhotons<T>& photons, Witness& witness) {
+    const auto each = [&](auto stage) { stage(photons); };
+    while (any(photons.on)) {
+      const Mask<T> before = photons.on;
+      flights(steps, each);
+      collisions(steps, each);
+      witness(photons, before);
+    }
+  }
+  /// Those who have come from the other medium.
+  template <class Witness>
+  static void go_on(const World<T>& world, Ledger& ledger, AnalogPassed<T>& arrivals,
+                    AnalogPassed<T>& passed, tally::BatchTally& tally, Witness& witness) {
+    AnalogSteps<T, Ledger> steps{world, ledger, tally, passed};
+    for (AnalogPhotons<T>& photons : arrivals) {
+      photons.place.key = world.key;
+      follow(steps, photons, witness);
+    }
+    arrivals.clear();
+  }
+
+  const World<T>& water_;
+  const World<T>* air_ = nullptr;
+  Ledger in_water_{}, in_air_{};
 };
 
 }  // namespace photic::estimator

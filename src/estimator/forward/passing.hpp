@@ -1,10 +1,9 @@
-// Light that passes the surface goes on in the other medium: from the water in the air, or from
-// there in the water. Each is followed in a world of its own. That of the air is upside down, so
-// that light which leaves one medium sets out downwards in the other.
+// What of the light that passes the surface histories follow into the other medium.
 #pragma once
 
 #include <cstdint>
 
+#include "estimator/beyond.hpp"
 #include "estimator/forward/travellers.hpp"
 
 namespace photic::estimator {
@@ -27,16 +26,9 @@ void pass_surface(const World<T>& world, const Travellers<T>& t, const Mask<T>& 
   if (!any(passes)) return;
   Travellers<T> gone = t;
   gone.on = passes;
-  gone.colliding = Mask<T>(false);
-  transport::Photon<T>& photon = gone.photon;
-  photon.position.z = T(0);
-  photon.direction = {direction.x, direction.y, T(0) - direction.z};
-  photon.weight = weight / world.beyond.chance;
-  photon.analog_weight = T(1);
-  photon.path = photon.path + world.beyond.path;
-  photon.layer = Index<T>(0);
-  const Index<T> air(static_cast<std::int32_t>(transport::Touched::air));
-  gone.touched = select(t.touched == air, Index<T>(0), t.touched);
+  gone.photon.weight = weight / world.beyond.chance;
+  gone.photon.analog_weight = T(1);
+  go_beyond(world, direction, gone);
   leave(gone, static_cast<std::int32_t>(passing_blocks + meeting));
 }
 

@@ -262,9 +262,6 @@ TEST(Atmosphere, EveryTextOfWhatDoesNotGoWithIt) {
   EXPECT_EQ(told({{"oil={ class = \"light-refined\", thickness_um = 1 }"}}),
             Texts{"--set oil: a film of oil has no air above it yet (leave [oil] or [atmosphere] "
                   "out)"});
-  EXPECT_EQ(told({{"simulation.estimator=analog"}}),
-            Texts{"--set simulation.estimator: the analog estimator has no air yet (write "
-                  "estimator = \"forward\", or leave [atmosphere] out)"});
   EXPECT_EQ(told({{"source.position_m=[0, 0, 7e5]"}, {"telescope.0.position_m=[0, 0, 7e5]"}}),
             Texts{});  // above the top
 }

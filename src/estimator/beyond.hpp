@@ -1,0 +1,26 @@
+// Light that passes the surface goes on in the other medium: from the water in the air, or from
+// there in the water. Each is followed in a world of its own. That of the air is upside down, so
+// that light which leaves one medium sets out downwards in the other.
+#pragma once
+
+#include "estimator/event.hpp"
+#include "estimator/world.hpp"
+#include "transport/touched.hpp"
+
+namespace photic::estimator {
+
+/// Those who are `on` leave a world's medium in a direction, and set out in the other one. What
+/// they have touched of the water tells them from light that never was there.
+template <class T>
+void go_beyond(const World<T>& world, const Vec3<T>& direction, Track<T>& gone) {
+  gone.colliding = Mask<T>(false);
+  transport::Photon<T>& photon = gone.photon;
+  photon.position.z = T(0);
+  photon.direction = {direction.x, direction.y, T(0) - direction.z};
+  photon.path = photon.path + world.beyond.path;
+  photon.layer = Index<T>(0);
+  const Index<T> air(static_cast<std::int32_t>(transport::Touched::air));
+  gone.touched = select(gone.touched == air, Index<T>(0), gone.touched);
+}
+
+}  // namespace photic::estimator
