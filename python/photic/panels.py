@@ -8,6 +8,7 @@ from matplotlib import colormaps
 from matplotlib.colors import to_rgba
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from photic.page import MOST_NAMED, Legend, spread
@@ -15,6 +16,7 @@ from photic.page import MOST_NAMED, Legend, spread
 # Okabe & Ito (2008), "Color Universal Design": told apart by the colour-blind too.
 # Green comes first, for 532 nm.
 COLOURS = ["#009E73", "#D55E00", "#0072B2", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+OF_AIR = "#56B4E9"  # light of the process air, and of no other
 INTERVAL_95 = 1.96  # standard errors of a normal distribution
 MARKERS_PER_LINE = 40
 LARGEST_RATIO = 1e16  # of echoes on one axis: more decades cannot be told apart
@@ -24,6 +26,9 @@ BAND, FADED_BAND, FADED = 0.25, 0.08, 0.45  # opacity: of bands, and of what has
 NO_LIGHT = "no light in any gate"
 NOT_CONVERGED = "faded: not converged"
 HATCH = {"hatch": "///", "edgecolor": "white", "linewidth": 0}
+LIGHT_EDGE = withStroke(linewidth=2.4, foreground="white")  # seen on dark shades, too
+SEA_LEVEL = {"color": "0.25", "linewidth": 0.9, "linestyle": "--", "path_effects": [LIGHT_EDGE]}
+SEA_LEVEL |= {"zorder": 1.5}  # over areas, under curves
 VEIL = {"facecolor": (1, 1, 1, 1 - FADED)}
 
 
@@ -307,23 +312,39 @@ def _shades(count):
     return [to_rgba("0.6"), *colormaps["viridis"](numpy.linspace(0.12, 0.95, count))]
 
 
-def family(count):
-    """Colours of so many lines that black is not among: shades in their order where there are more
-    than colours."""
-    if count < len(COLOURS):
-        return COLOURS[:count]
+def family(count, taken=()):
+    """Colours of so many lines that black is not among, nor those taken: shades in their order where
+    there are more than colours."""
+    free = [colour for colour in COLOURS if colour not in taken]
+    if count < len(free):
+        return free[:count]
     return list(colormaps["viridis"](numpy.linspace(0.15, 0.92, count)))
 
 
+def of_processes(names):
+    """Processes and their colours: air has one of its own, whatever else there is."""
+    others = [name for name in names if name != "air"]
+    colours = dict(zip(others, family(len(others), [OF_AIR]))) | {"air": OF_AIR}
+    return [(name, colours[name]) for name in names]
+
+
 def finish_depth(panel, results):
-    """Depth downwards, from the first gate to the last that saw light in any result and channel."""
+    """Depth downwards, from the first gate to the last that saw light in any result and channel. A line
+    where the sea is, if there are gates on both sides of it."""
     ends = []
     for result in results:
         end = result.gate_depth_bounds.max("bnds")
         lit = result.echo > 0
         ends.append(float((end.where(lit) if lit.any() else end).max()))
-    panel.set_ylim(max(ends), min(float(result.gate_depth_bounds.min()) for result in results))
-    panel.set_ylabel(axis_of(results[0]))
+    bottom, top = max(ends), min(float(result.gate_depth_bounds.min()) for result in results)
+    panel.set_ylim(bottom, top)
+    label = axis_of(results[0])
+    if label == "depth [m]" and top < 0 < bottom:
+        panel.axhline(0, **SEA_LEVEL)
+        label += "; above the line: air"
+    elif label == "depth [m]" and top < 0:
+        label += "; negative: in the air"
+    panel.set_ylabel(label)
 
 
 def axis_of(result):

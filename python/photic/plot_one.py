@@ -67,7 +67,7 @@ def _spectra(sheet, view, filters, said):
     processes = {str(name): view.sel(process=name) for name in view.process.values}
     parts = {name: spectrum.seen(one, filters, "echo_by_process") for name, one in processes.items()}
     fed = [name for name, one in parts.items() if (one.density > 0).any()]
-    lines = [(name, colour, parts[name]) for name, colour in zip(fed, panels.family(len(fed)))]
+    lines = [(name, colour, parts[name]) for name, colour in panels.of_processes(fed)]
     lines.append(("all light", "black", whole))
     others = []
     if "environment" in view.sizes:
@@ -152,7 +152,7 @@ def _parts(result, mixed, by_order, said):
     for channel in mixed:
         part = result.sel(channel=channel)
         fed = part.process.values[(part.echo_by_process > 0).any("gate").values]
-        lines = list(zip(fed, panels.family(len(fed))))
+        lines = panels.of_processes(fed)
         faded = panels.unsettled(part.echo_by_process, part.converged)
         legend = panels.lines_legend(lines, faded, "process")
         draws = partial(_panel, panels.processes, result, part, lines)

@@ -106,9 +106,13 @@ def test_environments_have_a_row_for_each_channel(drawn):
     assert drawing.axes[3].get_ylim() == drawing.axes[4].get_ylim()
 
 
+def at_the_sea(panel):
+    return [line for line in panel.get_lines() if list(line.get_ydata()) == [0, 0]]
+
+
 def curves(panel, count):
     """The thick line, the thin one and the circles of each."""
-    lines = panel.get_lines()[-3 * count :]
+    lines = [line for line in panel.get_lines() if line not in at_the_sea(panel)][-3 * count :]
     return [lines[3 * k : 3 * k + 3] for k in range(count)]
 
 
@@ -292,6 +296,37 @@ def test_a_channel_of_several_processes_is_broken_down(sample):
         "elastic echo by order of scattering",
     ]
     assert legends(drawing)[1] == ["elastic", "raman", FADED]
+
+
+def test_light_of_the_air_has_a_colour_of_its_own():
+    # Seen red: with the colours in their order, where the first line of this list is green.
+    for names in (["air"], ["elastic", "air"], ["elastic", "surface", "bottom", "air"], list("abcdefgh") + ["air"]):
+        lines = panels.of_processes(names)
+        assert [name for name, _ in lines] == names
+        *others, (_, colour) = lines
+        assert colour == panels.OF_AIR and all(other is not colour for _, other in others)
+    assert panels.of_processes(["elastic", "raman"]) == list(zip(["elastic", "raman"], panels.COLOURS))
+
+
+def test_the_sea_is_a_line_between_depths_and_heights(sample, drawn):
+    # Seen red: without the line; with one for all gates by depth.
+    for name, lines, label in (("narrow", 0, "depth [m]"), ("wide", 1, "depth [m]; above the line: air")):
+        panel = drawn("sample", name).axes[0]
+        assert (len(at_the_sea(panel)), panel.get_ylabel()) == (lines, label)
+    ds = photic.open(sample)
+    several = plot.figure([ds, ds], ["one", "two"], telescopes=["wide"])
+    assert all(len(at_the_sea(panel)) == 1 for panel in several.axes)
+
+
+def test_heights_alone_have_no_line(sample):
+    # Seen red: with the line for all gates by depth.
+    ds = photic.open(sample)
+    for name in ("gate_depth", "gate_depth_bounds"):
+        ds[name] = ds[name].copy(data=ds[name].values - 1000)
+    panel = plot.figure([ds], ["high"], telescopes=["narrow"]).axes[0]
+    assert (at_the_sea(panel), panel.get_ylabel()) == ([], "depth [m]; negative: in the air")
+    ds.gate_depth.attrs = {"units": "m"}
+    assert plot.figure([ds], ["high"], telescopes=["narrow"]).axes[0].get_ylabel() == "range [m]"
 
 
 def test_several_results_share_a_panel_for_each_channel(sample):

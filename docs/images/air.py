@@ -1,0 +1,93 @@
+"""Pictures of what the air does to echoes, and the numbers that the guide tells of it."""
+
+import sys
+
+from look import ARROW, NOTE, WIDTH, emptied
+from matplotlib.figure import Figure
+from results import run
+
+from photic import panels
+
+VISIBILITIES = {40.0: "#0072B2", 23.0: "#E69F00", 10.0: "#D55E00"}  # km
+CLEAR = 23.0
+PARTS = {
+    "elastic": ("light that has\nbeen in the water", panels.COLOURS[0]),
+    "air": ("light of\nthe air alone", panels.OF_AIR),
+}
+
+
+def _through(scene, photons, visibility_km, low, high, step):
+    """The elastic echo of an upright lidar through maritime air, in gates between two depths."""
+    changes = {
+        "atmosphere": {"profile": "us-standard", "aerosol": "maritime", "visibility_km": visibility_km},
+        "channel": [{"name": "elastic", "process": "elastic"}],
+        "gates": {"depth_min_m": low, "depth_max_m": high, "depth_step_m": step},
+    }
+    return run(scene, photons, "forward", **changes).sel(channel="elastic")
+
+
+def _process(panel, one, process, colour):
+    part = one.sel(process=process)
+    panels.line(panel, part, part.echo_by_process, part.echo_by_process_standard_error, colour)
+
+
+def _finish(panel, low, high, echoes):
+    panels.finish_lines(panel, [echoes])
+    panel.axhline(0, **panels.SEA_LEVEL)
+    panel.set_ylim(high, low)
+    emptied(panel)
+
+
+def haze():
+    """What a satellite sees of the water and of the air, by the visibility."""
+    drawing = Figure(figsize=(WIDTH, 4.4), layout="constrained")
+    left, right = drawing.subplots(1, 2, sharey=True)
+    lines = []
+    for visibility, colour in VISIBILITIES.items():
+        one = _through("spaceborne.toml", 16e6, visibility, -40.0, 40.0, 5.0)
+        _process(left, one, "elastic", colour)
+        _process(right, one, "air", colour)
+        lines.append((f"visibility {visibility:g} km", colour))
+        _tell(f"space, {visibility:g} km", one)
+    left.set_title("Light that has been in the water")
+    right.set_title("Light of the air alone")
+    left.legend(handles=panels.lines_legend(lines, False).handles, fontsize=8, loc="upper left")
+    for panel in (left, right):
+        _finish(panel, -40, 40, one.echo)
+        panel.set_xlim(1e-18, 1e-13)
+    at = (1.3e-14, 2.5)
+    right.annotate("scattered in the air,\nmirrored by the sea", at, (2.5e-16, 22), arrowprops=ARROW, **NOTE)
+    left.set_ylabel("depth [m]; above the line: air")
+    return drawing
+
+
+def mirrored():
+    """What the air adds to the first gates of a ship's lidar, and from high up."""
+    drawing = Figure(figsize=(WIDTH, 4.4), layout="constrained")
+    left, right = drawing.subplots(1, 2)
+    views = [(left, "ship.toml", "A ship, 12 m up", -11.0, 6.0, 0.5, 4e6)]
+    views.append((right, "airborne-high.toml", "An aircraft, 9 km up", -20.0, 20.0, 2.0, 16e6))
+    for panel, scene, title, low, high, step, photons in views:
+        one = _through(scene, photons, CLEAR, low, high, step)
+        for process, (_, colour) in PARTS.items():
+            _process(panel, one, process, colour)
+        _finish(panel, low, high, one.echo)
+        panel.set_title(title)
+        _tell(scene, one)
+    left.set_xlim(1e-13, 1e-6)
+    right.set_xlim(1e-16, 1e-10)
+    for process, at in (("elastic", (2e-13, 14)), ("air", (8e-15, -10))):
+        words, colour = PARTS[process]
+        right.text(*at, words, color=colour, fontweight="bold")
+    left.set_ylabel("depth [m]; above the line: air")
+    return drawing
+
+
+def _tell(name, one):
+    """The numbers in the guide."""
+    for process in PARTS:
+        part = one.sel(process=process)
+        for k, depth in enumerate(one.gate_depth.values):
+            echo, error = float(part.echo_by_process[k]), float(part.echo_by_process_standard_error[k])
+            if echo > 0:
+                print(f"{name}, {process} {depth:g} m: {echo:.4g} +- {100 * error / echo:.1f} %", file=sys.stderr)
