@@ -38,7 +38,11 @@ inline double share_that_passes(const medium::Medium& air) {
 template <class T>
 void join(const Model& air, const scene::Source& source, World<T>& water_world,
           World<T>& air_world) {
-  const T ahead = T(way_ahead(source) - delay_along_axis(source, air.medium.line.front(), 0));
+  const scene::Source& laser = air.scene.source;
+  const auto left_out =
+      geometry::ahead_of_air(laser.position_m, normalised(laser.direction), air.medium.air_m);
+  const T ahead = T(way_ahead(source) - left_out.length - left_out.to_sea -
+                    delay_along_axis(source, air.medium.line.front(), 0));
   water_world.beyond = {true, T(share_that_passes(air.medium)), ahead};
   air_world.beyond = {true, T(1), T(0) - ahead};
   water_world.flies_on = air_world.flies_on = false;  // past the surface without meeting it

@@ -50,9 +50,12 @@ double delay_along_axis(const Instrument& instrument, const medium::Line& light,
 }
 
 /// What paths from the laser to a telescope, its place told from the origin, leave out [m].
-inline double path_to_origin(const scene::Source& source, const scene::Telescope& telescope) {
+/// `above_air`: of the telescope.
+inline double path_to_origin(const geometry::Ahead& of_laser, const scene::Telescope& telescope,
+                             bool above_air) {
   const Vec3<double>& lens = telescope.position_m;
-  return way_ahead(source) + (geometry::stands_in_water(lens) ? 0 : length(lens));
+  const bool told_from_origin = above_air || !geometry::stands_in_water(lens);
+  return of_laser.length + of_laser.to_sea + (told_from_origin ? length(lens) : 0);
 }
 
 /// Until when light in the water has to be on its way to an instrument.
@@ -77,8 +80,9 @@ struct Deadline {
 /// Points of a tilted lens may be nearer than its centre. Those of nested views are the same.
 template <class T>
 std::vector<Deadline<T>> deadlines_at_telescopes(const scene::Scene& scene, double last_path,
+                                                 const geometry::Ahead& of_laser,
                                                  double greatest_index) {
-  const double path = last_path - way_ahead(scene.source);
+  const double path = last_path - of_laser.length - of_laser.to_sea;
   std::vector<Deadline<T>> deadlines;
   std::optional<double> lowest_in_air;
   for (const NestedViews& views : nested_views(scene)) {
@@ -94,8 +98,9 @@ std::vector<Deadline<T>> deadlines_at_telescopes(const scene::Scene& scene, doub
 
 /// Of a telescope's walks; `last_path`: of both walks together, at the end of the last gate [m].
 template <class T>
-Deadline<T> deadline_at_laser(const scene::Scene& scene, double last_path) {
-  return Deadline<T>::to(scene.source.position_m.z, last_path + way_ahead(scene.source));
+Deadline<T> deadline_at_laser(const scene::Scene& scene, double last_path,
+                              const geometry::Ahead& of_laser) {
+  return Deadline<T>::to(scene.source.position_m.z, last_path + of_laser.length + of_laser.to_sea);
 }
 
 }  // namespace photic::estimator

@@ -22,6 +22,21 @@ inline double way_ahead(const Vec3<double>& position, const Vec3<double>& axis) 
   return position.z * std::min(most_heights, -1 / axis.z);
 }
 
+/// Where an instrument's light is told of: so far ahead of it on its axis, and from there so far to
+/// the sea [m]. Paths leave out both.
+struct Ahead {
+  double length = 0, to_sea = 0;
+};
+inline Ahead ahead_of(const Vec3<double>& position, const Vec3<double>& axis) {
+  return {way_ahead(position, axis), 0};
+}
+/// The same where air that is so high is upside down: of an instrument above it that looks at the
+/// sea, where its light gets into the air. Of others paths leave out nothing.
+inline Ahead ahead_of_air(const Vec3<double>& position, const Vec3<double>& axis, double air_m) {
+  if (-position.z <= air_m || axis.z <= 0) return {};
+  return {(-position.z - air_m) / axis.z, air_m / axis.z};
+}
+
 /// The cosine to the vertical that light of the given one in the air has in water of index n
 /// (Snell's law).
 inline double cosine_in_water(double cos_air, double n) {

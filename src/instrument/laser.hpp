@@ -14,6 +14,8 @@ template <class T>
 struct Laser {
   Vec3<T> start;                 ///< on the axis, way_ahead() of the disc [m]
   T ahead{};                     ///< so far [m]
+  T to_sea{};                    ///< from there by the axis, of a laser above air that is upside
+                                 ///< down: geometry::ahead_of_air() [m]
   Vec3<T> axis;                  ///< unit vector, where the light goes
   T radius{};                    ///< of the disc [m]
   T vertex_distance{};           ///< from the fictitious vertex to the disc [m]; 0 if collimated
@@ -47,23 +49,28 @@ T longer_from_disc(const Laser<T>& laser, const Vec3<T>& place, const T& distanc
 }
 
 template <class T>
-Laser<T> make_laser(const scene::Source& s) {
+Laser<T> make_laser(const scene::Source& s, const geometry::Ahead& told) {
   const double half_divergence = s.half_divergence_mrad * 1e-3;
   Laser<T> laser;
   const Vec3<double> axis = normalised(s.direction);
-  const double ahead = geometry::way_ahead(s.position_m, axis);
+  const auto [ahead, to_sea] = told;
   laser.start = vec3_cast<T>(s.position_m + ahead * axis);
   laser.ahead = T(ahead);
+  laser.to_sea = T(to_sea);
   laser.axis = vec3_cast<T>(axis);
   laser.radius = T(s.diameter_m / 2);
   laser.collimated = half_divergence == 0;
   const double to_disc = laser.collimated ? 0.0 : s.diameter_m / 2 / std::tan(half_divergence);
   laser.vertex_distance = T(to_disc);
-  laser.vertex_detour = T(length(s.position_m - to_disc * axis) - (to_disc + ahead));
+  laser.vertex_detour = T(length(s.position_m - to_disc * axis) - (to_disc + ahead + to_sea));
   const double half_sine = std::sin(half_divergence / 2);
   laser.one_minus_cos_divergence = T(2 * half_sine * half_sine);
   laser.submerged = geometry::stands_in_water(s.position_m);
   return laser;
+}
+template <class T>
+Laser<T> make_laser(const scene::Source& s) {
+  return make_laser<T>(s, geometry::ahead_of(s.position_m, normalised(s.direction)));
 }
 
 }  // namespace photic::instrument

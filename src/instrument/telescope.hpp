@@ -43,7 +43,8 @@ struct Telescope {
   T least_defocus{};      ///< a sharp image counts as a disc of 1e-5 of the detector's radius
   ViewReach<T> reach;
   bool submerged = false;
-  bool upright = false;  ///< its axis is vertical
+  bool above_air = false;  ///< which is upside down: paths are told as those of one in clear air
+  bool upright = false;    ///< its axis is vertical
 
   /// Whether light that rises from below may fall on the detector of a telescope in the air, if it
   /// moves aside in the direction of (x, y) at an angle to the vertical whose tangent is at least
@@ -150,12 +151,13 @@ inline ViewReach<double> reach_of_view(const scene::Telescope& s) {
 
 /// The telescope of a scene. Half field of view v: detector radius f tan v.
 template <class T>
-Telescope<T> make_telescope(const scene::Telescope& s) {
+Telescope<T> make_telescope(const scene::Telescope& s, const geometry::Ahead& told) {
   Telescope<T> t;
   t.position = vec3_cast<T>(s.position_m);
   t.distance = T(length(s.position_m));
   const Vec3<double> axis = normalised(s.direction);
-  const double ahead = geometry::way_ahead(s.position_m, axis);
+  const double ahead = told.length;
+  t.above_air = told.to_sea > 0;
   t.start = vec3_cast<T>(s.position_m + ahead * axis);
   t.ahead = T(ahead);
   t.axis = vec3_cast<T>(axis);
@@ -174,6 +176,10 @@ Telescope<T> make_telescope(const scene::Telescope& s) {
   t.reach = {T(reach.tangent), T(reach.radius), T(reach.middle), T(reach.spread),
              T(reach.tangent_of_ray)};
   return t;
+}
+template <class T>
+Telescope<T> make_telescope(const scene::Telescope& s) {
+  return make_telescope<T>(s, geometry::ahead_of(s.position_m, normalised(s.direction)));
 }
 
 }  // namespace photic::instrument

@@ -268,6 +268,7 @@ class Medium {
   Waves waves;
   Film film;
   bool upside_down = false;             ///< see upside_down.hpp
+  double air_m = 0;                     ///< how high it is then, below a vacuum
   double scattering_to_instrument = 0;  ///< optical depth of it from there to the sea, if it is
   EnvironmentTables environments;
   std::vector<Source> sources;  ///< of all that it is made of

@@ -40,6 +40,7 @@ Medium upside_down(const Air& air, const Medium& sea, double lowest_m, double hi
     line.group_index = 1;
   }
   medium.top = air.height_m;
+  medium.air_m = air.height_m.back();
   const bool vacuum = highest_m > air.height_m.back();
   if (vacuum) medium.top.push_back(highest_m);
   const std::size_t layers = air.layers();

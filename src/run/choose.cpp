@@ -109,10 +109,9 @@ scene::Simulation best_of(const estimator::Model& model, const std::vector<Conte
   return best;
 }
 
-/// The model that pilots run. Of a scene with air they follow the light in the water alone, weakened
-/// by the air: gates above the sea would outvote those below, and any estimator knows them.
-estimator::Model pilot_model(const scene::Scene& scene) {
-  estimator::Model model = estimator::make_model(scene);
+/// The model whose pilots tell whether walks are to be free. They follow the light in the water
+/// alone, weakened by the air: gates above the sea would outvote those below.
+estimator::Model without_light_of_air(estimator::Model model) {
   model.air.reset();
   return model;
 }
@@ -121,7 +120,7 @@ estimator::Model pilot_model(const scene::Scene& scene) {
 scene::Scene choose_free_walks(const scene::Scene& scene, const RunOptions& options) {
   const scene::Simulation& asked = scene.simulation;
   if (asked.free_telescope_meetings && asked.free_laser_meetings) return scene;
-  const estimator::Model model = pilot_model(scene);
+  const auto model = without_light_of_air(estimator::make_model(scene));
   const auto free = open_free_meetings(model, model.scene.simulation, options);
   std::vector<Contender> all;
   add_bidirectional(asked, "without free walks", free, all);
@@ -151,7 +150,14 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
     simulation.estimator_reason = "the bidirectional one has no " + *reason;
     return chosen;
   }
-  const estimator::Model model = pilot_model(scene);
+  estimator::Model model = estimator::make_model(scene);
+  if (model.air) {
+    scene::Scene walks = scene;
+    walks.simulation.estimator = scene::Estimator::bidirectional;
+    const scene::Simulation free = choose_free_walks(walks, options).simulation;
+    model.scene.simulation.free_telescope_meetings = free.free_telescope_meetings;
+    model.scene.simulation.free_laser_meetings = free.free_laser_meetings;
+  }
   simulation = best_of(model, contenders(model, options), usual_bidirectional(model), options);
   return chosen;
 }

@@ -126,6 +126,21 @@ T lens_solid_angle(const instrument::Telescope<T>& telescope, const T& distance,
   return select(far, from_afar, exact);
 }
 
+/// What a straight way to a point of the lens counts as that stays in the telescope's medium.
+/// `from`: of one that the surface mirrors, the mirror image.
+template <class T>
+T path_within(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+              const Index<T>& line, const Vec3<T>& from, const instrument::PlanePoint<T>& lens,
+              const T& length) {
+  if (telescope.above_air) [[unlikely]]
+    return longer_way(telescope, from, lens, length);
+  return length * gather<T>(sea.group_index, line);
+}
+template <class T>
+Vec3<T> seen_by_route(const Vec3<T>& from, geometry::Route route) {
+  return route == geometry::Route::mirrored ? Vec3<T>{from.x, from.y, T(0) - from.z} : from;
+}
+
 /// From a photon's position to a telescope in a layer of the water, at the given line.
 template <class T>
 Connection<T> connect_in_water(const medium::MediumView& sea,
@@ -162,7 +177,7 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
                           ? (sea.optical_depth(line, from) + sea.optical_depth(line, to)) / steep
                           : sea.slant_optical_depth(line, from, to, distance);
   way.length_water = distance;
-  way.path = distance * gather<T>(sea.group_index, line);
+  way.path = path_within(sea, telescope, line, seen_by_route(at.position, route), {}, distance);
   const T reflected = mirrored ? surface::flat_surface<T>(sea, line).reflectance(steep) : T(1);
   way.acceptance =
       select(seen, lens_solid_angle(telescope, distance, safe_cos) * overlap * reflected, T(0));

@@ -30,7 +30,7 @@ T path_to_telescope(const medium::MediumView& sea, const instrument::Telescope<T
                     const FromSurface<T>& way) {
   if (region.in_air)
     return longer_way(telescope, at, lens, way.length) + region.delay(line, way.rising_cosine());
-  return way.length * gather<T>(sea.group_index, line);
+  return path_within(sea, telescope, line, at, lens, way.length);
 }
 
 /// `meeting`: at the surface; known where environments have other surfaces.

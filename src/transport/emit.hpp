@@ -22,6 +22,7 @@ Photon<T> emit(const instrument::Laser<T>& laser, const Index<T>& layer, const T
   if (laser.collimated) {
     photon.direction = laser.axis;
     photon.position = laser.start + (laser.radius * sqrt(u_polar)) * outward;
+    photon.path = T(0) - laser.to_sea;
     return photon;
   }
   const T x = u_polar * laser.one_minus_cos_divergence;
@@ -30,7 +31,7 @@ Photon<T> emit(const instrument::Laser<T>& laser, const Index<T>& layer, const T
   const T to_start = laser.vertex_distance + laser.ahead;
   photon.direction = (T(1) - x) * laser.axis + off_axis * outward;
   photon.position = laser.start + (to_start * (off_axis * secant)) * outward;
-  photon.path = laser.ahead * (x * secant);
+  photon.path = laser.ahead * (x * secant) - laser.to_sea;
   return photon;
 }
 

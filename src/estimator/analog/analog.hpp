@@ -22,6 +22,7 @@
 #include "lanes/each_score.hpp"
 #include "surface/flat.hpp"
 #include "tally/batch_tally.hpp"
+#include "transport/connect.hpp"
 #include "transport/facets_in_line.hpp"
 #include "transport/flight.hpp"
 #include "transport/touched.hpp"
@@ -46,7 +47,8 @@ void detect(const World<T>& world, const transport::Photon<T>& photon, const Ind
                          instrument::sight(telescope, point, photon.direction).on_detector;
     if (!any(seen)) continue;
     const T way = in_air ? longer_way(telescope, photon.position, point, distance)
-                         : T(distance * gather<T>(world.sea.group_index, photon.line));
+                         : transport::path_within(world.sea, telescope, photon.line,
+                                                  photon.position, point, distance);
     const lanes::LaneScores<T> scores{Index<T>(static_cast<std::int32_t>(t)),
                                       world.path_to_origin[t],
                                       transport::light_of<T>(world.sea, photon.line, touched),

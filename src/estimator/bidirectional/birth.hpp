@@ -95,7 +95,7 @@ Birth<T> birth_at_laser(const medium::MediumView& sea, const instrument::Laser<T
   const T x = T(0.5) * dot(ray.off_axis, ray.off_axis);
   const Mask<T> emitted = cone.exact ? Mask<T>(true) : x < laser.one_minus_cos_divergence;
   birth.own = birth.exists & ahead & emitted;
-  birth.photon.path = birth.photon.path + laser.ahead * (x * secant);
+  birth.photon.path = birth.photon.path + (laser.ahead * (x * secant) - laser.to_sea);
   birth.photon.weight =
       birth.photon.weight * ray.solid_angle / (T(2 * pi) * laser.one_minus_cos_divergence);
   if (!can_be_met(laser)) birth.spread.solid_angle = T(0);
@@ -110,6 +110,7 @@ Birth<T> birth_at_collimated_laser(const medium::MediumView& sea, const instrume
   const auto ray = entry_ray_outside(cone, n, laser.axis, {T(0), T(0), T(0)});
   auto birth = birth_in_water(sea, region, ray, photon.position, T(0), Index<T>(0));
   birth.photon.weight = birth.photon.weight / cone.others();
+  birth.photon.path = birth.photon.path - laser.to_sea;
   return birth;
 }
 
@@ -133,6 +134,8 @@ Birth<T> birth_at_telescope(const medium::MediumView& sea,
   const Mask<T> seen = cone.exact ? Mask<T>(true) : birth.sight.on_detector;
   birth.own = birth.exists & ahead & seen;
   birth.photon.weight = birth.photon.weight * (telescope.area() * cos_off_axis * ray.solid_angle);
+  if (telescope.above_air)
+    birth.photon.path = longer_way(telescope, birth.photon.position, lens, birth.spread.before);
   if (!region.in_air) return birth;
   const T inverse_n = gather<T>(sea.inverse_index, line);
   birth.photon.weight = birth.photon.weight * (inverse_n * inverse_n);

@@ -154,10 +154,11 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_telescope(FreePairin
   for (const auto route : geometry::routes_to(receiver_.region.in_air)) {
     const Mask<T> by = route == geometry::Route::direct ? mask & !by_surface : mask & by_surface;
     if (!any(by)) continue;
-    const auto way = geometry::sightline(sea_, first.position + moved, first.line, at_lens,
-                                         receiver_.region, route, by);
+    const Vec3<T> at = first.position + moved;
+    const auto way =
+        geometry::sightline(sea_, at, first.line, at_lens, receiver_.region, route, by);
     free_telescope_by(pairing, pair, first, moved, way,
-                      edge_to_telescope(by, pair.birth.lens, first.line, way));
+                      edge_to_telescope(by, at, pair.birth.lens, first.line, way));
   }
 }
 

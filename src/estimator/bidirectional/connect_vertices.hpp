@@ -44,7 +44,8 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
     if (sea_.waves.rough && route == geometry::Route::mirrored) return;
     const auto way =
         geometry::sightline(sea_, v.position, line, at, receiver_.region, route, near_view);
-    score_to_telescope(pairing, v, way, edge_to_telescope(near_view, birth.lens, line, way));
+    score_to_telescope(pairing, v, way,
+                       edge_to_telescope(near_view, v.position, birth.lens, line, way));
   }
 }
 /// To a telescope in the water by way of a facet, from the only vertex of a path. No other strategy
@@ -81,7 +82,7 @@ PHOTIC_APART void Connections<T>::score_by_facet(Pairing<T> pairing, const Verte
 
 /// Along a way to a point of the lens.
 template <class T>
-EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask,
+EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask, const Vec3<T>& from,
                                                      const instrument::PlanePoint<T>& lens,
                                                      const Index<T>& line,
                                                      const geometry::Sightline<T>& way) const {
@@ -91,7 +92,7 @@ EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask,
   if (!any(edge.seen)) return edge;
   edge.telescope = seen_by(sight);
   edge.path = transport::longer_in_air(telescope_, way, line, lens) +
-              way.length_water * gather<T>(sea_.group_index, line);
+              transport::path_in_water(sea_, telescope_, way, line, from, lens);
   const T solid_angle =
       world_.cone(instrument())
           .solid_angle_outside(gather<T>(sea_.index, line), -way.direction, -way.arriving);
@@ -213,6 +214,9 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
   WayToLaser<T> out;
   out.water = way.to.in_air ? way.length_water : way.length_water - hidden;
   out.path = air + out.water * gather<T>(sea_.group_index, line);
+  if (any(laser.to_sea > T(0))) [[unlikely]]
+    out.path =
+        longer_from_disc(laser, transport::seen_by_route(from, way.route), way.length_water, x);
   out.lit = mask & way.exists & (x < laser.one_minus_cos_divergence) & (out.water > T(0));
   if (!any(out.lit)) return out;
   const auto tau = depths_along(sea_, way, line, place, T(-from.z), out.water);

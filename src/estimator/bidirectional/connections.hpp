@@ -116,7 +116,7 @@ class Connections {
                                     const Index<T>& walk) const;
   static void put_first(const T& footprint, const T& freed, NearFirst<T>& near, FreeArea<T>& free);
 
-  [[nodiscard]] EdgeToTelescope<T> edge_to_telescope(const Mask<T>& mask,
+  [[nodiscard]] EdgeToTelescope<T> edge_to_telescope(const Mask<T>& mask, const Vec3<T>& from,
                                                      const instrument::PlanePoint<T>& lens,
                                                      const Index<T>& line,
                                                      const geometry::Sightline<T>& way) const;

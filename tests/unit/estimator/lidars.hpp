@@ -32,7 +32,8 @@ struct Sea {
     begin(true);
     averaged = {medium, free_cones};
     world.averaged = averaged.view();
-    world.path_to_origin = {path_to_origin(source, telescope)};
+    world.path_to_origin = {path_to_origin(
+        geometry::ahead_of(source.position_m, normalised(source.direction)), telescope, false)};
     world.groups = {
         {0, world.telescopes[0], world.telescope_region[0], world.path_to_origin[0], {}}};
     world.deepest = 40;
