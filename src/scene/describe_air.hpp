@@ -83,7 +83,8 @@ template <class V>
 void describe(V& v, Atmosphere& a) {
   v.one_of(option(a.layer.empty(), [&](auto& w) { describe_profile(w, a); }),
            option(!a.layer.empty(), [&](auto& w) {
-             w.sections(expert("layer"), a.layer, Need::required, "the layers of air from the sea up");
+             w.sections(expert("layer"), a.layer, Need::required,
+                        "the layers of air from the sea up");
            }));
 }
 

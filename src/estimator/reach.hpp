@@ -1,0 +1,39 @@
+// How deep the light of a scene's gates gets.
+#pragma once
+
+#include <algorithm>
+
+#include "instrument/telescope.hpp"
+#include "medium/medium.hpp"
+#include "scene/scene.hpp"
+#include "tally/gates.hpp"
+
+namespace photic::estimator {
+
+/// How deep light can turn back within the last gate, and how far below the instruments that is.
+struct Reach {
+  double deepest, range;
+};
+inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium,
+                      const tally::Gates& gates, double least_group_index) {
+  const auto above = [](double z) { return std::max(0.0, z); };
+  const auto depth = [](double z) { return std::max(0.0, -z); };
+  const double source = scene.source.position_m.z;
+  Reach reach{0, 0};
+  for (const auto& t : scene.telescope) {
+    // The nearest point of a tilted lens: in the air, or in the water.
+    const double rise = instrument::lens_rise(t);
+    const bool submerged = t.position_m.z < 0;
+    const double in_water =
+        gates.last_path() - above(source) - above(t.position_m.z) + (submerged ? 0 : rise);
+    const double higher = std::min(depth(source), depth(t.position_m.z));
+    const double lower = std::max(depth(source), depth(t.position_m.z));
+    const double deepest = std::max(
+        lower, (in_water / least_group_index + higher + lower + (submerged ? rise : 0)) / 2);
+    reach = {std::max(reach.deepest, deepest), std::max(reach.range, deepest - higher)};
+  }
+  reach.deepest = std::min(reach.deepest, medium.top.back());
+  return reach;
+}
+
+}  // namespace photic::estimator
