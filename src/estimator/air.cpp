@@ -31,8 +31,6 @@ Model model_of_air(const Model& model) {
   }
   constexpr double ample_m = 1;  // for lenses' rims
   out.scene.bottom.reset();
-  out.scene.simulation.tools.importance.clear();  // of depths in the water
-  out.scene.simulation.tools.forced_collisions = 0;
   out.medium = medium::upside_down(*model.air, model.medium, -lowest, -highest + ample_m);
   out.paths = free_paths(out.medium, out.scene.simulation);
   out.averaged = averaged_phases(out.scene, out.medium);

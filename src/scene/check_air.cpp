@@ -17,6 +17,9 @@ void check_what_is_below(const Scene& scene, Findings& findings) {
     check(below(below("telescope", i), "position_m"), scene.telescope[i].position_m.z);
   if (scene.oil && findings.good({"oil"}))
     findings.add("oil", "a film of oil has no air above it yet", "leave [oil] or [atmosphere] out");
+  if (scene.simulation.tools.any() && findings.good({"simulation.tools"}))
+    findings.add("simulation.tools", "the forward estimator's tools do not know the air yet",
+                 "leave [simulation.tools] or [atmosphere] out");
   const std::string alone = "leave [atmosphere] out, or ask for one water";
   if (!scene.environment.empty() && findings.good({"environment"}))
     findings.add("environment", "there is no air above environments yet", alone);

@@ -262,6 +262,10 @@ TEST(Atmosphere, EveryTextOfWhatDoesNotGoWithIt) {
   EXPECT_EQ(told({{"oil={ class = \"light-refined\", thickness_um = 1 }"}}),
             Texts{"--set oil: a film of oil has no air above it yet (leave [oil] or [atmosphere] "
                   "out)"});
+  EXPECT_EQ(told({{"simulation.tools.forced_collisions=2"}}),
+            Texts{"--set simulation.tools.forced_collisions: the forward estimator's tools do not "
+                  "know the air yet "
+                  "(leave [simulation.tools] or [atmosphere] out)"});
   EXPECT_EQ(told({{"source.position_m=[0, 0, 7e5]"}, {"telescope.0.position_m=[0, 0, 7e5]"}}),
             Texts{});  // above the top
 }
