@@ -15,7 +15,6 @@ struct GramCharlierOf {
   C c21{}, c03{};         ///< skewness
   C c40{}, c22{}, c04{};  ///< peakedness
 
-  friend constexpr bool operator==(const GramCharlierOf&, const GramCharlierOf&) = default;
   /// May be below 0 far out.
   template <class T>
   [[nodiscard]] T operator()(const T& crosswind, const T& upwind) const {
@@ -49,7 +48,9 @@ struct SlopeLaw {
   }
   /// Slopes alike to all sides.
   [[nodiscard]] bool is_isotropic() const {
-    return upwind_variance == crosswind_variance && series == GramCharlier{};
+    const auto& [c21, c03, c40, c22, c04] = series;
+    const bool is_gaussian = c21 == 0 && c03 == 0 && c40 == 0 && c22 == 0 && c04 == 0;
+    return upwind_variance == crosswind_variance && is_gaussian;
   }
 };
 

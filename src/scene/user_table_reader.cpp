@@ -147,7 +147,7 @@ std::optional<Refusal> read_word_or_table(const WordOrTable& rule, const Node& n
       value = word;
       return std::nullopt;
     }
-    const auto no_file = check(File{}, node, path, shared.folder);
+    auto no_file = check(File{}, node, path, shared.folder);
     if (no_file && text->find_first_of("./") != std::string::npos) return no_file;
     if (no_file) return Refusal{no_word->reason + ", and no file", no_word->suggestion};
     read_file(rule.table, path, name, shared, table, rule.read);
