@@ -5,10 +5,10 @@ from functools import cache
 import matplotlib.image
 import numpy
 import pytest
-from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
 import photic
+from drawings import FADED, legends, titles, visible
 from photic import panels, plot
 
 
@@ -22,24 +22,6 @@ def drawn(sample, sample_in_other_water):
     return cache(
         lambda name, telescope: plot.figure([photic.open(paths[name])], ["sample"], [telescope])
     )
-
-
-def titles(drawing):
-    return [panel.get_title(loc="left") for panel in drawing.axes]
-
-
-def legends(drawing):
-    """What is written in the legends of a figure, from above."""
-    found = [part.legends for part in drawing.subfigs]
-    return [[text.get_text() for text in each.get_texts()] for part in found for each in part]
-
-
-FADED = "faded: not converged"
-
-
-def visible(line):
-    """The points of a line that are drawn."""
-    return int((~numpy.isnan(line.get_xdata().astype(float))).sum())
 
 
 def test_one_result(sample, tmp_path):
@@ -327,58 +309,6 @@ def test_heights_alone_have_no_line(sample):
     assert (at_the_sea(panel), panel.get_ylabel()) == ([], "depth [m]; negative: in the air")
     ds.gate_depth.attrs = {"units": "m"}
     assert plot.figure([ds], ["high"], telescopes=["narrow"]).axes[0].get_ylabel() == "range [m]"
-
-
-def test_several_results_share_a_panel_for_each_channel(sample):
-    ds = photic.open(sample)
-    drawing = plot.figure([ds, ds.sel(channel=["raman"])], ["one", "_two"], telescopes=["narrow"])
-    assert titles(drawing) == [
-        *["elastic echo", "one by order"],
-        *["raman echo", "one by order", " _two by order"],
-        *["chlorophyll echo", "one by order"],
-    ]
-    open_gates = ["one", FADED]
-    assert legends(drawing)[::2] == [open_gates, ["one", " _two"], open_gates]
-
-
-def right_ends(panel, ds, gate):
-    """Where the areas of the orders end at a gate [%]."""
-    ends = []
-    for area in [each for each in panel.collections if isinstance(each, PolyCollection)][:-1]:
-        (path,) = area.get_paths()
-        at_gate = numpy.isclose(path.vertices[:, 1], float(ds.gate_depth_bounds[gate, 1]))
-        ends.append(path.vertices[at_gate, 0].max())
-    return ends
-
-
-# Seen red: with the orders of the first result for all; with shades that depend on the result.
-def test_several_results_are_told_apart_by_order(sample):
-    ds = photic.open(sample)
-    fewer = ds.isel(order=slice(0, 4)).copy(deep=True)
-    fewer.echo_by_order[:] = 0
-    fewer.echo_by_order[:, :, 1], fewer.echo_by_order[:, :, 3] = 1e-9, 3e-9
-    drawing = plot.figure([ds, fewer], ["one", "two"], telescopes=["narrow"])
-    names = [" ".join(title.split()) for title in titles(drawing)[:3]]
-    assert names == ["elastic echo", "one by order", "two by order (3 and above in one)"]
-    echo, of_one, of_two = drawing.axes[:3]
-    one = ds.sel(telescope="narrow", channel="elastic")
-    shares = 100 * one.echo_by_order.isel(gate=10).cumsum() / one.echo_by_order.isel(gate=10).sum()
-    assert right_ends(of_one, one, 10) == pytest.approx(shares.values, rel=0.02)
-    assert right_ends(of_two, one, 10) == pytest.approx([0, 25, 25, 100])
-    assert of_one.get_ylim() == of_two.get_ylim() == echo.get_ylim()
-    shades = [[tuple(area.get_facecolor()[0]) for area in panel.collections[:3]] for panel in (of_one, of_two)]
-    assert shades[0] == shades[1]
-    assert legends(drawing)[1] == ["1", "2", "3", "4", "5", "6 and above", FADED]
-
-
-def test_results_of_one_telescope_each_are_drawn_over_each_other(sample):
-    ds = photic.open(sample)
-    apart = [ds.isel(telescope=[0]), ds.isel(telescope=[1])]
-    drawing = plot.figure(apart, ["one", "two"], channels=["elastic"])
-    thins = [drawing.axes[0].get_lines()[i].get_xdata() for i in (1, 4)]
-    assert thins[0][0] == float(ds.echo[0, 0, 0]) and thins[1][0] == float(ds.echo[1, 0, 0])
-    lines = drawing._supxlabel.get_text().splitlines()
-    assert lines[0].endswith("telescope narrow") and lines[1].endswith("telescope wide")
 
 
 @pytest.mark.filterwarnings("error:::numpy", "error::RuntimeWarning")

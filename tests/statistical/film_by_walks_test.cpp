@@ -8,6 +8,7 @@
 
 #include "support/films.hpp"
 #include "support/runs.hpp"
+#include "support/same_light.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 
@@ -87,20 +88,7 @@ void expect_both_estimators_agree(const BothEstimators& c) {
         read(c.scene + simulation(photons, seed, c.settings + no_free_walks, estimator)));
   };
   const auto forward = run(c.photons, 41, "forward"), walks = run(c.sets, 42, "bidirectional");
-  ZFamily family(0.01);
-  const auto compare = [&](const tally::Estimates& f, const tally::Estimates& b, const char* what) {
-    for (std::size_t i = 0; i < f.mean.size(); ++i) {
-      const double error = std::hypot(f.standard_error[i], b.standard_error[i]);
-      if (!(error < 0.05 * f.mean[i])) continue;
-      family.add(b.mean[i], f.mean[i], error, fmt::format("{}, {} {}", c.name, what, i));
-    }
-  };
-  compare(forward.echo_by_process, walks.echo_by_process, "process");
-  compare(forward.echo_by_order, walks.echo_by_order, "order");
-  std::printf("%s: %zu cells, rms z %.2f\n", c.name, family.size(), family.rms());
-  EXPECT_GE(family.size(), c.least) << c.name;
-  EXPECT_LT(family.rms(), 1.3) << c.name;
-  family.judge();
+  expect_same_light(forward, walks, c.name, 0.05, c.least);
   // The accounts are the walks', to whom what the film emits is absorbed.
   EXPECT_NEAR(walks.ledger.sum(), 1, 5 * walks.ledger_standard_error + 1e-6) << c.name;
 }

@@ -1,17 +1,14 @@
 // What both estimators have to find over waves, alike.
 #pragma once
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "support/lidars_over_waves.hpp"
 #include "support/runs.hpp"
+#include "support/same_light.hpp"
 #include "support/scenes.hpp"
-#include "support/z_test.hpp"
 
 namespace photic::test {
 
@@ -37,20 +34,7 @@ inline void expect_both_estimators_find(const OverWaves& c) {
   };
   const auto forward = run_in_lanes(scene(c.forward, 7, "forward"));
   const auto both = run_in_lanes(scene(c.bidirectional, 8, "bidirectional"));
-  ZFamily family(0.01);
-  const auto compare = [&](const tally::Estimates& f, const tally::Estimates& b, const char* what) {
-    for (std::size_t i = 0; i < f.mean.size(); ++i) {
-      const double error = std::hypot(f.standard_error[i], b.standard_error[i]);
-      if (!(error < 0.05 * f.mean[i])) continue;
-      family.add(b.mean[i], f.mean[i], error, fmt::format("{}, {} {}", c.name, what, i));
-    }
-  };
-  compare(forward.echo_by_process, both.echo_by_process, "process");
-  compare(forward.echo_by_order, both.echo_by_order, "order");
-  std::printf("%s: %zu cells, rms z %.2f\n", c.name, family.size(), family.rms());
-  EXPECT_GE(family.size(), c.least) << c.name;
-  EXPECT_LT(family.rms(), 1.3) << c.name;
-  family.judge();
+  expect_same_light(forward, both, c.name, 0.05, c.least);
   EXPECT_EQ(both.lost_not_finite, 0U) << c.name;
   EXPECT_NEAR(both.ledger.sum(), 1, 5 * both.ledger_standard_error + 1e-6) << c.name;
 }
