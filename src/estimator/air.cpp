@@ -31,7 +31,8 @@ Model model_of_air(const Model& model) {
   }
   constexpr double ample_m = 1;  // for lenses' rims
   out.scene.bottom.reset();
-  out.medium = medium::upside_down(*model.air, model.medium, -lowest, -highest + ample_m);
+  out.medium =
+      medium::upside_down(*model.air, model.other_airs, model.medium, -lowest, -highest + ample_m);
   out.paths = free_paths(out.medium, out.scene.simulation);
   out.averaged = averaged_phases(out.scene, out.medium);
   return out;

@@ -95,15 +95,20 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
   return shape;
 }
 
+/// Of the laser and the telescopes [m].
+std::vector<double> heights_of(const scene::Scene& scene) {
+  std::vector<double> out{scene.source.position_m.z};
+  for (const auto& t : scene.telescope) out.push_back(t.position_m.z);
+  return out;
+}
+
 /// See Model.
 std::vector<AirTables> air_tables_of(const scene::Scene& scene, const medium::Air& air) {
   std::vector<AirTables> out;
-  const auto add = [&](const Vec3<double>& position) {
-    const auto column = medium::column_to(air, position.z);
+  for (const double height : heights_of(scene)) {
+    const auto column = medium::column_to(air, height);
     out.push_back({TwinTable(column.optical_depth), TwinTable(column.delay_m)});
-  };
-  add(scene.source.position_m);
-  for (const auto& t : scene.telescope) add(t.position_m);
+  }
   return out;
 }
 
@@ -163,6 +168,12 @@ Model make_model(const scene::Scene& scene) {
   auto medium = medium::build_medium(scene, library);
   auto air = medium::build_air(scene, medium.line);
   auto tables = air ? air_tables_of(scene, *air) : std::vector<AirTables>{};
+  auto others = air && scene.compares() ? medium::other_airs(scene, medium.line)
+                                        : std::vector<medium::OtherAir>{};
+  if (!others.empty()) {
+    medium.environments.excess_air = medium::excess_depths(others, heights_of(scene));
+    medium.finish();
+  }
   for (const AirTables& to : tables)
     for (std::size_t l = 0; l < medium.line.size(); ++l)
       medium.line[l].air_delay_m.push_back(to.delay.numbers()[l]);
@@ -177,8 +188,9 @@ Model make_model(const scene::Scene& scene) {
   }
   auto paths = free_paths(medium, scene.simulation);
   auto averaged = averaged_phases(scene, medium);
-  return {std::move(effective), std::move(medium),   std::move(paths), std::move(gates),
-          std::move(shape),     std::move(averaged), std::move(air),   std::move(tables)};
+  return {std::move(effective), std::move(medium), std::move(paths),
+          std::move(gates),     std::move(shape),  std::move(averaged),
+          std::move(air),       std::move(tables), std::move(others)};
 }
 
 Model simulated_by(const Model& model, const scene::Simulation& simulation) {
@@ -190,7 +202,7 @@ Model simulated_by(const Model& model, const scene::Simulation& simulation) {
 }
 
 tally::Result describe(const Model& model) {
-  const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables] = model;
+  const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables, others] = model;
   tally::Result result;
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
   for (const auto& e : scene.environment) {

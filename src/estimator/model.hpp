@@ -11,6 +11,7 @@
 #include "geometry/region.hpp"
 #include "medium/air.hpp"
 #include "medium/medium.hpp"
+#include "medium/other_airs.hpp"
 #include "scene/read.hpp"
 #include "scene/scene.hpp"
 #include "tally/gates.hpp"
@@ -30,7 +31,10 @@ inline std::uint64_t batch_photons(const scene::Simulation& simulation) {
 struct AirTables {
   TwinTable optical_depth, delay;  ///< [line]
 
-  [[nodiscard]] geometry::AirColumn view() const { return {optical_depth.view(), delay.view()}; }
+  /// `excess`: of AirColumn.
+  [[nodiscard]] geometry::AirColumn view(std::int32_t excess) const {
+    return {optical_depth.view(), delay.view(), excess};
+  }
 };
 
 struct Model {
@@ -43,6 +47,7 @@ struct Model {
   std::optional<medium::Air> air;
   /// Between the sea and the laser, and each telescope; none where the air is clear.
   std::vector<AirTables> air_tables;
+  std::vector<medium::OtherAir> other_airs;  ///< of scenes with air and environments
 };
 
 /// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. The

@@ -282,7 +282,7 @@ double most_rounded_off(const Instrument& instrument, const medium::Medium& air)
 
 template <class T>
 World<T> make_world(const Model& model) {
-  const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables] = model;
+  const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables, others] = model;
   World<T> world;
   world.estimator = scene.simulation.estimator;
   world.sea = paths.slabs(medium);
@@ -299,9 +299,10 @@ World<T> make_world(const Model& model) {
   };
   const auto region = [&](const auto& instrument, std::size_t number) {
     const bool in_air = !geometry::stands_in_water(instrument.position_m);
-    return geometry::Region<T>{
-        in_air, Index<T>(layer(instrument)),
-        in_air && !air_tables.empty() ? air_tables[number].view() : geometry::AirColumn{}};
+    geometry::AirColumn column;
+    if (in_air && !air_tables.empty())
+      column = air_tables[number].view(others.empty() ? -1 : world.sea.excess_air(number));
+    return geometry::Region<T>{in_air, Index<T>(layer(instrument)), column};
   };
   world.laser_region = region(scene.source, 0);
   for (const auto& t : scene.telescope) {

@@ -1,6 +1,7 @@
 // The regions that interfaces cut space into, and how light gets from the water to one of them.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "core/elementary.hpp"
@@ -12,6 +13,7 @@ namespace photic::geometry {
 struct AirColumn {
   ShortTable optical_depth;  ///< [line]
   ShortTable delay;          ///< by how much the group path is longer than in a vacuum [m], [line]
+  std::int32_t excess = -1;  ///< row of how much deeper it is in environments, of line 0; -1: none
 
   [[nodiscard]] bool exists() const { return optical_depth.size > 0; }
 };

@@ -37,22 +37,19 @@ std::vector<double> middles_km(const optics::AirProfile& profile) {
   return out;
 }
 
-/// With more levels where the layers between them are too thick.
-optics::AirProfile refined(const optics::AirLibrary& library, optics::AirProfile profile,
-                           const optics::AerosolChoice& aerosols, double laser_nm) {
-  for (;;) {
-    const std::vector<double> middles = middles_km(profile);
-    const auto depths = depths_of(optics::air_at(library, with_levels(profile, middles), aerosols,
-                                                 laser_nm, optics::Phases::left_out));
-    std::vector<double> more;
-    for (std::size_t k = 0; k < middles.size(); ++k) {
-      const double lower = depths[2 * k], upper = depths[2 * k + 1];
-      if (std::abs(lower - upper) / 2 > air_depth_tolerance * std::max(1.0, lower + upper))
-        more.push_back(middles[k]);
-    }
-    if (more.empty()) return profile;
-    profile = with_levels(profile, more);
+/// The middles of layers that are too thick.
+std::vector<double> too_thick(const optics::AirLibrary& library, const optics::AirProfile& profile,
+                              const optics::AerosolChoice& aerosols, double laser_nm) {
+  const std::vector<double> middles = middles_km(profile);
+  const auto depths = depths_of(optics::air_at(library, with_levels(profile, middles), aerosols,
+                                               laser_nm, optics::Phases::left_out));
+  std::vector<double> out;
+  for (std::size_t k = 0; k < middles.size(); ++k) {
+    const double lower = depths[2 * k], upper = depths[2 * k + 1];
+    if (std::abs(lower - upper) / 2 > air_depth_tolerance * std::max(1.0, lower + upper))
+      out.push_back(middles[k]);
   }
+  return out;
 }
 
 void add_sources(const optics::AirOptics& at, double nm, std::vector<Source>& sources) {
@@ -74,24 +71,65 @@ AirDepths depths_by_part(const optics::AirOptics& air) {
   return out;
 }
 
-Air air_of_profile(const scene::Atmosphere& atmosphere, const std::vector<Line>& lines) {
-  const optics::AirLibrary library(optics::find_data_folder());
+}  // namespace
+
+optics::PhaseTable Air::phase(std::size_t layer) const {
+  return optics::PhaseTable(optics::phase_of(scatterers[layer]));
+}
+
+double Air::optical_depth(std::size_t line) const {
+  double depth = 0;
+  for (std::size_t k = 0; k < layers(); ++k) {
+    const std::size_t at = line * layers() + k;
+    depth += (a[at] + b[at]) * (height_m[k + 1] - height_m[k]);
+  }
+  return depth;
+}
+
+AirBuilder::AirBuilder(const scene::Scene& scene, const std::vector<Line>& lines) : lines_(lines) {
+  const std::string folder = optics::find_data_folder();
+  if (!scene.atmosphere->layer.empty()) {
+    library_.emplace(folder);
+    return;
+  }
+  of_air_.emplace(folder);
+  const auto refine_for = [&](const scene::Atmosphere& air) {
+    for (auto profile = in_layers(air);;) {
+      auto more = too_thick(*of_air_, profile, aerosols_of(air), lines.front().wavelength_nm);
+      if (more.empty()) return;
+      profile = with_levels(profile, more);
+      halved_km_.push_back(std::move(more));
+    }
+  };
+  refine_for(*scene.atmosphere);
+  for (const auto& environment : scene.environment) refine_for(*environment.atmosphere);
+}
+
+Air AirBuilder::operator()(const scene::Scene& scene) const {
+  return scene.atmosphere->layer.empty() ? of_profile(*scene.atmosphere) : of_layers(scene);
+}
+
+optics::AirProfile AirBuilder::in_layers(const scene::Atmosphere& air) const {
+  auto profile = profile_to_top(air, whole_profile(air, *of_air_));
+  for (const auto& more : halved_km_) profile = with_levels(profile, more);
+  return profile;
+}
+
+Air AirBuilder::of_profile(const scene::Atmosphere& atmosphere) const {
   const optics::AerosolChoice aerosols = aerosols_of(atmosphere);
-  const optics::AirProfile profile =
-      refined(library, profile_to_top(atmosphere, whole_profile(atmosphere, library)), aerosols,
-              lines.front().wavelength_nm);
+  const optics::AirProfile profile = in_layers(atmosphere);
   Air air;
   for (const double km : profile.z_km) air.height_m.push_back(km * metre_per_km);
-  for (const Line& line : lines) {
-    const bool is_laser = &line == &lines.front();
-    const auto at = optics::air_at(library, profile, aerosols, line.wavelength_nm,
+  for (const Line& line : lines_) {
+    const bool is_laser = &line == &lines_.front();
+    const auto at = optics::air_at(*of_air_, profile, aerosols, line.wavelength_nm,
                                    is_laser ? optics::Phases::told : optics::Phases::left_out);
     for (const optics::AirLayer& layer : at.layers) {
       air.a.push_back(layer.a_per_m());
       air.b.push_back(layer.b_per_m());
       air.refractive_index.push_back(layer.refractive_index);
       air.group_index.push_back(layer.group_index);
-      if (is_laser) air.phase.emplace_back(layer.phase);
+      if (is_laser) air.scatterers.push_back(layer.scatterers);
     }
     if (is_laser) air.depths = depths_by_part(at);
     add_sources(at, line.wavelength_nm, air.sources);
@@ -99,19 +137,19 @@ Air air_of_profile(const scene::Atmosphere& atmosphere, const std::vector<Line>&
   return air;
 }
 
-Air air_of_layers(const scene::Scene& scene, const std::vector<Line>& lines) {
-  const optics::Library library(optics::find_data_folder());
-  const LayerOptics optics_of(scene, library);
-  const double laser_nm = lines.front().wavelength_nm;
+Air AirBuilder::of_layers(const scene::Scene& scene) const {
+  const LayerOptics optics_of(scene, *library_);
+  const double laser_nm = lines_.front().wavelength_nm;
   Air air;
   air.height_m.push_back(0);
   for (const scene::AirLayer& layer : scene.atmosphere->layer) {
     air.height_m.push_back(layer.top_height_m);
-    air.phase.emplace_back(layer.phase_function
-                               ? optics_of.shape(*layer.phase_function, laser_nm)
-                               : optics::rayleigh(optics::air_depolarisation(laser_nm)));
+    const auto shape = layer.phase_function
+                           ? optics_of.shape(*layer.phase_function, laser_nm)
+                           : optics::rayleigh(optics::air_depolarisation(laser_nm));
+    air.scatterers.push_back({{"", optics_of(as_layer(layer), laser_nm).b_per_m, shape}});
   }
-  for (const Line& line : lines)
+  for (const Line& line : lines_)
     for (const scene::AirLayer& layer : scene.atmosphere->layer) {
       const WaterOptics at = optics_of(as_layer(layer), line.wavelength_nm);
       air.a.push_back(at.a_per_m);
@@ -123,21 +161,9 @@ Air air_of_layers(const scene::Scene& scene, const std::vector<Line>& lines) {
   return air;
 }
 
-}  // namespace
-
-double Air::optical_depth(std::size_t line) const {
-  double depth = 0;
-  for (std::size_t k = 0; k < layers(); ++k) {
-    const std::size_t at = line * layers() + k;
-    depth += (a[at] + b[at]) * (height_m[k + 1] - height_m[k]);
-  }
-  return depth;
-}
-
 std::optional<Air> build_air(const scene::Scene& scene, const std::vector<Line>& lines) {
   if (!scene.atmosphere) return std::nullopt;
-  return scene.atmosphere->layer.empty() ? air_of_profile(*scene.atmosphere, lines)
-                                         : air_of_layers(scene, lines);
+  return AirBuilder(scene, lines)(scene);
 }
 
 std::vector<std::string> air_told(const scene::Scene& scene, const Air& air) {

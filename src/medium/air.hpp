@@ -8,6 +8,7 @@
 #include "medium/medium.hpp"
 #include "medium/sources.hpp"
 #include "optics/air.hpp"
+#include "optics/library.hpp"
 #include "optics/phase_table.hpp"
 #include "scene/scene.hpp"
 
@@ -23,12 +24,14 @@ struct AirDepths {
 struct Air {
   std::vector<double> height_m;  ///< edges, ascending, the first 0: layers + 1
   std::vector<double> a, b;      ///< absorption, scattering [1/m], [line][layer]
-  std::vector<double> refractive_index, group_index;  ///< [line][layer]
-  std::vector<optics::PhaseTable> phase;              ///< of the laser's line alone, [layer]
+  std::vector<double> refractive_index, group_index;          ///< [line][layer]
+  std::vector<std::vector<optics::AirScatterer>> scatterers;  ///< in the laser's line, [layer]
   std::vector<Source> sources;
   std::optional<AirDepths> depths;  ///< none in layers told outright
 
   [[nodiscard]] std::size_t layers() const { return height_m.size() - 1; }
+  /// Of all scattering in a layer, of the laser's line.
+  [[nodiscard]] optics::PhaseTable phase(std::size_t layer) const;
   /// Of a line's light, from the sea straight up to the top.
   [[nodiscard]] double optical_depth(std::size_t line) const;
 };
@@ -38,8 +41,28 @@ struct Air {
 /// laser's light; of layers thicker than 1, by this share of their depth.
 inline constexpr double air_depth_tolerance = 1e-3;
 
-/// None without an [atmosphere]. Throws InputError for what check_medium (medium/check.hpp) finds,
-/// EnvironmentError for data that are missing or damaged.
+/// Builds the air of a scene, and of its environments in the same layers.
+class AirBuilder {
+ public:
+  /// Throws EnvironmentError for data that are missing or damaged.
+  AirBuilder(const scene::Scene& scene, const std::vector<Line>& lines);
+
+  /// Of the scene, or of it in an environment; there must be an [atmosphere]. Throws InputError for
+  /// what check_medium (medium/check.hpp) finds.
+  [[nodiscard]] Air operator()(const scene::Scene& scene) const;
+
+ private:
+  [[nodiscard]] optics::AirProfile in_layers(const scene::Atmosphere& air) const;
+  [[nodiscard]] Air of_profile(const scene::Atmosphere& atmosphere) const;
+  [[nodiscard]] Air of_layers(const scene::Scene& scene) const;
+
+  const std::vector<Line>& lines_;
+  std::optional<optics::AirLibrary> of_air_;    ///< of a profile
+  std::vector<std::vector<double>> halved_km_;  ///< levels that its layers are halved by in turn
+  std::optional<optics::Library> library_;      ///< of layers that are told outright
+};
+
+/// None without an [atmosphere]. Throws as AirBuilder does.
 std::optional<Air> build_air(const scene::Scene& scene, const std::vector<Line>& lines);
 
 /// What `photic show` tells of the air.

@@ -117,6 +117,7 @@ std::vector<double> Medium::environment_rows() const {
   add(environments.excess_part, static_cast<std::size_t>(environments.parts));
   add_rows(environments.excess_bed);
   add_rows(environments.surface);
+  add_rows(environments.excess_air);
   add_rows(environments.film);
   add_rows(environments.film_emission);
   return out;
@@ -274,7 +275,11 @@ MediumView Medium::view() const {
   e.other_waves = !environments.surface.empty();
   e.other_surface = e.other_waves || (v.waves.rough && e.other_film);
   v.waves.isotropic = v.waves.isotropic && !e.other_waves;
-  e.first_film = e.first_surface + (e.other_waves ? surface_rows : 0);
+  e.other_air = !environments.excess_air.empty();
+  e.first_air = e.first_surface + (e.other_waves ? surface_rows : 0);
+  e.first_film = e.first_air;
+  if (e.other_air)
+    e.first_film += static_cast<std::int32_t>(environments.excess_air.size()) / e.count;
   e.first_emission = e.first_film + ways_at_film * v.lines * (film_angle_steps + 1);
   e.number = environment_rows_.table();
   e.part_phase = part_phase_.view();

@@ -42,7 +42,10 @@ struct EnvironmentsView {
   bool other_waves = false;    ///< some have other waves or whitecaps
   bool other_film = false;     ///< some have another film of oil
   bool other_surface = false;  ///< facets or whitecaps that light meets count: one of both
-  std::int32_t first_film = 0, first_emission = 0;
+  bool other_air = false;      ///< some have another air between the sea and instruments
+  /// What walks meet at the surface, or on their way there from the instrument, counts.
+  [[nodiscard]] bool other_entry() const { return other_surface || other_air; }
+  std::int32_t first_air = 0, first_film = 0, first_emission = 0;
   Table number;           ///< [row][environment]
   IndexTable part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
@@ -174,6 +177,10 @@ struct MediumView {
   I excess_bed(const I& line, const I& angle) const {
     return I(environments.first_bed) + line * I(bed_angles) + angle;
   }
+  /// How much deeper the air is straight up from the sea to an instrument: 0 is the laser.
+  [[nodiscard]] std::int32_t excess_air(std::size_t instrument) const {
+    return environments.first_air + static_cast<std::int32_t>(instrument) * lines;
+  }
   /// How much less light goes on at a film by a way (surface/film_crossing.hpp), as an optical
   /// depth, at the end of a step.
   template <class I>
@@ -237,6 +244,9 @@ struct EnvironmentTables {
   /// yield over the medium's.
   std::vector<double> film, film_emission;
   std::vector<double> surface;  ///< [environment][row], see SurfaceRow; none: all as the medium's
+  /// How much deeper the air is from the sea to instruments, [environment][instrument][line]; none:
+  /// clear, or as the scene's in all.
+  std::vector<double> excess_air;
   std::vector<std::int32_t> part_phase;  ///< table in the medium's phases, [line][layer][part]
 };
 

@@ -31,7 +31,8 @@ void add_surface(const Medium& sea, Medium& medium) {
 
 }  // namespace
 
-Medium upside_down(const Air& air, const Medium& sea, double lowest_m, double highest_m) {
+Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Medium& sea,
+                   double lowest_m, double highest_m) {
   Medium medium;
   medium.upside_down = true;
   medium.line = sea.line;
@@ -45,7 +46,7 @@ Medium upside_down(const Air& air, const Medium& sea, double lowest_m, double hi
   if (vacuum) medium.top.push_back(highest_m);
   const std::size_t layers = air.layers();
   std::vector<std::int32_t> phase;
-  for (std::size_t k = 0; k < layers; ++k) phase.push_back(medium.add_phase(air.phase[k]));
+  for (std::size_t k = 0; k < layers; ++k) phase.push_back(medium.add_phase(air.phase(k)));
   if (vacuum) phase.push_back(phase.back());
   const auto add = [&](double a, double b) {
     const double c = std::max(a + b, least_attenuation);
@@ -62,6 +63,7 @@ Medium upside_down(const Air& air, const Medium& sea, double lowest_m, double hi
   }
   add_surface(sea, medium);
   medium.scattering_to_instrument = integral(air, air.b, 0, lowest_m);
+  if (!others.empty()) add_other_airs(air, others, sea, medium);
   medium.finish();
   return medium;
 }

@@ -5,6 +5,7 @@
 
 #include "medium/air.hpp"
 #include "medium/medium.hpp"
+#include "medium/other_airs.hpp"
 
 namespace photic::medium {
 
@@ -12,8 +13,10 @@ namespace photic::medium {
 inline constexpr double least_attenuation = 1e-20;
 
 /// Light of the sea's lines is scattered there and absorbed, but not converted. Above the air there
-/// is nothing up to a height [m], where light ends. `lowest`: height of the lowest instrument.
-Medium upside_down(const Air& air, const Medium& sea, double lowest_m, double highest_m);
+/// is nothing up to a height [m], where light ends. `lowest`: height of the lowest instrument;
+/// `others`: other_airs() of the scene.
+Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Medium& sea,
+                   double lowest_m, double highest_m);
 
 /// Of the air straight up from the sea to a height, for each line.
 struct AirColumn {

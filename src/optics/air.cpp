@@ -1,5 +1,7 @@
 #include "optics/air.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "optics/air_molecules.hpp"
@@ -47,30 +49,29 @@ class LayerMaker {
       add_source(out_.ozone_source, of.source);
     }
 
-    Parts parts{{layer.molecules_b_per_m, rayleigh(out_.depolarisation)}};
+    layer.scatterers.push_back(
+        {"molecules", layer.molecules_b_per_m, rayleigh(out_.depolarisation)});
     double g_b = 0;
     for (std::size_t k = 0; k < aerosol_regions; ++k) {
       const double at_550_per_m = per_m_of_km * mean(profile_.aerosols_per_km[k]);
       if (at_550_per_m == 0) continue;
-      const AerosolOptics of = aerosol_optics(
-          library_, choice_.model[k], nm_, middle(profile_.relative_humidity_percent, i), phases_);
+      const double humidity = middle(profile_.relative_humidity_percent, i);
+      const AerosolOptics of = aerosol_optics(library_, choice_.model[k], nm_, humidity, phases_);
       const double b = at_550_per_m * of.scattering();
       layer.aerosols_a_per_m += at_550_per_m * of.absorption;
       layer.aerosols_b_per_m += b;
       g_b += b * of.g;
-      parts.emplace_back(b, of.phase);
+      layer.scatterers.push_back(
+          {fmt::format("{} at {} %", choice_.model[k], humidity), b, of.phase});
       add_source(out_.aerosols_source, of.source);
     }
     if (layer.aerosols_b_per_m > 0) layer.aerosols_g = g_b / layer.aerosols_b_per_m;
     if (phases_ == Phases::left_out) return layer;
-    for (auto& [share, shape] : parts) share /= layer.b_per_m();
-    layer.phase = mixture(parts);
+    layer.phase = phase_of(layer.scatterers);
     return layer;
   }
 
  private:
-  using Parts = std::vector<std::pair<double, PhaseShape>>;
-
   static double middle(const std::vector<double>& values, std::size_t i) {
     return (values[i - 1] + values[i]) / 2;
   }
@@ -84,6 +85,15 @@ class LayerMaker {
 };
 
 }  // namespace
+
+PhaseShape phase_of(const std::vector<AirScatterer>& scatterers) {
+  double b_per_m = 0;
+  for (const AirScatterer& of : scatterers) b_per_m += of.b_per_m;
+  std::vector<std::pair<double, PhaseShape>> parts;
+  for (const AirScatterer& of : scatterers)
+    parts.emplace_back(b_per_m > 0 ? of.b_per_m / b_per_m : 1.0, of.phase);
+  return mixture(parts);
+}
 
 AirOptics air_at(const AirLibrary& library, const AirProfile& profile,
                  const AerosolChoice& aerosols, double wavelength_nm, Phases phases) {

@@ -15,6 +15,16 @@ struct AerosolChoice {
                                                  "meteoric"};
 };
 
+/// Molecules, or the aerosols of a region, in a layer.
+struct AirScatterer {
+  std::string name;  ///< those of the same name scatter alike at a wavelength
+  double b_per_m = 0;
+  PhaseShape phase;  ///< none where aerosols' are left out
+};
+
+/// What they scatter together.
+PhaseShape phase_of(const std::vector<AirScatterer>& scatterers);
+
 /// What is between two levels of a profile: means over it.
 struct AirLayer {
   double bottom_km = 0, top_km = 0;
@@ -24,6 +34,7 @@ struct AirLayer {
   double aerosols_a_per_m = 0, aerosols_b_per_m = 0;
   double aerosols_g = 0;  ///< mean cosine of what aerosols scatter, 0 without aerosols
   PhaseShape phase;       ///< of all that is scattered; none where it is left out
+  std::vector<AirScatterer> scatterers;
 
   [[nodiscard]] double a_per_m() const { return ozone_a_per_m + aerosols_a_per_m; }
   [[nodiscard]] double b_per_m() const { return molecules_b_per_m + aerosols_b_per_m; }

@@ -16,27 +16,20 @@ bool begins_with(const std::string& path, const char* start) { return path.rfind
 
 }  // namespace
 
-bool leads_to_water(const std::string& path) {
+bool leads_to_medium(const std::string& path) {
   return begins_with(path, "sea.") || begins_with(path, "optics.") ||
-         begins_with(path, "bottom.") || begins_with(path, "oil.");
-}
-
-bool leads_to_air(const std::string& path) {
-  return path == "atmosphere" || begins_with(path, "atmosphere.");
+         begins_with(path, "bottom.") || begins_with(path, "oil.") ||
+         begins_with(path, "atmosphere.");
 }
 
 std::optional<Refusal> check_path(const std::string& path) {
-  if (path == "sea" || path == "optics" || path == "bottom" || path == "oil")
+  if (path == "sea" || path == "optics" || path == "bottom" || path == "oil" ||
+      path == "atmosphere")
     return Refusal{fmt::format("'{}' cannot be set as a whole in an environment", path),
                    R"(quote the whole path: "sea.layer.0.chlorophyll_mg_m3" = 0.5)"};
-  if (leads_to_air(path))
-    return Refusal{fmt::format("'{}' cannot be set in an environment: {}", path, one_air),
-                   "simulate that air in a scene of its own"};
-  if (!leads_to_water(path))
-    return Refusal{fmt::format("'{}' cannot be set in an environment: only the water, the bed "
-                               "and a film of oil may differ, for the histories are the same",
-                               path),
-                   "set paths that begin with sea., optics., bottom. or oil."};
+  if (!leads_to_medium(path))
+    return Refusal{fmt::format("'{}' cannot be set in an environment: {}", path, may_differ),
+                   fmt::format("set paths that begin with {}", media)};
   return std::nullopt;
 }
 

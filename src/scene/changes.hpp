@@ -21,12 +21,11 @@ std::optional<Refusal> check(const Changes& rule, const Node& node, std::vector<
 Node schema_of(const Changes& rule);
 Node to_node(const std::vector<Change>& value);
 
-/// Whether a path leads to what may differ in other water: sea, optics and bed.
-bool leads_to_water(const std::string& path);
-
-/// Whether it leads to the air, which may not.
-bool leads_to_air(const std::string& path);
-inline constexpr const char* one_air = "the air is the same in all environments, as yet";
+/// Whether a path leads to what may differ in environments: sea, optics, bed, film and air.
+bool leads_to_medium(const std::string& path);
+inline constexpr const char* media = "sea., optics., bottom., oil. or atmosphere.";
+inline constexpr const char* may_differ =
+    "only the water, the bed, a film of oil and the air may differ, for the histories are the same";
 
 /// Why a path must not be changed in other water, as far as it alone tells.
 std::optional<Refusal> check_path(const std::string& path);

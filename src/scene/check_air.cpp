@@ -20,11 +20,6 @@ void check_what_is_below(const Scene& scene, Findings& findings) {
   if (scene.simulation.tools.any() && findings.good({"simulation.tools"}))
     findings.add("simulation.tools", "the forward estimator's tools do not know the air yet",
                  "leave [simulation.tools] or [atmosphere] out");
-  const std::string alone = "leave [atmosphere] out, or ask for one water";
-  if (!scene.environment.empty() && findings.good({"environment"}))
-    findings.add("environment", "there is no air above environments yet", alone);
-  if (!scene.sensitivity.empty() && findings.good({"sensitivity"}))
-    findings.add("sensitivity", "derivatives do not know the air above the sea yet", alone);
 }
 
 void check_heights(const std::vector<AirLayer>& layers, Findings& findings) {

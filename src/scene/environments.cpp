@@ -60,7 +60,7 @@ bool hold(const Node& written_scene, const Environment& environment) {
   const Scene read = scene_of(document, std::nullopt, findings);
   return findings.problems().empty() && read.optics == environment.optics &&
          read.sea == environment.sea && read.bottom == environment.bottom &&
-         read.oil == environment.oil;
+         read.oil == environment.oil && read.atmosphere == environment.atmosphere;
 }
 
 /// Every key of one table is in the other one.
@@ -170,6 +170,7 @@ void read_environment(const Reference& reference, const Entry& set, const std::s
   environment.sea = read.sea;
   environment.bottom = read.bottom;
   environment.oil = read.oil;
+  environment.atmosphere = read.atmosphere;
 }
 
 const Entry& set_of(const Node& document, std::size_t i) {

@@ -158,7 +158,7 @@ class LayerExpander {
                                     "{:.3g}",
                                     f.key, most, top, end, allowed),
                         "allow more by \"sea.profile_tolerance\" in the environment, or simulate "
-                        "that water in a scene of its own");
+                        "that in a scene of its own");
           break;
         }
         top = end;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <span>
 #include <utility>
 
 #include "scene/changes.hpp"
@@ -55,6 +56,13 @@ constexpr Fixed fixed_of_surface[] = {{"model", bends},
                                       {"gram_charlier", bends},
                                       {"whitecap_reflectance", bends}};
 
+/// The kind of air, by a profile or by layers, is a matter of the first key.
+constexpr Fixed fixed_of_air[] = {{"profile", bends_and_times}, {"top_km", borders}};
+constexpr Fixed fixed_of_air_layers[] = {{"name", called},
+                                         {"bottom_height_m", borders},
+                                         {"top_height_m", borders},
+                                         {"refractive_index", bends_and_times}};
+
 constexpr const char* shines = "the film's light has the same lines in all environments";
 constexpr Fixed fixed_of_oil[] = {{"class", shines}, {"file", shines}, {"lifetime_ns", times}};
 
@@ -74,11 +82,20 @@ class Comparison {
     for (const Fixed& fixed : fixed_of_oil) compare(*scene, *here, "oil", fixed);
   }
 
+  void compare_airs(const Node* scene, const Node* here) {
+    if (!here) return;
+    if (!scene)
+      return findings_.add("atmosphere", "the scene itself has no air above the sea",
+                           "give it an [atmosphere], of little aerosol if need be");
+    for (const Fixed& fixed : fixed_of_air) compare(*scene, *here, "atmosphere", fixed);
+    compare_layers("atmosphere.layer", scene->find("layer"), here->find("layer"),
+                   fixed_of_air_layers);
+  }
+
   void compare_seas(const Node& scene, const Node& here) {
     for (const Fixed& fixed : fixed_of_sea) compare(scene, here, "sea", fixed);
     compare_surfaces(*scene.find("surface"), *here.find("surface"));
-    if (!good("sea.layer")) return;
-    compare_layers(*scene.find("layer")->as<Node::Array>(), *here.find("layer")->as<Node::Array>());
+    compare_layers("sea.layer", scene.find("layer"), here.find("layer"), fixed_of_layers);
   }
 
  private:
@@ -88,16 +105,19 @@ class Comparison {
       if (!compare(scene, here, "sea.surface", fixed)) return;
   }
 
-  void compare_layers(const Node::Array& scene, const Node::Array& here) {
+  void compare_layers(const std::string& path, const Node* of_scene, const Node* of_here,
+                      std::span<const Fixed> all_fixed) {
+    if (!of_scene || !of_here || !good(path)) return;
+    const auto& scene = *of_scene->as<Node::Array>();
+    const auto& here = *of_here->as<Node::Array>();
     if (scene.size() != here.size())
-      return findings_.add("sea.layer",
+      return findings_.add(path,
                            fmt::format("there must be as many layers as in the scene, {}, not {}: "
                                        "{}",
                                        scene.size(), here.size(), borders),
                            suggestion);
     for (std::size_t i = 0; i < scene.size(); ++i)
-      for (const Fixed& fixed : fixed_of_layers)
-        compare(scene[i], here[i], below("sea.layer", i), fixed);
+      for (const Fixed& fixed : all_fixed) compare(scene[i], here[i], below(path, i), fixed);
   }
 
   /// Whether they are alike, or not known.
@@ -121,7 +141,7 @@ class Comparison {
     return a && b ? format_value(*a) == format_value(*b) : a == b;
   }
 
-  static constexpr const char* suggestion = "simulate that water in a scene of its own";
+  static constexpr const char* suggestion = "simulate that in a scene of its own";
   const Findings& of_scene_;
   Findings& findings_;
 };
@@ -150,12 +170,14 @@ Scene OtherWater::read() {
   check_sea(scene, findings_);
   check_bottom(scene, findings_);
   check_oil(scene, findings_);
+  check_atmosphere(scene, findings_);
   check_instrument(scene, findings_);
   check_gates(scene, findings_);
   const Node here = written(scene);
   Comparison comparison(reference_.findings, findings_);
   comparison.compare_optics(*reference_.written.find("optics"), *here.find("optics"));
   comparison.compare_seas(*reference_.written.find("sea"), *here.find("sea"));
+  comparison.compare_airs(reference_.written.find("atmosphere"), here.find("atmosphere"));
   comparison.compare_oils(reference_.written.find("oil"), here.find("oil"));
   if (reference_.check) reference_.check(scene, findings_);
   return scene;

@@ -82,6 +82,7 @@ Scene scene_in(const Scene& scene, const Environment& environment) {
   there.sea = environment.sea;
   there.bottom = environment.bottom;
   there.oil = environment.oil;
+  there.atmosphere = environment.atmosphere;
   return there;
 }
 

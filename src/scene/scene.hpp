@@ -279,6 +279,7 @@ struct Environment {
   Sea sea;
   std::optional<Bottom> bottom = std::nullopt;
   std::optional<Oil> oil = std::nullopt;
+  std::optional<Atmosphere> atmosphere = std::nullopt;
   friend bool operator==(const Environment&, const Environment&) = default;
 };
 

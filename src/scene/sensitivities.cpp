@@ -44,15 +44,10 @@ class ParameterReader {
     if (!path)
       return refuse(fmt::format("'sensitivity' must hold paths, not {}", found_text(element_)),
                     R"(write "sea.layer.0.chlorophyll_mg_m3")");
-    if (leads_to_air(*path))
-      return refuse(fmt::format("there is no derivative with respect to '{}': {}", *path, one_air),
-                    "name paths that begin with sea., optics., bottom. or oil.");
-    if (!leads_to_water(*path))
-      return refuse(fmt::format("there is no derivative with respect to '{}': only the water, "
-                                "the bed and a film of oil may differ, for the histories are the "
-                                "same",
-                                *path),
-                    "name paths that begin with sea., optics., bottom. or oil.");
+    if (!leads_to_medium(*path))
+      return refuse(
+          fmt::format("there is no derivative with respect to '{}': {}", *path, may_differ),
+          fmt::format("name paths that begin with {}", media));
     return *path;
   }
 
@@ -128,7 +123,8 @@ class ParameterReader {
                    .optics = read.optics,
                    .sea = read.sea,
                    .bottom = read.bottom,
-                   .oil = read.oil};
+                   .oil = read.oil,
+                   .atmosphere = read.atmosphere};
     return true;
   }
 
@@ -170,7 +166,7 @@ void read_sensitivities(const Node& document, const Check& check, Scene& scene,
                         Findings& findings) {
   if (scene.sensitivity.empty()) return;
   // Where the water is wrong nobody knows what is in it; where anything is, what other water does.
-  const bool water_good = findings.good({"sea", "optics", "bottom", "oil"});
+  const bool water_good = findings.good({"sea", "optics", "bottom", "oil", "atmosphere"});
   const bool all_good = findings.problems().empty();
   const Node as_written = written(scene);
   const NetcdfFiles no_files;  // a scene that is written names none

@@ -90,11 +90,11 @@ class BothMedia {
   void run(const estimator::World<Lanes>& setting_out, const estimator::World<Lanes>& water,
            const estimator::World<Lanes>& air, std::uint64_t first, std::uint64_t count,
            tally::BatchTally& tally) {
-    Pools::Passed to_air{Carried{}}, to_water{Carried{}};
+    Pools::Passed to_air(water), to_water(air);
     setting_out_.run(setting_out, first, count, tally, to_air);
     const tally::Ledger of_water = tally.ledger;
     air_.run(air, first, count, tally, to_water);
-    while (to_air.size() > 0 || to_water.size() > 0) {
+    while (to_air.photons.size() > 0 || to_water.photons.size() > 0) {
       air_.run(air, to_air, tally, to_water);
       water_.run(water, to_water, tally, to_air);
     }

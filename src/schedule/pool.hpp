@@ -25,7 +25,13 @@ template <class T>
 class Pool {
  public:
   /// Photons on their way from one medium to the other.
-  using Passed = Reserve<T>;
+  struct Passed {
+    explicit Passed(const estimator::World<T>& world)
+        : photons(Carried{}), ratios(world.sea.environments, 0) {}
+
+    Reserve<T> photons;
+    estimator::PathRatios<T> ratios;  ///< of each, in environments
+  };
   static constexpr std::size_t width = lanes_of<T>;
   /// Such that all of it stays in the first cache, and few packs are partly empty.
   static constexpr std::size_t slots = 128;
@@ -93,7 +99,7 @@ class Pool {
         world_, ledger_, tally, estimates_, draw,
         [this](estimator::Travellers<T>& gone, std::int32_t copy) {
           number_anew(gone, copy);
-          passed_->push(gone.on, gone);
+          leave(gone);
         });
   }
   /// They draw random numbers of their own.
@@ -146,7 +152,7 @@ class Pool {
       births<Events>(tally);
       return true;
     }
-    if (arrivals_ != nullptr && arrivals_->size() > 0) {
+    if (arrivals_ != nullptr && arrivals_->photons.size() > 0) {
       arrive<Events>(tally);
       return true;
     }
@@ -187,13 +193,33 @@ class Pool {
   template <class Events>
   PHOTIC_APART void arrive(tally::BatchTally& tally) {
     std::size_t came = 0;
-    for (; came < packs && arrivals_->size() > 0; ++came)
-      newborn_[came].on = arrivals_->pop(Mask<T>(true), newborn_[came]);
+    for (; came < packs && arrivals_->photons.size() > 0; ++came) arrive(newborn_[came]);
     auto steps =
         steps_of<Events>(tally, [&](std::uint32_t block) { draw(newborn_.data(), came, block); });
     const auto all = [&](auto stage) { each_of(newborn_.data(), came, stage); };
     flights(steps, all);
     all([&](auto& t) { wait(t); });
+  }
+  void arrive(estimator::Travellers<T>& pack) {
+    pack.on = arrivals_->photons.pop(Mask<T>(true), pack);
+    if (!world_.compares) [[likely]]
+      return;
+    std::size_t path = arrivals_->photons.size();
+    for_each_lane(pack.on, [&](int lane) {
+      ratios_.copy(world_.sea.environments, arrivals_->ratios, path++,
+                   pack.ratios.first + static_cast<std::size_t>(lane));
+    });
+  }
+  /// Who goes on to the other medium waits to be followed there.
+  void leave(estimator::Travellers<T>& gone) {
+    std::size_t path = passed_->photons.size();
+    passed_->photons.push(gone.on, gone);
+    if (!world_.compares) [[likely]]
+      return;
+    for_each_lane(gone.on, [&](int lane) {
+      passed_->ratios.copy(world_.sea.environments, ratios_,
+                           gone.ratios.first + static_cast<std::size_t>(lane), path++);
+    });
   }
   /// Who is on the way in a pack waits.
   void wait(estimator::Travellers<T>& pack) {

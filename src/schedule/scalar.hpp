@@ -76,11 +76,11 @@ class ScalarSimulator final : public Simulator {
   /// of light that sets out in the water.
   static void in_both_media(const World& setting_out, const World& water, const World& air,
                             std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) {
-    Passed to_air, to_water;
+    Passed to_air(water), to_water(air);
     forward(setting_out, first, count, tally, to_air);
     const tally::Ledger of_water = tally.ledger;
     forward(air, first, count, tally, to_water);
-    while (!to_air.empty() || !to_water.empty()) {
+    while (!to_air.photons.empty() || !to_water.photons.empty()) {
       go_on(air, to_air, to_water, tally);
       go_on(water, to_water, to_air, tally);
     }
@@ -88,7 +88,7 @@ class ScalarSimulator final : public Simulator {
   }
   static void forward(const World& world, std::uint64_t first, std::uint64_t count,
                       tally::BatchTally& tally) {
-    Passed none;
+    Passed none(world);
     forward(world, first, count, tally, none);
   }
   static void forward(const World& world, std::uint64_t first, std::uint64_t count,
@@ -110,12 +110,13 @@ class ScalarSimulator final : public Simulator {
   }
   static void go_on(const World& world, Passed& arrivals, Passed& passed,
                     tally::BatchTally& tally) {
+    estimator::PathRatios<T> paths(world.sea.environments, 1);
     std::vector<estimator::Travellers<T>> copies;
     estimator::Estimates<T> estimates(world);
     if (world.all_events)
-      follow<estimator::AllEvents>(world, arrivals, copies, passed, estimates, tally);
+      follow<estimator::AllEvents>(world, arrivals, paths, copies, passed, estimates, tally);
     else
-      follow<estimator::PlainEvents>(world, arrivals, copies, passed, estimates, tally);
+      follow<estimator::PlainEvents>(world, arrivals, paths, copies, passed, estimates, tally);
   }
 
   World world_;

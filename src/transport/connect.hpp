@@ -192,9 +192,9 @@ Connection<T> connect(const medium::MediumView& sea, const instrument::Telescope
   if (!region.in_air) return connect_in_water(sea, telescope, region.layer, at, line, route);
   auto way = connect_through_surface(sea, telescope, at, line, near_view);
   if (region.air.exists()) [[unlikely]] {
-    const auto& [depth, delay] = region.air;
-    way.optical_depth = way.optical_depth + gather<T>(depth, line) * way.secant_air;
-    way.path = way.path + gather<T>(delay, line) * way.secant_air;
+    const auto& air = region.air;
+    way.optical_depth = way.optical_depth + gather<T>(air.optical_depth, line) * way.secant_air;
+    way.path = way.path + gather<T>(air.delay, line) * way.secant_air;
   }
   return way;
 }

@@ -90,3 +90,22 @@ def pytest_sessionfinish(session):
     reporter = session.config.pluginmanager.get_plugin("terminalreporter")
     if reporter.stats.get("skipped") and session.exitstatus == 0:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
+
+
+@pytest.fixture
+def start(program, tmp_path, scene):
+    """Starts a run; whatever is left of it is killed at the end."""
+    started = []
+
+    def call(*arguments, **options):
+        pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+        process = subprocess.Popen(
+            [program, "run", "quick.toml", *map(str, arguments)], cwd=tmp_path, text=True, **(pipes | options)
+        )
+        started.append(process)
+        return process
+
+    yield call
+    for process in started:
+        process.kill()
+        process.communicate()

@@ -2,34 +2,13 @@
 
 import resource
 import signal
-import subprocess
 import time
 
 import netCDF4
-import pytest
 from test_interrupt import wait_until_it_listens
 from test_reproducible import contents
 
 YEARS = ("--photons", "1e15")
-
-
-@pytest.fixture
-def start(program, tmp_path, scene):
-    """Starts a run; whatever is left of it is killed at the end."""
-    started = []
-
-    def call(*arguments, **options):
-        pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-        process = subprocess.Popen(
-            [program, "run", "quick.toml", *map(str, arguments)], cwd=tmp_path, text=True, **(pipes | options)
-        )
-        started.append(process)
-        return process
-
-    yield call
-    for process in started:
-        process.kill()
-        process.communicate()
 
 
 def photons_in(path):

@@ -8,7 +8,7 @@ import subprocess
 
 import netCDF4
 import pytest
-from test_checkpoint import killed, photons_in, start  # noqa: F401 (a fixture)
+from test_checkpoint import killed, photons_in
 from test_interrupt import wait_until_it_listens
 
 OTHER_WATER = ("--set", "sea.layer.0.chlorophyll_mg_m3=0.4")

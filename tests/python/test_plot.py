@@ -5,6 +5,7 @@ from functools import cache
 import matplotlib.image
 import numpy
 import pytest
+from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 
 import photic

@@ -8,9 +8,9 @@
 #include "estimator/model.hpp"
 #include "run/batches.hpp"
 #include "run/run.hpp"
-#include "schedule/scalar.hpp"
 #include "support/agree.hpp"
 #include "support/runs.hpp"
+#include "support/scalar_engines.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 
@@ -138,8 +138,8 @@ tally::Result run_in(const scene::Scene& scene, int threads) {
   run::RunOptions options;
   options.threads = threads;
   run::RunControl control(scene.simulation, options);
-  const schedule::ScalarSimulator<T> simulator(model);
-  const auto totals = run::BatchRunner(model, simulator, control).run();
+  const auto simulator = scalar_engine<T>(model);
+  const auto totals = run::BatchRunner(model, *simulator, control).run();
   auto result = estimator::describe(model);
   totals.fill(result);
   return result;
@@ -162,7 +162,7 @@ TEST(Agreement, FloatAndDouble) {
             in_double.echo.mean);  // or the comparison would be of one with itself
 }
 
-// This file is compiled for any processor of its kind, the program's scalar engine for this one,
+// The tests' scalar engine is compiled for any processor of its kind, the program's for this one,
 // too. Seen red: with products and sums contracted in the program's.
 TEST(Agreement, BitsDoNotDependOnInstructions) {
   const std::string algae =

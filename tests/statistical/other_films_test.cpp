@@ -2,32 +2,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "support/films.hpp"
+#include "support/own_runs.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/z_test.hpp"
 
 namespace photic::test {
 namespace {
-
-/// Of a gate, in an environment and in its own run, where both are known well.
-void compare_environment(const tally::Result& all, std::size_t e, const tally::Result& own,
-                         ZFamily& family, const std::string& what) {
-  const std::size_t cells = own.echo.mean.size();
-  for (std::size_t i = 0; i < cells; ++i) {
-    const double other = all.environment_echo.standard_error[e * cells + i];
-    const double error = std::hypot(other, own.echo.standard_error[i]);
-    const bool known =
-        own.convergence_flags[i] == 0 && all.environment_convergence_flags[e * cells + i] == 0;
-    if (!known || !(error < 0.1 * own.echo.mean[i])) continue;
-    family.add(all.environment_echo.mean[e * cells + i], own.echo.mean[i], error,
-               fmt::format("{} cell {}", what, i));
-  }
-}
 
 struct OtherFilm {
   const char* name;
@@ -86,10 +71,8 @@ void expect_derivatives_by_the_film(const std::string& estimator, double photons
                                    "[[environment]]\nset = { \"oil.thickness_um\" = 4.95 }\n" +
                                    simulation(photons, 11, "", estimator)));
   const std::size_t cells = r.echo.mean.size();
+  expect_derivative_by_steps(r, 0, 0, 0.05, estimator);
   for (std::size_t i = 0; i < cells; ++i) {
-    if (r.echo.mean[i] == 0) continue;
-    const double by_steps = (r.environment_echo.mean[i] - r.environment_echo.mean[cells + i]) / 0.1;
-    EXPECT_NEAR(r.sensitivity.mean[i], by_steps, 1e-3 * std::abs(by_steps)) << i;
     const bool of_oil = i / r.gates() == 2;
     const double by_yield = r.sensitivity.mean[cells + i] * 0.02;
     EXPECT_NEAR(by_yield, of_oil ? r.echo.mean[i] : 0, 1e-4 * r.echo.mean[i]) << i;

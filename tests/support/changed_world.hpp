@@ -4,8 +4,9 @@
 #include <string>
 
 #include "estimator/model.hpp"
+#include "estimator/world.hpp"
 #include "run/batches.hpp"
-#include "schedule/scalar.hpp"
+#include "support/scalar_engines.hpp"
 #include "support/scenes.hpp"
 
 namespace photic::test {
@@ -19,8 +20,8 @@ tally::Result simulate_in(const std::string& scene, Change change) {
   const run::RunOptions options;
   run::RunControl control(model.scene.simulation, options);
   tally::Result result = estimator::describe(model);
-  const schedule::ScalarSimulator<double> simulator(world);
-  run::BatchRunner(model, simulator, control).run().fill(result);
+  const auto simulator = scalar_engine(world);
+  run::BatchRunner(model, *simulator, control).run().fill(result);
   return result;
 }
 

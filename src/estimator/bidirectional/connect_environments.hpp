@@ -18,13 +18,15 @@ PHOTIC_APART void Connections<T>::complete_to_telescope(const Pairing<T>& pairin
           completion_.ways);
   completion_.collide(sea_, {v.line, v.layer, line > Index<T>(0), line,
                              one_minus_cos(v.direction, way.direction), T(-v.direction.z)});
-  complete_surface(line, way);
+  complete_entry(line, way);
 }
-/// By a way to an instrument.
+/// By a way to an instrument: the surface, and the air above it.
 template <class T>
-void Connections<T>::complete_surface(const Index<T>& line, const geometry::Sightline<T>& way) {
-  if (sea_.environments.other_surface && way.to.in_air)
+void Connections<T>::complete_entry(const Index<T>& line, const geometry::Sightline<T>& way) {
+  if (!way.to.in_air) return;
+  if (sea_.environments.other_surface)
     completion_.surface.meet(sea_, meeting_along(sea_, line, way));
+  add_air(way.to, line, way.arriving.z, completion_.ways);
 }
 /// By a facet to a telescope in the water.
 template <class T>
@@ -53,7 +55,7 @@ PHOTIC_APART void Connections<T>::complete_to_laser(const Pairing<T>& pairing, c
           completion_.ways);
   completion_.collide(sea_, {w.line, w.layer, w.line > Index<T>(0), w.line,
                              one_minus_cos(w.direction, way.direction), way.direction.z});
-  complete_surface(Index<T>(0), way);
+  complete_entry(Index<T>(0), way);
 }
 
 /// By an edge of light of a line.
@@ -115,7 +117,7 @@ PHOTIC_APART void Connections<T>::complete_by_meeting(const RayPairing<T>& pairi
   completion_.collide(sea_, {first.line, first.layer, Mask<T>(!(first.line == leaving.line)),
                              first.line, one_minus_cos(arriving, leaving.direction),
                              met.free == Free::telescope ? leaving.direction.z : T(-arriving.z)});
-  complete_surface(first.line, way);
+  complete_entry(first.line, way);
 }
 
 /// Scores with the ratios of the completed paths.

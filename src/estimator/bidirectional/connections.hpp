@@ -316,7 +316,7 @@ class Connections {
                          const geometry::Sightline<T>& way, const T& length);
   void complete_between(const Pairing<T>& pairing, const Index<T>& line, const Vertex& v,
                         const Vertex& w, const T& length);
-  void complete_surface(const Index<T>& line, const geometry::Sightline<T>& way);
+  void complete_entry(const Index<T>& line, const geometry::Sightline<T>& way);
   void complete_by_meeting(const RayPairing<T>& pairing, const Met<T>& met, const T& depth,
                            const Index<T>& layer);
   void score_in_environments(Pairing<T> pairing, Walked walked, Mask<T> mask, FoundPath<T> path);

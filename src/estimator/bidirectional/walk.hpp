@@ -51,7 +51,7 @@ class Walks {
         line_(walks),
         first_on_bed_(sea.bed_angles > 0 ? walks : 0),
         ratios_(sea.environments, walks * stride),
-        at_surface_(sea.environments, sea.environments.other_surface ? walks * stride : 0) {}
+        at_surface_(sea.environments, sea.environments.other_entry() ? walks * stride : 0) {}
 
   // Written by walkers, in the lanes of a mask.
   void birth(const Mask<T>& mask, const Index<T>& walk, const BirthRecord<T>& record,
@@ -127,7 +127,8 @@ class Walks {
   /// Of the weights with which walks leave by their rays, in environments: beyond the second ray
   /// without what lies before that, which a free walk has anew.
   [[nodiscard]] PathRatios<T>& ratios() { return ratios_; }
-  /// What the surface did to walks on their ways from vertices, or the instrument, to the next.
+  /// What the surface did to walks on their ways from vertices, or the instrument, to the next; and
+  /// the air between the instrument and the surface.
   [[nodiscard]] PathRatios<T>& at_surface() { return at_surface_; }
   /// Product and depth of a walk up to where ray m leaves a vertex, or comes into the water, for
   /// environments from `first` on; `whole_leg`: and of what the surface does to it from there on.
@@ -143,7 +144,7 @@ class Walks {
       if (is_free) return of_ray(m);
       return joined(environments, first, of_ray(1), of_ray(m));
     };
-    const bool meets = environments.other_surface && (m == 0 ? !is_free : whole_leg);
+    const bool meets = environments.other_entry() && (m == 0 ? !is_free : whole_leg);
     if (!meets) return of_walk();
     return joined(environments, first, of_walk(), at_surface_.at(slot(m), first));
   }
@@ -153,7 +154,7 @@ class Walks {
   }
   /// So many bytes does a walk take in environments.
   static std::size_t size(const medium::EnvironmentsView& environments) {
-    return (environments.other_surface ? 2 : 1) * stride * PathRatios<T>::size(environments);
+    return (environments.other_entry() ? 2 : 1) * stride * PathRatios<T>::size(environments);
   }
 
   [[nodiscard]] bool from_telescope() const { return from_telescope_; }

@@ -270,7 +270,7 @@ class WalkSteps {
       const auto ratios = walks.ratios().of(slot);
       ratios.pass(sea.environments, way, k);
       ratios.collide(sea.environments, collision, k);
-      if (!sea.environments.other_surface) return;
+      if (!sea.environments.other_entry()) return;
       ratios.join(sea.environments, walks.at_surface().of(slot - 1));
       walks.at_surface().of(slot).begin(sea.environments);
     });

@@ -58,6 +58,8 @@ class WalkTracer {
       if (world_.compares) pass_ratios(walker.walk, Mask<T>(mask & exist), way);
     };
     const auto birth = source_.birth(walker.walk, exist, record, met, flown);
+    if (world_.compares) [[unlikely]]
+      come_down_ratios(walker.walk, exist, birth);
     const Mask<T> born = exist & birth.exists;
     walker.photon = birth.photon;
     record.spread = birth.spread;
@@ -96,7 +98,7 @@ class WalkTracer {
     for_each_lane(mask, [&](int lane) {
       const auto slot = static_cast<std::size_t>(first[static_cast<std::size_t>(lane)]);
       walks_.ratios().of(slot).begin(world_.sea.environments);
-      if (world_.sea.environments.other_surface)
+      if (world_.sea.environments.other_entry())
         walks_.at_surface().of(slot).begin(world_.sea.environments);
     });
   }
@@ -104,10 +106,23 @@ class WalkTracer {
   PHOTIC_APART void pass_ratios(Index<T> walk, const Mask<T>& mask, Passage<T> way) {
     Terms<T> ways;
     add_passage(world_.sea, way, ways);
+    pass_ratios(walks_.ratios(), walk, mask, ways);
+  }
+  /// Those of a mask have come from their instrument to the surface.
+  PHOTIC_APART void come_down_ratios(Index<T> walk, const Mask<T>& mask, const Birth<T>& birth) {
+    const auto& region = world_.region(source_.instrument());
+    if (!region.in_air || !world_.sea.environments.other_air) return;
+    Terms<T> ways;
+    add_air(region, birth.photon.line,
+            world_.sea.waves.rough ? T(T(0) - birth.entry.outside.z) : birth.spread.cos_air, ways);
+    pass_ratios(walks_.at_surface(), walk, mask, ways);
+  }
+  void pass_ratios(PathRatios<T>& ratios, const Index<T>& walk, const Mask<T>& mask,
+                   const Terms<T>& ways) {
     const auto first = each_lane(Walks<T>::slot(walk, Index<T>(0)));
     for_each_lane(mask, [&](int lane) {
       const auto k = static_cast<std::size_t>(lane);
-      walks_.ratios().of(static_cast<std::size_t>(first[k])).pass(world_.sea.environments, ways, k);
+      ratios.of(static_cast<std::size_t>(first[k])).pass(world_.sea.environments, ways, k);
     });
   }
   const World<T>& world_;

@@ -155,6 +155,7 @@ void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sourc
                    const transport::Connection<T>& way, geometry::Route route, Terms<T>& ways) {
   add_way(world.sea, from.line, from.photon.layer, T(-from.photon.position.z), way.direction,
           way.length_water, group.region, route, ways);
+  add_air_by_flat_surface(world.sea, group.region, from.line, way.direction, ways);
 }
 /// The same by a rough surface.
 template <class T>
@@ -165,7 +166,9 @@ void complete_ways(const World<T>& world, const ViewGroup<T>& group, const Sourc
       world.sea,
       {from.line, from.photon.layer, T(-from.photon.position.z), top, T(0), way.length_water},
       ways);
-  if (!group.region.in_air)
+  if (group.region.in_air)
+    add_air(group.region, from.line, way.onward.rising_cosine(), ways);
+  else
     add_passage(world.sea,
                 {from.line, group.region.layer, way.onward.depth(), top, T(0), way.onward.length},
                 ways);

@@ -25,6 +25,9 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
   const auto u = draws.together(n, 0, 0);
   if (world.sea.bands > 0) t.spectral_bin = medium::spectral_bin_of(u[3]);
   birth_at_laser(world, u[0], u[1], exist, t, ledger);
+  if (compares<Events>(world))
+    t.ratios.came_down(world.sea, world.laser_region, t.photon.line, t.photon.direction,
+                       stands_at_surface(world.sea), t.on);
   if (world.sea.waves.rough && world.laser_region.in_air)
     cross_waves<Events>(world, t, t.on, true, estimates, tally, ledger, [](const auto&...) {});
   if (!world.sea.waves.rough && world.sea.film.exists && world.laser_region.in_air)
@@ -45,15 +48,23 @@ void keep_copies(const World<T>& world, const Travellers<T>& photon,
 
 /// Photons on their way from one medium to the other, one by one.
 template <class T>
-using Passed = std::vector<Travellers<T>>;
+struct Passed {
+  explicit Passed(const World<T>& world) : ratios(world.sea.environments, 0) {}
+
+  std::vector<Travellers<T>> photons;
+  PathRatios<T> ratios;  ///< of each, in environments
+};
 
 /// Who leaves a world's medium by passing the surface waits among the others, to draw random
 /// numbers of its own.
 template <class T>
 auto wait_to_pass(const World<T>& world, Passed<T>& passed) {
   return [&](const Travellers<T>& gone, std::int32_t copy) {
-    passed.push_back(gone);
-    RandomPlace<T>& place = passed.back().place;
+    if (world.compares)
+      passed.ratios.copy(world.sea.environments, *gone.ratios.paths, gone.ratios.first,
+                         passed.photons.size());
+    passed.photons.push_back(gone);
+    RandomPlace<T>& place = passed.photons.back().place;
     place.photon = copy_number(world.key, place.photon, place.event, copy);
   };
 }
@@ -99,11 +110,17 @@ PHOTIC_FLATTEN void follow(const World<T>& world, const Draws<T>& draws, std::in
   if (photon.on) flights(first, [&](auto stage) { stage(photon); });
   follow<Events>(world, photon, waiting, steps, witness);
 }
-/// Those who have come from the other medium.
+/// Those who have come from the other medium. `paths`: for what is kept of one here.
 template <class Events, class T>
-void follow(const World<T>& world, Passed<T>& arrivals, std::vector<Travellers<T>>& waiting,
-            Passed<T>& passed, Estimates<T>& estimates, tally::BatchTally& tally) {
-  for (Travellers<T>& photon : arrivals) {
+void follow(const World<T>& world, Passed<T>& arrivals, PathRatios<T>& paths,
+            std::vector<Travellers<T>>& waiting, Passed<T>& passed, Estimates<T>& estimates,
+            tally::BatchTally& tally) {
+  for (std::size_t i = 0; i < arrivals.photons.size(); ++i) {
+    Travellers<T>& photon = arrivals.photons[i];
+    if (world.compares) {
+      paths.copy(world.sea.environments, arrivals.ratios, i, 0);
+      photon.ratios.paths = &paths;
+    }
     auto steps = forward_steps<Events>(
         world, tally.ledger, tally, estimates,
         [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); },
@@ -112,7 +129,7 @@ void follow(const World<T>& world, Passed<T>& arrivals, std::vector<Travellers<T
     flights(steps, [&](auto stage) { stage(photon); });
     follow<Events>(world, photon, waiting, steps, [](const auto&) {});
   }
-  arrivals.clear();
+  arrivals.photons.clear();
 }
 
 }  // namespace photic::estimator

@@ -8,7 +8,7 @@
 
 #include "core/random.hpp"
 #include "estimator/event.hpp"
-#include "estimator/variations/environments.hpp"
+#include "estimator/variations/ratios.hpp"
 #include "estimator/world.hpp"
 #include "transport/collide.hpp"
 #include "transport/connect.hpp"

@@ -40,7 +40,9 @@ void score_from_surface(const World<T>& world, const Travellers<T>& t, const Vie
   estimates.completion.clear();
   if (world.sea.environments.other_surface)
     estimates.completion.surface.meet(world.sea, way.meeting);
-  if (!group.region.in_air)
+  if (group.region.in_air)
+    add_air(group.region, photon.line, way.direction.z, estimates.completion.ways);
+  else
     add_passage(world.sea,
                 {photon.line, group.region.layer, T(T(0) - way.direction.z * way.length_water),
                  Index<T>(0), T(0), way.length_water},

@@ -17,15 +17,14 @@
 #include <vector>
 
 #include "core/elementary.hpp"
-#include "core/flatten.hpp"
 #include "estimator/variations/other_films.hpp"
 #include "estimator/variations/other_surfaces.hpp"
 #include "estimator/variations/terms.hpp"
 #include "geometry/region.hpp"
 #include "medium/medium.hpp"
 #include "optics/phase_table.hpp"
+#include "surface/flat.hpp"
 #include "surface/lambert.hpp"
-#include "transport/photon.hpp"
 
 namespace photic::estimator {
 
@@ -124,8 +123,13 @@ class PathRatios {
   }
   /// Makes a path, perhaps a new one, like another.
   void copy(const medium::EnvironmentsView& environments, std::size_t from, std::size_t to) {
+    copy(environments, *this, from, to);
+  }
+  /// The same of one that is kept with others.
+  void copy(const medium::EnvironmentsView& environments, PathRatios& others, std::size_t from,
+            std::size_t to) {
     number_.resize(std::max(number_.size(), 2 * blocks_ * (to + 1)));
-    const PathRatio<T> source = of(from), copy = of(to);
+    const PathRatio<T> source = others.of(from), copy = of(to);
     each_group<T>(environments, [&](std::int32_t e) {
       store(load<T>(source.product + e), copy.product + e);
       store(load<T>(source.deeper + e), copy.deeper + e);
@@ -202,6 +206,25 @@ void add_way(const medium::MediumView& sea, const Index<T>& line, const Index<T>
   const T end_depth = length * steep - depth;
   add_passage(sea, {line, layer, depth, top, T(0), depth / steep}, ways);
   add_passage(sea, {line, region.layer, end_depth, top, T(0), end_depth / steep}, ways);
+}
+
+/// The air between the sea and an instrument in a region; `cosine`: of the light's direction there
+/// to the vertical, above 0.
+template <class T>
+void add_air(const geometry::Region<T>& region, const Index<T>& line, const T& cosine,
+             Terms<T>& ways) {
+  if (region.air.excess < 0) return;
+  ways.add(Index<T>(region.air.excess) + line, T(1) / cosine);
+}
+/// The same of light that goes through the flat surface, by its direction in the water.
+template <class T>
+void add_air_by_flat_surface(const medium::MediumView& sea, const geometry::Region<T>& region,
+                             const Index<T>& line, const Vec3<T>& direction, Terms<T>& ways) {
+  using std::abs;
+  if (region.air.excess < 0) return;
+  const Vec3<T> rising{direction.x, direction.y, T(abs(direction.z))};
+  const auto split = surface::flat_surface<T>(sea, line).from_below(rising);
+  add_air(region, line, split.transmitted.z, ways);
 }
 
 /// A collision of light of a line: it is converted into another line, or from it on the way back
@@ -305,73 +328,5 @@ std::uint64_t complete(const medium::MediumView& sea, const Completion<T>& compl
   });
   return lost;
 }
-
-/// Photons on their walk: what is kept of them, and what is needed to keep it. What is handed over
-/// by value stays in the registers of scenes that have no environments.
-template <class T>
-struct Ratios {
-  PathRatios<T>* paths = nullptr;
-  std::size_t first = 0;        ///< path of the first lane
-  transport::Photon<T> before;  ///< what happens to them
-  Terms<T> terms;
-  OtherSurfaces<T> surface;
-  OtherEmission<T> emission;
-
-  /// The photons of a mask have flown so far.
-  PHOTIC_APART PHOTIC_FLATTEN void flown(const medium::MediumView& sea, transport::Photon<T> after,
-                                         T length, Mask<T> mask) {
-    terms.clear();
-    add_passage(
-        sea,
-        {before.line, before.layer, -before.position.z, after.layer, -after.position.z, length},
-        terms);
-    for_each_lane(mask, [&](int lane) {
-      const auto i = static_cast<std::size_t>(lane);
-      paths->of(first + i).pass(sea.environments, terms, i);
-    });
-  }
-  /// Those of a mask were scattered or converted where they stand.
-  PHOTIC_APART PHOTIC_FLATTEN void collided(const medium::MediumView& sea,
-                                            transport::Photon<T> after, Mask<T> mask) {
-    terms.clear();
-    add_encounter(sea,
-                  {before.line, before.layer, Mask<T>(!(before.line == after.line)), after.line,
-                   one_minus_cos(before.direction, after.direction), T(-before.direction.z)},
-                  terms);
-    for_each_lane(mask, [&](int lane) {
-      const auto i = static_cast<std::size_t>(lane);
-      paths->of(first + i).collide(sea.environments, terms, i);
-    });
-  }
-  /// Those of a mask have come to a flat film, as it says.
-  PHOTIC_APART PHOTIC_FLATTEN void crossed(const medium::MediumView& sea, FilmCrossing<T> crossing,
-                                           Mask<T> mask) {
-    terms.clear();
-    add_flat_film(sea, crossing, terms);
-    for_each_lane(mask, [&](int lane) {
-      const auto i = static_cast<std::size_t>(lane);
-      paths->of(first + i).pass(sea.environments, terms, i);
-    });
-  }
-  /// A film has emitted the light of those of a mask.
-  PHOTIC_APART PHOTIC_FLATTEN void emitted(const medium::MediumView& sea, surface::AtFilm<T> at,
-                                           Index<T> line, Vec3<T> direction, bool up,
-                                           Mask<T> mask) {
-    emission.emit(sea, at, line, direction, up);
-    for_each_lane(mask, [&](int lane) {
-      const auto i = static_cast<std::size_t>(lane);
-      paths->of(first + i).meet(sea, emission, i);
-    });
-  }
-  /// Those of a mask have met the surface.
-  PHOTIC_APART PHOTIC_FLATTEN void met(const medium::MediumView& sea, surface::Meeting<T> meeting,
-                                       Mask<T> mask) {
-    surface.meet(sea, meeting);
-    for_each_lane(mask, [&](int lane) {
-      const auto i = static_cast<std::size_t>(lane);
-      paths->of(first + i).meet(sea, surface, i);
-    });
-  }
-};
 
 }  // namespace photic::estimator

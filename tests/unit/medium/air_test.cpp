@@ -148,7 +148,7 @@ TEST(Air, HasTheAerosolsAndTheHumidityOfTheBoundaryLayer) {
   scene::Atmosphere moist = hazy_air("maritime", 23);
   moist.relative_humidity_percent = 95;
   const Air swollen = air_of(moist, {355});
-  EXPECT_GT(swollen.phase[0].mean_cosine(), maritime.phase[0].mean_cosine() + 0.01);
+  EXPECT_GT(swollen.phase(0).mean_cosine(), maritime.phase(0).mean_cosine() + 0.01);
   EXPECT_EQ(scattering_at(swollen, 5500), scattering_at(maritime, 5500));
 }
 
@@ -197,9 +197,9 @@ TEST(Air, OfOwnLayersIsWhatTheSceneSays) {
     EXPECT_NEAR(air.b[i], b[i], 1e-15);
   }
   EXPECT_EQ(air.refractive_index, (std::vector{1.0, 1.5, 1.0, 1.5}));
-  ASSERT_EQ(air.phase.size(), 2U);
-  EXPECT_NEAR(air.phase[0].mean_cosine(), 0, 1e-4);  // molecules
-  EXPECT_NEAR(air.phase[1].mean_cosine(), 0.7, 1e-3);
+  ASSERT_EQ(air.scatterers.size(), 2U);
+  EXPECT_NEAR(air.phase(0).mean_cosine(), 0, 1e-4);  // molecules
+  EXPECT_NEAR(air.phase(1).mean_cosine(), 0.7, 1e-3);
   EXPECT_NEAR(air.optical_depth(0), 1.25e-3 * 100 + 2.5e-3 * 800, 1e-12);
   EXPECT_FALSE(air.depths);
 }

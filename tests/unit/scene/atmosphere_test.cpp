@@ -270,16 +270,60 @@ TEST(Atmosphere, EveryTextOfWhatDoesNotGoWithIt) {
             Texts{});  // above the top
 }
 
-// Seen red: with the air taken for other water.
-TEST(Atmosphere, DoesNotGoWithEnvironmentsYet) {
-  const std::string alone = " (leave [atmosphere] out, or ask for one water)";
-  EXPECT_EQ(diagnostics_of(edited({}), {us_standard,
-                                        {"environment=[{ set = { \"sea.layer.0.chlorophyll_mg_m3\" "
-                                         "= 0.2 } }]"}}),
-            Texts{"--set environment: there is no air above environments yet" + alone});
-  EXPECT_EQ(
-      diagnostics_of(edited({}), {us_standard, {"sensitivity=['sea.layer.0.chlorophyll_mg_m3']"}}),
-      Texts{"--set sensitivity: derivatives do not know the air above the sea yet" + alone});
+// --- In environments -----------------------------------------------------------------------------
+
+// Seen red: with the scene's air for that of the environment.
+TEST(Atmosphere, OfEnvironmentsIsTheScenesWithItsChanges) {
+  const Scene scene = base_scene(
+      {us_standard,
+       {"environment=[{ set = { \"atmosphere.visibility_km\" = 5, \"atmosphere.aerosol\" = "
+        "\"maritime\" } }, { set = { \"sea.layer.0.chlorophyll_mg_m3\" = 0.2 } }]"},
+       {"sensitivity=['atmosphere.visibility_km']"}});
+  Atmosphere hazy = *scene.atmosphere;
+  hazy.visibility_km = 5;
+  hazy.aerosol = "maritime";
+  EXPECT_EQ(scene_in(scene, scene.environment[0]).atmosphere, hazy);
+  EXPECT_EQ(scene_in(scene, scene.environment[1]).atmosphere, scene.atmosphere);
+  EXPECT_EQ(scene.sensitivity[0].value, 23);
+  EXPECT_EQ(scene.sensitivity[0].above.atmosphere->visibility_km, 23.023);
+}
+
+/// With two layers of air and one environment that sets this.
+Texts with_environment(const Override& air, const std::string& set) {
+  return diagnostics_of(edited({}), {air, {"environment=[{ set = { " + set + " } }]"}});
+}
+
+// Seen red, each for itself: with air that the scene lacks passed over; with keys left out of what
+// is the same in all.
+TEST(Atmosphere, EveryTextOfWhatEnvironmentsMustNotChange) {
+  const Override layers{
+      "atmosphere={ layer = [{ bottom_height_m = 0, top_height_m = 100, iop = [{ wavelength_nm = "
+      "532, a_per_m = 0, b_per_m = 1e-4 }, { wavelength_nm = 700, a_per_m = 0, b_per_m = 1e-4 }] "
+      "}] "
+      "}"};
+  const std::string bends =
+      "it bends and times the light, whose histories are the same in all environments";
+  const std::string borders = "light crosses from layer to layer alike in all environments";
+  const std::string own = " (simulate that in a scene of its own)";
+  const auto must = [&](const std::string& key, const std::string& scene, const std::string& here,
+                        const std::string& why) {
+    return Texts{"--set environment: '" + key + "' must be as in the scene, " + scene + ", not " +
+                 here + ": " + why + own};
+  };
+  EXPECT_EQ(with_environment(us_standard, "\"atmosphere.profile\" = \"tropical\""),
+            must("profile", "text \"us-standard\"", "text \"tropical\"", bends));
+  EXPECT_EQ(with_environment(us_standard, "\"atmosphere.top_km\" = 50"),
+            must("top_km", "100", "50", borders));
+  EXPECT_EQ(with_environment(layers, "\"atmosphere.layer.0.top_height_m\" = 50"),
+            must("top_height_m", "100", "50", borders));
+  EXPECT_EQ(with_environment(layers, "\"atmosphere.layer.0.refractive_index\" = 1.1"),
+            must("refractive_index", "1", "1.1", bends));
+  EXPECT_EQ(with_environment({"title=x"}, "\"atmosphere.profile\" = \"us-standard\""),
+            Texts{"--set environment: the scene itself has no air above the sea (give it an "
+                  "[atmosphere], of little aerosol if need be)"});
+  EXPECT_EQ(with_environment(us_standard, "\"atmosphere.visibility_km\" = 1e9"),
+            Texts{"--set environment: 'visibility_km' must be a finite number, at least 0.2 and at "
+                  "most 300, not 1000000000"});
 }
 
 }  // namespace

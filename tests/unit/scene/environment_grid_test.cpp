@@ -89,7 +89,7 @@ TEST(EnvironmentGrid, EveryTextOfWhatIsWrong) {
       {grid(R"("sea.layer.0.bottom_depth_m" = [20, 21])"),
        {"scene.toml:32:37: 'bottom_depth_m' must be as in the scene, 20, not 21: light crosses "
         "from "
-        "layer to layer alike in all environments (simulate that water in a scene of its own)"}},
+        "layer to layer alike in all environments (simulate that in a scene of its own)"}},
       {grid(R"("sea.layer.1.iop.0.a_per_m" = [0, 1]
 "sea.layer.1.iop.0.b_per_m" = [0, 1]
 "optics.raman" = ["bartlett", "marshall-smith"])"),
@@ -101,9 +101,10 @@ TEST(EnvironmentGrid, EveryTextOfWhatIsWrong) {
 "sea.layer.1.iop.0.a_per_m" = [inf]
 "sea.layer.1.iop.0.b_per_m" = [0.1, 0.2, 0.10])"),
        {"scene.toml:32:1: 'gates.depth_max_m' cannot be set in an environment: only the water, the "
-        "bed "
-        "and a film of oil may differ, for the histories are the same (set paths that begin with "
-        "sea., optics., bottom. or oil.)",
+        "bed, "
+        "a film of oil and the air may differ, for the histories are the same (set paths that "
+        "begin with "
+        "sea., optics., bottom., oil. or atmosphere.)",
         R"(scene.toml:33:1: 'sea' cannot be set as a whole in an environment (quote the whole path: "sea.layer.0.chlorophyll_mg_m3" = 0.5))",
         "scene.toml:34:35: 'sea.layer.0.chlorophyll_mg_m3' must be an array of one or more values, "
         "not 0.5 (write the values in brackets: [0.1, 0.5])",

@@ -96,18 +96,21 @@ const std::vector<ChangeCase>& change_cases() {
   static const std::vector<ChangeCase> all{
       {R"("gates.depth_max_m" = 50)",
        {"scene.toml:32:9: 'gates.depth_max_m' cannot be set in an environment: only the water, the "
-        "bed "
-        "and a film of oil may differ, for the histories are the same (set paths that begin with "
-        "sea., optics., bottom. or oil.)"}},
+        "bed, "
+        "a film of oil and the air may differ, for the histories are the same (set paths that "
+        "begin with "
+        "sea., optics., bottom., oil. or atmosphere.)"}},
       {R"("environment.0.name" = "x")",
        {"scene.toml:32:9: 'environment.0.name' cannot be set in an environment: only the water, "
-        "the bed "
-        "and a film of oil may differ, for the histories are the same (set paths that begin with "
-        "sea., optics., bottom. or oil.)"}},
+        "the bed, "
+        "a film of oil and the air may differ, for the histories are the same (set paths that "
+        "begin with "
+        "sea., optics., bottom., oil. or atmosphere.)"}},
       {R"("" = 1)",
-       {"scene.toml:32:9: '' cannot be set in an environment: only the water, the bed "
-        "and a film of oil may differ, for the histories are the same (set paths that begin with "
-        "sea., optics., bottom. or oil.)"}},
+       {"scene.toml:32:9: '' cannot be set in an environment: only the water, the bed, "
+        "a film of oil and the air may differ, for the histories are the same (set paths that "
+        "begin with "
+        "sea., optics., bottom., oil. or atmosphere.)"}},
       {R"("sea" = { layer = [{}] })",
        {R"(scene.toml:32:9: 'sea' cannot be set as a whole in an environment (quote the whole path: "sea.layer.0.chlorophyll_mg_m3" = 0.5))"}},
       {R"(optics.set = "paper")",
@@ -131,57 +134,57 @@ const std::vector<ChangeCase>& change_cases() {
       {R"("sea.layer.2.chlorophyll_mg_m3" = 1)",
        {"scene.toml:32:9: there is no element 2 in 'layer' (it has 2, counted from 0)"}},
       {R"("sea.layer.0.name" = "top")",
-       {R"(scene.toml:32:9: 'name' must be as in the scene, text "layer0", not text "top": all environments have the same layers (simulate that water in a scene of its own))"}},
+       {R"(scene.toml:32:9: 'name' must be as in the scene, text "layer0", not text "top": all environments have the same layers (simulate that in a scene of its own))"}},
       {R"("sea.layer.0.bottom_depth_m" = 21)",
        {"scene.toml:32:9: 'bottom_depth_m' must be as in the scene, 20, not 21: light crosses from "
-        "layer to layer alike in all environments (simulate that water in a scene of its own)"}},
+        "layer to layer alike in all environments (simulate that in a scene of its own)"}},
       {R"("sea.layer.1.bottom_depth_m" = 60)",
        {"scene.toml:32:9: 'bottom_depth_m' must be as in the scene, which has none, not 60: light "
-        "crosses from layer to layer alike in all environments (simulate that water in a scene of "
+        "crosses from layer to layer alike in all environments (simulate that in a scene of "
         "its own)"}},
       {R"("sea.layer.1.bottom_depth_m" = 10)",
        {"scene.toml:32:9: the layer ends at 10 m, not below the one above it, which ends at 20 m "
         "(layers go from the surface down)"}},
       {R"("sea.layer" = [{ chlorophyll_mg_m3 = 0.1 }])",
        {"scene.toml:32:9: there must be as many layers as in the scene, 2, not 1: light crosses "
-        "from layer to layer alike in all environments (simulate that water in a scene of its "
+        "from layer to layer alike in all environments (simulate that in a scene of its "
         "own)"}},
       {R"("sea.layer.0" = { chlorophyll_mg_m3 = 0.1 })",
        {"scene.toml:32:9: 'bottom_depth_m' is missing in [[sea.layer]] (only the last layer may be "
         "bottomless)"}},
       {R"("sea.salinity_psu" = 30)",
        {"scene.toml:32:9: 'salinity_psu' must be as in the scene, 35, not 30: it bends and times "
-        "the light, whose histories are the same in all environments (simulate that water in a "
+        "the light, whose histories are the same in all environments (simulate that in a "
         "scene of its own)"}},
       {R"("sea.temperature_c" = 10)",
        {"scene.toml:32:9: 'temperature_c' must be as in the scene, 20, not 10: it bends and times "
-        "the light, whose histories are the same in all environments (simulate that water in a "
+        "the light, whose histories are the same in all environments (simulate that in a "
         "scene of its own)"}},
       {R"("sea.refractive_index" = 1.33)",
        {"scene.toml:32:9: 'refractive_index' must be as in the scene, which has none, not 1.33: it "
-        "bends the light, whose histories are the same in all environments (simulate that water in "
+        "bends the light, whose histories are the same in all environments (simulate that in "
         "a scene of its own)"}},
       {R"("sea.group_index" = 1.36)",
        {"scene.toml:32:9: 'group_index' must be as in the scene, which has none, not 1.36: it "
-        "times the light, whose histories are the same in all environments (simulate that water in "
+        "times the light, whose histories are the same in all environments (simulate that in "
         "a scene of its own)"}},
       {R"("optics.chlorophyll_lifetime_ns" = 1.5)",
        {"scene.toml:32:9: 'chlorophyll_lifetime_ns' must be as in the scene, 0, not 1.5: it times "
-        "the light, whose histories are the same in all environments (simulate that water in a "
+        "the light, whose histories are the same in all environments (simulate that in a "
         "scene of its own)"}},
       {R"("optics.cdom_lifetime_ns" = 2, "optics.raman" = "bartlett")",
        {"scene.toml:32:9: 'cdom_lifetime_ns' must be as in the scene, 0, not 2: it times the "
-        "light, whose histories are the same in all environments (simulate that water in a scene "
+        "light, whose histories are the same in all environments (simulate that in a scene "
         "of its own)"}},
       {R"("sea.surface.model" = "cox-munk")",
        {"scene.toml:32:9: 'wind_speed_m_s' is missing in 'surface' (add it: the wind's speed in "
         "m/s; of 0 the surface is flat)",
         "scene.toml:32:9: 'model' must be as in the scene, text \"flat\", not text \"cox-munk\": "
-        "it bends the light, whose histories are the same in all environments (simulate that water "
+        "it bends the light, whose histories are the same in all environments (simulate that "
         "in a scene of its own)"}},
       {R"("sea.surface.model" = "cox-munk", "sea.surface.wind_speed_m_s" = 3)",
        {"scene.toml:32:9: 'model' must be as in the scene, text \"flat\", not text \"cox-munk\": "
-        "it bends the light, whose histories are the same in all environments (simulate that water "
+        "it bends the light, whose histories are the same in all environments (simulate that "
         "in a scene of its own)"}},
       {R"("sea.surface.wind_speed_m_s" = 3)",
        {"scene.toml:32:9: 'wind_speed_m_s' does not belong to model = \"flat\" (it belongs to "

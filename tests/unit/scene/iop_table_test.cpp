@@ -131,7 +131,7 @@ TEST(IopTable, OfAnEnvironmentIsAnotherFile) {
   EXPECT_TRUE(read_scene_text(write_scene(scene), "written.toml", "/").scene == scene);
   EXPECT_EQ(files.problems(with("deeper.csv")),
             (Texts{"deeper.csv:3:1: 'bottom_depth_m' must be as in the scene, 10, not 11: light "
-                   "crosses from layer to layer alike in all environments (simulate that water in "
+                   "crosses from layer to layer alike in all environments (simulate that in "
                    "a scene of its own)"}));
 }
 

@@ -122,7 +122,7 @@ TEST(LayerWater, OfAnEnvironmentMustSuitTheScenesLayers) {
   EXPECT_EQ(told("30, 20"),
             (Texts{"scene.toml:33:9: 'temperature_c' departs from its mean by 2.5 between 0 and "
                    "10 m, a layer of the scene; profile_tolerance allows 1 (allow more by "
-                   "\"sea.profile_tolerance\" in the environment, or simulate that water in a "
+                   "\"sea.profile_tolerance\" in the environment, or simulate that in a "
                    "scene of its own)"}));
 }
 

@@ -216,7 +216,7 @@ TEST(Profile, OfAnEnvironmentMustSuitTheScenesLayers) {
       diagnostics_of(in_environment(other)),
       (Texts{"scene.toml:32:9: 'chlorophyll_mg_m3' departs from its mean by 0.563 between 9.8 and "
              "11.4 m, a layer of the scene; profile_tolerance allows 0.05 (allow more by "
-             "\"sea.profile_tolerance\" in the environment, or simulate that water in a scene of "
+             "\"sea.profile_tolerance\" in the environment, or simulate that in a scene of "
              "its own)"}));
   const Scene scene = read_text(in_environment(other + R"(, "sea.profile_tolerance" = 0.9)"));
   EXPECT_NEAR(column(scene_in(scene, scene.environment[0]), 0, scene.sea.layer.size() - 2,

@@ -91,11 +91,12 @@ TEST(Sensitivity, IsWrittenAsItWasReadAndReadsBack) {
 // Seen red, each for itself: with any path allowed; zeros allowed; all told at the array.
 TEST(Sensitivity, EveryTextOfWhatIsWrong) {
   const std::string only_water =
-      ": only the water, the bed and a film of oil may differ, for the histories are the same "
+      ": only the water, the bed, a film of oil and the air may differ, for the histories are the "
+      "same "
       "(name "
       "paths that "
       "begin with "
-      "sea., optics., bottom. or oil.)";
+      "sea., optics., bottom., oil. or atmosphere.)";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"'gates.depth_max_m'",
        "there is no derivative with respect to 'gates.depth_max_m'" + only_water},
@@ -134,11 +135,11 @@ TEST(Sensitivity, EveryTextOfWhatIsWrong) {
       {"'sea.layer.0.bottom_depth_m'",
        "no step of 'sea.layer.0.bottom_depth_m' to 19.98 can be made: 'bottom_depth_m' must be as "
        "in the scene, 20, not 19.98: light crosses from layer to layer alike in all environments "
-       "(simulate that water in a scene of its own)"},
+       "(simulate that in a scene of its own)"},
       {"'sea.salinity_psu'",
        "no step of 'sea.salinity_psu' to 34.965 can be made: 'salinity_psu' must be as in the "
        "scene, 35, not 34.965: it bends and times the light, whose histories are the same in all "
-       "environments (simulate that water in a scene of its own)"},
+       "environments (simulate that in a scene of its own)"},
   };
   for (const auto& [path, text] : cases) {
     EXPECT_EQ(diagnostics_of(deriving(path)), (Texts{"scene.toml:1:16: " + text})) << path;

@@ -102,7 +102,7 @@ TEST(Surface, DiffersBySlopesAndWhitecapsAlone) {
     return Texts{"scene.toml:34:9: '" + key + "' must be as in the scene, " + here + ", not " +
                  there +
                  ": it bends the light, whose histories are the same in all environments (simulate "
-                 "that water in a scene of its own)"};
+                 "that in a scene of its own)"};
   };
   EXPECT_EQ(told(R"("sea.surface.wind_speed_m_s" = 5.0, "sea.surface.slick" = false)"), Texts{});
   EXPECT_EQ(told(R"("sea.surface.whitecaps" = true)"), Texts{});

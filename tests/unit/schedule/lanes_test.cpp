@@ -21,6 +21,7 @@
 #include "run/choose.hpp"
 #include "run/run.hpp"
 #include "schedule/scalar.hpp"
+#include "support/scalar_engines.hpp"
 #include "support/scenes.hpp"
 #include "unit/schedule/event_log.hpp"
 
@@ -96,6 +97,23 @@ scene::Scene oil_scene(const std::string& more, const std::string& surface,
                     "[gates]\ndepth_min_m = -1.0\ndepth_max_m = 12.0\ndepth_step_m = 1.0\n" +
                     test::simulation(2200, 5, "", "bidirectional"));
 }
+/// In dense air, which much light passes into, and from there into the water again.
+scene::Scene air_scene(const std::string& surface, const std::string& environments,
+                       const std::string& estimator = "forward") {
+  return test::read(
+      test::ship_instrument +
+      "[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 20\niop = [ { wavelength_nm = "
+      "400, a_per_m = 0.01, b_per_m = 0.08 }, { wavelength_nm = 700, a_per_m = 0.0, b_per_m = 0.04 "
+      "} ]\n" +
+      test::channel("elastic") + test::channel("raman") +
+      fmt::format("[sea]\nsurface = {{ {} }}\n", surface) + test::three_layers + environments +
+      "[gates]\ndepth_min_m = -8.0\ndepth_max_m = 12.0\ndepth_step_m = 2.0\n" +
+      test::simulation(estimator == "forward" ? 20000 : 2200, 5,
+                       estimator == "forward" ? "" : "walks = 3", estimator));
+}
+const std::string other_air =
+    "[[environment]]\nset = { \"atmosphere.layer.0.iop.0.b_per_m\" = 0.05 }\n";
+
 const std::string flat = "model = \"flat\"";
 const std::string waves = "model = \"cox-munk\", wind_speed_m_s = 5.0";
 const std::string clean = "[[environment]]\nset = { \"oil.thickness_um\" = 0.0 }\n";
@@ -109,7 +127,9 @@ std::vector<scene::Scene> bidirectional_scenes() {
           nested_scene(other_water, 2200, few_free_walks, name),
           bed_scene(name, "walks = 3\nmax_order = 3\n" + few_free_walks, beds),
           oil_scene("", flat, test::submerged_telescope),
-          oil_scene(clean, waves)};
+          oil_scene(clean, waves),
+          air_scene(flat, other_air, name),
+          air_scene(waves, other_air, name)};
 }
 
 /// All of the forward estimator's tools at once.
@@ -132,7 +152,8 @@ EventLog log_scalar(const estimator::Model& model, std::uint64_t photons) {
   tally::BatchTally tally(model.shape, model.gates);
   EventLog log;
   estimator::Travellers<float> photon(world);
-  std::vector<estimator::Travellers<float>> copies, none;
+  std::vector<estimator::Travellers<float>> copies;
+  estimator::Passed<float> none(world);
   estimator::Estimates<float> estimates(world);
   const auto witness = [&log](const auto& t, const auto&...) {
     const auto& p = t.photon;
@@ -268,8 +289,8 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& asked) {
   const run::RunOptions options;
   run::RunControl control(model.scene.simulation, options);
   tally::Result scalar = estimator::describe(model);
-  const ScalarSimulator<float> simulator(model);
-  run::BatchRunner(model, simulator, control).run().fill(scalar);
+  const auto simulator = test::scalar_engine<float>(model);
+  run::BatchRunner(model, *simulator, control).run().fill(scalar);
   EXPECT_GT(std::reduce(scalar.echo.mean.begin(), scalar.echo.mean.end()), 0);
   for (const Isa isa : isas_here()) {
     SCOPED_TRACE(isa_name(isa));
@@ -279,6 +300,8 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& asked) {
                 contracts(isa) ? 1e-4 * collisions : 0);
     EXPECT_EQ(lanes.lost_not_finite, 0U);
     expect_near(lanes.echo.mean, scalar.echo.mean, contracts(isa) ? 1e-3 : 1e-13);
+    expect_near(lanes.environment_echo.mean, scalar.environment_echo.mean,
+                contracts(isa) ? 2e-3 : 1e-5);
     if (contracts(isa)) {
       EXPECT_LT(difference(lanes.echo.mean, scalar.echo.mean), 1e-5);
       EXPECT_LT(difference(lanes.echo_by_depth.mean, scalar.echo_by_depth.mean), 1e-5);

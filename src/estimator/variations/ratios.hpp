@@ -1,0 +1,98 @@
+// What happens to photons of the forward estimator on their walk, in environments.
+#pragma once
+
+#include <cstddef>
+
+#include "core/flatten.hpp"
+#include "estimator/variations/environments.hpp"
+#include "estimator/variations/other_films.hpp"
+#include "estimator/variations/other_surfaces.hpp"
+#include "transport/photon.hpp"
+
+namespace photic::estimator {
+
+/// Photons on their walk: what is kept of them, and what is needed to keep it. What is handed over
+/// by value stays in the registers of scenes that have no environments.
+template <class T>
+struct Ratios {
+  PathRatios<T>* paths = nullptr;
+  std::size_t first = 0;        ///< path of the first lane
+  transport::Photon<T> before;  ///< what happens to them
+  Terms<T> terms;
+  OtherSurfaces<T> surface;
+  OtherEmission<T> emission;
+
+  /// The photons of a mask have flown so far.
+  PHOTIC_APART PHOTIC_FLATTEN void flown(const medium::MediumView& sea, transport::Photon<T> after,
+                                         T length, Mask<T> mask) {
+    terms.clear();
+    add_passage(
+        sea,
+        {before.line, before.layer, -before.position.z, after.layer, -after.position.z, length},
+        terms);
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      paths->of(first + i).pass(sea.environments, terms, i);
+    });
+  }
+  /// Those of a mask were scattered or converted where they stand.
+  PHOTIC_APART PHOTIC_FLATTEN void collided(const medium::MediumView& sea,
+                                            transport::Photon<T> after, Mask<T> mask) {
+    terms.clear();
+    add_encounter(sea,
+                  {before.line, before.layer, Mask<T>(!(before.line == after.line)), after.line,
+                   one_minus_cos(before.direction, after.direction), T(-before.direction.z)},
+                  terms);
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      paths->of(first + i).collide(sea.environments, terms, i);
+    });
+  }
+  /// Those of a mask have come to a flat film, as it says.
+  PHOTIC_APART PHOTIC_FLATTEN void crossed(const medium::MediumView& sea, FilmCrossing<T> crossing,
+                                           Mask<T> mask) {
+    terms.clear();
+    add_flat_film(sea, crossing, terms);
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      paths->of(first + i).pass(sea.environments, terms, i);
+    });
+  }
+  /// Those of a mask have come from an instrument in a region to the surface, and go in a direction
+  /// in the air or, else, in the water.
+  PHOTIC_APART PHOTIC_FLATTEN void came_down(const medium::MediumView& sea,
+                                             geometry::Region<T> region, Index<T> line,
+                                             Vec3<T> direction, bool in_air, Mask<T> mask) {
+    if (region.air.excess < 0) return;
+    terms.clear();
+    if (in_air)
+      add_air(region, line, T(T(0) - direction.z), terms);
+    else
+      add_air_by_flat_surface(sea, region, line, direction, terms);
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      paths->of(first + i).pass(sea.environments, terms, i);
+    });
+  }
+  /// A film has emitted the light of those of a mask.
+  PHOTIC_APART PHOTIC_FLATTEN void emitted(const medium::MediumView& sea, surface::AtFilm<T> at,
+                                           Index<T> line, Vec3<T> direction, bool up,
+                                           Mask<T> mask) {
+    emission.emit(sea, at, line, direction, up);
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      paths->of(first + i).meet(sea, emission, i);
+    });
+  }
+  /// Those of a mask have met the surface.
+  PHOTIC_APART PHOTIC_FLATTEN void met(const medium::MediumView& sea, surface::Meeting<T> meeting,
+                                       Mask<T> mask) {
+    surface.meet(sea, meeting);
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      paths->of(first + i).meet(sea, surface, i);
+    });
+  }
+};
+
+}  // namespace photic::estimator

@@ -1,0 +1,112 @@
+#include "medium/other_airs.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "core/error.hpp"
+#include "medium/upside_down.hpp"
+#include "medium/variations.hpp"
+
+namespace photic::medium {
+namespace {
+
+/// No history is scattered where the scene's air does not scatter.
+void check_scattering(const scene::Scene& scene, const Air& here, const OtherAir& other) {
+  for (std::size_t i = 0; i < here.b.size(); ++i) {
+    if (here.b[i] > 0 || other.to.b[i] == 0) continue;
+    const auto& layers = scene.atmosphere->layer;
+    throw InputError(
+        {{"", 0, 0,
+          fmt::format("{}: the layer of air \"{}\" scatters light, and not in the scene itself",
+                      other.name, layers.empty() ? "" : layers[i % here.layers()].name),
+          "no history of the scene goes that way: give the scene a little of it, too"}});
+  }
+}
+
+/// What light meets in the air as a medium, whose phase functions go into it.
+class AirCoefficients {
+ public:
+  explicit AirCoefficients(Medium& medium) : medium_(medium) {}
+
+  LayerCoefficients operator()(const Air& air) {
+    LayerCoefficients out;
+    const std::size_t layers = air.layers();
+    const bool vacuum = static_cast<std::size_t>(medium_.layers()) > layers;
+    for (std::size_t l = 0; l < medium_.line.size(); ++l) {
+      for (std::size_t k = 0; k < layers; ++k) {
+        const std::size_t at = l * layers + k;
+        out.push_back({air.a[at] + air.b[at], air.b[at], 0, {}});
+        if (air.b[at] == 0) continue;
+        // All lines are scattered as the laser's is: in these shares.
+        for (const optics::AirScatterer& by : air.scatterers[k]) {
+          const double b = air.b[k] > 0 ? air.b[at] / air.b[k] * by.b_per_m : air.b[at];
+          out.back().part.push_back({b, phase_of(by)});
+        }
+      }
+      if (vacuum) out.emplace_back();
+    }
+    return out;
+  }
+
+ private:
+  std::int32_t phase_of(const optics::AirScatterer& by) {
+    if (const auto known = known_.find(by.name); known != known_.end()) return known->second;
+    const std::int32_t number = medium_.add_phase(optics::PhaseTable(by.phase));
+    if (!by.name.empty()) known_.emplace(by.name, number);
+    return number;
+  }
+
+  Medium& medium_;
+  std::map<std::string, std::int32_t> known_;
+};
+
+}  // namespace
+
+std::vector<OtherAir> other_airs(const scene::Scene& scene, const std::vector<Line>& lines) {
+  const AirBuilder build(scene, lines);
+  const Air here = build(scene);
+  const auto in = [&](const scene::Environment& environment) {
+    return environment.atmosphere == scene.atmosphere ? here
+                                                      : build(scene::scene_in(scene, environment));
+  };
+  std::vector<OtherAir> out;
+  for (const auto& e : scene.environment)
+    out.push_back({fmt::format("environment \"{}\"", e.name), here, in(e)});
+  for (const auto& s : scene.sensitivity)
+    out.push_back({fmt::format("sensitivity \"{}\"", s.path), in(s.below), in(s.above),
+                   s.value / (2 * s.step)});
+  for (const OtherAir& other : out) {
+    expect(other.from.height_m == here.height_m && other.to.height_m == here.height_m,
+           "the airs of a scene have the same layers");
+    check_scattering(scene, here, other);
+  }
+  return out;
+}
+
+std::vector<double> excess_depths(const std::vector<OtherAir>& airs,
+                                  const std::vector<double>& height_m) {
+  std::vector<double> out;
+  for (const OtherAir& other : airs)
+    for (const double height : height_m) {
+      const auto from = column_to(other.from, height).optical_depth;
+      const auto to = column_to(other.to, height).optical_depth;
+      for (std::size_t l = 0; l < to.size(); ++l) out.push_back(other.scale * (to[l] - from[l]));
+    }
+  return out;
+}
+
+void add_other_airs(const Air& air, const std::vector<OtherAir>& airs, const Medium& sea,
+                    Medium& medium) {
+  AirCoefficients coefficients_of(medium);
+  std::vector<Variation> variations;
+  for (const OtherAir& other : airs)
+    variations.push_back(
+        {other.name, coefficients_of(other.from), coefficients_of(other.to), other.scale});
+  EnvironmentTables& out = medium.environments;
+  add_variations(coefficients_of(air), variations,
+                 static_cast<std::size_t>(sea.environments.first_tangent), out);
+  out.surface = sea.environments.surface;
+}
+
+}  // namespace photic::medium
