@@ -50,8 +50,10 @@ void expect_scene_or_water(const CLI::App& optics) {
     if (!air && optics.count(of_air) > 0) throw CLI::RequiresError(of_air, "--air");
   if (air || optics.count("--oil") > 0) {
     const char* alone = air ? "--air" : "--oil";
+    const bool scenes = air && optics.get_option("--air")->as<std::string>().ends_with(".toml");
     for (const char* other : {"scene", "--water", "--oil", "--laser", "--set"})
-      if (optics.count(other) > 0 && std::string(other) != alone)
+      if (optics.count(other) > 0 && std::string(other) != alone &&
+          !(scenes && std::string(other) == "--set"))
         throw CLI::ExcludesError(fmt::format("{} and {} exclude each other", alone, other),
                                  CLI::ExitCodes::ExcludesError);
     return;

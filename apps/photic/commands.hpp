@@ -73,7 +73,7 @@ struct OpticsCommand {
   std::string scene;               ///< empty: one layer of this water, under the laser of 532 nm
   std::vector<std::string> water;  ///< "key=value" of a layer
   std::string oil;                 ///< a class or a file: tells of it alone
-  std::string air;                 ///< an atmosphere or a file: tells of it alone
+  std::string air;                 ///< an atmosphere, a file or a scene: tells of it alone
   std::string aerosol = "rural";   ///< of its lowest 2 km
   std::optional<double> visibility_km;  ///< without one the air is as the profile says
   std::vector<double> wavelength_nm;    ///< ascending; empty: those that light of the scene has
@@ -81,6 +81,8 @@ struct OpticsCommand {
   std::vector<scene::Override> overrides;
   bool json = false;
   Call call;  ///< for the history of the output
+
+  [[nodiscard]] bool is_air_of_scene() const { return air.ends_with(".toml"); }
 };
 
 /// photic new: writes a commented scene to start from.

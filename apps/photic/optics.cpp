@@ -3,6 +3,8 @@
 #include "core/error.hpp"
 #include "estimator/model.hpp"
 #include "io/netcdf_variable.hpp"
+#include "io/optics_table.hpp"
+#include "medium/air_table.hpp"
 #include "medium/optical_table.hpp"
 #include "optics/data_folder.hpp"
 #include "photic/commands.hpp"
@@ -27,37 +29,72 @@ scene::Reading read_water(const OpticsCommand& command) {
                                 estimator::optics_check(), io::netcdf_files());
 }
 
-scene::Scene read(const OpticsCommand& command) {
-  if (!command.output.empty()) check_optics_output(command.output, command.scene);
+/// The scene at a path; none: the water that is asked for.
+scene::Scene read(const OpticsCommand& command, const std::string& path) {
+  if (!command.output.empty()) check_optics_output(command.output, path);
   const scene::Reading reading =
-      command.scene.empty() ? read_water(command)
-                            : scene::read_scene(command.scene, command.overrides,
-                                                estimator::optics_check(), io::netcdf_files());
+      path.empty() ? read_water(command)
+                   : scene::read_scene(path, command.overrides, estimator::optics_check(),
+                                       io::netcdf_files());
   for (const std::string& remark : reading.remarks) print_error(remark + '\n');
   spare(reading.files, command.output);
   return reading.scene;
 }
 
-medium::OpticalTable table_of(const scene::Scene& scene, const OpticsCommand& command) {
-  const optics::Library library(optics::find_data_folder());
-  if (command.wavelength_nm.empty())
-    return medium::optical_table(scene, library, medium::wavelengths_of_light(scene, library));
+/// At the wavelengths that are asked for, or that light of the scene has.
+template <class TableAt>
+medium::OpticalTable table_of(const scene::Scene& scene, const OpticsCommand& command,
+                              const optics::Library& library, TableAt table_at) {
+  if (command.wavelength_nm.empty()) return table_at(medium::wavelengths_of_light(scene, library));
   try {
-    return medium::optical_table(scene, library, command.wavelength_nm);
+    return table_at(command.wavelength_nm);
   } catch (const InputError& error) {  // nothing is wrong with the scene, which has been checked
     throw UsageError(fmt::format("--wavelengths: {}", error.what()));
   }
+}
+
+/// The water of the scene, and on the terminal the air above it.
+int tell_water(const OpticsCommand& command) {
+  const scene::Scene scene = read(command, command.scene);
+  const optics::Library library(optics::find_data_folder());
+  const auto water = table_of(scene, command, library, [&](const std::vector<double>& nm) {
+    return medium::optical_table(scene, library, nm);
+  });
+  tell(water, {scene.title, scene::write_scene(scene)}, command);
+  if (!scene.atmosphere || command.json || !command.output.empty()) return done;
+  const auto air = table_of(scene, command, library, [&](const std::vector<double>& nm) {
+    return medium::air_table(scene, nm);
+  });
+  print_out(fmt::format("\nThe air above it (by itself: photic optics --air {})\n\n{}",
+                        command.scene, io::optics_text(air)));
+  return done;
+}
+
+/// The air of the scene that --air names.
+int tell_air_of_scene(const OpticsCommand& command) {
+  if (command.visibility_km || command.aerosol != OpticsCommand().aerosol)
+    throw UsageError(command.air +
+                     ": --visibility and --aerosol are for profiles: change the air of a scene by "
+                     "--set (--set atmosphere.visibility_km=10)");
+  const scene::Scene scene = read(command, command.air);
+  if (!scene.atmosphere)
+    throw UsageError(command.air +
+                     ": there is no air above the sea (give it an [atmosphere], or name a profile: "
+                     "--air us-standard)");
+  const optics::Library library(optics::find_data_folder());
+  const auto air = table_of(scene, command, library, [&](const std::vector<double>& nm) {
+    return medium::air_table(scene, nm);
+  });
+  tell(air, {scene.title, scene::write_scene(scene)}, command);
+  return done;
 }
 
 }  // namespace
 
 int run(const OpticsCommand& command) {
   if (!command.oil.empty()) return tell_oil(command);
-  if (!command.air.empty()) return tell_air(command);
-  const scene::Scene scene = read(command);
-  const medium::OpticalTable table = table_of(scene, command);
-  tell(table, {scene.title, scene::write_scene(scene)}, command);
-  return done;
+  if (command.is_air_of_scene()) return tell_air_of_scene(command);
+  return command.air.empty() ? tell_water(command) : tell_air(command);
 }
 
 }  // namespace photic::app

@@ -198,9 +198,10 @@ void add_optics_subjects(CLI::App& sub, OpticsCommand& optics) {
                  "Instead of a scene: an oil, by its class (light-refined …) or a CSV file of its "
                  "spectra")
       ->type_name("CLASS|FILE");
-  sub.add_option("--air", optics.air,
-                 "Instead of a scene: the air, by an atmosphere (us-standard …), a CSV file of "
-                 "levels, or a tape6 or tape7 of MODTRAN")
+  sub.add_option(
+         "--air", optics.air,
+         "Instead of a scene's water: the air, by an atmosphere (us-standard …), a CSV file "
+         "of levels, a tape6 or tape7 of MODTRAN, or that of a scene (my.toml)")
       ->type_name("NAME|FILE");
   sub.add_option("--visibility", optics.visibility_km,
                  "With --air: its aerosols are those of this visibility in km")

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/interpolation.hpp"
 #include "medium/layer_optics.hpp"
 #include "optics/air_molecules.hpp"
 #include "optics/data_folder.hpp"
@@ -52,10 +54,26 @@ std::vector<double> too_thick(const optics::AirLibrary& library, const optics::A
   return out;
 }
 
+/// Spreads the absorption by other gases evenly between rungs.
+void add_gases(const scene::Atmosphere& air, double wavelength_nm, optics::AirOptics& to) {
+  if (air.gases.empty()) return;
+  std::vector<double> rung_km{0}, depths{0};
+  for (const scene::AirGases& rung : air.gases) rung_km.push_back(rung.top_km);
+  std::ranges::copy(gas_depths(air, wavelength_nm), std::back_inserter(depths));
+  rung_km.push_back(std::max(air.top_km, rung_km.back() + 1));  // above the last there are none
+  depths.push_back(depths.back());
+  const LinearTable up_to(rung_km, depths);
+  for (optics::AirLayer& layer : to.layers)
+    layer.gases_a_per_m = (up_to(layer.top_km) - up_to(layer.bottom_km)) /
+                          (metre_per_km * (layer.top_km - layer.bottom_km));
+  to.gases_source = "given in the scene";
+}
+
 void add_sources(const optics::AirOptics& at, double nm, std::vector<Source>& sources) {
   add_source("profile of the air", at.profile_source, nm, sources);
   add_source("b of the air's molecules", at.molecules_source, nm, sources);
   add_source("a of ozone", at.ozone_source, nm, sources);
+  add_source("a of other gases", at.gases_source, nm, sources);
   add_source("a and b of aerosols", at.aerosols_source, nm, sources);
   add_source("refractive index of the air", optics::air_index_source, nm, sources);
 }
@@ -64,6 +82,7 @@ AirDepths depths_by_part(const optics::AirOptics& air) {
   AirDepths out;
   for (const optics::AirLayer& layer : air.layers) {
     const double thickness_m = (layer.top_km - layer.bottom_km) * metre_per_km;
+    out.gases += layer.gases_a_per_m * thickness_m;
     out.molecules += layer.molecules_b_per_m * thickness_m;
     out.ozone += layer.ozone_a_per_m * thickness_m;
     out.aerosols += (layer.aerosols_a_per_m + layer.aerosols_b_per_m) * thickness_m;
@@ -106,58 +125,72 @@ AirBuilder::AirBuilder(const scene::Scene& scene, const std::vector<Line>& lines
 }
 
 Air AirBuilder::operator()(const scene::Scene& scene) const {
-  return scene.atmosphere->layer.empty() ? of_profile(*scene.atmosphere) : of_layers(scene);
-}
-
-optics::AirProfile AirBuilder::in_layers(const scene::Atmosphere& air) const {
-  auto profile = profile_to_top(air, whole_profile(air, *of_air_));
-  for (const auto& more : halved_km_) profile = with_levels(profile, more);
-  return profile;
-}
-
-Air AirBuilder::of_profile(const scene::Atmosphere& atmosphere) const {
-  const optics::AerosolChoice aerosols = aerosols_of(atmosphere);
-  const optics::AirProfile profile = in_layers(atmosphere);
+  const bool outright = !scene.atmosphere->layer.empty();
   Air air;
-  for (const double km : profile.z_km) air.height_m.push_back(km * metre_per_km);
   for (const Line& line : lines_) {
     const bool is_laser = &line == &lines_.front();
-    const auto at = optics::air_at(*of_air_, profile, aerosols, line.wavelength_nm,
-                                   is_laser ? optics::Phases::told : optics::Phases::left_out);
-    for (const optics::AirLayer& layer : at.layers) {
+    const double nm = line.wavelength_nm;
+    const auto here = at(scene, nm, is_laser ? optics::Phases::told : optics::Phases::left_out);
+    for (const optics::AirLayer& layer : here.layers) {
       air.a.push_back(layer.a_per_m());
       air.b.push_back(layer.b_per_m());
       air.refractive_index.push_back(layer.refractive_index);
       air.group_index.push_back(layer.group_index);
       if (is_laser) air.scatterers.push_back(layer.scatterers);
     }
-    if (is_laser) air.depths = depths_by_part(at);
-    add_sources(at, line.wavelength_nm, air.sources);
+    if (is_laser && !outright) air.depths = depths_by_part(here);
+    if (outright)
+      add_source("a and b of the air", here.profile_source, nm, air.sources);
+    else
+      add_sources(here, nm, air.sources);
   }
+  air.height_m.push_back(0);
+  if (outright)
+    for (const auto& layer : scene.atmosphere->layer) air.height_m.push_back(layer.top_height_m);
+  else
+    for (const double km : in_layers(*scene.atmosphere).z_km)
+      if (km > 0) air.height_m.push_back(km * metre_per_km);
   return air;
 }
 
-Air AirBuilder::of_layers(const scene::Scene& scene) const {
+optics::AirOptics AirBuilder::at(const scene::Scene& scene, double wavelength_nm,
+                                 optics::Phases phases) const {
+  const scene::Atmosphere& atmosphere = *scene.atmosphere;
+  if (!atmosphere.layer.empty()) return of_layers(scene, wavelength_nm);
+  auto air = optics::air_at(*of_air_, in_layers(atmosphere), aerosols_of(atmosphere), wavelength_nm,
+                            phases);
+  add_gases(atmosphere, wavelength_nm, air);
+  return air;
+}
+
+optics::AirProfile AirBuilder::in_layers(const scene::Atmosphere& air) const {
+  auto profile = profile_to_top(air, whole_profile(air, *of_air_));
+  std::vector<double> rungs_km;
+  for (const scene::AirGases& rung : air.gases) rungs_km.push_back(rung.top_km);
+  profile = with_levels(profile, rungs_km);
+  for (const auto& more : halved_km_) profile = with_levels(profile, more);
+  return profile;
+}
+
+optics::AirOptics AirBuilder::of_layers(const scene::Scene& scene, double wavelength_nm) const {
   const LayerOptics optics_of(scene, *library_);
-  const double laser_nm = lines_.front().wavelength_nm;
-  Air air;
-  air.height_m.push_back(0);
-  for (const scene::AirLayer& layer : scene.atmosphere->layer) {
-    air.height_m.push_back(layer.top_height_m);
-    const auto shape = layer.phase_function
-                           ? optics_of.shape(*layer.phase_function, laser_nm)
-                           : optics::rayleigh(optics::air_depolarisation(laser_nm));
-    air.scatterers.push_back({{"", optics_of(as_layer(layer), laser_nm).b_per_m, shape}});
+  optics::AirOptics air;
+  air.depolarisation = optics::air_depolarisation(wavelength_nm);
+  air.profile_source = "given in the scene";
+  for (const scene::AirLayer& of : scene.atmosphere->layer) {
+    const WaterOptics here = optics_of(as_layer(of), wavelength_nm);
+    optics::AirLayer layer;
+    layer.bottom_km = of.bottom_height_m / metre_per_km;
+    layer.top_km = of.top_height_m / metre_per_km;
+    layer.refractive_index = of.refractive_index;
+    layer.group_index = of.refractive_index;  // as if it were alike at all wavelengths
+    layer.aerosols_a_per_m = here.a_per_m;
+    layer.aerosols_b_per_m = here.b_per_m;
+    layer.phase = of.phase_function ? optics_of.shape(*of.phase_function, wavelength_nm)
+                                    : optics::rayleigh(air.depolarisation);
+    layer.scatterers = {{"", here.b_per_m, layer.phase}};
+    air.layers.push_back(std::move(layer));
   }
-  for (const Line& line : lines_)
-    for (const scene::AirLayer& layer : scene.atmosphere->layer) {
-      const WaterOptics at = optics_of(as_layer(layer), line.wavelength_nm);
-      air.a.push_back(at.a_per_m);
-      air.b.push_back(at.b_per_m);
-      air.refractive_index.push_back(layer.refractive_index);
-      air.group_index.push_back(layer.refractive_index);  // as if it were alike at all wavelengths
-      add_source("a and b of the air", "given in the scene", line.wavelength_nm, air.sources);
-    }
   return air;
 }
 
@@ -181,12 +214,16 @@ std::vector<std::string> air_told(const scene::Scene& scene, const Air& air) {
                               air.optical_depth(0)));
     return out;
   }
+  const std::string gases =
+      of.gases.empty() ? "" : fmt::format("other gases {:.4g}, ", air.depths->gases);
   out.push_back(fmt::format(
       "optical depth at {:.6g} nm from the sea to the top: {:.4g}, of which molecules {:.4g}, "
-      "ozone {:.4g}, aerosols {:.4g}",
-      nm, air.optical_depth(0), air.depths->molecules, air.depths->ozone, air.depths->aerosols));
-  out.emplace_back(
-      "left out: the absorption lines of water vapour, oxygen, carbon dioxide and other gases");
+      "ozone {:.4g}, {}aerosols {:.4g}",
+      nm, air.optical_depth(0), air.depths->molecules, air.depths->ozone, gases,
+      air.depths->aerosols));
+  if (of.gases.empty())
+    out.emplace_back(
+        "left out: the absorption lines of water vapour, oxygen, carbon dioxide and other gases");
   return out;
 }
 
@@ -223,6 +260,28 @@ optics::AirProfile profile_to_top(const scene::Atmosphere& air, const optics::Ai
                                    end, air.top_km),
                        fmt::format("write top_km = {:g}, or add levels", end)}});
   return optics::up_to(whole, air.top_km);
+}
+
+std::vector<double> gas_depths(const scene::Atmosphere& air, double wavelength_nm) {
+  constexpr double rounding = 2e-3;  // of four digits of transmittances, down to 0.1
+  std::vector<double> out;
+  for (const scene::AirGases& rung : air.gases) {
+    const optics::DataTable& table = rung.depth.data();
+    const LinearTable depth(optics::wavelengths_of(table), table.numbers_from_0("optical_depth"));
+    if (!depth.covers(wavelength_nm))
+      optics::no_data("gas", wavelength_nm, table.name(), depth.min(), depth.max(),
+                      "add it to the table, or choose another wavelength");
+    const double here = depth(wavelength_nm), before = out.empty() ? 0 : out.back();
+    if (here < before * (1 - rounding) - rounding)
+      throw InputError(
+          {{"", 0, 0,
+            fmt::format("gases are {:.4g} deep at {:g} nm up to {:g} km, and {:.4g} up "
+                        "to the rung below it",
+                        here, wavelength_nm, rung.top_km, before),
+            "all rungs begin at the sea"}});
+    out.push_back(std::max(here, before));
+  }
+  return out;
 }
 
 optics::AerosolChoice aerosols_of(const scene::Atmosphere& air) {

@@ -16,7 +16,7 @@ namespace photic::medium {
 
 /// Optical depths of the laser's light, from the sea straight up to the top of the air.
 struct AirDepths {
-  double molecules = 0, ozone = 0, aerosols = 0;
+  double molecules = 0, ozone = 0, gases = 0, aerosols = 0;
 };
 
 /// The air above the sea in layers, from the sea up. Values of line l in layer k stand at
@@ -50,11 +50,14 @@ class AirBuilder {
   /// Of the scene, or of it in an environment; there must be an [atmosphere]. Throws InputError for
   /// what check_medium (medium/check.hpp) finds.
   [[nodiscard]] Air operator()(const scene::Scene& scene) const;
+  /// Its layers at a wavelength. Of layers that are told outright the aerosols stand for all there
+  /// is. Throws the same.
+  [[nodiscard]] optics::AirOptics at(const scene::Scene& scene, double wavelength_nm,
+                                     optics::Phases phases) const;
 
  private:
   [[nodiscard]] optics::AirProfile in_layers(const scene::Atmosphere& air) const;
-  [[nodiscard]] Air of_profile(const scene::Atmosphere& atmosphere) const;
-  [[nodiscard]] Air of_layers(const scene::Scene& scene) const;
+  [[nodiscard]] optics::AirOptics of_layers(const scene::Scene& scene, double wavelength_nm) const;
 
   const std::vector<Line>& lines_;
   std::optional<optics::AirLibrary> of_air_;    ///< of a profile
@@ -75,6 +78,10 @@ optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::Air
 
 /// What of it is below the top of the air. Throws InputError if it does not reach it.
 optics::AirProfile profile_to_top(const scene::Atmosphere& air, const optics::AirProfile& whole);
+
+/// Optical depths by other gases than ozone, from the sea straight up to each rung. Throws
+/// InputError for wavelengths without data, and where it is less than up to a lower rung.
+std::vector<double> gas_depths(const scene::Atmosphere& air, double wavelength_nm);
 
 /// Whose aerosols are where.
 optics::AerosolChoice aerosols_of(const scene::Atmosphere& air);

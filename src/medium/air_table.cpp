@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/constants.hpp"
+#include "medium/air.hpp"
 
 namespace photic::medium {
 namespace {
@@ -29,24 +30,32 @@ double phase_value(const optics::PhaseShape& phase, double angle_deg) {
 /// Writes the layers of one wavelength to their places in the table.
 class Filler {
  public:
-  Filler(OpticalTable& table, std::size_t layers) : table_(table), layers_(layers) {
-    const std::size_t count = layers * table.wavelengths();
+  /// Of layers that are told outright nobody knows the parts.
+  Filler(OpticalTable& table, bool told_outright, bool gases)
+      : table_(table), layers_(table.layers()), told_outright_(told_outright) {
+    const std::size_t count = layers_ * table.wavelengths();
     for (auto* values : {&table.a_per_m, &table.b_per_m, &table.backscatter_fraction,
                          &table.mean_cosine, &table.refractive_index})
       values->resize(count);
     table.phase_function_per_sr.resize(count * table.angles());
     const std::vector<double> none(count);
+    if (told_outright) return;
     table.parts = {
         {"molecules", {}, none, {}}, {"ozone", none, {}, {}}, {"aerosols", none, none, {}}};
+    if (gases) table.parts.push_back({"gases", none, {}, {}});
   }
 
   void add(const optics::AirOptics& air, std::size_t wavelength) {
     for (std::size_t k = 0; k < layers_; ++k)
       add(air.layers[k], k * table_.wavelengths() + wavelength);
     const double nm = table_.wavelength_nm[wavelength];
+    if (told_outright_)
+      return add_source("a and b of the air", air.profile_source, nm, table_.sources);
     add_source("profile of the air", air.profile_source, nm, table_.sources);
     add_source("b of molecules", air.molecules_source, nm, table_.sources);
     add_source("a of ozone", air.ozone_source, nm, table_.sources);
+    if (table_.parts.size() > 3)
+      add_source("a of other gases", air.gases_source, nm, table_.sources);
     add_source("a and b of aerosols", air.aerosols_source, nm, table_.sources);
   }
 
@@ -55,10 +64,13 @@ class Filler {
     table_.a_per_m[at] = layer.a_per_m();
     table_.b_per_m[at] = layer.b_per_m();
     table_.refractive_index[at] = layer.refractive_index;
-    table_.parts[0].b_per_m[at] = layer.molecules_b_per_m;
-    table_.parts[1].a_per_m[at] = layer.ozone_a_per_m;
-    table_.parts[2].a_per_m[at] = layer.aerosols_a_per_m;
-    table_.parts[2].b_per_m[at] = layer.aerosols_b_per_m;
+    if (!told_outright_) {
+      table_.parts[0].b_per_m[at] = layer.molecules_b_per_m;
+      table_.parts[1].a_per_m[at] = layer.ozone_a_per_m;
+      table_.parts[2].a_per_m[at] = layer.aerosols_a_per_m;
+      table_.parts[2].b_per_m[at] = layer.aerosols_b_per_m;
+      if (table_.parts.size() > 3) table_.parts[3].a_per_m[at] = layer.gases_a_per_m;
+    }
     const optics::PhaseTable phase(layer.phase);
     table_.backscatter_fraction[at] = phase.backscatter_fraction();
     table_.mean_cosine[at] = phase.mean_cosine();
@@ -69,24 +81,45 @@ class Filler {
 
   OpticalTable& table_;
   std::size_t layers_;
+  bool told_outright_;
 };
+
+/// An empty table of layers between altitudes.
+OpticalTable empty_table(const std::vector<double>& edge_m,
+                         const std::vector<double>& wavelength_nm) {
+  OpticalTable table;
+  table.of = Layered::air;
+  table.wavelength_nm = wavelength_nm;
+  table.angle_deg = air_angles_deg();
+  table.edge_m = edge_m;
+  for (std::size_t i = 1; i < edge_m.size(); ++i)
+    table.layer_name.push_back(
+        fmt::format("{:g} to {:g} km", edge_m[i - 1] / m_per_km, edge_m[i] / m_per_km));
+  return table;
+}
 
 }  // namespace
 
 OpticalTable air_table(const optics::AirLibrary& library, const optics::AirProfile& profile,
                        const optics::AerosolChoice& aerosols,
                        const std::vector<double>& wavelength_nm) {
-  OpticalTable table;
-  table.of = Layered::air;
-  table.wavelength_nm = wavelength_nm;
-  table.angle_deg = air_angles_deg();
-  for (const double km : profile.z_km) table.edge_m.push_back(km * m_per_km);
-  for (std::size_t i = 1; i < profile.z_km.size(); ++i)
-    table.layer_name.push_back(
-        fmt::format("{:g} to {:g} km", profile.z_km[i - 1], profile.z_km[i]));
-  Filler filler(table, table.layers());
+  std::vector<double> edge_m;
+  for (const double km : profile.z_km) edge_m.push_back(km * m_per_km);
+  OpticalTable table = empty_table(edge_m, wavelength_nm);
+  Filler filler(table, false, false);
   for (std::size_t w = 0; w < wavelength_nm.size(); ++w)
     filler.add(optics::air_at(library, profile, aerosols, wavelength_nm[w]), w);
+  return table;
+}
+
+OpticalTable air_table(const scene::Scene& scene, const std::vector<double>& wavelength_nm) {
+  std::vector<Line> laser(1);
+  laser.front().wavelength_nm = scene.source.wavelength_nm;
+  const AirBuilder build(scene, laser);
+  OpticalTable table = empty_table(build(scene).height_m, wavelength_nm);
+  Filler filler(table, !scene.atmosphere->layer.empty(), !scene.atmosphere->gases.empty());
+  for (std::size_t w = 0; w < wavelength_nm.size(); ++w)
+    filler.add(build.at(scene, wavelength_nm[w], optics::Phases::told), w);
   return table;
 }
 

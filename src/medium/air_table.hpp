@@ -16,4 +16,7 @@ OpticalTable air_table(const optics::AirLibrary& library, const optics::AirProfi
                        const optics::AerosolChoice& aerosols,
                        const std::vector<double>& wavelength_nm);
 
+/// Of the air above a scene's sea, in the layers that light in it meets. Throws the same.
+OpticalTable air_table(const scene::Scene& scene, const std::vector<double>& wavelength_nm);
+
 }  // namespace photic::medium

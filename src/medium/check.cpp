@@ -240,6 +240,10 @@ void Checker::check_air(const Wavelength& light) {
   if (!scene_.atmosphere) return;
   if (!scene_.atmosphere->layer.empty()) return check_air_layers(light);
   if (!air_profile_) return;
+  if (findings_.good({"atmosphere.gases"}))
+    ask(
+        "atmosphere.gases", [&] { return gas_depths(*scene_.atmosphere, light.nm).size(); },
+        light.why_there);
   const auto known = [&] {
     const auto aerosols = aerosols_of(*scene_.atmosphere);
     return optics::air_at(library_.air(), *air_profile_, aerosols, light.nm,

@@ -103,6 +103,7 @@ AirOptics air_at(const AirLibrary& library, const AirProfile& profile,
   out.molecules_source = air_scattering_source;
   LayerMaker make(library, profile, aerosols, wavelength_nm, phases, out);
   for (std::size_t i = 1; i < profile.z_km.size(); ++i) out.layers.push_back(make(i));
+  out.gases_source = "left out";
   if (out.ozone_source.empty()) out.ozone_source = "no ozone";
   if (out.aerosols_source.empty()) out.aerosols_source = "no aerosols";
   return out;

@@ -31,19 +31,20 @@ struct AirLayer {
   double refractive_index = 1, group_index = 1;
   double molecules_b_per_m = 0;
   double ozone_a_per_m = 0;
+  double gases_a_per_m = 0;  ///< by others
   double aerosols_a_per_m = 0, aerosols_b_per_m = 0;
   double aerosols_g = 0;  ///< mean cosine of what aerosols scatter, 0 without aerosols
   PhaseShape phase;       ///< of all that is scattered; none where it is left out
   std::vector<AirScatterer> scatterers;
 
-  [[nodiscard]] double a_per_m() const { return ozone_a_per_m + aerosols_a_per_m; }
+  [[nodiscard]] double a_per_m() const { return ozone_a_per_m + gases_a_per_m + aerosols_a_per_m; }
   [[nodiscard]] double b_per_m() const { return molecules_b_per_m + aerosols_b_per_m; }
 };
 
 struct AirOptics {
   double depolarisation = 0;     ///< of what molecules scatter
   std::vector<AirLayer> layers;  ///< from the lowest level up
-  std::string profile_source, molecules_source, ozone_source, aerosols_source;
+  std::string profile_source, molecules_source, ozone_source, gases_source, aerosols_source;
 };
 
 /// Throws InputError for a wavelength without data (200 to 1100 nm; to 1099 nm where

@@ -37,6 +37,26 @@ optics::DataTable table_of(const optics::AirProfile& air, const std::string& nam
       name);
 }
 
+constexpr double least_nm = 200, most_nm = 1100;
+
+/// What MODTRAN calls the transmittance by all there is, and by what Photic has itself.
+constexpr const char* all = "COMBIN TRANS";
+constexpr const char* known[] = {"MOLEC SCAT", "O3 TRANS", "AER+CLD TRANS"};
+
+/// By all but that.
+double of_gases(const optics::ModtranTransmittances& air, const std::vector<std::string>& columns,
+                double nm) {
+  const auto opaque = [&](const char* column) { return air.transmittance(column, nm) == 0; };
+  if (opaque(all)) return opaque_depth;
+  double depth = air.optical_depth(all, nm).value;
+  for (const char* column : known) {
+    if (std::ranges::find(columns, column) == columns.end()) continue;
+    if (opaque(column)) return opaque_depth;
+    depth -= air.optical_depth(column, nm).value;
+  }
+  return std::max(0.0, depth);  // the digits that are printed allow less
+}
+
 }  // namespace
 
 optics::DataTable read_air_levels(const std::string& path) {
@@ -47,6 +67,24 @@ optics::DataTable read_air_levels(const std::string& path) {
         {{path, 0, 0, "no tape6 of LOWTRAN 7 or MODTRAN (no block \"ATMOSPHERIC PROFILES\")",
           "a table of levels is known by its name: it ends in .csv"}});
   return table_of(optics::modtran_profile(text, path), path);
+}
+
+optics::DataTable read_gas_depths(const std::string& path) {
+  if (path.ends_with(".csv")) return optics::DataTable::read(path);
+  const std::string text = optics::read_text(path);
+  if (!optics::is_tape7(text))
+    throw InputError({{path, 0, 0, "no tape7 of LOWTRAN 7 or MODTRAN (no line begins with FREQ)",
+                       "a table of optical depths is known by its name: it ends in .csv"}});
+  const optics::ModtranTransmittances air(text, path);
+  const std::vector<std::string> columns = air.columns();
+  std::vector<double> wavelength_nm, optical_depth;
+  for (const double nm : air.wavelengths_nm()) {
+    if (nm < least_nm || nm > most_nm) continue;
+    wavelength_nm.push_back(nm);
+    optical_depth.push_back(of_gases(air, columns, nm));
+  }
+  return optics::DataTable::of_columns(
+      {column("wavelength_nm", wavelength_nm), column("optical_depth", optical_depth)}, path);
 }
 
 bool tells_of_aerosols(const UserTable& levels) {

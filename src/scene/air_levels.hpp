@@ -1,4 +1,4 @@
-// The levels of air that a user gives.
+// What files tell of the air that a user gives.
 #pragma once
 
 #include <string>
@@ -11,6 +11,14 @@ namespace photic::scene {
 /// What a file tells of them: a CSV by its name, or else a tape6 of LOWTRAN 7 or MODTRAN, which
 /// becomes the columns that a CSV would have. Throws InputError.
 optics::DataTable read_air_levels(const std::string& path);
+
+/// Light that MODTRAN prints as 0, with four digits, counts as this deep.
+inline constexpr double opaque_depth = 99;
+
+/// What gases absorb besides ozone, as optical depths by wavelength: a CSV by its name, or else a
+/// tape7 of LOWTRAN 7 or MODTRAN, of which molecules' scattering, ozone and aerosols are taken out.
+/// Wavelengths are those that Photic has air for. Throws InputError.
+optics::DataTable read_gas_depths(const std::string& path);
 
 /// Whether there are columns of aerosols among them.
 bool tells_of_aerosols(const UserTable& levels);

@@ -77,6 +77,26 @@ void check_aerosols(const Atmosphere& air, Findings& findings) {
                "leave one of them out");
 }
 
+void check_gases(const Atmosphere& air, Findings& findings) {
+  double below_km = 0;
+  for (std::size_t i = 0; i < air.gases.size(); ++i) {
+    const std::string path = below(below("atmosphere.gases", i), "top_km");
+    if (!findings.good({path, "atmosphere.top_km"})) return;
+    const double top_km = air.gases[i].top_km;
+    if (top_km <= below_km)
+      findings.add(path,
+                   fmt::format("{} km is not above the {} km before it", plain_number(top_km),
+                               plain_number(below_km)),
+                   "rungs go from the sea up");
+    else if (top_km > air.top_km)
+      findings.add(path,
+                   fmt::format("{} km is above the top of the air at {} km", plain_number(top_km),
+                               plain_number(air.top_km)),
+                   "leave it out, or write a higher top_km");
+    below_km = top_km;
+  }
+}
+
 }  // namespace
 
 void check_atmosphere(const Scene& scene, Findings& findings) {
@@ -85,6 +105,7 @@ void check_atmosphere(const Scene& scene, Findings& findings) {
   check_what_is_below(scene, findings);
   if (findings.good({"atmosphere.aerosol", "atmosphere.visibility_km"}))
     check_aerosols(air, findings);
+  check_gases(air, findings);
   check_heights(air.layer, findings);
   for (std::size_t i = 0; i < air.layer.size(); ++i) {
     const std::string path = below("atmosphere.layer", i);

@@ -45,7 +45,19 @@ inline TableOrFile air_levels_rule() {
            {"boundary_layer_per_km", region, true},
            {"troposphere_per_km", region, true},
            {"stratosphere_per_km", region, true},
-           {"upper_atmosphere_per_km", region, true}}};
+           {"upper_atmosphere_per_km", region, true}},
+          read_air_levels};
+}
+
+template <class V>
+void describe(V& v, AirGases& g) {
+  v.required("top_km", g.top_km, positive, "the height of the rung above the sea in km");
+  v.required("file", g.depth,
+             TableOrFile{{{"wavelength_nm", "wavelengths in nm, ascending"},
+                          {"optical_depth", "from the sea straight up to the rung"}},
+                         read_gas_depths},
+             "a tape7 of LOWTRAN 7 or MODTRAN with the transmittances of that way, a CSV file of "
+             "wavelength_nm, optical_depth, or a table of these");
 }
 
 template <class V>
@@ -57,8 +69,7 @@ void describe_profile(V& v, Atmosphere& a) {
                            {"midlatitude-winter", "45 degrees north in January"},
                            {"subarctic-summer", "60 degrees north in July"},
                            {"subarctic-winter", "60 degrees north in January"}}},
-                         air_levels_rule(),
-                         read_air_levels},
+                         air_levels_rule()},
              "the air by altitude: one of AFGL's six (Anderson et al. 1986), a CSV file of levels, "
              "a tape6 of LOWTRAN 7 or MODTRAN, or a table of the columns of a CSV");
   v.optional("aerosol", a.aerosol, Text{},
@@ -77,6 +88,8 @@ void describe_profile(V& v, Atmosphere& a) {
              "the relative humidity at levels up to 2 km in per cent, in which aerosols swell; by "
              "default the profile's");
   v.optional("top_km", a.top_km, positive, "where the air ends, in km above the sea");
+  v.sections(expert("gases"), a.gases, Need::optional,
+             "what gases absorb besides ozone, up to one height after the other");
 }
 
 template <class V>

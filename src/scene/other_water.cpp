@@ -58,6 +58,7 @@ constexpr Fixed fixed_of_surface[] = {{"model", bends},
 
 /// The kind of air, by a profile or by layers, is a matter of the first key.
 constexpr Fixed fixed_of_air[] = {{"profile", bends_and_times}, {"top_km", borders}};
+constexpr Fixed fixed_of_gases[] = {{"top_km", borders}};
 constexpr Fixed fixed_of_air_layers[] = {{"name", called},
                                          {"bottom_height_m", borders},
                                          {"top_height_m", borders},
@@ -88,6 +89,7 @@ class Comparison {
       return findings_.add("atmosphere", "the scene itself has no air above the sea",
                            "give it an [atmosphere], of little aerosol if need be");
     for (const Fixed& fixed : fixed_of_air) compare(*scene, *here, "atmosphere", fixed);
+    compare_layers("atmosphere.gases", scene->find("gases"), here->find("gases"), fixed_of_gases);
     compare_layers("atmosphere.layer", scene->find("layer"), here->find("layer"),
                    fixed_of_air_layers);
   }
@@ -107,9 +109,10 @@ class Comparison {
 
   void compare_layers(const std::string& path, const Node* of_scene, const Node* of_here,
                       std::span<const Fixed> all_fixed) {
-    if (!of_scene || !of_here || !good(path)) return;
-    const auto& scene = *of_scene->as<Node::Array>();
-    const auto& here = *of_here->as<Node::Array>();
+    if (!good(path)) return;
+    static const Node::Array none;
+    const auto& scene = of_scene ? *of_scene->as<Node::Array>() : none;
+    const auto& here = of_here ? *of_here->as<Node::Array>() : none;
     if (scene.size() != here.size())
       return findings_.add(path,
                            fmt::format("there must be as many layers as in the scene, {}, not {}: "

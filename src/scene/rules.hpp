@@ -109,6 +109,7 @@ struct TableOrFile {
     bool may_lack = false;
   };
   std::vector<Column> columns;
+  optics::DataTable (*read)(const std::string& path) = optics::DataTable::read;  ///< a file
 };
 
 /// A number, or what it is at one or more of the columns that a table may lack: { file = "a.csv" },
@@ -129,7 +130,6 @@ struct WordOrTable {
   using Value = std::variant<std::string, UserTable>;
   Choice words;
   TableOrFile table;
-  optics::DataTable (*read)(const std::string& path);  ///< what a file holds
 };
 
 /// [x, y, z], finite.

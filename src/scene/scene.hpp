@@ -182,6 +182,13 @@ struct AirLayer {
   friend bool operator==(const AirLayer&, const AirLayer&) = default;
 };
 
+/// What gases absorb besides ozone, from the sea straight up to a height.
+struct AirGases {
+  double top_km{};
+  UserTable depth;  ///< of wavelength_nm, optical_depth
+  friend bool operator==(const AirGases&, const AirGases&) = default;
+};
+
 /// The air above the sea: a profile and its aerosols, or layers. Above it is a vacuum.
 struct Atmosphere {
   std::variant<std::string, UserTable> profile;  ///< one of AFGL's six, or levels
@@ -190,6 +197,7 @@ struct Atmosphere {
   std::string season = "spring-summer";
   std::optional<double> relative_humidity_percent;  ///< of the boundary layer; none: the profile's
   double top_km = 100.0;
+  std::vector<AirGases> gases;  ///< a ladder, from the sea up
   std::vector<AirLayer> layer;  ///< from the sea up; empty where there is a profile
 
   [[nodiscard]] bool has_aerosols() const { return aerosol != "none"; }

@@ -11,13 +11,10 @@
 namespace photic::scene {
 namespace {
 
-using ReadTable = optics::DataTable (*)(const std::string& path);
-
 void read_file(const TableOrFile& rule, const std::string& path, const TableName& name,
-               ReadContext& shared, UserTable& value,
-               ReadTable read_table = optics::DataTable::read) {
+               ReadContext& shared, UserTable& value) {
   try {
-    const auto data = read_table(path);
+    const auto data = rule.read(path);
     std::vector<std::string> taken;
     for (const TableOrFile::Column& column : rule.columns)
       if (!column.may_lack || data.has(column.name)) taken.emplace_back(column.name);
@@ -150,7 +147,7 @@ std::optional<Refusal> read_word_or_table(const WordOrTable& rule, const Node& n
     auto no_file = check(File{}, node, path, shared.folder);
     if (no_file && text->find_first_of("./") != std::string::npos) return no_file;
     if (no_file) return Refusal{no_word->reason + ", and no file", no_word->suggestion};
-    read_file(rule.table, path, name, shared, table, rule.read);
+    read_file(rule.table, path, name, shared, table);
   } else {
     return Refusal{fmt::format("must be a word, a file or a table, not {}", found_text(node)), ""};
   }

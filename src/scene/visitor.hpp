@@ -88,9 +88,12 @@ class Names {
   void tables(const char* name, Rest&&...) {
     required(name);
   }
-  template <class... Rest>
-  void sections(const char* name, Rest&&...) {
-    required(name);
+  template <class T, class... Rest>
+  void sections(const char* name, std::vector<T>&, Need need, Rest&&...) {
+    if (need == Need::required)
+      required(name);
+    else
+      optional(name);
   }
   template <class... Rest>
   void table_or_word(const char* name, Rest&&...) {

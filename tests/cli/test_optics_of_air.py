@@ -245,3 +245,30 @@ def test_refuses_air(photic, tape7, tmp_path, what):
     assert (done.returncode, done.stdout) == (code, "")
     assert message in done.stderr and "bug" not in done.stderr
     assert sorted(os.listdir(tmp_path)) == before
+
+
+# Seen red: with the layers of the profile for those of the scene.
+def test_tells_of_the_air_of_a_scene(photic, scene, tmp_path):
+    alone = photic("optics", "--air", "quick.toml")
+    assert (alone.returncode, alone.stdout) == (2, "") and "no air above the sea" in alone.stderr
+    scene.write_text(scene.read_text() + '[atmosphere]\nprofile = "us-standard"\naerosol = "maritime"\nvisibility_km = 5.0\n'
+                     "[[atmosphere.gases]]\ntop_km = 2.5\nfile = { wavelength_nm = [500, 800], optical_depth = [0.0, 0.3] }\n")
+    done = photic("optics", "quick.toml", "--wavelengths", "532")
+    assert (done.returncode, done.stderr) == (0, "")
+    water, air = done.stdout.split("\nThe air above it (by itself: photic optics --air quick.toml)\n\n")
+    assert "b_b/b" in water and "gases" in air and "maritime" in air
+    shown = photic("show", "quick.toml").stdout
+    layers = int(re.search(r"(\d+) layers of the profile us-standard", shown).group(1))
+    asked = ["--air", "quick.toml", "--wavelengths", "532,650"]
+    out = as_json(photic, *asked)
+    assert len(out["layers"]) == layers > 49
+    assert photic("optics", *asked, "-o", "of-scene.nc").returncode == 0
+    with netCDF4.Dataset(tmp_path / "of-scene.nc") as file:
+        edges, gases = file["altitude_m_bounds"][:], file["a_gases_per_m"][:]
+        assert "visibility_km = 5.0" in file.scene
+    depth = ((edges[:, 1] - edges[:, 0])[:, None] * gases).sum(axis=0)
+    assert depth.tolist() == pytest.approx([0.3 * 32 / 300, 0.15], rel=1e-9)
+    hazy = as_json(photic, *asked, "--set", "atmosphere.visibility_km=2")
+    assert hazy["layers"][0]["b_per_m"][0] > 2 * out["layers"][0]["b_per_m"][0]
+    refused = photic("optics", *asked, "--visibility", "23")
+    assert (refused.returncode, refused.stdout) == (2, "") and "--set atmosphere.visibility_km" in refused.stderr

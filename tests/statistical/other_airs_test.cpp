@@ -78,11 +78,16 @@ void expect_airs_are_their_own_runs(const std::string& surface, const std::strin
   family.judge();
 }
 
-// Light of the air, of the water, and of both, elastic and Raman.
+// Light of the air, of the water, and of both, elastic and Raman. Seen red, each for itself:
+// without the air between the sea and the laser, or the telescopes, reached straight, from waves'
+// facets or by light that stands at them; with histories that forget their ratios at the surface,
+// or take another's; with the scene's waves above environments; with all parts of the scattering
+// alike.
 TEST(OtherAirs, AreThoseOfTheirOwnRuns) {
   expect_airs_are_their_own_runs(flat, "forward", 2.5e5, 24);
   expect_airs_are_their_own_runs(waves, "forward", 2.5e5, 20);
 }
+// Seen red: without the air between the sea and where walks begin, or where they end.
 TEST(OtherAirs, AreThoseOfTheirOwnRunsByWalks) {
   expect_airs_are_their_own_runs(flat, "bidirectional", 6e4, 20);
   expect_airs_are_their_own_runs(waves, "bidirectional", 6e4, 16);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "medium/upside_down.hpp"
 #include "optics/air_library.hpp"
 #include "optics/air_molecules.hpp"
 #include "unit/medium/checked_scenes.hpp"
@@ -170,9 +171,10 @@ TEST(Air, NamesItsSourcesOnce) {
     EXPECT_EQ(source.first_nm, 532);
     EXPECT_EQ(source.last_nm, 650);
   }
-  EXPECT_EQ(quantities, (std::vector<std::string>{"profile of the air", "b of the air's molecules",
-                                                  "a of ozone", "a and b of aerosols",
-                                                  "refractive index of the air"}));
+  EXPECT_EQ(quantities,
+            (std::vector<std::string>{"profile of the air", "b of the air's molecules",
+                                      "a of ozone", "a of other gases", "a and b of aerosols",
+                                      "refractive index of the air"}));
 }
 
 scene::AirLayer own_layer(double bottom_m, double top_m, double b_per_m) {
@@ -204,6 +206,36 @@ TEST(Air, OfOwnLayersIsWhatTheSceneSays) {
   EXPECT_FALSE(air.depths);
 }
 
+/// A rung of a ladder of gases.
+scene::AirGases rung(double top_km, const std::string& depths) {
+  return {top_km,
+          {optics::DataTable::parse("wavelength_nm,optical_depth\n" + depths, "gases.csv"),
+           {"wavelength_nm", "optical_depth"}}};
+}
+
+// Up to each rung, which is an edge of layers, and evenly between; above the last nothing more.
+// Seen red: with rungs that are no edges; with each rung's depth from the one below it on.
+TEST(Air, HasTheGasesOfItsLadder) {
+  scene::Atmosphere dry = hazy_air("rural", 23), damp = dry;
+  damp.gases = {rung(1.7, "500,0.1\n700,0.3\n"), rung(5.2, "500,0.2\n700,0.3\n")};
+  const Air without = air_of(dry, {532, 650}), air = air_of(damp, {532, 650});
+  const auto gases_up_to = [&](double height_m, std::size_t line) {
+    return column_to(air, height_m).optical_depth[line] -
+           column_to(without, height_m).optical_depth[line];
+  };
+  // Aerosols swell by the humidity halfway up each layer, and there are two more edges.
+  constexpr double by_layers = 2e-3;
+  EXPECT_NEAR(gases_up_to(1700, 0), 0.1 + 0.2 * 32 / 200, by_layers);
+  EXPECT_NEAR(gases_up_to(850, 0), (0.1 + 0.2 * 32 / 200) / 2, by_layers);
+  EXPECT_NEAR(gases_up_to(5200, 0), 0.2 + 0.1 * 32 / 200, by_layers);
+  EXPECT_NEAR(gases_up_to(90e3, 0), 0.2 + 0.1 * 32 / 200, by_layers);
+  EXPECT_NEAR(gases_up_to(1700, 1), 0.25, by_layers);
+  EXPECT_NEAR(gases_up_to(5200, 1), 0.275, by_layers);
+  EXPECT_NEAR(air.depths->gases, 0.2 + 0.1 * 32 / 200, 1e-12);
+  for (const double edge : {1700.0, 5200.0})
+    EXPECT_EQ(std::ranges::count(air.height_m, edge), 1) << edge;
+}
+
 // --- What the check says -------------------------------------------------------------------------
 
 /// The base scene with this section from line 26 on.
@@ -225,6 +257,18 @@ std::string levels(const std::string& z_km, const std::string& more = "") {
 // Seen red: with an air that is not looked at in the check.
 TEST(CheckOfAir, EveryTextWithLineAndColumn) {
   EXPECT_EQ(of_section(us_standard), Texts{});
+  const std::string gases = us_standard + "[[atmosphere.gases]]\ntop_km = 2\nfile = ",
+                    on = "\n[[atmosphere.gases]]\ntop_km = 3\nfile = ",
+                    deep = "{ wavelength_nm = [400, 800], optical_depth = [0.3, 0.3] }",
+                    thin = "{ wavelength_nm = [400, 800], optical_depth = [0.2, 0.2] }";
+  EXPECT_EQ(of_section(gases + thin + on + deep), Texts{});
+  EXPECT_EQ(
+      of_section(gases + deep + on + thin),
+      Texts{"scene.toml:28:1: gases are 0.2 deep at 532 nm up to 3 km, and 0.3 up to the rung "
+            "below it; the source emits there (all rungs begin at the sea)"});
+  EXPECT_EQ(of_section(gases + "{ wavelength_nm = [600, 800], optical_depth = [0, 0] }"),
+            Texts{"scene.toml:28:1: no gas data at 532 nm: scene.toml cover 600-800 nm; the source "
+                  "emits there (add it to the table, or choose another wavelength)"});
   EXPECT_EQ(of_section(own_air), Texts{});
   EXPECT_EQ(of_section(us_standard + "aerosol = \"martian\""),
             Texts{"scene.toml:28:11: no aerosol model \"martian\" (there are: rural, maritime, "

@@ -1,6 +1,7 @@
 // The air of a scene: what is filled in, and what is said of air that is amiss.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "unit/scene/base_scene.hpp"
@@ -133,6 +134,35 @@ TEST(Atmosphere, OfATape6HasItsLevelsAndAerosols) {
   EXPECT_EQ(column_of(scene, "troposphere_per_km"), (std::vector{0.0, 0.021}));
 }
 
+// A tape7 tells the transmittance of all there is: molecules, ozone and aerosols are taken out.
+// Where it prints 0, gases are as good as opaque. Seen red: with the aerosols left in.
+TEST(Atmosphere, OfGasesHasWhatATape7AbsorbsBesides) {
+  const std::string head =
+      "T F 1    2    0    0    1    1    1    1    1    1    1    0    0   0.000   0.00\n"
+      "    FREQ COMBIN    H2O     O3 MOLEC AER+CLD\n"
+      "    CM-1  TRANS  TRANS  TRANS  SCAT   TRANS\n";
+  const LevelsFile file("photic-tape7", head +
+                                            "14000.00 0.0000 0.0000 0.9900 0.9900 0.9000\n"
+                                            "16000.00 0.4000 0.6000 0.9900 0.9500 0.8000\n"
+                                            "19000.00 0.7500 1.0000 0.9900 0.9000 0.8500\n"
+                                            " -9999.\n");
+  const std::vector<Override> overrides{
+      {"atmosphere={ profile = \"us-standard\", gases = [{ top_km = 3, file = \"" + file.path +
+       "\" }, { top_km = 9, file = { wavelength_nm = [500, 700], optical_depth = [0.1, 0.5] } }] "
+       "}"}};
+  expect_written_as_read(overrides);
+  const auto gases = base_scene(overrides).atmosphere->gases;
+  ASSERT_EQ(gases.size(), 2U);
+  EXPECT_EQ(gases[1].top_km, 9);
+  const auto nm = gases[0].depth.data().numbers("wavelength_nm"),
+             depth = gases[0].depth.data().numbers("optical_depth");
+  ASSERT_EQ(nm.size(), 3U);
+  EXPECT_NEAR(nm[0], 1e7 / 19000, 1e-9);
+  EXPECT_NEAR(depth[0], -std::log(0.75 / (0.99 * 0.9 * 0.85)), 1e-12);
+  EXPECT_NEAR(depth[1], -std::log(0.4 / (0.99 * 0.95 * 0.8)), 1e-12);
+  EXPECT_EQ(depth[2], 99);
+}
+
 // --- What is said of bad air ---------------------------------------------------------------------
 
 struct AirCase {
@@ -162,6 +192,18 @@ const std::vector<AirCase>& profile_cases() {
       {head + "profile = { z_km = [0, 9], p_hpa = [1000, 300], t_k = [290, 230, 220] }",
        {"scene.toml:27:11: 'profile' has columns of different lengths: z_km 2, p_hpa 2, t_k 3 "
         "(give one number a row in each)"}},
+      {us +
+           "[[atmosphere.gases]]\ntop_km = 2\nfile = { wavelength_nm = [500, 700], optical_depth = "
+           "[0, 0] }\n[[atmosphere.gases]]\ntop_km = 2\nfile = { wavelength_nm = [500, 700], "
+           "optical_depth = [0, 0] }\n[[atmosphere.gases]]\ntop_km = 101\nfile = { wavelength_nm "
+           "= [500, 700], optical_depth = [0, 0] }",
+       {"scene.toml:32:10: 2 km is not above the 2 km before it (rungs go from the sea up)",
+        "scene.toml:35:10: 101 km is above the top of the air at 100 km (leave it out, or write a "
+        "higher top_km)"}},
+      {us + "[[atmosphere.gases]]\ntop_km = 2",
+       {"scene.toml:28:1: 'file' is missing in [[atmosphere.gases]] (add it: a tape7 of LOWTRAN 7 "
+        "or MODTRAN with the transmittances of that way, a CSV file of wavelength_nm, "
+        "optical_depth, or a table of these)"}},
       {us + "visibility_km = 0.1",
        {"scene.toml:28:17: 'visibility_km' must be a finite number, at least 0.2 and at most 300, "
         "not 0.1"}},
@@ -183,11 +225,11 @@ const std::vector<AirCase>& profile_cases() {
        {"scene.toml:29:17: aerosol = \"none\" says that there are no aerosols (leave one of them "
         "out)"}},
       {us + "gases = true",
-       {"scene.toml:28:1: unknown key 'gases' in [atmosphere] (known here: profile, aerosol, "
-        "visibility_km, season, relative_humidity_percent, top_km, layer)"}},
+       {"scene.toml:28:9: 'gases' must be one or more tables, not true (write "
+        "[[atmosphere.gases]])"}},
       {us + "refraction = true",
        {"scene.toml:28:1: unknown key 'refraction' in [atmosphere] (known here: profile, aerosol, "
-        "visibility_km, season, relative_humidity_percent, top_km, layer)"}},
+        "visibility_km, season, relative_humidity_percent, top_km, gases, layer)"}},
   };
   return all;
 }
