@@ -4,9 +4,9 @@
     experiments/agreement_by_seeds.py build/release/apps/photic/photic scenes/airborne.toml --seeds 20 \
         --forward 2e6 --bidirectional 2e5
 
-For each scene two lines, gates and orders: of pairs of runs of equal seeds, in gates that are converged in both, the difference
+For each scene three lines, gates, processes and orders: of pairs of runs of equal seeds, in gates that are converged in both, the difference
 of two echoes over the error of that difference. The largest may pass its limit by chance in one of a hundred families; the
-root mean square is to lie between 0.9 and 1.15. An order has no flag of its own: compared are those known to 10 % by both.
+root mean square is to lie between 0.9 and 1.15. An order, or a process, has no flag of its own: compared are those known to 10 % by both.
 A root mean square below 0.9 tells of errors that are told too large, not of estimators that differ. `--forward` and `--bidirectional` are numbers of photons.
 """
 
@@ -31,7 +31,8 @@ def run(asked, scene, estimator, seed, out):
     command = [asked.program, "run", scene, "-o", out, "--photons", photons, "--seed", str(seed), "--threads", str(asked.threads)]
     subprocess.run([*command, "--set", f"simulation.estimator={estimator}", "--target", "0.01%", "--max-time", "1h"], check=True, capture_output=True)
     with netCDF4.Dataset(out) as file:
-        names = ("echo", "echo_standard_error", "echo_by_order", "echo_by_order_standard_error", "converged")
+        names = ("echo", "echo_standard_error", "echo_by_process", "echo_by_process_standard_error", "echo_by_order",
+                 "echo_by_order_standard_error", "converged")
         return {name: np.ma.filled(file[name][:], np.nan) for name in names}
 
 
@@ -64,15 +65,17 @@ def main():
     parser.add_argument("--threads", type=int, default=1)
     asked = parser.parse_args()
     for scene in asked.scenes:
-        gates, orders = [], []
+        gates, processes, orders = [], [], []
         with tempfile.TemporaryDirectory() as folder:
             for seed in range(1, asked.seeds + 1):
                 a, b = (run(asked, scene, name, seed, f"{folder}/{name}-{seed}.nc") for name in ("forward", "bidirectional"))
                 both = (a["converged"] == 1) & (b["converged"] == 1)
                 gates += differences(a, b, "echo", both)
+                processes += differences(a, b, "echo_by_process", both[:, :, None, :])
                 orders += differences(a, b, "echo_by_order", both[:, :, None, :])
         print(f"{scene}: forward {asked.forward}, bidirectional {asked.bidirectional} photons, {asked.seeds} seeds")
         print(told("gates", gates))
+        print(told("processes", processes))
         print(told("orders", orders), flush=True)
 
 
