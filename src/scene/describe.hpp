@@ -141,7 +141,7 @@ void describe(V& v, Environment& e) {
              "what results call it; by default environment0, environment1 …");
   v.required("set", e.set, Changes{},
              "the values that differ in this water, by their paths: those of --set that begin with "
-             "sea., optics., bottom. or oil.");
+             "sea., optics., bottom., oil. or atmosphere.");
 }
 
 template <class V>
@@ -149,7 +149,7 @@ void describe(V& v, Scene& s) {
   v.optional("title", s.title, Text{.may_be_empty = true}, "what is simulated, in one line");
   v.optional(expert("sensitivity"), s.sensitivity, Parameters{},
              "the parameters of the water with respect to which echoes are derived, by their "
-             "paths: those of --set that begin with sea., optics., bottom. or oil.");
+             "paths: those of --set that begin with sea., optics., bottom., oil. or atmosphere.");
   v.section("source", s.source, Need::required, "the source of light");
   v.sections("telescope", s.telescope, Need::required, "a telescope; any number of them");
   v.sections("channel", s.channel, Need::required,

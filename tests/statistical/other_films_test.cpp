@@ -58,8 +58,8 @@ TEST(OilFilm, OfEnvironmentsIsThatOfItsOwnRun) {
 }
 TEST(OilFilm, OfEnvironmentsIsThatOfItsOwnRunByWalks) {
   const std::string lidar = instrument(12, 15, 355) + of_water + channel("oil");
-  expect_films_are_their_own_runs(lidar, flat, "bidirectional", 1e5, 16);
-  expect_films_are_their_own_runs(lidar, waves, "bidirectional", 1e5, 16);
+  expect_films_are_their_own_runs(lidar, flat, "bidirectional", 6e4, 16);
+  expect_films_are_their_own_runs(lidar, waves, "bidirectional", 6e4, 16);
 }
 
 // The derivative by the thickness is that of films a little thicker and thinner.

@@ -227,7 +227,7 @@ TEST(Environment, NamesTwiceAndKeysAmiss) {
       told("[[environment]]\nname = \"a\""),
       (Texts{"scene.toml:31:1: 'set' is missing in [[environment]] (add it: the values that differ "
              "in this water, by their paths: those of --set that begin with "
-             "sea., optics., bottom. or oil.)"}));
+             "sea., optics., bottom., oil. or atmosphere.)"}));
   EXPECT_EQ(
       told("[[environment]]\nset = 5"),
       (Texts{
