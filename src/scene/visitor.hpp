@@ -101,6 +101,7 @@ class Names {
   }
   template <class Action>
   void once_read(const Action&) {}
+  void unavailable(const char*, const char*) {}
 
   [[nodiscard]] const std::vector<std::string>& all() const { return all_; }
   [[nodiscard]] const std::vector<std::string>& needed() const { return required_; }

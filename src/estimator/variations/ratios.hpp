@@ -30,10 +30,7 @@ struct Ratios {
         sea,
         {before.line, before.layer, -before.position.z, after.layer, -after.position.z, length},
         terms);
-    for_each_lane(mask, [&](int lane) {
-      const auto i = static_cast<std::size_t>(lane);
-      paths->of(first + i).pass(sea.environments, terms, i);
-    });
+    pass(sea, mask);
   }
   /// Those of a mask were scattered or converted where they stand.
   PHOTIC_APART PHOTIC_FLATTEN void collided(const medium::MediumView& sea,
@@ -53,10 +50,7 @@ struct Ratios {
                                            Mask<T> mask) {
     terms.clear();
     add_flat_film(sea, crossing, terms);
-    for_each_lane(mask, [&](int lane) {
-      const auto i = static_cast<std::size_t>(lane);
-      paths->of(first + i).pass(sea.environments, terms, i);
-    });
+    pass(sea, mask);
   }
   /// Those of a mask have come from an instrument in a region to the surface, and go in a direction
   /// in the air or, else, in the water.
@@ -69,10 +63,7 @@ struct Ratios {
       add_air(region, line, T(T(0) - direction.z), terms);
     else
       add_air_by_flat_surface(sea, region, line, direction, terms);
-    for_each_lane(mask, [&](int lane) {
-      const auto i = static_cast<std::size_t>(lane);
-      paths->of(first + i).pass(sea.environments, terms, i);
-    });
+    pass(sea, mask);
   }
   /// A film has emitted the light of those of a mask.
   PHOTIC_APART PHOTIC_FLATTEN void emitted(const medium::MediumView& sea, surface::AtFilm<T> at,
@@ -91,6 +82,15 @@ struct Ratios {
     for_each_lane(mask, [&](int lane) {
       const auto i = static_cast<std::size_t>(lane);
       paths->of(first + i).meet(sea, surface, i);
+    });
+  }
+
+ private:
+  /// They have gone ways of these terms.
+  void pass(const medium::MediumView& sea, const Mask<T>& mask) const {
+    for_each_lane(mask, [&](int lane) {
+      const auto i = static_cast<std::size_t>(lane);
+      paths->of(first + i).pass(sea.environments, terms, i);
     });
   }
 };

@@ -228,8 +228,9 @@ const std::vector<AirCase>& profile_cases() {
        {"scene.toml:28:9: 'gases' must be one or more tables, not true (write "
         "[[atmosphere.gases]])"}},
       {us + "refraction = true",
-       {"scene.toml:28:1: unknown key 'refraction' in [atmosphere] (known here: profile, aerosol, "
-        "visibility_km, season, relative_humidity_percent, top_km, gases, layer)"}},
+       {"scene.toml:28:1: 'refraction' is not available yet (leave it out: light goes straight "
+        "through the air, and back the same way, so that its echo hardly knows where it would have "
+        "been bent to)"}},
   };
   return all;
 }
