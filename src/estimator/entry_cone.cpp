@@ -18,8 +18,8 @@ struct Rays {
   Vec3<double> position, axis;
   double half_angle;
   std::size_t lines;  ///< so many of the medium's
+  bool in_air;        ///< the instrument, wherever its light spreads from
 
-  [[nodiscard]] bool in_air() const { return !geometry::stands_in_water(position); }
   [[nodiscard]] bool vertical() const { return axis.x == 0 && axis.y == 0; }
 };
 
@@ -37,7 +37,7 @@ void each_ray(const Rays& rays, const medium::Medium& medium, F f) {
     for (int j = 0; j < azimuths; ++j) {
       const double azimuth = 2 * pi * j / azimuths;
       auto outside = turned(rays.axis, x, std::cos(azimuth), std::sin(azimuth));
-      if (rays.in_air() && outside.z > -horizon) {
+      if (rays.in_air && outside.z > -horizon) {
         outside.z = 0;
         const double level = length(outside);
         if (level == 0) continue;
@@ -46,7 +46,7 @@ void each_ray(const Rays& rays, const medium::Medium& medium, F f) {
       for (std::size_t l = 0; l < rays.lines; ++l) {
         const double n = medium.line[l].refractive_index;
         f(outside,
-          rays.in_air()
+          rays.in_air
               ? Vec3<double>{outside.x / n, outside.y / n, -geometry::cosine_in_water(outside.z, n)}
               : outside,
           l);
@@ -58,12 +58,12 @@ void each_ray(const Rays& rays, const medium::Medium& medium, F f) {
 /// What lies between two azimuths is farther by no more than (pi / 256)^2 / 2 of all.
 constexpr double between = 1 + 1e-4;
 
-/// `path`: of a ray to the surface, or where it begins in the water, as walks count it.
+/// `path`: of a ray to the surface, or where it begins to spread in the water, as walks count it.
 Spot<double> spot_of(const Rays& rays, const medium::Medium& medium, const Vec3<double>& in_water,
                      double deepest, const std::function<double(const Vec3<double>&)>& path) {
   Spot<double> spot;
-  const double height = rays.in_air() ? rays.position.z : 0;
-  const Vec3<double> axis = rays.axis.z < 0 || !rays.in_air() ? rays.axis : Vec3<double>{0, 0, -1};
+  const double height = rays.in_air ? rays.position.z : 0;
+  const Vec3<double> axis = rays.axis.z < 0 || !rays.in_air ? rays.axis : Vec3<double>{0, 0, -1};
   spot.x = rays.position.x + height * axis.x / -axis.z;
   spot.y = rays.position.y + height * axis.y / -axis.z;
   spot.x_per_depth = in_water.x / -in_water.z;
@@ -86,8 +86,10 @@ Spot<double> spot_of(const Rays& rays, const medium::Medium& medium, const Vec3<
   });
   spot.radius *= between;
   spot.radius_per_depth *= between;
+  const double way_down =  // in the water perhaps by the surface
+      deepest + (rays.in_air ? 0 : std::abs(rays.position.z));
   spot.most_shorter =
-      most - spot.least_path + deepest * (most_per_depth - spot.least_path_per_depth);
+      most - spot.least_path + way_down * (most_per_depth - spot.least_path_per_depth);
   return spot;
 }
 
@@ -112,7 +114,7 @@ void set_rings(double one_minus_cos, std::vector<std::pair<double, double>> inne
 
 /// 1 - cos of the half angle of a cone in the water about an axis that holds all rays.
 double widest_in_water(const Rays& rays, const medium::Medium& medium, const Vec3<double>& axis) {
-  if (!rays.in_air()) return one_minus_cos_of(rays.half_angle);
+  if (!rays.in_air) return one_minus_cos_of(rays.half_angle);
   double widest = 0;
   each_ray(rays, medium, [&](const Vec3<double>&, const Vec3<double>& u, std::size_t) {
     widest = std::max(widest, one_minus_cos(u, axis));
@@ -122,7 +124,7 @@ double widest_in_water(const Rays& rays, const medium::Medium& medium, const Vec
 
 EntryCone<double> cone_of(const Rays& rays, const medium::Medium& medium) {
   EntryCone<double> cone;
-  cone.in_air = rays.in_air();
+  cone.in_air = rays.in_air;
   cone.outside = rays.axis;
   if (!cone.in_air) {
     cone.axis = rays.axis;
@@ -168,10 +170,17 @@ void set_rings(const Rays& rays, const std::vector<InnerCone>& inner, const medi
 /// All rays that some point of the lens may see.
 Rays rays_of(const scene::Telescope& telescope, const medium::Medium& medium) {
   return {telescope.position_m, normalised(telescope.direction), half_view(telescope),
-          medium.line.size()};
+          medium.line.size(), !geometry::stands_in_water(telescope.position_m)};
 }
 Rays rays_of(const scene::Source& source) {
-  return {source.position_m, normalised(source.direction), source.half_divergence_mrad * 1e-3, 1};
+  return {source.position_m, normalised(source.direction), source.half_divergence_mrad * 1e-3, 1,
+          !geometry::stands_in_water(source.position_m)};
+}
+
+/// What paths of an instrument in the medium leave out.
+geometry::Ahead ahead_in(const medium::Medium& medium, const Rays& rays) {
+  if (!medium.upside_down) return {};
+  return geometry::ahead_of_air(rays.position, rays.axis, medium.air_m);
 }
 
 EntryCone<double> own_rays(const Rays& rays, const medium::Medium& medium,
@@ -210,12 +219,13 @@ EntryCone<double> entry_cone(const scene::Telescope& telescope, const medium::Me
   auto cone = cone_of(rays, medium);
   set_rings(rays, inner, medium, cone);
   cone.exact = cone.exact && t.per_sharp_range == 0;
+  const double left_out = ahead_in(medium, rays).to_sea > 0 ? t.distance : 0;
   cone.spot = spot_of(rays, medium, cone.axis, deepest, [&](const Vec3<double>& outside) {
-    return rays.in_air() ? rays.position.z / -outside.z - t.distance : 0.0;
+    return rays.in_air ? rays.position.z / -outside.z - t.distance : -left_out;
   });
   // From points of a tilted lens that are lower, or farther aside of the axis.
   const double rise = instrument::lens_rise(telescope);
-  if (rays.in_air() && rise > 0) {
+  if (rays.in_air && rise > 0) {
     cone.spot.radius *= 1 + rise / rays.position.z;
     const double shorter = rise / std::max(0.05, -t.axis.z);
     cone.spot.least_path -= 2 * shorter;
@@ -232,11 +242,13 @@ EntryCone<double> entry_cone(const scene::Source& source, const medium::Medium& 
   set_rings(rays, {}, medium, cone);
   Rays from_vertex = rays;
   from_vertex.position = fictitious_vertex(laser);
-  if (rays.in_air() && !from_vertex.in_air()) from_vertex.position = rays.position;  // not used
+  if (rays.in_air && geometry::stands_in_water(from_vertex.position))
+    from_vertex.position = rays.position;  // not used
+  const geometry::Ahead left_out = ahead_in(medium, rays);
   cone.spot = spot_of(from_vertex, medium, cone.axis, deepest, [&](const Vec3<double>& outside) {
-    if (!rays.in_air()) return 0.0;
-    // Of the way from the disc on, what is longer than the axis' own to its start.
     const double secant = 1 / dot(outside, laser.axis);
+    if (!rays.in_air) return -(laser.vertex_distance * secant + left_out.length + left_out.to_sea);
+    // Of the way from the disc on, what is longer than the axis' own to its start.
     return from_vertex.position.z / -outside.z - laser.vertex_distance * secant - laser.ahead;
   });
   return cone;

@@ -112,16 +112,13 @@ AirBuilder::AirBuilder(const scene::Scene& scene, const std::vector<Line>& lines
     return;
   }
   of_air_.emplace(folder);
-  const auto refine_for = [&](const scene::Atmosphere& air) {
-    for (auto profile = in_layers(air);;) {
-      auto more = too_thick(*of_air_, profile, aerosols_of(air), lines.front().wavelength_nm);
-      if (more.empty()) return;
-      profile = with_levels(profile, more);
-      halved_km_.push_back(std::move(more));
-    }
-  };
-  refine_for(*scene.atmosphere);
-  for (const auto& environment : scene.environment) refine_for(*environment.atmosphere);
+  const scene::Atmosphere& air = *scene.atmosphere;
+  for (auto profile = in_layers(air);;) {
+    auto more = too_thick(*of_air_, profile, aerosols_of(air), lines.front().wavelength_nm);
+    if (more.empty()) return;
+    profile = with_levels(profile, more);
+    halved_km_.push_back(std::move(more));
+  }
 }
 
 Air AirBuilder::operator()(const scene::Scene& scene) const {

@@ -30,8 +30,8 @@ FreeStart<T> free_start(const EntryCone<T>& cone, const Vec3<T>& position, const
           spot.radius + way_down * spot.radius_per_depth,
           path - (spot.least_path + way_down * spot.least_path_per_depth)};
 }
-/// The depth that a first way goes through: from the surface, or from an instrument's level `z` in
-/// the water, perhaps by way of the surface.
+/// The depth that a first way goes through: from the surface, or from the level `z` in the water
+/// that light spreads from, perhaps by way of the surface.
 template <class T>
 T way_down_of(bool in_air, const T& z, const T& first_z, const Mask<T>& by_surface) {
   using std::abs;
@@ -68,8 +68,8 @@ template <class T>
 FreeStart<T> Connections<T>::free_laser_start(const Index<T>& laser) const {
   const Vertex first = laser_.vertex(laser, Index<T>(0));
   return free_start(world_.laser_cone, first.position, first.path,
-                    way_down_of(world_.laser_region.in_air, world_.laser.start.z, first.position.z,
-                                comes_by_surface(first, world_.laser.axis.z)),
+                    way_down_of(world_.laser_region.in_air, fictitious_vertex(world_.laser).z,
+                                first.position.z, comes_by_surface(first, world_.laser.axis.z)),
                     {T(0), T(0), T(0)});
 }
 
