@@ -40,16 +40,16 @@ optics::DataTable table_of(const optics::AirProfile& air, const std::string& nam
 constexpr double least_nm = 200, most_nm = 1100;
 
 /// What MODTRAN calls the transmittance by all there is, and by what Photic has itself.
-constexpr const char* all = "COMBIN TRANS";
-constexpr const char* known[] = {"MOLEC SCAT", "O3 TRANS", "AER+CLD TRANS"};
+constexpr const char* of_all = "COMBIN TRANS";
+constexpr const char* of_profile[] = {"MOLEC SCAT", "O3 TRANS", "AER+CLD TRANS"};
 
 /// By all but that.
 double of_gases(const optics::ModtranTransmittances& air, const std::vector<std::string>& columns,
                 double nm) {
   const auto opaque = [&](const char* column) { return air.transmittance(column, nm) == 0; };
-  if (opaque(all)) return opaque_depth;
-  double depth = air.optical_depth(all, nm).value;
-  for (const char* column : known) {
+  if (opaque(of_all)) return opaque_depth;
+  double depth = air.optical_depth(of_all, nm).value;
+  for (const char* column : of_profile) {
     if (std::ranges::find(columns, column) == columns.end()) continue;
     if (opaque(column)) return opaque_depth;
     depth -= air.optical_depth(column, nm).value;

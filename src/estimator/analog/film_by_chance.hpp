@@ -98,6 +98,7 @@ AfterFilm<T> film_by_chance(const medium::MediumView& sea, const RandomPlace<T>&
       const Index<T> line = surface::film_line<T>(sea, spectral_bin);
       shines =
           absorbed & (photon.line == Index<T>(0)) & (u[2] < gather<T>(sea.film.emission, line));
+      using std::sqrt;
       const auto [cosine, sine] = cos_sin_of_turns(v[0]);
       const T rise = T(2) * v[1] - T(1);
       const auto own = surface::film_on_water<T>(sea, line);
