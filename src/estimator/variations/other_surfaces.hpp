@@ -80,10 +80,6 @@ class OtherSurfaces {
     const auto row = [&](medium::SurfaceRow which) {
       return at[from + static_cast<std::int32_t>(which)];
     };
-    const T white = T(by_whitecaps_[lane]);
-    // No facets are so steep, and what the series makes of them no number can hold.
-    constexpr double steepest = 100;
-    if (!(exponent_[lane] < Element<T>(steepest))) return white * row(whitecaps);
     const T per_up = row(per_upwind), per_across = row(per_crosswind);
     const T up = T(upwind_[lane]) * per_up, across = T(crosswind_[lane]) * per_across;
     const auto& here = sea.waves.series;
@@ -98,6 +94,7 @@ class OtherSurfaces {
             aside = T(aside_[lane]) * deviation(per_across);
     const T between =
         T(1) + surface::smith_of(T(sqrt(along * along + aside * aside)), T(cosine_[lane]));
+    const T white = T(by_whitecaps_[lane]);
     return white * row(whitecaps) +
            (T(1) - white) * row(facets) * density * T(per_here_[lane]) / between;
   }

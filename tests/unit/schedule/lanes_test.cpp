@@ -300,8 +300,12 @@ void expect_echoes_of_the_scalar_engine(const scene::Scene& asked) {
                 contracts(isa) ? 1e-4 * collisions : 0);
     EXPECT_EQ(lanes.lost_not_finite, 0U);
     expect_near(lanes.echo.mean, scalar.echo.mean, contracts(isa) ? 1e-3 : 1e-13);
-    expect_near(lanes.environment_echo.mean, scalar.environment_echo.mean,
-                contracts(isa) ? 2e-3 : 1e-5);
+    const auto& other = scalar.environment_echo.mean;
+    if (!contracts(isa)) {
+      expect_near(lanes.environment_echo.mean, other, 1e-5);
+    } else if (!other.empty()) {
+      EXPECT_LT(difference(lanes.environment_echo.mean, other), 2e-3);
+    }
     if (contracts(isa)) {
       EXPECT_LT(difference(lanes.echo.mean, scalar.echo.mean), 1e-5);
       EXPECT_LT(difference(lanes.echo_by_depth.mean, scalar.echo_by_depth.mean), 1e-5);
