@@ -1,5 +1,5 @@
 // What a path's weight becomes in other water: against that water itself, and lane by lane.
-#include "estimator/variations/environments.hpp"
+#include "estimator/variations/ratios.hpp"
 
 #include <cmath>
 #include <vector>
