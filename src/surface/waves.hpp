@@ -246,7 +246,7 @@ template <class T>
 struct Meeting {
   Slope<T> slope{};      ///< of the facet
   T by_whitecaps{};      ///< how much of the light whitecaps have sent: none 0, all 1
-  Vec3<T> between;       ///< in which direction it goes on to another facet; 0: it does not
+  Vec3<T> between{};     ///< in which direction it goes on to another facet; 0: it does not
   FilmCrossing<T> film;  ///< on the facet
 };
 /// Light of a direction that has come to a facet's film, from the air or from the water, and gone

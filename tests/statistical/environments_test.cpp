@@ -344,6 +344,27 @@ TEST(EnvironmentOf, LanesIsThatOfTheScalarEngine) {
   EXPECT_EQ(compared, 60U);
 }
 
+// Whitecaps send light where no facets do, as steep as they would have to be. Seen red: with the
+// ratio of facets' densities, which no float holds there, in what whitecaps send on (4887 of 8000
+// photons' scores lost, the echo 13 % low).
+TEST(EnvironmentOf, WindKeepsWhatWhitecapsSendOn) {
+  const auto scene = read("sensitivity = [\"sea.surface.wind_speed_m_s\"]\n" + ship_instrument +
+                          channel("elastic") +
+                          "[sea]\nsurface = { model = \"cox-munk\", wind_speed_m_s = 10.0 }\n" +
+                          water(0.06, 0.1, henyey_greenstein_phase) +
+                          "[[environment]]\nset = { \"sea.surface.wind_speed_m_s\" = 10.04 }\n"
+                          "[gates]\ndepth_min_m = -1.0\ndepth_max_m = 5.0\ndepth_step_m = 2.0\n" +
+                          simulation(4e4, 47));
+  const auto lanes = run_in_lanes(scene), scalar = run::run(scene, {});
+  EXPECT_EQ(lanes.lost_not_finite, 0U);
+  for (std::size_t i = 0; i < scalar.environment_echo.mean.size(); ++i) {
+    EXPECT_NEAR(lanes.environment_echo.mean[i], scalar.environment_echo.mean[i],
+                0.2 * scalar.environment_echo.standard_error[i]);
+    EXPECT_NEAR(lanes.sensitivity.mean[i], scalar.sensitivity.mean[i],
+                0.2 * scalar.sensitivity.standard_error[i]);
+  }
+}
+
 // Also of runs that go on and of any number of threads. Seen red: with the sums of the environments
 // not cleared between batches.
 TEST(EnvironmentOf, ThreadsAndSittingsDoNotMatter) {

@@ -80,6 +80,9 @@ class OtherSurfaces {
     const auto row = [&](medium::SurfaceRow which) {
       return at[from + static_cast<std::int32_t>(which)];
     };
+    const T white = T(by_whitecaps_[lane]);
+    // The facets that would do so may be so steep that no number holds what becomes of them.
+    if (by_whitecaps_[lane] == 1) return row(whitecaps);
     const T per_up = row(per_upwind), per_across = row(per_crosswind);
     const T up = T(upwind_[lane]) * per_up, across = T(crosswind_[lane]) * per_across;
     const auto& here = sea.waves.series;
@@ -94,7 +97,6 @@ class OtherSurfaces {
             aside = T(aside_[lane]) * deviation(per_across);
     const T between =
         T(1) + surface::smith_of(T(sqrt(along * along + aside * aside)), T(cosine_[lane]));
-    const T white = T(by_whitecaps_[lane]);
     return white * row(whitecaps) +
            (T(1) - white) * row(facets) * density * T(per_here_[lane]) / between;
   }
