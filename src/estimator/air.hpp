@@ -41,8 +41,7 @@ void join(const Model& air, const scene::Source& source, World<T>& water_world,
   const scene::Source& laser = air.scene.source;
   const auto left_out =
       geometry::ahead_of_air(laser.position_m, normalised(laser.direction), air.medium.air_m);
-  const T ahead = T(way_ahead(source) - left_out.length - left_out.to_sea -
-                    delay_along_axis(source, air.medium.line.front(), 0));
+  const T ahead = T(way_ahead(source) - left_out.length - left_out.to_sea);
   water_world.beyond = {true, T(share_that_passes(air.medium)), ahead};
   air_world.beyond = {true, T(1), T(0) - ahead};
   water_world.flies_on = air_world.flies_on = false;  // past the surface without meeting it

@@ -120,21 +120,21 @@ medium::Line channel_line(const scene::Channel& channel, std::size_t c,
   double all = 0;
   double wavelength = 0;
   double refractive_index = 0, group_index = 0;
-  std::vector<double> air_delay_m(mean.air_delay_m.size());
+  std::vector<double> delay_m(mean.air_delay.delay_m.size());
   for (const auto& line : lines) {
     const double counted = line.photons * line.counted_by[c];
     all += counted;
     wavelength += counted * line.wavelength_nm;
     refractive_index += counted * line.refractive_index;
     group_index += counted * line.group_index;
-    for (std::size_t i = 0; i < air_delay_m.size(); ++i)
-      air_delay_m[i] += counted * line.air_delay_m[i];
+    for (std::size_t i = 0; i < delay_m.size(); ++i)
+      delay_m[i] += counted * line.air_delay.delay_m[i];
   }
   if (all > 0) {
     mean.wavelength_nm = wavelength / all;
     mean.refractive_index = refractive_index / all;
     mean.group_index = group_index / all;
-    for (std::size_t i = 0; i < air_delay_m.size(); ++i) mean.air_delay_m[i] = air_delay_m[i] / all;
+    for (std::size_t i = 0; i < delay_m.size(); ++i) mean.air_delay.delay_m[i] = delay_m[i] / all;
   } else if (channel.centre_nm) {
     mean.wavelength_nm = *channel.centre_nm;
   }
@@ -174,9 +174,8 @@ Model make_model(const scene::Scene& scene) {
     medium.environments.excess_air = medium::excess_depths(others, heights_of(scene));
     medium.finish();
   }
-  for (const AirTables& to : tables)
-    for (std::size_t l = 0; l < medium.line.size(); ++l)
-      medium.line[l].air_delay_m.push_back(to.delay.numbers()[l]);
+  for (std::size_t l = 0; air && l < medium.line.size(); ++l)
+    medium.line[l].air_delay = medium::delay_of(*air, l);
   tally::Gates gates(scene, medium.line);
   auto shape = make_shape(scene, medium, air.has_value(), gates);
   scene::Scene effective = scene;

@@ -40,15 +40,6 @@ Instrument from_origin(Instrument instrument, const Vec3<double>& origin) {
   return instrument;
 }
 
-/// By how much the air makes the way along an instrument's axis to the sea longer [m]. `number`: of
-/// the instrument, 0 is the laser.
-template <class Instrument>
-double delay_along_axis(const Instrument& instrument, const medium::Line& light,
-                        std::size_t number) {
-  const double steep = std::abs(normalised(instrument.direction).z);
-  return light.air_delay_m.empty() || steep == 0 ? 0 : light.air_delay_m[number] / steep;
-}
-
 /// What paths from the laser to a telescope, its place told from the origin, leave out [m].
 /// `above_air`: of the telescope.
 inline double path_to_origin(const geometry::Ahead& of_laser, const scene::Telescope& telescope,

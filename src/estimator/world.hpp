@@ -309,11 +309,8 @@ World<T> make_world(const Model& model) {
     world.telescopes.push_back(instrument::make_telescope<T>(from_origin(t, origin), ahead(t)));
     double left_out =
         path_to_origin(laser_ahead, from_origin(t, origin), world.telescopes.back().above_air);
-    if (medium.upside_down) {  // as if it all came from below where light is scattered
-      left_out += delay_along_axis(scene.source, medium.line.front(), 0) +
-                  delay_along_axis(t, medium.line.front(), world.telescopes.size());
+    if (medium.upside_down)
       left_out += most_rounded_off<T>(scene.source, medium) + most_rounded_off<T>(t, medium);
-    }
     world.path_to_origin.push_back(left_out);
     world.telescope_region.push_back(region(t, world.telescopes.size()));
   }

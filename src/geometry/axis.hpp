@@ -59,21 +59,20 @@ inline AxisInWater axis_in_water(const Vec3<double>& position, const Vec3<double
 }
 
 /// Group path along an axis that looks down: to the surface, and per metre of depth above and below
-/// it. Of an instrument in the water `to_surface` is negative. NaN of axes that do not look down.
-/// `air_delay`: what it is longer than in a vacuum, straight down to the sea [m].
+/// it, as if the air were clear. Of an instrument in the water `to_surface` is negative. NaN of axes
+/// that do not look down.
 struct GroupPath {
   double to_surface, per_depth_in_air, per_depth_in_water;
 };
 inline GroupPath group_path(const Vec3<double>& position, const Vec3<double>& axis, double n,
-                            double group_index, double air_delay) {
+                            double group_index) {
   if (!(axis.z < 0)) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     return {none, none, none};
   }
   const bool submerged = stands_in_water(position);
   const double in_water = group_index / (submerged ? -axis.z : cosine_in_water(axis.z, n));
-  const double slower = position.z > 0 ? air_delay / position.z : 0;
-  const double in_air = submerged ? in_water : (1 + slower) / -axis.z;
+  const double in_air = submerged ? in_water : -1 / axis.z;
   return {position.z * in_air, in_air, in_water};
 }
 

@@ -130,5 +130,19 @@ OpticalDepths<T> depths_along(const Slabs& sea, const Sightline<T>& way, const I
   return depths_between(sea, line, sea.level(layer, depth),
                         sea.level(end_layer, T(depth - length * way.direction.z)), length);
 }
+/// By how much the air makes these longer than in a vacuum, as group path [m].
+template <class T>
+T air_delay_along(const Slabs& sea, const Sightline<T>& way, const Index<T>& line,
+                  const Index<T>& layer, const T& depth, const T& length) {
+  using std::abs;
+  if (!sea.upside_down || way.to.in_air) [[likely]]
+    return T(0);
+  const auto from = sea.level(layer, depth);
+  const T risen = length * way.direction.z;
+  return way.route == Route::mirrored
+             ? sea.air_delay_by_surface(line, from, sea.level(way.to.layer, T(abs(risen) - depth)),
+                                        length)
+             : sea.air_delay(line, from, sea.level(way.to.layer, T(depth - risen)), length);
+}
 
 }  // namespace photic::geometry

@@ -161,6 +161,7 @@ void Medium::finish() {
   film_index_ = TwinTable(film.index);
   film_optical_thickness_ = TwinTable(film.optical_thickness);
   c_ = with_integrals(c, 1);
+  if (upside_down) delay_ = with_integrals(delay, 0);
   albedo_ = TwinTable(with_bed<double>(albedo, 1.0));
   absorption_ = TwinTable(with_bed<double>(absorption, 0.0));
   const auto to_edges = depth_integrals(c);
@@ -255,6 +256,7 @@ MediumView Medium::view() const {
   v.index = index_.view();
   v.inverse_index = inverse_index_.view();
   v.group_index = group_index_.view();
+  v.delay = delay_.view();
   v.elastic_phase = elastic_phase_.view();
   v.conversion_phase = conversion_phase_.view();
   v.waves = waves_view();

@@ -14,6 +14,7 @@
 
 #include "core/lanes.hpp"
 #include "core/twin_table.hpp"
+#include "medium/air_delay.hpp"
 #include "medium/layering.hpp"
 #include "medium/sources.hpp"
 #include "medium/waves.hpp"
@@ -107,6 +108,7 @@ struct MediumView {
   ShortTable index;             ///< refractive index against air, [line]
   ShortTable inverse_index;     ///< 1 / index, [line]
   ShortTable group_index;       ///< [line]
+  ShortPairs delay;             ///< if upside down: the air's group index less 1, [line][layer]
   IndexTable elastic_phase;     ///< table in `phases`, [line][layer]
   IndexTable conversion_phase;  ///< table in `phases`, [line]; of line 0 unused
   optics::PhaseView phases;
@@ -151,6 +153,44 @@ struct MediumView {
   T slant_optical_depth(const Index<T>& line, const Level<T>& from, const Level<T>& to,
                         const T& length) const {
     return slant(c, line, from, to, length);
+  }
+
+  /// By how much the air makes such a way longer than in a vacuum, as group path [m].
+  template <class T>
+  T air_delay(const Index<T>& line, const Level<T>& from, const Level<T>& to,
+              const T& length) const {
+    if (!upside_down) [[likely]]
+      return T(0);
+    return slant(delay, line, from, to, length);
+  }
+  /// The same by way of the surface, which sends light back there.
+  template <class T>
+  T air_delay_by_surface(const Index<T>& line, const Level<T>& from, const Level<T>& to,
+                         const T& length) const {
+    if (!upside_down) [[likely]]
+      return T(0);
+    const T all = column(delay, line, from).integral + column(delay, line, to).integral;
+    const T depths = from.depth + to.depth;
+    return all * length / select(depths > T(0), depths, T(1));
+  }
+  /// What a metre of a way in a layer counts as [m].
+  template <class T>
+  T path_per_metre(const Index<T>& line, const Index<T>& layer) const {
+    const T index = gather<T>(group_index, line);
+    if (!upside_down) [[likely]]
+      return index;
+    return index + gather<T>(delay.first, at(line, layer));
+  }
+  /// What a straight way of the given length between two levels counts as [m].
+  template <class T>
+  T group_path(const Index<T>& line, const Level<T>& from, const Level<T>& to,
+               const T& length) const {
+    return length * gather<T>(group_index, line) + air_delay(line, from, to, length);
+  }
+  /// From a level straight to the surface.
+  template <class T>
+  T group_path_to_surface(const Index<T>& line, const Level<T>& from, const T& length) const {
+    return group_path(line, from, Level<T>{}, length);
   }
 
   // Rows of the environments' numbers: attenuation less the medium's [1/m], its integral from the
@@ -223,9 +263,7 @@ struct Line {
   double group_index = 1;
   double photons = 1;      ///< in it, relative to others of its process
   double lifetime_ns = 0;  ///< mean time from excitation to emission
-  /// By how much its group path is longer than in a vacuum, straight up from the sea to the laser
-  /// and each telescope [m]; none where the air is clear.
-  std::vector<double> air_delay_m = {};
+  AirDelay air_delay = {};
   std::vector<double> counted_by = {};  ///< each channel of the scene: the share of its light
 };
 
@@ -270,6 +308,7 @@ class Medium {
  public:
   std::vector<Line> line;
   std::vector<double> top, c, albedo, conversion, absorption;
+  std::vector<double> delay;  ///< of the air upside down: its group index less 1; else none
   std::vector<std::int32_t> elastic_phase, conversion_phase;
   /// Of a sea bed that reflects light, its albedo at angles (surface/lambert.hpp), [line][angle];
   /// empty if it is black.
@@ -333,7 +372,7 @@ class Medium {
   TwinTable bed_albedo_, top_, albedo_, conversion_, absorption_, bed_tau_, index_, inverse_index_,
       group_index_, environment_rows_, whitecap_reflectance_, film_index_, film_optical_thickness_,
       film_emission_;
-  TwinPairs c_;
+  TwinPairs c_, delay_;
   IndexTableOwner convertible_, convertible_count_, line_of_spectral_bin_, elastic_phase_,
       conversion_phase_, part_phase_;
   Layering by_depth_;

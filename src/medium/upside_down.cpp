@@ -48,16 +48,18 @@ Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Me
   std::vector<std::int32_t> phase;
   for (std::size_t k = 0; k < layers; ++k) phase.push_back(medium.add_phase(air.phase(k)));
   if (vacuum) phase.push_back(phase.back());
-  const auto add = [&](double a, double b) {
+  const auto add = [&](double a, double b, double delay) {
     const double c = std::max(a + b, least_attenuation);
     medium.c.push_back(c);
     medium.albedo.push_back(b / c);
     medium.absorption.push_back(1 - b / c);
     medium.conversion.push_back(0);
+    medium.delay.push_back(delay);
   };
   for (std::size_t l = 0; l < medium.line.size(); ++l) {
-    for (std::size_t k = 0; k < layers; ++k) add(air.a[l * layers + k], air.b[l * layers + k]);
-    if (vacuum) add(0, 0);
+    for (std::size_t i = l * layers; i < (l + 1) * layers; ++i)
+      add(air.a[i], air.b[i], air.group_index[i] - 1);
+    if (vacuum) add(0, 0, 0);
     medium.elastic_phase.insert(medium.elastic_phase.end(), phase.begin(), phase.end());
     medium.conversion_phase.push_back(0);
   }
@@ -69,15 +71,21 @@ Medium upside_down(const Air& air, const std::vector<OtherAir>& others, const Me
 }
 
 AirColumn column_to(const Air& air, double height_m) {
-  std::vector<double> slower;
-  for (const double index : air.group_index) slower.push_back(index - 1);
   AirColumn out;
   for (std::size_t l = 0; l < air.a.size() / air.layers(); ++l) {
     out.optical_depth.push_back(integral(air, air.a, l, height_m) +
                                 integral(air, air.b, l, height_m));
-    out.delay_m.push_back(integral(air, slower, l, height_m));
+    out.delay_m.push_back(delay_of(air, l).to(height_m));
   }
   return out;
+}
+
+AirDelay delay_of(const Air& air, std::size_t line) {
+  std::vector<double> to_edge{0};
+  for (std::size_t k = 0; k < air.layers(); ++k)
+    to_edge.push_back(to_edge.back() + (air.group_index[line * air.layers() + k] - 1) *
+                                           (air.height_m[k + 1] - air.height_m[k]));
+  return {air.height_m, to_edge};
 }
 
 }  // namespace photic::medium

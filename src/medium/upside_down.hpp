@@ -24,5 +24,6 @@ struct AirColumn {
   std::vector<double> delay_m;  ///< by how much the group path is longer than in a vacuum
 };
 AirColumn column_to(const Air& air, double height_m);
+AirDelay delay_of(const Air& air, std::size_t line);
 
 }  // namespace photic::medium

@@ -15,16 +15,45 @@ bool looks_down(const scene::Source& source, const scene::Telescope& telescope) 
   return normalised(source.direction).z < -steep && normalised(telescope.direction).z < -steep;
 }
 
-/// Of a line, to an instrument: 0 is the laser.
-double air_delay(const medium::Line& line, std::size_t instrument) {
-  return line.air_delay_m.empty() ? 0 : line.air_delay_m[instrument];
-}
 /// Along the axis of an instrument, at a line.
 template <class Instrument>
-geometry::GroupPath group_path_of(const Instrument& instrument, std::size_t number,
-                                  const medium::Line& line) {
-  return geometry::group_path(instrument.position_m, normalised(instrument.direction),
-                              line.refractive_index, line.group_index, air_delay(line, number));
+geometry::GroupPath group_path_of(const Instrument& instrument, const medium::Line& line) {
+  const Vec3<double>& position = instrument.position_m;
+  const auto axis = normalised(instrument.direction);
+  auto path = geometry::group_path(position, axis, line.refractive_index, line.group_index);
+  if (position.z > 0) path.to_surface += line.air_delay.to(position.z) / -axis.z;
+  return path;
+}
+
+/// Ways out and back along axes in the air.
+struct WaysInAir {
+  const medium::AirDelay &out, &back;  ///< of the light on them
+  double secant_out, secant_back;      ///< 1 over the cosine to the vertical
+  double rise;                         ///< coordinate per metre of height; below 0 before the knee
+
+  [[nodiscard]] double delay(double height) const {
+    return out.to(height) * secant_out + back.to(height) * secant_back;
+  }
+};
+/// Bends a scale at the edges of the air's layers, from the sea up.
+void add_air(const WaysInAir& ways, PathScale& scale) {
+  if (!ways.out.exists()) return;
+  const double side = ways.rise < 0 ? -1 : 1;
+  double& beside_surface = ways.rise < 0 ? scale.slope_before : scale.slope_after;
+  const double in_vacuum = beside_surface;
+  double* slope = &beside_surface;
+  const auto& edges = ways.out.height_m;
+  scale.bends.reserve(edges.size());
+  for (std::size_t k = 1; k < edges.size(); ++k) {
+    const double thickness = edges[k] - edges[k - 1];
+    const double delay = ways.delay(edges[k]) - ways.delay(edges[k - 1]);
+    *slope = in_vacuum + delay / (thickness * std::abs(ways.rise));
+    const double from_knee = edges[k] * ways.rise;
+    scale.bends.push_back({scale.knee_coordinate + from_knee,
+                           scale.knee_path + from_knee * in_vacuum + side * ways.delay(edges[k]),
+                           in_vacuum});
+    slope = &scale.bends.back().beyond;
+  }
 }
 
 /// The depths that a range along the axis of a telescope leads to.
@@ -36,7 +65,30 @@ double depth_of_range(double range, const scene::Telescope& telescope, double re
   return std::max(0.0, (range - z / -axis.z) * geometry::cosine_in_water(axis.z, refractive_index));
 }
 
+/// Whether a place on a scale is farther from its knee than a bend, on the same side.
+bool is_beyond(double place, double bend, double knee) {
+  return bend < knee ? place < bend : place > bend;
+}
+
 }  // namespace
+
+double PathScale::coordinate(double path) const {
+  const double rest = path - knee_path;
+  double found = knee_coordinate + rest / (rest < 0 ? slope_before : slope_after);
+  for (const Bend& bend : bends)
+    if (is_beyond(path, bend.path, knee_path))
+      found = bend.coordinate + (path - bend.path) / bend.beyond;
+  return found;
+}
+
+double PathScale::path(double coordinate) const {
+  const double rest = coordinate - knee_coordinate;
+  double found = knee_path + rest * (rest < 0 ? slope_before : slope_after);
+  for (const Bend& bend : bends)
+    if (is_beyond(coordinate, bend.coordinate, knee_coordinate))
+      found = bend.path + (coordinate - bend.coordinate) * bend.beyond;
+  return found;
+}
 
 Gates::Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines)
     : source_(scene.source), telescope_(scene.telescope), laser_(lines.front()) {
@@ -58,6 +110,15 @@ Gates::Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines)
   knee_gate_ = (scale_.knee_coordinate - min_) / step_;
   per_metre_before_ = 1 / (scale_.slope_before * step_);
   per_metre_after_ = 1 / (scale_.slope_after * step_);
+  double per_metre = per_metre_before_;
+  for (const PathScale::Bend& bend : scale_.bends) {
+    const bool before = bend.path < scale_.knee_path;
+    if (!before && bends_.empty()) per_metre = per_metre_after_;
+    if (before ? bend.coordinate < min_ : bend.coordinate > max_) break;
+    const double beyond = 1 / (bend.beyond * step_);
+    bends_.push_back({bend.path - scale_.knee_path, beyond - per_metre});
+    per_metre = beyond;
+  }
 }
 
 double Gates::edge_path(std::int32_t edge) const {
@@ -67,12 +128,16 @@ double Gates::edge_path(std::int32_t edge) const {
 /// Down along the axis of the source and up along that of the telescope, refracted
 /// (docs/theory.md, eq. 35).
 PathScale Gates::depth_scale(std::size_t telescope, const medium::Line& back) const {
-  const auto out = group_path_of(source_, 0, laser_);
-  const auto home = group_path_of(telescope_[telescope], telescope + 1, back);
+  const scene::Telescope& lens = telescope_[telescope];
+  const auto out = group_path_of(source_, laser_);
+  const auto home = group_path_of(lens, back);
   PathScale scale;
   scale.knee_path = out.to_surface + home.to_surface;
   scale.slope_before = out.per_depth_in_air + home.per_depth_in_air;
   scale.slope_after = out.per_depth_in_water + home.per_depth_in_water;
+  add_air({laser_.air_delay, back.air_delay, -1 / normalised(source_.direction).z,
+           -1 / normalised(lens.direction).z, -1},
+          scale);
   return scale;
 }
 
@@ -83,27 +148,33 @@ PathScale Gates::range_scale(std::size_t number, const medium::Line& back) const
   const auto axis = normalised(telescope.direction);
   const double z = telescope.position_m.z;
   const double ahead = dot(source_.position_m - telescope.position_m, axis);
+  const bool level = axis.z == 0;
+  // In the air all along a level axis, of layers that other axes come through as if in a vacuum.
   const auto in_air = [&](const medium::Line& light) {
-    return z > 0 ? 1 + air_delay(light, number + 1) / z : 1.0;
+    return level ? 1 + light.air_delay.per_metre(std::max(0.0, z)) : 1.0;
   };
+  const bool water_before = axis.z > 0 || (level && z < 0);
+  const bool water_after = axis.z < 0 || (level && z < 0);
   const auto before = [&](const medium::Line& light) {
-    const bool in_water = axis.z > 0 || (axis.z == 0 && z < 0);
-    return in_water ? light.group_index : in_air(light);
+    return water_before ? light.group_index : in_air(light);
   };
   const auto after = [&](const medium::Line& light) {
-    const bool in_water = axis.z < 0 || (axis.z == 0 && z < 0);
-    return in_water ? light.group_index : in_air(light);
+    return water_after ? light.group_index : in_air(light);
   };
   PathScale scale;
-  scale.knee_coordinate = axis.z == 0 ? 0.0 : -z / axis.z;  // the surface
+  scale.knee_coordinate = level ? 0.0 : -z / axis.z;  // the surface
+  const double secant = level ? 0.0 : 1 / std::abs(axis.z);
   // From a place on the axis to the surface; negative from behind it.
   const auto to_surface = [&](double place, const medium::Line& light) {
     const double way = scale.knee_coordinate - place;
-    return way * (way > 0 ? before(light) : after(light));
+    const double height = way * -axis.z;  // below 0 in the water
+    const double delay = height > 0 ? light.air_delay.to(height) * secant : 0.0;
+    return way * (way > 0 ? before(light) : after(light)) + std::copysign(delay, way);
   };
   scale.knee_path = to_surface(ahead, laser_) + to_surface(0, back);
   scale.slope_before = before(laser_) + before(back);
   scale.slope_after = after(laser_) + after(back);
+  if (!level) add_air({laser_.air_delay, back.air_delay, secant, secant, 1 / axis.z}, scale);
   return scale;
 }
 

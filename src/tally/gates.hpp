@@ -13,21 +13,22 @@
 namespace photic::tally {
 
 /// A coordinate (depth, range or time) against group path: two straight lines that meet where the
-/// path passes the surface. NaN throughout where an instrument has no such coordinate.
+/// path passes the surface, one of them with a bend at each edge of the air's layers. NaN
+/// throughout where an instrument has no such coordinate.
 struct PathScale {
+  /// Slopes are metres of group path per unit of the coordinate.
+  struct Bend {
+    double coordinate, path;
+    double beyond;  ///< slope on the side that leads away from the surface
+  };
   double knee_path = 0;  ///< [m]
   double knee_coordinate = 0;
-  double slope_before = 1;  ///< metres of group path per unit of the coordinate
+  double slope_before = 1;
   double slope_after = 1;
+  std::vector<Bend> bends = {};  ///< all before the knee or all after it, from there on
 
-  [[nodiscard]] double coordinate(double path) const {
-    const double rest = path - knee_path;
-    return knee_coordinate + rest / (rest < 0 ? slope_before : slope_after);
-  }
-  [[nodiscard]] double path(double coordinate) const {
-    const double rest = coordinate - knee_coordinate;
-    return knee_path + rest * (rest < 0 ? slope_before : slope_after);
-  }
+  [[nodiscard]] double coordinate(double path) const;
+  [[nodiscard]] double path(double coordinate) const;
 };
 
 /// The whole number below `place`, or -1 where that is none of 0 … count - 1.
@@ -50,8 +51,13 @@ class Gates {
   template <class Double>
   [[nodiscard]] auto find(const Double& path) const {
     const Double rest = path - Double(scale_.knee_path);
-    const Double gate = Double(knee_gate_) + (smaller(rest, Double(0)) * Double(per_metre_before_) +
-                                              larger(rest, Double(0)) * Double(per_metre_after_));
+    Double gate = Double(knee_gate_) + (smaller(rest, Double(0)) * Double(per_metre_before_) +
+                                        larger(rest, Double(0)) * Double(per_metre_after_));
+    for (const Bend& bend : bends_) {
+      const Double beyond = rest - Double(bend.rest);
+      gate = gate + Double(bend.more_per_metre) *
+                        (bend.rest < 0 ? smaller(beyond, Double(0)) : larger(beyond, Double(0)));
+    }
     return cell_below(gate, count_);
   }
 
@@ -79,7 +85,13 @@ class Gates {
   bool depth_is_range_ = false;
   PathScale scale_;
   double min_ = 0, step_ = 1, max_ = 1;
-  double knee_gate_ = 0, per_metre_before_ = 1, per_metre_after_ = 1;  ///< of scale_, in gates
+  // Of scale_, in gates:
+  double knee_gate_ = 0, per_metre_before_ = 1, per_metre_after_ = 1;
+  struct Bend {
+    double rest;            ///< path there less the knee's [m]
+    double more_per_metre;  ///< beyond it than before
+  };
+  std::vector<Bend> bends_;  ///< none where gates do not come to them
   std::int32_t count_ = 0;
 };
 

@@ -126,19 +126,33 @@ T lens_solid_angle(const instrument::Telescope<T>& telescope, const T& distance,
   return select(far, from_afar, exact);
 }
 
-/// What a straight way to a point of the lens counts as that stays in the telescope's medium.
-/// `from`: of one that the surface mirrors, the mirror image.
-template <class T>
-T path_within(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
-              const Index<T>& line, const Vec3<T>& from, const instrument::PlanePoint<T>& lens,
-              const T& length) {
-  if (telescope.above_air) [[unlikely]]
-    return longer_way(telescope, from, lens, length);
-  return length * gather<T>(sea.group_index, line);
-}
 template <class T>
 Vec3<T> seen_by_route(const Vec3<T>& from, geometry::Route route) {
   return route == geometry::Route::mirrored ? Vec3<T>{from.x, from.y, T(0) - from.z} : from;
+}
+/// Light of a line that leaves a place in a layer by a route.
+template <class T>
+struct Departure {
+  Index<T> line, layer;
+  Vec3<T> position;
+  geometry::Route route = geometry::Route::direct;
+};
+/// What a way to a point of the lens counts as that stays in the medium of the telescope, which
+/// stands in a layer.
+template <class T>
+T path_within(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
+              const Index<T>& telescope_layer, const Departure<T>& from,
+              const instrument::PlanePoint<T>& lens, const T& length) {
+  const T path = telescope.above_air
+                     ? longer_way(telescope, seen_by_route(from.position, from.route), lens, length)
+                     : length * gather<T>(sea.group_index, from.line);
+  if (!sea.upside_down) [[likely]]
+    return path;
+  const auto level = sea.level(from.layer, T(-from.position.z));
+  const auto at_lens = sea.level(telescope_layer, T(-in_space(telescope, lens).z));
+  return path + (from.route == geometry::Route::mirrored
+                     ? sea.air_delay_by_surface(from.line, level, at_lens, length)
+                     : sea.air_delay(from.line, level, at_lens, length));
 }
 
 /// From a photon's position to a telescope in a layer of the water, at the given line.
@@ -177,7 +191,8 @@ Connection<T> connect_in_water(const medium::MediumView& sea,
                           ? (sea.optical_depth(line, from) + sea.optical_depth(line, to)) / steep
                           : sea.slant_optical_depth(line, from, to, distance);
   way.length_water = distance;
-  way.path = path_within(sea, telescope, line, seen_by_route(at.position, route), {}, distance);
+  way.path = path_within(sea, telescope, telescope_layer, {line, at.layer, at.position, route}, {},
+                         distance);
   const T reflected = mirrored ? surface::flat_surface<T>(sea, line).reflectance(steep) : T(1);
   way.acceptance =
       select(seen, lens_solid_angle(telescope, distance, safe_cos) * overlap * reflected, T(0));

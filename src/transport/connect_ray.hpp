@@ -18,12 +18,14 @@ T longer_in_air(const instrument::Telescope<T>& telescope, const geometry::Sight
          way.to.delay(line, way.arriving.z);
 }
 
-/// What its part in the water counts as, from a point there.
+/// What its part in the water counts as, from a place in a layer there.
 template <class T>
 T path_in_water(const medium::MediumView& sea, const instrument::Telescope<T>& telescope,
-                const geometry::Sightline<T>& way, const Index<T>& line, const Vec3<T>& from,
-                const instrument::PlanePoint<T>& lens) {
-  return path_within(sea, telescope, line, seen_by_route(from, way.route), lens, way.length_water);
+                const geometry::Sightline<T>& way, const Index<T>& line, const Index<T>& layer,
+                const Vec3<T>& from, const instrument::PlanePoint<T>& lens) {
+  if (way.to.in_air) return way.length_water * gather<T>(sea.group_index, line);
+  return path_within(sea, telescope, way.to.layer, {line, layer, from, way.route}, lens,
+                     way.length_water);
 }
 
 /// A connection to one point of the lens.
@@ -53,7 +55,7 @@ RayConnection<T> connect_ray(const geometry::Slabs& sea, const instrument::Teles
       T(0));
   connection.optical_depth = tau.all;
   connection.length_water = way.length_water;
-  connection.path = path_in_water(sea, telescope, way, line, at.position, lens) +
+  connection.path = path_in_water(sea, telescope, way, line, at.layer, at.position, lens) +
                     longer_in_air(telescope, way, line, lens);
   return connection;
 }

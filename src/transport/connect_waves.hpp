@@ -30,7 +30,7 @@ T path_to_telescope(const medium::MediumView& sea, const instrument::Telescope<T
                     const FromSurface<T>& way) {
   if (region.in_air)
     return longer_way(telescope, at, lens, way.length) + region.delay(line, way.rising_cosine());
-  return path_within(sea, telescope, line, at, lens, way.length);
+  return path_within(sea, telescope, region.layer, {line, Index<T>(0), at}, lens, way.length);
 }
 
 /// `meeting`: at the surface; known where environments have other surfaces.
@@ -149,9 +149,10 @@ WavesConnection<T> connect_by_waves(const geometry::Slabs& sea,
                           point.value * (point.arriving.z / (l1 * l1)) *
                               (telescope.area() * out.sight.cos_off_axis / (l2 * l2)),
                           T(0));
-  out.optical_depth = sea.optical_depth(line, geometry::level_of(sea, photon)) / out.direction.z +
+  const auto level_there = geometry::level_of(sea, photon);
+  out.optical_depth = sea.optical_depth(line, level_there) / out.direction.z +
                       depth_to_lens(sea, region, line, point.onward);
-  out.path = l1 * gather<T>(sea.group_index, line) +
+  out.path = sea.group_path_to_surface(line, level_there, l1) +
              path_to_telescope(sea, telescope, region, line, lens, point.at, point.onward);
   return out;
 }

@@ -41,11 +41,12 @@ CameUp<T> come_up(const medium::MediumView& sea, Photon<T>& photon) {
   way.rises = photon.direction.z > T(0);
   const T steep = select(way.rises, photon.direction.z, T(1));
   way.length = T(-photon.position.z) / steep;
-  const T tau = sea.optical_depth(photon.line, geometry::level_of(sea, photon)) / steep;
+  const auto from = geometry::level_of(sea, photon);
+  const T tau = sea.optical_depth(photon.line, from) / steep;
   const Vec3<T> there = photon.position + way.length * photon.direction;
-  const T index = gather<T>(sea.group_index, photon.line);
+  const T path = sea.group_path_to_surface(photon.line, from, way.length);
   photon.position = select(way.rises, Vec3<T>{there.x, there.y, T(0)}, photon.position);
-  photon.path = photon.path + select(way.rises, way.length * index, T(0));
+  photon.path = photon.path + select(way.rises, path, T(0));
   photon.weight = photon.weight * select(way.rises, exp_minus(tau), T(1));
   photon.layer = select(way.rises, Index<T>(0), photon.layer);
   return way;

@@ -91,7 +91,7 @@ FlightEnd<T> fly(const geometry::Slabs& sea, Photon<T>& photon, const FlightStar
     photon.layer = select(end.sea_bed, Index<T>(sea.layers), layer);
     end.sea_bed = Mask<T>(false);
   }
-  photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
+  photon.path = photon.path + sea.group_path(photon.line, from.level, to, distance);
   const T gain = gather<T>(sea.collision_gain, here);
   const T ratio = exp_minus(absorbed_tau) * select(stopped, T(1), gain);
   photon.weight = photon.weight * ratio;
@@ -123,10 +123,12 @@ Index<T> layer_at(const geometry::Slabs& sea, const Index<T>& from, const T& dep
 /// Moves a photon by a distance, whatever it passes. Tells whether it is still in the water.
 template <class T>
 Mask<T> advance(const geometry::Slabs& sea, Photon<T>& photon, const T& distance) {
+  const auto from = geometry::level_of(sea, photon);
   photon.position = photon.position + distance * photon.direction;
-  photon.path = photon.path + distance * gather<T>(sea.group_index, photon.line);
   const T depth = -photon.position.z;
   photon.layer = layer_at(sea, photon.layer, depth);
+  photon.path =
+      photon.path + sea.group_path(photon.line, from, geometry::level_of(sea, photon), distance);
   return (depth > T(0)) & (depth < T(sea.top[sea.layers]));
 }
 

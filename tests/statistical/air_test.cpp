@@ -35,22 +35,26 @@ std::string optics(double a, double b, double g) {
 const std::string times = "[gates]\nstart_ns = 0.0\nstop_ns = 80.0\nstep_ns = 8.0\n";
 
 // With water of the air's index the surface does nothing to light: dense air is as layers of water
-// would be in its place, with instruments in them. So this holds what is weakened on its way to and
-// from the sea, what the air scatters, and how light goes on from one medium in the other, however
-// often. Seen red: with what passes the surface left out; with its direction mirrored; with the
-// share of the light that is followed into the air left out of its weight; with what the air takes
-// left out of the telescope's ways, or of the laser's.
+// would be in its place, with instruments in them, and by its group index takes as long. So this
+// holds what is weakened on its way to and from the sea, what the air scatters, and how light goes
+// on from one medium in the other, however often. Seen red: with what passes the surface left out;
+// with its direction mirrored; with the share of the light that is followed into the air left out
+// of its weight; with what the air takes left out of the telescope's ways, or of the laser's; with
+// the delay of any of these ways left out.
 TEST(Air, OfTheWatersIndexIsAsLayersOfWater) {
-  const std::string sea = "[sea]\nrefractive_index = 1.0\ngroup_index = 1.0\n";
+  const std::string sea = "[sea]\nrefractive_index = 1.0\ngroup_index = 1.3\n";
   const std::string water = "[[sea.layer]]\n" + optics(0.05, 0.2, 0.8);
+  const std::string slow = "refractive_index = 1.3\n";
   const std::string low = optics(0.02, 0.1, 0.6), high = optics(0.01, 0.05, 0.2);
-  const std::string in_air =
-      "[[atmosphere.layer]]\nbottom_height_m = 0.0\ntop_height_m = 2.0\n" + low +
-      "[[atmosphere.layer]]\nbottom_height_m = 2.0\ntop_height_m = 5.0\n" + high + sea + water;
+  const std::string in_air = "[[atmosphere.layer]]\nbottom_height_m = 0.0\ntop_height_m = 2.0\n" +
+                             low + slow +
+                             "[[atmosphere.layer]]\nbottom_height_m = 2.0\ntop_height_m = 5.0\n" +
+                             high + slow + sea + water;
   const std::string in_water = sea + "[[sea.layer]]\nbottom_depth_m = 3.0\n" + high +
                                "[[sea.layer]]\nbottom_depth_m = 5.0\n" + low + water;
   for (const double tilt : {0.0, 25.0}) {
-    const std::string channels = channel("elastic") + times;
+    const std::string channels =
+        channel("elastic") + "[gates]\nstart_ns = 0.0\nstop_ns = 104.0\nstep_ns = 10.4\n";
     for (const auto& [estimator, photons] : {std::pair("forward", 4e5), {"bidirectional", 4e4}}) {
       const auto air = run_in_lanes(
           read(lidar(5, tilt) + in_air + channels + simulation(photons, 1, "", estimator)));

@@ -47,8 +47,9 @@ void detect(const World<T>& world, const transport::Photon<T>& photon, const Ind
                          instrument::sight(telescope, point, photon.direction).on_detector;
     if (!any(seen)) continue;
     const T way = in_air ? longer_way(telescope, photon.position, point, distance)
-                         : transport::path_within(world.sea, telescope, photon.line,
-                                                  photon.position, point, distance);
+                         : transport::path_within(
+                               world.sea, telescope, world.telescope_region[t].layer,
+                               {photon.line, photon.layer, photon.position}, point, distance);
     const lanes::LaneScores<T> scores{Index<T>(static_cast<std::int32_t>(t)),
                                       world.path_to_origin[t],
                                       transport::light_of<T>(world.sea, photon.line, touched),

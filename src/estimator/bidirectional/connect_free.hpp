@@ -158,7 +158,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_free_telescope(FreePairin
     const auto way =
         geometry::sightline(sea_, at, first.line, at_lens, receiver_.region, route, by);
     free_telescope_by(pairing, pair, first, moved, way,
-                      edge_to_telescope(by, at, pair.birth.lens, first.line, way));
+                      edge_to_telescope(by, at, first.layer, pair.birth.lens, first.line, way));
   }
 }
 

@@ -34,8 +34,10 @@ MeetingPoint<T> Connections<T>::meeting_point(const Met<T>& met, const Mask<T>& 
                                    select(at.converts, gather_index<T>(sea_.conversion_phase, line),
                                           gather_index<T>(sea_.elastic_phase, here)),
                                    out.direction, -back.direction);
-  at.path = out.path + back.path + at.length_out * gather<T>(sea_.group_index, Index<T>(0)) +
-            at.length_back * gather<T>(sea_.group_index, line);
+  const auto level = sea_.level(place, depth);
+  at.path = out.path + back.path +
+            sea_.group_path(Index<T>(0), geometry::level_of(sea_, out), level, at.length_out) +
+            sea_.group_path(line, geometry::level_of(sea_, back), level, at.length_back);
   return at;
 }
 

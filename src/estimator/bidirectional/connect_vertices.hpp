@@ -45,7 +45,7 @@ PHOTIC_APART PHOTIC_FLATTEN void Connections<T>::serve_to_telescope(const Pairin
     const auto way =
         geometry::sightline(sea_, v.position, line, at, receiver_.region, route, near_view);
     score_to_telescope(pairing, v, way,
-                       edge_to_telescope(near_view, v.position, birth.lens, line, way));
+                       edge_to_telescope(near_view, v.position, v.layer, birth.lens, line, way));
   }
 }
 /// To a telescope in the water by way of a facet, from the only vertex of a path. No other strategy
@@ -83,6 +83,7 @@ PHOTIC_APART void Connections<T>::score_by_facet(Pairing<T> pairing, const Verte
 /// Along a way to a point of the lens.
 template <class T>
 EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask, const Vec3<T>& from,
+                                                     const Index<T>& place,
                                                      const instrument::PlanePoint<T>& lens,
                                                      const Index<T>& line,
                                                      const geometry::Sightline<T>& way) const {
@@ -92,7 +93,7 @@ EdgeToTelescope<T> Connections<T>::edge_to_telescope(const Mask<T>& mask, const 
   if (!any(edge.seen)) return edge;
   edge.telescope = seen_by(sight);
   edge.path = transport::longer_in_air(telescope_, way, line, lens) +
-              transport::path_in_water(sea_, telescope_, way, line, from, lens);
+              transport::path_in_water(sea_, telescope_, way, line, place, from, lens);
   const T solid_angle =
       world_.cone(instrument())
           .solid_angle_outside(gather<T>(sea_.index, line), -way.direction, -way.arriving);
@@ -217,6 +218,7 @@ WayToLaser<T> Connections<T>::way_to_laser(const Mask<T>& mask, const Vec3<T>& f
   if (any(laser.to_sea > T(0))) [[unlikely]]
     out.path =
         longer_from_disc(laser, transport::seen_by_route(from, way.route), way.length_water, x);
+  out.path = out.path + air_delay_along(sea_, way, line, place, T(-from.z), out.water);
   out.lit = mask & way.exists & (x < laser.one_minus_cos_divergence) & (out.water > T(0));
   if (!any(out.lit)) return out;
   const auto tau = depths_along(sea_, way, line, place, T(-from.z), out.water);
@@ -363,11 +365,11 @@ template <class T>
 void Connections<T>::along(const Pairing<T>& pairing, const Mask<T>& mask, const Index<T>& line,
                            const ConnectionEnd& from, const ConnectionEnd& to, const Vertex& v,
                            const Vertex& w, const T& length, const Usable<T>& usable) {
-  const T path = v.path + w.path + length * gather<T>(sea_.group_index, line);
+  const auto there = geometry::level_of(sea_, v), here = geometry::level_of(sea_, w);
+  const T path = v.path + w.path + sea_.group_path(line, there, here, length);
   const Mask<T> in_time = mask & (path < receiver_.last_path);
   if (!any(in_time)) return;
-  const auto tau = geometry::depths_between(sea_, line, geometry::level_of(sea_, v),
-                                            geometry::level_of(sea_, w), length);
+  const auto tau = geometry::depths_between(sea_, line, there, here, length);
   const Index<T> edge = pairing.i + Index<T>(1);
   const T meeting = select(usable.meeting(edge), from.meeting * to.densities.p, T(0)) +
                     select(usable.meeting(edge + Index<T>(1)), to.meeting * from.densities.p, T(0));

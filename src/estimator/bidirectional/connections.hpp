@@ -117,6 +117,7 @@ class Connections {
   static void put_first(const T& footprint, const T& freed, NearFirst<T>& near, FreeArea<T>& free);
 
   [[nodiscard]] EdgeToTelescope<T> edge_to_telescope(const Mask<T>& mask, const Vec3<T>& from,
+                                                     const Index<T>& place,
                                                      const instrument::PlanePoint<T>& lens,
                                                      const Index<T>& line,
                                                      const geometry::Sightline<T>& way) const;
@@ -226,7 +227,7 @@ class Connections {
   /// `birth`: of a walk that detects a line.
   [[nodiscard]] AtLens<T> at_lens(const BirthRecord<T>& birth, const Index<T>& line) const {
     return {birth.lens, birth.outward,
-            receiver_.region.in_air ? T(1) : gather<T>(sea_.group_index, line)};
+            receiver_.region.in_air ? T(1) : sea_.path_per_metre<T>(line, receiver_.region.layer)};
   }
   /// Whether light of the laser's line can leave a layer as light of a line.
   [[nodiscard]] Mask<T> emits(const Index<T>& line, const Index<T>& layer) const {

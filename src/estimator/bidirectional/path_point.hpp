@@ -101,11 +101,10 @@ struct Leg {
   }
 };
 
-/// Adds a flight of a photon that stood at `before` to its leg.
+/// Adds a flight of a photon that stood at `before`, of a length, to its leg.
 template <class T>
 void add_flight(const geometry::Slabs& sea, const transport::Photon<T>& before,
-                const transport::Photon<T>& photon, Leg<T>& leg) {
-  const T moved = (photon.path - before.path) / gather<T>(sea.group_index, photon.line);
+                const transport::Photon<T>& photon, const T& moved, Leg<T>& leg) {
   leg.length = leg.length + moved;
   leg.walk_tau =
       leg.walk_tau + sea.walk_slant_optical_depth(photon.line, geometry::level_of(sea, before),

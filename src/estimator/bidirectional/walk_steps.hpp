@@ -84,7 +84,7 @@ class WalkSteps {
           free_path * select(first, source_.cone().longer_free_path(before.direction.z), T(1));
     const auto end = transport::fly(sea_, w.photon, free_path);
     const T walk_tau = w.leg.walk_tau;
-    add_flight(sea_, before, w.photon, w.leg);
+    add_flight(sea_, before, w.photon, end.length, w.leg);
     if (any(first)) {
       Mask<T> stopped = end.surface | end.sea_bed;
       if (sea_.bed_angles > 0) stopped = stopped | surface::on_bed<T>(sea_, w.photon.layer);

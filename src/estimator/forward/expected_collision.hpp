@@ -12,15 +12,14 @@ namespace photic::estimator {
 /// Light that is scored ahead of photons, where they may get to on their flight: its ratios.
 template <class Events, class T>
 void ratios_at(const World<T>& world, const Travellers<T>& from, const transport::Photon<T>& at,
-               Estimates<T>& estimates) {
+               const T& moved, Estimates<T>& estimates) {
   if (!compares<Events>(world)) return;
   const transport::Photon<T>& before = from.photon;
   estimates.paths = from.ratios.paths;
   estimates.first = from.ratios.first;
   estimates.unflown.clear();
   add_passage(world.sea,
-              {at.line, before.layer, T(-before.position.z), at.layer, T(-at.position.z),
-               (at.path - before.path) / gather<T>(world.sea.group_index, at.line)},
+              {at.line, before.layer, T(-before.position.z), at.layer, T(-at.position.z), moved},
               estimates.unflown);
 }
 
@@ -58,7 +57,7 @@ void score_further_points(const World<T>& world, const Travellers<T>& travellers
     }
     const Mask<T> scored = travelling & !(end.surface | end.sea_bed) & in_time(world, at);
     if (!any(scored)) continue;
-    ratios_at<Events>(world, travellers, at, estimates);
+    ratios_at<Events>(world, travellers, at, end.length, estimates);
     score_light<Events>(world, travellers, at, weight_at_point(world, at), scored, at.line,
                         estimates, tally);
   }
@@ -78,8 +77,9 @@ PHOTIC_APART PHOTIC_FLATTEN void score_on_the_way(const World<T>& world, const T
   if (!any(wanted)) return;
   const auto& u = from.forced;
   transport::Photon<T> at = from.photon;
-  const Mask<T> reached = wanted & force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
-  ratios_at<Events>(world, from, at, estimates);
+  const auto [in_water, moved] = force_collision(sea, at, world.cones, {u[0], u[1], u[2]});
+  const Mask<T> reached = wanted & in_water;
+  ratios_at<Events>(world, from, at, moved, estimates);
   if (all_collisions)
     score_light<Events>(world, from, at, at.weight, reached, at.line, estimates, tally);
   const Index<T> count = gather_index<T>(sea.convertible_count, at.layer);

@@ -97,14 +97,19 @@ inline constexpr double forced_share = 0.5;
 /// Conversions in the views beyond are found by free flights, and in the others' views.
 inline constexpr std::size_t most_forced_views = 16;
 
+template <class T>
+struct ForcedCollision {
+  Mask<T> reached;  ///< none where the ray has left the water
+  T moved{};        ///< the length to it [m]
+};
 /// Moves a photon in the water to a point on its ray and multiplies its weight by the density of
 /// collisions there over that of the points, so that what is scored there is in the mean what the
 /// photon's next collision gives. Points come from the free flight, or from the stretches of the
-/// ray in the telescopes' views. False: no point, the ray has left the water.
+/// ray in the telescopes' views.
 template <class T>
-Mask<T> force_collision(const geometry::Slabs& sea, transport::Photon<T>& photon,
-                        const std::vector<estimator::ViewCone<T>>& views,
-                        const ForcedUniforms<T>& u) {
+ForcedCollision<T> force_collision(const geometry::Slabs& sea, transport::Photon<T>& photon,
+                                   const std::vector<estimator::ViewCone<T>>& views,
+                                   const ForcedUniforms<T>& u) {
   const transport::Photon<T> before = photon;
   const std::size_t taking_part = std::min(most_forced_views, views.size());
   std::array<Stretch<T>, most_forced_views> stretch;
@@ -130,8 +135,7 @@ Mask<T> force_collision(const geometry::Slabs& sea, transport::Photon<T>& photon
   const Mask<T> in_water = transport::advance(sea, placed, distance);
   const Mask<T> collides = !(end.surface | end.sea_bed | surface::on_bed<T>(sea, flown.layer));
   const Mask<T> reached = select(forced, in_water, collides);
-  const T moved = select(forced, distance,
-                         (flown.path - photon.path) / gather<T>(sea.group_index, photon.line));
+  const T moved = select(forced, distance, end.length);
   photon.position = select(forced, placed.position, flown.position);
   photon.layer = select(forced, placed.layer, flown.layer);
   photon.path = select(forced, placed.path, flown.path);
@@ -147,7 +151,7 @@ Mask<T> force_collision(const geometry::Slabs& sea, transport::Photon<T>& photon
                                          gather<T>(sea.c.first, here) * exp_minus(tau.all) /
                                              select(reached, density, T(1)),
                                          T(0));
-  return reached;
+  return {reached, moved};
 }
 
 }  // namespace photic::estimator

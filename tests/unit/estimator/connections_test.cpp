@@ -161,6 +161,40 @@ TEST(StrategiesOfPath, ByWayOfTheSurfaceAgree) {
   EXPECT_GT(met, 100);
 }
 
+// In layers of the air, each with a group index of its own. Seen red: with the delay left out of
+// the way to the laser, to the telescope, each by way of the surface, between two vertices, and to
+// where rays meet.
+TEST(StrategiesOfPath, InTheAirAgree) {
+  auto air = transport::make_sea(40);
+  air.upside_down = true;
+  air.air_m = 40;
+  for (auto& line : air.line) line.group_index = 1;
+  air.delay = {0.3, 0.1, 0.02, 0.31, 0.11, 0.03, 0.32, 0.12, 0.04};
+  air.finish();
+  Random random(110);
+  int met = 0, by_surface = 0;
+  auto places = submerged();
+  std::erase_if(places, [](const Place& place) {
+    return place.source.position_m.z > 0 || place.telescope.position_m.z > 0;
+  });
+  for (const Place& place : looking_at_the_surface()) places.push_back(place);
+  for (const Place& place : places) {
+    Sea sea(place.source, place.telescope, air);
+    const bool mirrored = place.mirrored_out || place.mirrored_back;
+    for (int n = 0; n < 100; ++n) {
+      const std::int32_t order = 1 + n % 3;
+      auto path = mirrored ? random_path(random, order, 6, 20) : random_path(random, order, 6, 7.5);
+      path.mirrored[0] = place.mirrored_out;
+      path.mirrored[static_cast<std::size_t>(order)] = place.mirrored_back;
+      SCOPED_TRACE(std::string(place.what) + ", path " + std::to_string(n));
+      met += expect_same_of_all(sea, path).met;
+      by_surface += mirrored;
+    }
+  }
+  EXPECT_GT(met, 200);
+  EXPECT_GT(by_surface, 300);
+}
+
 // No connection can meet parallel light.
 TEST(StrategiesOfPath, OfACollimatedLaserAgree) {
   Random random(107);

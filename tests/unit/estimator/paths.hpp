@@ -235,12 +235,13 @@ class Writer {
     const double distance = length(place - before.position);
     photon_.position = place;
     photon_.layer = transport::layer_at(world_.sea, before.layer, -place.z);
-    photon_.path += distance * world_.sea.group_index[photon_.line];
     const auto from = geometry::level_of(world_.sea, before);
+    photon_.path += world_.sea.group_path(photon_.line, from,
+                                          geometry::level_of(world_.sea, photon_), distance);
     photon_.weight *= std::exp(-world_.sea.continuous_slant_optical_depth(
         photon_.line, from, world_.sea.continuous_column(photon_.line, from),
         geometry::level_of(world_.sea, photon_), distance));
-    add_flight(world_.sea, before, photon_, leg);
+    add_flight(world_.sea, before, photon_, distance, leg);
   }
 
   const World<double>& world_;

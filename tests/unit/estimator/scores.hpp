@@ -121,7 +121,10 @@ class Scores {
     const double sum = tally_.by_order[static_cast<std::size_t>(path_.order())];
     const bool bed = std::ranges::any_of(
         path_.vertex, [this](const V& place) { return on_bed(world_.sea, place); });
-    EXPECT_EQ(tally_.by_process[bed ? 1 : 0], sum) << "of what it has touched";
+    const auto touched = world_.sea.upside_down ? transport::Touched::air
+                         : bed                  ? transport::Touched::bed
+                                                : transport::Touched::water;
+    EXPECT_EQ(tally_.by_process[static_cast<std::size_t>(touched)], sum) << "of what it has touched";
     tally_.clear();
     return sum;
   }

@@ -274,8 +274,7 @@ struct StrategiesOfPath {
       e.tau += transport::optical_depth_between(medium, line, points[i - 1], points[i]);
       e.walk_tau += transport::integral_between(medium, transport::walk_coefficients(medium), line,
                                                 points[i - 1], points[i]);
-      e.path += length(points[i] - points[i - 1]) *
-                medium.line[static_cast<std::size_t>(line)].group_index;
+      e.path += transport::group_path_between(medium, line, points[i - 1], points[i]);
     }
   }
   /// The edge of an instrument at a point, seen from vertex x.

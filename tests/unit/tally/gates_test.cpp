@@ -17,6 +17,14 @@ scene::Scene with_depth_gates(double min, double max, double step) {
   return scene;
 }
 
+/// An instrument at a height, tilted towards +x.
+template <class Instrument>
+void put(Instrument& instrument, double z, double tilt_deg) {
+  const double tilt = tilt_deg * radian_per_degree;
+  instrument.position_m = {0, 0, z};
+  instrument.direction = {3 * std::sin(tilt), 0, -3 * std::cos(tilt)};  // need not be normalised
+}
+
 // t = 2 H / c0 + 2 n_g z / c0. Seen red: with the phase for the group index; with the way out
 // counted twice.
 TEST(DepthGates, AreTimesToTheDepthAndBack) {
@@ -101,6 +109,62 @@ TEST(Gates, FindWhatLiesBetweenTheirEdges) {
   scene.gates.range_m = {3, 60, 0.7};
   scene.telescope[0].direction = {0.5, 0, -1};
   finds_what_lies_between_edges(Gates(scene, lines()));
+  finds_what_lies_between_edges(Gates(scene, lines_in_air()));
+  scene.telescope[0].direction = {0.5, 0, 1};
+  finds_what_lies_between_edges(Gates(scene, lines_in_air()));
+  finds_what_lies_between_edges(Gates(with_depth_gates(-11.7, 7.3, 0.4), lines_in_air()));
+}
+
+/// A metre of air counts as 1.3 below 2 m, as 1.1 below 5 m and as 1.02 below 9 m; of line 1, as
+/// 1.4, 1.2 and 1.
+double delay_to(double height, bool of_line_1) {
+  const double low = std::min(height, 2.0), middle = std::clamp(height - 2, 0.0, 3.0),
+               high = std::clamp(height - 5, 0.0, 4.0);
+  return of_line_1 ? 0.4 * low + 0.2 * middle : 0.3 * low + 0.1 * middle + 0.02 * high;
+}
+
+// Heights in the air between the sea and the instruments, straight or aslant. Seen red: with the
+// delay of the air spread evenly from the sea to the instruments, with that of line 0 for all.
+TEST(DepthGates, AreHeightsInAirOfAnyGroupIndex) {
+  auto scene = with_depth_gates(-11.5, 10, 0.5);
+  put(scene.telescope[0], 11.8, 30);
+  put(scene.source, 12, 10);
+  const Gates gates(scene, lines_in_air());
+  const double out = 1 / std::cos(10 * radian_per_degree),
+               home = 1 / std::cos(30 * radian_per_degree);
+  for (const bool raman : {false, true}) {
+    const auto back = lines_in_air()[raman];
+    for (double depth = -11.5; depth < 10; depth += 0.5) {
+      const double height = std::max(0.0, -depth);
+      const double path =
+          test::slant_path(scene.source, scene.telescope[0], lines()[0], lines()[raman], depth) +
+          (delay_to(12, false) - delay_to(height, false)) * out +
+          (delay_to(11.8, raman) - delay_to(height, raman)) * home;
+      EXPECT_NEAR(gates.depth(path, 0, back), depth, 1e-9) << raman;
+      if (!raman) {
+        EXPECT_EQ(gates.find(path + 1e-9), static_cast<int>(std::lround((depth + 11.5) * 2)));
+      }
+    }
+  }
+}
+
+// Seen red: with the delay below the lens for that above it.
+TEST(RangeGates, KnowTheAirTheyLookInto) {
+  scene::Scene scene = test::ship_scene();
+  scene.gates = {};
+  scene.gates.range_m = {0, 20, 0.5};
+  for (const double rise : {-0.8, 0.0, 0.6}) {
+    scene.source.position_m = scene.telescope[0].position_m = {0, 0, rise < 0 ? 12.0 : 3.0};
+    scene.source.direction = scene.telescope[0].direction = {std::sqrt(1 - rise * rise), 0, rise};
+    const Gates gates(scene, lines_in_air());
+    const double from = scene.source.position_m.z;
+    for (std::int32_t edge = 0; edge < 30; ++edge) {
+      const double range = 0.5 * edge, height = from + range * rise;
+      const double delay =
+          rise == 0 ? 0.1 * range : (delay_to(height, false) - delay_to(from, false)) / rise;
+      EXPECT_NEAR(gates.edge_path(edge), 2 * (range + delay), 1e-9) << rise << ", " << range;
+    }
+  }
 }
 
 TEST(TimeGates, AreTimes) {
@@ -116,14 +180,6 @@ TEST(TimeGates, AreTimes) {
   EXPECT_NEAR(gates.depth(149.896229, 0, lines()[0]), (149.896229 - 24) / 2 / 1.3638, 1e-9);
   scene.telescope[0].direction = {1, 0, -0.9};
   EXPECT_TRUE(Gates(scene, lines()).depth_is_range());
-}
-
-/// An instrument at a height, tilted towards +x.
-template <class Instrument>
-void put(Instrument& instrument, double z, double tilt_deg) {
-  const double tilt = tilt_deg * radian_per_degree;
-  instrument.position_m = {0, 0, z};
-  instrument.direction = {3 * std::sin(tilt), 0, -3 * std::cos(tilt)};  // need not be normalised
 }
 
 // Along both axes, each refracted by its own angle and wavelength; in the air, in the water, and

@@ -71,8 +71,10 @@ TEST(ForcedCollision, TimesItsWeightLiesWherePhotonsCollide) {
       photon.direction = c.direction;
       photon.layer = sea.layer_at(c.depth);
       photon.path = 7;
-      const bool reached = estimator::force_collision(
-          sea.view(), photon, c.views, {random.uniform(), random.uniform(), random.uniform()});
+      const bool reached =
+          estimator::force_collision(sea.view(), photon, c.views,
+                                     {random.uniform(), random.uniform(), random.uniform()})
+              .reached;
       double distance = 1e9;
       if (reached) {
         distance = length(photon.position - start);
@@ -110,8 +112,10 @@ TEST(ForcedCollision, ReachesTheViewOfATelescope) {
       photon.position = start;
       photon.direction = normalised(direction);
       photon.layer = sea.layer_at(-start.z);
-      const bool reached = estimator::force_collision(
-          sea.view(), photon, {view}, {random.uniform(), random.uniform(), random.uniform()});
+      const bool reached =
+          estimator::force_collision(sea.view(), photon, {view},
+                                     {random.uniform(), random.uniform(), random.uniform()})
+              .reached;
       there += reached && is_there(photon.position);
     }
     return there;

@@ -104,11 +104,12 @@ TEST(LanesOf, VertexOn) {
     spread4.through_surface = through_surface;
     const auto first = four([&] { return random.chance(0.5); });
     auto leg4 = pack_fields<estimator::Leg>(leg);
-    estimator::add_flight(sea.view(), pack(before), pack(photon), leg4);
+    const auto moved = uniforms4(random);
+    estimator::add_flight(sea.view(), pack(before), pack(photon), pack(moved), leg4);
     const auto rest = uniforms4(random);
     Four<estimator::Arrival<double>> arrival;
     for (std::size_t i = 0; i < lanes; ++i) {
-      estimator::add_flight(sea.view(), before[i], photon[i], leg[i]);
+      estimator::add_flight(sea.view(), before[i], photon[i], moved[i], leg[i]);
       expect_same_fields(leg4, i, leg[i]);
       arrival[i] = {ray[i], leg[i], first[i], !first[i] && random.chance(0.5), rest[i]};
     }

@@ -184,11 +184,12 @@ TEST(LanesOf, ForceCollision) {
     auto packed = pack(scalar);
     const auto a = uniforms4(random), b = uniforms4(random), c = uniforms4(random);
     const auto in_water =
-        estimator::force_collision(sea.view(), packed, views4, {pack(a), pack(b), pack(c)});
+        estimator::force_collision(sea.view(), packed, views4, {pack(a), pack(b), pack(c)}).reached;
     for (std::size_t i = 0; i < lanes; ++i) {
-      expect_same(in_water[i],
-                  estimator::force_collision(sea.view(), scalar[i], views, {a[i], b[i], c[i]}),
-                  "reached");
+      expect_same(
+          in_water[i],
+          estimator::force_collision(sea.view(), scalar[i], views, {a[i], b[i], c[i]}).reached,
+          "reached");
       expect_same(packed, i, scalar[i]);
       (in_water[i] ? reached : left) += 1;
     }

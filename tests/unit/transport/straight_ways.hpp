@@ -31,6 +31,13 @@ inline double optical_depth_between(const medium::Medium& sea, std::int32_t line
   return integral_between(sea, sea.c, line, a, b);
 }
 
+/// Of a straight way in a medium, or in the air upside down.
+inline double group_path_between(const medium::Medium& sea, std::int32_t line,
+                                 const Vec3<double>& a, const Vec3<double>& b) {
+  const double path = length(b - a) * sea.line[static_cast<std::size_t>(line)].group_index;
+  return sea.delay.empty() ? path : path + integral_between(sea, sea.delay, line, a, b);
+}
+
 /// What free paths are drawn from: scattering alone, or a fifth of c where there is less.
 inline std::vector<double> walk_coefficients(const medium::Medium& sea) {
   std::vector<double> out;
