@@ -42,8 +42,8 @@ std::string comments(const std::string& head, const std::vector<std::string>& it
 /// where every number comes from.
 std::string notes_on(const estimator::Model& model) {
   const tally::Result result = estimator::describe(model);
-  const auto of_air =
-      model.air ? medium::air_told(model.scene, *model.air) : std::vector<std::string>{};
+  const auto of_air = model.air ? medium::air_told(estimator::scene_told(model), *model.air)
+                                : std::vector<std::string>{};
   return comments("The air above the sea", of_air) +
          comments("How the bidirectional estimator draws paths", result.strategies) +
          comments("Telescopes that share their light", estimator::nested_views_told(model.scene)) +
@@ -54,8 +54,8 @@ std::string notes_on(const estimator::Model& model) {
 
 int run(const ShowCommand& command) {
   const estimator::Model model = estimator::make_model(read(command).scene);
-  print_out(command.json ? scene::write_scene_json(model.scene) + '\n'
-                         : scene::write_scene(model.scene) + notes_on(model));
+  print_out(command.json ? scene::write_scene_json(estimator::scene_told(model)) + '\n'
+                         : scene::write_scene(estimator::scene_told(model)) + notes_on(model));
   return done;
 }
 

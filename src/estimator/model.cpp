@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <tuple>
 
 #include "core/constants.hpp"
 #include "estimator/nested_views.hpp"
@@ -176,9 +177,14 @@ Model make_model(const scene::Scene& scene) {
   }
   for (std::size_t l = 0; air && l < medium.line.size(); ++l)
     medium.line[l].air_delay = medium::delay_of(*air, l);
-  tally::Gates gates(scene, medium.line);
-  auto shape = make_shape(scene, medium, air.has_value(), gates);
   scene::Scene effective = scene;
+  geometry::TooLong too_long;
+  if (air && scene.atmosphere->refraction) {
+    too_long = put_where_they_seem(*air, effective);
+    medium::count_against_vacuum(*air, medium);
+  }
+  tally::Gates gates(effective, medium.line, too_long);
+  auto shape = make_shape(scene, medium, air.has_value(), gates);
   if (scene.simulation.estimator == scene::Estimator::bidirectional)
     effective.simulation.walk_attenuation = walk_attenuation_in(medium, scene.simulation);
   if (scene.simulation.estimator == scene::Estimator::forward) {
@@ -187,9 +193,24 @@ Model make_model(const scene::Scene& scene) {
   }
   auto paths = free_paths(medium, scene.simulation);
   auto averaged = averaged_phases(scene, medium);
-  return {std::move(effective), std::move(medium), std::move(paths),
-          std::move(gates),     std::move(shape),  std::move(averaged),
-          std::move(air),       std::move(tables), std::move(others)};
+  return {std::move(effective),
+          std::move(medium),
+          std::move(paths),
+          std::move(gates),
+          std::move(shape),
+          std::move(averaged),
+          std::move(air),
+          std::move(tables),
+          std::move(others),
+          std::move(too_long),
+          {scene.source, scene.telescope}};
+}
+
+scene::Scene scene_told(const Model& model) {
+  scene::Scene scene = model.scene;
+  scene.source = model.told.source;
+  scene.telescope = model.told.telescope;
+  return scene;
 }
 
 Model simulated_by(const Model& model, const scene::Simulation& simulation) {
@@ -201,7 +222,9 @@ Model simulated_by(const Model& model, const scene::Simulation& simulation) {
 }
 
 tally::Result describe(const Model& model) {
-  const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables, others] = model;
+  const scene::Scene& scene = model.scene;
+  const auto& [medium, gates, shape, air] =
+      std::tie(model.medium, model.gates, model.shape, model.air);
   tally::Result result;
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
   for (const auto& e : scene.environment) {
@@ -239,7 +262,7 @@ tally::Result describe(const Model& model) {
       }
   result.depth_edge_m = gates.depth_edges(scene.gates.depth_cells);
   result.title = scene.title;
-  result.scene_toml = scene::write_scene(scene);
+  result.scene_toml = scene::write_scene(scene_told(model));
   result.estimator = scene::word_of(scene.simulation.estimator);
   result.estimator_reason = scene.simulation.estimator_reason.value_or("");
   result.seed = scene.simulation.seed;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/twin_table.hpp"
+#include "estimator/apparent.hpp"
 #include "estimator/averaged_phases.hpp"
 #include "geometry/free_paths.hpp"
 #include "geometry/region.hpp"
@@ -38,7 +39,9 @@ struct AirTables {
 };
 
 struct Model {
-  scene::Scene scene;  ///< with what it leaves to the water (walk_attenuation)
+  /// As it is simulated: with what it leaves to the water (walk_attenuation), and with instruments
+  /// where they seem to stand if the air bends light.
+  scene::Scene scene;
   medium::Medium medium;
   geometry::FreePaths paths;
   tally::Gates gates;
@@ -48,6 +51,8 @@ struct Model {
   /// Between the sea and the laser, and each telescope; none where the air is clear.
   std::vector<AirTables> air_tables;
   std::vector<medium::OtherAir> other_airs;  ///< of scenes with air and environments
+  geometry::TooLong too_long;
+  Instruments told;  ///< as the scene has them
 };
 
 /// The check of a scene's optics, for scene::read_scene: whatever make_model would refuse. The
@@ -59,6 +64,9 @@ Model make_model(const scene::Scene& scene);
 
 /// The same scene, simulated otherwise.
 Model simulated_by(const Model& model, const scene::Simulation& simulation);
+
+/// What is simulated, with the instruments as they were told.
+scene::Scene scene_told(const Model& model);
 
 /// A result's axes, and what it says of the scene; the tallies are still to be filled in.
 tally::Result describe(const Model& model);

@@ -6,7 +6,6 @@
 #include "instrument/telescope.hpp"
 #include "medium/medium.hpp"
 #include "scene/scene.hpp"
-#include "tally/gates.hpp"
 
 namespace photic::estimator {
 
@@ -14,8 +13,8 @@ namespace photic::estimator {
 struct Reach {
   double deepest, range;
 };
-inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium,
-                      const tally::Gates& gates, double least_group_index) {
+inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium, double last_path,
+                      double least_group_index) {
   const auto above = [](double z) { return std::max(0.0, z); };
   const auto depth = [](double z) { return std::max(0.0, -z); };
   const double source = scene.source.position_m.z;
@@ -25,7 +24,7 @@ inline Reach reach_of(const scene::Scene& scene, const medium::Medium& medium,
     const double rise = instrument::lens_rise(t);
     const bool submerged = t.position_m.z < 0;
     const double in_water =
-        gates.last_path() - above(source) - above(t.position_m.z) + (submerged ? 0 : rise);
+        last_path - above(source) - above(t.position_m.z) + (submerged ? 0 : rise);
     const double higher = std::min(depth(source), depth(t.position_m.z));
     const double lower = std::max(depth(source), depth(t.position_m.z));
     const double deepest = std::max(

@@ -273,16 +273,18 @@ inline bool spreads_evenly(const scene::Scene& scene) {
 
 /// Light that the sea mirrors comes hardly later than what turns at the surface, and never before.
 /// So paths in the air are told as much longer as numbers of so many digits may make them shorter
-/// on the way between an instrument and the sea [m]: 0.4 mm from 3 km, 1 cm from space in float.
+/// on the way between an instrument and the sea [m]: 0.5 mm from 3 km, 2 cm from space in float.
+/// Length, delay, and half the sum of both ways: each is rounded by half the last digit.
 template <class T, class Instrument>
 double most_rounded_off(const Instrument& instrument, const medium::Medium& air) {
   const double epsilon = std::numeric_limits<Element<T>>::epsilon();
-  return epsilon * std::min(-instrument.position_m.z, air.air_m);
+  return 1.5 * epsilon * std::min(-instrument.position_m.z, air.air_m);
 }
 
 template <class T>
 World<T> make_world(const Model& model) {
-  const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables, others] = model;
+  const auto& [scene, medium, paths, gates, shape, averaged, air, air_tables, others, too_long,
+               told] = model;
   World<T> world;
   world.estimator = scene.simulation.estimator;
   world.sea = paths.slabs(medium);
@@ -311,7 +313,7 @@ World<T> make_world(const Model& model) {
         path_to_origin(laser_ahead, from_origin(t, origin), world.telescopes.back().above_air);
     if (medium.upside_down)
       left_out += most_rounded_off<T>(scene.source, medium) + most_rounded_off<T>(t, medium);
-    world.path_to_origin.push_back(left_out);
+    world.path_to_origin.push_back(left_out - too_long.both_paths(world.path_to_origin.size()));
     world.telescope_region.push_back(region(t, world.telescopes.size()));
   }
   add_groups(scene, world);
@@ -340,7 +342,8 @@ World<T> make_world(const Model& model) {
     greatest = std::max(greatest, line.group_index);
   }
   world.least_group_index = T(least);
-  const Reach reach = reach_of(scene, medium, gates, least);
+  const double last_path = gates.last_path() + too_long.most_of_both();
+  const Reach reach = reach_of(scene, medium, last_path, least);
   world.deepest = T(reach.deepest);
   world.averaged = model.averaged.view();
   const auto cones = walk_cones(scene, medium, reach.deepest);
@@ -383,7 +386,7 @@ World<T> make_world(const Model& model) {
     receiver.longest = T(longest);
     receiver.deadline = deadline_at_laser<T>(scene, longest, laser_ahead);
   }
-  world.deadlines = deadlines_at_telescopes<T>(scene, gates.last_path() + most_shorter(cones.laser),
+  world.deadlines = deadlines_at_telescopes<T>(scene, last_path + most_shorter(cones.laser),
                                                laser_ahead, greatest);
   world.last_order =
       scene.simulation.max_order ? static_cast<std::int32_t>(*scene.simulation.max_order) + 1 : 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/vec3.hpp"
 
@@ -58,9 +59,28 @@ inline AxisInWater axis_in_water(const Vec3<double>& position, const Vec3<double
   return {position + in_air * axis, normalised(refracted), in_air, n};
 }
 
+/// By how much the axes of the laser and each telescope are longer to the sea than they are, from
+/// where instruments seem to stand that air which bends light hides [m]; else none.
+struct TooLong {
+  std::vector<double> group_path, length;
+
+  /// Of the laser's axis and that of a telescope.
+  [[nodiscard]] double both_paths(std::size_t telescope) const {
+    return group_path.empty() ? 0 : group_path.front() + group_path[telescope + 1];
+  }
+  [[nodiscard]] double range(std::size_t telescope) const {
+    return length.empty() ? 0 : length[telescope + 1];
+  }
+  [[nodiscard]] double most_of_both() const {
+    double most = 0;
+    for (std::size_t t = 0; t + 1 < group_path.size(); ++t) most = std::max(most, both_paths(t));
+    return most;
+  }
+};
+
 /// Group path along an axis that looks down: to the surface, and per metre of depth above and below
-/// it, as if the air were clear. Of an instrument in the water `to_surface` is negative. NaN of axes
-/// that do not look down.
+/// it, as if the air were clear. Of an instrument in the water `to_surface` is negative. NaN of
+/// axes that do not look down.
 struct GroupPath {
   double to_surface, per_depth_in_air, per_depth_in_water;
 };

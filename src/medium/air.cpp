@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/interpolation.hpp"
+#include "medium/bent_axis.hpp"
 #include "medium/layer_optics.hpp"
 #include "optics/air_molecules.hpp"
 #include "optics/data_folder.hpp"
@@ -206,6 +207,15 @@ std::vector<std::string> air_told(const scene::Scene& scene, const Air& air) {
   }
   std::vector<std::string> out{fmt::format("{} layers {}, up to {:.6g} km; above them a vacuum",
                                            air.layers(), what, top_km)};
+  if (of.refraction) {
+    const auto axis = normalised(scene.source.direction);
+    const auto bent = bent_axis(air, scene.source.position_m.z, -axis.z);
+    out.push_back(fmt::format(
+        "refraction bends the laser's axis by {:.3g} urad; it meets the sea {:.3g} m "
+        "beside where it would go straight",
+        1e6 * std::abs(std::acos(bent.cosine) - std::acos(-axis.z)),
+        std::abs(bent.aside_m - scene.source.position_m.z * std::hypot(axis.x, axis.y) / -axis.z)));
+  }
   if (!air.depths) {
     out.push_back(fmt::format("optical depth at {:.6g} nm from the sea to the top: {:.4g}", nm,
                               air.optical_depth(0)));

@@ -88,4 +88,14 @@ AirDelay delay_of(const Air& air, std::size_t line) {
   return {air.height_m, to_edge};
 }
 
+void count_against_vacuum(const Air& air, Medium& sea) {
+  for (std::size_t l = 0; l < sea.line.size(); ++l) {
+    const double n = air.refractive_index[l * air.layers()],
+                 group = air.group_index[l * air.layers()];
+    Line& line = sea.line[l];
+    line.group_index = line.group_index * n + line.refractive_index * (group - n);
+  }
+  sea.finish();
+}
+
 }  // namespace photic::medium

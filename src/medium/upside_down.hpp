@@ -26,4 +26,8 @@ struct AirColumn {
 AirColumn column_to(const Air& air, double height_m);
 AirDelay delay_of(const Air& air, std::size_t line);
 
+/// Takes the group index of the water, told against air, against vacuum: n_g n_a + n (n_ga - n_a),
+/// with the indices of the lowest air [D]. Its index stays the one against that air.
+void count_against_vacuum(const Air& air, Medium& sea);
+
 }  // namespace photic::medium

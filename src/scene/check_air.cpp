@@ -1,9 +1,15 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "core/constants.hpp"
 #include "scene/checks.hpp"
 
 namespace photic::scene {
 namespace {
+
+/// Bent light is known up to these: by the axis of an instrument and what is near it alone.
+constexpr double most_bending_index = 1.001, most_bent_deg = 60;
 
 /// Light that comes to the sea from above, and goes back there, is all that the air is known for.
 void check_what_is_below(const Scene& scene, Findings& findings) {
@@ -97,6 +103,33 @@ void check_gases(const Atmosphere& air, Findings& findings) {
   }
 }
 
+/// Light that is bent is known along the axes of instruments that look down.
+void check_refraction(const Scene& scene, Findings& findings) {
+  const auto check = [&](const std::string& path, const Vec3<double>& direction) {
+    if (!findings.good({path}) || dot(direction, direction) == 0) return;
+    if (-normalised(direction).z < std::cos(most_bent_deg * radian_per_degree))
+      findings.add(
+          path,
+          fmt::format("the axis is more than {:g} degrees off nadir, where bent light is not known",
+                      most_bent_deg),
+          "look down more steeply, or leave atmosphere.refraction out");
+  };
+  check("source.direction", scene.source.direction);
+  for (std::size_t i = 0; i < scene.telescope.size(); ++i)
+    check(below(below("telescope", i), "direction"), scene.telescope[i].direction);
+  for (std::size_t i = 0; i < scene.atmosphere->layer.size(); ++i) {
+    const std::string path = below(below("atmosphere.layer", i), "refractive_index");
+    if (findings.good({path}) && scene.atmosphere->layer[i].refractive_index > most_bending_index)
+      findings.add(
+          path,
+          fmt::format(
+              "air of such an index bends light too much: with refraction at most {:g} can be "
+              "had",
+              most_bending_index),
+          "write a lower index, or leave atmosphere.refraction out");
+  }
+}
+
 }  // namespace
 
 void check_atmosphere(const Scene& scene, Findings& findings) {
@@ -106,6 +139,7 @@ void check_atmosphere(const Scene& scene, Findings& findings) {
   if (findings.good({"atmosphere.aerosol", "atmosphere.visibility_km"}))
     check_aerosols(air, findings);
   check_gases(air, findings);
+  if (air.refraction) check_refraction(scene, findings);
   check_heights(air.layer, findings);
   for (std::size_t i = 0; i < air.layer.size(); ++i) {
     const std::string path = below("atmosphere.layer", i);

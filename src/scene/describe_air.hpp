@@ -88,15 +88,16 @@ void describe_profile(V& v, Atmosphere& a) {
              "the relative humidity at levels up to 2 km in per cent, in which aerosols swell; by "
              "default the profile's");
   v.optional("top_km", a.top_km, positive, "where the air ends, in km above the sea");
-  v.unavailable("refraction",
-                "leave it out: light goes straight through the air, and back the same way, so that "
-                "its echo hardly knows where it would have been bent to");
   v.sections(expert("gases"), a.gases, Need::optional,
              "what gases absorb besides ozone, up to one height after the other");
 }
 
 template <class V>
 void describe(V& v, Atmosphere& a) {
+  v.optional(
+      expert("refraction"), a.refraction, YesOrNo{},
+      "whether the air bends the axes of instruments by Snell's law; the indices of the water "
+      "are then against the air at the sea");
   v.one_of(option(a.layer.empty(), [&](auto& w) { describe_profile(w, a); }),
            option(!a.layer.empty(), [&](auto& w) {
              w.sections(expert("layer"), a.layer, Need::required,

@@ -199,6 +199,7 @@ struct Atmosphere {
   double top_km = 100.0;
   std::vector<AirGases> gases;  ///< a ladder, from the sea up
   std::vector<AirLayer> layer;  ///< from the sea up; empty where there is a profile
+  bool refraction = false;      ///< layers bend light
 
   [[nodiscard]] bool has_aerosols() const { return aerosol != "none"; }
   friend bool operator==(const Atmosphere&, const Atmosphere&) = default;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/constants.hpp"
-#include "geometry/axis.hpp"
 
 namespace photic::tally {
 namespace {
@@ -90,8 +90,12 @@ double PathScale::path(double coordinate) const {
   return found;
 }
 
-Gates::Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines)
-    : source_(scene.source), telescope_(scene.telescope), laser_(lines.front()) {
+Gates::Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines,
+             geometry::TooLong too_long)
+    : source_(scene.source),
+      telescope_(scene.telescope),
+      laser_(lines.front()),
+      too_long_(std::move(too_long)) {
   const auto& interval = scene.gates.interval();
   const bool by_depth = scene.gates.depth_m.has_value();
   const bool by_range = scene.gates.range_m.has_value();
@@ -132,7 +136,7 @@ PathScale Gates::depth_scale(std::size_t telescope, const medium::Line& back) co
   const auto out = group_path_of(source_, laser_);
   const auto home = group_path_of(lens, back);
   PathScale scale;
-  scale.knee_path = out.to_surface + home.to_surface;
+  scale.knee_path = out.to_surface + home.to_surface - too_long_.both_paths(telescope);
   scale.slope_before = out.per_depth_in_air + home.per_depth_in_air;
   scale.slope_after = out.per_depth_in_water + home.per_depth_in_water;
   add_air({laser_.air_delay, back.air_delay, -1 / normalised(source_.direction).z,
@@ -162,16 +166,17 @@ PathScale Gates::range_scale(std::size_t number, const medium::Line& back) const
     return water_after ? light.group_index : in_air(light);
   };
   PathScale scale;
-  scale.knee_coordinate = level ? 0.0 : -z / axis.z;  // the surface
+  const double surface = level ? 0.0 : -z / axis.z;
+  scale.knee_coordinate = surface - too_long_.range(number);
   const double secant = level ? 0.0 : 1 / std::abs(axis.z);
   // From a place on the axis to the surface; negative from behind it.
   const auto to_surface = [&](double place, const medium::Line& light) {
-    const double way = scale.knee_coordinate - place;
+    const double way = surface - place;
     const double height = way * -axis.z;  // below 0 in the water
     const double delay = height > 0 ? light.air_delay.to(height) * secant : 0.0;
     return way * (way > 0 ? before(light) : after(light)) + std::copysign(delay, way);
   };
-  scale.knee_path = to_surface(ahead, laser_) + to_surface(0, back);
+  scale.knee_path = to_surface(ahead, laser_) + to_surface(0, back) - too_long_.both_paths(number);
   scale.slope_before = before(laser_) + before(back);
   scale.slope_after = after(laser_) + after(back);
   if (!level) add_air({laser_.air_delay, back.air_delay, secant, secant, 1 / axis.z}, scale);

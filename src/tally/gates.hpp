@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/lanes.hpp"
+#include "geometry/axis.hpp"
 #include "medium/medium.hpp"
 #include "scene/scene.hpp"
 
@@ -43,7 +44,8 @@ auto cell_below(const Double& place, std::int32_t count) {
 class Gates {
  public:
   /// The gates of a scene whose light travels in the lines of a medium.
-  Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines);
+  Gates(const scene::Scene& scene, const std::vector<medium::Line>& lines,
+        geometry::TooLong too_long = {});
 
   [[nodiscard]] std::int32_t count() const { return count_; }
 
@@ -82,6 +84,7 @@ class Gates {
   scene::Source source_;
   std::vector<scene::Telescope> telescope_;
   medium::Line laser_;  ///< its light
+  geometry::TooLong too_long_;
   bool depth_is_range_ = false;
   PathScale scale_;
   double min_ = 0, step_ = 1, max_ = 1;

@@ -297,7 +297,8 @@ TEST(Air, LightThatTheSeaMirrorsComesWithTheSurfacesGate) {
       const std::size_t air = r.gates();  // behind elastic light
       EXPECT_GT(r.echo_by_process.mean[air + 1], 0) << height;
       // What the air there sends back itself is less.
-      EXPECT_LT(r.echo_by_process.mean[air], 0.1 * r.echo_by_process.mean[air + 1])
+      const double most = height > 1000 ? 2e-4 : 0.02;
+      EXPECT_LT(r.echo_by_process.mean[air], most * r.echo_by_process.mean[air + 1])
           << estimator << ", " << height;
     }
 }

@@ -34,10 +34,8 @@ MeetingPoint<T> Connections<T>::meeting_point(const Met<T>& met, const Mask<T>& 
                                    select(at.converts, gather_index<T>(sea_.conversion_phase, line),
                                           gather_index<T>(sea_.elastic_phase, here)),
                                    out.direction, -back.direction);
-  const auto level = sea_.level(place, depth);
-  at.path = out.path + back.path +
-            sea_.group_path(Index<T>(0), geometry::level_of(sea_, out), level, at.length_out) +
-            sea_.group_path(line, geometry::level_of(sea_, back), level, at.length_back);
+  at.path = out.path + back.path + path_along(sea_, out, place, depth, at.length_out) +
+            path_along(sea_, back, place, depth, at.length_back);
   return at;
 }
 

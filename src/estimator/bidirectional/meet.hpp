@@ -38,6 +38,22 @@ geometry::OpticalDepths<T> depths_along(const geometry::Slabs& sea, const Ray<T>
           select(reflected, by_surface.walk, straight.walk)};
 }
 
+/// What these count as.
+template <class T>
+T path_along(const geometry::Slabs& sea, const Ray<T>& ray, const Index<T>& layer, const T& depth,
+             const T& length) {
+  const auto to = sea.level(layer, depth);
+  const T straight = sea.group_path(ray.line, geometry::level_of(sea, ray), to, length);
+  const Mask<T> reflected = ray.is_reflected();
+  if (!sea.upside_down || !any(reflected)) [[likely]]
+    return straight;
+  const auto from = sea.level(ray.layer, ray.position.z);
+  return select(reflected,
+                T(length * gather<T>(sea.group_index, ray.line) +
+                  sea.air_delay_by_surface(ray.line, from, to, length)),
+                straight);
+}
+
 /// A ray as a line over depth, its own or its image's in the surface.
 template <class T>
 struct DepthLine {

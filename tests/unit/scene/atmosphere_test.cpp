@@ -227,10 +227,7 @@ const std::vector<AirCase>& profile_cases() {
       {us + "gases = true",
        {"scene.toml:28:9: 'gases' must be one or more tables, not true (write "
         "[[atmosphere.gases]])"}},
-      {us + "refraction = true",
-       {"scene.toml:28:1: 'refraction' is not available yet (leave it out: light goes straight "
-        "through the air, and back the same way, so that its echo hardly knows where it would have "
-        "been bent to)"}},
+      {us + "refraction = 1", {"scene.toml:28:14: 'refraction' must be true or false, not 1"}},
   };
   return all;
 }
@@ -248,6 +245,11 @@ std::string layer(const std::string& bottom, const std::string& top, const std::
 const std::vector<AirCase>& layer_cases() {
   static const std::vector<AirCase> all{
       {layer("0", "10") + layer("10", "20"), {}},
+      {"[atmosphere]\nrefraction = true\n" + layer("0", "10", "refractive_index = 1.0005\n"), {}},
+      {"[atmosphere]\nrefraction = true\n" + layer("0", "10", "refractive_index = 1.2\n"),
+       {"scene.toml:32:20: air of such an index bends light too much: with refraction at most "
+        "1.001 can be "
+        "had (write a lower index, or leave atmosphere.refraction out)"}},
       {layer("1", "10"),
        {"scene.toml:27:19: the air begins at 1 m, not at the sea (write bottom_height_m = 0)"}},
       {layer("0", "10") + layer("11", "20"),

@@ -1,0 +1,46 @@
+#include "estimator/apparent.hpp"
+
+#include <cmath>
+
+#include "medium/bent_axis.hpp"
+#include "medium/upside_down.hpp"
+
+namespace photic::estimator {
+namespace {
+
+/// Of one instrument; what its angles are multiplied by.
+template <class Instrument>
+double put_where_it_seems(const medium::Air& air, Instrument& instrument,
+                          geometry::TooLong& too_long) {
+  Vec3<double>& at = instrument.position_m;
+  const auto axis = normalised(instrument.direction);
+  const double height = at.z;
+  const auto bent = medium::bent_axis(air, height, -axis.z);
+  const double sine = std::hypot(axis.x, axis.y);
+  const Vec3<double> level =
+      sine > 0 ? Vec3<double>{axis.x / sine, axis.y / sine, 0} : Vec3<double>{1, 0, 0};
+  const Vec3<double> seen =
+      std::sqrt(1 - bent.cosine * bent.cosine) * level - Vec3<double>{0, 0, bent.cosine};
+  at = Vec3<double>{at.x, at.y, 0} + bent.aside_m * level - bent.apparent_distance_m * seen;
+  instrument.direction = seen;
+  too_long.group_path.push_back(bent.apparent_distance_m +
+                                medium::delay_of(air, 0).to(height) / bent.cosine -
+                                bent.group_path_m);
+  too_long.length.push_back(bent.apparent_distance_m - bent.length_m);
+  return bent.apparent_angle;
+}
+
+}  // namespace
+
+geometry::TooLong put_where_they_seem(const medium::Air& air, scene::Scene& scene) {
+  geometry::TooLong too_long;
+  scene.source.half_divergence_mrad *= put_where_it_seems(air, scene.source, too_long);
+  for (scene::Telescope& t : scene.telescope) {
+    const double detector = t.effective_detector_diameter_m();
+    t.detector_diameter_m = detector * put_where_it_seems(air, t, too_long);
+    t.half_field_of_view_mrad.reset();
+  }
+  return too_long;
+}
+
+}  // namespace photic::estimator
