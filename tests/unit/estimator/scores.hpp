@@ -124,7 +124,8 @@ class Scores {
     const auto touched = world_.sea.upside_down ? transport::Touched::air
                          : bed                  ? transport::Touched::bed
                                                 : transport::Touched::water;
-    EXPECT_EQ(tally_.by_process[static_cast<std::size_t>(touched)], sum) << "of what it has touched";
+    EXPECT_EQ(tally_.by_process[static_cast<std::size_t>(touched)], sum)
+        << "of what it has touched";
     tally_.clear();
     return sum;
   }
