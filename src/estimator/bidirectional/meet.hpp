@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/flatten.hpp"
 #include "estimator/bidirectional/connection_end.hpp"
 #include "estimator/bidirectional/vertex.hpp"
 #include "geometry/sightline.hpp"
@@ -38,20 +39,25 @@ geometry::OpticalDepths<T> depths_along(const geometry::Slabs& sea, const Ray<T>
           select(reflected, by_surface.walk, straight.walk)};
 }
 
+/// By how much the air makes these longer than in a vacuum, as group path [m].
+template <class T>
+PHOTIC_APART T air_delay_along(const geometry::Slabs& sea, const Ray<T>& ray, const Index<T>& layer,
+                               const T& depth, const T& length) {
+  const auto to = sea.level(layer, depth);
+  const T straight = sea.air_delay(ray.line, geometry::level_of(sea, ray), to, length);
+  const Mask<T> reflected = ray.is_reflected();
+  if (!any(reflected)) return straight;
+  const auto from = sea.level(ray.layer, ray.position.z);
+  return select(reflected, sea.air_delay_by_surface(ray.line, from, to, length), straight);
+}
 /// What these count as.
 template <class T>
 T path_along(const geometry::Slabs& sea, const Ray<T>& ray, const Index<T>& layer, const T& depth,
              const T& length) {
-  const auto to = sea.level(layer, depth);
-  const T straight = sea.group_path(ray.line, geometry::level_of(sea, ray), to, length);
-  const Mask<T> reflected = ray.is_reflected();
-  if (!sea.upside_down || !any(reflected)) [[likely]]
-    return straight;
-  const auto from = sea.level(ray.layer, ray.position.z);
-  return select(reflected,
-                T(length * gather<T>(sea.group_index, ray.line) +
-                  sea.air_delay_by_surface(ray.line, from, to, length)),
-                straight);
+  const T path = length * gather<T>(sea.group_index, ray.line);
+  if (!sea.upside_down) [[likely]]
+    return path;
+  return path + air_delay_along(sea, ray, layer, depth, length);
 }
 
 /// A ray as a line over depth, its own or its image's in the surface.
