@@ -185,7 +185,10 @@ struct MediumView {
   template <class T>
   T group_path(const Index<T>& line, const Level<T>& from, const Level<T>& to,
                const T& length) const {
-    return length * gather<T>(group_index, line) + air_delay(line, from, to, length);
+    const T path = length * gather<T>(group_index, line);
+    if (!upside_down) [[likely]]
+      return path;
+    return path + slant(delay, line, from, to, length);
   }
   /// From a level straight to the surface.
   template <class T>
