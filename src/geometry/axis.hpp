@@ -59,8 +59,8 @@ inline AxisInWater axis_in_water(const Vec3<double>& position, const Vec3<double
   return {position + in_air * axis, normalised(refracted), in_air, n};
 }
 
-/// By how much the axes of the laser and each telescope are longer to the sea than they are, from
-/// where instruments seem to stand that air which bends light hides [m]; else none.
+/// Where air bends light, instruments are simulated where they seem to stand. By how much the axes
+/// of the laser and each telescope are longer from there to the sea than they are [m]; else none.
 struct TooLong {
   std::vector<double> group_path, length;
 

@@ -22,7 +22,7 @@ std::vector<Step> steps_to(const Air& air, double height_m) {
 
 }  // namespace
 
-/// With p = n sin(theta), D(p) = sum of h p / sqrt(n^2 - p^2): theory.md, eqs. 103 and 104.
+/// With p = n sin(theta), D(p) = sum of h p / sqrt(n^2 - p^2): theory.md, eq. 103.
 BentAxis bent_axis(const Air& air, double height_m, double cosine) {
   BentAxis out;
   const auto steps = steps_to(air, height_m);

@@ -68,8 +68,9 @@ double of_gate(double from, bool refraction) {
 }
 
 // By how much the echo of first order is weaker: the lens is seen from farther away, and aslant.
-// And when it comes: by way of the bent axis. Seen red: with instruments where they stand; with the
-// angle of the axis as it is at the instrument; with the path from where they seem to stand.
+// And when it comes: by way of the bent axis. Seen red: with the angle of the axis as it is at the
+// instrument; with the path from where that seems to stand; with instruments as far away as their
+// axes are long.
 TEST(Refraction, BendsTheAxesAsSnellsLawHasIt) {
   const double sine = std::sin(tilt_deg * radian_per_degree);
   const double straight = height / std::cos(tilt_deg * radian_per_degree);

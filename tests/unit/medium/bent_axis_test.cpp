@@ -31,9 +31,9 @@ Air dense_air() {
   return air;
 }
 
-// From 705 km, as integrated along the rays of the curved earth's incidence at 0.1, 3, 15 and 30
-// degrees off nadir: where axes meet the sea, beside where they would go straight, and by how much
-// steeper they are there. Seen red: with the index at the sea for that of the layer.
+// From 705 km: how far axes meet the sea from where they would go straight, and by how much steeper
+// they are there, in digits found by integration along the rays. The angles are those that a round
+// earth makes of 0.1, 3, 15 and 30 degrees off nadir.
 TEST(BentAxis, MeetsTheSeaAsideOfTheStraightOne) {
   struct Case {
     double incidence_deg, aside_m, steeper_urad;
