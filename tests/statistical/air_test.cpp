@@ -40,7 +40,7 @@ const std::string times = "[gates]\nstart_ns = 0.0\nstop_ns = 80.0\nstep_ns = 8.
 // on from one medium in the other, however often. Seen red: with what passes the surface left out;
 // with its direction mirrored; with the share of the light that is followed into the air left out
 // of its weight; with what the air takes left out of the telescope's ways, or of the laser's; with
-// the delay of any of these ways left out.
+// the delay left out of flights, of the telescope's ways, or of where rays meet.
 TEST(Air, OfTheWatersIndexIsAsLayersOfWater) {
   const std::string sea = "[sea]\nrefractive_index = 1.0\ngroup_index = 1.3\n";
   const std::string water = "[[sea.layer]]\n" + optics(0.05, 0.2, 0.8);

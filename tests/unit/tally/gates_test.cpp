@@ -124,7 +124,7 @@ double delay_to(double height, bool of_line_1) {
 }
 
 // Heights in the air between the sea and the instruments, straight or aslant. Seen red: with the
-// delay of the air spread evenly from the sea to the instruments, with that of line 0 for all.
+// delay of line 0 for all; without the bends at the layers' edges.
 TEST(DepthGates, AreHeightsInAirOfAnyGroupIndex) {
   auto scene = with_depth_gates(-11.5, 10, 0.5);
   put(scene.telescope[0], 11.8, 30);
@@ -148,7 +148,7 @@ TEST(DepthGates, AreHeightsInAirOfAnyGroupIndex) {
   }
 }
 
-// Seen red: with the delay below the lens for that above it.
+// Seen red: with bends before the surface where the axis looks up.
 TEST(RangeGates, KnowTheAirTheyLookInto) {
   scene::Scene scene = test::ship_scene();
   scene.gates = {};
