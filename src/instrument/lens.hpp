@@ -116,6 +116,23 @@ T translation_area(const Telescope<T>& telescope, const Vec3<T>& direction) {
       T(0));
 }
 
+/// The share of the open lens through which rays of a direction, either way, fall on the detector:
+/// in focus all of it or nothing, and then 1 is returned, as for a ray that is seen. Else it is
+/// that of light from infinitely far away, Telescope::overlap(). It is at least 1e-6, since the ray
+/// that asks is seen, whatever rounding makes of it.
+template <class T>
+T share_that_sees(const Telescope<T>& telescope, const Vec3<T>& direction) {
+  using std::abs;
+  using std::sqrt;
+  const T defocus = abs(telescope.detector_distance * telescope.per_sharp_range);
+  if (!any(defocus > telescope.least_defocus)) return T(1);
+  const auto aside = parts_in_plane(telescope, direction);
+  const T tangent =
+      sqrt(aside.x * aside.x + aside.y * aside.y) / abs(dot(direction, telescope.axis));
+  const T share = telescope.overlap(T(0), tangent);
+  return select(share > T(1e-6), share, T(1e-6));
+}
+
 /// How a ray comes through the lens if all of its light's way beyond is translated sideways: so far
 /// from where it did before; and how much longer its way from there is, along the ray.
 template <class T>

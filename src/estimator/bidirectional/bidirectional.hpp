@@ -128,7 +128,7 @@ struct FromTelescope : WalkDraws<T> {
     const auto ray = draw_entry(cone(), gather<T>(world.sea.index, record.line),
                                 gather<T>(world.sea.index, Index<T>(0)), u[2], u[3]);
     record.outward = ray.outside;
-    record.translation_area = translation_area(telescope, record.outward);
+    record.translation_area = translation_area(world, telescope, receiver.region, record.outward);
     auto birth = birth_at_telescope(world.sea, telescope, receiver.region, cone(), ray, record.line,
                                     record.lens);
     record.telescope = world.groups[receiver.group].narrowest(birth.sight);
@@ -156,7 +156,7 @@ struct FromTelescope : WalkDraws<T> {
     entry.exists = entry.exists & point.exists;
     entry.u_slope = w[2], entry.u_azimuth = w[3];
     record.outward = entry.outside;
-    record.translation_area = translation_area(telescope, record.outward);
+    record.translation_area = translation_area(world, telescope, receiver.region, record.outward);
     record.telescope = world.groups[receiver.group].narrowest(sight);
     return estimator::birth_through_waves(
         world.sea, receiver.region, cone(), entry, true, record.line, u[2], u[3],

@@ -140,9 +140,9 @@ void Connections<T>::score_to_telescope(const Pairing<T>& pairing, const Vertex&
                                       gather_index<T>(sea_.elastic_phase, sea_.at(line, v.layer))))
               : free_area(instrument(), footprint, line, v.layer, Mask<T>(false), -way.direction.z,
                           -v.direction, T(1));
-  const auto freedom =
-      path_freedom(in_path.order, instrument::translation_area(telescope_, way.arriving), depth,
-                   telescope_area, free_area(laser_, of_laser, pairing.laser));
+  const auto freedom = path_freedom(
+      in_path.order, translation_area(world_, telescope_, receiver_.region, way.arriving), depth,
+      telescope_area, free_area(laser_, of_laser, pairing.laser));
   const Freedom<T> here{freedom.at_last, axis_at(v.position, way.direction, v.direction)};
   const T behind = behind_laser_vertex(pairing, v, in_path, freedom, here.axis);
   const ConnectionEnd from =

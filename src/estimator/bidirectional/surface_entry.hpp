@@ -17,6 +17,7 @@
 #include "estimator/world.hpp"
 #include "geometry/sightline.hpp"
 #include "instrument/laser.hpp"
+#include "instrument/lens.hpp"
 #include "surface/waves.hpp"
 #include "transport/connect_waves.hpp"
 #include "transport/cross.hpp"
@@ -29,6 +30,18 @@ namespace photic::estimator {
 template <class T>
 bool enters_through_waves(const World<T>& world, const geometry::Region<T>& region) {
   return world.sea.waves.rough && region.in_air;
+}
+
+/// The area over which a telescope draws rays of a direction, of the open lens as they come through
+/// it on a horizontal plane: so far may they be translated sideways [m^2]. Through waves it draws
+/// those alone that the detector sees; else its cone's, wherever they come through the lens.
+template <class T>
+T translation_area(const World<T>& world, const instrument::Telescope<T>& telescope,
+                   const geometry::Region<T>& region, const Vec3<T>& direction) {
+  const T area = instrument::translation_area(telescope, direction);
+  return enters_through_waves(world, region)
+             ? area * instrument::share_that_sees(telescope, direction)
+             : area;
 }
 
 /// By a ray of the laser, from two uniforms.

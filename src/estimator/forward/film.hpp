@@ -12,7 +12,7 @@
 namespace photic::estimator {
 
 /// Blocks of an event's random numbers, one for each time that a photon comes to a film in it.
-inline constexpr std::uint32_t film_blocks = std::uint32_t{1} << 23;
+inline constexpr std::uint32_t film_blocks = std::uint32_t{1} << 25;
 
 /// The chance that a photon goes on as light that the film emits downwards. What that adds to an
 /// echo of the film is a few per cent, but all of the film's light in deeper gates.
