@@ -18,15 +18,16 @@ std::string folder_of(const std::string& file) {
 
 /// The scene with what an earlier run of it chose, where it leaves the choice open.
 scene::Scene as_chosen(scene::Scene now, const scene::Scene& then) {
+  const auto take = [](auto& open, const auto& value) {
+    if (!open) open = value;
+  };
   scene::Simulation& s = now.simulation;
   const scene::Simulation& chosen = then.simulation;
+  take(s.batch_photons, chosen.batch_photons);
   if (s.estimator == scene::Estimator::automatic && chosen.estimator_reason)
     s.estimator = chosen.estimator;
   else if (s.estimator != scene::Estimator::bidirectional || s.estimator != chosen.estimator)
     return now;
-  const auto take = [](auto& open, const auto& value) {
-    if (!open) open = value;
-  };
   take(s.estimator_reason, chosen.estimator_reason);
   take(s.walk_attenuation, chosen.walk_attenuation);
   take(s.directed_fraction, chosen.directed_fraction);
@@ -104,8 +105,10 @@ Earlier take_up(const std::string& file, const scene::Scene& scene) {
 }
 
 bool is_same_scene(const io::RunSoFar& run, const std::string& file, const scene::Scene& scene) {
+  scene::Scene open = scene;
+  open.simulation.batch_photons.reset();  // how it is simulated, not what
   try {
-    return obstacles(run, file, scene).empty();
+    return obstacles(run, file, open).empty();
   } catch (const InputError&) {  // its scene is none to this program
     return false;
   }

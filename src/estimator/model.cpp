@@ -24,6 +24,9 @@
 namespace photic::estimator {
 namespace {
 
+constexpr std::uint64_t most_batch_photons_of_walks = 2000;
+constexpr std::uint64_t enough_batches = 40;  // to know errors by their scatter
+
 /// The process of a line's light that has touched something.
 std::string process_of(const medium::Line& line, transport::Touched touched) {
   if (line.process == medium::Process::elastic) {
@@ -155,6 +158,17 @@ std::string values_untold(const scene::Environment& environment) {
 
 }  // namespace
 
+std::uint64_t batch_photons(const scene::Simulation& simulation) {
+  if (simulation.batch_photons) return *simulation.batch_photons;
+  std::uint64_t photons = simulation.estimator == scene::Estimator::bidirectional
+                              ? most_batch_photons_of_walks
+                              : scene::most_batch_photons;
+  if (!simulation.photons) return photons;
+  while (photons > scene::least_batch_photons && *simulation.photons / photons < enough_batches)
+    photons /= 2;
+  return photons;
+}
+
 scene::Check optics_check() {
   return [library = std::shared_ptr<const optics::Library>()](const scene::Scene& scene,
                                                               scene::Findings& findings) mutable {
@@ -191,6 +205,8 @@ Model make_model(const scene::Scene& scene) {
     effective.simulation.directed_fraction = scene::directed_fraction_in(scene);
     effective.simulation.scored_points = scene::scored_points_in(scene);
   }
+  if (scene.simulation.estimator != scene::Estimator::automatic)
+    effective.simulation.batch_photons = batch_photons(scene.simulation);
   auto paths = free_paths(medium, scene.simulation);
   auto averaged = averaged_phases(scene, medium);
   return {std::move(effective),

@@ -21,12 +21,10 @@
 
 namespace photic::estimator {
 
-/// The photons of a batch (batches.hpp), such that to begin, end and merge it costs little of the
-/// time that it takes: fewer of the bidirectional estimator, of which each takes tens of times as
-/// long.
-inline std::uint64_t batch_photons(const scene::Simulation& simulation) {
-  return simulation.estimator == scene::Estimator::bidirectional ? 2000 : 8000;
-}
+/// The photons of a batch, as the simulation asks for, or else so many that a run has batches
+/// enough to know its errors, and that to begin, end and merge one costs little of the time that it
+/// takes: fewer of the bidirectional estimator, of which each takes tens of times as long.
+std::uint64_t batch_photons(const scene::Simulation& simulation);
 
 /// A medium::AirColumn as lanes read it.
 struct AirTables {

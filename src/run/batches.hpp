@@ -77,9 +77,10 @@ class RunControl {
  private:
   /// Whether rows rest that have met the target: where light that is not asked for is not walked.
   [[nodiscard]] bool rests() const;
-  /// Whether the target is looked at after so many batches.
-  [[nodiscard]] bool is_look(std::uint64_t merged_batches) const;
-  [[nodiscard]] std::uint64_t batches_between_looks() const;
+  /// After how many batches the target is looked at next.
+  [[nodiscard]] static std::uint64_t look_after(std::uint64_t merged_batches);
+  /// Whether it is after so many.
+  [[nodiscard]] static bool is_look(std::uint64_t merged_batches);
   [[nodiscard]] tally::Totals goes_on_from(const tally::Shape& shape) const;
   void tell(const tally::Totals& totals);
   void checkpoint_if_due(const tally::Totals& totals);

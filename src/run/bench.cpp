@@ -39,6 +39,7 @@ Candidate candidate(const scene::Scene& scene, scene::Estimator estimator,
   scene::Simulation& s = c.simulation;
   s.estimator = estimator;
   s.estimator_reason.reset();
+  s.photons.reset();
   s.target_relative_error.reset();
   s.max_time_s.reset();
   s.reception = defaults.reception;

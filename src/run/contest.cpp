@@ -58,8 +58,11 @@ Isa engine_of_pilots(const RunOptions& options) {
 estimator::Model model_of(const estimator::Model& open, const Contender& contender) {
   scene::Simulation s = contender.simulation;
   s.seed ^= pilot_stream;
+  s.photons.reset();
   s.target_relative_error.reset();
   s.max_time_s.reset();
+  s.batch_photons.reset();
+  s.batch_photons = estimator::batch_photons(s);  // of any run: pilots have smaller ones in these
   return estimator::simulated_by(open, s);
 }
 

@@ -9,7 +9,8 @@
 namespace photic::run {
 namespace {
 
-constexpr std::uint64_t photons_between_looks = 200000;  // at the target
+// Batches until the target is first looked at, which doubles until it is so many.
+constexpr std::uint64_t first_look = 32, between_looks = 128;
 constexpr double seconds_between_tellings = 0.2;
 
 [[noreturn]] void refuse(const Start& start, const std::string& reason,
@@ -38,20 +39,22 @@ std::uint64_t RunControl::photons_of(std::uint64_t batch) const {
 
 std::uint64_t RunControl::known_until(std::uint64_t merged_batches) const {
   if (!rests()) return std::numeric_limits<std::uint64_t>::max();
-  return (merged_batches / batches_between_looks() + 2) * batches_between_looks();
+  return look_after(look_after(merged_batches));
 }
 
 std::vector<bool> RunControl::resting(const tally::Totals& totals, std::uint64_t batch,
                                       std::uint64_t merged_batches) const {
-  return totals.resting(batch / batches_between_looks() > merged_batches / batches_between_looks());
+  return totals.resting(batch >= look_after(merged_batches));
 }
 
-std::uint64_t RunControl::batches_between_looks() const {
-  return photons_between_looks / batch_photons_;
+std::uint64_t RunControl::look_after(std::uint64_t merged_batches) {
+  for (std::uint64_t look = first_look; look < between_looks; look *= 2)
+    if (merged_batches < look) return look;
+  return (merged_batches / between_looks + 1) * between_looks;
 }
 
-bool RunControl::is_look(std::uint64_t merged_batches) const {
-  return merged_batches % batches_between_looks() == 0;
+bool RunControl::is_look(std::uint64_t merged_batches) {
+  return merged_batches > 0 && look_after(merged_batches - 1) == merged_batches;
 }
 
 void RunControl::look(tally::Totals& totals, std::uint64_t merged_batches) const {

@@ -131,6 +131,10 @@ void describe(V& v, Simulation& s) {
              "thirds of it");
   v.optional(expert("sampling"), s.sampling, ChoiceOf<Sampling>{},
              "how the photons or walks of a batch begin");
+  v.optional(expert("batch_photons"), s.batch_photons,
+             Count{least_batch_photons, most_batch_photons},
+             "photons of a batch: errors are those of the scatter of batches; by default the most "
+             "of which photons holds 40 batches, and 2000 at most of the bidirectional estimator");
   v.section(expert("tools"), s.tools, Need::optional,
             "variance reduction by the forward estimator");
 }

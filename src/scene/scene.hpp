@@ -244,6 +244,9 @@ struct Tools {
   [[nodiscard]] bool any() const;
 };
 
+/// Photons of a batch that a scene may ask for.
+inline constexpr std::int64_t least_batch_photons = 250, most_batch_photons = 8000;
+
 struct Simulation {
   Estimator estimator = Estimator::automatic;
   std::optional<std::string> estimator_reason;  ///< why "auto" chose it
@@ -268,7 +271,8 @@ struct Simulation {
   std::optional<double> walk_attenuation;  ///< bidirectional: share of c that free paths are drawn
                                            ///< from; none: as the water asks for
   Sampling sampling = Sampling::quasi_random;
-  Tools tools;  ///< forward
+  std::optional<std::uint64_t> batch_photons;  ///< none: by how many photons are asked for
+  Tools tools;                                 ///< forward
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };
 

@@ -1,6 +1,7 @@
 """photic run --continue: a run in several sittings equals one long run; what cannot be gone on from is refused."""
 
 import math
+import tomllib
 
 import netCDF4
 import pytest
@@ -17,12 +18,16 @@ def run(photic):
     return call
 
 
-# 23500 photons end within a batch, 24000 with one.
-@pytest.mark.parametrize("earlier", [23500, 24000])
+SMALLEST = ["--set", "simulation.batch_photons=250"]  # of few photons
+
+
+# 23600 photons end within a batch of 500, 24000 with one.
+@pytest.mark.parametrize("earlier", [23600, 24000])
 @pytest.mark.parametrize("threads", [1, 3])
 def test_two_sittings_equal_one_long_run(run, scene, tmp_path, earlier, threads):
-    # Seen red: with the incomplete batch left in the state; with the state of by_depth as floats in the file.
-    run("quick.toml", "--photons", "61500", "-o", "long.nc")
+    # Seen red: with the incomplete batch left in the state; with the state of by_depth as floats in the file; with
+    # batch_photons chosen anew by the photons of the longer run.
+    run("quick.toml", "--photons", "61500", "-o", "long.nc", "--set", "simulation.batch_photons=500")
     run("quick.toml", "--photons", earlier, "-o", "old.nc", "--threads", threads)
     done = run("quick.toml", "--photons", "61500", "--continue", "old.nc", "-o", "new.nc", "--threads", threads)
     assert done.stderr == ""
@@ -37,7 +42,7 @@ def test_two_sittings_equal_one_long_run(run, scene, tmp_path, earlier, threads)
 
 
 def test_the_scene_may_be_left_out_and_the_result_replaced(run, scene, tmp_path):
-    run("quick.toml", "--set", "sea.layer.0.chlorophyll_mg_m3=0.4", "--photons", "41000", "-o", "long.nc")
+    run("quick.toml", "--set", "sea.layer.0.chlorophyll_mg_m3=0.4", "--photons", "41000", "-o", "long.nc", *SMALLEST)
     run("quick.toml", "--set", "sea.layer.0.chlorophyll_mg_m3=0.4", "--photons", "7000", "-o", "echo.nc")
     scene.unlink()
     run("--continue", "echo.nc", "--photons", "9000")
@@ -57,8 +62,9 @@ def test_a_run_ended_by_time_goes_on(run, scene, tmp_path):
     run("quick.toml", "--photons", "1e15", "--max-time", "0.4s")
     with netCDF4.Dataset(tmp_path / "quick.nc") as old:
         total = int(old.photons) + 12345
+        batch = tomllib.loads(old.scene)["simulation"]["batch_photons"]
     run("quick.toml", "--photons", total, "--continue", "quick.nc", "-o", "new.nc", "--max-time", "1h")
-    run("quick.toml", "--photons", total, "-o", "long.nc", "--max-time", "1h")
+    run("quick.toml", "--photons", total, "-o", "long.nc", "--max-time", "1h", "--set", f"simulation.batch_photons={batch}")
     assert contents(tmp_path / "new.nc") == contents(tmp_path / "long.nc")
 
 
@@ -73,6 +79,8 @@ def test_the_same_total_again_changes_nothing(run, scene, tmp_path):
 REFUSED = {
     ("--photons", "19999"): "old.nc: holds 20000 photons already, more than the 19999 asked for "
     "(--photons is the total, not what is added)\n1 problem in old.nc\n",
+    ("--set", "simulation.batch_photons=1000"): "old.nc: simulation.batch_photons was 500 and is 1000 now (a run that "
+    "goes on may change photons, target_relative_error and max_time_s alone)\n1 problem in old.nc\n",
     ("--seed", "2"): "old.nc: simulation.seed was 1 and is 2 now (a run that goes on may change photons, "
     "target_relative_error and max_time_s alone)\n1 problem in old.nc\n",
     ("--set", "sea.layer.1.cdom_a440_per_m=0.5", "--set", "simulation.max_order=3"):

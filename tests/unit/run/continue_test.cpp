@@ -8,7 +8,7 @@
 namespace photic::run {
 namespace {
 
-constexpr std::uint64_t whole_batch = 8000;  // of the forward estimator
+constexpr std::uint64_t whole_batch = 8000;
 
 scene::Scene scene_of(std::uint64_t photons, const std::string& more = "",
                       const std::string& estimator = "forward") {
@@ -16,7 +16,9 @@ scene::Scene scene_of(std::uint64_t photons, const std::string& more = "",
       test::ship_instrument + test::channel("elastic") + test::channel("raman") +
       "[[sea.layer]]\nbottom_depth_m = 9.1\nchlorophyll_mg_m3 = 0.5\n[bottom]\nalbedo = 0.2\n" +
       test::depth_gates(10, 2) +
-      test::simulation(static_cast<double>(photons), 5, "max_order = 3\n" + more, estimator));
+      test::simulation(static_cast<double>(photons), 5,
+                       fmt::format("max_order = 3\nbatch_photons = {}\n", whole_batch) + more,
+                       estimator));
 }
 
 tally::Result run_on(int threads, const scene::Scene& scene) {
