@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "core/interpolation.hpp"
@@ -54,6 +55,11 @@ Values at_levels(const Values& z_km, const Values& values, const Values& levels_
   return out;
 }
 
+double depth_of(const AirProfile& profile, const Values& extinction_per_km) {
+  const double bottom = profile.z_km.front(), top = profile.z_km.back();
+  return (top - bottom) * mean_between(profile.z_km, extinction_per_km, bottom, top);
+}
+
 }  // namespace
 
 AerosolProfiles::AerosolProfiles(const DataTable& table)
@@ -72,7 +78,7 @@ AerosolProfiles::AerosolProfiles(const DataTable& table)
 }
 
 double aerosols_of_visibility_per_km(double visibility_km) {
-  return 3.912 / visibility_km - molecules_at_visibility_per_km;
+  return contrast_depth / visibility_km - molecules_at_visibility_per_km;
 }
 
 AirProfile with_aerosols(const AirLibrary& library, AirProfile profile, double visibility_km,
@@ -97,6 +103,33 @@ AirProfile with_aerosols(const AirLibrary& library, AirProfile profile, double v
   put(stratosphere, p.stratosphere[s]);
   put(upper_atmosphere, p.upper_atmosphere);
   profile.source += "; aerosols " + p.source;
+  return profile;
+}
+
+double aerosol_depth(const AirProfile& profile) {
+  double depth = 0;
+  for (const auto& aerosols : profile.aerosols_per_km) depth += depth_of(profile, aerosols);
+  return depth;
+}
+
+AirProfile with_aerosol_depth(AirProfile profile, double depth) {
+  Values& low = profile.aerosols_per_km[boundary_layer];
+  const double below = depth_of(profile, low), above = aerosol_depth(profile) - below;
+  if (below == 0)
+    throw InputError({{"", 0, 0,
+                       "the profile has no aerosols in the boundary layer, which an optical depth "
+                       "scales",
+                       "give it a visibility, or aerosols"}});
+  if (depth < above) {
+    constexpr double digits = 1e4;
+    throw InputError({{"", 0, 0,
+                       fmt::format("{:g} is less than the optical depth at 550 nm of the aerosols "
+                                   "above the boundary layer alone, {:.4g}",
+                                   depth, above),
+                       fmt::format("write at least {:g}, or aerosol = \"none\"",
+                                   std::ceil(digits * above) / digits)}});
+  }
+  for (double& extinction : low) extinction *= (depth - above) / below;
   return profile;
 }
 

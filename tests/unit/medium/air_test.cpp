@@ -87,6 +87,81 @@ TEST(Air, HasTheExtinctionOfItsVisibilityAtTheSea) {
   }
 }
 
+/// Of the aerosols, from layers at 550 nm; the builder halves them for the laser's light.
+double aerosol_depth_of(const scene::Atmosphere& atmosphere, double laser_nm) {
+  scene::Scene scene = test::ship_scene();
+  scene.atmosphere = atmosphere;
+  std::vector<Line> lines(1);
+  lines[0].wavelength_nm = laser_nm;
+  double depth = 0;
+  for (const auto& layer : AirBuilder(scene, lines).at(scene, 550, optics::Phases::left_out).layers)
+    depth +=
+        (layer.aerosols_a_per_m + layer.aerosols_b_per_m) * 1e3 * (layer.top_km - layer.bottom_km);
+  return depth;
+}
+
+/// Levels with aerosols of their own, of depth 0.27 below and 0.02 above.
+scene::UserTable hazy_levels() {
+  return {optics::DataTable::parse("z_km,p_hpa,t_k,boundary_layer_per_km,troposphere_per_km\n"
+                                   "0,1013,288,0.2,0\n1,899,282,0.14,0\n2,795,275,0.06,0.02\n"
+                                   "3,701,269,0,0.01\n9,308,230,0,0\n",
+                                   "levels"),
+          {"z_km", "p_hpa", "t_k", "boundary_layer_per_km", "troposphere_per_km"}};
+}
+
+// Whatever the layers are. Seen red: with the profile scaled before its layers are halved (1e-3
+// off); with LOWTRAN's aerosols for those of the levels.
+TEST(Air, HasTheAerosolOpticalDepthThatIsGiven) {
+  for (const double laser_nm : {355.0, 532.0, 1064.0})
+    for (const char* aerosol : {"rural", "maritime", "opac-ssam-80"})
+      for (const double depth : {0.09, 0.2, 1.3}) {
+        scene::Atmosphere air = clear_air("tropical");
+        air.aerosol = aerosol;
+        air.aerosol_optical_depth_550 = depth;
+        EXPECT_NEAR(aerosol_depth_of(air, laser_nm) / depth, 1, 1e-9) << aerosol << laser_nm;
+        EXPECT_NEAR(air_of(air, {laser_nm}).depths->aerosols_550 / depth, 1, 1e-9);
+      }
+  scene::Atmosphere low = clear_air();
+  low.aerosol = "maritime";
+  low.aerosol_optical_depth_550 = 0.2;
+  low.top_km = 1.6;
+  EXPECT_NEAR(aerosol_depth_of(low, 532), 0.2, 1e-9);
+  scene::Atmosphere own = low;
+  own.profile = hazy_levels();
+  own.top_km = 9;
+  EXPECT_NEAR(aerosol_depth_of(own, 532), 0.2, 1e-9);
+  const optics::AirLibrary& tables = library().air();
+  const auto scaled = as_deep_as_given(own, profile_to_top(own, whole_profile(own, tables)));
+  EXPECT_EQ(scaled.aerosols_per_km[optics::troposphere][2], 0.02);
+  EXPECT_LT(scaled.aerosols_per_km[optics::boundary_layer][1], 0.14);
+}
+
+// The same aerosols, of the visibility that is as deep. Seen red: with 50 km for the visibility
+// whose aerosols are scaled.
+TEST(Air, OfAnOpticalDepthIsThatOfItsVisibility) {
+  const Air clear = air_of(hazy_air("maritime", 23), {532, 355});
+  scene::Atmosphere deep = clear_air();
+  deep.aerosol = "maritime";
+  deep.aerosol_optical_depth_550 = clear.depths->aerosols_550;
+  const Air air = air_of(deep, {532, 355});
+  ASSERT_EQ(air.height_m, clear.height_m);
+  for (std::size_t i = 0; i < air.b.size(); ++i) {
+    EXPECT_NEAR(air.b[i] / clear.b[i], 1, 1e-12);
+    EXPECT_NEAR(air.a[i], clear.a[i], 1e-12 * clear.b[i]);
+  }
+}
+
+// What photic show says. Seen red: with four digits.
+TEST(Air, TellsItsAerosolsAt550Nm) {
+  scene::Scene scene = test::ship_scene();
+  scene.atmosphere = clear_air();
+  scene.atmosphere->aerosol = "maritime";
+  scene.atmosphere->aerosol_optical_depth_550 = 0.1234567;
+  const auto air = build_air(scene, {Line{.wavelength_nm = 532}}).value();
+  const auto told = air_told(scene, air);
+  EXPECT_EQ(std::ranges::count(told, "optical depth of the aerosols at 550 nm: 0.1234567"), 1);
+}
+
 /// Levels at each km up to 20 km, in dry air.
 scene::UserTable dry_levels() {
   std::string text = "z_km,p_hpa,t_k\n";
@@ -274,6 +349,22 @@ TEST(CheckOfAir, EveryTextWithLineAndColumn) {
             Texts{"scene.toml:28:11: no aerosol model \"martian\" (there are: rural, maritime, "
                   "urban, tropospheric, fog-advection, fog-radiation, stratospheric, meteoric, "
                   "opac-waso-80 and so on)"});
+  EXPECT_EQ(of_section(us_standard + "aerosol_optical_depth_550 = 0.05"),
+            Texts{"scene.toml:28:29: 0.05 is less than the optical depth at 550 nm of the aerosols "
+                  "above the boundary layer alone, 0.08837 (write at least 0.0884, or aerosol = "
+                  "\"none\")"});
+  EXPECT_EQ(of_section(us_standard + "aerosol_optical_depth_550 = 0.0884"), Texts{});
+  EXPECT_EQ(of_section(levels("[0, 9]", ", troposphere_per_km = [0.1, 0]") +
+                       "top_km = 9\naerosol_optical_depth_550 = 2"),
+            Texts{"scene.toml:29:29: the profile has no aerosols in the boundary layer, which an "
+                  "optical depth scales (give it a visibility, or aerosols)"});
+  EXPECT_EQ(of_section(us_standard + "top_km = 12000"),
+            Texts{"scene.toml:28:10: the profile ends at 120 km, below the top of the air at 12000 "
+                  "km (did you mean 12? 12000 would be in m)"});
+  EXPECT_EQ(of_section(levels("[0, 9000]")),
+            Texts{"scene.toml:27:24: the pressure falls from 1000 to 300 hPa between 0 and 9000 "
+                  "km: in hydrostatic air of 260 K that takes 9.16 km (are the altitudes in m, and "
+                  "not in km?)"});
   EXPECT_EQ(of_section(us_standard + "top_km = 121"),
             Texts{"scene.toml:28:10: the profile ends at 120 km, below the top of the air at 121 "
                   "km (write top_km = 120, or add levels)"});
@@ -284,7 +375,8 @@ TEST(CheckOfAir, EveryTextWithLineAndColumn) {
             Texts{"scene.toml:27:11: the profile begins at 1 km, not at the sea (add a level at "
                   "0)"});
   std::string km = "z_km,p_hpa,t_k\n";
-  for (int z = 0; z <= 1000; ++z) km += std::to_string(z / 10.0) + ",1,280\n";
+  for (int z = 0; z <= 1000; ++z)
+    km += std::to_string(z / 10.0) + "," + std::to_string(1000 * std::exp(-z / 80.0)) + ",280\n";
   const std::string path = ::testing::TempDir() + "photic-long-air.csv";
   std::ofstream(path) << km;
   EXPECT_EQ(of_section("[atmosphere]\nprofile = \"" + path + "\""),
@@ -304,7 +396,18 @@ TEST(CheckOfAir, OfAFileTellsItsLine) {
   const std::string path = ::testing::TempDir() + "photic-bad-air.csv";
   std::ofstream(path) << "z_km,p_hpa,t_k\n0,1000,290\n9,300,3\n";
   EXPECT_EQ(of_section("[atmosphere]\nprofile = \"" + path + "\"\ntop_km = 9"),
-            Texts{path + ":3:7: t_k 3 is below 50"});
+            Texts{path + ":3:7: t_k 3 is below 50 (is it in degrees Celsius, and not in K?)"});
+}
+
+// Not in the check alone: a profile of altitudes in metres was 17.5 deep for 0.47. Seen red: with
+// doubts that nobody asks for.
+TEST(CheckOfAir, RemarksOnUnitsOfItsProfile) {
+  const auto told = [](const std::string& section) {
+    return remarks({{25, 25, scene::base_lines()[24] + "\n" + section}});
+  };
+  EXPECT_EQ(told(us_standard), Texts{});
+  EXPECT_EQ(told(levels("[0, 9]", ", relative_humidity_percent = [0.8, 0.3]") + "top_km = 9"),
+            Texts{"scene.toml:27:11: the relative humidity is 0.8 % at most: is it a fraction?"});
 }
 
 // At the laser's wavelength and at those of all lines: there are no data of molecules above 1100

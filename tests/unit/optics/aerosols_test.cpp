@@ -138,6 +138,37 @@ TEST(AerosolProfiles, KnowSeasons) {
   EXPECT_EQ(air_of(23, "spring-summer").aerosols_per_km[stratosphere][20], 0.000589);
 }
 
+// Expected values: LOWTRAN 7's depths of the regions above, as it prints them. Seen red: with all
+// regions scaled; with the depth of the boundary layer alone.
+TEST(AerosolDepth, IsThatOfAllAerosolsAndScalesTheLowest) {
+  const AirProfile air = air_of(5, "spring-summer");
+  EXPECT_NEAR(aerosol_depth(air), 1.082 + 0.08102 + 7.198e-3 + 1.591e-4, 1e-3);
+  for (const double depth : {0.0885, 0.2, 1.0, 5.0}) {
+    const AirProfile scaled = with_aerosol_depth(air, depth);
+    EXPECT_NEAR(aerosol_depth(scaled), depth, 1e-12);
+    for (const auto region : {troposphere, stratosphere, upper_atmosphere})
+      EXPECT_EQ(scaled.aerosols_per_km[region], air.aerosols_per_km[region]);
+    const double factor =
+        scaled.aerosols_per_km[boundary_layer][0] / air.aerosols_per_km[boundary_layer][0];
+    EXPECT_NEAR(factor * 1.0824, depth - 0.08838, 1e-3);
+    EXPECT_DOUBLE_EQ(scaled.aerosols_per_km[boundary_layer][1],
+                     factor * air.aerosols_per_km[boundary_layer][1]);
+  }
+}
+
+TEST(AerosolDepth, RefusesLessThanThereIsAbove) {
+  const AirProfile air = air_of(23, "spring-summer");
+  EXPECT_EQ(message<InputError>([&] { with_aerosol_depth(air, 0.05); }),
+            "0.05 is less than the optical depth at 550 nm of the aerosols above the boundary "
+            "layer alone, 0.08837 (write at least 0.0884, or aerosol = \"none\")");
+  EXPECT_NEAR(aerosol_depth(with_aerosol_depth(air, 0.0884)), 0.0884, 1e-12);
+  expect_contains(
+      message<InputError>(
+          [&] { with_aerosol_depth(air_library().atmosphere("us-standard"), 0.2); }),
+      "the profile has no aerosols in the boundary layer, which an optical depth scales "
+      "(give it a visibility, or aerosols)");
+}
+
 TEST(AerosolProfiles, RefuseWhatTheyDoNotKnow) {
   expect_contains(message<InputError>([] { air_of(0.1, "fall-winter"); }),
                   "a visibility of 0.1 km is outside 0.2 to 300 km");

@@ -170,6 +170,50 @@ TEST(AirProfileTable, SaysWhatIsWrongAndWhere) {
     expect_contains(message<InputError>([&] { parsed(table.text); }), table.says);
 }
 
+// At 2 km there is none, nor at 0 km: half way between 60 and 40 %, and as at 1 km. Seen red: with
+// 0 there; with vapour itself on a straight line.
+TEST(AirProfileTable, FollowsHumidityWhereItIsMissing) {
+  const auto read = [](const std::string& column, const std::vector<std::string>& values) {
+    std::string text = "z_km,p_hpa,t_k," + column + "\n";
+    const char* levels[] = {"0,1013,288", "1,899,282", "2,795,275", "3,701,269"};
+    for (std::size_t i = 0; i < values.size(); ++i) text += levels[i] + ("," + values[i]) + "\n";
+    return with_all_humidities(DataTable::parse(text, "air.csv"));
+  };
+  const auto humidities = [](const DataTable& table) {
+    return air_profile(table).relative_humidity_percent;
+  };
+  for (const char* gap : {"", "NaN", "nan"}) {
+    const DataTable table = read("relative_humidity_percent", {gap, "60", gap, "40"});
+    EXPECT_EQ(humidities(table), (std::vector{60.0, 60.0, 50.0, 40.0}));
+    EXPECT_EQ(table.remarks(), std::vector<std::string>{
+                                   "relative_humidity_percent is missing at 2 of 4 levels, the "
+                                   "first at 0 km: there it follows from the levels beside it"});
+  }
+  const DataTable vapour = read("water_vapour_per_cm3", {"2e17", "1e17", "", "4e16"});
+  const std::vector<double> of_vapour = humidities(vapour);
+  EXPECT_NEAR(of_vapour[2], (of_vapour[1] + of_vapour[3]) / 2, 1e-9);
+  EXPECT_EQ(vapour.remarks().size(), 1U);
+  EXPECT_EQ(humidities(read("relative_humidity_percent", {"", "70", "", ""})),
+            std::vector<double>(4, 70.0));
+  const DataTable dry = read("relative_humidity_percent", {"", "", "NaN", ""});
+  EXPECT_EQ(humidities(dry), std::vector<double>(4, 0.0));
+  EXPECT_EQ(dry.remarks(), std::vector<std::string>{"relative_humidity_percent is missing at all "
+                                                    "levels: the air is dry"});
+  EXPECT_EQ(read("relative_humidity_percent", {"80", "60", "50", "40"}).remarks().size(), 0U);
+  expect_contains(message<InputError>([&] {
+                    read("relative_humidity_percent", {"80", "-", "", "40"});
+                  }),
+                  "air.csv:3:11: \"-\" is not a finite number");
+  expect_contains(message<InputError>([&] {
+                    humidities(read("relative_humidity_percent", {"80", "-999", "", "40"}));
+                  }),
+                  "air.csv:3:11: relative_humidity_percent -999 is below 0");
+  expect_contains(message<InputError>([&] {
+                    air_profile(read("ozone_per_cm3", {"", "0", "0", "0"}));
+                  }),
+                  "air.csv:2:12: \"\" is not a finite number");
+}
+
 TEST(AirTables, ThatAreDamagedAreAFailedEnvironment) {
   namespace fs = std::filesystem;
   const fs::path folder = scratch_folder("photic_damaged_air");

@@ -1,6 +1,9 @@
 #include "optics/modtran.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <sstream>
 
 #include "unit/optics/air_support.hpp"
 
@@ -112,6 +115,94 @@ TEST(Tape6, OfModtranIsReadByTheNamesOfItsColumns) {
   EXPECT_NEAR(air.ozone_per_m3[1], 2.6e-8 * 2.6867801e25, 1e12);
   EXPECT_EQ(air.aerosols_per_km[boundary_layer], (std::vector{0.16, 0.062}));
   EXPECT_EQ(air.relative_humidity_percent, (std::vector{76.0, 70.0}));
+}
+
+/// The rows of all profiles in the other order.
+std::string from_the_top(const std::string& text) {
+  std::vector<std::string> lines, rows;
+  std::istringstream stream(text);
+  const auto put_rows = [&] {
+    lines.insert(lines.end(), rows.rbegin(), rows.rend()), rows.clear();
+  };
+  for (std::string line; std::getline(stream, line);) {
+    const bool is_row =
+        line.starts_with("   1 ") || line.starts_with("   2 ") || line.starts_with("   3 ");
+    if (!is_row) put_rows();
+    (is_row ? rows : lines).push_back(line);
+  }
+  put_rows();
+  std::string out;
+  for (const std::string& line : lines) out += line + "\n";
+  return out;
+}
+
+// Seen red: with levels as they stand (Z 1.5 is not above the 90 before it); with one block turned
+// alone.
+TEST(Tape6, FromTheTopDownIsTheSame) {
+  EXPECT_NE(from_the_top(lowtran), lowtran);
+  EXPECT_EQ(tape6(from_the_top(lowtran)), tape6(lowtran));
+  EXPECT_EQ(tape6(lowtran_head + from_the_top(lowtran_molecules) + lowtran_aerosols),
+            tape6(lowtran));
+  EXPECT_EQ(tape6(from_the_top(modtran)), tape6(modtran));
+  expect_contains(message<InputError>(
+                      [] { tape6(with(from_the_top(lowtran), "   2     1.50", "   2    95.00")); }),
+                  "tape6:10:9: Z 95 is not below the 90 before it (expected: descending "
+                  "altitudes)");
+}
+
+// Blank, or what Fortran prints for what does not fit; in the last column or inside. Seen red: with
+// 0 for it; without the widths of other rows.
+TEST(Tape6, FollowsHumidityWhereItIsMissing) {
+  const std::vector<std::string> missing{"         ", "*********", "      NaN"};
+  for (const std::string& gap : missing) {
+    const AirProfile air = tape6(with(lowtran, "4.400E+01", gap));
+    EXPECT_NEAR(air.relative_humidity_percent[1], 75.5 - 1.5 / 90 * 75.4, 1e-9);
+    EXPECT_EQ(air.relative_humidity_percent[0], 75.5);
+    EXPECT_EQ(air.aerosols_per_km[stratosphere][1], 3e-5);
+    EXPECT_EQ(air.remarks, std::vector<std::string>{
+                               "RH is missing at 1 of 3 levels, the first at 1.5 km: there it "
+                               "follows from the levels beside it"});
+    EXPECT_EQ(tape6(with(modtran, "7.600E+01", gap)).relative_humidity_percent,
+              (std::vector{70.0, 70.0}));
+  }
+  EXPECT_EQ(tape6(lowtran).remarks.size(), 0U);
+  expect_contains(message<InputError>([] { tape6(with(lowtran, "2.100E-02", "         ")); }),
+                  "tape6:19:62: \"\" where AEROSOL 2 is expected (a number)");
+}
+
+// The thin air that three decimals leave: printed as .052 and .000. Seen red: with exact pressures.
+TEST(Tape6, OfAnyAirIsRead) {
+  for (const char* name : {"us-standard", "tropical", "subarctic-winter"}) {
+    const AirProfile& air = air_library().atmosphere(name);
+    std::string first = lowtran_molecules.substr(0, lowtran_molecules.find("   1  "));
+    std::string second = lowtran_aerosols.substr(0, lowtran_aerosols.find("   1  "));
+    for (std::size_t i = 0; i < air.z_km.size(); ++i) {
+      const std::string level = fmt::format("{:4} {:8.2f} {:8.3f} {:6.1f} ", i + 1, air.z_km[i],
+                                            air.pressure_hpa[i], air.temperature_k[i]);
+      first += level + fmt::format("1E-01 1E+10 {:.3E} 1E-04 1E-03 1E+04\n",
+                                   air.air_per_m3[i] / 2.6867801e25);
+      second += level + "1E+10 1E-06 0E+00 0E+00 0E+00 0E+00 0E+00 0E+00 5E+01\n";
+    }
+    EXPECT_EQ(tape6(lowtran_head + first + second).z_km, air.z_km) << name;
+  }
+}
+
+// Seen red: without fault_of() there.
+TEST(Tape6, ThatNoAirHasIsRefused) {
+  std::string metres = lowtran;
+  for (const auto& [km, m] : {std::pair{"    1.50 ", " 1500.00 "}, {"   90.00 ", "90000.00 "}})
+    for (int block = 0; block < 2; ++block) metres = with(metres, km, m);
+  expect_contains(message<InputError>([&] { tape6(metres); }),
+                  "tape6:10:7: the pressure falls from 1010 to 850 hPa between 0 and 1500 km: in "
+                  "hydrostatic air of 285 K that takes 1.44 km (are the altitudes in m, and not in "
+                  "km?)");
+  std::string rising = with(lowtran, "1010.000", " 850.000");
+  rising = with(rising, "   2     1.50  850.000", "   2     1.50 1010.000");
+  expect_contains(message<InputError>([&] { tape6(rising); }),
+                  "tape6:10:15: the pressure does not fall from 0 to 1.5 km: it is 850 and 1010");
+  expect_contains(message<InputError>([] { tape6(with(lowtran, "8.200E-01", "8.200E-03")); }),
+                  "tape6:10:52: 2.203e+17 molecules of air per cm3 do not go with 850 hPa and 280 "
+                  "K");
 }
 
 struct BadFile {
