@@ -33,11 +33,11 @@ std::vector<double> depths_of(const optics::AirOptics& air) {
   return out;
 }
 
-/// Halfway between the levels.
+/// Halfway between the edges.
 std::vector<double> middles_km(const optics::AirProfile& profile) {
   std::vector<double> out;
-  for (std::size_t i = 1; i < profile.z_km.size(); ++i)
-    out.push_back((profile.z_km[i - 1] + profile.z_km[i]) / 2);
+  for (std::size_t i = 1; i < profile.edges_km.size(); ++i)
+    out.push_back((profile.edges_km[i - 1] + profile.edges_km[i]) / 2);
   return out;
 }
 
@@ -45,7 +45,7 @@ std::vector<double> middles_km(const optics::AirProfile& profile) {
 std::vector<double> too_thick(const optics::AirLibrary& library, const optics::AirProfile& profile,
                               const optics::AerosolChoice& aerosols, double laser_nm) {
   const std::vector<double> middles = middles_km(profile);
-  const auto depths = depths_of(optics::air_at(library, with_levels(profile, middles), aerosols,
+  const auto depths = depths_of(optics::air_at(library, with_edges(profile, middles), aerosols,
                                                laser_nm, optics::Phases::left_out));
   std::vector<double> out;
   for (std::size_t k = 0; k < middles.size(); ++k) {
@@ -149,7 +149,7 @@ Air AirBuilder::operator()(const scene::Scene& scene) const {
   if (outright)
     for (const auto& layer : scene.atmosphere->layer) air.height_m.push_back(layer.top_height_m);
   else
-    for (const double km : in_layers(*scene.atmosphere).z_km)
+    for (const double km : in_layers(*scene.atmosphere).edges_km)
       if (km > 0) air.height_m.push_back(km * metre_per_km);
   return air;
 }
@@ -168,8 +168,8 @@ optics::AirProfile AirBuilder::in_layers(const scene::Atmosphere& air) const {
   auto profile = profile_to_top(air, whole_profile(air, *of_air_));
   std::vector<double> rungs_km;
   for (const scene::AirGases& rung : air.gases) rungs_km.push_back(rung.top_km);
-  profile = with_levels(profile, rungs_km);
-  for (const auto& more : halved_km_) profile = with_levels(profile, more);
+  profile = with_edges(std::move(profile), rungs_km);
+  for (const auto& more : halved_km_) profile = with_edges(std::move(profile), more);
   return as_deep_as_given(air, std::move(profile));
 }
 

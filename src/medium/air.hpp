@@ -62,7 +62,7 @@ class AirBuilder {
 
   const std::vector<Line>& lines_;
   std::optional<optics::AirLibrary> of_air_;    ///< of a profile
-  std::vector<std::vector<double>> halved_km_;  ///< levels that its layers are halved by in turn
+  std::vector<std::vector<double>> halved_km_;  ///< edges that its layers are halved by in turn
   std::optional<optics::Library> library_;      ///< of layers that are told outright
 };
 

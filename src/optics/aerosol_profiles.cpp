@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/interpolation.hpp"
@@ -56,8 +57,8 @@ Values at_levels(const Values& z_km, const Values& values, const Values& levels_
 }
 
 double depth_of(const AirProfile& profile, const Values& extinction_per_km) {
-  const double bottom = profile.z_km.front(), top = profile.z_km.back();
-  return (top - bottom) * mean_between(profile.z_km, extinction_per_km, bottom, top);
+  const double bottom = profile.edges_km.front(), top = profile.edges_km.back();
+  return (top - bottom) * mean_between(profile.aerosol_z_km, extinction_per_km, bottom, top);
 }
 
 }  // namespace
@@ -95,8 +96,12 @@ AirProfile with_aerosols(const AirLibrary& library, AirProfile profile, double v
   const auto s = static_cast<std::size_t>(found - names.begin());
 
   const AerosolProfiles& p = library.aerosol_profiles;
+  const auto first = std::ranges::upper_bound(p.z_km, profile.z_km.front());
+  const auto last = std::ranges::lower_bound(p.z_km, profile.z_km.back());
+  profile = with_edges(std::move(profile), {std::min(first, last), last});
+  profile.aerosol_z_km = profile.edges_km;
   const auto put = [&](AerosolRegion region, const Values& values) {
-    profile.aerosols_per_km[region] = at_levels(p.z_km, values, profile.z_km);
+    profile.aerosols_per_km[region] = at_levels(p.z_km, values, profile.aerosol_z_km);
   };
   put(boundary_layer, boundary_layer_of(p, visibility_km));
   put(troposphere, troposphere_of(p, visibility_km, s));

@@ -42,9 +42,10 @@ inline constexpr double lowest_visibility_km = 0.2, highest_visibility_km = 300;
 /// LOWTRAN 7's of rural and maritime air.
 inline constexpr double clear_visibility_km = 23;
 
-/// The profile with LOWTRAN 7's aerosols at its levels: linear in 1 / visibility between and beyond
-/// the visibilities tabulated (as LOWTRAN 7 has it), up to 10 km; below 23 km the visibility
-/// concerns the lowest 2 km alone. Seasons: "spring-summer", "fall-winter". Throws InputError.
+/// The profile with LOWTRAN 7's aerosols at its levels and those of LOWTRAN 7: linear in 1 /
+/// visibility between and beyond the visibilities tabulated (as LOWTRAN 7 has it), up to 10 km;
+/// below 23 km the visibility concerns the lowest 2 km alone. Seasons: "spring-summer",
+/// "fall-winter". Throws InputError.
 AirProfile with_aerosols(const AirLibrary& library, AirProfile profile, double visibility_km,
                          const std::string& season);
 

@@ -138,9 +138,9 @@ std::vector<double> humidity(const DataTable& table, const AirProfile& profile) 
   return out;
 }
 
-/// The mean between two levels: of an exponential, of a straight line if one of them is 0.
-double mean_of(double bottom, double top) {
-  if (bottom == 0 || top == 0) return (bottom + top) / 2;
+/// The mean between two altitudes of an exponential, or of a straight line.
+double mean_of(double bottom, double top, bool straight) {
+  if (straight || bottom == 0 || top == 0) return (bottom + top) / 2;
   const double log_ratio = std::log(top) - std::log(bottom);
   if (std::abs(log_ratio) > 1) return (top - bottom) / log_ratio;
   const double change = (top - bottom) / bottom;  // may be small
@@ -153,9 +153,11 @@ AirProfile air_profile(const DataTable& table) {
   check_columns(table);
   AirProfile out;
   out.source = table.name();
+  out.remarks = table.remarks();
   out.z_km = table.ascending_numbers(altitude_column);
   if (out.z_km.size() < 2) table.fail(0, altitude_column, "a profile needs two levels or more");
   if (out.z_km.front() < 0) table.fail(0, altitude_column, "altitudes begin at the sea level, 0");
+  out.edges_km = out.aerosol_z_km = out.z_km;
   out.pressure_hpa =
       numbers(table, pressure_column, least_hpa, most_hpa, "", "is it in Pa, and not in hPa?");
   out.temperature_k = temperatures(table);
@@ -223,43 +225,22 @@ double relative_humidity_percent(double water_vapour_per_m3, double temperature_
   return std::min(100.0, 100 * water_vapour_per_m3 / saturated_vapour_per_m3(temperature_k));
 }
 
-AirProfile with_levels(const AirProfile& profile, const std::vector<double>& more_km) {
-  const auto& z = profile.z_km;
-  AirProfile out;
-  out.source = profile.source;
-  std::set_union(z.begin(), z.end(), more_km.begin(), more_km.end(), std::back_inserter(out.z_km));
-  expect(out.z_km.front() == z.front() && out.z_km.back() == z.back(),
-         "levels are added between others");
-  const auto fill = [&](const std::vector<double>& from, std::vector<double>& to,
-                        const auto& between) {
-    for (const double level_km : out.z_km) {
-      const auto [i, t] = interval_of(z, level_km);
-      to.push_back(t == 0 ? from[i - 1] : t == 1 ? from[i] : between(from[i - 1], from[i], t));
-    }
-  };
-  const auto straight = [](double a, double b, double t) { return std::lerp(a, b, t); };
-  const auto exponential = [](double a, double b, double t) { return geometric_lerp(a, b, t); };
-  fill(profile.pressure_hpa, out.pressure_hpa, exponential);
-  fill(profile.temperature_k, out.temperature_k, straight);
-  fill(profile.air_per_m3, out.air_per_m3, exponential);
-  fill(profile.ozone_per_m3, out.ozone_per_m3, exponential);
-  fill(profile.relative_humidity_percent, out.relative_humidity_percent, straight);
-  for (std::size_t k = 0; k < aerosol_regions; ++k)
-    fill(profile.aerosols_per_km[k], out.aerosols_per_km[k], exponential);
-  return out;
+AirProfile with_edges(AirProfile profile, const std::vector<double>& more_km) {
+  auto& edges = profile.edges_km;
+  const double bottom = edges.front(), top = edges.back();
+  edges.insert(edges.end(), more_km.begin(), more_km.end());
+  std::ranges::sort(edges);
+  const auto same = std::ranges::unique(edges);
+  edges.erase(same.begin(), same.end());
+  expect(edges.front() == bottom && edges.back() == top, "edges are added between others");
+  return profile;
 }
 
-AirProfile up_to(const AirProfile& whole, double top_km) {
-  AirProfile profile = with_levels(whole, {top_km});
-  const auto levels =
-      static_cast<std::size_t>(std::lower_bound(profile.z_km.begin(), profile.z_km.end(), top_km) -
-                               profile.z_km.begin() + 1);
-  expect(levels > 1, "there is air below the top");
-  for (auto* values :
-       {&profile.z_km, &profile.pressure_hpa, &profile.temperature_k, &profile.air_per_m3,
-        &profile.ozone_per_m3, &profile.relative_humidity_percent})
-    values->resize(levels);
-  for (auto& aerosols : profile.aerosols_per_km) aerosols.resize(levels);
+AirProfile up_to(AirProfile whole, double top_km) {
+  AirProfile profile = with_edges(std::move(whole), {top_km});
+  auto& edges = profile.edges_km;
+  edges.erase(std::ranges::upper_bound(edges, top_km), edges.end());
+  expect(edges.size() > 1, "there is air below the top");
   return profile;
 }
 
@@ -274,7 +255,8 @@ double mean_between(const std::vector<double>& z_km, const std::vector<double>& 
     const auto at = [&](double z) {
       return geometric_lerp(values[i - 1], values[i], (z - z_km[i - 1]) / (z_km[i] - z_km[i - 1]));
     };
-    integral += (top - bottom) * mean_of(at(bottom), at(top));
+    const bool straight = values[i - 1] == 0 || values[i] == 0;
+    integral += (top - bottom) * mean_of(at(bottom), at(top), straight);
   }
   return integral / (to_km - from_km);
 }

@@ -26,7 +26,9 @@ struct AirProfile {
   std::vector<double> pressure_hpa, temperature_k;
   std::vector<double> air_per_m3, ozone_per_m3;  ///< molecules
   std::vector<double> relative_humidity_percent;
+  std::vector<double> aerosol_z_km;  ///< of the aerosols: the levels, and more between
   std::array<std::vector<double>, aerosol_regions> aerosols_per_km;  ///< extinction at 550 nm
+  std::vector<double> edges_km;  ///< of its layers, ascending: the levels, and more between
   std::string source;
   std::vector<std::string> remarks;  ///< on what was missing where it was read
 
@@ -60,12 +62,12 @@ std::optional<std::string> fill_humidities(const std::vector<double>& z_km,
 /// 1988, AFGL-TR-88-0177) [verified: gives the humidities that it prints].
 double relative_humidity_percent(double water_vapour_per_m3, double temperature_k);
 
-/// The profile with more levels, ascending and between its own, between which all is as it was:
-/// densities and extinctions as above, temperature and humidity on straight lines.
-AirProfile with_levels(const AirProfile& profile, const std::vector<double>& more_km);
+/// The profile in more layers, with edges in any order between its own. What there is stays as it
+/// is.
+AirProfile with_edges(AirProfile profile, const std::vector<double>& more_km);
 
-/// What of a profile is below an altitude, which its levels must cover.
-AirProfile up_to(const AirProfile& whole, double top_km);
+/// The layers of a profile below an altitude, which they must cover.
+AirProfile up_to(AirProfile whole, double top_km);
 
 /// The mean of what has the values at the levels z_km, between two altitudes. The levels must cover
 /// them.

@@ -138,6 +138,7 @@ class Tape6 {
     out.source = name;
     out.z_km = heights(*molecules_);
     check_same(out.z_km);
+    out.edges_km = out.aerosol_z_km = out.z_km;
     out.pressure_hpa = column(*molecules_, pressure, 0, most_hpa);
     out.temperature_k = column(*molecules_, "T", lowest_k, highest_k);
     out.air_per_m3 = scaled(column(*molecules_, molecules, 1e-20, 10), loschmidt_per_m3);

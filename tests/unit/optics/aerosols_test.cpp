@@ -111,6 +111,24 @@ TEST(AerosolProfiles, HaveLowtransOpticalDepths) {
   expect_contains(air.source, "aerosols LOWTRAN 7");
 }
 
+// Aerosols have levels of their own: those of a profile of three are as deep. Seen red: with the
+// profile's alone, between which they go straight down to 10 km (0.79 for 0.23 in the lowest).
+TEST(AerosolProfiles, AreTheSameInAnyAir) {
+  const AirProfile coarse = air_profile(
+      DataTable::parse("z_km,p_hpa,t_k\n0,1013,288\n10,265,223\n120,3e-5,360\n", "air.csv"));
+  for (const double visibility_km : {5.0, 23.0, 40.0}) {
+    const AirProfile air = with_aerosols(air_library(), coarse, visibility_km, "spring-summer");
+    EXPECT_NEAR(aerosol_depth(air) / aerosol_depth(air_of(visibility_km, "spring-summer")), 1,
+                1e-3);
+    EXPECT_EQ(air.pressure_hpa, coarse.pressure_hpa);
+  }
+  const AirProfile low = with_aerosols(
+      air_library(),
+      air_profile(DataTable::parse("z_km,p_hpa,t_k\n0.3,978,286\n0.9,909,282\n", "air.csv")), 23,
+      "spring-summer");
+  EXPECT_EQ(low.aerosol_z_km, (std::vector{0.3, 0.9}));
+}
+
 // The tables' values are rounded to 0.0005 at 0.1, and their visibilities' law with them. Seen red:
 // with visibilities interpolated linearly; with 3.0 for 3.912.
 TEST(AerosolProfiles, KeepTheLawOfVisibility) {
