@@ -34,7 +34,7 @@ def test_altitudes_in_metres_are_refused(photic, scene, tmp_path):
     assert "from the sea to the top: 0.4" in done.stdout
 
 
-# Seen red: with the depth at the laser's wavelength; with the profile scaled before its layers are halved.
+# Seen red: with four digits; with the depth of the boundary layer alone.
 @pytest.mark.parametrize("depth", [0.1, 0.2, 1.234567])
 def test_an_optical_depth_is_given_back(photic, scene, depth):
     with_air(scene, f"{AIR}aerosol_optical_depth_550 = {depth}\n")
@@ -45,7 +45,7 @@ def test_an_optical_depth_is_given_back(photic, scene, depth):
     assert "visibility_km" not in done.stdout
 
 
-# LOWTRAN 7's regions (5 km: 1.170; its boundary layer prints 1.082). Seen red: with 50 km for 23 where it is not given.
+# LOWTRAN 7 prints 1.170 for 5 km. Seen red: with layers that are exponential where the profile goes straight to 0.
 def test_visibilities_have_their_optical_depths(photic, scene):
     with_air(scene, AIR)
     for km, depth in {5: 1.171, 10: 0.674, 23: 0.325, 40: 0.195}.items():
@@ -89,7 +89,7 @@ def test_refuses_an_optical_depth(photic, scene, what):
     assert "quick.toml:" in done.stderr and message in done.stderr
 
 
-# Seen red: each, without the line that finds it.
+# Seen red: without the remark on fractions.
 def test_remarks_on_units(photic, scene):
     with_air(scene, AIR)
     for key, question in {"relative_humidity_percent=0.8": "is it a fraction?", "visibility_km=250": "is it in m?"}.items():

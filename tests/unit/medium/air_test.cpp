@@ -107,8 +107,8 @@ scene::UserTable hazy_levels() {
           {"z_km", "p_hpa", "t_k", "boundary_layer_per_km", "troposphere_per_km"}};
 }
 
-// Whatever the layers are. Seen red: with the profile scaled before its layers are halved (1e-3
-// off); with LOWTRAN's aerosols for those of the levels.
+// Whatever the layers are. Seen red: with the profile as its visibility has it; with all of it
+// scaled and then cut at the top; with LOWTRAN's aerosols for those of the levels.
 TEST(Air, HasTheAerosolOpticalDepthThatIsGiven) {
   for (const double laser_nm : {355.0, 532.0, 1064.0})
     for (const char* aerosol : {"rural", "maritime", "opac-ssam-80"})

@@ -96,7 +96,7 @@ scene::Atmosphere of_depth(double aerosol_optical_depth_550) {
   return air;
 }
 
-// Seen red: with other airs that are scaled in layers of their own.
+// Seen red: with the profile as its visibility has it.
 TEST(OtherAirs, OfOpticalDepthsAreWhatTheirOwnWouldBe) {
   const auto scene = with_air(of_depth(0.3), {of_depth(0.12), of_depth(0.9), rural(8)});
   expect_own(scene);
