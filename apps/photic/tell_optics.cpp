@@ -15,6 +15,7 @@
 #include "io/optics_table.hpp"
 #include "io/spectral_table.hpp"
 #include "medium/air_table.hpp"
+#include "optics/air_plausibility.hpp"
 #include "optics/data_folder.hpp"
 #include "optics/modtran.hpp"
 #include "photic/output.hpp"
@@ -84,7 +85,8 @@ optics::AirProfile modtran_air(const std::string& text, const std::string& name)
 /// A CSV file by its name, another file as a tape6, else one of Photic's atmospheres.
 optics::AirProfile air_profile(const optics::AirLibrary& library, const std::string& name) {
   std::error_code none;
-  if (format_of(name) == Format::csv) return optics::air_profile(optics::DataTable::read(name));
+  if (format_of(name) == Format::csv)
+    return optics::air_profile(optics::with_all_humidities(optics::DataTable::read(name)));
   if (fs::exists(name, none) || name.find('/') != std::string::npos)
     return modtran_air(optics::read_text(name), name);
   return library.atmosphere(name);
@@ -180,6 +182,9 @@ int tell_air(const OpticsCommand& command) {
   }
   const optics::AirLibrary library(optics::find_data_folder());
   optics::AirProfile profile = air_profile(library, command.air);
+  for (const auto& remarks : {profile.remarks, optics::doubts_about(profile)})
+    for (const std::string& remark : remarks)
+      print_error(fmt::format("{}: {}\n", command.air, remark));
   std::string title = "Air: " + command.air;
   if (command.visibility_km) {
     profile = optics::with_aerosols(library, std::move(profile), *command.visibility_km,

@@ -14,6 +14,7 @@
 #include "optics/air_molecules.hpp"
 #include "optics/data_folder.hpp"
 #include "optics/phase_functions.hpp"
+#include "scene/air_levels.hpp"
 
 namespace photic::medium {
 namespace {
@@ -32,11 +33,11 @@ std::vector<double> depths_of(const optics::AirOptics& air) {
   return out;
 }
 
-/// Halfway between the levels.
+/// Halfway between the edges.
 std::vector<double> middles_km(const optics::AirProfile& profile) {
   std::vector<double> out;
-  for (std::size_t i = 1; i < profile.z_km.size(); ++i)
-    out.push_back((profile.z_km[i - 1] + profile.z_km[i]) / 2);
+  for (std::size_t i = 1; i < profile.edges_km.size(); ++i)
+    out.push_back((profile.edges_km[i - 1] + profile.edges_km[i]) / 2);
   return out;
 }
 
@@ -44,7 +45,7 @@ std::vector<double> middles_km(const optics::AirProfile& profile) {
 std::vector<double> too_thick(const optics::AirLibrary& library, const optics::AirProfile& profile,
                               const optics::AerosolChoice& aerosols, double laser_nm) {
   const std::vector<double> middles = middles_km(profile);
-  const auto depths = depths_of(optics::air_at(library, with_levels(profile, middles), aerosols,
+  const auto depths = depths_of(optics::air_at(library, with_edges(profile, middles), aerosols,
                                                laser_nm, optics::Phases::left_out));
   std::vector<double> out;
   for (std::size_t k = 0; k < middles.size(); ++k) {
@@ -114,10 +115,9 @@ AirBuilder::AirBuilder(const scene::Scene& scene, const std::vector<Line>& lines
   }
   of_air_.emplace(folder);
   const scene::Atmosphere& air = *scene.atmosphere;
-  for (auto profile = in_layers(air);;) {
-    auto more = too_thick(*of_air_, profile, aerosols_of(air), lines.front().wavelength_nm);
+  for (;;) {
+    auto more = too_thick(*of_air_, in_layers(air), aerosols_of(air), lines.front().wavelength_nm);
     if (more.empty()) return;
-    profile = with_levels(profile, more);
     halved_km_.push_back(std::move(more));
   }
 }
@@ -136,7 +136,10 @@ Air AirBuilder::operator()(const scene::Scene& scene) const {
       air.group_index.push_back(layer.group_index);
       if (is_laser) air.scatterers.push_back(layer.scatterers);
     }
-    if (is_laser && !outright) air.depths = depths_by_part(here);
+    if (is_laser && !outright) {
+      air.depths = depths_by_part(here);
+      air.depths->aerosols_550 = optics::aerosol_depth(in_layers(*scene.atmosphere));
+    }
     if (outright)
       add_source("a and b of the air", here.profile_source, nm, air.sources);
     else
@@ -146,7 +149,7 @@ Air AirBuilder::operator()(const scene::Scene& scene) const {
   if (outright)
     for (const auto& layer : scene.atmosphere->layer) air.height_m.push_back(layer.top_height_m);
   else
-    for (const double km : in_layers(*scene.atmosphere).z_km)
+    for (const double km : in_layers(*scene.atmosphere).edges_km)
       if (km > 0) air.height_m.push_back(km * metre_per_km);
   return air;
 }
@@ -165,9 +168,9 @@ optics::AirProfile AirBuilder::in_layers(const scene::Atmosphere& air) const {
   auto profile = profile_to_top(air, whole_profile(air, *of_air_));
   std::vector<double> rungs_km;
   for (const scene::AirGases& rung : air.gases) rungs_km.push_back(rung.top_km);
-  profile = with_levels(profile, rungs_km);
-  for (const auto& more : halved_km_) profile = with_levels(profile, more);
-  return profile;
+  profile = with_edges(std::move(profile), rungs_km);
+  for (const auto& more : halved_km_) profile = with_edges(std::move(profile), more);
+  return as_deep_as_given(air, std::move(profile));
 }
 
 optics::AirOptics AirBuilder::of_layers(const scene::Scene& scene, double wavelength_nm) const {
@@ -228,6 +231,9 @@ std::vector<std::string> air_told(const scene::Scene& scene, const Air& air) {
       "ozone {:.4g}, {}aerosols {:.4g}",
       nm, air.optical_depth(0), air.depths->molecules, air.depths->ozone, gases,
       air.depths->aerosols));
+  if (of.has_aerosols())
+    out.push_back(
+        fmt::format("optical depth of the aerosols at 550 nm: {:.7g}", air.depths->aerosols_550));
   if (of.gases.empty())
     out.emplace_back(
         "left out: the absorption lines of water vapour, oxygen, carbon dioxide and other gases");
@@ -249,8 +255,10 @@ optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::Air
           "add a level at 0"}});
   if (!air.has_aerosols())
     for (auto& aerosols : profile.aerosols_per_km) std::ranges::fill(aerosols, 0.0);
-  else if (air.visibility_km)
-    profile = optics::with_aerosols(library, std::move(profile), *air.visibility_km, air.season);
+  else if (air.visibility_km || !scene::has_own_aerosols(air))
+    profile =
+        optics::with_aerosols(library, std::move(profile),
+                              air.visibility_km.value_or(optics::clear_visibility_km), air.season);
   if (air.relative_humidity_percent)
     for (std::size_t i = 0; i < profile.z_km.size(); ++i)
       if (profile.z_km[i] <= boundary_layer_km)
@@ -259,14 +267,23 @@ optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::Air
 }
 
 optics::AirProfile profile_to_top(const scene::Atmosphere& air, const optics::AirProfile& whole) {
-  const double end = whole.z_km.back();
+  const double end = whole.z_km.back(), if_in_m = air.top_km / metre_per_km;
+  constexpr double far_km = 1000;  // from here on metres are more likely
   if (end < air.top_km)
-    throw InputError({{"", 0, 0,
-                       fmt::format("the profile ends at {:g} km, below the top of the air at {:g} "
-                                   "km",
-                                   end, air.top_km),
-                       fmt::format("write top_km = {:g}, or add levels", end)}});
+    throw InputError(
+        {{"", 0, 0,
+          fmt::format("the profile ends at {:g} km, below the top of the air at {:g} "
+                      "km",
+                      end, air.top_km),
+          air.top_km >= far_km && if_in_m <= end
+              ? fmt::format("did you mean {:g}? {:g} would be in m", if_in_m, air.top_km)
+              : fmt::format("write top_km = {:g}, or add levels", end)}});
   return optics::up_to(whole, air.top_km);
+}
+
+optics::AirProfile as_deep_as_given(const scene::Atmosphere& air, optics::AirProfile to_top) {
+  if (!air.aerosol_optical_depth_550) return to_top;
+  return optics::with_aerosol_depth(std::move(to_top), *air.aerosol_optical_depth_550);
 }
 
 std::vector<double> gas_depths(const scene::Atmosphere& air, double wavelength_nm) {

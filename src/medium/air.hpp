@@ -17,6 +17,7 @@ namespace photic::medium {
 /// Optical depths of the laser's light, from the sea straight up to the top of the air.
 struct AirDepths {
   double molecules = 0, ozone = 0, gases = 0, aerosols = 0;
+  double aerosols_550 = 0;  ///< the aerosols' at 550 nm
 };
 
 /// The air above the sea in layers, from the sea up. Values of line l in layer k stand at
@@ -61,7 +62,7 @@ class AirBuilder {
 
   const std::vector<Line>& lines_;
   std::optional<optics::AirLibrary> of_air_;    ///< of a profile
-  std::vector<std::vector<double>> halved_km_;  ///< levels that its layers are halved by in turn
+  std::vector<std::vector<double>> halved_km_;  ///< edges that its layers are halved by in turn
   std::optional<optics::Library> library_;      ///< of layers that are told outright
 };
 
@@ -78,6 +79,10 @@ optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::Air
 
 /// What of it is below the top of the air. Throws InputError if it does not reach it.
 optics::AirProfile profile_to_top(const scene::Atmosphere& air, const optics::AirProfile& whole);
+
+/// What is below the top, with as much aerosol as the scene's optical depth has, if it gives one.
+/// Throws InputError where that cannot be.
+optics::AirProfile as_deep_as_given(const scene::Atmosphere& air, optics::AirProfile to_top);
 
 /// Optical depths by other gases than ozone, from the sea straight up to each rung. Throws
 /// InputError for wavelengths without data, and where it is less than up to a lower rung.

@@ -104,7 +104,7 @@ OpticalTable air_table(const optics::AirLibrary& library, const optics::AirProfi
                        const optics::AerosolChoice& aerosols,
                        const std::vector<double>& wavelength_nm) {
   std::vector<double> edge_m;
-  for (const double km : profile.z_km) edge_m.push_back(km * m_per_km);
+  for (const double km : profile.edges_km) edge_m.push_back(km * m_per_km);
   OpticalTable table = empty_table(edge_m, wavelength_nm);
   Filler filler(table, false, false);
   for (std::size_t w = 0; w < wavelength_nm.size(); ++w)

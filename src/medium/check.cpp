@@ -13,6 +13,7 @@
 #include "medium/layer_optics.hpp"
 #include "medium/lines.hpp"
 #include "medium/surface.hpp"
+#include "optics/air_plausibility.hpp"
 #include "scene/bed_albedo.hpp"
 
 namespace photic::medium {
@@ -231,8 +232,12 @@ void Checker::read_air() {
   });
   const auto whole = ask(profile, [&] { return whole_profile(air, library); });
   if (!whole) return;
+  for (const std::string& doubt : optics::doubts_about(*whole)) findings_.remark(profile, doubt);
   const auto to_top = ask("atmosphere.top_km", [&] { return profile_to_top(air, *whole); });
-  if (known) air_profile_ = to_top;
+  if (!to_top) return;
+  const auto deep =
+      ask("atmosphere.aerosol_optical_depth_550", [&] { return as_deep_as_given(air, *to_top); });
+  if (known) air_profile_ = deep;
 }
 
 /// What is wrong with layers is told of the layer, with a profile of the wavelength.

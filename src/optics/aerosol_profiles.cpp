@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/interpolation.hpp"
@@ -54,6 +56,11 @@ Values at_levels(const Values& z_km, const Values& values, const Values& levels_
   return out;
 }
 
+double depth_of(const AirProfile& profile, const Values& extinction_per_km) {
+  const double bottom = profile.edges_km.front(), top = profile.edges_km.back();
+  return (top - bottom) * mean_between(profile.aerosol_z_km, extinction_per_km, bottom, top);
+}
+
 }  // namespace
 
 AerosolProfiles::AerosolProfiles(const DataTable& table)
@@ -72,7 +79,7 @@ AerosolProfiles::AerosolProfiles(const DataTable& table)
 }
 
 double aerosols_of_visibility_per_km(double visibility_km) {
-  return 3.912 / visibility_km - molecules_at_visibility_per_km;
+  return contrast_depth / visibility_km - molecules_at_visibility_per_km;
 }
 
 AirProfile with_aerosols(const AirLibrary& library, AirProfile profile, double visibility_km,
@@ -89,14 +96,45 @@ AirProfile with_aerosols(const AirLibrary& library, AirProfile profile, double v
   const auto s = static_cast<std::size_t>(found - names.begin());
 
   const AerosolProfiles& p = library.aerosol_profiles;
+  const auto first = std::ranges::upper_bound(p.z_km, profile.z_km.front());
+  const auto last = std::ranges::lower_bound(p.z_km, profile.z_km.back());
+  profile = with_edges(std::move(profile), {std::min(first, last), last});
+  profile.aerosol_z_km = profile.edges_km;
   const auto put = [&](AerosolRegion region, const Values& values) {
-    profile.aerosols_per_km[region] = at_levels(p.z_km, values, profile.z_km);
+    profile.aerosols_per_km[region] = at_levels(p.z_km, values, profile.aerosol_z_km);
   };
   put(boundary_layer, boundary_layer_of(p, visibility_km));
   put(troposphere, troposphere_of(p, visibility_km, s));
   put(stratosphere, p.stratosphere[s]);
   put(upper_atmosphere, p.upper_atmosphere);
   profile.source += "; aerosols " + p.source;
+  return profile;
+}
+
+double aerosol_depth(const AirProfile& profile) {
+  double depth = 0;
+  for (const auto& aerosols : profile.aerosols_per_km) depth += depth_of(profile, aerosols);
+  return depth;
+}
+
+AirProfile with_aerosol_depth(AirProfile profile, double depth) {
+  Values& low = profile.aerosols_per_km[boundary_layer];
+  const double below = depth_of(profile, low), above = aerosol_depth(profile) - below;
+  if (below == 0)
+    throw InputError({{"", 0, 0,
+                       "the profile has no aerosols in the boundary layer, which an optical depth "
+                       "scales",
+                       "give it a visibility, or aerosols"}});
+  if (depth < above) {
+    constexpr double digits = 1e4;
+    throw InputError({{"", 0, 0,
+                       fmt::format("{:g} is less than the optical depth at 550 nm of the aerosols "
+                                   "above the boundary layer alone, {:.4g}",
+                                   depth, above),
+                       fmt::format("write at least {:g}, or aerosol = \"none\"",
+                                   std::ceil(digits * above) / digits)}});
+  }
+  for (double& extinction : low) extinction *= (depth - above) / below;
   return profile;
 }
 

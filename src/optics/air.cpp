@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "core/interpolation.hpp"
 #include "optics/air_molecules.hpp"
 #include "optics/phase_functions.hpp"
 
@@ -30,21 +31,24 @@ class LayerMaker {
         phases_(phases),
         out_(out) {}
 
-  /// Between the levels i - 1 and i.
+  /// Between the edges i - 1 and i.
   AirLayer operator()(std::size_t i) {
     AirLayer layer;
-    layer.bottom_km = profile_.z_km[i - 1];
-    layer.top_km = profile_.z_km[i];
-    const auto mean = [&](const std::vector<double>& values) {
-      return mean_between(profile_.z_km, values, layer.bottom_km, layer.top_km);
+    layer.bottom_km = profile_.edges_km[i - 1];
+    layer.top_km = profile_.edges_km[i];
+    const auto middle = [&](const std::vector<double>& values) {
+      return LinearTable(profile_.z_km, values)((layer.bottom_km + layer.top_km) / 2);
     };
-    const double air = mean(profile_.air_per_m3);
+    const auto mean = [&](const std::vector<double>& z_km, const std::vector<double>& values) {
+      return mean_between(z_km, values, layer.bottom_km, layer.top_km);
+    };
+    const double air = mean(profile_.z_km, profile_.air_per_m3);
     layer.refractive_index = air_index(nm_, air);
     layer.group_index = 1 + (layer.refractive_index - 1) * air_group_over_phase(nm_);
     layer.molecules_b_per_m = air * air_scattering_m2(nm_);
-    const double ozone = mean(profile_.ozone_per_m3);
+    const double ozone = mean(profile_.z_km, profile_.ozone_per_m3);
     if (ozone > 0) {
-      const Sourced of = ozone_absorption_m2(library_, nm_, middle(profile_.temperature_k, i));
+      const Sourced of = ozone_absorption_m2(library_, nm_, middle(profile_.temperature_k));
       layer.ozone_a_per_m = ozone * of.value;
       add_source(out_.ozone_source, of.source);
     }
@@ -53,9 +57,10 @@ class LayerMaker {
         {"molecules", layer.molecules_b_per_m, rayleigh(out_.depolarisation)});
     double g_b = 0;
     for (std::size_t k = 0; k < aerosol_regions; ++k) {
-      const double at_550_per_m = per_m_of_km * mean(profile_.aerosols_per_km[k]);
+      const double at_550_per_m =
+          per_m_of_km * mean(profile_.aerosol_z_km, profile_.aerosols_per_km[k]);
       if (at_550_per_m == 0) continue;
-      const double humidity = middle(profile_.relative_humidity_percent, i);
+      const double humidity = middle(profile_.relative_humidity_percent);
       const AerosolOptics of = aerosol_optics(library_, choice_.model[k], nm_, humidity, phases_);
       const double b = at_550_per_m * of.scattering();
       layer.aerosols_a_per_m += at_550_per_m * of.absorption;
@@ -72,10 +77,6 @@ class LayerMaker {
   }
 
  private:
-  static double middle(const std::vector<double>& values, std::size_t i) {
-    return (values[i - 1] + values[i]) / 2;
-  }
-
   const AirLibrary& library_;
   const AirProfile& profile_;
   const AerosolChoice& choice_;
@@ -102,7 +103,7 @@ AirOptics air_at(const AirLibrary& library, const AirProfile& profile,
   out.profile_source = profile.source;
   out.molecules_source = air_scattering_source;
   LayerMaker make(library, profile, aerosols, wavelength_nm, phases, out);
-  for (std::size_t i = 1; i < profile.z_km.size(); ++i) out.layers.push_back(make(i));
+  for (std::size_t i = 1; i < profile.edges_km.size(); ++i) out.layers.push_back(make(i));
   out.gases_source = "left out";
   if (out.ozone_source.empty()) out.ozone_source = "no ozone";
   if (out.aerosols_source.empty()) out.aerosols_source = "no aerosols";

@@ -25,7 +25,7 @@ struct AirScatterer {
 /// What they scatter together.
 PhaseShape phase_of(const std::vector<AirScatterer>& scatterers);
 
-/// What is between two levels of a profile: means over it.
+/// What is between two edges of a profile: means over it.
 struct AirLayer {
   double bottom_km = 0, top_km = 0;
   double refractive_index = 1, group_index = 1;
@@ -43,7 +43,7 @@ struct AirLayer {
 
 struct AirOptics {
   double depolarisation = 0;     ///< of what molecules scatter
-  std::vector<AirLayer> layers;  ///< from the lowest level up
+  std::vector<AirLayer> layers;  ///< from the lowest edge up
   std::string profile_source, molecules_source, ozone_source, gases_source, aerosols_source;
 };
 

@@ -10,6 +10,8 @@
 #include "core/constants.hpp"
 #include "core/error.hpp"
 #include "core/interpolation.hpp"
+#include "optics/air_plausibility.hpp"
+#include "optics/table_text.hpp"
 
 namespace photic::optics {
 namespace {
@@ -57,16 +59,36 @@ void check_columns(const DataTable& table) {
 
 constexpr double most_per_cm3 = 1e20;
 
-/// A column of numbers from min to max.
-std::vector<double> numbers(const DataTable& table, const char* column, double min, double max) {
+/// A column of numbers from min to max; what may have been meant by others is asked.
+std::vector<double> numbers(const DataTable& table, const char* column, double min, double max,
+                            const char* if_below = "", const char* if_above = "") {
   std::vector<double> out = table.numbers(column);
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (out[i] < min)
-      table.fail(i, column, fmt::format("{} {:g} is below {:g}", column, out[i], min));
+      table.fail(i, column, fmt::format("{} {:g} is below {:g}", column, out[i], min), if_below);
     if (out[i] > max)
-      table.fail(i, column, fmt::format("{} {:g} is above {:g}", column, out[i], max));
+      table.fail(i, column, fmt::format("{} {:g} is above {:g}", column, out[i], max), if_above);
   }
   return out;
+}
+
+std::vector<double> temperatures(const DataTable& table) {
+  return numbers(table, temperature_column, lowest_k, highest_k,
+                 "is it in degrees Celsius, and not in K?");
+}
+
+/// No number, where others have one.
+bool is_gap(const std::string& text) {
+  return text.empty() ||
+         (text.size() == 3 && std::ranges::equal(text, std::string("nan"), {},
+                                                 [](unsigned char c) { return std::tolower(c); }));
+}
+
+double saturated_vapour_per_m3(double temperature_k) {
+  constexpr double grams_per_mol = 18.015;  // of water
+  const double a = 273.15 / temperature_k;
+  const double saturated_g_m3 = a * std::exp(18.9766 - 14.9595 * a - 2.43882 * a * a);
+  return saturated_g_m3 * avogadro_per_mol / grams_per_mol;
 }
 
 /// From 0, or zeros if there is no such column.
@@ -81,7 +103,8 @@ void scale(std::vector<double>& values, double factor) {
 
 std::vector<double> air_per_m3(const DataTable& table, const AirProfile& profile) {
   if (has(table, air_column)) {
-    std::vector<double> out = numbers(table, air_column, 1, most_per_cm3);
+    std::vector<double> out =
+        numbers(table, air_column, 1, most_per_cm3, "", "is it in 1/m3, and not in 1/cm3?");
     scale(out, per_m3_of_cm3);
     return out;
   }
@@ -92,6 +115,21 @@ std::vector<double> air_per_m3(const DataTable& table, const AirProfile& profile
   return out;
 }
 
+/// How far off pressures may be by the digits that they are written with.
+double rounding_hpa(const DataTable& table, const std::vector<double>& pressure_hpa) {
+  double out = most_hpa;
+  const std::vector<std::string> texts = table.texts(pressure_column);
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    if (pressure_hpa[i] > least_hpa) out = std::min(out, half_last_digit(texts[i]));
+  return out;
+}
+
+const char* column_of(AirFault::Of of) {
+  return of == AirFault::Of::altitude   ? altitude_column
+         : of == AirFault::Of::pressure ? pressure_column
+                                        : air_column;
+}
+
 std::vector<double> humidity(const DataTable& table, const AirProfile& profile) {
   if (!has(table, vapour_column)) return numbers_or_0(table, humidity_column, 100);
   std::vector<double> out = numbers(table, vapour_column, 0, most_per_cm3);
@@ -100,9 +138,9 @@ std::vector<double> humidity(const DataTable& table, const AirProfile& profile) 
   return out;
 }
 
-/// The mean between two levels: of an exponential, of a straight line if one of them is 0.
-double mean_of(double bottom, double top) {
-  if (bottom == 0 || top == 0) return (bottom + top) / 2;
+/// The mean between two altitudes of an exponential, or of a straight line.
+double mean_of(double bottom, double top, bool straight) {
+  if (straight || bottom == 0 || top == 0) return (bottom + top) / 2;
   const double log_ratio = std::log(top) - std::log(bottom);
   if (std::abs(log_ratio) > 1) return (top - bottom) / log_ratio;
   const double change = (top - bottom) / bottom;  // may be small
@@ -115,65 +153,94 @@ AirProfile air_profile(const DataTable& table) {
   check_columns(table);
   AirProfile out;
   out.source = table.name();
+  out.remarks = table.remarks();
   out.z_km = table.ascending_numbers(altitude_column);
   if (out.z_km.size() < 2) table.fail(0, altitude_column, "a profile needs two levels or more");
   if (out.z_km.front() < 0) table.fail(0, altitude_column, "altitudes begin at the sea level, 0");
-  out.pressure_hpa = numbers(table, pressure_column, 1e-12, most_hpa);
-  out.temperature_k = numbers(table, temperature_column, lowest_k, highest_k);
+  out.edges_km = out.aerosol_z_km = out.z_km;
+  out.pressure_hpa =
+      numbers(table, pressure_column, least_hpa, most_hpa, "", "is it in Pa, and not in hPa?");
+  out.temperature_k = temperatures(table);
   out.air_per_m3 = air_per_m3(table, out);
   out.ozone_per_m3 = numbers_or_0(table, ozone_column, most_per_cm3);
   scale(out.ozone_per_m3, per_m3_of_cm3);
   out.relative_humidity_percent = humidity(table, out);
   for (std::size_t k = 0; k < aerosol_regions; ++k)
     out.aerosols_per_km[k] = numbers_or_0(table, aerosol_column[k], most_aerosols_per_km);
+  if (const auto fault = fault_of(out, rounding_hpa(table, out.pressure_hpa)))
+    table.fail(fault->level, column_of(fault->of), fault->reason, fault->suggestion);
   return out;
+}
+
+DataTable with_all_humidities(DataTable table) {
+  for (const char* column : {humidity_column, vapour_column}) {
+    if (!table.has(column)) continue;
+    const std::vector<std::string> texts = table.texts(column);
+    const auto gap = [&](std::size_t row) { return is_gap(texts[row]); };
+    for (std::size_t row = 0; row < texts.size(); ++row)
+      if (gap(row)) table.put(row, column, "0");
+    std::vector<double> values = table.numbers(column), saturated(values.size(), 1.0);
+    if (column == vapour_column)
+      std::ranges::transform(temperatures(table), saturated.begin(), saturated_vapour_per_m3);
+    for (std::size_t row = 0; row < values.size(); ++row)
+      values[row] = gap(row) ? std::nan("") : values[row] / saturated[row];
+    const auto remark = fill_humidities(table.ascending_numbers(altitude_column), values);
+    for (std::size_t row = 0; row < values.size(); ++row)
+      if (gap(row)) table.put(row, column, fmt::format("{}", values[row] * saturated[row]));
+    if (remark) table.remark(fmt::format("{} {}", column, *remark));
+  }
+  return table;
+}
+
+std::optional<std::string> fill_humidities(const std::vector<double>& z_km,
+                                           std::vector<double>& humidity) {
+  std::vector<double> known_z, known;
+  std::optional<double> first_z;
+  for (std::size_t i = 0; i < z_km.size(); ++i) {
+    if (!std::isnan(humidity[i])) {
+      known_z.push_back(z_km[i]);
+      known.push_back(humidity[i]);
+    } else if (!first_z) {
+      first_z = z_km[i];
+    }
+  }
+  if (!first_z) return std::nullopt;
+  if (known.empty()) {
+    std::ranges::fill(humidity, 0.0);
+    return "is missing at all levels: the air is dry";
+  }
+  for (std::size_t i = 0; i < z_km.size(); ++i)
+    if (std::isnan(humidity[i]))
+      humidity[i] =
+          known.size() == 1
+              ? known.front()
+              : LinearTable(known_z, known)(std::clamp(z_km[i], known_z.front(), known_z.back()));
+  return fmt::format(
+      "is missing at {} of {} levels, the first at {:g} km: there it follows from "
+      "the levels beside it",
+      z_km.size() - known.size(), z_km.size(), *first_z);
 }
 
 double relative_humidity_percent(double water_vapour_per_m3, double temperature_k) {
-  constexpr double grams_per_mol = 18.015;  // of water
-  const double a = 273.15 / temperature_k;
-  const double saturated_g_m3 = a * std::exp(18.9766 - 14.9595 * a - 2.43882 * a * a);
-  const double g_m3 = water_vapour_per_m3 * grams_per_mol / avogadro_per_mol;
-  return std::min(100.0, 100 * g_m3 / saturated_g_m3);
+  return std::min(100.0, 100 * water_vapour_per_m3 / saturated_vapour_per_m3(temperature_k));
 }
 
-AirProfile with_levels(const AirProfile& profile, const std::vector<double>& more_km) {
-  const auto& z = profile.z_km;
-  AirProfile out;
-  out.source = profile.source;
-  std::set_union(z.begin(), z.end(), more_km.begin(), more_km.end(), std::back_inserter(out.z_km));
-  expect(out.z_km.front() == z.front() && out.z_km.back() == z.back(),
-         "levels are added between others");
-  const auto fill = [&](const std::vector<double>& from, std::vector<double>& to,
-                        const auto& between) {
-    for (const double level_km : out.z_km) {
-      const auto [i, t] = interval_of(z, level_km);
-      to.push_back(t == 0 ? from[i - 1] : t == 1 ? from[i] : between(from[i - 1], from[i], t));
-    }
-  };
-  const auto straight = [](double a, double b, double t) { return std::lerp(a, b, t); };
-  const auto exponential = [](double a, double b, double t) { return geometric_lerp(a, b, t); };
-  fill(profile.pressure_hpa, out.pressure_hpa, exponential);
-  fill(profile.temperature_k, out.temperature_k, straight);
-  fill(profile.air_per_m3, out.air_per_m3, exponential);
-  fill(profile.ozone_per_m3, out.ozone_per_m3, exponential);
-  fill(profile.relative_humidity_percent, out.relative_humidity_percent, straight);
-  for (std::size_t k = 0; k < aerosol_regions; ++k)
-    fill(profile.aerosols_per_km[k], out.aerosols_per_km[k], exponential);
-  return out;
+AirProfile with_edges(AirProfile profile, const std::vector<double>& more_km) {
+  auto& edges = profile.edges_km;
+  const double bottom = edges.front(), top = edges.back();
+  edges.insert(edges.end(), more_km.begin(), more_km.end());
+  std::ranges::sort(edges);
+  const auto same = std::ranges::unique(edges);
+  edges.erase(same.begin(), same.end());
+  expect(edges.front() == bottom && edges.back() == top, "edges are added between others");
+  return profile;
 }
 
-AirProfile up_to(const AirProfile& whole, double top_km) {
-  AirProfile profile = with_levels(whole, {top_km});
-  const auto levels =
-      static_cast<std::size_t>(std::lower_bound(profile.z_km.begin(), profile.z_km.end(), top_km) -
-                               profile.z_km.begin() + 1);
-  expect(levels > 1, "there is air below the top");
-  for (auto* values :
-       {&profile.z_km, &profile.pressure_hpa, &profile.temperature_k, &profile.air_per_m3,
-        &profile.ozone_per_m3, &profile.relative_humidity_percent})
-    values->resize(levels);
-  for (auto& aerosols : profile.aerosols_per_km) aerosols.resize(levels);
+AirProfile up_to(AirProfile whole, double top_km) {
+  AirProfile profile = with_edges(std::move(whole), {top_km});
+  auto& edges = profile.edges_km;
+  edges.erase(std::ranges::upper_bound(edges, top_km), edges.end());
+  expect(edges.size() > 1, "there is air below the top");
   return profile;
 }
 
@@ -188,7 +255,8 @@ double mean_between(const std::vector<double>& z_km, const std::vector<double>& 
     const auto at = [&](double z) {
       return geometric_lerp(values[i - 1], values[i], (z - z_km[i - 1]) / (z_km[i] - z_km[i - 1]));
     };
-    integral += (top - bottom) * mean_of(at(bottom), at(top));
+    const bool straight = values[i - 1] == 0 || values[i] == 0;
+    integral += (top - bottom) * mean_of(at(bottom), at(top), straight);
   }
   return integral / (to_km - from_km);
 }

@@ -62,6 +62,15 @@ class DataTable {
     return {cell.line > 0 ? cell.line : line_.at(row), cell.column};
   }
 
+  /// Replaces the text of a cell, which keeps its place.
+  void put(std::size_t row, const std::string& column, std::string text) {
+    cells_.at(row)[index_of(column)].text = std::move(text);
+  }
+
+  /// What is worth knowing of how it was read.
+  void remark(std::string text) { remarks_.push_back(std::move(text)); }
+  [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
+
   /// Throws the InputError for something wrong in a row (from 0) and column.
   [[noreturn]] void fail(std::size_t row, const std::string& column, const std::string& reason,
                          const std::string& suggestion = "") const;
@@ -104,6 +113,7 @@ class DataTable {
   char separator_ = ',';
   std::vector<Cells> cells_;
   std::vector<int> line_;  ///< of each row
+  std::vector<std::string> remarks_;
   /// The first number with a decimal point; with a decimal comma; with one that cannot separate
   /// thousands.
   std::optional<Mark> point_, comma_, sure_comma_;

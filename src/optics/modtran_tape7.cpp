@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 
 #include "core/error.hpp"
 #include "core/interpolation.hpp"
 #include "optics/modtran.hpp"
 #include "optics/modtran_text.hpp"
+#include "optics/table_text.hpp"
 
 namespace photic::optics {
 namespace {
@@ -120,17 +120,6 @@ std::vector<std::string> joined_names(const ModtranText& text, const Fields& fie
     out.push_back(name);
   }
   return out;
-}
-
-/// Half a unit of the last digit of a number as it is printed.
-double half_last_digit(const std::string& text) {
-  const auto exponent = text.find_first_of("Ee");
-  const auto point = text.find('.');
-  const std::string mantissa = text.substr(0, exponent);
-  const double decimals =
-      point == std::string::npos ? 0 : static_cast<double>(mantissa.size() - point - 1);
-  const int power = exponent == std::string::npos ? 0 : std::atoi(text.c_str() + exponent + 1);
-  return 0.5 * std::pow(10.0, power - decimals);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 namespace photic::optics {
 
 ModtranText::ModtranText(const std::string& text, std::string name) : name_(std::move(name)) {
+  ends_ = text.ends_with('\n');
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines_.push_back(line);
 }

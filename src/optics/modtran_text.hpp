@@ -22,6 +22,8 @@ class ModtranText {
   /// Lines are numbered from 1.
   [[nodiscard]] const std::string& line(int number) const { return lines_.at(number - 1); }
   [[nodiscard]] std::vector<ModtranWord> words(int number) const;
+  /// Whether nothing ends the line: the file may have been truncated in it.
+  [[nodiscard]] bool is_open(int number) const { return number == lines() && !ends_; }
   /// The title of a block of profiles, which only a tape6 has.
   [[nodiscard]] bool is_title(int number) const;
   /// The name of the program between stars, which is the head of a tape6.
@@ -37,6 +39,7 @@ class ModtranText {
  private:
   std::string name_;
   std::vector<std::string> lines_;
+  bool ends_ = false;  ///< the last line is whole
 };
 
 }  // namespace photic::optics

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <regex>
 #include <utility>
 
@@ -109,6 +110,16 @@ bool has_decimal_point(const std::string& text) {
 bool may_be_thousands(const std::string& text) {
   const auto digit = text.find_first_not_of("+-");
   return has_groups(text) && text[digit] != '0';
+}
+
+double half_last_digit(const std::string& text) {
+  const auto exponent = text.find_first_of("Ee");
+  const std::string mantissa = text.substr(0, exponent);
+  const auto point = mantissa.find_first_of(".,");
+  const double decimals =
+      point == std::string::npos ? 0 : static_cast<double>(mantissa.size() - point - 1);
+  const int power = exponent == std::string::npos ? 0 : std::atoi(text.c_str() + exponent + 1);
+  return 0.5 * std::pow(10.0, power - decimals);
 }
 
 std::string how_to_write_number(const std::string& text) {

@@ -30,6 +30,9 @@ bool has_decimal_point(const std::string& text);
 /// Whether a number with a decimal comma may as well be one of thousands: 1,234 but not 0,123.
 bool may_be_thousands(const std::string& text);
 
+/// Half a unit of the last digit of a number as it is written.
+double half_last_digit(const std::string& text);
+
 /// What may help where a number is expected; may be empty.
 std::string how_to_write_number(const std::string& text);
 

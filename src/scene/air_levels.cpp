@@ -12,7 +12,7 @@ namespace {
 
 constexpr double m3_per_cm3 = 1e-6;
 /// The least that a CSV may tell. A tape6 prints less as 0 where the air is thin.
-constexpr double least_hpa = 1e-12, least_per_cm3 = 1;
+constexpr double least_per_cm3 = 1;
 
 optics::DataTable::Column column(const std::string& name, const std::vector<double>& values,
                                  double factor = 1, double least = 0) {
@@ -24,8 +24,8 @@ optics::DataTable::Column column(const std::string& name, const std::vector<doub
 
 optics::DataTable table_of(const optics::AirProfile& air, const std::string& name) {
   const auto& aerosols = air.aerosols_per_km;
-  return optics::DataTable::of_columns(
-      {column("z_km", air.z_km), column("p_hpa", air.pressure_hpa, 1, least_hpa),
+  auto table = optics::DataTable::of_columns(
+      {column("z_km", air.z_km), column("p_hpa", air.pressure_hpa, 1, optics::least_hpa),
        column("t_k", air.temperature_k),
        column("air_per_cm3", air.air_per_m3, m3_per_cm3, least_per_cm3),
        column("ozone_per_cm3", air.ozone_per_m3, m3_per_cm3),
@@ -35,6 +35,8 @@ optics::DataTable table_of(const optics::AirProfile& air, const std::string& nam
        column("stratosphere_per_km", aerosols[optics::stratosphere]),
        column("upper_atmosphere_per_km", aerosols[optics::upper_atmosphere])},
       name);
+  for (const std::string& remark : air.remarks) table.remark(remark);
+  return table;
 }
 
 constexpr double least_nm = 200, most_nm = 1100;
@@ -60,7 +62,7 @@ double of_gases(const optics::ModtranTransmittances& air, const std::vector<std:
 }  // namespace
 
 optics::DataTable read_air_levels(const std::string& path) {
-  if (path.ends_with(".csv")) return optics::DataTable::read(path);
+  if (path.ends_with(".csv")) return optics::with_all_humidities(optics::DataTable::read(path));
   const std::string text = optics::read_text(path);
   if (!optics::is_tape6(text))
     throw InputError(
@@ -87,10 +89,12 @@ optics::DataTable read_gas_depths(const std::string& path) {
       {column("wavelength_nm", wavelength_nm), column("optical_depth", optical_depth)}, path);
 }
 
-bool tells_of_aerosols(const UserTable& levels) {
+bool has_own_aerosols(const Atmosphere& air) {
+  const auto* levels = std::get_if<UserTable>(&air.profile);
+  if (!levels) return false;
   constexpr const char* columns[] = {"boundary_layer_per_km", "troposphere_per_km",
                                      "stratosphere_per_km", "upper_atmosphere_per_km"};
-  return std::ranges::any_of(levels.columns(), [&](const UserTable::Column& column) {
+  return std::ranges::any_of(levels->columns(), [&](const UserTable::Column& column) {
     return std::ranges::find(columns, column.name) != std::end(columns);
   });
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "optics/data_table.hpp"
-#include "scene/user_table.hpp"
+#include "scene/scene.hpp"
 
 namespace photic::scene {
 
@@ -20,7 +20,7 @@ inline constexpr double opaque_depth = 99;
 /// Wavelengths are those that Photic has air for. Throws InputError.
 optics::DataTable read_gas_depths(const std::string& path);
 
-/// Whether there are columns of aerosols among them.
-bool tells_of_aerosols(const UserTable& levels);
+/// Whether the levels of a profile have columns of aerosols.
+bool has_own_aerosols(const Atmosphere& air);
 
 }  // namespace photic::scene

@@ -42,6 +42,23 @@ std::optional<Refusal> check_change(const std::string& path, const Node& value) 
   return std::nullopt;
 }
 
+void take_out_replaced(const std::vector<std::string>& paths, Node& document) {
+  constexpr const char* amounts[] = {"visibility_km", "aerosol_optical_depth_550"};
+  Node* air = document.find("atmosphere");
+  auto* keys = air ? air->as<Node::Table>() : nullptr;
+  if (!keys) return;
+  const auto is_set = [&](const std::string& key) {
+    return std::ranges::find(paths, "atmosphere." + key) != paths.end();
+  };
+  const Node* aerosol = air->find("aerosol");
+  const auto* word = aerosol ? aerosol->as<std::string>() : nullptr;
+  if (!std::ranges::any_of(amounts, is_set) && !(is_set("aerosol") && word && *word == "none"))
+    return;
+  for (const char* amount : amounts)
+    if (!is_set(amount))
+      std::erase_if(*keys, [&](const Entry& entry) { return entry.key == amount; });
+}
+
 bool is_value(const Node& node) {
   if (const auto* array = node.as<Node::Array>())
     return std::all_of(array->begin(), array->end(), is_value);

@@ -33,6 +33,10 @@ std::optional<Refusal> check_path(const std::string& path);
 /// The same of a path and its value.
 std::optional<Refusal> check_change(const std::string& path, const Node& value);
 
+/// Takes out of a document what changes at these paths take the place of: a visibility or an
+/// optical depth of aerosols that of the other key, aerosol = "none" that of both.
+void take_out_replaced(const std::vector<std::string>& paths, Node& document);
+
 /// Whether scenes can hold the value: no dates, and finite numbers.
 bool is_value(const Node& node);
 

@@ -1,15 +1,18 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "optics/aerosol_profiles.hpp"
 #include "scene/checks.hpp"
 
 namespace photic::scene {
 namespace {
 
-/// Bent light is known up to these: by the axis of an instrument and what is near it alone.
-constexpr double most_bending_index = 1.001, most_bent_deg = 60;
+/// Air of the sea level has an index of 1.0003. Bent light is known up to these: by the axis of an
+/// instrument and what is near it alone.
+constexpr double most_of_air_index = 1.001, most_bent_deg = 60;
 
 /// Light that comes to the sea from above, and goes back there, is all that the air is known for.
 void check_what_is_below(const Scene& scene, Findings& findings) {
@@ -77,10 +80,47 @@ void refuse_spheres(const PhaseFunction& function, const std::string& path, Find
                  "take another model, or a table");
 }
 
+/// Two keys say how much aerosol there is.
 void check_aerosols(const Atmosphere& air, Findings& findings) {
-  if (air.has_aerosols() || !air.visibility_km) return;
-  findings.add("atmosphere.visibility_km", "aerosol = \"none\" says that there are no aerosols",
-               "leave one of them out");
+  const char* depth = "atmosphere.aerosol_optical_depth_550";
+  const bool has_depth = air.aerosol_optical_depth_550.has_value();
+  if (has_depth && air.visibility_km)
+    findings.add(depth, "it takes the place of visibility_km, which is there, too",
+                 "leave one of them out");
+  else if (!air.has_aerosols() && (has_depth || air.visibility_km))
+    findings.add(has_depth ? depth : "atmosphere.visibility_km",
+                 "aerosol = \"none\" says that there are no aerosols", "leave one of them out");
+}
+
+/// What is possible, but more likely in another unit.
+void remark_units(const Atmosphere& air, Findings& findings) {
+  constexpr double most_fraction = 1, clearest_km = 100, thickest_fog_per_m = 0.1;
+  const double humidity = air.relative_humidity_percent.value_or(0);
+  if (humidity > 0 && humidity <= most_fraction)
+    findings.remark("atmosphere.relative_humidity_percent",
+                    fmt::format("{0} % is very dry: is it a fraction? {0} of saturation would be "
+                                "{1}",
+                                plain_number(humidity), plain_number(100 * humidity)));
+  if (air.visibility_km.value_or(0) > clearest_km)
+    findings.remark("atmosphere.visibility_km",
+                    fmt::format("air of {} km visibility is hardly ever seen: is it in m?",
+                                plain_number(*air.visibility_km)));
+  for (std::size_t i = 0; i < air.layer.size(); ++i) {
+    const AirLayer& layer = air.layer[i];
+    const std::string path = below("atmosphere.layer", i);
+    if (layer.refractive_index > most_of_air_index && !air.refraction)
+      findings.remark(below(path, "refractive_index"),
+                      fmt::format("no air has a refractive index of {}: at the sea it is 1.0003",
+                                  plain_number(layer.refractive_index)));
+    const auto extinction = [](const IopEntry& at) { return at.a_per_m + at.b_per_m; };
+    const auto thickest = std::ranges::max_element(layer.iop, {}, extinction);
+    if (thickest == layer.iop.end() || extinction(*thickest) <= thickest_fog_per_m) continue;
+    findings.remark(below(path, "iop"),
+                    fmt::format("an extinction of {} per m is that of the densest fog, of {:.2g} m "
+                                "visibility: is it in 1/km?",
+                                plain_number(extinction(*thickest)),
+                                optics::contrast_depth / extinction(*thickest)));
+  }
 }
 
 void check_gases(const Atmosphere& air, Findings& findings) {
@@ -119,13 +159,13 @@ void check_refraction(const Scene& scene, Findings& findings) {
     check(below(below("telescope", i), "direction"), scene.telescope[i].direction);
   for (std::size_t i = 0; i < scene.atmosphere->layer.size(); ++i) {
     const std::string path = below(below("atmosphere.layer", i), "refractive_index");
-    if (findings.good({path}) && scene.atmosphere->layer[i].refractive_index > most_bending_index)
+    if (findings.good({path}) && scene.atmosphere->layer[i].refractive_index > most_of_air_index)
       findings.add(
           path,
           fmt::format(
               "air of such an index bends light too much: with refraction at most {:g} can be "
               "had",
-              most_bending_index),
+              most_of_air_index),
           "write a lower index, or leave atmosphere.refraction out");
   }
 }
@@ -136,8 +176,10 @@ void check_atmosphere(const Scene& scene, Findings& findings) {
   if (!scene.atmosphere) return;
   const Atmosphere& air = *scene.atmosphere;
   check_what_is_below(scene, findings);
-  if (findings.good({"atmosphere.aerosol", "atmosphere.visibility_km"}))
+  if (findings.good({"atmosphere.aerosol", "atmosphere.visibility_km",
+                     "atmosphere.aerosol_optical_depth_550"}))
     check_aerosols(air, findings);
+  if (findings.good({"atmosphere"})) remark_units(air, findings);
   check_gases(air, findings);
   if (air.refraction) check_refraction(scene, findings);
   check_heights(air.layer, findings);

@@ -7,9 +7,6 @@
 
 namespace photic::scene {
 
-/// LOWTRAN 7's of rural and maritime air.
-inline constexpr double default_visibility_km = 23.0;
-
 template <class V>
 void describe_air_iop(V& v, IopEntry& i) {
   v.required("wavelength_nm", i.wavelength_nm, Wavelength{}, "the wavelength in nm");
@@ -80,6 +77,11 @@ void describe_profile(V& v, Atmosphere& a) {
              from_to(optics::lowest_visibility_km, optics::highest_visibility_km),
              "the visibility at the sea in km, which tells how much aerosol there is; by default "
              "23, or what the profile's own levels tell of aerosols");
+  v.optional(
+      "aerosol_optical_depth_550", a.aerosol_optical_depth_550,
+      from_to(0.0, optics::most_aerosol_depth),
+      "the vertical optical depth of all aerosols at 550 nm from the sea to top_km, in place "
+      "of the visibility: it scales the aerosols of the lowest 2 km");
   v.optional(expert("season"), a.season,
              Choice{{{"spring-summer", "LOWTRAN 7's profile of these seasons"},
                      {"fall-winter", "that of the others"}}},

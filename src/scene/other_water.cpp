@@ -169,6 +169,9 @@ void OtherWater::change(const std::string& path, Node value, const Place& place)
 }
 
 Scene OtherWater::read() {
+  std::vector<std::string> changed;
+  for (const PlacedChange& change : changes_) changed.push_back(change.path);
+  take_out_replaced(changed, document_);
   if (reference_.cuts) expand_layers(document_, reference_.files, reference_.cuts, findings_);
   Scene scene = scene_of(document_, reference_.files.folder, findings_);
   check_sea(scene, findings_);

@@ -144,9 +144,10 @@ void fill_in_oil(const Node& document, Scene& scene, Findings& findings) {
 /// LOWTRAN 7's visibility of clear air, but where levels tell of their own aerosols.
 void fill_in_air(Atmosphere& air) {
   fill_names(air.layer, "air");
-  if (!air.layer.empty() || !air.has_aerosols() || air.visibility_km) return;
-  const auto* levels = std::get_if<UserTable>(&air.profile);
-  if (!levels || !tells_of_aerosols(*levels)) air.visibility_km = default_visibility_km;
+  if (!air.layer.empty() || !air.has_aerosols() || air.visibility_km ||
+      air.aerosol_optical_depth_550)
+    return;
+  if (!has_own_aerosols(air)) air.visibility_km = optics::clear_visibility_km;
 }
 
 }  // namespace

@@ -193,7 +193,8 @@ struct AirGases {
 struct Atmosphere {
   std::variant<std::string, UserTable> profile;  ///< one of AFGL's six, or levels
   std::string aerosol = "rural";                 ///< of the boundary layer; none: of all the air
-  std::optional<double> visibility_km;           ///< none: no aerosols, or those of the levels
+  std::optional<double> visibility_km;  ///< none: no aerosols, those of the levels, or as deep as:
+  std::optional<double> aerosol_optical_depth_550;  ///< of all aerosols, from the sea to the top
   std::string season = "spring-summer";
   std::optional<double> relative_humidity_percent;  ///< of the boundary layer; none: the profile's
   double top_km = 100.0;

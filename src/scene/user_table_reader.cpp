@@ -19,6 +19,8 @@ void read_file(const TableOrFile& rule, const std::string& path, const TableName
     for (const TableOrFile::Column& column : rule.columns)
       if (!column.may_lack || data.has(column.name)) taken.emplace_back(column.name);
     value = UserTable(data, taken);
+    for (const std::string& remark : data.remarks())
+      shared.findings.remark(name.path, data.name() + ": " + remark);
   } catch (const InputError& error) {
     for (const Diagnostic& d : error.diagnostics())
       shared.findings.add(name.path, {d.file, d.line, d.column}, d.reason, d.suggestion);

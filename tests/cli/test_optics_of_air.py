@@ -216,6 +216,25 @@ def test_a_tape6_is_one_whether_spectra_follow_or_not(photic, tmp_path):
     assert (done.returncode, done.stdout) == (2, "") and 'no block "ATMOSPHERIC PROFILES"' in done.stderr
 
 
+# Seen red: without the remarks; with those of scenes alone.
+def test_remarks_on_profiles(photic, tmp_path):
+    (tmp_path / "dry.csv").write_text("z_km,p_hpa,t_k,relative_humidity_percent\n0,1000,290,0.7\n2,790,278,\n10,265,223,0.3\n")
+    done = photic("optics", "--air", "dry.csv", "--wavelengths", "532")
+    assert done.returncode == 0
+    assert done.stderr == (
+        "dry.csv: relative_humidity_percent is missing at 1 of 3 levels, the first at 2 km: there it follows from the "
+        "levels beside it\ndry.csv: the relative humidity is 0.7 % at most: is it a fraction?\n")
+    rows = TAPE6.splitlines(keepends=True)
+    low, high, low_aerosols, high_aerosols = [row for row in rows if row[:4] in ("   1", "   2")]
+    from_the_top = [{low: high, high: low, low_aerosols: high_aerosols.replace("20.00000", "        "),
+                     high_aerosols: low_aerosols}.get(row, row) for row in rows]
+    for name, text in {"tape6": TAPE6, "turned": "".join(from_the_top) + "\n"}.items():
+        (tmp_path / name).write_text(text)
+    up, down = [photic("optics", "--air", name, "--wavelengths", "532") for name in ["tape6", "turned"]]
+    assert down.stderr == "turned: RH is missing at 1 of 2 levels, the first at 12 km: there it follows from the levels beside it\n"
+    assert (up.returncode, up.stderr) == (0, "") and len(up.stdout.splitlines()) == len(down.stdout.splitlines())
+
+
 REFUSED = {
     "no atmosphere": (["mars"], 2, "there are: us-standard"),
     "no file": (["./none"], 2, "./none: cannot be read"),
@@ -228,6 +247,7 @@ REFUSED = {
     "a tape7 with haze": (["tape7", "--visibility", "5"], 2, "tape7: a tape7 holds transmittances, and no profile"),
     "outside": (["us-standard", "--wavelengths", "532,1200"], 2, "no air scattering data at 1200 nm"),
     "outside OPAC": (["us-standard", "--visibility", "5", "--aerosol", "opac-sscm-80", "--wavelengths", "240"], 2, "cover 250-2000 nm"),
+    "altitudes in metres": (["metres.csv"], 2, "metres.csv:3:1: the pressure falls from 1000 to 250 hPa between 0 and 10000 km"),
     "a folder that is not there": (["us-standard", "-o", "nowhere/air.nc"], 1, "nowhere does not exist"),
     "an output of no kind": (["us-standard", "-o", "air.txt"], 2, "neither in .nc nor in .csv"),
     "itself": (["mine.csv", "-o", "mine.csv"], 2, "mine.csv: the result would replace a file that it is made of"),
@@ -238,7 +258,8 @@ REFUSED = {
 def test_refuses_air(photic, tape7, tmp_path, what):
     arguments, code, message = REFUSED[what]
     (tmp_path / "folder").mkdir()
-    for name, text in {"empty": "", "empty.csv": "", "half": TAPE7[: TAPE7.index("20000")], "mine.csv": "z_km,p_hpa,t_k\n0,1000,290\n10,250,220\n"}.items():
+    for name, text in {"empty": "", "empty.csv": "", "half": TAPE7[: TAPE7.index("20000")], "mine.csv": "z_km,p_hpa,t_k\n0,1000,290\n10,250,220\n",
+                       "metres.csv": "z_km,p_hpa,t_k\n0,1000,290\n10000,250,220\n"}.items():
         (tmp_path / name).write_text(text)
     before = sorted(os.listdir(tmp_path))
     done = photic("optics", "--air", *arguments, *([] if "-o" in arguments else ["-o", "air.nc"]))

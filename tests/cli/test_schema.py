@@ -57,6 +57,7 @@ GOOD = {
     "levels of air": (
         "[gates]",
         "[atmosphere]\nprofile = { z_km = [0, 9], p_hpa = [1000, 300], t_k = [290, 230] }\ntop_km = 9\n[gates]"),
+    "air of an optical depth": ("[gates]", '[atmosphere]\nprofile = "us-standard"\naerosol_optical_depth_550 = 0.2\n[gates]'),
     "layers of air": (
         "[gates]",
         "[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 9\n"
@@ -93,6 +94,7 @@ FAULTY = {
         '[atmosphere]\nprofile = "us-standard"\n[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 9\n'
         "iop = [{ wavelength_nm = 532, a_per_m = 0, b_per_m = 0 }]\n[gates]"),
     "a visibility in metres": ("[gates]", '[atmosphere]\nprofile = "us-standard"\nvisibility_km = 23000\n[gates]'),
+    "an optical depth of per cent": ("[gates]", '[atmosphere]\nprofile = "us-standard"\naerosol_optical_depth_550 = 20\n[gates]'),
     "no section": ("[simulation]", "[simulations]"),
     "profile of one depth": (
         "chlorophyll_mg_m3 = 0.1", "chlorophyll_mg_m3 = { depth_m = [0], value = [1], above = 'constant' }"),

@@ -1,14 +1,12 @@
-// The air above the sea: its layers against closed forms and the profile they are made of, and what
-// the check of a scene says of air without data.
+// The air above the sea: its layers against closed forms and the profile they are made of.
 #include "medium/air.hpp"
 
 #include <cmath>
-#include <fstream>
 
 #include "medium/upside_down.hpp"
 #include "optics/air_library.hpp"
 #include "optics/air_molecules.hpp"
-#include "unit/medium/checked_scenes.hpp"
+#include "unit/medium/scenes.hpp"
 
 namespace photic::medium {
 namespace {
@@ -87,6 +85,95 @@ TEST(Air, HasTheExtinctionOfItsVisibilityAtTheSea) {
   }
 }
 
+/// Of the aerosols, from layers at 550 nm; the builder halves them for the laser's light.
+double aerosol_depth_of(const scene::Atmosphere& atmosphere, double laser_nm) {
+  scene::Scene scene = test::ship_scene();
+  scene.atmosphere = atmosphere;
+  std::vector<Line> lines(1);
+  lines[0].wavelength_nm = laser_nm;
+  double depth = 0;
+  for (const auto& layer : AirBuilder(scene, lines).at(scene, 550, optics::Phases::left_out).layers)
+    depth +=
+        (layer.aerosols_a_per_m + layer.aerosols_b_per_m) * 1e3 * (layer.top_km - layer.bottom_km);
+  return depth;
+}
+
+/// Levels with aerosols of their own, of depth 0.27 below and 0.02 above.
+scene::UserTable hazy_levels() {
+  return {optics::DataTable::parse("z_km,p_hpa,t_k,boundary_layer_per_km,troposphere_per_km\n"
+                                   "0,1013,288,0.2,0\n1,899,282,0.14,0\n2,795,275,0.06,0.02\n"
+                                   "3,701,269,0,0.01\n9,308,230,0,0\n",
+                                   "levels"),
+          {"z_km", "p_hpa", "t_k", "boundary_layer_per_km", "troposphere_per_km"}};
+}
+
+// Whatever the layers are. Seen red: with the profile as its visibility has it; with all of it
+// scaled and then cut at the top; with LOWTRAN's aerosols for those of the levels.
+TEST(Air, HasTheAerosolOpticalDepthThatIsGiven) {
+  for (const double laser_nm : {355.0, 532.0, 1064.0})
+    for (const char* aerosol : {"rural", "maritime", "opac-ssam-80"})
+      for (const double depth : {0.09, 0.2, 1.3}) {
+        scene::Atmosphere air = clear_air("tropical");
+        air.aerosol = aerosol;
+        air.aerosol_optical_depth_550 = depth;
+        EXPECT_NEAR(aerosol_depth_of(air, laser_nm) / depth, 1, 1e-9) << aerosol << laser_nm;
+        EXPECT_NEAR(air_of(air, {laser_nm}).depths->aerosols_550 / depth, 1, 1e-9);
+      }
+  scene::Atmosphere low = clear_air();
+  low.aerosol = "maritime";
+  low.aerosol_optical_depth_550 = 0.2;
+  low.top_km = 1.6;
+  EXPECT_NEAR(aerosol_depth_of(low, 532), 0.2, 1e-9);
+  scene::Atmosphere own = low;
+  own.profile = hazy_levels();
+  own.top_km = 9;
+  EXPECT_NEAR(aerosol_depth_of(own, 532), 0.2, 1e-9);
+  const optics::AirLibrary& tables = library().air();
+  const auto scaled = as_deep_as_given(own, profile_to_top(own, whole_profile(own, tables)));
+  EXPECT_EQ(scaled.aerosols_per_km[optics::troposphere][2], 0.02);
+  EXPECT_LT(scaled.aerosols_per_km[optics::boundary_layer][1], 0.14);
+}
+
+// Layers are halved for the laser's light, and hold what the profile holds: at its edges aerosols
+// go to 0 on straight lines. Seen red: with levels in the place of edges, exponential between them
+// (1.169 of 1.170).
+TEST(Air, HasAllTheAerosolsOfItsProfile) {
+  for (const double visibility_km : {5.0, 23.0, 40.0})
+    for (const double laser_nm : {355.0, 1064.0}) {
+      const scene::Atmosphere air = hazy_air("maritime", visibility_km);
+      const double whole =
+          optics::aerosol_depth(profile_to_top(air, whole_profile(air, library().air())));
+      EXPECT_NEAR(aerosol_depth_of(air, laser_nm) / whole, 1, 1e-9);
+      EXPECT_NEAR(air_of(air, {laser_nm}).depths->aerosols_550 / whole, 1, 1e-9);
+    }
+}
+
+// The same aerosols, of the visibility that is as deep. Seen red: with 50 km for the visibility
+// whose aerosols are scaled.
+TEST(Air, OfAnOpticalDepthIsThatOfItsVisibility) {
+  const Air clear = air_of(hazy_air("maritime", 23), {532, 355});
+  scene::Atmosphere deep = clear_air();
+  deep.aerosol = "maritime";
+  deep.aerosol_optical_depth_550 = clear.depths->aerosols_550;
+  const Air air = air_of(deep, {532, 355});
+  ASSERT_EQ(air.height_m, clear.height_m);
+  for (std::size_t i = 0; i < air.b.size(); ++i) {
+    EXPECT_NEAR(air.b[i] / clear.b[i], 1, 1e-12);
+    EXPECT_NEAR(air.a[i], clear.a[i], 1e-12 * clear.b[i]);
+  }
+}
+
+// What photic show says. Seen red: with four digits.
+TEST(Air, TellsItsAerosolsAt550Nm) {
+  scene::Scene scene = test::ship_scene();
+  scene.atmosphere = clear_air();
+  scene.atmosphere->aerosol = "maritime";
+  scene.atmosphere->aerosol_optical_depth_550 = 0.1234567;
+  const auto air = build_air(scene, {Line{.wavelength_nm = 532}}).value();
+  const auto told = air_told(scene, air);
+  EXPECT_EQ(std::ranges::count(told, "optical depth of the aerosols at 550 nm: 0.1234567"), 1);
+}
+
 /// Levels at each km up to 20 km, in dry air.
 scene::UserTable dry_levels() {
   std::string text = "z_km,p_hpa,t_k\n";
@@ -108,9 +195,9 @@ TEST(Air, HasLayersThatAreThinEnough) {
   optics::AirProfile fine = profile_to_top(hazy, whole_profile(hazy, tables));
   for (int halvings = 0; halvings < 6; ++halvings) {
     std::vector<double> middles;
-    for (std::size_t i = 1; i < fine.z_km.size(); ++i)
-      middles.push_back((fine.z_km[i - 1] + fine.z_km[i]) / 2);
-    fine = optics::with_levels(fine, middles);
+    for (std::size_t i = 1; i < fine.edges_km.size(); ++i)
+      middles.push_back((fine.edges_km[i - 1] + fine.edges_km[i]) / 2);
+    fine = optics::with_edges(fine, middles);
   }
   double depth = 0, worst = 0;
   for (const auto& layer : optics::air_at(tables, fine, aerosols_of(hazy), 355).layers) {
@@ -234,103 +321,6 @@ TEST(Air, HasTheGasesOfItsLadder) {
   EXPECT_NEAR(air.depths->gases, 0.2 + 0.1 * 32 / 200, 1e-12);
   for (const double edge : {1700.0, 5200.0})
     EXPECT_EQ(std::ranges::count(air.height_m, edge), 1) << edge;
-}
-
-// --- What the check says -------------------------------------------------------------------------
-
-/// The base scene with this section from line 26 on.
-Texts of_section(const std::string& section, const Texts& overrides = {}) {
-  return problems({{25, 25, scene::base_lines()[24] + "\n" + section}}, overrides);
-}
-
-const std::string us_standard = "[atmosphere]\nprofile = \"us-standard\"\n";
-const std::string own_air =
-    "[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 9\niop = [{ wavelength_nm = 532, "
-    "a_per_m = 0, b_per_m = 1 }]\n";
-
-/// A profile of two levels.
-std::string levels(const std::string& z_km, const std::string& more = "") {
-  return "[atmosphere]\nprofile = { z_km = " + z_km + ", p_hpa = [1000, 300], t_k = [290, 230]" +
-         more + " }\n";
-}
-
-// Seen red: with an air that is not looked at in the check.
-TEST(CheckOfAir, EveryTextWithLineAndColumn) {
-  EXPECT_EQ(of_section(us_standard), Texts{});
-  const std::string gases = us_standard + "[[atmosphere.gases]]\ntop_km = 2\nfile = ",
-                    on = "\n[[atmosphere.gases]]\ntop_km = 3\nfile = ",
-                    deep = "{ wavelength_nm = [400, 800], optical_depth = [0.3, 0.3] }",
-                    thin = "{ wavelength_nm = [400, 800], optical_depth = [0.2, 0.2] }";
-  EXPECT_EQ(of_section(gases + thin + on + deep), Texts{});
-  EXPECT_EQ(
-      of_section(gases + deep + on + thin),
-      Texts{"scene.toml:28:1: gases are 0.2 deep at 532 nm up to 3 km, and 0.3 up to the rung "
-            "below it; the source emits there (all rungs begin at the sea)"});
-  EXPECT_EQ(of_section(gases + "{ wavelength_nm = [600, 800], optical_depth = [0, 0] }"),
-            Texts{"scene.toml:28:1: no gas data at 532 nm: scene.toml cover 600-800 nm; the source "
-                  "emits there (add it to the table, or choose another wavelength)"});
-  EXPECT_EQ(of_section(own_air), Texts{});
-  EXPECT_EQ(of_section(us_standard + "aerosol = \"martian\""),
-            Texts{"scene.toml:28:11: no aerosol model \"martian\" (there are: rural, maritime, "
-                  "urban, tropospheric, fog-advection, fog-radiation, stratospheric, meteoric, "
-                  "opac-waso-80 and so on)"});
-  EXPECT_EQ(of_section(us_standard + "top_km = 121"),
-            Texts{"scene.toml:28:10: the profile ends at 120 km, below the top of the air at 121 "
-                  "km (write top_km = 120, or add levels)"});
-  EXPECT_EQ(of_section(levels("[0, 9]")),
-            Texts{"scene.toml:26:1: the profile ends at 9 km, below the top of the air at 100 km "
-                  "(write top_km = 9, or add levels)"});
-  EXPECT_EQ(of_section(levels("[1, 9]") + "top_km = 9"),
-            Texts{"scene.toml:27:11: the profile begins at 1 km, not at the sea (add a level at "
-                  "0)"});
-  std::string km = "z_km,p_hpa,t_k\n";
-  for (int z = 0; z <= 1000; ++z) km += std::to_string(z / 10.0) + ",1,280\n";
-  const std::string path = ::testing::TempDir() + "photic-long-air.csv";
-  std::ofstream(path) << km;
-  EXPECT_EQ(of_section("[atmosphere]\nprofile = \"" + path + "\""),
-            Texts{"scene.toml:27:11: the profile has 1001 levels (at most 1000 can be had: leave "
-                  "some out)"});
-  EXPECT_EQ(of_section(levels("[0, 9]", ", air_per_cm3 = [1e19, -1]") + "top_km = 9"),
-            Texts{"scene.toml:27:88: air_per_cm3 -1 is below 1"});
-  EXPECT_EQ(of_section(own_air, {"channel.0.process=raman"}),
-            (Texts{"scene.toml:24:7: the iop of layer \"layer1\" covers 531 to 533 nm, not 648.793 "
-                   "nm; channel \"elastic\" counts raman light there (add an entry for it)",
-                   "scene.toml:29:7: the iop of layer \"air0\" covers 531 to 533 nm, not 648.793 "
-                   "nm; channel \"elastic\" counts raman light there (add an entry for it)"}));
-}
-
-// Of a file the line and column of it.
-TEST(CheckOfAir, OfAFileTellsItsLine) {
-  const std::string path = ::testing::TempDir() + "photic-bad-air.csv";
-  std::ofstream(path) << "z_km,p_hpa,t_k\n0,1000,290\n9,300,3\n";
-  EXPECT_EQ(of_section("[atmosphere]\nprofile = \"" + path + "\"\ntop_km = 9"),
-            Texts{path + ":3:7: t_k 3 is below 50"});
-}
-
-// At the laser's wavelength and at those of all lines: there are no data of molecules above 1100
-// nm. Seen red: with the laser's alone.
-TEST(CheckOfAir, AsksForEveryWavelength) {
-  const std::string iop =
-      "[{ wavelength_nm = 900, a_per_m = 1, b_per_m = 1 }, { wavelength_nm = 2000, a_per_m = 1, "
-      "b_per_m = 1 }]";
-  const Texts sea{
-      "sea.refractive_index=1.33", "sea.group_index=1.33", "sea.layer.1.iop=" + iop,
-      "sea.layer.0={ bottom_depth_m = 20, phase_function = \"petzold\", iop = " + iop + " }"};
-  const auto told = [&](const Texts& more) {
-    Texts all = sea;
-    all.insert(all.end(), more.begin(), more.end());
-    return of_section(us_standard, all);
-  };
-  const std::string none = ": no air scattering data at ";
-  const std::string known =
-      std::string(" nm: ") + optics::air_scattering_source + " cover 200-1100 nm";
-  EXPECT_EQ(told({"source.wavelength_nm=1090"}), Texts{});
-  EXPECT_EQ(
-      told({"source.wavelength_nm=1150"}),
-      Texts{"--set source.wavelength_nm" + none + "1150" + known + " (choose another wavelength)"});
-  EXPECT_EQ(told({"source.wavelength_nm=1064", "channel.0.process=raman"}),
-            Texts{"--set channel.0.process" + none + "1662.58" + known +
-                  "; channel \"elastic\" counts raman light there (choose another wavelength)"});
 }
 
 }  // namespace

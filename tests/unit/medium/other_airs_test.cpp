@@ -88,6 +88,24 @@ TEST(OtherAirs, AreWhatTheirOwnWouldBe) {
   damp.relative_humidity_percent = 90;
   expect_own(with_air(rural(23), {damp}));
 }
+
+scene::Atmosphere of_depth(double aerosol_optical_depth_550) {
+  scene::Atmosphere air;
+  air.profile = "us-standard";
+  air.aerosol_optical_depth_550 = aerosol_optical_depth_550;
+  return air;
+}
+
+// Seen red: with the profile as its visibility has it.
+TEST(OtherAirs, OfOpticalDepthsAreWhatTheirOwnWouldBe) {
+  const auto scene = with_air(of_depth(0.3), {of_depth(0.12), of_depth(0.9), rural(8)});
+  expect_own(scene);
+  const auto airs = other_airs(scene, medium_of(scene).line);
+  EXPECT_NEAR(airs[0].from.depths->aerosols_550, 0.3, 1e-12);
+  EXPECT_NEAR(airs[0].to.depths->aerosols_550, 0.12, 1e-12);
+  EXPECT_NEAR(airs[1].to.depths->aerosols_550, 0.9, 1e-12);
+  expect_own(with_air(rural(23), {of_depth(0.2)}));
+}
 TEST(OtherAirs, OfLayersAreWhatTheirOwnWouldBe) {
   expect_own(with_air(
       two_layers(1e-3, 1e-5, 0.6),

@@ -111,6 +111,24 @@ TEST(AerosolProfiles, HaveLowtransOpticalDepths) {
   expect_contains(air.source, "aerosols LOWTRAN 7");
 }
 
+// Aerosols have levels of their own: those of a profile of three are as deep. Seen red: with the
+// profile's alone, between which they go straight down to 10 km (0.79 for 0.23 in the lowest).
+TEST(AerosolProfiles, AreTheSameInAnyAir) {
+  const AirProfile coarse = air_profile(
+      DataTable::parse("z_km,p_hpa,t_k\n0,1013,288\n10,265,223\n120,3e-5,360\n", "air.csv"));
+  for (const double visibility_km : {5.0, 23.0, 40.0}) {
+    const AirProfile air = with_aerosols(air_library(), coarse, visibility_km, "spring-summer");
+    EXPECT_NEAR(aerosol_depth(air) / aerosol_depth(air_of(visibility_km, "spring-summer")), 1,
+                1e-3);
+    EXPECT_EQ(air.pressure_hpa, coarse.pressure_hpa);
+  }
+  const AirProfile low = with_aerosols(
+      air_library(),
+      air_profile(DataTable::parse("z_km,p_hpa,t_k\n0.3,978,286\n0.9,909,282\n", "air.csv")), 23,
+      "spring-summer");
+  EXPECT_EQ(low.aerosol_z_km, (std::vector{0.3, 0.9}));
+}
+
 // The tables' values are rounded to 0.0005 at 0.1, and their visibilities' law with them. Seen red:
 // with visibilities interpolated linearly; with 3.0 for 3.912.
 TEST(AerosolProfiles, KeepTheLawOfVisibility) {
@@ -136,6 +154,37 @@ TEST(AerosolProfiles, KnowSeasons) {
   EXPECT_NEAR(at_3_km(23, "fall-winter"), 0.0272, 1e-12);
   EXPECT_EQ(air_of(23, "fall-winter").aerosols_per_km[stratosphere][20], 0.000423);
   EXPECT_EQ(air_of(23, "spring-summer").aerosols_per_km[stratosphere][20], 0.000589);
+}
+
+// Expected values: LOWTRAN 7's depths of the regions above, as it prints them. Seen red: with all
+// regions scaled; with the depth of the boundary layer alone.
+TEST(AerosolDepth, IsThatOfAllAerosolsAndScalesTheLowest) {
+  const AirProfile air = air_of(5, "spring-summer");
+  EXPECT_NEAR(aerosol_depth(air), 1.082 + 0.08102 + 7.198e-3 + 1.591e-4, 1e-3);
+  for (const double depth : {0.0885, 0.2, 1.0, 5.0}) {
+    const AirProfile scaled = with_aerosol_depth(air, depth);
+    EXPECT_NEAR(aerosol_depth(scaled), depth, 1e-12);
+    for (const auto region : {troposphere, stratosphere, upper_atmosphere})
+      EXPECT_EQ(scaled.aerosols_per_km[region], air.aerosols_per_km[region]);
+    const double factor =
+        scaled.aerosols_per_km[boundary_layer][0] / air.aerosols_per_km[boundary_layer][0];
+    EXPECT_NEAR(factor * 1.0824, depth - 0.08838, 1e-3);
+    EXPECT_DOUBLE_EQ(scaled.aerosols_per_km[boundary_layer][1],
+                     factor * air.aerosols_per_km[boundary_layer][1]);
+  }
+}
+
+TEST(AerosolDepth, RefusesLessThanThereIsAbove) {
+  const AirProfile air = air_of(23, "spring-summer");
+  EXPECT_EQ(message<InputError>([&] { with_aerosol_depth(air, 0.05); }),
+            "0.05 is less than the optical depth at 550 nm of the aerosols above the boundary "
+            "layer alone, 0.08837 (write at least 0.0884, or aerosol = \"none\")");
+  EXPECT_NEAR(aerosol_depth(with_aerosol_depth(air, 0.0884)), 0.0884, 1e-12);
+  expect_contains(
+      message<InputError>(
+          [&] { with_aerosol_depth(air_library().atmosphere("us-standard"), 0.2); }),
+      "the profile has no aerosols in the boundary layer, which an optical depth scales "
+      "(give it a visibility, or aerosols)");
 }
 
 TEST(AerosolProfiles, RefuseWhatTheyDoNotKnow) {

@@ -84,6 +84,7 @@ std::set<std::string> keys_of_scenes() {
             "troposphere_per_km = [0, 0], stratosphere_per_km = [0, 0], upper_atmosphere_per_km = "
             "[0, 0] }, visibility_km = 9, relative_humidity_percent = 80, gases = [{ top_km = 2, "
             "file = { wavelength_nm = [300, 900], optical_depth = [0, 0] } }] }"},
+           {"atmosphere={ profile = \"us-standard\", aerosol_optical_depth_550 = 0.2 }"},
            {"atmosphere={ layer = [{ bottom_height_m = 0, top_height_m = 9, iop = [{ "
             "wavelength_nm = 532, a_per_m = 0, b_per_m = 1 }] }] }"},
            {"environment=[{ set = {} }]", "sensitivity=['sea.layer.0.chlorophyll_mg_m3']"},
