@@ -55,6 +55,12 @@ void check_lens(const Telescope& t, std::size_t i, Findings& findings) {
                  fmt::format("the obstruction of {} m covers the whole lens of {} m",
                              plain_number(t.obstruction_diameter_m), plain_number(t.diameter_m)),
                  "it must be smaller than diameter_m");
+  if (findings.good({at(i, "focus_m"), at(i, "focal_length_m")}) && t.focus_m &&
+      !(*t.focus_m > t.focal_length_m))
+    findings.add(at(i, "focus_m"),
+                 fmt::format("what is {} m from a lens of focal length {} m has no sharp image",
+                             plain_number(*t.focus_m), plain_number(t.focal_length_m)),
+                 "focus_m must be greater than focal_length_m");
   if (findings.good({at(i, "detector_shift_m"), at(i, "focal_length_m")}) &&
       !(t.focal_length_m + t.detector_shift_m > 0.0))
     findings.add(

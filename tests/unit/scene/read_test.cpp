@@ -119,6 +119,7 @@ TEST(Read, WhatIsNoTextIsToldInOneLine) {
   std::filesystem::remove_all(folder);
 }
 
+// Seen red: without units; with metres for every unit.
 TEST(Read, RemarksOnWhatIsNotWrong) {
   const auto remarks = [](const std::string& text) {
     return read_scene_text(text, "scene.toml", "/").remarks;
@@ -127,9 +128,18 @@ TEST(Read, RemarksOnWhatIsNotWrong) {
   EXPECT_EQ(remarks(edited({})), Texts{});
   EXPECT_EQ(
       remarks(edited({{28, 28, "depth_step_m = 3"}})),
+      Texts{"scene.toml:28:16: steps of 3 m do not fill the 50 m from 0 to 50 m: the 17 gates are "
+            "2.94118 m long instead"});
+  EXPECT_EQ(
+      remarks(edited({{27, 28, "range_min_m = 8\nrange_max_m = 100\nrange_step_m = 10"}})),
       Texts{
-          "scene.toml:28:16: steps of 3 do not fill the 50 from 0 to 50: the 17 gates are 2.94118 "
-          "long instead"});
+          "scene.toml:29:16: steps of 10 m do not fill the 92 m from 8 to 100 m: the 10 gates are "
+          "9.2 m long instead"});
+  EXPECT_EQ(
+      remarks(edited({{27, 28, "start_ns = 90\nstop_ns = 200\nstep_ns = 100"}})),
+      Texts{
+          "scene.toml:29:11: steps of 100 ns do not fill the 110 ns from 90 to 200 ns: the 2 gates "
+          "are 55 ns long instead"});
   EXPECT_EQ(remarks(edited({{11, 11, "direction = [0, 0, 1]"},
                             {27, 28, "start_ns = 90\nstop_ns = 200\nstep_ns = 1"}})),
             Texts{"scene.toml:11:13: this telescope in the air looks away from the sea"});
@@ -168,6 +178,24 @@ TEST(Telescope, DetectorFromItsFieldOfView) {
   EXPECT_NEAR(telescope.effective_detector_diameter_m(), 0.040001333387, 1e-12);  // 4 tan(0.01)
   telescope.detector_diameter_m = 0.03;
   EXPECT_EQ(telescope.effective_detector_diameter_m(), 0.03);
+}
+
+// f^2 / (d - f). Seen red: with the detector in the focal plane; with the focus for its distance
+// from the focal plane.
+TEST(Telescope, DetectorFromItsFocus) {
+  Telescope telescope;
+  telescope.focal_length_m = 2.0;
+  telescope.detector_shift_m = -0.1;
+  EXPECT_EQ(telescope.effective_detector_shift_m(), -0.1);
+  EXPECT_EQ(telescope.detector_distance_m(), 1.9);
+  telescope.detector_shift_m = 0;
+  telescope.focus_m = 12.0;
+  EXPECT_EQ(telescope.effective_detector_shift_m(), 0.4);
+  EXPECT_EQ(telescope.detector_distance_m(), 2.4);
+  telescope.focus_m = 705e3;
+  EXPECT_NEAR(telescope.effective_detector_shift_m(), 4 / 704998.0, 1e-20);
+  telescope.focus_m = 1e300;
+  EXPECT_EQ(telescope.detector_distance_m(), 2);
 }
 
 }  // namespace
