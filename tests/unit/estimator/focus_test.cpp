@@ -126,24 +126,29 @@ TEST(Focus, IsShownAlongTheAxis) {
 }
 
 // A telescope in the water sees what is in it as it is; there the nearest gate ahead stands for the
-// surface. Seen red: with apparent depths; with gates behind the telescope.
+// surface. One that is 2 m below another sees each gate 1 m deeper. Seen red: with apparent depths;
+// with gates behind the telescope.
 TEST(Focus, IsShownOfTheNearestGateInTheWater) {
   const std::string lens = "diameter_m = 0.2\nfocal_length_m = 1\ndetector_diameter_m = 0.02\n";
-  const std::string down = "position_m = [0, 0, -3]\ndirection = [0, 0, -1]\n" + lens;
-  const std::string up = "position_m = [0, 0, -3]\ndirection = [0, 0, 1]\n" + lens;
+  const std::string at_1_m = "position_m = [0, 0, -1]\ndirection = [0, 0, -1]";
+  const auto told_of_second = [&](const std::string& direction) {
+    const std::string second = "[[telescope]]\nposition_m = [0, 0, -3]\n" + direction + lens;
+    return told_of(edited({{4, 5, at_1_m},
+                           {10, 11, at_1_m},
+                           {15, 15, second + "[[channel]]"},
+                           {27, 28, "depth_min_m = 1\ndepth_max_m = 9\ndepth_step_m = 1"}}))
+        .back();
+  };
+  const std::string down = "direction = [0, 0, -1]\n", up = "direction = [0, 0, 1]\n";
+  EXPECT_EQ(told_of_second(down),
+            "telescope1, focused at infinity: 0.0025 from the first gate ahead (depth 3.5 m), 0.42 "
+            "from the last gate (depth 9.5 m)");
+  EXPECT_EQ(told_of_second(up), "telescope1, focused at infinity: no gate lies on its axis");
   EXPECT_EQ(
-      told_of(seen_by(down, "depth_max_m = 9\ndepth_step_m = 1")),
-      Texts{"t, focused at infinity: 0.0025 from the first gate ahead (depth 3.5 m), 0.3 from "
-            "the last gate (depth 8.5 m)"});
-  const std::string ranges = "range_min_m = 0\nrange_max_m = 9\nrange_step_m = 1";
-  EXPECT_EQ(
-      told_of(seen_by(up, ranges)),
+      told_of(seen_by("position_m = [0, 0, -3]\n" + up + lens,
+                      "range_min_m = 0\nrange_max_m = 9\nrange_step_m = 1")),
       Texts{"t, focused at infinity: 0.0025 from the first gate ahead (range 0.5 m), 0.72 from "
             "the last gate (range 8.5 m)"});
-  const std::string beside = "depth_max_m = 9\ndepth_step_m = 1\n";
-  const std::string second = "[[telescope]]\n" + up;
-  EXPECT_EQ(told_of(edited({{15, 15, second + "[[channel]]"}, {27, 28, beside}})).back(),
-            "telescope1, focused at infinity: no gate lies on its axis");
 }
 
 // Seen red: with the shift as it is in the scene for the focus.

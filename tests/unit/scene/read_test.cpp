@@ -145,6 +145,21 @@ TEST(Read, RemarksOnWhatIsNotWrong) {
             Texts{"scene.toml:11:13: this telescope in the air looks away from the sea"});
 }
 
+// Seen red: with a limit of 100 m; without the detector.
+TEST(Read, RemarksOnDiametersInMillimetres) {
+  const auto remarks = read_scene_text(edited({{6, 6, "diameter_m = 20"},
+                                               {12, 12, "diameter_m = 400"},
+                                               {14, 14, "detector_diameter_m = 40"}}),
+                                       "scene.toml", "/")
+                           .remarks;
+  const std::string why =
+      " m is more than a lidar has (mirrors have up to 10 m): are the units right?";
+  EXPECT_EQ(remarks, (std::vector<std::string>{"scene.toml:12:14: a diameter of 400" + why,
+                                               "scene.toml:14:23: a diameter of 40" + why}));
+  EXPECT_EQ(read_scene_text(edited({{6, 6, "diameter_m = 40"}}), "scene.toml", "/").remarks,
+            std::vector<std::string>{"scene.toml:6:14: a diameter of 40" + why});
+}
+
 TEST(Read, BordersOfTheRangesAreInside) {
   EXPECT_TRUE(diagnostics_of(edited({}), {"source.half_divergence_mrad=0"}).empty());
   EXPECT_TRUE(diagnostics_of(edited({}), {"simulation.orders_kept=1000", "simulation.max_order=1"})
