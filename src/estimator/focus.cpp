@@ -82,9 +82,8 @@ std::string told_of(const Model& model, std::size_t t) {
 void check_focus(const scene::Scene& scene, scene::Findings& findings) {
   for (std::size_t t = 0; t < scene.telescope.size(); ++t) {
     const std::string path = scene::below("telescope", t);
-    const bool is_chosen = findings.given(scene::below(path, "focus_m")) ||
-                           findings.given(scene::below(path, "detector_shift_m"));
-    if (is_chosen || !findings.good({path})) continue;
+    const bool is_meant = findings.given(scene::below(path, "detector_shift_m"));
+    if (is_meant || !findings.good({path})) continue;
     const scene::Telescope& lens = scene.telescope[t];
     const auto distance = distance_to_sea(lens);
     if (!distance) continue;
@@ -93,11 +92,11 @@ void check_focus(const scene::Scene& scene, scene::Findings& findings) {
     const std::string advice = *distance > lens.focal_length_m
                                    ? fmt::format("focus_m = {:.6g} puts it in focus, ", *distance)
                                    : "";
-    findings.remark(
-        path, fmt::format("the sea's surface, {:.6g} m away, is out of focus: its light reaches "
-                          "the detector through {:.2g} of the open lens; {}detector_shift_m = 0 "
-                          "leaves it so",
-                          *distance, share, advice));
+    findings.remark(scene::below(path, "focus_m"),
+                    fmt::format("the sea's surface, {:.6g} m away, is out of focus: its light "
+                                "reaches the detector through {:.2g} of the open lens; "
+                                "{}detector_shift_m = {:.6g} leaves it so",
+                                *distance, share, advice, lens.effective_detector_shift_m()));
   }
 }
 

@@ -10,8 +10,8 @@
 
 namespace photic::estimator {
 
-/// Remarks on telescopes in the air to which the sea's surface is out of focus, and of whose
-/// detector the scene does not say where it is.
+/// Remarks on telescopes in the air to which the sea's surface is out of focus, unless the scene
+/// itself says where their detector is.
 void check_focus(const scene::Scene& scene, scene::Findings& findings);
 
 /// What `photic show` says of each telescope.

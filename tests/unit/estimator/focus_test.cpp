@@ -1,6 +1,7 @@
 // How sharply telescopes see: the share of the open lens whose rays reach the detector.
 #include "estimator/focus.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -34,17 +35,25 @@ const std::string above =
 const std::string view = "half_field_of_view_mrad = 10\n";
 
 // Rays of a point at 12 m reach the detector within r_d |x_d (1 / f - 1 / d) - 1|^-1 = 0.12 m of
-// the axis: 0.36 of the lens. Who says where the detector is knows. Seen red: with the distance for
-// its inverse; without the remark; with a remark on the shift that is given.
+// the axis: 0.36 of the lens, and 0.144 m with the focus at 62 m, 0.52. A shift that is given is
+// meant. Seen red: with the distance for its inverse; with no advice but 0; with a remark on a
+// shift.
 TEST(Focus, RemarksOnASurfaceThatIsBlurred) {
-  const std::string out_of_focus =
-      "scene.toml:8:1: the sea's surface, 12 m away, is out of focus: its light reaches the "
-      "detector through 0.36 of the open lens; focus_m = 12 puts it in focus, detector_shift_m = 0 "
-      "leaves it so";
-  EXPECT_EQ(remarks_on(seen_by(above + view)), Texts{out_of_focus});
-  EXPECT_EQ(remarks_on(seen_by(above + "detector_diameter_m = 0.04")), Texts{out_of_focus});
-  for (const std::string said : {"focus_m = 12", "focus_m = 1e9", "detector_shift_m = 0.0"})
-    EXPECT_EQ(remarks_on(seen_by(above + view + said)), Texts{}) << said;
+  const auto out_of_focus = [](const std::string& place, const char* share, const char* shift) {
+    return Texts{
+        fmt::format("scene.toml:{}: the sea's surface, 12 m away, is out of focus: its "
+                    "light reaches the detector through {} of the open lens; focus_m = 12 "
+                    "puts it in focus, detector_shift_m = {} leaves it so",
+                    place, share, shift)};
+  };
+  EXPECT_EQ(remarks_on(seen_by(above + view)), out_of_focus("8:1", "0.36", "0"));
+  EXPECT_EQ(remarks_on(seen_by(above + "detector_diameter_m = 0.04")),
+            out_of_focus("8:1", "0.36", "0"));
+  EXPECT_EQ(remarks_on(seen_by(above + view + "focus_m = 62")),
+            out_of_focus("15:11", "0.52", "0.0666667"));
+  EXPECT_EQ(remarks_on(seen_by(above + view + "focus_m = 12")), Texts{});
+  for (const std::string shift : {"0", "0.4", "-0.1"})
+    EXPECT_EQ(remarks_on(seen_by(above + view + "detector_shift_m = " + shift)), Texts{}) << shift;
 }
 
 // (0.05 h)^2 is 0.903 at 19 m and 0.893 at 18.9 m, 0.902 from 9.5 m at 60 degrees. Seen red: with
