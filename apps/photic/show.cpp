@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "estimator/focus.hpp"
 #include "estimator/model.hpp"
 #include "estimator/nested_views.hpp"
 #include "io/netcdf.hpp"
@@ -38,13 +39,16 @@ std::string comments(const std::string& head, const std::vector<std::string>& it
   return out;
 }
 
-/// What the air takes of the laser's light, how paths are drawn, which telescopes share them, and
-/// where every number comes from.
+/// How sharply telescopes see, what the air takes of the laser's light, how paths are drawn, which
+/// telescopes share them, and where every number comes from.
 std::string notes_on(const estimator::Model& model) {
   const tally::Result result = estimator::describe(model);
   const auto of_air = model.air ? medium::air_told(estimator::scene_told(model), *model.air)
                                 : std::vector<std::string>{};
-  return comments("The air above the sea", of_air) +
+  return comments(
+             "The share of each open lens whose rays reach the detector, from points on its axis",
+             estimator::focus_told(model)) +
+         comments("The air above the sea", of_air) +
          comments("How the bidirectional estimator draws paths", result.strategies) +
          comments("Telescopes that share their light", estimator::nested_views_told(model.scene)) +
          comments("The optics of this scene and their sources", result.sources);

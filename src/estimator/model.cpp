@@ -8,7 +8,9 @@
 #include <tuple>
 
 #include "core/constants.hpp"
+#include "estimator/focus.hpp"
 #include "estimator/nested_views.hpp"
+#include "estimator/round_earth.hpp"
 #include "estimator/strategies.hpp"
 #include "estimator/walk_attenuation.hpp"
 #include "estimator/walk_cones.hpp"
@@ -175,6 +177,8 @@ scene::Check optics_check() {
     if (!library) library = std::make_shared<const optics::Library>(optics::find_data_folder());
     check_walk_attenuation(scene, medium::check_medium(scene, *library, findings), findings);
     medium::check_environments(scene, *library, findings);
+    check_focus(scene, findings);
+    check_round_earth(scene, findings);
   };
 }
 
@@ -255,7 +259,7 @@ tally::Result describe(const Model& model) {
   result.orders = static_cast<std::int64_t>(shape.orders);
   result.gate_depth_is_range = gates.depth_is_range();
   for (std::int32_t edge = 0; edge <= gates.count(); ++edge) {
-    result.gate_time_edge_ns.push_back(gates.edge_path(edge) / metre_per_nanosecond);
+    result.gate_time_edge_ns.push_back(gates.edge_time_ns(edge));
   }
   for (std::size_t c = 0; c < scene.channel.size(); ++c) {
     const auto line = channel_line(scene.channel[c], c, medium.line);
@@ -266,7 +270,7 @@ tally::Result describe(const Model& model) {
     for (std::size_t c = 0; c < scene.channel.size(); ++c) {
       const auto line = channel_line(scene.channel[c], c, medium.line);
       for (std::int32_t edge = 0; edge <= gates.count(); ++edge)
-        result.gate_depth_edge_m.push_back(gates.depth(gates.edge_path(edge), t, line));
+        result.gate_depth_edge_m.push_back(gates.edge_depth(edge, t, line));
     }
   }
   if (medium.film.exists)

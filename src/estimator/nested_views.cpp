@@ -20,6 +20,8 @@ scene::Telescope without_view(scene::Telescope telescope) {
   telescope.direction = normalised(telescope.direction);
   telescope.detector_diameter_m.reset();
   telescope.half_field_of_view_mrad.reset();
+  telescope.detector_shift_m = telescope.effective_detector_shift_m();
+  telescope.focus_m.reset();
   return telescope;
 }
 

@@ -92,14 +92,14 @@ struct Telescope {
 
 /// 1 over the range that a telescope sees sharp [1/m].
 inline double per_sharp_range(const scene::Telescope& s) {
-  return 1 / s.focal_length_m - 1 / (s.focal_length_m + s.detector_shift_m);
+  return 1 / s.focal_length_m - 1 / s.detector_distance_m();
 }
 
 /// An off-axis angle beyond which a telescope in the air sees nothing that is in the water; half a
 /// turn of one with so wide a view that nothing can be said [rad].
 inline double widest_view(const scene::Telescope& s) {
   const double f = s.focal_length_m;
-  const double x = f + s.detector_shift_m;
+  const double x = s.detector_distance_m();
   // The blur is widest at one end of the ranges along the axis: infinity, or the height times the
   // off-axis cosine. That begins with 1/2; each round narrows the view and lifts the near end.
   double cosine = 0.5;
@@ -133,8 +133,7 @@ inline ViewReach<double> reach_of_view(const scene::Telescope& s) {
   const double steepest = std::max(0.0, tilt - widest), flattest = tilt + widest;
   const bool upright = tilt == 0, is_known = s.position_m.z > 0 && flattest < pi / 2;
   const double lens_radius = s.diameter_m / 2;
-  const double half_view =
-      s.effective_detector_diameter_m() / 2 / (s.focal_length_m + s.detector_shift_m);
+  const double half_view = s.effective_detector_diameter_m() / 2 / s.detector_distance_m();
   // 1 over the most and the least of the range along the axis, in paraxial rises.
   const double least = upright ? 1 : std::cos(flattest);
   const double most =
@@ -168,7 +167,7 @@ Telescope<T> make_telescope(const scene::Telescope& s, const geometry::Ahead& to
   t.obstruction_radius = T(s.obstruction_diameter_m / 2);
   t.per_sharp_range = T(per_sharp_range(s));
   t.detector_radius = T(s.effective_detector_diameter_m() / 2);
-  t.detector_distance = T(s.focal_length_m + s.detector_shift_m);
+  t.detector_distance = T(s.detector_distance_m());
   t.least_defocus = T(1e-5) * t.detector_radius / t.lens_radius;
   t.submerged = geometry::stands_in_water(s.position_m);
   t.upright = std::abs(axis.z) == 1;

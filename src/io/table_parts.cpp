@@ -47,8 +47,9 @@ TextColumn place_column(const tally::Result& result, const EchoRow& first, std::
   TextColumn out{place_heading(result, first.depth_m), {}};
   for (std::size_t gate = 0; gate < gates; gate += step) {
     const double time_ns = (row[gate].time_start_ns + row[gate].time_end_ns) / 2;
-    out.cells.push_back(fmt::format(
-        "{:>{}.2f}", std::isnan(row[gate].depth_m) ? time_ns : row[gate].depth_m, place_width));
+    const double place = std::isnan(row[gate].depth_m) ? time_ns : row[gate].depth_m;
+    const double shown = std::abs(place) < 0.005 ? 0.0 : place;  // not "-0.00"
+    out.cells.push_back(fmt::format("{:>{}.2f}", shown, place_width));
   }
   return out;
 }

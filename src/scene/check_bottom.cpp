@@ -51,9 +51,11 @@ void check_angles(const optics::DataTable& table) {
                  "angles ascend");
     const char* whole = "tell the albedo from 0 to 90 degrees";
     if (k == 0 && deg[i] != 0)
-      table.fail(i, deg_column, fmt::format("the angles begin at {}, not at 0", deg[i]), whole);
+      table.fail(i, deg_column, fmt::format("the angles begin at {} degrees, not at 0", deg[i]),
+                 whole);
     if (k + 1 == count && deg[i] != 90)
-      table.fail(i, deg_column, fmt::format("the angles end at {}, not at 90", deg[i]), whole);
+      table.fail(i, deg_column, fmt::format("the angles end at {} degrees, not at 90", deg[i]),
+                 whole);
   }
   const std::size_t last = deg.size() - 1;
   if (deg.size() % count != 0)

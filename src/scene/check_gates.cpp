@@ -14,15 +14,16 @@ namespace {
 
 constexpr double most_gates = 1e6;
 
-/// What the keys of an interval are called.
+/// What the keys of an interval are called, and their unit.
 struct Keys {
   std::string min, max, step;
+  const char* unit;
 };
 
 Keys keys_of(const Gates& gates) {
-  if (gates.depth_m) return {"gates.depth_min_m", "gates.depth_max_m", "gates.depth_step_m"};
-  if (gates.range_m) return {"gates.range_min_m", "gates.range_max_m", "gates.range_step_m"};
-  return {"gates.start_ns", "gates.stop_ns", "gates.step_ns"};
+  if (gates.depth_m) return {"gates.depth_min_m", "gates.depth_max_m", "gates.depth_step_m", "m"};
+  if (gates.range_m) return {"gates.range_min_m", "gates.range_max_m", "gates.range_step_m", "m"};
+  return {"gates.start_ns", "gates.stop_ns", "gates.step_ns", "ns"};
 }
 
 void remark_uneven(const Gates::Interval& interval, const Keys& keys, Findings& findings) {
@@ -31,10 +32,11 @@ void remark_uneven(const Gates::Interval& interval, const Keys& keys, Findings& 
   if (std::fabs(steps - std::round(steps)) <= 1e-6) return;
   findings.remark(
       keys.step,
-      fmt::format("steps of {} do not fill the {} from {} to {}: the {:.0f} gates are "
-                  "{:.6g} long instead",
+      fmt::format("steps of {0} {6} do not fill the {1} {6} from {2} to {3} {6}: the {4:.0f} gates "
+                  "are {5:.6g} {6} long instead",
                   plain_number(interval.step), plain_number(extent), plain_number(interval.min),
-                  plain_number(interval.max), interval.steps(), extent / interval.steps()));
+                  plain_number(interval.max), interval.steps(), extent / interval.steps(),
+                  keys.unit));
 }
 
 /// Returns whether the interval itself makes sense.
@@ -42,13 +44,13 @@ bool check_interval(const Gates::Interval& interval, const Keys& keys, Findings&
   const double extent = interval.max - interval.min;
   if (!(extent > 0.0)) {
     findings.add(keys.max,
-                 fmt::format("the gates end at {}, not beyond {} where they begin",
-                             plain_number(interval.max), plain_number(interval.min)),
+                 fmt::format("the gates end at {0} {2}, not beyond {1} {2} where they begin",
+                             plain_number(interval.max), plain_number(interval.min), keys.unit),
                  "");
   } else if (interval.step > extent) {
     findings.add(keys.step,
-                 fmt::format("a gate of {} is longer than all gates together, {}",
-                             plain_number(interval.step), plain_number(extent)),
+                 fmt::format("a gate of {0} {2} is longer than all gates together, {1} {2}",
+                             plain_number(interval.step), plain_number(extent), keys.unit),
                  "");
   } else if (!(interval.steps() <= most_gates)) {
     findings.add(keys.step, fmt::format("these are {:.7g} gates", interval.steps()),

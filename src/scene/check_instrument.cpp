@@ -38,8 +38,19 @@ void check_height(const std::string& path, const char* what, double z, const Sce
                  "raise it, or lower the last layer's bottom_depth_m");
 }
 
+/// Of a disc, a lens or a detector. From memory: the largest mirrors have 10 m.
+void remark_size(const std::string& path, double diameter_m, Findings& findings) {
+  constexpr double largest_m = 20;
+  if (findings.good({path}) && diameter_m > largest_m)
+    findings.remark(path,
+                    fmt::format("a diameter of {} m is more than a lidar has (mirrors have up "
+                                "to 10 m): are the units right?",
+                                plain_number(diameter_m)));
+}
+
 void check_source(const Scene& scene, Findings& findings) {
   const Source& source = scene.source;
+  remark_size("source.diameter_m", source.diameter_m, findings);
   check_height("source.position_m", "source", source.position_m.z, scene, findings);
   if (!findings.good({"source.position_m", "source.direction"})) return;
   if (source.position_m.z > 0.0 && source.direction.z >= 0.0)
@@ -55,6 +66,12 @@ void check_lens(const Telescope& t, std::size_t i, Findings& findings) {
                  fmt::format("the obstruction of {} m covers the whole lens of {} m",
                              plain_number(t.obstruction_diameter_m), plain_number(t.diameter_m)),
                  "it must be smaller than diameter_m");
+  if (findings.good({at(i, "focus_m"), at(i, "focal_length_m")}) && t.focus_m &&
+      !(*t.focus_m > t.focal_length_m))
+    findings.add(at(i, "focus_m"),
+                 fmt::format("what is {} m from a lens of focal length {} m has no sharp image",
+                             plain_number(*t.focus_m), plain_number(t.focal_length_m)),
+                 "focus_m must be greater than focal_length_m");
   if (findings.good({at(i, "detector_shift_m"), at(i, "focal_length_m")}) &&
       !(t.focal_length_m + t.detector_shift_m > 0.0))
     findings.add(
@@ -68,6 +85,8 @@ void check_lens(const Telescope& t, std::size_t i, Findings& findings) {
 void check_telescope(const Scene& scene, std::size_t i, Findings& findings) {
   const Telescope& t = scene.telescope[i];
   check_height(at(i, "position_m"), "telescope", t.position_m.z, scene, findings);
+  remark_size(at(i, "diameter_m"), t.diameter_m, findings);
+  remark_size(at(i, "detector_diameter_m"), t.detector_diameter_m.value_or(0), findings);
   check_lens(t, i, findings);
   if (findings.good({at(i, "position_m"), at(i, "direction")}) && t.position_m.z > 0.0 &&
       t.direction.z >= 0.0)

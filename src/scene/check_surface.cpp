@@ -14,16 +14,18 @@ namespace {
 /// What is neither flat nor a sea, and would be lost in the rounding of floats.
 void check_size(const Surface& surface, Findings& findings) {
   constexpr double least_variance = 1e-6, least_m_s = 1e-3;
-  const auto check = [&](const char* key, double value, double least, const char* what) {
+  const auto check = [&](const char* key, double value, double least, const char* what,
+                         const char* unit) {
     if (value > 0 && value < least)
-      findings.add(below("sea.surface", key),
-                   fmt::format("{} of {} is too small for waves", what, plain_number(value)),
-                   fmt::format("write 0, or at least {}", plain_number(least)));
+      findings.add(
+          below("sea.surface", key),
+          fmt::format("{} of {}{} is too small for waves", what, plain_number(value), unit),
+          fmt::format("write 0, or at least {}", plain_number(least)));
   };
-  check("wind_speed_m_s", surface.wind_speed_m_s, least_m_s, "a wind");
+  check("wind_speed_m_s", surface.wind_speed_m_s, least_m_s, "a wind", " m/s");
   const char* variance = "a variance";
-  check("upwind_slope_variance", surface.upwind_slope_variance, least_variance, variance);
-  check("crosswind_slope_variance", surface.crosswind_slope_variance, least_variance, variance);
+  check("upwind_slope_variance", surface.upwind_slope_variance, least_variance, variance, "");
+  check("crosswind_slope_variance", surface.crosswind_slope_variance, least_variance, variance, "");
 }
 
 /// Walks through waves of one direction have to be translated to meet, which flat rays of tilted
@@ -32,7 +34,7 @@ constexpr double flattest_degrees = 12;
 /// Whether a telescope in the air sees rays flatter than that.
 bool looks_flat(const Telescope& t) {
   if (t.position_m.z < 0) return false;
-  const double distance = t.focal_length_m + t.detector_shift_m;
+  const double distance = t.detector_distance_m();
   const double blur = t.diameter_m / 2 * std::abs(1 / t.focal_length_m - 1 / distance);
   const double view = std::atan(t.effective_detector_diameter_m() / 2 / distance + blur);
   const double off_vertical = std::acos(std::clamp(-normalised(t.direction).z, -1.0, 1.0));

@@ -48,8 +48,17 @@ void describe(V& v, Telescope& t) {
                         "the angle from the axis whose image in the focal plane is the detector's "
                         "rim, in mrad");
            }));
-  v.optional("detector_shift_m", t.detector_shift_m, any_number,
-             "the detector's distance from the focal plane in m, positive away from the lens");
+  v.one_of(option(!t.focus_m.has_value(),
+                  [&](auto& w) {
+                    w.optional("detector_shift_m", t.detector_shift_m, any_number,
+                               "the detector's distance from the focal plane in m, positive away "
+                               "from the lens");
+                  }),
+           option(t.focus_m.has_value(), [&](auto& w) {
+             w.required("focus_m", t.focus_m, positive,
+                        "the distance from the lens that the detector sees sharp, in m; it puts "
+                        "the detector behind the focal plane");
+           }));
   v.optional("obstruction_diameter_m", t.obstruction_diameter_m, not_negative,
              "the diameter of the round obstruction at the centre of the lens in m");
 }

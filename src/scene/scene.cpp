@@ -14,6 +14,16 @@ double Telescope::effective_detector_diameter_m() const {
   return 2.0 * focal_length_m * std::tan(1e-3 * *half_field_of_view_mrad);
 }
 
+double Telescope::effective_detector_shift_m() const {
+  if (!focus_m) return detector_shift_m;
+  // The thin lens, 1 / f = 1 / d + 1 / x: x - f = f^2 / (d - f) (docs/theory.md, eq. 31).
+  return focal_length_m * (focal_length_m / (*focus_m - focal_length_m));
+}
+
+double Telescope::detector_distance_m() const {
+  return focal_length_m + effective_detector_shift_m();
+}
+
 bool Surface::is_rough() const {
   switch (model) {
     case SurfaceModel::flat:

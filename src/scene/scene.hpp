@@ -36,11 +36,16 @@ struct Telescope {
   double focal_length_m{};
   std::optional<double> detector_diameter_m;  ///< exactly one of these two is given
   std::optional<double> half_field_of_view_mrad;
-  double detector_shift_m = 0.0;        ///< from the focal plane, positive away from the lens
+  double detector_shift_m = 0.0;  ///< from the focal plane, positive away from the lens
+  std::optional<double> focus_m;  ///< in its place: the distance from the lens that is seen sharp
   double obstruction_diameter_m = 0.0;  ///< central
 
   /// The detector's diameter, whichever way it was given.
   [[nodiscard]] double effective_detector_diameter_m() const;
+  /// The detector's shift, whichever way it was given.
+  [[nodiscard]] double effective_detector_shift_m() const;
+  /// From the lens to the detector.
+  [[nodiscard]] double detector_distance_m() const;
   friend bool operator==(const Telescope&, const Telescope&) = default;
 };
 

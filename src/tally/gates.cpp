@@ -70,6 +70,14 @@ bool is_beyond(double place, double bend, double knee) {
   return bend < knee ? place < bend : place > bend;
 }
 
+/// A number made of others, the largest of which is given, to as many decimals as their rounding
+/// leaves it. Never -0.
+double without_rounding(double number, double largest) {
+  constexpr double error = 16 * std::numeric_limits<double>::epsilon();
+  const double per_unit = std::pow(10.0, std::floor(-std::log10(error * largest)));
+  return std::round(number * per_unit) / per_unit + 0.0;
+}
+
 }  // namespace
 
 double PathScale::coordinate(double path) const {
@@ -183,9 +191,27 @@ PathScale Gates::range_scale(std::size_t number, const medium::Line& back) const
   return scale;
 }
 
+PathScale Gates::scale_of(std::size_t telescope, const medium::Line& back) const {
+  return depth_is_range_ ? range_scale(telescope, back) : depth_scale(telescope, back);
+}
+
 double Gates::depth(double path, std::size_t telescope, const medium::Line& line) const {
-  const auto scale = depth_is_range_ ? range_scale(telescope, line) : depth_scale(telescope, line);
-  return scale.coordinate(path);
+  return scale_of(telescope, line).coordinate(path);
+}
+
+double Gates::longest_path() const {
+  return std::max({std::abs(edge_path(0)), std::abs(last_path()), std::abs(scale_.knee_path)});
+}
+
+double Gates::edge_depth(std::int32_t edge, std::size_t telescope, const medium::Line& line) const {
+  const PathScale scale = scale_of(telescope, line);
+  return without_rounding(scale.coordinate(edge_path(edge)),
+                          std::max(longest_path(), std::abs(scale.knee_path)));
+}
+
+double Gates::edge_time_ns(std::int32_t edge) const {
+  return without_rounding(edge_path(edge) / metre_per_nanosecond,
+                          longest_path() / metre_per_nanosecond);
 }
 
 std::vector<double> Gates::depth_edges(std::int64_t cells) const {

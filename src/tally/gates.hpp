@@ -70,6 +70,11 @@ class Gates {
   /// at a line's wavelength with a given group path; NaN where a telescope has none: a depth needs
   /// one that looks down.
   [[nodiscard]] double depth(double path, std::size_t telescope, const medium::Line& line) const;
+  /// The same of an edge, and its time after the light left the source [ns], as results have them:
+  /// without the digits that rounding of paths leaves, so that 0 is 0.
+  [[nodiscard]] double edge_depth(std::int32_t edge, std::size_t telescope,
+                                  const medium::Line& line) const;
+  [[nodiscard]] double edge_time_ns(std::int32_t edge) const;
   /// Of all telescopes: ranges are told along the axis of each.
   [[nodiscard]] bool depth_is_range() const { return depth_is_range_; }
 
@@ -78,6 +83,10 @@ class Gates {
   [[nodiscard]] std::vector<double> depth_edges(std::int64_t cells) const;
 
  private:
+  /// Of a telescope: by range or by depth, as gates are told.
+  [[nodiscard]] PathScale scale_of(std::size_t telescope, const medium::Line& back) const;
+  /// The longest path that edges are made of [m].
+  [[nodiscard]] double longest_path() const;
   [[nodiscard]] PathScale depth_scale(std::size_t telescope, const medium::Line& back) const;
   [[nodiscard]] PathScale range_scale(std::size_t telescope, const medium::Line& back) const;
 

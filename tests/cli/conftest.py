@@ -22,6 +22,7 @@ direction = [0.0, 0.0, -1.0]
 diameter_m = 0.40
 focal_length_m = 2.0
 detector_diameter_m = 0.04
+detector_shift_m = 0.0
 [[channel]]
 name = "elastic"
 process = "elastic"

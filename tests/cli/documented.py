@@ -1,4 +1,4 @@
-"""The commands of README.md and docs/guide.md, for the tests that run them. CONTRIBUTING.md says how pages mark them."""
+"""The commands of README.md, docs/guide.md and docs/howto, for the tests that run them. CONTRIBUTING.md says how pages mark them."""
 
 import re
 import subprocess

@@ -17,7 +17,7 @@ PROFILE = (SOURCE / "scenes/argo-profile.csv").read_text()
 def remark(kind, name):
     """What is said of a good scene: of oils little is known."""
     return {
-        "oil-spill": f'{name}:42:9: of the oil "weakly-absorbing-crude" these are placeholders and no data: absorption_337_nm, '
+        "oil-spill": f'{name}:43:9: of the oil "weakly-absorbing-crude" these are placeholders and no data: absorption_337_nm, '
         'absorption_slope; give your own oil by file = "….csv"\n'
     }.get(kind, "")
 

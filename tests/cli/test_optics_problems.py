@@ -57,7 +57,7 @@ def test_is_told_with_all_else(photic, scene):
     scene.write_text(QUICK_SCENE.replace("532.0", "1150.0").replace("depth_step_m = 1.0", "depth_step_m = -1.0"))
     first, *_, last, count = photic("check", "quick.toml").stderr.splitlines()
     assert first.startswith(f"quick.toml:3:17: {INDEX} (")
-    assert last.startswith("quick.toml:27:16: 'depth_step_m' must be a finite number")
+    assert last.startswith("quick.toml:28:16: 'depth_step_m' must be a finite number")
     assert not count.startswith("quick.toml")
 
 
@@ -115,7 +115,7 @@ def test_a_phase_table_that_is_scaled_is_remarked_on(photic, scene, tmp_path):
 
 def test_a_step_that_is_changed_is_remarked_on(photic, scene):
     scene.write_text(QUICK_SCENE.replace("depth_step_m = 1.0", "depth_step_m = 0.3"))
-    remark = "quick.toml:27:16: steps of 0.3 do not fill the 10 from 0 to 10: the 34 gates are 0.294118 long instead\n"
+    remark = "quick.toml:28:16: steps of 0.3 m do not fill the 10 m from 0 to 10 m: the 34 gates are 0.294118 m long instead\n"
     for command in ["check", "run"]:
         done = photic(command, "quick.toml")
         assert (done.returncode, done.stderr) == (0, remark)

@@ -58,6 +58,8 @@ GOOD = {
         "[gates]",
         "[atmosphere]\nprofile = { z_km = [0, 9], p_hpa = [1000, 300], t_k = [290, 230] }\ntop_km = 9\n[gates]"),
     "air of an optical depth": ("[gates]", '[atmosphere]\nprofile = "us-standard"\naerosol_optical_depth_550 = 0.2\n[gates]'),
+    "a focus": ("detector_shift_m = 0.0", "focus_m = 12.0"),
+    "no shift": ("detector_shift_m = 0.0", ""),
     "layers of air": (
         "[gates]",
         "[[atmosphere.layer]]\nbottom_height_m = 0\ntop_height_m = 9\n"
@@ -83,6 +85,7 @@ FAULTY = {
     ),
     "two that exclude each other": ("photons = 20000", "photons = 20000\n[sea]\nsurface = { model = 'waves' }"),
     "both fields of view": ("detector_diameter_m = 0.04", "detector_diameter_m = 0.04\nhalf_field_of_view_mrad = 10"),
+    "a shift and a focus": ("detector_shift_m = 0.0", "detector_shift_m = 0.0\nfocus_m = 12.0"),
     "gates of two kinds": ("depth_step_m = 1.0", "depth_step_m = 1.0\nrange_min_m = 3"),
     "no end": ("photons = 20000", ""),
     "a share above 1": ("photons = 20000", "target_relative_error = 2"),

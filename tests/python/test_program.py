@@ -63,7 +63,7 @@ def test_warnings_of_the_run_reach_python(recorder):
 
 # Seen red: with what the program says beside a result dropped.
 def test_remarks_on_the_scene_reach_python(sample, tmp_path):
-    remark = "ship.toml:50:16: steps of 3 do not fill the 50"
+    remark = "ship.toml:50:16: steps of 3 m do not fill the 50"
     remarking = stand_in(tmp_path / "photic", f"echo '{remark}' >&2\ncp {sample} \"$4\"")
     with pytest.warns(UserWarning, match=f"^{remark}"):
         photic.run("ship.toml", program=remarking)

@@ -172,7 +172,7 @@ bool about_one_vertical(const scene::Source& source, const scene::Telescope& tel
 
 double overlap_by_integration(const scene::Telescope& telescope, double z, double tan_psi) {
   const double f = telescope.focal_length_m;
-  const double x = f + telescope.detector_shift_m;
+  const double x = telescope.detector_distance_m();
   const double defocus = std::abs(1 - x * (1 / f - 1 / z));
   const double blur = telescope.diameter_m / 2 * defocus;
   const double shadow = telescope.obstruction_diameter_m / 2 * defocus;

@@ -53,6 +53,17 @@ TEST(NestedViews, MayTellTheirDirectionByVectorsOfAnyLength) {
   EXPECT_EQ(nested_views(scene), (Groups{{0}, {2, 3, 1}}));
 }
 
+// Seen red: with focus and shift as they are given.
+TEST(NestedViews, MayTellTheirFocusOrTheirShift) {
+  scene::Scene scene = four_telescopes();
+  for (const std::size_t t : {1, 2, 3}) scene.telescope[t].detector_shift_m = 0.4;
+  scene.telescope[2].detector_shift_m = 0;
+  scene.telescope[2].focus_m = 12;
+  EXPECT_EQ(nested_views(scene), (Groups{{0}, {2, 3, 1}}));
+  scene.telescope[2].focus_m = 13;
+  EXPECT_EQ(nested_views(scene), (Groups{{0}, {3, 1}, {2}}));
+}
+
 // A wide view holds another one of its size.
 TEST(NestedViews, MayBeOfOneSize) {
   scene::Scene scene = four_telescopes();

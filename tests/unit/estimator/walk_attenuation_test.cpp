@@ -69,7 +69,8 @@ TEST(WalkAttenuation, IsThatOfTheWaterUnlessItIsGiven) {
 TEST(WalkAttenuation, RemarksOnWalksWhoseWeightsGrow) {
   const auto with = [](const std::string& lines) {
     return scene::read_scene_text(scene::edited({{30, 30, "photons = 1e6\n" + lines}}),
-                                  "scene.toml", "/", {}, optics_check())
+                                  "scene.toml", "/", {"telescope.0.detector_shift_m=0"},
+                                  optics_check())
         .remarks;
   };
   using Texts = std::vector<std::string>;

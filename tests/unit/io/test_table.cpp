@@ -92,6 +92,16 @@ TEST(EchoTable, NumbersThatAreNone) {
   EXPECT_TRUE(has_line(echo_table(result), "        0.50         nan       -"));
 }
 
+// Seen red: without the comparison with half a centimetre, "-0.00".
+TEST(EchoTable, DepthsJustAboveTheSurface) {
+  tally::Result result = small_result();
+  result.gate_depth_edge_m = {-0.008, -0.005, -0.002, 0.001, 0.004, 0.007};
+  const std::string table = echo_table(result);
+  EXPECT_EQ(table.find("-0.00"), std::string::npos);
+  EXPECT_TRUE(has_line(table, "       -0.01   1.235e-08  0.10 %"));
+  EXPECT_TRUE(has_line(table, "        0.00   1.000e-08   1.5 %"));
+}
+
 // A telescope that looks up has no depths: its gates are told by time.
 TEST(EchoTable, DepthsThatAreNone) {
   tally::Result result = small_result();

@@ -132,7 +132,8 @@ TEST_F(BedOfAFile, IsRefusedAtItsLine) {
       {"wavelength_nm,albedo\n500,0.1\n600,1.2\n",
        "sand.csv:3:5: albedo 1.2 is above 1 (it is the share of the light that is reflected)"},
       {"zenith_deg,albedo\n0,0.1\n",
-       "sand.csv:2:1: the angles end at 0, not at 90 (tell the albedo from 0 to 90 degrees)"},
+       "sand.csv:2:1: the angles end at 0 degrees, not at 90 (tell the albedo from 0 to 90 "
+       "degrees)"},
       {"wavelength_nm,zenith_deg,albedo\n500,0,0.1\n600,0,0.1\n",
        "sand.csv:3:1: wavelength_nm 500 has no row at every angle (give a row for each pair, "
        "sorted "
@@ -184,9 +185,9 @@ TEST(Bottom, EveryTextOfWhatIsWrong) {
       {"{ zenith_deg = [0, 60, 30, 90], albedo = [0.1, 0.1, 0.1, 0.1] }",
        "33: zenith_deg 30 is not above the 60 before it (angles ascend)"},
       {"{ zenith_deg = [10, 90], albedo = [0.1, 0.1] }",
-       "26: the angles begin at 10, not at 0" + whole},
+       "26: the angles begin at 10 degrees, not at 0" + whole},
       {"{ zenith_deg = [0, 80], albedo = [0.1, 0.1] }",
-       "29: the angles end at 80, not at 90" + whole},
+       "29: the angles end at 80 degrees, not at 90" + whole},
       {"{ wavelength_nm = [500, 500], zenith_deg = [0, 90], albedo = [0.1, 0.1] }",
        "34: there is one wavelength alone (add others, or leave wavelength_nm out if the albedo is "
        "the same at all)"},
@@ -207,7 +208,7 @@ TEST(Bottom, EveryTextOfWhatIsWrong) {
     EXPECT_EQ(diagnostics_of(over_bed(form)), Texts{"scene.toml:28:" + expected}) << form;
   EXPECT_EQ(diagnostics_of(edited({}), {"bottom.albedo={ zenith_deg = [0, 80], albedo = [0, 0] }",
                                         "sea.layer.1.bottom_depth_m=60"}),
-            Texts{"--set bottom.albedo: the angles end at 80, not at 90" + whole});
+            Texts{"--set bottom.albedo: the angles end at 80 degrees, not at 90" + whole});
   EXPECT_EQ(diagnostics_of("bottom = 0.1\n" + edited({})),
             Texts{"scene.toml:1:10: 'bottom' must be a table, not 0.1 (write [bottom])"});
   EXPECT_EQ(
@@ -285,10 +286,12 @@ TEST(Bottom, OfAnEnvironmentIsRefusedAtTheChange) {
   EXPECT_EQ(diagnostics_of(over_bed("0.1") + set + "\"bottom.albedo\" = 2 }"),
             Texts{"scene.toml:35:9: 'albedo' must be a finite number, at least 0 and at most 1, "
                   "not 2"});
-  EXPECT_EQ(diagnostics_of(over_bed("0.1") + set +
-                           "\"bottom.albedo\" = { zenith_deg = [0, 80], albedo = [0, 0] } }"),
-            Texts{"scene.toml:35:9: the angles end at 80, not at 90 (tell the albedo from 0 to 90 "
-                  "degrees)"});
+  EXPECT_EQ(
+      diagnostics_of(over_bed("0.1") + set +
+                     "\"bottom.albedo\" = { zenith_deg = [0, 80], albedo = [0, 0] } }"),
+      Texts{
+          "scene.toml:35:9: the angles end at 80 degrees, not at 90 (tell the albedo from 0 to 90 "
+          "degrees)"});
   EXPECT_EQ(
       diagnostics_of(edited({}) + set + "\"bottom.albedo\" = 0.2 }"),
       Texts{"scene.toml:32:9: the sea has no bed: its last layer is bottomless (give the last "

@@ -51,6 +51,17 @@ obstruction_diameter_m = 0.4)"}},
 detector_shift_m = -2)"}},
        {"scene.toml:14:20: a shift of -2 m puts the detector into or before the lens of focal "
         "length 2 m (focal_length_m + detector_shift_m must be greater than 0)"}},
+      // Seen red: without the check; with the focal length itself let through.
+      {"FocusWithinTheFocalLength",
+       {{13, 13, R"(focal_length_m = 2
+focus_m = 1.5)"}},
+       {"scene.toml:14:11: what is 1.5 m from a lens of focal length 2 m has no sharp image "
+        "(focus_m must be greater than focal_length_m)"}},
+      {"FocusAtTheFocalLength",
+       {{13, 13, R"(focal_length_m = 2
+focus_m = 2)"}},
+       {"scene.toml:14:11: what is 2 m from a lens of focal length 2 m has no sharp image "
+        "(focus_m must be greater than focal_length_m)"}},
       {"OnTheSurface",
        {{4, 4, "position_m = [0, 0, 0]"}, {10, 10, "position_m = [0, 0, -0.0]"}},
        {"scene.toml:4:14: the source lies on the sea surface (put it into the air (z > 0) or into "
@@ -106,17 +117,24 @@ bottom_depth_m = 60)"}},
       {"GatesInverted",
        {{27, 27, R"(depth_min_m = 50
 depth_max_m = 20)"}},
-       {"scene.toml:28:15: the gates end at 20, not beyond 50 where they begin"}},
+       {"scene.toml:28:15: the gates end at 20 m, not beyond 50 m where they begin"}},
       {"GatesEmpty",
        {{26, 26, R"([gates]
 depth_min_m = 50)"}},
-       {"scene.toml:28:15: the gates end at 50, not beyond 50 where they begin"}},
+       {"scene.toml:28:15: the gates end at 50 m, not beyond 50 m where they begin"}},
+      // Seen red: with metres for every unit.
+      {"GatesInvertedInTime",
+       {{27, 28, "start_ns = 200\nstop_ns = 90\nstep_ns = 1"}},
+       {"scene.toml:28:11: the gates end at 90 ns, not beyond 200 ns where they begin"}},
+      {"GateStepTooLongInTime",
+       {{27, 28, "start_ns = 100\nstop_ns = 200\nstep_ns = 101"}},
+       {"scene.toml:29:11: a gate of 101 ns is longer than all gates together, 100 ns"}},
       {"GateStepNegative",
        {{28, 28, "depth_step_m = -1"}},
        {"scene.toml:28:16: 'depth_step_m' must be a finite number, greater than 0, not -1"}},
       {"GateStepTooLong",
        {{28, 28, "depth_step_m = 51"}},
-       {"scene.toml:28:16: a gate of 51 is longer than all gates together, 50"}},
+       {"scene.toml:28:16: a gate of 51 m is longer than all gates together, 50 m"}},
       {"TooManyGates",
        {{28, 28, "depth_step_m = 1e-300"}},
        {"scene.toml:28:16: these are 5e+301 gates (at most 1000000 can be had: take longer ones)"}},

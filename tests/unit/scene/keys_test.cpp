@@ -170,6 +170,12 @@ surface = "flat")"}},
 half_field_of_view_mrad = 10)"}},
        {"scene.toml:15:1: 'detector_diameter_m' and 'half_field_of_view_mrad' exclude each other "
         "in [[telescope]] (keep one of them)"}},
+      {"ShiftAndFocus",
+       {{14, 14, R"(detector_diameter_m = 0.04
+focus_m = 12
+detector_shift_m = 0.0)"}},
+       {"scene.toml:16:1: 'focus_m' and 'detector_shift_m' exclude each other in [[telescope]] "
+        "(keep one of them)"}},
       {"DetectorMissing",
        {{14, 14, ""}},
        {"scene.toml:8:1: [[telescope]] needs 'detector_diameter_m' or 'half_field_of_view_mrad'"}},

@@ -119,6 +119,7 @@ TEST(Read, WhatIsNoTextIsToldInOneLine) {
   std::filesystem::remove_all(folder);
 }
 
+// Seen red: without units; with metres for every unit.
 TEST(Read, RemarksOnWhatIsNotWrong) {
   const auto remarks = [](const std::string& text) {
     return read_scene_text(text, "scene.toml", "/").remarks;
@@ -127,12 +128,36 @@ TEST(Read, RemarksOnWhatIsNotWrong) {
   EXPECT_EQ(remarks(edited({})), Texts{});
   EXPECT_EQ(
       remarks(edited({{28, 28, "depth_step_m = 3"}})),
+      Texts{"scene.toml:28:16: steps of 3 m do not fill the 50 m from 0 to 50 m: the 17 gates are "
+            "2.94118 m long instead"});
+  EXPECT_EQ(
+      remarks(edited({{27, 28, "range_min_m = 8\nrange_max_m = 100\nrange_step_m = 10"}})),
       Texts{
-          "scene.toml:28:16: steps of 3 do not fill the 50 from 0 to 50: the 17 gates are 2.94118 "
-          "long instead"});
+          "scene.toml:29:16: steps of 10 m do not fill the 92 m from 8 to 100 m: the 10 gates are "
+          "9.2 m long instead"});
+  EXPECT_EQ(
+      remarks(edited({{27, 28, "start_ns = 90\nstop_ns = 200\nstep_ns = 100"}})),
+      Texts{
+          "scene.toml:29:11: steps of 100 ns do not fill the 110 ns from 90 to 200 ns: the 2 gates "
+          "are 55 ns long instead"});
   EXPECT_EQ(remarks(edited({{11, 11, "direction = [0, 0, 1]"},
                             {27, 28, "start_ns = 90\nstop_ns = 200\nstep_ns = 1"}})),
             Texts{"scene.toml:11:13: this telescope in the air looks away from the sea"});
+}
+
+// Seen red: with a limit of 100 m; without the detector.
+TEST(Read, RemarksOnDiametersInMillimetres) {
+  const auto remarks = read_scene_text(edited({{6, 6, "diameter_m = 20"},
+                                               {12, 12, "diameter_m = 400"},
+                                               {14, 14, "detector_diameter_m = 40"}}),
+                                       "scene.toml", "/")
+                           .remarks;
+  const std::string why =
+      " m is more than a lidar has (mirrors have up to 10 m): are the units right?";
+  EXPECT_EQ(remarks, (std::vector<std::string>{"scene.toml:12:14: a diameter of 400" + why,
+                                               "scene.toml:14:23: a diameter of 40" + why}));
+  EXPECT_EQ(read_scene_text(edited({{6, 6, "diameter_m = 40"}}), "scene.toml", "/").remarks,
+            std::vector<std::string>{"scene.toml:6:14: a diameter of 40" + why});
 }
 
 TEST(Read, BordersOfTheRangesAreInside) {
@@ -168,6 +193,24 @@ TEST(Telescope, DetectorFromItsFieldOfView) {
   EXPECT_NEAR(telescope.effective_detector_diameter_m(), 0.040001333387, 1e-12);  // 4 tan(0.01)
   telescope.detector_diameter_m = 0.03;
   EXPECT_EQ(telescope.effective_detector_diameter_m(), 0.03);
+}
+
+// f^2 / (d - f). Seen red: with the detector in the focal plane; with the focus for its distance
+// from the focal plane.
+TEST(Telescope, DetectorFromItsFocus) {
+  Telescope telescope;
+  telescope.focal_length_m = 2.0;
+  telescope.detector_shift_m = -0.1;
+  EXPECT_EQ(telescope.effective_detector_shift_m(), -0.1);
+  EXPECT_EQ(telescope.detector_distance_m(), 1.9);
+  telescope.detector_shift_m = 0;
+  telescope.focus_m = 12.0;
+  EXPECT_EQ(telescope.effective_detector_shift_m(), 0.4);
+  EXPECT_EQ(telescope.detector_distance_m(), 2.4);
+  telescope.focus_m = 705e3;
+  EXPECT_NEAR(telescope.effective_detector_shift_m(), 4 / 704998.0, 1e-20);
+  telescope.focus_m = 1e300;
+  EXPECT_EQ(telescope.detector_distance_m(), 2);
 }
 
 }  // namespace

@@ -96,6 +96,7 @@ TEST(Robustness, AnyValueForAnyKey) {
                                        "telescope.0.name",
                                        "telescope.0.focal_length_m",
                                        "telescope.0.detector_shift_m",
+                                       "telescope.0.focus_m",
                                        "channel",
                                        "channel.0.process",
                                        "optics",

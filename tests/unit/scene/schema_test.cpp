@@ -52,7 +52,7 @@ std::set<std::string> keys_of_scenes() {
             "scored_points = 4, tools = { importance = [{ depth_m "
             "= 1, value = 2 }] } }"},
            {"telescope.0={ position_m = [0, 0, 12], direction = [0, 0, -1], diameter_m = 0.4, "
-            "focal_length_m = 2, half_field_of_view_mrad = 10 }",
+            "focal_length_m = 2, half_field_of_view_mrad = 10, focus_m = 12 }",
             "channel.0={ name = \"green\", centre_nm = 532, fwhm_nm = 3 }",
             "gates={ range_min_m = 10, range_max_m = 20, range_step_m = 1 }",
             "sea.layer.1.phase_function={ model = \"mixture\", components = [{ fraction = 0.5, "
@@ -276,6 +276,10 @@ TEST(Schema, KeysThatExcludeEachOther) {
   EXPECT_EQ(ways[0]["properties"]["half_field_of_view_mrad"], false);
   EXPECT_EQ(ways[1]["required"], json::array({"half_field_of_view_mrad"}));
   EXPECT_EQ(ways[1]["properties"]["detector_diameter_m"], false);
+  const json& focus = schema["properties"]["telescope"]["items"]["allOf"][1]["oneOf"];
+  EXPECT_EQ(focus[0]["properties"]["focus_m"], false);
+  EXPECT_EQ(focus[1]["required"], json::array({"focus_m"}));
+  EXPECT_EQ(focus[1]["properties"]["detector_shift_m"], false);
   EXPECT_EQ(schema["properties"]["simulation"]["allOf"][0]["anyOf"][2]["required"],
             json::array({"max_time_s"}));
 }

@@ -104,7 +104,8 @@ const std::vector<Wrong>& wrong_surfaces() {
       {"TooLittleWind",
        R"(model = "paper", wind_speed_m_s = 1e-30)",
        "",
-       {"scene.toml:20:47: a wind of 1e-30 is too small for waves (write 0, or at least 0.001)"}},
+       {"scene.toml:20:47: a wind of 1e-30 m/s is too small for waves (write 0, or at least "
+        "0.001)"}},
       {"TooSmallSlopes",
        R"(model = "gaussian", upwind_slope_variance = 1e-300, crosswind_slope_variance = 1e-7)",
        "",

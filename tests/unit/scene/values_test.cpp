@@ -68,6 +68,10 @@ obstruction_diameter_m = -0.1)"}},
        {{13, 13, R"(focal_length_m = 2
 detector_shift_m = -inf)"}},
        {"scene.toml:14:20: 'detector_shift_m' must be a finite number, not -inf"}},
+      {"NotFiniteFocus",
+       {{13, 13, R"(focal_length_m = 2
+focus_m = inf)"}},
+       {"scene.toml:14:11: 'focus_m' must be a finite number, greater than 0, not inf"}},
       {"DivergenceTooWide",
        {{7, 7, "half_divergence_mrad = 1570.8"}},
        {"scene.toml:7:24: 'half_divergence_mrad' must be a finite number, at least 0 and less than "

@@ -111,6 +111,7 @@ TEST(Write, KeepsTheOtherWaysOfSayingThings) {
   for (const std::vector<Override>& overrides : std::vector<std::vector<Override>>{
            {"telescope=[{ position_m = [0, 0, 12], direction = [0, 0, -1], diameter_m = 0.4, "
             "focal_length_m = 2, half_field_of_view_mrad = 10 }]"},
+           {"telescope.0.focus_m=12.100000000000001"},
            {"channel=[{ name = \"green\", centre_nm = 532, fwhm_nm = 3 }]"},
            {"gates={ range_min_m = 10, range_max_m = 20, range_step_m = 0.1 }"},
            {"gates={ start_ns = 90, stop_ns = 200, step_ns = 2 }"},

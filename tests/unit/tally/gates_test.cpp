@@ -80,6 +80,57 @@ TEST(DepthGates, LieInTheAirWhereNegative) {
   EXPECT_NEAR(gates.edge_path(6), 24 + 2 * 1.3638, 1e-12);
 }
 
+/// Of depth gates -0.3 … 0.3 by 0.1 m of the ship's lidar at a height, tilted so far.
+void expect_depths_as_asked(double height, double tilt_deg, const std::vector<medium::Line>& in) {
+  auto scene = with_depth_gates(-0.3, 0.3, 0.1);
+  put(scene.source, height, tilt_deg);
+  put(scene.telescope[0], height, tilt_deg);
+  const Gates gates(scene, in);
+  for (std::int32_t edge = 0; edge <= 6; ++edge) {
+    const double depth = gates.edge_depth(edge, 0, in[0]);
+    EXPECT_EQ(depth, (edge - 3) / 10.0) << height << " m, " << tilt_deg << " degrees";
+    EXPECT_FALSE(edge == 3 && std::signbit(depth));
+    EXPECT_EQ(depth + gates.edge_depth(6 - edge, 0, in[0]), 0);  // the middle of a gate about 0
+  }
+}
+
+// Paths round: of 24 m to 4e-15, of those from 705 km to 2e-10. Seen red: with depth() of the
+// edge's path, 2e-16 or -1e-10 for 0; without the sum that makes 0 of -0; with digits for 24 m from
+// everywhere.
+TEST(DepthGates, AreToldWithoutTheRoundingOfPaths) {
+  for (const double height : {0.3, 12.0, 11.7, 300.0, 9000.0, 705e3})
+    for (const double tilt : {0.0, 15.0, 40.0})
+      for (const auto& in : {lines(), lines_in_air()}) expect_depths_as_asked(height, tilt, in);
+}
+
+// Of other light the depths are no decimals. Seen red: rounded to millimetres.
+TEST(DepthGates, AreToldInAllTheirDigits) {
+  const Gates gates(with_depth_gates(-5, 5, 1), lines());
+  for (std::int32_t edge = 0; edge <= 10; ++edge)
+    EXPECT_NEAR(gates.edge_depth(edge, 0, lines()[1]),
+                gates.depth(gates.edge_path(edge), 0, lines()[1]), 1e-12);
+  auto up = test::ship_scene();
+  put(up.telescope[0], -3, 180);
+  up.gates = {};
+  up.gates.time_ns = {0, 100, 10};
+  EXPECT_NEAR(Gates(up, lines()).edge_depth(10, 0, lines()[0]),
+              Gates(up, lines()).depth(100 * metre_per_nanosecond, 0, lines()[0]), 1e-12);
+}
+
+// Where the gates begin at the laser their time does, too. Seen red: with the path over the speed.
+TEST(Gates, HaveTimesWithoutTheRoundingOfPaths) {
+  auto scene = with_depth_gates(-11.7, 5, 0.1);
+  put(scene.source, 11.7, 15);
+  put(scene.telescope[0], 11.7, 15);
+  EXPECT_EQ(Gates(scene, lines()).edge_time_ns(0), 0);
+  EXPECT_FALSE(std::signbit(Gates(scene, lines()).edge_time_ns(0)));
+  scene.gates = {};
+  scene.gates.time_ns = {80, 500, 2};
+  const Gates gates(scene, lines());
+  for (std::int32_t edge = 0; edge <= gates.count(); ++edge)
+    EXPECT_EQ(gates.edge_time_ns(edge), 80 + 2 * edge);
+}
+
 // Whatever the gates, a path lies in the one gate between whose edges it is. Seen red: with find()
 // counting from gate 1.
 void finds_what_lies_between_edges(const Gates& gates) {

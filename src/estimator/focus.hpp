@@ -1,0 +1,20 @@
+// How sharply the telescopes of a scene see.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "estimator/model.hpp"
+#include "scene/findings.hpp"
+#include "scene/scene.hpp"
+
+namespace photic::estimator {
+
+/// Remarks on telescopes in the air to which the sea's surface is out of focus, unless the scene
+/// itself says where their detector is.
+void check_focus(const scene::Scene& scene, scene::Findings& findings);
+
+/// What `photic show` says of each telescope.
+std::vector<std::string> focus_told(const Model& model);
+
+}  // namespace photic::estimator
