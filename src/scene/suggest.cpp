@@ -40,17 +40,6 @@ std::string folded(const std::string& word) {
   return out;
 }
 
-std::vector<std::string> parts_of(const std::string& word) {
-  std::vector<std::string> parts{""};
-  for (const char c : folded(word)) {
-    if (c == '_')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
 /// What units in the names of keys are made of, those of scenes and those that people would write.
 bool is_unit_part(const std::string& part) {
   static const std::set<std::string> all{
@@ -161,6 +150,17 @@ std::string question(const std::string& word, const std::vector<std::string>& me
 }
 
 }  // namespace
+
+std::vector<std::string> parts_of(const std::string& word) {
+  std::vector<std::string> parts{""};
+  for (const char c : folded(word)) {
+    if (c == '_')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
 
 std::optional<std::string> same_word(const std::string& word,
                                      const std::vector<std::string>& known) {

@@ -184,8 +184,10 @@ TEST(MeasuredLevels, KeysHaveOneWordEach) {
 TEST(MeasuredFlags, MeanWhatTheFileSays) {
   WrittenFiles files("measured_meanings");
   write_depths(files, {0, 10, 20, 30}, {0.1, 5, 0.3, 0.3});
-  files.netcdf["CHLA_QC"] = {{"z"}, {4}, "", {3, 1, 0, none}};
-  files.netcdf["CHLA_QC"].meaning = {{0, "good"}, {1, "Bad_data"}, {3, "interpolated"}};
+  NetcdfCodes& flags = files.codes["CHLA_QC"];
+  flags = WrittenFiles::as_codes({{"z"}, {4}, "", {3, 1, 0, none}});
+  flags.flag_values = {"0", "1", "3"};
+  flags.flag_meanings = {"good Bad_data interpolated"};
   const Reading reading = files.read(profiled(from_depths));
   EXPECT_NEAR(mean_chlorophyll(reading.scene), 0.2, 1e-14);
   EXPECT_EQ(remarks_of(files, reading)[0],
@@ -229,8 +231,8 @@ TEST(MeasuredLevels, TurnedDimensionsAreRefused) {
   write_float(files);
   files.netcdf["CHLA"] = {{"N_LEVELS", "N_PROF"}, {2, 2}, "mg/m3", {1, 2, 3, 4}};
   EXPECT_EQ(files.problems(profiled(from_float)),
-            (Texts{"scene.toml:22:30: float.nc: CHLA(N_LEVELS, N_PROF): has its levels first "
-                   "(dimensions are (profiles, levels))"}));
+            (Texts{"scene.toml:22:30: float.nc: CHLA(N_LEVELS, N_PROF): has its levels first, and "
+                   "PRES(N_PROF, N_LEVELS) has them last (dimensions are (profiles, levels))"}));
   write_depths(files, {0, 30}, {});
   files.netcdf["CHLA"] = {{"z", "time"}, {2, 2}, "mg/m3", {1, 2, 3, 4}};
   EXPECT_EQ(files.problems(profiled(from_depths)),
