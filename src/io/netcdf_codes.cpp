@@ -1,6 +1,4 @@
 // Flags and names of casts in netCDF files.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -97,10 +95,10 @@ class CodesReader {
     std::sort(flags.begin(), flags.end());
     std::vector<double> all = variable_.numbers();
     for (double& x : all) {
-      const bool is_flag = std::binary_search(flags.begin(), flags.end(), packing.as_stored(x));
+      const bool is_flag =
+          flags.empty() ? x >= 1 && x <= 9
+                        : std::binary_search(flags.begin(), flags.end(), packing.as_stored(x));
       x = !is_flag && packing.is_missing(x) ? no_code : code(x);
-      if (std::fabs(x) > most_exact && is_wide(variable_.type()))
-        attributes_.refuse(fmt::format("{} is a flag or a name too large to be exact", x));
     }
     out.number = different(all, is_nan);
     out.value = index_in(out.number, all, is_nan);
@@ -139,31 +137,28 @@ class CodesReader {
   /// "0149A", each a flag, or with blanks or commas between; "0b" is how CDL writes a byte.
   [[nodiscard]] std::vector<std::string> flag_values_in_text() const {
     if (!is_text(attributes_.type("flag_values"))) return {};
-    std::vector<std::string> out;
+    std::vector<std::string> words;
     for (std::string text : attributes_.texts("flag_values")) {
       std::replace(text.begin(), text.end(), ',', ' ');
-      std::istringstream words(text);
-      for (std::string word; words >> word;) {
-        if (word.size() > 1 && (word.back() == 'b' || word.back() == 's') &&
-            number_in(word.substr(0, word.size() - 1)))
-          word.pop_back();
-        out.push_back(word_of(word));
-      }
+      std::istringstream in(text);
+      for (std::string word; in >> word;) words.push_back(word);
     }
-    if (out.size() != 1 || variable_.type() != NC_CHAR) return out;
-    const std::string characters = out.front();
-    out.clear();
-    for (const char c : characters) out.emplace_back(1, c);
+    std::vector<std::string> out;
+    if (words.size() == 1 && variable_.type() == NC_CHAR)
+      for (const char c : words.front()) out.emplace_back(1, c);
+    else
+      for (const std::string& word : words) out.push_back(word_of(without_suffix(word)));
     return out;
+  }
+
+  static std::string without_suffix(const std::string& word) {
+    const std::string rest = word.substr(0, word.size() - 1);
+    return (word.back() == 'b' || word.back() == 's') && number_in(rest) ? rest : word;
   }
 
   [[nodiscard]] double bits_of(double x) const { return x < 0 ? x + span_of(variable_.type()) : x; }
 
   static bool is_text(nc_type type) { return type == NC_CHAR || type == NC_STRING; }
-  static bool is_wide(nc_type type) { return type == NC_INT64 || type == NC_UINT64; }
-
-  /// Above it not every whole number is a double.
-  static constexpr double most_exact = 0x1p53;
 
   const NetcdfValues variable_;
   const NetcdfAttributes& attributes_;

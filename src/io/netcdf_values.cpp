@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace photic::io {
 namespace {
@@ -35,12 +36,16 @@ std::vector<int> dimensions_of(const NetcdfReader& file, int variable) {
 
 }  // namespace
 
+std::string name_by(const NetcdfReader& file, const std::function<int(char*)>& inquire) {
+  const auto buffer = std::make_unique_for_overwrite<char[]>(file.size() + NC_MAX_NAME + 1);
+  return inquire(buffer.get()) == NC_NOERR ? buffer.get() : "";
+}
+
 std::vector<std::string> variable_names(const NetcdfReader& file) {
   std::vector<std::string> names;
   for (int id = 0; id < number_of_variables(file); ++id) {
-    char name[NC_MAX_NAME + 1] = {};
-    if (nc_inq_varname(file.id(), id, name) != NC_NOERR) file.refuse("has a variable without name");
-    names.emplace_back(name);
+    names.push_back(name_by(file, [&](char* name) { return nc_inq_varname(file.id(), id, name); }));
+    if (names.back().empty()) file.refuse("has a variable without name");
   }
   return names;
 }
@@ -62,11 +67,9 @@ NetcdfValues::NetcdfValues(const NetcdfReader& file, const std::string& name,
   check(nc_inq_vartype(file.id(), id_, &type_));
   const std::vector<int> ids = dimensions_of(file, id_);
   for (const int id : ids) {
-    char dimension[NC_MAX_NAME + 1] = {};
-    std::size_t length = 0;
-    check(nc_inq_dim(file.id(), id, dimension, &length));
-    dimension_.emplace_back(dimension);
-    length_.push_back(length);
+    dimension_.push_back(
+        name_by(file, [&](char* to) { return nc_inq_dimname(file.id(), id, to); }));
+    check(nc_inq_dimlen(file.id(), id, &length_.emplace_back()));
   }
   if (type_ != NC_CHAR || ids.empty() || of_values.contains(ids.back())) return;
   characters_ = length_.back();

@@ -4,6 +4,7 @@
 #include <netcdf.h>
 
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,6 +16,11 @@ namespace photic::io {
 
 /// Of the NetcdfReader of such files.
 inline constexpr const char* what_is_wanted = "is it the file you mean?";
+
+/// The name that a function of the library writes to a buffer; "" if it fails. Classic files may
+/// have longer names than the library allows, which it writes none the less.
+[[nodiscard]] std::string name_by(const NetcdfReader& file,
+                                  const std::function<int(char*)>& inquire);
 
 /// The names of the variables outside all groups.
 [[nodiscard]] std::vector<std::string> variable_names(const NetcdfReader& file);

@@ -17,10 +17,11 @@
 namespace photic::io {
 namespace {
 
-/// Those that a profile may be told by (CF-1.10, sections 3.4, 4 and 9; "conventions" is Argo's).
+/// Those that a profile may be told by (CF-1.10, sections 3.4, 3.5, 4 and 9; "conventions" is
+/// Argo's).
 constexpr std::array attributes_of_headers{
     "standard_name",    "axis",    "ancillary_variables", "conventions",
-    "sample_dimension", "cf_role", "instance_dimension"};
+    "sample_dimension", "cf_role", "instance_dimension",  "flag_meanings"};
 
 scene::NetcdfHeader header_of(const NetcdfValues& variable) {
   const NetcdfAttributes& attributes = variable.attributes();
@@ -32,7 +33,7 @@ scene::NetcdfHeader header_of(const NetcdfValues& variable) {
       header.attribute[name] = fmt::format("{}", fmt::join(attributes.texts(name), " "));
   }
   for (const char* name : {"flag_values", "flag_masks", "flag_meanings"})
-    header.explains_flags = header.explains_flags || attributes.type(name) != NC_NAT;
+    header.has_flags = header.has_flags || attributes.type(name) != NC_NAT;
   return header;
 }
 
@@ -44,11 +45,10 @@ std::map<std::string, std::size_t> dimension_lengths(const NetcdfReader& file) {
     file.refuse("has no list of dimensions");
   std::map<std::string, std::size_t> found;
   for (const int id : ids) {
-    char name[NC_MAX_NAME + 1] = {};
-    std::size_t length = 0;
-    if (nc_inq_dim(file.id(), id, name, &length) != NC_NOERR)
+    const std::string name =
+        name_by(file, [&](char* to) { return nc_inq_dimname(file.id(), id, to); });
+    if (name.empty() || nc_inq_dimlen(file.id(), id, &found[name]) != NC_NOERR)
       file.refuse("has a dimension without name");
-    found[name] = length;
   }
   return found;
 }

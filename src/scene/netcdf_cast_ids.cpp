@@ -64,7 +64,8 @@ class Finder {
   /// Whether a variable has a value for each level.
   [[nodiscard]] bool is_of_levels(const NetcdfHeader& header) const {
     const Shape shape = shape_of(header);
-    return shape.axis(levels_) && Alignment::of(shape, layout_.shape);
+    return Alignment::of(shape, layout_.shape) &&
+           (shape.axis(levels_) || (layout_.has_own_dimensions && shape.size() == values_));
   }
 
   [[nodiscard]] CastId by_counts(const std::string& name) const {
@@ -174,7 +175,7 @@ void drop_halves(CastId& id) {
 }  // namespace
 
 std::string CastId::label(std::size_t value) const {
-  return casts ? fmt::format("{}", value) : codes.code(value);
+  return casts ? fmt::format("{}", value) : codes.code_text(value);
 }
 
 std::vector<CastId> cast_ids(const NetcdfColumns& file, const Layout& layout) {

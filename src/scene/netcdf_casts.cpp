@@ -149,14 +149,17 @@ std::string Casts::label(const Run& run) const {
 Cast Casts::chosen(std::optional<std::int64_t> profile) const {
   const std::string shape = shape_text(name_, layout_.shape);
   const bool may_be_first = is_numbered_ && layout_.profile_axis;
-  if (!profile && count() > 1 && !may_be_first)
-    file_.fail(shape, fmt::format("holds {} casts, one for each {}", count(), ids_text()),
-               fmt::format("choose one of them: profile = 0 {} {}", count() == 2 ? "or" : "to",
-                           count() - 1));
+  const std::string choice = may_be_first || count() < 2
+                                 ? ""
+                                 : fmt::format("choose one of them: profile = 0 {} {}",
+                                               count() == 2 ? "or" : "to", count() - 1);
+  if (!profile && !choice.empty())
+    file_.fail(shape, fmt::format("holds {} casts, divided by {}", count(), ids_text()), choice);
   const auto number = static_cast<std::size_t>(profile.value_or(0));
   if (number >= count())
     file_.fail(shape,
-               fmt::format("there is no profile {}: it has {}, counted from 0", number, count()));
+               fmt::format("there is no profile {}: it has {}, counted from 0", number, count()),
+               choice);
   Cast out = cast(number);
   if (out.value.size() > most_levels)
     file_.fail(shape, fmt::format("profile {} has {} levels; at most {} are read", number,
@@ -170,12 +173,9 @@ std::string Casts::ids_text() const {
   for (const CastId& id : ids_) names.push_back(id.name);
   const std::string text = joined(names, "and");
   if (ids_.size() != 1 || ids_.front().casts) return text;
-  constexpr std::size_t most = 5;
   std::vector<std::string> labels;
-  for (std::size_t k = 0; k < std::min(groups_.run.size(), most); ++k)
-    labels.push_back(ids_.front().label(first_id(groups_.run[k])));
-  return fmt::format("{} ({}{})", text, fmt::join(labels, ", "),
-                     groups_.run.size() > most ? ", …" : "");
+  for (const Run& run : groups_.run) labels.push_back(ids_.front().label(first_id(run)));
+  return fmt::format("{} ({})", text, first_of(labels));
 }
 
 }  // namespace photic::scene

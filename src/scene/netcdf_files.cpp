@@ -31,6 +31,10 @@ std::string NetcdfCodes::code(std::size_t i) const {
   return text.empty() ? plain_number(number[i]) : text[i];
 }
 
+std::string NetcdfCodes::code_text(std::size_t i) const {
+  return text.empty() ? code(i) : quoted(shortened(text[i]));
+}
+
 NetcdfFiles read_once(const NetcdfFiles& files) {
   if (!files.contents) return files;
   return {kept(files.contents), kept(files.read), kept(files.codes)};

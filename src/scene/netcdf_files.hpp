@@ -16,7 +16,7 @@ struct NetcdfHeader {
   std::vector<std::size_t> length;                    ///< of each dimension
   std::map<std::string, std::string> attribute = {};  ///< those that are texts and matter here
   bool has_numbers = true;
-  bool explains_flags = false;  ///< has flag_values, flag_masks or flag_meanings
+  bool has_flags = false;  ///< has flag_values, flag_masks or flag_meanings
 
   /// Empty if there is none.
   [[nodiscard]] std::string text(const std::string& name) const;
@@ -55,6 +55,8 @@ struct NetcdfCodes {
   [[nodiscard]] std::size_t size() const { return number.size() + text.size(); }
   /// One of the different values.
   [[nodiscard]] std::string code(std::size_t i) const;
+  /// The same for messages.
+  [[nodiscard]] std::string code_text(std::size_t i) const;
 };
 
 /// All throw InputError for a file of no use, EnvironmentError for one that cannot be read.

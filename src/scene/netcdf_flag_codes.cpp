@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "scene/node.hpp"
+#include "scene/suggest.hpp"
 
 namespace photic::scene {
 namespace {
@@ -30,8 +31,8 @@ std::vector<std::string> meanings_of(const NetcdfCodes& codes, std::size_t flags
   return words.size() != flags && phrases.size() == flags ? phrases : words;
 }
 
-std::string with_meaning(const std::string& flag, const std::string& meaning) {
-  return fmt::format("{} ({})", flag, meaning);
+std::string in_brackets(const std::string& meaning) {
+  return fmt::format(" ({})", quoted(shortened(meaning)));
 }
 
 /// Explains the flags of one variable.
@@ -56,11 +57,13 @@ class Explainer {
     for (std::size_t i = 0; i < codes_.size(); ++i) {
       const std::string flag = codes_.code(i);
       if (!masks().empty())
-        out.code.push_back(by_bits(flag, codes_.number[i]));
+        out.code.push_back(by_bits(codes_.number[i]));
       else if (!meanings_.empty())
         out.code.push_back(by_values(flag));
       else
         out.code.push_back(by_table(flag));
+      FlagCode& code = out.code.back();
+      code.text = fmt::format("{}{}", codes_.code_text(i), code.text);
     }
     out.by_table = meanings_.empty() && !codes_.number.empty();
     return out;
@@ -88,7 +91,8 @@ class Explainer {
   void expect_one_meaning(const std::string& flag, const std::string& a,
                           const std::string& b) const {
     if (quality_of(a) != quality_of(b))
-      fail(fmt::format("its attributes have the flag {} as {} and as {}", flag, a, b));
+      fail(fmt::format("its attributes explain the flag {} as {} and as {}", flag,
+                       quoted(shortened(a)), quoted(shortened(b))));
   }
 
   void read_values() {
@@ -122,8 +126,8 @@ class Explainer {
     }
   }
 
-  [[nodiscard]] FlagCode by_bits(const std::string& flag, double number) const {
-    FlagCode out{Quality::unchecked, flag, ""};
+  [[nodiscard]] FlagCode by_bits(double number) const {
+    FlagCode out{Quality::unchecked, "", ""};
     const auto set = as_bits(number);
     std::uint64_t unexplained = set.value_or(0);
     std::vector<std::string> meanings;
@@ -133,8 +137,7 @@ class Explainer {
       out.quality = worst(out.quality, quality_of(bits.meaning));
       unexplained &= ~bits.mask;
     }
-    if (!meanings.empty())
-      out.text = with_meaning(flag, fmt::format("{}", fmt::join(meanings, " ")));
+    if (!meanings.empty()) out.text = in_brackets(fmt::format("{}", fmt::join(meanings, " ")));
     if (!set || unexplained != 0) out.misfit = "has bits that its attributes do not explain";
     return out;
   }
@@ -147,19 +150,19 @@ class Explainer {
 
   [[nodiscard]] FlagCode by_values(const std::string& flag) const {
     const auto at = meaning_.find(flag);
-    if (at == meaning_.end()) return {Quality::unclear, flag, misfit()};
-    return {quality_of(at->second), with_meaning(flag, at->second), ""};
+    if (at == meaning_.end()) return {Quality::unclear, "", misfit()};
+    return {quality_of(at->second), in_brackets(at->second), ""};
   }
 
   /// Without meanings. A word is its own one.
   [[nodiscard]] FlagCode by_table(const std::string& flag) const {
     const bool is_word = codes_.number.empty() && flag.size() > 1;
     const bool fits = values().empty() || std::ranges::find(values(), flag) != values().end();
-    return {is_word ? quality_of(flag) : quality_in_table(flag), flag, fits ? "" : misfit()};
+    return {is_word ? quality_of(flag) : quality_in_table(flag), "", fits ? "" : misfit()};
   }
 
   [[nodiscard]] std::string misfit() const {
-    return fmt::format("is none of its flag_values ({})", fmt::join(values(), ", "));
+    return fmt::format("is none of its flag_values ({})", first_of(values()));
   }
 
   const NetcdfColumns& file_;

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "scene/flag_meaning.hpp"
 #include "scene/netcdf_shape.hpp"
 #include "scene/suggest.hpp"
 
@@ -71,7 +72,7 @@ class Search {
   FlagNames found() {
     for (const std::string& name : listed_by(header_)) take_listed(name);
     for (const auto& [name, header] : file_.contents().variable)
-      if (name != variable_ && !listed_.contains(name)) take_named(name, header);
+      if (name != variable_ && !is_listed(name)) take_named(name, header);
     return std::move(found_);
   }
 
@@ -87,22 +88,20 @@ class Search {
       return;
     }
     const NetcdfHeader& header = file_.header(name);
-    if (!has_standard_name_of_flags(header) && !header.explains_flags &&
-        !has_flag_word(words_of_name(name)))
-      return;
+    if (!looks_like_flags(name, header)) return;
     if (!Alignment::of(shape_of(header), shape_of(header_)))
-      remark(not_understood(name, fmt::format("has not the dimensions of {}", variable_)));
+      remark(not_understood(name, fmt::format("does not have the dimensions of {}", variable_)));
     else if (is_explained(name, header))
       found_.listed.push_back(name);
     else
-      remark(not_understood(name, "has no flag_values and flag_meanings"));
+      remark(not_understood(name, "does not explain its flags"));
   }
 
   void take_named(const std::string& name, const NetcdfHeader& header) {
     const Words& words = words_.at(name);
-    if (!has_flag_word(words) && !has_standard_name_of_flags(header)) return;
+    if (!has_flag_word(words) && !has_standard_name_of_flags(header) && !means_bad(header)) return;
     const std::string owner = owner_of(name, words);
-    if (owner.empty()) return take_nobodys(name, words, header);
+    if (owner.empty() && !listed_.contains(name)) return take_nobodys(name, words, header);
     if (owner != variable_) return;
     const Words besides = *words_besides(words, words_.at(variable_));
     const bool is_plain = std::ranges::all_of(besides, goes_with_flags);
@@ -112,14 +111,14 @@ class Search {
     else if (is_explained(name, header))
       found_.named.push_back(name);
     else
-      remark(not_understood(name, "has no flag_values and flag_meanings"));
+      remark(not_understood(name, "does not explain its flags"));
   }
 
   /// Flags of everything, or of what the file does not name.
   void take_nobodys(const std::string& name, const Words& words, const NetcdfHeader& header) {
     const std::string standard_name = header.text("standard_name");
     const std::string own = header_.text("standard_name");
-    const bool may_be_own = std::ranges::all_of(words, goes_with_flags) ||
+    const bool may_be_own = std::ranges::all_of(words, goes_with_flags) || means_bad(header) ||
                             standard_name.ends_with("quality_flag") ||
                             (!own.empty() && standard_name == own + " status_flag");
     if (may_be_own && is_of_each_value(header))
@@ -133,7 +132,8 @@ class Search {
     std::array<std::size_t, 3> best{};
     for (const auto& [name, header] : file_.contents().variable) {
       const Words& held = words_.at(name);
-      if (has_flag_word(held) || !header.has_numbers || !words_besides(words, held)) continue;
+      if (looks_like_flags(name, header) || !header.has_numbers || !words_besides(words, held))
+        continue;
       const std::array<std::size_t, 3> rank{held.size(),
                                             flags.find(name) != std::string::npos ? 1U : 0U,
                                             name == variable_ ? 1U : 0U};
@@ -150,22 +150,40 @@ class Search {
     return alignment && other.size() == own.size();
   }
 
-  [[nodiscard]] bool has_standard_name_of_flags(const NetcdfHeader& header) const {
+  [[nodiscard]] bool is_listed(const std::string& name) const {
+    const auto names = listed_by(header_);
+    return std::ranges::find(names, name) != names.end();
+  }
+
+  /// Whether some of its flags are those of bad values.
+  static bool means_bad(const NetcdfHeader& header) {
+    std::istringstream meanings(header.text("flag_meanings"));
+    for (std::string meaning; meanings >> meaning;)
+      if (quality_of(meaning) == Quality::bad) return true;
+    return false;
+  }
+
+  static bool has_standard_name_of_flags(const NetcdfHeader& header) {
     const std::string name = header.text("standard_name");
     return name.ends_with("quality_flag") || name.ends_with("status_flag");
+  }
+
+  [[nodiscard]] bool looks_like_flags(const std::string& name, const NetcdfHeader& header) const {
+    return name != variable_ && (header.has_flags || has_standard_name_of_flags(header) ||
+                                 has_flag_word(words_.at(name)));
   }
 
   /// Whether it is known what the flags mean, by the file or by Argo's table.
   static bool is_explained(const std::string& name, const NetcdfHeader& header) {
     const Words words = words_of_name(name);
-    return header.explains_flags || std::ranges::find(words, "qc") != words.end() ||
+    return !header.text("flag_meanings").empty() || std::ranges::find(words, "qc") != words.end() ||
            std::ranges::find(words, "qartod") != words.end();
   }
 
   static std::string not_understood(const std::string& name, const std::string& why) {
     return fmt::format(
-        "{} {}: no level is left out by these flags (flags are understood that the variable's "
-        "ancillary_variables name and that have flag_values and flag_meanings)",
+        "{} {}: no level is left out by these flags (those are read that ancillary_variables of "
+        "the variable lists and that flag_values and flag_meanings explain)",
         name, why);
   }
 

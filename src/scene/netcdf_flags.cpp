@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/netcdf_flag_names.hpp"
+#include "scene/suggest.hpp"
 #include "scene/unit_text.hpp"
 
 namespace photic::scene {
@@ -13,13 +14,6 @@ namespace {
 
 /// More different values than flags have.
 constexpr std::size_t most_codes = 10'000;
-
-std::string listed(const std::set<std::string>& all) {
-  constexpr std::size_t most = 5;
-  const std::vector<std::string> first(
-      all.begin(), std::next(all.begin(), static_cast<std::ptrdiff_t>(std::min(all.size(), most))));
-  return fmt::format("{}{}", fmt::join(first, ", "), all.size() > most ? ", …" : "");
-}
 
 }  // namespace
 
@@ -95,7 +89,8 @@ void QualityFlags::judge_by(const Flags& flags, const std::vector<std::size_t>& 
   if (unclear > 0)
     out.remarks.push_back(fmt::format(
         "{} of {} levels of {} have flags in {} that are not understood and count as good: {}",
-        unclear, values.size(), variable_, flags.name, listed(unclear_texts)));
+        unclear, values.size(), variable_, flags.name,
+        first_of({unclear_texts.begin(), unclear_texts.end()})));
   if (flags.codes.by_table && !flags.is_argos && texts == std::set<std::string>{"0", "1"})
     out.remarks.push_back(fmt::format(
         "{} has the flags 0 and 1 and does not explain them (flag_meanings): they count "

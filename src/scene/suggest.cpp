@@ -183,4 +183,10 @@ std::string joined(const std::vector<std::string>& words, const std::string& las
   return out;
 }
 
+std::string first_of(const std::vector<std::string>& words) {
+  constexpr std::size_t most = 5;
+  const auto end = words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), most));
+  return fmt::format("{}{}", fmt::join(words.begin(), end, ", "), words.size() > most ? ", …" : "");
+}
+
 }  // namespace photic::scene

@@ -24,4 +24,7 @@ std::vector<std::string> parts_of(const std::string& word);
 /// "a, b and c" with the given last joint ("and", "or").
 std::string joined(const std::vector<std::string>& words, const std::string& last_joint);
 
+/// "a, b, c, d, e, …": the first of them.
+std::string first_of(const std::vector<std::string>& words);
+
 }  // namespace photic::scene

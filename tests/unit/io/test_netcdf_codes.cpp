@@ -117,7 +117,7 @@ TEST(NetcdfCodes, HaveTheAttributesOfFlags) {
     file.attribute(bytes, "_FillValue", NC_BYTE, 9);
     file.text(bytes, "flag_meanings", "no_qc good missing");
     file.text(file.define("PRES_QC", NC_CHAR), "flag_values", "0, 1, 4");
-    file.text(file.define("TEMP_QC", NC_CHAR), "flag_values", "014A");
+    file.text(file.define("TEMP_QC", NC_CHAR), "flag_values", "014");
     file.text(file.define("PSAL_QC", NC_INT), "flag_values", "0b 10b 128b");
     const int texts = file.define("DOXY_QC", NC_BYTE);
     const char* meanings[] = {"no QC", "good data"};
@@ -129,10 +129,12 @@ TEST(NetcdfCodes, HaveTheAttributesOfFlags) {
   EXPECT_EQ(chla.flag_meanings, Words{"no_qc good missing"});
   EXPECT_EQ(words_of(chla), (Words{"0", "1", "9", "1", "1", "-1"}));
   EXPECT_EQ(netcdf_codes(path, "PRES_QC").flag_values, (Words{"0", "1", "4"}));
-  EXPECT_EQ(netcdf_codes(path, "TEMP_QC").flag_values, (Words{"0", "1", "4", "A"}));
+  EXPECT_EQ(netcdf_codes(path, "TEMP_QC").flag_values, (Words{"0", "1", "4"}));
   EXPECT_EQ(netcdf_codes(path, "PSAL_QC").flag_values, (Words{"0", "10", "128"}));
   EXPECT_EQ(netcdf_codes(path, "DOXY_QC").flag_meanings, (Words{"no QC", "good data"}));
-  EXPECT_TRUE(netcdf_contents(path).variable.at("DOXY_QC").explains_flags);
+  const auto header = netcdf_contents(path).variable.at("DOXY_QC");
+  EXPECT_TRUE(header.has_flags);
+  EXPECT_EQ(header.text("flag_meanings"), "no QC good data");
 }
 
 // Seen red: with the sign bit for a sign.

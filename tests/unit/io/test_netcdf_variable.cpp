@@ -249,6 +249,22 @@ TEST(NetcdfVariable, HugeDimensionsAreRefused) {
             path + ": CHLA: has more than 10000000 values (is it the file you mean?)");
 }
 
+// A dimension's name that no program would write, in a classic file of a few bytes. Seen red: with
+// a buffer of the longest name that the library allows.
+TEST(NetcdfVariable, LongNamesAreNoHarm) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("name.nc");
+  const auto number = [](std::size_t x) {
+    return std::string{static_cast<char>(x >> 24U), static_cast<char>(x >> 16U),
+                       static_cast<char>(x >> 8U), static_cast<char>(x)};
+  };
+  const std::string name(5000, 'n');
+  const std::string nothing = number(0) + number(0);
+  test::write_file(path, "CDF\x01" + number(0) + number(10) + number(1) + number(name.size()) +
+                             name + number(4) + nothing + nothing);
+  EXPECT_EQ(netcdf_contents(path).dimension, (std::map<std::string, std::size_t>{{name, 4}}));
+}
+
 /// Cut off anywhere, a file is refused or read, but nothing else happens.
 TEST(NetcdfVariable, TornFiles) {
   const TemporaryFolder folder;

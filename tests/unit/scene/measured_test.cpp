@@ -8,18 +8,6 @@
 namespace photic::scene {
 namespace {
 
-/// The remarks on the profile of a scene, without place and file.
-Texts remarks_of(const WrittenFiles& files, const Reading& reading) {
-  Texts texts;
-  for (const std::string& remark : reading.remarks) {
-    std::string text = files.without_folder(remark);
-    for (const std::string head : {"scene.toml:22:21: ", "float.nc: ", "chl.csv: "})
-      if (text.starts_with(head)) text.erase(0, head.size());
-    texts.push_back(text);
-  }
-  return texts;
-}
-
 // --- Order ---------------------------------------------------------------------------------------
 
 // Seen red: with the first of the values at one depth.
@@ -176,6 +164,23 @@ TEST(MeasuredLevels, KeysHaveOneWordEach) {
   EXPECT_EQ(files.problems(profiled("depth_m = [0, 20], value = [1, 2], negative = 'zero'")),
             (Texts{"scene.toml:22:58: unknown key 'negative' in 'chlorophyll_mg_m3' (known here: "
                    "depth_m, value, above, below)"}));
+}
+
+// Seen red: with a leap by any length; with upward leaps alone.
+TEST(MeasuredLevels, ThatStartOverAreSaidToDoSo) {
+  WrittenFiles files("measured_restarts");
+  const std::string sorted = "levels do not ascend in z, and have been sorted";
+  const auto remark = [&](const std::vector<double>& depth) {
+    write_depths(files, depth, std::vector<double>(depth.size(), 0.2));
+    return remarks_of(files, files.read(profiled(from_depths))).front();
+  };
+  const std::string several =
+      sorted + ", as if all were of one cast, although they start over like those of several";
+  EXPECT_EQ(remark({0, 10, 30, 1, 11, 29}), several);
+  EXPECT_EQ(remark({30, 10, 0, 29, 11, 1}), several);
+  EXPECT_EQ(remark({0, 10, 30, 29, 11, 1}), sorted);
+  EXPECT_EQ(remark({30, 10, 0}), sorted);
+  EXPECT_EQ(remark({0, 10, 8, 12, 11, 30}), sorted);
 }
 
 // --- Flags ---------------------------------------------------------------------------------------

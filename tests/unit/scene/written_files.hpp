@@ -99,8 +99,10 @@ class WrittenFiles {
     for (const auto& [name, variable] : codes) {
       NetcdfHeader& of_codes = out.variable[name] = header(name, variable);
       of_codes.has_numbers = !variable.number.empty();
-      of_codes.explains_flags = !variable.flag_values.empty() || !variable.flag_masks.empty() ||
-                                !variable.flag_meanings.empty();
+      if (!variable.flag_meanings.empty())
+        of_codes.attribute["flag_meanings"] = variable.flag_meanings.front();
+      of_codes.has_flags = !variable.flag_meanings.empty() || !variable.flag_values.empty() ||
+                           !variable.flag_masks.empty();
     }
     for (const auto& [name, variable] : out.variable)
       for (std::size_t i = 0; i < variable.dimension.size(); ++i)
