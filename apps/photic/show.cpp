@@ -57,7 +57,9 @@ std::string notes_on(const estimator::Model& model) {
 }  // namespace
 
 int run(const ShowCommand& command) {
-  const estimator::Model model = estimator::make_model(read(command).scene);
+  const scene::Reading reading = read(command);
+  for (const std::string& remark : reading.remarks) print_warning(remark + '\n');
+  const estimator::Model model = estimator::make_model(reading.scene);
   print_out(command.json ? scene::write_scene_json(estimator::scene_told(model)) + '\n'
                          : scene::write_scene(estimator::scene_told(model)) + notes_on(model));
   return done;

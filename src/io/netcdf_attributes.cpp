@@ -9,6 +9,8 @@ namespace {
 
 /// Longer ones are no words, and no lists of flags.
 constexpr std::size_t longest_attribute = 1000;
+/// Nor lists of names or meanings.
+constexpr std::size_t longest_text = 100'000;
 
 }  // namespace
 
@@ -29,21 +31,29 @@ std::size_t NetcdfAttributes::length(const char* attribute) const {
 }
 
 std::string NetcdfAttributes::text(const char* attribute) const {
-  const nc_type stored = type(attribute);
-  if (stored == NC_NAT) return "";
-  const std::size_t size = length(attribute);
-  if (stored == NC_STRING && size == 1) {
-    char* raw = nullptr;
-    check(nc_get_att_string(file_.id(), variable_, attribute, &raw));
-    std::string text = raw == nullptr ? "" : raw;
-    nc_free_string(1, &raw);
-    return text;
-  }
-  if (stored != NC_CHAR || size > longest_attribute)
+  const auto all = texts(attribute);
+  if (all.size() > 1 || (all.size() == 1 && all.front().size() > longest_attribute))
     refuse(fmt::format("its attribute {} is not a word", attribute));
-  std::string text(size, '\0');
-  check(nc_get_att_text(file_.id(), variable_, attribute, text.data()));
-  return text.substr(0, text.find('\0'));
+  return all.empty() ? "" : all.front();
+}
+
+std::vector<std::string> NetcdfAttributes::texts(const char* attribute) const {
+  const nc_type stored = type(attribute);
+  if (stored == NC_NAT) return {};
+  const std::size_t size = length(attribute);
+  if ((stored != NC_CHAR && stored != NC_STRING) || size > longest_text)
+    refuse(fmt::format("its attribute {} is not a word", attribute));
+  if (stored == NC_CHAR) {
+    std::string text(size, '\0');
+    check(nc_get_att_text(file_.id(), variable_, attribute, text.data()));
+    return {text.substr(0, text.find('\0'))};
+  }
+  std::vector<char*> raw(size);
+  if (size > 0) check(nc_get_att_string(file_.id(), variable_, attribute, raw.data()));
+  std::vector<std::string> all;
+  for (const char* text : raw) all.emplace_back(text == nullptr ? "" : text);
+  if (size > 0) nc_free_string(size, raw.data());
+  return all;
 }
 
 std::vector<double> NetcdfAttributes::numbers(const char* attribute) const {

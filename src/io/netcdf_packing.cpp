@@ -36,20 +36,6 @@ std::optional<double> default_fill(nc_type type) {
   }
 }
 
-/// 2 to the number of its bits.
-double span_of(nc_type type) {
-  switch (type) {
-    case NC_BYTE:
-      return 0x1p8;
-    case NC_SHORT:
-      return 0x1p16;
-    case NC_INT:
-      return 0x1p32;
-    default:
-      return 0;
-  }
-}
-
 }  // namespace
 
 Packing::Packing(const NetcdfAttributes& attributes, nc_type type)
@@ -95,12 +81,30 @@ double Packing::as_stored(double x) const {
 
 double Packing::as_unsigned(double x) const { return unsigned_ && x < 0 ? x + span_of(type_) : x; }
 
+bool Packing::is_missing(double stored) const {
+  return std::find(missing_.begin(), missing_.end(), as_unsigned(stored)) != missing_.end();
+}
+
+double Packing::value_of(double stored) const { return as_unsigned(stored) * scale_ + offset_; }
+
 double Packing::unpacked(double stored) const {
-  const double x = as_unsigned(stored);
-  if (std::find(missing_.begin(), missing_.end(), x) != missing_.end()) return no_value;
-  const double value = x * scale_ + offset_;
-  const double bounded = bounds_unpacked_ ? value : x;
+  if (is_missing(stored)) return no_value;
+  const double value = value_of(stored);
+  const double bounded = bounds_unpacked_ ? value : as_unsigned(stored);
   return bounded >= low_ && bounded <= high_ ? value : no_value;
+}
+
+double span_of(nc_type type) {
+  switch (type) {
+    case NC_BYTE:
+      return 0x1p8;
+    case NC_SHORT:
+      return 0x1p16;
+    case NC_INT:
+      return 0x1p32;
+    default:
+      return 0;
+  }
 }
 
 }  // namespace photic::io

@@ -16,9 +16,14 @@ class Packing {
   /// NaN for what is missing.
   [[nodiscard]] double unpacked(double stored) const;
 
- private:
+  // The same in parts, for what has no range.
+  [[nodiscard]] bool is_missing(double stored) const;
+  [[nodiscard]] double value_of(double stored) const;
+
   /// A number in an attribute as it is where it stands among the stored ones.
   [[nodiscard]] double as_stored(double x) const;
+
+ private:
   [[nodiscard]] double as_unsigned(double x) const;
   void read_range(const NetcdfAttributes& attributes);
   void narrow(const std::optional<double>& low, const std::optional<double>& high);
@@ -31,5 +36,8 @@ class Packing {
   /// Whether these bound what is unpacked: numbers that are not whole say nothing of whole ones.
   bool bounds_unpacked_ = false;
 };
+
+/// 2 to the number of bits of whole numbers that have a sign, up to 32; 0 of all others.
+[[nodiscard]] double span_of(nc_type type);
 
 }  // namespace photic::io

@@ -51,6 +51,12 @@ NetcdfReader::NetcdfReader(std::string path, std::string wanted)
 
 NetcdfReader::~NetcdfReader() { nc_close(file_); }
 
+std::size_t NetcdfReader::size() const {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(path_, error);
+  return error ? 0 : static_cast<std::size_t>(size);
+}
+
 double NetcdfReader::format() const {
   if (!has("photic_format"))
     refuse("a netCDF file, but not a result of Photic: it has no attribute photic_format");

@@ -46,6 +46,8 @@ class NetcdfReader {
   [[nodiscard]] std::vector<std::uint64_t> counts(const std::string& name,
                                                   const std::vector<std::size_t>& lengths) const;
 
+  /// In bytes.
+  [[nodiscard]] std::size_t size() const;
   /// The number netCDF knows the file by.
   [[nodiscard]] int id() const { return file_; }
 

@@ -2,26 +2,25 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "scene/netcdf_files.hpp"
 
 namespace photic::io {
 
-/// The names of the variables in a file.
-std::vector<std::string> netcdf_names(const std::string& path);
+/// The dimensions and variables of a file, but for those in groups. Attributes that are not what
+/// they should be count as absent.
+scene::NetcdfContents netcdf_contents(const std::string& path);
 
 /// A variable of numbers, unpacked (scale_factor, add_offset, _Unsigned), with NaN where it has
 /// _FillValue or missing_value or lies outside valid_min, valid_max or valid_range (CF-1.10,
 /// sections 2.5.1 and 8.1).
 scene::NetcdfVariable netcdf_variable(const std::string& path, const std::string& name);
 
-/// A variable of flags of so many dimensions: of numbers, or of the digits 0 to 9, each a character
-/// as floats write them or a text, which may be characters with a dimension more; NaN for any other
-/// character; and what they mean, where flag_values and flag_meanings tell (CF-1.10, section 3.5).
-/// Flags of single bits (flag_masks) are refused.
-scene::NetcdfVariable netcdf_flags(const std::string& path, const std::string& name,
-                                   std::size_t rank);
+/// A variable of flags or of names: numbers, single characters, or texts, which may be characters
+/// with a dimension more. None where it has NaN, a text of blanks or "nan", or _FillValue or
+/// missing_value, unless that is one of flag_values or, without these, from 1 to 9. Bytes of
+/// flag_masks have no sign. What flags mean is given as the file has it (CF-1.10, section 3.5).
+scene::NetcdfCodes netcdf_codes(const std::string& path, const std::string& name);
 
 /// All, for those who read scenes. They throw EnvironmentError for a file that cannot be read and
 /// InputError for one that is of no use, or so large that it is no such table.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,8 @@ struct ProfileFile {
   std::string file;
   std::string depth;  ///< the column or variable of depths
   std::string column, variable;
-  std::int64_t profile = 0;  ///< of several in a netCDF file
-  std::string negative;      ///< zero: values below 0 count as 0
+  std::optional<std::int64_t> profile;  ///< of several in a netCDF file
+  std::string negative;                 ///< zero: values below 0 count as 0
   BeyondPoints beyond;
 };
 
@@ -62,7 +63,7 @@ void describe(V& v, ProfileFile& p) {
            option(!p.variable.empty(), [&](auto& w) {
              w.required("variable", p.variable, Text{}, "the values' variable of a netCDF file");
              w.optional(without_unit("profile"), p.profile, Count{.low = 0},
-                        "which of its profiles, from 0");
+                        "which of its profiles or casts, from 0");
            }));
   v.required("depth", p.depth, Text{},
              "the column of depths in m, or the variable of depths or pressures");

@@ -23,6 +23,20 @@ std::vector<std::size_t> order_of(const std::vector<double>& depth) {
   return order;
 }
 
+/// Whether depths that go one way leap back by more than half of all of them, and then go the same
+/// way again: two casts do so, the way down and up does not.
+bool starts_over(const std::vector<double>& depth, double sign) {
+  const auto [least, most] = std::ranges::minmax(depth);
+  bool goes = false, leapt = false;
+  for (std::size_t k = 1; k < depth.size(); ++k) {
+    const double step = sign * (depth[k] - depth[k - 1]);
+    if (step > 0 && leapt) return true;
+    goes = goes || step > 0;
+    leapt = leapt || (goes && -step > (most - least) / 2);
+  }
+  return false;
+}
+
 }  // namespace
 
 void zero_negatives(Measured& measured, std::vector<std::string>& remarks) {
@@ -54,8 +68,11 @@ void check_values(const Measured& measured, const Number& rule, const RefuseLeve
 void put_in_order(Measured& measured, std::vector<std::string>& remarks) {
   const auto& depth = measured.depth_m;
   if (!std::is_sorted(depth.begin(), depth.end()))
-    remarks.push_back(fmt::format("{} do not ascend in {}, and have been sorted", measured.levels,
-                                  measured.depth_name));
+    remarks.push_back(fmt::format(
+        "{} do not ascend in {}, and have been sorted{}", measured.levels, measured.depth_name,
+        starts_over(depth, 1) || starts_over(depth, -1)
+            ? ", as if all were of one cast, although they start over like those of several"
+            : ""));
   Measured ordered{measured.levels, measured.depth_name, measured.name, {}, {}, {}};
   std::optional<double> first_shared;
   double alike = 0;  // how many levels the last depth has

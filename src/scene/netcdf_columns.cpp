@@ -1,9 +1,5 @@
 #include "scene/netcdf_columns.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <utility>
 
 #include "core/error.hpp"
@@ -13,28 +9,34 @@ namespace photic::scene {
 
 NetcdfColumns::NetcdfColumns(std::string path, const NetcdfFiles& netcdf)
     : path_(std::move(path)), netcdf_(netcdf) {
-  expect(netcdf_.names && netcdf_.read && netcdf_.flags,
+  expect(netcdf_.contents && netcdf_.read && netcdf_.codes,
          "whoever reads scenes hands down how netCDF files are read");
-  names_ = netcdf_.names(path_);
+  contents_ = netcdf_.contents(path_);
 }
 
-bool NetcdfColumns::has(const std::string& name) const {
-  return std::find(names_.begin(), names_.end(), name) != names_.end();
+std::vector<std::string> NetcdfColumns::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, header] : contents_.variable) names.push_back(name);
+  return names;
+}
+
+bool NetcdfColumns::has(const std::string& name) const { return contents_.variable.contains(name); }
+
+const NetcdfHeader& NetcdfColumns::header(const std::string& name) const {
+  const auto found = contents_.variable.find(name);
+  if (found == contents_.variable.end())
+    fail("", fmt::format("no variable \"{}\"", name), suggestion_for(name, names(), "there are"));
+  return found->second;
 }
 
 NetcdfVariable NetcdfColumns::read(const std::string& name) const {
-  expect_variable(name);
+  static_cast<void>(header(name));
   return netcdf_.read(path_, name);
 }
 
-NetcdfVariable NetcdfColumns::read_flags(const std::string& name, std::size_t rank) const {
-  expect_variable(name);
-  return netcdf_.flags(path_, name, rank);
-}
-
-void NetcdfColumns::expect_variable(const std::string& name) const {
-  if (!has(name))
-    fail("", fmt::format("no variable \"{}\"", name), suggestion_for(name, names_, "there are"));
+NetcdfCodes NetcdfColumns::codes(const std::string& name) const {
+  static_cast<void>(header(name));
+  return netcdf_.codes(path_, name);
 }
 
 void NetcdfColumns::fail(const std::string& what, const std::string& reason,
@@ -42,10 +44,6 @@ void NetcdfColumns::fail(const std::string& what, const std::string& reason,
   throw InputError({{.file = what.empty() ? path_ : path_ + ": " + what,
                      .reason = reason,
                      .suggestion = suggestion}});
-}
-
-std::string shape_text(const std::string& name, const NetcdfVariable& variable) {
-  return fmt::format("{}({})", name, fmt::join(variable.dimension, ", "));
 }
 
 }  // namespace photic::scene

@@ -1,6 +1,9 @@
 // Variables of a netCDF file that a scene names, and what is wrong with them.
 #pragma once
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <string>
 #include <vector>
 
@@ -13,25 +16,28 @@ class NetcdfColumns {
   /// Throws as NetcdfFiles does.
   NetcdfColumns(std::string path, const NetcdfFiles& netcdf);
 
-  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  [[nodiscard]] const NetcdfContents& contents() const { return contents_; }
+  /// Of the variables, in the order of the alphabet.
+  [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] bool has(const std::string& name) const;
-  /// Throws InputError with the names there are if this is none of them.
+  // Throw InputError with the names there are if this is none of them.
+  [[nodiscard]] const NetcdfHeader& header(const std::string& name) const;
   [[nodiscard]] NetcdfVariable read(const std::string& name) const;
-  /// The same of a variable of flags of so many dimensions.
-  [[nodiscard]] NetcdfVariable read_flags(const std::string& name, std::size_t rank) const;
+  [[nodiscard]] NetcdfCodes codes(const std::string& name) const;
   /// Throws the InputError about something in the file.
   [[noreturn]] void fail(const std::string& what, const std::string& reason,
                          const std::string& suggestion = "") const;
 
  private:
-  void expect_variable(const std::string& name) const;
-
   std::string path_;
   const NetcdfFiles& netcdf_;
-  std::vector<std::string> names_;
+  NetcdfContents contents_;
 };
 
 /// "CHLA(N_PROF, N_LEVELS)".
-[[nodiscard]] std::string shape_text(const std::string& name, const NetcdfVariable& variable);
+template <class Variable>
+[[nodiscard]] std::string shape_text(const std::string& name, const Variable& variable) {
+  return fmt::format("{}({})", name, fmt::join(variable.dimension, ", "));
+}
 
 }  // namespace photic::scene

@@ -2,35 +2,42 @@
 
 #include <map>
 #include <memory>
-#include <utility>
+#include <tuple>
+
+#include "scene/node.hpp"
 
 namespace photic::scene {
 namespace {
 
-using NamesOfFiles = std::map<std::string, std::vector<std::string>>;
-/// What a function gave for a path and a name is given again. What it throws is not kept.
-template <class Read>
-auto kept(const Read& read) {
-  using Known = std::map<std::pair<std::string, std::string>, NetcdfVariable>;
-  return [read, known = std::make_shared<Known>()](const std::string& path, const std::string& name,
-                                                   auto... more) {
-    const auto at = known->find({path, name});
-    return at != known->end()
-               ? at->second
-               : known->emplace(std::pair(path, name), read(path, name, more...)).first->second;
+/// What a function gave is given again for the same texts. What it throws is not kept.
+template <class Result, class... Texts>
+std::function<Result(const Texts&...)> kept(std::function<Result(const Texts&...)> read) {
+  using Known = std::map<std::tuple<Texts...>, Result>;
+  return [read, known = std::make_shared<Known>()](const Texts&... texts) {
+    const auto at = known->find({texts...});
+    return at != known->end() ? at->second
+                              : known->emplace(std::tuple(texts...), read(texts...)).first->second;
   };
 }
 
 }  // namespace
 
+std::string NetcdfHeader::text(const std::string& name) const {
+  const auto at = attribute.find(name);
+  return at == attribute.end() ? "" : at->second;
+}
+
+std::string NetcdfCodes::code(std::size_t i) const {
+  return text.empty() ? plain_number(number[i]) : text[i];
+}
+
+std::string NetcdfCodes::code_text(std::size_t i) const {
+  return text.empty() ? code(i) : quoted(shortened(text[i]));
+}
+
 NetcdfFiles read_once(const NetcdfFiles& files) {
-  if (!files.names) return files;
-  const auto names = [read = files.names,
-                      known = std::make_shared<NamesOfFiles>()](const std::string& path) {
-    const auto at = known->find(path);
-    return at != known->end() ? at->second : known->emplace(path, read(path)).first->second;
-  };
-  return {names, kept(files.read), kept(files.flags)};
+  if (!files.contents) return files;
+  return {kept(files.contents), kept(files.read), kept(files.codes)};
 }
 
 }  // namespace photic::scene

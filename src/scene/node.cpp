@@ -32,12 +32,6 @@ std::string short_array(const Node::Array& array) {
   return fmt::format("[{}]", inside);
 }
 
-/// Cut to a length that leaves a message readable.
-std::string shortened(const std::string& text) {
-  constexpr std::size_t longest = 40;
-  return letters(text) <= longest ? text : std::string(first_letters(text, longest)) + "…";
-}
-
 }  // namespace
 
 const Node* Node::find(const std::string& key) const {
@@ -79,6 +73,11 @@ std::string number_text(double x) {
   std::string text = plain_number(x);
   if (text.find_first_of(".eni") == std::string::npos) text += ".0";
   return text;
+}
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t longest = 40;
+  return letters(text) <= longest ? text : std::string(first_letters(text, longest)) + "…";
 }
 
 std::string quoted(const std::string& text) {

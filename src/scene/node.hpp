@@ -75,6 +75,9 @@ std::string number_text(double x);
 /// The same without ".0", for messages.
 std::string plain_number(double x);
 
+/// Cut to a length that leaves a message readable.
+std::string shortened(const std::string& text);
+
 /// A string in quotes, escaped as both TOML and JSON read it.
 std::string quoted(const std::string& text);
 

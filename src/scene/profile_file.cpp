@@ -11,7 +11,8 @@
 #include "optics/data_table.hpp"
 #include "optics/pressure.hpp"
 #include "scene/measured.hpp"
-#include "scene/netcdf_levels.hpp"
+#include "scene/netcdf_instead.hpp"
+#include "scene/netcdf_latitude.hpp"
 #include "scene/netcdf_units.hpp"
 
 namespace photic::scene {
@@ -36,19 +37,8 @@ LinearProfile profile_of(Measured& measured, const ProfileFile& from, const Prof
 
 // --- netCDF --------------------------------------------------------------------------------------
 
-/// Of the profile; nothing if the file does not tell.
-std::optional<double> latitude_deg(const NetcdfColumns& file, std::size_t profile) {
-  if (!file.has("LATITUDE")) return std::nullopt;
-  const NetcdfVariable latitude = file.read("LATITUDE");
-  const std::size_t i = latitude.value.size() == 1 ? 0 : profile;
-  if (i >= latitude.value.size() || !(std::fabs(latitude.value[i]) <= 90)) return std::nullopt;
-  return latitude.value[i];
-}
-
 /// Makes depths of pressures.
-void to_depths(const NetcdfColumns& file, std::size_t profile, Levels& depth,
-               std::vector<std::string>& remarks) {
-  const auto latitude = latitude_deg(file, profile);
+void to_depths(std::optional<double> latitude, Levels& depth, std::vector<std::string>& remarks) {
   if (!latitude)
     remarks.push_back(
         fmt::format("no LATITUDE in the file: depths are those of the pressures at "
@@ -59,8 +49,8 @@ void to_depths(const NetcdfColumns& file, std::size_t profile, Levels& depth,
 }
 
 /// Makes depths in m of what a file holds.
-void convert_depths(const NetcdfColumns& file, const ProfileVariable& from, std::size_t profile,
-                    Levels& depth, std::vector<std::string>& remarks) {
+void convert_depths(const NetcdfColumns& file, const ProfileVariable& from, const Layout& layout,
+                    const Cast& cast, Levels& depth, std::vector<std::string>& remarks) {
   const NetcdfVariable& variable = from.variable();
   const auto unit = unit_called(variable.units);
   const auto length = unit ? conversion(*unit, metre) : std::nullopt;
@@ -70,7 +60,7 @@ void convert_depths(const NetcdfColumns& file, const ProfileVariable& from, std:
   for (double& z : depth.value) z = length ? (*length)(z) : (*pressure)(z);
   if (points_up(file, from.name(), variable))
     for (double& z : depth.value) z = 0 - z;
-  if (pressure) to_depths(file, profile, depth, remarks);
+  if (pressure) to_depths(latitude_deg(file, layout, cast), depth, remarks);
 }
 
 /// Salinities that are told to be practical, or are not.
@@ -107,21 +97,6 @@ void convert_values(const NetcdfColumns& file, const ProfileVariable& from, cons
   if (key == "salinity_psu") check_salinities(file, from, levels, remarks);
 }
 
-/// Levels of one variable are those of the other.
-void check_shapes(const NetcdfColumns& file, const ProfileVariable& depth,
-                  const ProfileVariable& value) {
-  const NetcdfVariable &z = depth.variable(), &x = value.variable();
-  if (z.length.back() != x.length.back())
-    file.fail(depth.shape(), fmt::format("has {} levels where {} has {}", z.length.back(),
-                                         value.name(), x.length.back()));
-  const bool turned = x.dimension.size() == 2 && x.dimension.front() == z.dimension.back() &&
-                      x.dimension.back() != z.dimension.back();
-  if (turned)
-    file.fail(value.shape(),
-              fmt::format("has its levels first, and {} has them last", depth.shape()),
-              "dimensions are (profiles, levels)");
-}
-
 Measured measured_of(const ProfileVariable& from, const ProfileVariable& depth_from,
                      const Levels& depth, const Levels& value) {
   Measured measured{"levels", depth_from.name(), from.name(), {}, {}, {}};
@@ -145,6 +120,13 @@ std::string gaps_text(std::size_t known, std::size_t levels, const Measured& ord
       "{} of {} levels of {} have no value or no depth and are left out; the widest "
       "gap is from {:.4g} to {:.4g} m",
       levels - known, levels, ordered.name, from, from + widest);
+}
+
+std::vector<std::string> without_repeats(const std::vector<std::string>& texts) {
+  std::vector<std::string> out;
+  for (const std::string& text : texts)
+    if (std::ranges::find(out, text) == out.end()) out.push_back(text);
+  return out;
 }
 
 }  // namespace
@@ -171,28 +153,32 @@ ReadProfile profile_of_netcdf(const ProfileFile& from, const ProfiledKey& key,
                               const NetcdfFiles& netcdf) {
   const NetcdfColumns file(from.file, netcdf);
   const ProfileVariable variable(file, from.variable), depths(file, from.depth);
-  const auto number = static_cast<std::size_t>(from.profile);
-  Levels value = variable.levels(number), depth = depths.levels_for(number);
-  check_shapes(file, depths, variable);
-  std::vector<std::string> remarks;
-  for (const Levels* each : {&value, &depth})
-    if (!each->flagged.empty()) remarks.push_back(each->flagged);
-  const std::string flags = remarks.empty() ? "" : fmt::format(": {}", fmt::join(remarks, ", "));
-  convert_depths(file, depths, number, depth, remarks);
+  const Casts casts(file, variable, depths);
+  const Cast cast = casts.chosen(from.profile);
+  Levels value = variable.levels(cast.value), depth = depths.levels(cast.depth);
+  std::vector<std::string> remarks = casts.remarks();
+  if (!cast.label.empty())
+    remarks.push_back(fmt::format("profile {} is that of {}", cast.number, cast.label));
+  std::vector<std::string> flagged = value.flagged;
+  flagged.insert(flagged.end(), depth.flagged.begin(), depth.flagged.end());
+  for (const auto* more : {&flagged, &value.remarks, &depth.remarks})
+    remarks.insert(remarks.end(), more->begin(), more->end());
+  const std::string flags = flagged.empty() ? "" : fmt::format(": {}", fmt::join(flagged, ", "));
+  convert_depths(file, depths, casts.layout(), cast, depth, remarks);
   convert_values(file, variable, key.key, value, remarks);
   Measured measured = measured_of(variable, depths, depth, value);
   const std::size_t known = measured.level.size(), levels = value.value.size();
   if (known < 2)
     file.fail(from.variable,
-              fmt::format("profile {} has values at {} of {} levels; it takes two{}", from.profile,
+              fmt::format("profile {} has values at {} of {} levels; it takes two{}", cast.number,
                           known, levels, flags),
-              instead_of(file, depths, variable, number));
+              instead_of(file, casts, cast, variable, depths));
   const auto refuse = [&](std::size_t level, const Refusal& refusal) {
-    file.fail(value.at(level), refusal.reason, refusal.suggestion);
+    file.fail(variable.at(cast.value[level]), refusal.reason, refusal.suggestion);
   };
   LinearProfile profile = profile_of(measured, from, key, refuse, remarks);
   if (known < levels) remarks.push_back(gaps_text(known, levels, measured));
-  return {std::move(profile), std::move(remarks)};
+  return {std::move(profile), without_repeats(remarks)};
 }
 
 }  // namespace photic::scene

@@ -29,10 +29,10 @@ struct ReadProfile {
 /// column.
 ReadProfile profile_of_csv(const ProfileFile& from, const ProfiledKey& key);
 
-/// A variable of a netCDF file with the dimensions (levels) or (profiles, levels), such as floats
-/// write, in units that become the key's. Depths are lengths, or pressures, which become depths at
-/// the file's LATITUDE. Levels without a value, and those that a variable of quality flags
-/// (NAME_QC) calls bad, are left out. Throws InputError naming file, variable and level.
+/// A variable of a netCDF file with the dimensions (levels) or (profiles, levels), of which the
+/// levels may be those of several casts, in units that become the key's. Depths are lengths, or
+/// pressures, which become depths at the file's latitude. Levels without a value, and those that
+/// quality flags call bad, are left out. Throws InputError naming file, variable and level.
 ReadProfile profile_of_netcdf(const ProfileFile& from, const ProfiledKey& key,
                               const NetcdfFiles& netcdf);
 

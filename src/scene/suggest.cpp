@@ -40,17 +40,6 @@ std::string folded(const std::string& word) {
   return out;
 }
 
-std::vector<std::string> parts_of(const std::string& word) {
-  std::vector<std::string> parts{""};
-  for (const char c : folded(word)) {
-    if (c == '_')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
 /// What units in the names of keys are made of, those of scenes and those that people would write.
 bool is_unit_part(const std::string& part) {
   static const std::set<std::string> all{
@@ -162,6 +151,17 @@ std::string question(const std::string& word, const std::vector<std::string>& me
 
 }  // namespace
 
+std::vector<std::string> parts_of(const std::string& word) {
+  std::vector<std::string> parts{""};
+  for (const char c : folded(word)) {
+    if (c == '_')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
 std::optional<std::string> same_word(const std::string& word,
                                      const std::vector<std::string>& known) {
   const auto same = alike(word, known);
@@ -181,6 +181,12 @@ std::string joined(const std::vector<std::string>& words, const std::string& las
     out += words[i];
   }
   return out;
+}
+
+std::string first_of(const std::vector<std::string>& words) {
+  constexpr std::size_t most = 5;
+  const auto end = words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), most));
+  return fmt::format("{}{}", fmt::join(words.begin(), end, ", "), words.size() > most ? ", …" : "");
 }
 
 }  // namespace photic::scene

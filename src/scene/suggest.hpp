@@ -18,7 +18,13 @@ std::string suggestion_for(const std::string& word, const std::vector<std::strin
 std::optional<std::string> same_word(const std::string& word,
                                      const std::vector<std::string>& known);
 
+/// What "_", "-" and blanks divide in a word, in lower case.
+std::vector<std::string> parts_of(const std::string& word);
+
 /// "a, b and c" with the given last joint ("and", "or").
 std::string joined(const std::vector<std::string>& words, const std::string& last_joint);
+
+/// "a, b, c, d, e, …": the first of them.
+std::string first_of(const std::vector<std::string>& words);
 
 }  // namespace photic::scene

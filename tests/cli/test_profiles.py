@@ -61,7 +61,7 @@ def test_a_float_profile_from_end_to_end(photic, scene, float_file):
     assert done.returncode == 0, done.stderr
     remark = r"quick.toml:\d+:21: .*float.nc: 1 of 6 levels of CHLA have no value or no depth and are left out; "
     assert re.search(remark + r"the widest gap is from 1.984 to 5.951 m", done.stderr)
-    layers = shown(photic, "quick.toml")["sea"]["layer"]
+    layers = shown_with_remarks(photic, "quick.toml")["sea"]["layer"]
     names = [layer["name"] for layer in layers]
     assert names == [f"layer0.{i}" for i in range(len(names) - 1)] + ["layer1"]
     assert len(names) > 5

@@ -23,6 +23,12 @@ using test::must;
 using test::refusal_of;
 using test::TemporaryFolder;
 
+std::vector<std::string> names_in(const std::string& path) {
+  std::vector<std::string> names;
+  for (const auto& [name, header] : netcdf_contents(path).variable) names.push_back(name);
+  return names;
+}
+
 // Seen red: with fill values kept.
 TEST(NetcdfVariable, OfAFloatHasNaNForFillValues) {
   const TemporaryFolder folder;
@@ -36,7 +42,7 @@ TEST(NetcdfVariable, OfAFloatHasNaNForFillValues) {
       file.attribute(chla, "_FillValue", NC_FLOAT, 99999);
       file.put(chla, {0.5, 99999, 0.25, 1, 2, 99999});
     }
-    EXPECT_EQ(netcdf_names(path), std::vector<std::string>{"CHLA"});
+    EXPECT_EQ(names_in(path), std::vector<std::string>{"CHLA"});
     const auto chla = netcdf_variable(path, "CHLA");
     EXPECT_EQ(chla.dimension, (std::vector<std::string>{"N_PROF", "N_LEVELS"}));
     EXPECT_EQ(chla.length, (std::vector<std::size_t>{2, 3}));
@@ -204,9 +210,9 @@ TEST(NetcdfVariable, FilesOfNoUse) {
   const TemporaryFolder folder;
   const std::string path = folder.file("float.nc");
   const std::string wanted = " (is it the file you mean?)";
-  EXPECT_EQ(refusal_of([&] { netcdf_names(path); }), path + ": there is no such file" + wanted);
+  EXPECT_EQ(refusal_of([&] { netcdf_contents(path); }), path + ": there is no such file" + wanted);
   test::write_file(path, "these are notes");
-  EXPECT_EQ(refusal_of([&] { netcdf_names(path); }), path + ": not a netCDF file" + wanted);
+  EXPECT_EQ(refusal_of([&] { netcdf_contents(path); }), path + ": not a netCDF file" + wanted);
   {
     FloatFile file(path, NC_NETCDF4);
     file.define("PLATFORM", NC_CHAR);
@@ -241,6 +247,22 @@ TEST(NetcdfVariable, HugeDimensionsAreRefused) {
   must(nc_close(id));
   EXPECT_EQ(refusal_of([&] { netcdf_variable(path, "CHLA"); }),
             path + ": CHLA: has more than 10000000 values (is it the file you mean?)");
+}
+
+// A dimension's name that no program would write, in a classic file of a few bytes. Seen red: with
+// a buffer of the longest name that the library allows.
+TEST(NetcdfVariable, LongNamesAreNoHarm) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("name.nc");
+  const auto number = [](std::size_t x) {
+    return std::string{static_cast<char>(x >> 24U), static_cast<char>(x >> 16U),
+                       static_cast<char>(x >> 8U), static_cast<char>(x)};
+  };
+  const std::string name(5000, 'n');
+  const std::string nothing = number(0) + number(0);
+  test::write_file(path, "CDF\x01" + number(0) + number(10) + number(1) + number(name.size()) +
+                             name + number(4) + nothing + nothing);
+  EXPECT_EQ(netcdf_contents(path).dimension, (std::map<std::string, std::size_t>{{name, 4}}));
 }
 
 /// Cut off anywhere, a file is refused or read, but nothing else happens.

@@ -8,18 +8,6 @@
 namespace photic::scene {
 namespace {
 
-/// The remarks on the profile of a scene, without place and file.
-Texts remarks_of(const WrittenFiles& files, const Reading& reading) {
-  Texts texts;
-  for (const std::string& remark : reading.remarks) {
-    std::string text = files.without_folder(remark);
-    for (const std::string head : {"scene.toml:22:21: ", "float.nc: ", "chl.csv: "})
-      if (text.starts_with(head)) text.erase(0, head.size());
-    texts.push_back(text);
-  }
-  return texts;
-}
-
 // --- Order ---------------------------------------------------------------------------------------
 
 // Seen red: with the first of the values at one depth.
@@ -178,14 +166,33 @@ TEST(MeasuredLevels, KeysHaveOneWordEach) {
                    "depth_m, value, above, below)"}));
 }
 
+// Seen red: with a leap by any length; with upward leaps alone.
+TEST(MeasuredLevels, ThatStartOverAreSaidToDoSo) {
+  WrittenFiles files("measured_restarts");
+  const std::string sorted = "levels do not ascend in z, and have been sorted";
+  const auto remark = [&](const std::vector<double>& depth) {
+    write_depths(files, depth, std::vector<double>(depth.size(), 0.2));
+    return remarks_of(files, files.read(profiled(from_depths))).front();
+  };
+  const std::string several =
+      sorted + ", as if all were of one cast, although they start over like those of several";
+  EXPECT_EQ(remark({0, 10, 30, 1, 11, 29}), several);
+  EXPECT_EQ(remark({30, 10, 0, 29, 11, 1}), several);
+  EXPECT_EQ(remark({0, 10, 30, 29, 11, 1}), sorted);
+  EXPECT_EQ(remark({30, 10, 0}), sorted);
+  EXPECT_EQ(remark({0, 10, 8, 12, 11, 30}), sorted);
+}
+
 // --- Flags ---------------------------------------------------------------------------------------
 
 // Seen red: with Argo's numbers whatever the file says.
 TEST(MeasuredFlags, MeanWhatTheFileSays) {
   WrittenFiles files("measured_meanings");
   write_depths(files, {0, 10, 20, 30}, {0.1, 5, 0.3, 0.3});
-  files.netcdf["CHLA_QC"] = {{"z"}, {4}, "", {3, 1, 0, none}};
-  files.netcdf["CHLA_QC"].meaning = {{0, "good"}, {1, "Bad_data"}, {3, "interpolated"}};
+  NetcdfCodes& flags = files.codes["CHLA_QC"];
+  flags = WrittenFiles::as_codes({{"z"}, {4}, "", {3, 1, 0, none}});
+  flags.flag_values = {"0", "1", "3"};
+  flags.flag_meanings = {"good Bad_data interpolated"};
   const Reading reading = files.read(profiled(from_depths));
   EXPECT_NEAR(mean_chlorophyll(reading.scene), 0.2, 1e-14);
   EXPECT_EQ(remarks_of(files, reading)[0],
@@ -229,8 +236,8 @@ TEST(MeasuredLevels, TurnedDimensionsAreRefused) {
   write_float(files);
   files.netcdf["CHLA"] = {{"N_LEVELS", "N_PROF"}, {2, 2}, "mg/m3", {1, 2, 3, 4}};
   EXPECT_EQ(files.problems(profiled(from_float)),
-            (Texts{"scene.toml:22:30: float.nc: CHLA(N_LEVELS, N_PROF): has its levels first "
-                   "(dimensions are (profiles, levels))"}));
+            (Texts{"scene.toml:22:30: float.nc: CHLA(N_LEVELS, N_PROF): has its levels first, and "
+                   "PRES(N_PROF, N_LEVELS) has them last (dimensions are (profiles, levels))"}));
   write_depths(files, {0, 30}, {});
   files.netcdf["CHLA"] = {{"z", "time"}, {2, 2}, "mg/m3", {1, 2, 3, 4}};
   EXPECT_EQ(files.problems(profiled(from_depths)),

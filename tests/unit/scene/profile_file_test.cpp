@@ -187,16 +187,16 @@ TEST(FloatProfile, IsReadOnceForAllEnvironments) {
   const NetcdfFiles plain = files.netcdf_files();
   int lists = 0, variables = 0;
   const auto counting = [&](const auto& read) {
-    return [&variables, read](const std::string& path, const std::string& name, auto... more) {
+    return [&variables, read](const std::string& path, const std::string& name) {
       ++variables;
-      return read(path, name, more...);
+      return read(path, name);
     };
   };
   const NetcdfFiles counted{[&](const std::string& path) {
                               ++lists;
-                              return plain.names(path);
+                              return plain.contents(path);
                             },
-                            counting(plain.read), counting(plain.flags)};
+                            counting(plain.read), counting(plain.codes)};
   std::string text = profiled(from_float);
   for (int i = 1; i < 4; ++i)
     text += fmt::format("[[environment]]\nset = {{ 'sea.layer.1.iop.0.a_per_m' = 0.{} }}\n", i);
@@ -258,12 +258,13 @@ TEST(FloatProfile, ProblemsNameVariableAndLevel) {
             (Texts{"scene.toml:22:30: float.nc: CHLA(): has 0 dimensions, not (levels) or "
                    "(profiles, levels)"}));
   EXPECT_EQ(problems([](Variables& v) {
-              v["CHLA"].length = {1, 100001};
-              v["CHLA"].value.resize(100001);
+              for (const char* name : {"CHLA", "PRES"}) {
+                v[name].length = {1, 100001};
+                v[name].value.resize(100001);
+              }
             }),
-            (Texts{"scene.toml:22:30: float.nc: CHLA(N_PROF, N_LEVELS): has 100001 levels; at most "
-                   "100000 are "
-                   "read"}));
+            (Texts{"scene.toml:22:30: float.nc: CHLA(N_PROF, N_LEVELS): profile 0 has 100001 "
+                   "levels; at most 100000 are read"}));
 }
 
 }  // namespace

@@ -52,4 +52,16 @@ inline void write_depths(WrittenFiles& files, const std::vector<double>& depth_m
 
 inline const std::string from_depths = "file = 'float.nc', depth = 'z', variable = 'CHLA'";
 
+/// The remarks on the profile of a scene, without place and file.
+inline Texts remarks_of(const WrittenFiles& files, const Reading& reading) {
+  Texts texts;
+  for (const std::string& remark : reading.remarks) {
+    std::string text = files.without_folder(remark);
+    for (const std::string head : {"scene.toml:22:21: ", "float.nc: ", "chl.csv: "})
+      if (text.starts_with(head)) text.erase(0, head.size());
+    texts.push_back(text);
+  }
+  return texts;
+}
+
 }  // namespace photic::scene
