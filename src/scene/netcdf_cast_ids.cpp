@@ -156,9 +156,14 @@ bool names_casts(const std::string& name, const NetcdfHeader& header) {
          (word == "direction" && !header.has_numbers);
 }
 
-bool names_time_or_place(const std::string& name, const NetcdfHeader& header) {
-  static const Names standard_names{"time", "latitude", "longitude"};
-  static const Names names{"time", "juld", "latitude", "lat", "longitude", "lon"};
+bool names_time(const std::string& name, const NetcdfHeader& header) {
+  static const Names names{"time", "juld"};
+  return header.text("standard_name") == "time" || names.contains(lower_case(name));
+}
+
+bool names_place(const std::string& name, const NetcdfHeader& header) {
+  static const Names standard_names{"latitude", "longitude"};
+  static const Names names{"latitude", "lat", "longitude", "lon"};
   return standard_names.contains(header.text("standard_name")) || names.contains(lower_case(name));
 }
 
@@ -188,10 +193,13 @@ std::vector<CastId> cast_ids(const NetcdfColumns& file, const Layout& layout) {
   return std::move(finder.found);
 }
 
-std::vector<CastId> times_and_places(const NetcdfColumns& file, const Layout& layout) {
-  Finder finder(file, layout);
-  finder.find_codes(names_time_or_place);
-  return std::move(finder.found);
+std::vector<std::vector<CastId>> times_and_places(const NetcdfColumns& file, const Layout& layout) {
+  Finder places(file, layout), times(file, layout);
+  places.find_codes(names_place);
+  times.find_codes(names_time);
+  std::vector<CastId> both = places.found;
+  both.insert(both.end(), times.found.begin(), times.found.end());
+  return {std::move(both), std::move(places.found), std::move(times.found)};
 }
 
 }  // namespace photic::scene

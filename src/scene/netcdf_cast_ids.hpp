@@ -27,7 +27,8 @@ struct CastId {
 /// InputError for counts and indices that are wrong.
 [[nodiscard]] std::vector<CastId> cast_ids(const NetcdfColumns& file, const Layout& layout);
 
-/// Times and places of the values, which serve where nothing else does.
-[[nodiscard]] std::vector<CastId> times_and_places(const NetcdfColumns& file, const Layout& layout);
+/// Times and places of the values: both, places alone, times alone.
+[[nodiscard]] std::vector<std::vector<CastId>> times_and_places(const NetcdfColumns& file,
+                                                                const Layout& layout);
 
 }  // namespace photic::scene

@@ -33,7 +33,7 @@ Casts::Casts(const NetcdfColumns& file, const ProfileVariable& value, const Prof
       ids_(cast_ids(file, layout_)) {
   drop_constant_ids();
   groups_ = grouped(ids_, layout_.shape.size());
-  if (groups_.run.size() == 1 && !layout_.profile_axis) use_times_and_places();
+  if (ids_.empty() || !ids_.front().casts) use_times_and_places();
   number_casts();
 }
 
@@ -66,20 +66,20 @@ Casts::Grouping Casts::grouped(const std::vector<CastId>& ids, std::size_t value
   return out;
 }
 
-/// Whether values of different times or places are casts, and not the samples of one: then they
-/// cover the same depths.
-bool Casts::overlap_in_depth(const Grouping& groups) const {
-  std::vector<Span> spans(groups.run.size());
+/// Whether a group has parts that cover the same depths. The samples of one cast do not do so, of
+/// which each has its own time.
+bool Casts::overlap_in_depth(const Grouping& parts, std::size_t first, std::size_t end) const {
+  std::vector<Span> spans(end - first);
   Span all;
-  for (std::size_t k = 0; k < spans.size(); ++k)
-    for (std::size_t i = groups.run[k].begin; i < groups.run[k].end; ++i) {
-      const double depth = depth_.value[layout_.depth(groups.order[i])];
-      spans[k].take(depth);
+  for (std::size_t k = first; k < end; ++k)
+    for (std::size_t i = parts.run[k].begin; i < parts.run[k].end; ++i) {
+      const double depth = depth_.value[layout_.depth(parts.order[i])];
+      spans[k - first].take(depth);
       all.take(depth);
     }
   const auto longest = std::ranges::max_element(
       spans, [](const Span& a, const Span& b) { return a.length() < b.length(); });
-  if (longest == spans.end() || !(longest->length() >= all.length() / 2)) return false;
+  if (!(longest->length() >= all.length() / 2)) return false;
   return std::any_of(spans.begin(), spans.end(), [&](const Span& other) {
     const double shared =
         std::min(longest->most, other.most) - std::max(longest->least, other.least);
@@ -87,15 +87,34 @@ bool Casts::overlap_in_depth(const Grouping& groups) const {
   });
 }
 
+/// Divides what the ids leave together, if any of it are several casts.
 void Casts::use_times_and_places() {
-  auto ids = times_and_places(file_, layout_);
-  if (ids.empty()) return;
-  ids.insert(ids.begin(), ids_.begin(), ids_.end());
-  Grouping groups = grouped(ids, layout_.shape.size());
-  if (!overlap_in_depth(groups)) return;
-  ids_ = std::move(ids);
-  drop_constant_ids();
-  groups_ = std::move(groups);
+  const std::size_t values = layout_.shape.size();
+  for (const auto& more : times_and_places(file_, layout_)) {
+    // Of fewer values than two each no cast is made.
+    const auto of_samples = [&](const CastId& id) { return id.codes.size() > values / 2; };
+    if (more.empty() || std::ranges::any_of(more, of_samples)) continue;
+    std::vector<CastId> ids = ids_;
+    ids.insert(ids.end(), more.begin(), more.end());
+    Grouping parts = grouped(ids, values);
+    const auto is_other = [&](std::size_t a, std::size_t b) {
+      return std::ranges::any_of(ids_, [&](const CastId& id) {
+        return id.value[parts.order[parts.run[a].begin]] !=
+               id.value[parts.order[parts.run[b].begin]];
+      });
+    };
+    bool are_casts = false;
+    for (std::size_t first = 0, k = 1; k <= parts.run.size(); ++k) {
+      if (k < parts.run.size() && !is_other(first, k)) continue;
+      are_casts = are_casts || overlap_in_depth(parts, first, k);
+      first = k;
+    }
+    if (!are_casts) continue;
+    ids_ = std::move(ids);
+    drop_constant_ids();
+    groups_ = std::move(parts);
+    return;
+  }
 }
 
 std::size_t Casts::first_id(const Run& run) const {

@@ -46,7 +46,8 @@ class Casts {
   };
 
   static Grouping grouped(const std::vector<CastId>& ids, std::size_t values);
-  [[nodiscard]] bool overlap_in_depth(const Grouping& groups) const;
+  [[nodiscard]] bool overlap_in_depth(const Grouping& parts, std::size_t first,
+                                      std::size_t end) const;
   void drop_constant_ids();
   void use_times_and_places();
   void number_casts();

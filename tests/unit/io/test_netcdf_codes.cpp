@@ -30,8 +30,8 @@ Words words_in(const std::string& path, const std::string& name) {
   return words_of(netcdf_codes(path, name));
 }
 
-// Characters as floats write them, and bytes as others do. Seen red: with the numbers of texts in
-// the order of the alphabet of texts.
+// Characters as floats write them, and bytes as others do. Seen red: with texts that are numbers
+// left as texts.
 TEST(NetcdfCodes, AreDigitsOrNumbers) {
   const TemporaryFolder folder;
   for (const int format : {0, NC_NETCDF4}) {

@@ -155,9 +155,26 @@ TEST(NetcdfCasts, AreDividedByTimesThatCoverTheSameDepths) {
   }
 }
 
+// A ship's stations, of which each sample has its own time; floats with several casts each. Seen
+// red: with times and places together alone; with those of one float not divided.
+TEST(NetcdfCasts, AreDividedByWhatIsTheSameInACast) {
+  CastsFile file;
+  file.add("time", {1, 2, 3, 4, 5, 6});
+  file.add("latitude", {30, 30, 30, 40, 40, 40});
+  EXPECT_EQ(file.problem(), "CHLA(z): holds 2 casts, divided by latitude (30, 40)" + choice);
+  write_depths(file.files, {0, 20, 0, 20, 0, 20}, {1, 1, 2, 2, 3, 3});
+  file.add("platform", {7, 7, 7, 7, 8, 8});
+  file.add("time", {1, 1, 2, 2, 1, 1});
+  file.files.netcdf.erase("latitude");
+  EXPECT_EQ(file.problem(),
+            "CHLA(z): holds 3 casts, divided by platform and time (choose one of them: profile = 0 "
+            "to 2)");
+  EXPECT_EQ(file.mean(second), 2);
+}
+
 // --- Ragged arrays (CF-1.10, section 9.3) --------------------------------------------------------
 
-// Seen red: without the attribute; with counts taken for numbers of casts.
+// Seen red: without the attribute; with casts numbered by those that have values.
 TEST(NetcdfCasts, AreCounted) {
   CastsFile file;
   file.add("rowSize", {3, 0, 3}, "cast");
@@ -172,7 +189,7 @@ TEST(NetcdfCasts, AreCounted) {
   EXPECT_EQ(remarks_of(file.files, file.read(first)), Texts{});
 }
 
-// Seen red: with each of the checks left out.
+// Seen red: with sums, fractions and second counts not looked at.
 TEST(NetcdfCasts, CountsThatAreWrong) {
   CastsFile file;
   const auto problem = [&](const std::vector<double>& counts) {
@@ -240,7 +257,7 @@ TEST(NetcdfCasts, MayBePartsOfRaggedArrays) {
   EXPECT_EQ(file.mean(second), 2);
 }
 
-// Seen red: with the first latitude for all casts.
+// Seen red: with the first latitude for all casts, of values and of casts.
 TEST(NetcdfCasts, HaveTheirOwnLatitudes) {
   CastsFile file;
   file.files.netcdf["z"].units = "decibar";

@@ -63,7 +63,7 @@ constexpr const char* qartod_meanings = "PASS NOT_EVALUATED SUSPECT FAIL MISSING
 // --- Meanings ------------------------------------------------------------------------------------
 
 // Words of QARTOD, OceanSITES, SeaDataNet, WOCE and others. Seen red: with words looked for
-// anywhere in a meaning (despiked, incorrect); with "not" before any word.
+// anywhere in a meaning (despiked); with no words of checks after "not".
 TEST(FlagMeaning, IsSaidByManyWords) {
   for (const char* good :
        {"good_data", "PASS", "probably_good", "Acceptable", "not_bad", "no_error", "no_spikes",
@@ -83,6 +83,7 @@ TEST(FlagMeaning, IsSaidByManyWords) {
     EXPECT_EQ(quality_of(unclear), Quality::unclear) << unclear;
 }
 
+// Seen red: without flag 3.
 TEST(FlagMeaning, WithoutWordsIsArgos) {
   const std::map<std::string, Quality> expected{
       {"0", Quality::unchecked}, {"1", Quality::good},      {"2", Quality::good},
@@ -138,6 +139,7 @@ TEST(NetcdfFlags, AreFoundByAncillaryVariables) {
     EXPECT_EQ(
         file.first_remark(),
         "chl_checked flags 1 of 5 levels of CHLA as bad or missing, which then have no value");
+    EXPECT_EQ(remarks_of(file.files, file.read()).size(), 2U);
   }
 }
 
@@ -158,7 +160,7 @@ const std::string no_levels =
     ": no level is left out by these flags (those are read that ancillary_variables of the "
     "variable lists and that flag_values and flag_meanings explain)";
 
-// Seen red: with each of the remarks left out.
+// Seen red: without remarks.
 TEST(NetcdfFlags, ThatAreNotUnderstoodAreNamed) {
   const auto remark = [](const std::string& name, const std::string& standard_name = "",
                          const std::string& listed = "", const std::string& meanings = "") {
@@ -196,7 +198,7 @@ TEST(NetcdfFlags, OfOtherDimensions) {
 
 // --- Flags ---------------------------------------------------------------------------------------
 
-// Seen red: with letters taken for flags that fit; without the count.
+// Seen red: with what is not in the table for good.
 TEST(NetcdfFlags, OutsideTheTableCountAsGoodWithARemark) {
   FlaggedFile file;
   file.add_words("chla_qc", {"1", "A", "4", "B", "1"});
@@ -256,6 +258,8 @@ TEST(NetcdfFlags, MayBeBits) {
   both.flag_values = {"1", "2", "4"};
   both.flag_meanings = {"good bad interpolated"};
   EXPECT_EQ(file.mean(), without_bad);
+  EXPECT_EQ(file.first_remark(),
+            "chla_qc flags 1 of 5 levels of CHLA as bad or missing, which then have no value");
 }
 
 // Seen red: with each of the checks left out.
@@ -305,7 +309,7 @@ TEST(NetcdfFlags, OfMissingValuesDoNotMatter) {
 }
 
 // Two variables of one name but for case, or one that the file does not list beside one that it
-// does. Seen red: with the first that is found.
+// does. Seen red: with no comparison; with listed ones compared.
 TEST(NetcdfFlags, OfTwoVariablesMustAgreeUnlessBothAreListed) {
   FlaggedFile file;
   file.add("CHLA_QC", flags);
@@ -324,6 +328,7 @@ TEST(NetcdfFlags, OfTwoVariablesMustAgreeUnlessBothAreListed) {
   EXPECT_EQ(file.mean(), without_bad);
 }
 
+// Seen red: with no bound.
 TEST(NetcdfFlags, OfManyDifferentValuesAreNone) {
   WrittenFiles files("netcdf_flags_many");
   std::vector<double> depth, value;
