@@ -12,6 +12,7 @@
 #include "medium/bent_axis.hpp"
 #include "medium/layer_optics.hpp"
 #include "optics/air_molecules.hpp"
+#include "optics/air_plausibility.hpp"
 #include "optics/data_folder.hpp"
 #include "optics/phase_functions.hpp"
 #include "scene/air_levels.hpp"
@@ -264,6 +265,12 @@ optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::Air
       if (profile.z_km[i] <= boundary_layer_km)
         profile.relative_humidity_percent[i] = *air.relative_humidity_percent;
   return profile;
+}
+
+std::vector<std::string> doubts_about_levels(const scene::Atmosphere& air) {
+  const auto* levels = std::get_if<scene::UserTable>(&air.profile);
+  if (!levels) return {};
+  return optics::doubts_about(optics::air_profile(levels->data()));
 }
 
 optics::AirProfile profile_to_top(const scene::Atmosphere& air, const optics::AirProfile& whole) {

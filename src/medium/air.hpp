@@ -77,6 +77,9 @@ std::vector<std::string> air_told(const scene::Scene& scene, const Air& air);
 /// The profile of a scene that has one, with its aerosols. Throws InputError where it is of no use.
 optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::AirLibrary& library);
 
+/// What is possible of the levels that a scene gives, but more likely in another unit.
+std::vector<std::string> doubts_about_levels(const scene::Atmosphere& air);
+
 /// What of it is below the top of the air. Throws InputError if it does not reach it.
 optics::AirProfile profile_to_top(const scene::Atmosphere& air, const optics::AirProfile& whole);
 

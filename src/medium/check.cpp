@@ -13,7 +13,6 @@
 #include "medium/layer_optics.hpp"
 #include "medium/lines.hpp"
 #include "medium/surface.hpp"
-#include "optics/air_plausibility.hpp"
 #include "scene/bed_albedo.hpp"
 
 namespace photic::medium {
@@ -232,7 +231,7 @@ void Checker::read_air() {
   });
   const auto whole = ask(profile, [&] { return whole_profile(air, library); });
   if (!whole) return;
-  for (const std::string& doubt : optics::doubts_about(*whole)) findings_.remark(profile, doubt);
+  for (const std::string& doubt : doubts_about_levels(air)) findings_.remark(profile, doubt);
   const auto to_top = ask("atmosphere.top_km", [&] { return profile_to_top(air, *whole); });
   if (!to_top) return;
   const auto deep =

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const DataTable table = DataTable::parse(text, "fuzz.csv");
     switch (data[0]) {
       case 'a':
-        air_profile(table);
+        air_profile(with_all_humidities(table));
         break;
       case 'c':
         cdom_fluorescence(table, 355.0);

@@ -94,8 +94,7 @@ TEST(CheckOfAir, OfAFileTellsItsLine) {
             Texts{path + ":3:7: t_k 3 is below 50 (is it in degrees Celsius, and not in K?)"});
 }
 
-// Not in the check alone: a profile of altitudes in metres was 17.5 deep for 0.47. Seen red: with
-// doubts that nobody asks for.
+// Of the profile as it is given. Seen red: without the doubts.
 TEST(CheckOfAir, RemarksOnUnitsOfItsProfile) {
   const auto told = [](const std::string& section) {
     return remarks({{25, 25, scene::base_lines()[24] + "\n" + section}});
@@ -103,6 +102,10 @@ TEST(CheckOfAir, RemarksOnUnitsOfItsProfile) {
   EXPECT_EQ(told(us_standard), Texts{});
   EXPECT_EQ(told(levels("[0, 9]", ", relative_humidity_percent = [0.8, 0.3]") + "top_km = 9"),
             Texts{"scene.toml:27:11: the relative humidity is 0.8 % at most: is it a fraction?"});
+  EXPECT_EQ(told(levels("[0, 9]", ", relative_humidity_percent = [80, 30]") +
+                 "top_km = 9\nrelative_humidity_percent = 0.7"),
+            Texts{"scene.toml:29:29: 0.7 % is very dry: is it a fraction? 0.7 of saturation would "
+                  "be 70"});
 }
 
 // At the laser's wavelength and at those of all lines: there are no data of molecules above 1100
