@@ -62,7 +62,10 @@ TEST(Oil, OfAFileWithoutThemIsRefused) {
   const OilFile file(std::string("# yield: 0.05\n") + columns + rows);
   const Texts all = told(file.overrides());
   ASSERT_EQ(all.size(), 1U);
-  EXPECT_TRUE(all[0].ends_with("photic-oil.csv:1:1: no line \"# lifetime_ns: …\"")) << all[0];
+  EXPECT_TRUE(
+      all[0].ends_with("photic-oil.csv:1:1: no line \"# lifetime_ns: …\" (add it, or give "
+                       "lifetime_ns in [oil])"))
+      << all[0];
 }
 
 TEST(Oil, EveryTextOfWhatIsWrong) {
