@@ -132,16 +132,21 @@ class HeadReader {
     return ways;
   }
 
-  /// Of the first line of numbers: the ways to read it.
+  /// Of the first line of several numbers, or else of one: the ways to read it.
   [[nodiscard]] std::vector<Row> first_numbers() const {
+    std::vector<Row> alone;
     for (std::size_t i = next(first_); i < lines_.size(); i = next(i + 1)) {
       std::vector<Row> ways = ways_to_read(lines_[i]);
       if (ways.empty()) continue;
+      if (ways.front().fields == 1) {
+        alone = std::move(ways);
+        continue;
+      }
       if (ways.size() > 1 && ways[0].separator == tab && mixes_tabs_with_blanks(i, ways[0]))
         ways.erase(ways.begin());
       return ways;
     }
-    return {};
+    return alone;
   }
 
   /// Whether rows are alike from a line on where tabs are blanks, and are not where they separate.
@@ -158,13 +163,14 @@ class HeadReader {
     return fields && all_have(blank, fields->size());
   }
 
-  /// A row, although it may have a field that is no number.
+  /// A row, although one of its fields may be no number. No row may pass for a text above others.
   [[nodiscard]] bool is_row(std::size_t i, const Row& way) const {
     const auto fields = fields_if_any(lines_[i], way.separator);
     if (!fields) return std::string("+-.0123456789").find(content(i)[0]) != std::string::npos;
     const auto number = [&](const TableCell& f) { return is_number(f.text, way.separator); };
+    const auto numbers = static_cast<std::size_t>(std::ranges::count_if(*fields, number));
     return number(fields->front()) ||
-           (fields->size() == way.fields && std::ranges::any_of(*fields, number));
+           (fields->size() == way.fields && numbers > 0 && numbers + 1 >= fields->size());
   }
 
   [[nodiscard]] std::size_t first_row(const Row& way) const {
@@ -232,7 +238,8 @@ class HeadReader {
     std::string text = content(i);
     if (text.front() == '"') text = text.substr(1, text.find('"', 1) - 1);
     text = trimmed(text.erase(0, text.find_first_not_of("#! \t")));
-    const auto names = names_in(text, {way.separator, tab, comma, semicolon, blank}, way);
+    const char first = way.separator == blank ? comma : way.separator;
+    const auto names = names_in(text, {first, tab, comma, semicolon, blank}, way);
     const bool is_key = names && names->front().text.ends_with(":");
     return is_key ? std::nullopt : names;
   }

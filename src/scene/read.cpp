@@ -127,7 +127,8 @@ void fill_in_light(Oil& oil, Findings& findings) {
     const std::string path = below("oil", key);
     if (value) return;
     if (!table.has_header(key) && table.column_line() == 0)
-      return findings.add(path, fmt::format("'{}' is missing in [oil]", key), "add it");
+      return findings.add(path, fmt::format("'{}' is missing in [oil]", key),
+                          "add it, there or in 'file'");
     if (!table.has_header(key))
       return findings.add(path, {table.name(), 1, 1}, fmt::format("no line \"# {}: …\"", key),
                           fmt::format("add it, or give {} in [oil]", key));

@@ -169,6 +169,21 @@ TEST(Tape6, SaysWhatIsWrongAndWhatWasExpected) {
     expect_contains(message<InputError>([&] { tape6(file.text); }), file.says);
 }
 
+/// Nothing of a file without rows of numbers, which may be no tape at all, is said again.
+void expect_no_quotation(const std::string& said) {
+  expect_contains(said, "no table of numbers (expected: rows of numbers below, as many as names)");
+  EXPECT_EQ(said.find("secret"), std::string::npos) << said;
+}
+
+// Seen red, each for itself: without the checks of rows.
+TEST(Tape6, IsNotQuotedWithoutARowOfNumbers) {
+  const std::string head = "*** MODTRAN\n ATMOSPHERIC PROFILES\n";
+  for (const char* rows : {"1 2 3 4 5\n1 secret\n", "1 2 3 4 secret 6 7 8 9\n"}) {
+    const std::string text = head + " I Z P T MOL SCAT secret1 secret2\n" + rows;
+    expect_no_quotation(message<InputError>([&] { tape6(text); }));
+  }
+}
+
 // The spectra that follow the profiles have lines of names that begin as a tape7's do, by wave
 // number or with a page's 1.
 const std::string spectra =
@@ -352,6 +367,15 @@ TEST(Tape7, SaysWhatIsWrongAndWhatWasExpected) {
   };
   for (const BadFile& file : bad)
     expect_contains(message<InputError>([&] { transmittances(file.text); }), file.says);
+}
+
+// Seen red, each for itself: without the checks of rows.
+TEST(Tape7, IsNotQuotedWithoutARowOfNumbers) {
+  for (const char* text : {"FREQ my secret\nCM-1 is kept\nsecret 0.1 0.2\n0.2 0.3 secret\n",
+                           "FREQ secret secret\nCM-1 TRANS TRANS\n-9999.\n",
+                           "FREQ secret secret\nCM-1 TRANS TRANS\n1 x 2\n-9999.\n",
+                           "FREQ secret\nCM-1 TRANS\n18000 secret\n-9999.\n"})
+    expect_no_quotation(message<InputError>([&] { transmittances(text); }));
 }
 
 TEST(Tape7, MayEndAnywhere) {
