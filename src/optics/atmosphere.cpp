@@ -44,9 +44,12 @@ bool has(const DataTable& table, const std::string& column) {
 void check_columns(const DataTable& table) {
   const std::vector<std::string> known = all_columns();
   for (const std::string& column : table.columns()) {
+    if (column.empty()) continue;  // it has no name
     const std::string there_are = fmt::format("there are: {}", fmt::join(known, ", "));
     if (std::find(known.begin(), known.end(), column) == known.end())
-      table.fail_columns(fmt::format("unknown column \"{}\"", column), there_are);
+      table.fail_columns(table.may_be_quoted() ? fmt::format("unknown column \"{}\"", shown(column))
+                                               : fmt::format("{}: unknown column", no_numbers),
+                         there_are);
     if (std::count(table.columns().begin(), table.columns().end(), column) > 1)
       table.fail_columns(fmt::format("column \"{}\" is there twice", column));
   }

@@ -169,6 +169,10 @@ class Tape6 {
     if (block.lines.empty())
       text_.fail(block.names_line, 1, "there are no levels below: is the file truncated?",
                  "expected: rows of numbers");
+    const auto of_numbers = [&](int line) {
+      return are_numbers(text_.words(line), block.names.size());
+    };
+    if (std::ranges::none_of(block.lines, of_numbers)) text_.fail_without_numbers(block.names_line);
     place = block;
     const std::vector<double> z = column(block, height, 0, 1e6);
     if (z.front() > z.back()) std::ranges::reverse(place->lines);  // printed from the top down

@@ -9,6 +9,7 @@
 #include "core/interpolation.hpp"
 #include "optics/modtran.hpp"
 #include "optics/modtran_text.hpp"
+#include "optics/table_fields.hpp"
 #include "optics/table_text.hpp"
 
 namespace photic::optics {
@@ -47,8 +48,8 @@ int find_names(const ModtranText& text) {
 /// do not tells where to cut.
 class Fields {
  public:
-  Fields(const ModtranText& text, int names_line) : text_(text) {
-    for (int n = names_line + 2; n <= text.lines() && !is_end(text.words(n)); ++n) {
+  Fields(const ModtranText& text, int names_line) : text_(text), first_row_(names_line + 2) {
+    for (int n = first_row_; n <= text.lines() && !is_end(text.words(n)); ++n) {
       const auto words = text.words(n);
       if (words.size() > row_.size()) row_ = words;
     }
@@ -57,6 +58,16 @@ class Fields {
   /// The words of a line of names, one in each field; as they stand if that cannot be.
   [[nodiscard]] std::vector<ModtranWord> names(int line) const {
     return cut(line).value_or(text_.words(line));
+  }
+
+  [[nodiscard]] bool has_rows() const { return !row_.empty(); }
+
+  /// Whether there are rows, but none of so many numbers.
+  [[nodiscard]] bool lack_numbers(std::size_t count) const {
+    if (!has_rows()) return false;
+    for (int n = first_row_; n <= text_.lines() && !is_end(text_.words(n)); ++n)
+      if (are_numbers(numbers(n), count)) return false;
+    return true;
   }
 
   /// The same of a row. A number that touches must have its point where the others of its column
@@ -102,6 +113,7 @@ class Fields {
   }
 
   const ModtranText& text_;
+  int first_row_;
   std::vector<ModtranWord> row_;
 };
 
@@ -112,11 +124,15 @@ std::vector<std::string> joined_names(const ModtranText& text, const Fields& fie
     text.fail(line, 1,
               fmt::format("{} names where {} stand in the line below", first.size(), second.size()),
               transmittances_expected);
+  if (fields.lack_numbers(first.size())) text.fail_without_numbers(line);
   std::vector<std::string> out;
   for (std::size_t i = 0; i < first.size(); ++i) {
     const std::string name = first[i].text + " " + second[i].text;
-    if (std::find(out.begin(), out.end(), name) != out.end())
-      text.fail(line, first[i].column, fmt::format("column \"{}\" is there twice", name), "");
+    const bool twice = std::find(out.begin(), out.end(), name) != out.end();
+    if (twice && !fields.has_rows()) text.fail_without_numbers(line);
+    if (twice)
+      text.fail(line, first[i].column, fmt::format("column \"{}\" is there twice", shown(name)),
+                "");
     out.push_back(name);
   }
   return out;

@@ -2,13 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 #include <sstream>
 
 #include "core/error.hpp"
+#include "optics/table_fields.hpp"
+#include "optics/table_text.hpp"
 
 namespace photic::optics {
+
+bool are_numbers(const std::vector<ModtranWord>& words, std::size_t count) {
+  return words.size() == count && std::ranges::all_of(words, [](const ModtranWord& word) {
+           return finite_number(word.text).has_value();
+         });
+}
 
 ModtranText::ModtranText(const std::string& text, std::string name) : name_(std::move(name)) {
   ends_ = text.ends_with('\n');
@@ -39,20 +46,21 @@ bool ModtranText::is_head(int number) const {
   return has("***") && (has("MODTRAN") || has("LOWTRAN"));
 }
 
+void ModtranText::fail_without_numbers(int names_line) const {
+  fail(names_line, 1, no_numbers, "expected: rows of numbers below, as many as names");
+}
+
 double ModtranText::number(int line, const ModtranWord& word, const std::string& what, double min,
                            double max) const {
-  double value = 0;
-  const char* end = word.text.data() + word.text.size();
-  const auto [stop, error] = std::from_chars(word.text.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) {
-    fail(line, word.column, fmt::format("\"{}\" where {} is expected", word.text, what),
+  const auto value = finite_number(word.text);
+  if (!value)
+    fail(line, word.column, fmt::format("\"{}\" where {} is expected", shown(word.text), what),
          "a number");
-  }
-  if (value < min || value > max) {
+  if (*value < min || *value > max) {
     fail(line, word.column,
          fmt::format("{} {} where {:g} to {:g} is expected", what, word.text, min, max), "");
   }
-  return value;
+  return *value;
 }
 
 void ModtranText::fail(int line, int column, const std::string& reason,

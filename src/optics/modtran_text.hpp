@@ -1,6 +1,7 @@
 // Lines and words of the files that LOWTRAN and MODTRAN print.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ struct ModtranWord {
   std::string text;
   int column = 0;  ///< where it starts, from 1
 };
+
+/// Whether they are so many, all of them numbers. Without such a line nothing that a table's lines
+/// hold may stand in a message: the file may be no table.
+[[nodiscard]] bool are_numbers(const std::vector<ModtranWord>& words, std::size_t count);
 
 /// A file with its name, for diagnostics.
 class ModtranText {
@@ -28,6 +33,9 @@ class ModtranText {
   [[nodiscard]] bool is_title(int number) const;
   /// The name of the program between stars, which is the head of a tape6.
   [[nodiscard]] bool is_head(int number) const;
+
+  /// Says that a table, whose names stand in a line, holds no line of numbers.
+  [[noreturn]] void fail_without_numbers(int names_line) const;
 
   /// A finite number from min to max.
   [[nodiscard]] double number(int line, const ModtranWord& word, const std::string& what,

@@ -89,15 +89,22 @@ Oil oil_of_class(const std::vector<OilProperty>& all, const std::string& name) {
   return out;
 }
 
-/// Straight lines between values that are 1 in all; 0 outside.
-OilSpectrum emission_of_table(const DataTable& table, const std::vector<double>& nm) {
+/// Straight lines between values that are 1 in all; 0 outside. Oil that does not shine has 0
+/// everywhere, or no such column.
+OilSpectrum emission_of_table(const DataTable& table, const std::vector<double>& nm, double yield) {
   constexpr const char* column = "emission_per_nm";
+  if (yield == 0 && !table.has(column)) return [](double) { return 0.0; };
+  if (!table.has(column))
+    table.fail_columns(table.lack_of(column),
+                       table.what_there_is() + "; with a yield of 0 it is not needed");
   auto values = table.numbers_from_0(column);
   double sum = 0;
   for (std::size_t i = 1; i < nm.size(); ++i)
     sum += (values[i - 1] + values[i]) / 2 * (nm[i] - nm[i - 1]);
+  if (yield == 0 && sum == 0) return [](double) { return 0.0; };
   if (!(sum > 0 && std::isfinite(sum)))
-    table.fail(0, column, "an emission spectrum has an integral above 0");
+    table.fail(0, column, "an emission spectrum has an integral above 0",
+               "of oil that does not shine the yield is 0");
   for (double& value : values) value /= sum;
   const LinearTable emission(nm, values);
   return [=](double at) { return emission.covers(at) ? emission(at) : 0.0; };
@@ -135,7 +142,7 @@ Oil oil_of_table(const DataTable& table, double yield, double lifetime_ns) {
   out.name = table.name();
   out.refractive_index = column_of(table, nm, index_column, "refractive index");
   out.absorption_per_m = column_of(table, nm, "a_per_m", "absorption");
-  out.emission_per_nm = emission_of_table(table, nm);
+  out.emission_per_nm = emission_of_table(table, nm, yield);
   out.emission_min_nm = nm.front();
   out.emission_max_nm = nm.back();
   out.properties = {number(yield, "quantum_yield", "1"), number(lifetime_ns, "lifetime", "ns")};

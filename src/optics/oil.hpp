@@ -41,8 +41,8 @@ std::vector<std::string> list_oils(const Library& library);
 
 /// A class by its name, or a user's CSV file: lines "# yield: …" and "# lifetime_ns: …", columns
 /// wavelength_nm (ascending), n, a_per_m and emission_per_nm, which is relative and scaled to 1
-/// photon. Between the rows are straight lines; outside it emits nothing and the rest is an error.
-/// Throws InputError.
+/// photon, or 0 or not there where the yield is 0. Between the rows are straight lines; outside it
+/// emits nothing and the rest is an error. Throws InputError.
 Oil oil(const Library& library, const std::string& name_or_file);
 /// The oil of such a table. Throws InputError.
 Oil oil_of_table(const DataTable& table, double yield, double lifetime_ns);

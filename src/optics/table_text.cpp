@@ -85,6 +85,10 @@ void raise_together(std::vector<Diagnostic> found, std::size_t lines) {
   throw InputError(std::move(found));
 }
 
+void raise_without_numbers(const Diagnostic& found) {
+  throw InputError({{found.file, found.line, found.column, no_numbers, what_a_table_is}});
+}
+
 std::optional<double> finite_number(const std::string& text) {
   const auto digits = [](unsigned char c) { return std::isdigit(c) != 0 || c == '.'; };
   const bool plus = text.size() > 1 && text[0] == '+' && digits(text[1]);
@@ -122,8 +126,14 @@ double half_last_digit(const std::string& text) {
   return 0.5 * std::pow(10.0, power - decimals);
 }
 
+bool is_gap(const std::string& text) {
+  std::string word = text;
+  std::ranges::transform(word, word.begin(), [](unsigned char c) { return std::tolower(c); });
+  return word.empty() || word == "nan" || word == "-nan" || word == "na";
+}
+
 std::string how_to_write_number(const std::string& text) {
-  if (text.empty()) return "fill the gap, or leave the row out";
+  if (is_gap(text)) return "fill the gap, or leave the row out";
   if (has_groups(text)) return "leave out what separates thousands, and write a decimal point";
   if (number_with_comma(text)) return "write a decimal point";
   return "";

@@ -18,6 +18,13 @@ std::vector<std::string> lines_of_table(const std::string& bytes, const std::str
 /// lines have them, and 20 at most.
 void raise_together(std::vector<Diagnostic> found, std::size_t lines);
 
+/// What is said of a file that holds no line of numbers, and what should be in it.
+inline constexpr const char* no_numbers = "no table of numbers";
+inline constexpr const char* what_a_table_is =
+    "a table has rows of numbers, between commas, semicolons, tabs or blanks";
+/// Throws the InputError that says so, and nothing else, at the place of what was found.
+[[noreturn]] void raise_without_numbers(const Diagnostic& found);
+
 /// Of a whole text, with a plus or a minus before it or none.
 std::optional<double> finite_number(const std::string& text);
 
@@ -32,6 +39,9 @@ bool may_be_thousands(const std::string& text);
 
 /// Half a unit of the last digit of a number as it is written.
 double half_last_digit(const std::string& text);
+
+/// Whether nothing stands there, or what programs write for what is not known: nan, NaN, -nan, NA.
+bool is_gap(const std::string& text);
 
 /// What may help where a number is expected; may be empty.
 std::string how_to_write_number(const std::string& text);

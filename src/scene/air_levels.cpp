@@ -1,10 +1,14 @@
 #include "scene/air_levels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
 #include "core/error.hpp"
+#include "optics/atmosphere.hpp"
 #include "optics/modtran.hpp"
+#include "optics/table_text.hpp"
 #include "scene/format.hpp"
 
 namespace photic::scene {
@@ -59,24 +63,34 @@ double of_gases(const optics::ModtranTransmittances& air, const std::vector<std:
   return std::max(0.0, depth);  // the digits that are printed allow less
 }
 
+bool is_csv(const std::string& path) { return path.ends_with(".csv"); }
+
+/// The table in a file that is not the one of MODTRAN's that would do as well.
+optics::DataTable table_of_text(const std::string& path, const std::string& text,
+                                const char* no_tape) {
+  if (!is_csv(path) && (optics::is_tape6(text) || optics::is_tape7(text)))
+    throw InputError({{path, 0, 0, no_tape, "the other one of MODTRAN's files does not tell it"}});
+  auto table = optics::DataTable::parse(text, path);
+  if (!is_csv(path) && !table.may_be_quoted())
+    throw InputError({{path, 0, 0, fmt::format("{}, and {}", optics::no_numbers, no_tape),
+                       table.what_there_is()}});
+  return table;
+}
+
 }  // namespace
 
 optics::DataTable read_air_levels(const std::string& path) {
-  if (path.ends_with(".csv")) return optics::with_all_humidities(optics::DataTable::read(path));
   const std::string text = optics::read_text(path);
-  if (!optics::is_tape6(text))
-    throw InputError(
-        {{path, 0, 0, "no tape6 of LOWTRAN 7 or MODTRAN (no block \"ATMOSPHERIC PROFILES\")",
-          "a table of levels is known by its name: it ends in .csv"}});
+  if (is_csv(path) || !optics::is_tape6(text))
+    return optics::with_all_humidities(table_of_text(
+        path, text, "no tape6 of LOWTRAN 7 or MODTRAN (no block \"ATMOSPHERIC PROFILES\")"));
   return table_of(optics::modtran_profile(text, path), path);
 }
 
 optics::DataTable read_gas_depths(const std::string& path) {
-  if (path.ends_with(".csv")) return optics::DataTable::read(path);
   const std::string text = optics::read_text(path);
-  if (!optics::is_tape7(text))
-    throw InputError({{path, 0, 0, "no tape7 of LOWTRAN 7 or MODTRAN (no line begins with FREQ)",
-                       "a table of optical depths is known by its name: it ends in .csv"}});
+  if (is_csv(path) || !optics::is_tape7(text))
+    return table_of_text(path, text, "no tape7 of LOWTRAN 7 or MODTRAN (no line begins with FREQ)");
   const optics::ModtranTransmittances air(text, path);
   const std::vector<std::string> columns = air.columns();
   std::vector<double> wavelength_nm, optical_depth;

@@ -1,6 +1,8 @@
 // The keys of a table of inherent optical properties that stands for all layers.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -8,17 +10,34 @@
 
 namespace photic::scene {
 
+/// What a file tells of each depth and wavelength, and the key of what the file calls it.
+struct IopColumn {
+  const char *name, *key;
+};
+inline constexpr std::array iop_columns{IopColumn{"depth_m", "depth"},
+                                        IopColumn{"wavelength_nm", "wavelength"},
+                                        IopColumn{"a_per_m", "a"},
+                                        IopColumn{"b_per_m", "b"},
+                                        IopColumn{"c_per_m", "c"},
+                                        IopColumn{"bb_per_m", "bb"},
+                                        IopColumn{"a_phytoplankton_per_m", "a_phytoplankton"},
+                                        IopColumn{"a_cdom_per_m", "a_cdom"}};
+
 struct IopTable {
   std::string file;
+  std::array<std::optional<optics::ColumnInFile>, iop_columns.size()> column;
   std::optional<PhaseFunction> phase_function;
 };
-
-inline constexpr const char* file_key = "file";
 
 template <class V>
 void describe(V& v, IopTable& t) {
   v.required(file_key, t.file, File{},
-             "a CSV or netCDF file (.nc) of depth_m, wavelength_nm, a_per_m, b_per_m or c_per_m");
+             "a file of text or netCDF file (.nc) of depth_m, wavelength_nm, a_per_m, b_per_m or "
+             "c_per_m");
+  for (std::size_t i = 0; i < iop_columns.size(); ++i) {
+    const std::string meaning = meaning_in_file({iop_columns[i].name, ""});
+    v.optional(iop_columns[i].key, t.column[i], ColumnOfFile{}, meaning.c_str());
+  }
   v.table_or_word("phase_function", t.phase_function, model_key,
                   "the phase function of all scattering, where the file has no bb_per_m");
 }

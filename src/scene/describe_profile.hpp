@@ -22,11 +22,12 @@ struct ProfilePoints {
   BeyondPoints beyond;
 };
 
-/// A column of a CSV file, or a variable of a netCDF file.
+/// A column of a file of text, or a variable of a netCDF file.
 struct ProfileFile {
   std::string file;
-  std::string depth;  ///< the column or variable of depths
-  std::string column, variable;
+  optics::ColumnInFile depth;  ///< or the variable of depths
+  optics::ColumnInFile column;
+  std::string variable;
   std::optional<std::int64_t> profile;  ///< of several in a netCDF file
   std::string negative;                 ///< zero: values below 0 count as 0
   BeyondPoints beyond;
@@ -55,18 +56,21 @@ void describe(V& v, ProfilePoints& p) {
 
 template <class V>
 void describe(V& v, ProfileFile& p) {
-  v.required("file", p.file, File{}, "a CSV file, or a netCDF file as floats write it");
-  v.one_of(option(!p.column.empty(),
+  v.required(file_key, p.file, File{}, "a file of text, or a netCDF file as floats write it");
+  v.one_of(option(p.column.given(),
                   [&](auto& w) {
-                    w.required("column", p.column, Text{}, "the values' column of a CSV file");
+                    w.required("column", p.column, ColumnOfFile{},
+                               "the values' column of a file of text: its name, or its number "
+                               "from 1");
                   }),
            option(!p.variable.empty(), [&](auto& w) {
              w.required("variable", p.variable, Text{}, "the values' variable of a netCDF file");
              w.optional(without_unit("profile"), p.profile, Count{.low = 0},
                         "which of its profiles or casts, from 0");
            }));
-  v.required("depth", p.depth, Text{},
-             "the column of depths in m, or the variable of depths or pressures");
+  v.required("depth", p.depth, ColumnOfFile{},
+             "the column of depths in m, by its name or its number from 1, or the variable of "
+             "depths or pressures");
   v.optional("negative", p.negative, Choice{{{"zero", "they count as 0"}}},
              "what becomes of values below 0, as dark counts leave them; refused without it");
   describe_beyond(v, p.beyond);

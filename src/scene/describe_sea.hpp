@@ -292,25 +292,32 @@ void describe(V& v, Bottom& b) {
                               true},
                              {"albedo", "the albedo there, 0 to 1"}}}},
              "the share of the light that the sea bed reflects, alike in all directions (Lambert): "
-             "a number, a table of wavelength_nm, zenith_deg or both, or { file = \"….csv\" }");
+             "a number, a table of wavelength_nm, zenith_deg or both, or { file = \"…\" }");
 }
 
 template <class V>
 void describe(V& v, Oil& o) {
-  v.one_of(option(o.of_class.has_value(),
-                  [&](auto& w) {
-                    w.required("class", o.of_class, ChoiceOf<OilClass>{},
-                               "the kind of oil; most of what is known of them is a placeholder");
-                  }),
-           option(!o.table.columns().empty(), [&](auto& w) {
-             w.required("file", o.table,
-                        TableOrFile{{{"wavelength_nm", "wavelengths in nm, ascending"},
-                                     {"n", "the refractive index against air"},
-                                     {"a_per_m", "the absorption coefficient in 1/m"},
-                                     {"emission_per_nm",
-                                      "the spectrum of the emitted light, in photons, relative"}}},
-                        "a CSV file as photic optics --oil writes it, or a table of its columns");
-           }));
+  v.one_of(
+      option(o.of_class.has_value(),
+             [&](auto& w) {
+               w.required("class", o.of_class, ChoiceOf<OilClass>{},
+                          "the kind of oil; most of what is known of them is a placeholder");
+             }),
+      option(!o.table.columns().empty(), [&](auto& w) {
+        w.required(
+            "file", o.table,
+            TableOrFile{{{"wavelength_nm", "wavelengths in nm, ascending"},
+                         {"n", "the refractive index against air"},
+                         {"a_per_m", "the absorption coefficient in 1/m"},
+                         {"emission_per_nm",
+                          "the spectrum of the emitted light, in photons, relative; "
+                          "not needed with a yield of 0",
+                          true}},
+                        optics::DataTable::read,
+                        {{"yield", "as oil.yield, which goes first", from_to(0.0, 1.0)},
+                         {"lifetime_ns", "as oil.lifetime_ns, which goes first", not_negative}}},
+            "a CSV file as photic optics --oil writes it, or a table of its columns");
+      }));
   v.required("thickness_um", o.thickness_um, not_negative,
              "the thickness of the film in um; of 0 there is none");
   v.optional("yield", o.yield, from_to(0.0, 1.0),

@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "optics/data_table.hpp"
+#include "optics/table_text.hpp"
 #include "scene/cut.hpp"
 #include "scene/netcdf_columns.hpp"
 #include "scene/netcdf_units.hpp"
@@ -25,36 +26,44 @@ constexpr const char* order = "sort rows by depth, and those of a depth by wavel
 /// Pairs of a depth and a wavelength: every one of them becomes a line of the effective scene.
 constexpr std::size_t most_pairs = 100'000;
 
-constexpr const char* known_names[] = {
-    depth_name, wavelength_name,         "a_per_m",     "b_per_m", "c_per_m",
-    "bb_per_m", "a_phytoplankton_per_m", "a_cdom_per_m"};
-
 bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The names of the values in a file that has these names.
-std::vector<std::string> value_names(const std::vector<std::string>& there, const Place& place) {
-  const auto fail = [&](const std::string& reason, const std::string& suggestion) {
-    throw InputError({{place.file, place.line, place.column, reason, suggestion}});
+/// What a file has: those of the names that are known here, and what helps where one is missing.
+struct Contents {
+  std::vector<std::string> known;
+  std::function<std::string(const std::string& name)> instead_of;
+  Place place;
+  std::string first = {};  ///< what is said before all that is wrong
+};
+
+/// The names of the values in a file.
+std::vector<std::string> value_names(const Contents& file) {
+  const auto fail = [&](const std::string& reason, const char* name) {
+    throw InputError({{file.place.file, file.place.line, file.place.column, file.first + reason,
+                       file.instead_of(name)}});
   };
-  const auto instead_of = [&](const std::string& name) {
-    std::vector<std::string> strange;  // nobody meant one name of these by writing another
-    std::copy_if(there.begin(), there.end(), std::back_inserter(strange), [](const std::string& n) {
-      return std::find(std::begin(known_names), std::end(known_names), n) == std::end(known_names);
-    });
-    const std::string hint = suggestion_for(name, strange, "");
-    return hint.starts_with("did you mean") ? hint
-                                            : fmt::format("there are: {}", fmt::join(there, ", "));
-  };
-  for (const std::string name : {depth_name, wavelength_name, "a_per_m"})
-    if (!is_among(there, name)) fail(fmt::format("no \"{}\"", name), instead_of(name));
-  const bool has_b = is_among(there, "b_per_m"), has_c = is_among(there, "c_per_m");
-  if (!has_b && !has_c) fail(R"(neither "b_per_m" nor "c_per_m")", instead_of("b_per_m"));
+  for (const char* name : {depth_name, wavelength_name, "a_per_m"})
+    if (!is_among(file.known, name)) fail(fmt::format("no \"{}\"", name), name);
+  const bool has_b = is_among(file.known, "b_per_m"), has_c = is_among(file.known, "c_per_m");
+  if (!has_b && !has_c) fail(R"(neither "b_per_m" nor "c_per_m")", "b_per_m");
   std::vector<std::string> names{"a_per_m", has_b ? "b_per_m" : "c_per_m"};
   for (const char* optional : {"bb_per_m", "a_phytoplankton_per_m", "a_cdom_per_m"})
-    if (is_among(there, optional)) names.emplace_back(optional);
+    if (is_among(file.known, optional)) names.emplace_back(optional);
   return names;
+}
+
+/// "did you mean …?" of one of the names in a file; nobody meant one that is known by writing
+/// another. Else what there is.
+std::string hint(const std::string& name, const std::vector<std::string>& there,
+                 const IopNames& names, const std::string& what_there_is) {
+  std::vector<std::string> strange;
+  std::copy_if(there.begin(), there.end(), std::back_inserter(strange), [&](const std::string& n) {
+    return std::ranges::find(names, n, &IopNames::value_type::first) == names.end();
+  });
+  const std::string close = suggestion_for(name, strange, "");
+  return close.starts_with("did you mean") ? close : what_there_is;
 }
 
 std::string size_refusal(std::size_t depths, std::size_t wavelengths) {
@@ -64,7 +73,7 @@ std::string size_refusal(std::size_t depths, std::size_t wavelengths) {
                      depths, wavelengths, most_cuts, most_pairs);
 }
 
-// --- CSV -----------------------------------------------------------------------------------------
+// --- Text ----------------------------------------------------------------------------------------
 
 /// Takes the rows of a table one by one, and learns its depths and wavelengths.
 class RowReader {
@@ -128,9 +137,16 @@ class RowReader {
   double last_ = 0;           ///< wavelength
 };
 
-IopGrid grid_of_csv(const std::string& path) {
-  const auto table = optics::DataTable::read(path);
-  const auto names = value_names(table.columns(), {path, table.column_line(), 1});
+IopGrid grid_of_text(const std::string& path, const IopNames& names_in_file) {
+  const auto file = optics::DataTable::read(path);
+  const auto table = file.with(names_in_file);
+  Contents contents{table.columns(), {}, {path, table.column_line(), 1}};
+  contents.instead_of = [&](const std::string& name) {
+    return file.may_be_quoted() ? hint(name, file.columns(), names_in_file, file.what_there_is())
+                                : file.what_there_is();
+  };
+  if (!file.may_be_quoted()) contents.first = fmt::format("{}: ", optics::no_numbers);
+  const auto names = value_names(contents);
   const auto depth = table.numbers(depth_name);
   const auto wavelength = table.numbers(wavelength_name);
   IopGrid grid;
@@ -149,67 +165,107 @@ IopGrid grid_of_csv(const std::string& path) {
 
 // --- netCDF --------------------------------------------------------------------------------------
 
-/// A variable in the unit that its name ends in, as it is where it tells none.
-NetcdfVariable in_units_of_name(const NetcdfColumns& file, const std::string& name) {
-  NetcdfVariable variable = file.read(name);
-  if (!variable.units.empty()) {
-    const Conversion convert = conversion_of(file, name, variable, name);
-    for (double& x : variable.value) x = convert(x);
+/// A netCDF file whose variables have names of their own.
+class NamedVariables {
+ public:
+  NamedVariables(const std::string& path, const IopNames& names, const NetcdfFiles& netcdf)
+      : file_(path, netcdf) {
+    for (const auto& [name, in_file] : names) {
+      if (in_file.number > 0)
+        file_.fail("", fmt::format("{} is named by a number", name),
+                   "variables of netCDF files are called by their names");
+      if (in_file.given() || file_.has(name)) called_[name] = in_file.given() ? in_file.name : name;
+    }
   }
-  if (name == depth_name && points_up(file, name, variable))
-    for (double& x : variable.value) x = 0 - x;
-  return variable;
-}
 
-/// A coordinate: of one dimension, ascending.
-NetcdfVariable coordinate(const NetcdfColumns& file, const std::string& name) {
-  NetcdfVariable variable = in_units_of_name(file, name);
-  if (variable.length.size() != 1 || variable.value.empty())
-    file.fail(shape_text(name, variable), "is not of one dimension with values");
-  const auto& value = variable.value;
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const std::string at = fmt::format("{}[{}]", name, i);
-    if (!std::isfinite(value[i])) file.fail(at, "must be a finite number, not missing");
-    if (i > 0 && !(value[i] > value[i - 1]))
-      file.fail(at, fmt::format("{:g} does not come after {:g}", value[i], value[i - 1]),
-                "values ascend, each once");
+  [[nodiscard]] const NetcdfColumns& file() const { return file_; }
+  [[nodiscard]] const std::map<std::string, std::string>& called() const { return called_; }
+  [[nodiscard]] const std::string& called(const std::string& name) const {
+    return called_.at(name);
   }
-  return variable;
-}
+  [[nodiscard]] std::vector<std::string> known() const {
+    std::vector<std::string> names;
+    for (const auto& [name, in_file] : called_) names.push_back(name);
+    return names;
+  }
 
-IopGrid grid_of_netcdf(const std::string& path, const NetcdfFiles& netcdf) {
-  const NetcdfColumns file(path, netcdf);
-  const auto names = value_names(file.names(), {path, 0, 0});
-  const NetcdfVariable depth = coordinate(file, depth_name);
-  const NetcdfVariable wavelength = coordinate(file, wavelength_name);
+  /// In the unit that the name ends in, as it is where the variable tells none.
+  [[nodiscard]] NetcdfVariable read(const std::string& name) const {
+    const std::string& in_file = called(name);
+    NetcdfVariable variable = file_.read(in_file);
+    if (!variable.units.empty()) {
+      const Conversion convert = conversion_of(file_, in_file, variable, name);
+      for (double& x : variable.value) x = convert(x);
+    }
+    if (name == depth_name && points_up(file_, in_file, variable))
+      for (double& x : variable.value) x = 0 - x;
+    return variable;
+  }
+
+  /// A coordinate: of one dimension, ascending.
+  [[nodiscard]] NetcdfVariable coordinate(const std::string& name) const {
+    NetcdfVariable variable = read(name);
+    if (variable.length.size() != 1 || variable.value.empty())
+      file_.fail(shape_text(called(name), variable), "is not of one dimension with values");
+    const auto& value = variable.value;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const std::string at = fmt::format("{}[{}]", called(name), i);
+      if (!std::isfinite(value[i])) file_.fail(at, "must be a finite number, not missing");
+      if (i > 0 && !(value[i] > value[i - 1]))
+        file_.fail(at, fmt::format("{:g} does not come after {:g}", value[i], value[i - 1]),
+                   "values ascend, each once");
+    }
+    return variable;
+  }
+
+ private:
+  NetcdfColumns file_;
+  std::map<std::string, std::string> called_;
+};
+
+IopGrid grid_of_netcdf(const std::string& path, const IopNames& names_in_file,
+                       const NetcdfFiles& netcdf) {
+  const NamedVariables variables(path, names_in_file, netcdf);
+  const NetcdfColumns& file = variables.file();
+  const auto names =
+      value_names({variables.known(),
+                   [&](const std::string& name) {
+                     return hint(name, file.names(), names_in_file,
+                                 fmt::format("there are: {}", fmt::join(file.names(), ", ")));
+                   },
+                   {path, 0, 0}});
+  const NetcdfVariable depth = variables.coordinate(depth_name);
+  const NetcdfVariable wavelength = variables.coordinate(wavelength_name);
   if (depth.value.front() != 0)
-    file.fail("depth_m[0]", fmt::format("the first depth is {:g} m, not 0", depth.value.front()));
+    file.fail(variables.called(depth_name) + "[0]",
+              fmt::format("the first depth is {:g} m, not 0", depth.value.front()));
   const auto too_many = size_refusal(depth.value.size(), wavelength.value.size());
   if (!too_many.empty()) file.fail("", too_many);
   IopGrid grid{depth.value, wavelength.value, {}, {}};
   const std::vector<std::string> dimensions{depth.dimension[0], wavelength.dimension[0]};
   for (const std::string& name : names) {
-    NetcdfVariable variable = in_units_of_name(file, name);
+    NetcdfVariable variable = variables.read(name);
     if (variable.dimension != dimensions)
-      file.fail(shape_text(name, variable),
+      file.fail(shape_text(variables.called(name), variable),
                 fmt::format("its dimensions must be ({}, {})", dimensions[0], dimensions[1]));
     grid.value[name] = std::move(variable.value);
   }
-  grid.place = [path, per_depth = wavelength.value.size()](const std::string& name, std::size_t i) {
+  grid.place = [path, called = variables.called(), per_depth = wavelength.value.size()](
+                   const std::string& name, std::size_t i) {
     const std::size_t d = i / per_depth, w = i % per_depth;
     const std::string index = name == depth_name        ? fmt::format("{}", d)
                               : name == wavelength_name ? fmt::format("{}", w)
                                                         : fmt::format("{}, {}", d, w);
-    return Place{fmt::format("{}: {}[{}]", path, name, index), 0, 0};
+    return Place{fmt::format("{}: {}[{}]", path, called.at(name), index), 0, 0};
   };
   return grid;
 }
 
 }  // namespace
 
-IopGrid read_iop_grid(const std::string& path, const NetcdfFiles& netcdf) {
+IopGrid read_iop_grid(const std::string& path, const IopNames& names, const NetcdfFiles& netcdf) {
   const bool is_netcdf = std::filesystem::path(path).extension() == ".nc";
-  return is_netcdf ? grid_of_netcdf(path, netcdf) : grid_of_csv(path);
+  return is_netcdf ? grid_of_netcdf(path, names, netcdf) : grid_of_text(path, names);
 }
 
 }  // namespace photic::scene

@@ -4,8 +4,10 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "optics/data_table.hpp"
 #include "scene/netcdf_files.hpp"
 #include "scene/node.hpp"
 
@@ -24,8 +26,12 @@ struct IopGrid {
   [[nodiscard]] bool has(const std::string& name) const { return value.contains(name); }
 };
 
-/// Of a CSV file with a row for each pair of depth and wavelength, or of a netCDF file (.nc) with
-/// variables of the dimensions (depth, wavelength). Throws InputError for what is no such grid.
-IopGrid read_iop_grid(const std::string& path, const NetcdfFiles& netcdf);
+/// What a file calls its columns or variables, by the names they have here; none: as here.
+using IopNames = std::vector<std::pair<std::string, optics::ColumnInFile>>;
+
+/// Of a file of text with a row for each pair of depth and wavelength, or of a netCDF file (.nc)
+/// with variables of the dimensions (depth, wavelength). Throws InputError for what is no such
+/// grid.
+IopGrid read_iop_grid(const std::string& path, const IopNames& names, const NetcdfFiles& netcdf);
 
 }  // namespace photic::scene

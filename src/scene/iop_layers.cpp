@@ -94,6 +94,13 @@ std::optional<IopTable> keys_of(const Node& given, const OtherFiles& files, Find
   return findings.problems().size() == before ? std::optional(keys) : std::nullopt;
 }
 
+IopNames names_in_file(const IopTable& keys) {
+  IopNames names;
+  for (std::size_t i = 0; i < iop_columns.size(); ++i)
+    names.emplace_back(iop_columns[i].name, keys.column[i].value_or(optics::ColumnInFile{}));
+  return names;
+}
+
 /// Places in a netCDF file, which has no lines, behind that of the scene that names it.
 void place_behind(const Place& scene, IopGrid& grid) {
   grid.place = [scene, in_file = grid.place](const std::string& name, std::size_t i) {
@@ -124,7 +131,7 @@ std::optional<Node> read_layers(const Node& given, const OtherFiles& files, Find
   const auto keys = keys_of(table, files, findings);
   if (!keys) return std::nullopt;
   try {
-    IopGrid grid = read_iop_grid(keys->file, files.netcdf);
+    IopGrid grid = read_iop_grid(keys->file, names_in_file(*keys), files.netcdf);
     place_behind(table.find(file_key)->place, grid);
     if (!check_phase_function(grid, table, findings)) return std::nullopt;
     return layers_of(grid, table.find("phase_function"), given.place, findings);

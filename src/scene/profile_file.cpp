@@ -131,18 +131,21 @@ std::vector<std::string> without_repeats(const std::vector<std::string>& texts) 
 
 }  // namespace
 
-ReadProfile profile_of_csv(const ProfileFile& from, const ProfiledKey& key) {
-  const auto table = optics::DataTable::read(from.file);
-  Measured measured{"rows", from.depth, from.column, {}, {}, {}};
-  measured.depth_m = table.numbers(from.depth);
-  measured.value = table.numbers(from.column);
+ReadProfile profile_of_text(const ProfileFile& from, const ProfiledKey& key) {
+  constexpr const char *depth = "depth", *value = "column";
+  const auto file = optics::DataTable::read(from.file);
+  const auto table = file.with({{depth, from.depth}, {value, from.column}});
+  Measured measured{
+      "rows", file.name_of_column(from.depth), file.name_of_column(from.column), {}, {}, {}};
+  measured.depth_m = table.numbers(depth);
+  measured.value = table.numbers(value);
   const std::size_t rows = measured.depth_m.size();
-  if (rows < 2) table.fail(0, from.depth, "a profile needs at least two rows");
+  if (rows < 2) table.fail(0, depth, "a profile needs at least two rows");
   if (rows > most_levels)
-    table.fail(most_levels, from.depth, fmt::format("at most {} rows are read", most_levels));
+    table.fail(most_levels, depth, fmt::format("at most {} rows are read", most_levels));
   for (std::size_t i = 0; i < rows; ++i) measured.level.push_back(i);
   const auto refuse = [&](std::size_t row, const Refusal& refusal) {
-    table.fail(row, from.column, refusal.reason, refusal.suggestion);
+    table.fail(row, value, refusal.reason, refusal.suggestion);
   };
   std::vector<std::string> remarks;
   LinearProfile profile = profile_of(measured, from, key, refuse, remarks);
@@ -152,7 +155,7 @@ ReadProfile profile_of_csv(const ProfileFile& from, const ProfiledKey& key) {
 ReadProfile profile_of_netcdf(const ProfileFile& from, const ProfiledKey& key,
                               const NetcdfFiles& netcdf) {
   const NetcdfColumns file(from.file, netcdf);
-  const ProfileVariable variable(file, from.variable), depths(file, from.depth);
+  const ProfileVariable variable(file, from.variable), depths(file, from.depth.name);
   const Casts casts(file, variable, depths);
   const Cast cast = casts.chosen(from.profile);
   Levels value = variable.levels(cast.value), depth = depths.levels(cast.depth);

@@ -25,9 +25,9 @@ struct ReadProfile {
   std::vector<std::string> remarks;
 };
 
-/// A column of a CSV file; each value obeys the key's rule. Throws InputError at its line and
+/// A column of a file of text; each value obeys the key's rule. Throws InputError at its line and
 /// column.
-ReadProfile profile_of_csv(const ProfileFile& from, const ProfiledKey& key);
+ReadProfile profile_of_text(const ProfileFile& from, const ProfiledKey& key);
 
 /// A variable of a netCDF file with the dimensions (levels) or (profiles, levels), of which the
 /// levels may be those of several casts, in units that become the key's. Depths are lengths, or

@@ -47,7 +47,7 @@ class ProfileReader {
 
   std::optional<Profile> read() {
     if (node_.find("model")) return model();
-    if (node_.find("file")) return file();
+    if (node_.find(file_key)) return file();
     return points();
   }
 
@@ -96,14 +96,19 @@ class ProfileReader {
       refuse(node_.find("negative")->place, "may be below 0: 'negative' is not for it", "");
       return std::nullopt;
     }
+    if (!form->column.given() && form->depth.number > 0) {
+      refuse(node_.find("depth")->place, "has a number for the variable of depths",
+             "variables of netCDF files are called by their names");
+      return std::nullopt;
+    }
     try {
-      ReadProfile read = form->column.empty() ? profile_of_netcdf(*form, key_, files_.netcdf)
-                                              : profile_of_csv(*form, key_);
+      ReadProfile read = form->column.given() ? profile_of_text(*form, key_)
+                                              : profile_of_netcdf(*form, key_, files_.netcdf);
       for (const std::string& remark : read.remarks)
         findings_.remark_at(node_.place, form->file + ": " + remark);
       return covering(std::move(read.profile), form->beyond);
     } catch (const InputError& error) {
-      findings_.add_from_file(path_, node_.find("file")->place, error);
+      findings_.add_from_file(path_, node_.find(file_key)->place, error);
       return std::nullopt;
     }
   }

@@ -119,8 +119,31 @@ void read_on(const Node& document, const Layered& layered, const Check& check, S
   }
 }
 
-/// Oil damps the waves like a slick, on which there are no whitecaps. A file may tell its oil's
-/// yield and lifetime in lines of its own.
+/// A table may tell its oil's yield and lifetime beside its columns. Light that is not emitted
+/// takes no time.
+void fill_in_light(Oil& oil, Findings& findings) {
+  const auto& table = oil.table.data();
+  const auto read = [&](std::optional<double>& value, const char* key) {
+    const std::string path = below("oil", key);
+    if (value) return;
+    if (!table.has_header(key) && table.column_line() == 0)
+      return findings.add(path, fmt::format("'{}' is missing in [oil]", key),
+                          "add it, there or in 'file'");
+    if (!table.has_header(key))
+      return findings.add(path, {table.name(), 1, 1}, fmt::format("no line \"# {}: …\"", key),
+                          fmt::format("add it, or give {} in [oil]", key));
+    try {
+      value = table.number_in_header(key);
+    } catch (const InputError& error) {
+      findings.add_from_file(path, findings.place_of("oil.file"), error);
+    }
+  };
+  read(oil.yield, "yield");
+  if (oil.yield == 0 && !oil.lifetime_ns && !table.has_header("lifetime_ns")) oil.lifetime_ns = 0;
+  read(oil.lifetime_ns, "lifetime_ns");
+}
+
+/// Oil damps the waves like a slick, on which there are no whitecaps.
 void fill_in_oil(const Node& document, Scene& scene, Findings& findings) {
   Surface& surface = scene.sea.surface;
   const Node* sea = document.find("sea");
@@ -129,16 +152,7 @@ void fill_in_oil(const Node& document, Scene& scene, Findings& findings) {
     surface.slick = true;
   if (!surface.whitecaps && !surface.whitecap_fraction) surface.whitecaps = false;
   if (scene.oil->table.columns().empty()) return;
-  const auto read = [&](std::optional<double>& value, const char* key) {
-    if (value) return;
-    try {
-      value = scene.oil->table.data().number_in_header(key);
-    } catch (const InputError& error) {
-      findings.add_from_file(below("oil", key), findings.place_of("oil.file"), error);
-    }
-  };
-  read(scene.oil->yield, "yield");
-  read(scene.oil->lifetime_ns, "lifetime_ns");
+  fill_in_light(*scene.oil, findings);
 }
 
 /// LOWTRAN 7's visibility of clear air, but where levels tell of their own aerosols.

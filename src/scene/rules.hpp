@@ -95,12 +95,22 @@ struct Text {
   bool may_be_empty = false;
 };
 
-/// A file that can be read, relative to the scene file; the value becomes its absolute path.
+/// A regular file that can be read, relative to the scene file; the value becomes its absolute
+/// path.
 struct File {
   using Value = std::string;
 };
 
-/// A table of numbers in a CSV file, or its columns in the scene.
+/// A column of a file: its name there, or its number from 1.
+struct ColumnOfFile {
+  using Value = optics::ColumnInFile;
+};
+
+/// The key that names a file in a table of its own, beside those that name columns.
+inline constexpr const char* file_key = "file";
+
+/// A table of numbers in a file of text: its name, { file = …, … } with what the file calls the
+/// columns; or the columns in the scene.
 struct TableOrFile {
   using Value = UserTable;
   struct Column {
@@ -108,24 +118,33 @@ struct TableOrFile {
     const char* meaning;
     bool may_lack = false;
   };
+  /// A number beside the columns in the scene, as files have it in their comments.
+  struct NumberBeside {
+    const char* name;
+    const char* meaning;
+    Number rule;
+  };
   std::vector<Column> columns;
   optics::DataTable (*read)(const std::string& path) = optics::DataTable::read;  ///< a file
+  std::vector<NumberBeside> numbers = {};
 };
+inline constexpr const char* file_with_columns_meaning =
+    "a file of text with these columns, by their names there or their numbers";
+/// "what the file calls its wavelength_nm, or its number from 1; by default wavelength_nm".
+[[nodiscard]] std::string meaning_in_file(const TableOrFile::Column& column);
 
-/// A number, or what it is at one or more of the columns that a table may lack: { file = "a.csv" },
-/// or the columns.
+/// A number, or what it is at one or more of the columns that a table may lack: { file = … }, or
+/// the columns.
 struct NumberOrTable {
   using Value = std::variant<double, UserTable>;
   Number number;
   TableOrFile table;
 
-  static constexpr const char* file_key = "file";
-  static constexpr const char* file_meaning = "a CSV file of these columns";
   /// The columns of which there must be one.
   [[nodiscard]] std::vector<std::string> depends_on() const;
 };
 
-/// A word, a file, or the columns of a table in the scene.
+/// A word, or a table as above.
 struct WordOrTable {
   using Value = std::variant<std::string, UserTable>;
   Choice words;
@@ -170,6 +189,8 @@ std::optional<Refusal> check(const ChoiceOf<E>& rule, const Node& node, E& value
 std::optional<Refusal> check(const Text& rule, const Node& node, std::string& value);
 std::optional<Refusal> check(const File& rule, const Node& node, std::string& value,
                              const std::optional<std::string>& folder);
+std::optional<Refusal> check(const ColumnOfFile& rule, const Node& node,
+                             optics::ColumnInFile& value);
 std::optional<Refusal> check(const Position& rule, const Node& node, Vec3<double>& value);
 std::optional<Refusal> check(const Direction& rule, const Node& node, Vec3<double>& value);
 
@@ -189,6 +210,7 @@ Node schema_of(const Numbers& rule);
 Node schema_of(const Choice& rule);
 Node schema_of(const Text& rule);
 Node schema_of(const File& rule);
+Node schema_of(const ColumnOfFile& rule);
 Node schema_of(const TableOrFile& rule);
 Node schema_of(const NumberOrTable& rule);
 Node schema_of(const WordOrTable& rule);

@@ -144,12 +144,21 @@ std::optional<Refusal> check(const File&, const Node& node, std::string& value,
   namespace fs = std::filesystem;
   std::error_code failure;
   const fs::path path = fs::absolute(fs::path(*folder) / value, failure).lexically_normal();
-  const bool readable = !failure && fs::exists(path, failure) && !fs::is_directory(path, failure) &&
-                        std::ifstream(path).good();
+  if (optics::is_no_regular_file(path))
+    return Refusal{fmt::format("names no regular file: {}", path.string()),
+                   optics::files_are_regular};
+  const bool readable = !failure && std::ifstream(path).good();
   if (!readable)
     return Refusal{fmt::format("names a file that cannot be read: {}", path.string()),
                    "a relative path starts at the scene file"};
   value = path.string();
+  return std::nullopt;
+}
+
+std::optional<Refusal> check(const ColumnOfFile&, const Node& node, optics::ColumnInFile& value) {
+  if (node.as<std::string>()) return check(Text{}, node, value.name);
+  if (check(Count{}, node, value.number))
+    return refusal("the name of a column, or its number from 1 on", node);
   return std::nullopt;
 }
 

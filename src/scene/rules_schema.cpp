@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "scene/annotate.hpp"
@@ -31,9 +33,32 @@ Node columns_schema(const TableOrFile& rule) {
     columns.add(column.name, std::move(schema));
     if (!column.may_lack) needed.emplace_back(column.name);
   }
+  for (const TableOrFile::NumberBeside& number : rule.numbers) {
+    Node schema = schema_of(number.rule);
+    annotate(schema, number.meaning, unit_of(number.name), Level::basic);
+    columns.add(number.name, std::move(schema));
+  }
   Node table = typed("object");
   table.add("properties", std::move(columns));
   table.add("required", to_node(needed));
+  table.add("additionalProperties", to_node(false));
+  return table;
+}
+
+/// A table that names a file and what it calls the columns.
+Node file_schema(const TableOrFile& rule) {
+  Node keys = empty_table();
+  Node name = schema_of(File{});
+  annotate(name, file_with_columns_meaning, "", Level::basic);
+  keys.add(file_key, std::move(name));
+  for (const TableOrFile::Column& column : rule.columns) {
+    Node schema = schema_of(ColumnOfFile{});
+    annotate(schema, meaning_in_file(column), "", Level::basic);
+    keys.add(without_its_unit(column.name), std::move(schema));
+  }
+  Node table = typed("object");
+  table.add("properties", std::move(keys));
+  table.add("required", to_node(std::vector<std::string>{file_key}));
   table.add("additionalProperties", to_node(false));
   return table;
 }
@@ -93,27 +118,32 @@ Node schema_of(const Text& rule) {
 
 Node schema_of(const File&) { return schema_of(Text{}); }
 
+std::string meaning_in_file(const TableOrFile::Column& column) {
+  return fmt::format(
+      "the column of {}: its name in the file, or its number from 1; by default \"{}\"",
+      column.name, column.name);
+}
+
+Node schema_of(const ColumnOfFile&) {
+  return one_of_these({schema_of(Text{}), schema_of(Count{})});
+}
+
 Node schema_of(const TableOrFile& rule) {
-  return one_of_these({schema_of(File{}), columns_schema(rule)});
+  return one_of_these({schema_of(File{}), file_schema(rule), columns_schema(rule)});
 }
 
 Node schema_of(const NumberOrTable& rule) {
-  Node name = schema_of(File{});
-  annotate(name, NumberOrTable::file_meaning, "", Level::basic);
-  Node file = typed("object");
-  file.add("properties", empty_table()).add(NumberOrTable::file_key, std::move(name));
-  file.add("required", to_node(std::vector<std::string>{NumberOrTable::file_key}));
-  file.add("additionalProperties", to_node(false));
   Node::Array ways;
   for (const std::string& column : rule.depends_on())
     ways.emplace_back(empty_table()).add("required", to_node(std::vector<std::string>{column}));
   Node table = columns_schema(rule.table);
   table.add("anyOf", {.value = std::move(ways)});
-  return one_of_these({schema_of(rule.number), std::move(file), std::move(table)});
+  return one_of_these({schema_of(rule.number), file_schema(rule.table), std::move(table)});
 }
 
 Node schema_of(const WordOrTable& rule) {
-  return one_of_these({schema_of(rule.words), schema_of(File{}), columns_schema(rule.table)});
+  return one_of_these({schema_of(rule.words), schema_of(File{}), file_schema(rule.table),
+                       columns_schema(rule.table)});
 }
 
 Node schema_of(const Position&) { return three_numbers(); }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "optics/table_text.hpp"
 #include "scene/place_of_key.hpp"
 #include "scene/suggest.hpp"
 #include "scene/units.hpp"
@@ -61,7 +62,8 @@ std::string TableReader::other_unit(const std::string& key, const Node& node,
   for (const OtherUnit& unit : other_units_of(key)) {
     // Rounded: 5.32e-7 m are 532 nm.
     const std::string meant = fmt::format("{:.9g}", unit(given));
-    if (unit(given) <= unit.most && is_good(to_node(std::stod(meant))))
+    const auto value = optics::finite_number(meant);
+    if (value && unit(given) <= unit.most && is_good(to_node(*value)))
       return fmt::format("did you mean {}? {} would be {}", meant, found_text(node), unit.name);
   }
   return "";

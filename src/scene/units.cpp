@@ -126,6 +126,11 @@ std::string unit_of(const std::string& key) {
   return unit ? unit->text : "1";
 }
 
+std::string without_its_unit(const std::string& key) {
+  const KeyUnit* unit = key_unit(key);
+  return unit ? key.substr(0, key.size() - std::string(unit->ending).size()) : key;
+}
+
 std::vector<OtherUnit> other_units_of(const std::string& key) {
   constexpr double longest_nm = 2e4;
   if (key.ends_with("_nm")) return {{"in um", 1e3, 0, longest_nm}, {"in m", 1e9, 0, longest_nm}};

@@ -31,6 +31,9 @@ struct Conversion {
 /// The unit that the name of a key ends in, as people write it; "1" if it ends in none.
 [[nodiscard]] std::string unit_of(const std::string& key);
 
+/// The name of a key without its unit: "wavelength" of "wavelength_nm".
+[[nodiscard]] std::string without_its_unit(const std::string& key);
+
 /// A unit that people may give a key in that is in another.
 struct OtherUnit {
   const char* name;  ///< "in um"

@@ -1,5 +1,5 @@
-// A table of numbers that a user gives: in a CSV file, or in the scene itself. A scene keeps its
-// numbers, so that it means the same wherever the file goes.
+// A table of numbers that a user gives: in a file of text, or in the scene itself. A scene keeps
+// its numbers, so that it means the same wherever the file goes.
 #pragma once
 
 #include <memory>

@@ -55,6 +55,49 @@ TEST_F(PhytoplanktonTableOfAUser, HasToReachAllLight) {
                   "wavelength, or give the layer's iop at this one)"});
 }
 
+/// A film of 10 um of an oil in a CSV, over the base scene.
+class OilOfAUser : public TableOfAUser {
+ protected:
+  std::vector<scene::Edit> with(const std::string& text, const std::string& more = "") const {
+    std::ofstream(file_) << text;
+    return {{26, 26, "[oil]\nthickness_um = 10\nfile = \"" + file_ + "\"\n" + more + "[gates]"}};
+  }
+};
+
+// Through the film and back: exp(-2 x 5e4 1/m x 1e-5 m). Seen red: with an emission asked for that
+// has an integral above 0.
+TEST_F(OilOfAUser, AbsorbsThoughItDoesNotShine) {
+  for (const char* text :
+       {"# yield: 0\n# lifetime_ns: 0\nwavelength_nm,n,a_per_m,emission_per_nm\n300,1.50,1e5,0\n"
+        "532,1.48,5e4,0\n800,1.47,1e3,0\n",
+        "# yield: 0\n# nm n a\n300 1.50 1e5\n532 1.48 5e4\n800 1.47 1e3\n",
+        "wavelength_nm;n;a_per_m\n300;1,50;1e5\n532;1,48;5e4\n800;1,47;1e3\n"}) {
+    SCOPED_TRACE(text);
+    auto edits = with(text, "yield = 0\n");
+    if (std::string(text).find("# nm") != std::string::npos)
+      edits[0].text = "[oil]\nthickness_um = 10\nfile = { file = \"" + file_ +
+                      "\", wavelength = \"nm\", a = 3 }\n[gates]";
+    EXPECT_EQ(problems(edits), Texts{});
+    const Film film =
+        medium_of(scene::read_scene_text(edited(edits), "scene.toml", "/", {}, check).scene).film;
+    EXPECT_TRUE(film.exists);
+    EXPECT_EQ(film.index, (std::vector<double>{1.48}));
+    EXPECT_NEAR(std::exp(-2 * film.optical_thickness.at(0)), 0.367879, 1e-6);
+  }
+}
+
+// Seen red: with no spectrum for one that is 0.
+TEST_F(OilOfAUser, NeedsASpectrumIfItShines) {
+  EXPECT_EQ(problems(with("wavelength_nm,n,a_per_m\n300,1.5,1e5\n800,1.5,1e3\n",
+                          "yield = 0.1\nlifetime_ns = 2\n")),
+            Texts{file_ + ":1:1: no column \"emission_per_nm\" (there are, between commas: "
+                          "wavelength_nm, n, a_per_m; with a yield of 0 it is not needed)"});
+  EXPECT_EQ(problems({}, {"oil={ thickness_um = 1, yield = 0.1, lifetime_ns = 2, file = { "
+                          "wavelength_nm = [300, 800], n = [1.5, 1.5], a_per_m = [1e5, 1e3] } }"}),
+            Texts{"--set oil: no column \"emission_per_nm\" (there are: wavelength_nm, n, a_per_m; "
+                  "with a yield of 0 it is not needed)"});
+}
+
 /// A CSV of angle_deg, phase_function_per_sr, and a scene whose second layer scatters by it.
 class PhaseTableOfAUser : public TableOfAUser {
  protected:

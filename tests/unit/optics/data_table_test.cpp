@@ -28,8 +28,10 @@ TEST(DataTable, NamesThePlaceOfWhatIsNoNumber) {
   for (const char* bad : {"2 m", "nan", "inf", "1e999", "0x10", "1;5", "+-5", "+", "--5", "1,5"})
     expect_contains(why_not("# comment\nx,y\n1,2\n2,\"" + std::string(bad) + "\"\n"),
                     "t.csv:4:3: \"" + std::string(bad) + "\" is not a finite number");
-  EXPECT_EQ(why_not("x,y\n1,2\n2,\n"),
-            "t.csv:3:3: \"\" is not a finite number (fill the gap, or leave the row out)");
+  for (const char* gap : {"", "nan", "NaN", "-nan", "NA"})
+    EXPECT_EQ(why_not("x,y\n1,2\n2," + std::string(gap) + "\n"),
+              "t.csv:3:3: \"" + std::string(gap) +
+                  "\" is not a finite number (fill the gap, or leave the row out)");
 }
 
 // Seen red: with the plus left before the number.
@@ -181,8 +183,8 @@ TEST(DataTable, NamesAllThatCannotBeRead) {
   EXPECT_EQ(message<InputError>([] { parse("x,y\n1\n1,2\n1,\"2\n"); }),
             "t.csv:2:1: 1 fields where 2 columns are named (separate them by commas, as the names "
             "are)\nt.csv:4:3: a double quote is not closed");
-  EXPECT_EQ(message<InputError>([] { static_cast<void>(parse("x\na\n1\nb\n").numbers("x")); }),
-            "t.csv:2:1: \"a\" is not a finite number\nt.csv:4:1: \"b\" is not a finite number");
+  EXPECT_EQ(why_not("x,y\n1,a\n1,2\n1,b\n"),
+            "t.csv:2:3: \"a\" is not a finite number\nt.csv:4:3: \"b\" is not a finite number");
   // Without the names of columns nothing can be said of the rows.
   EXPECT_EQ(message<InputError>([] { parse("x,\"y\n1\n1,2,3\n"); }),
             "t.csv:1:3: a double quote is not closed");
@@ -197,8 +199,8 @@ TEST(DataTable, DoesNotGoOnAboutAnotherKindOfFile) {
   EXPECT_EQ(message<InputError>([&] { parse(text + "1\n"); }),
             "t.csv:2:1: 1 fields where 2 columns are named; 1000 more lines are like it (separate "
             "them by commas, as the names are)");
-  EXPECT_EQ(why_not("y\na\nb\n"),
-            "t.csv:2:1: \"a\" is not a finite number; 1 more line is like it");
+  EXPECT_EQ(why_not("x,y\n1,a\n1,b\n1,c\n1,d\n1,2\n"),
+            "t.csv:2:3: \"a\" is not a finite number; 3 more lines are like it");
 }
 
 // Seen red: with negative numbers let through.
@@ -218,18 +220,20 @@ TEST(DataTable, NamesOtherFaults) {
   EXPECT_EQ(message<InputError>([] { parse("x,y\n1,2\n1,2,3\n"); }),
             "t.csv:3:1: 3 fields where 2 columns are named (a number needs a decimal point, a text "
             "with a comma needs double quotes)");
-  EXPECT_EQ(message<InputError>([] { parse("x,y\n1,\"2\n"); }),
+  EXPECT_EQ(message<InputError>([] { parse("x,y\n1,\"2\n1,2\n"); }),
             "t.csv:2:3: a double quote is not closed");
-  EXPECT_EQ(message<InputError>([] { parse("x,y\n"); }), "t.csv:1:1: has no rows of data");
-  EXPECT_EQ(message<InputError>([] { parse(""); }), "t.csv:1:1: has no rows of data");
+  EXPECT_EQ(message<InputError>([] { parse("x,y\n"); }),
+            "t.csv:1:1: no table of numbers: no rows of data");
+  EXPECT_EQ(message<InputError>([] { parse(""); }),
+            "t.csv:1:1: no table of numbers: no rows of data");
   EXPECT_EQ(message<InputError>([] { static_cast<void>(parse("# a\nx,y\n1,2\n").numbers("z")); }),
-            "t.csv:2:1: no column \"z\" (there are: x, y)");
+            "t.csv:2:1: no column \"z\" (there are, between commas: x, y)");
   EXPECT_EQ(message<InputError>([] { static_cast<void>(parse("x,y\n1,2\n").header("SOURCE")); }),
             "t.csv:1:1: no line \"# SOURCE: …\"");
   EXPECT_EQ(message<InputError>([] { DataTable::read("/nowhere/t.csv"); }),
             "/nowhere/t.csv: cannot be read (is the path right, and the file readable?)");
   EXPECT_EQ(message<InputError>([] { DataTable::read("/"); }),
-            "/: cannot be read (is the path right, and the file readable?)");
+            "/: no regular file (folders, pipes and devices are not read)");
 }
 
 }  // namespace

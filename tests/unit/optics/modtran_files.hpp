@@ -92,4 +92,12 @@ struct BadFile {
   std::string text, says;
 };
 
+/// Nothing of a file without rows of numbers, which may be no tape at all, is said again.
+inline void expect_no_quotation(const std::string& said) {
+  EXPECT_NE(said.find("no table of numbers (expected: rows of numbers below, as many as names)"),
+            std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("secret"), std::string::npos) << said;
+}
+
 }  // namespace photic::optics

@@ -113,7 +113,8 @@ TEST_F(OilFile, IsRefusedWithItsPlace) {
   EXPECT_EQ(why_not(header_ + "300,1.46,5000,0\n400,0.9,1,10\n"),
             "diesel.csv:5:5: a refractive index is 1 or more");
   EXPECT_EQ(why_not(header_ + "300,1.46,5000,0\n400,1.45,1,0\n"),
-            "diesel.csv:4:15: an emission spectrum has an integral above 0");
+            "diesel.csv:4:15: an emission spectrum has an integral above 0 (of oil that does not "
+            "shine the yield is 0)");
   EXPECT_EQ(why_not(header_ + "300,1.46,5000,0\n300,1.45,1,1\n"),
             "diesel.csv:5:1: wavelength_nm 300 is not above the 300 before it (this column must "
             "ascend)");

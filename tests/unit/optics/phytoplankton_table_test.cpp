@@ -46,12 +46,13 @@ TEST(PhytoplanktonTable, NamesItsRange) {
 // the whole let through.
 TEST(PhytoplanktonTable, TellsWhatIsWrongWithAFile) {
   EXPECT_EQ(why_not("wavelength_nm,a_m2_per_mg\n400,1\n500,1\n"),
-            "algae.csv:1:1: no column \"b_m2_per_mg\" (there are: wavelength_nm, a_m2_per_mg)");
+            "algae.csv:1:1: no column \"b_m2_per_mg\" (there are, between commas: wavelength_nm, "
+            "a_m2_per_mg)");
   EXPECT_EQ(why_not(three_columns + "400,0.04,0.3\n500,-0.02,0.25\n600,0.01,0.2\n700,-1,0.2\n"),
             "algae.csv:3:5: a_m2_per_mg -0.02 is negative\n"
             "algae.csv:5:5: a_m2_per_mg -1 is negative");
   EXPECT_EQ(why_not(three_columns + "400,0.04,0.3\n500,0.02,nan\n"),
-            "algae.csv:3:10: \"nan\" is not a finite number");
+            "algae.csv:3:10: \"nan\" is not a finite number (fill the gap, or leave the row out)");
   EXPECT_EQ(why_not(three_columns + "500,0.04,0.3\n400,0.02,0.25\n"),
             "algae.csv:3:1: wavelength_nm 400 is not above the 500 before it (this column must "
             "ascend)");

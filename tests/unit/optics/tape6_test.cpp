@@ -212,5 +212,14 @@ TEST(Tape6, MayEndAnywhere) {
     EXPECT_THROW(tape6(lowtran.substr(0, n)), InputError) << n;
 }
 
+// Seen red, each for itself: without the checks of rows.
+TEST(Tape6, IsNotQuotedWithoutARowOfNumbers) {
+  const std::string head = "*** MODTRAN\n ATMOSPHERIC PROFILES\n";
+  for (const char* rows : {"1 2 3 4 5\n1 secret\n", "1 2 3 4 secret 6 7 8 9\n"}) {
+    const std::string text = head + " I Z P T MOL SCAT secret1 secret2\n" + rows;
+    expect_no_quotation(message<InputError>([&] { tape6(text); }));
+  }
+}
+
 }  // namespace
 }  // namespace photic::optics

@@ -142,15 +142,18 @@ TEST_F(BedOfAFile, IsRefusedAtItsLine) {
       {"wavelength_nm,zenith_deg,albedo\n500,0,0.1\n500,90,0.1\n600,0,0.1\n",
        "sand.csv:4:5: every wavelength must have the same angles"},
       {"albedo\n0.1\n0.2\n",
-       "sand.csv:1:1: no column wavelength_nm or zenith_deg (there are: albedo)"},
+       "sand.csv:1:1: no column wavelength_nm or zenith_deg (there are: albedo; the scene may name "
+       "it: { file = …, wavelength = … })"},
       {"wavelength_nm,zenith_deg\n500,0\n600,1\n",
-       "sand.csv:1:1: no column \"albedo\" (there are: wavelength_nm, zenith_deg)"}};
+       "sand.csv:1:1: no column \"albedo\" (there are, between commas: wavelength_nm, zenith_deg; "
+       "the scene may name it: { file = …, albedo = … })"}};
   for (const auto& [text, expected] : cases)
     EXPECT_EQ(files_.problems(sand(text)), Texts{expected});
-  EXPECT_EQ(files_.problems(over_bed("{ file = \"no.csv\", zenith_deg = [0, 90] }")),
-            (Texts{"scene.toml:28:19: 'file' names a file that cannot be read: no.csv (a relative "
-                   "path starts at the scene file)",
-                   "scene.toml:28:29: unknown key 'zenith_deg' in 'albedo' (known here: file)"}));
+  EXPECT_EQ(
+      files_.problems(over_bed("{ file = \"no.csv\", zenith_deg = [0, 90] }")),
+      (Texts{"scene.toml:28:19: 'file' names a file that cannot be read: no.csv (a relative "
+             "path starts at the scene file)",
+             "scene.toml:28:29: unknown key 'zenith_deg' in 'albedo' (did you mean 'zenith'?)"}));
 }
 
 // Seen red, each for itself: with albedos above 1 taken; angles above 90; any order of rows; angles
@@ -215,7 +218,7 @@ TEST(Bottom, EveryTextOfWhatIsWrong) {
       diagnostics_of(edited({{25, 25, base_lines()[24] + "\n[bottom]\nalbdo = 1"}})),
       (Texts{"scene.toml:26:1: 'albedo' is missing in [bottom] (add it: the share of the "
              "light that the sea bed reflects, alike in all directions (Lambert): a number, a "
-             "table of wavelength_nm, zenith_deg or both, or { file = \"….csv\" })",
+             "table of wavelength_nm, zenith_deg or both, or { file = \"…\" })",
              "scene.toml:27:1: unknown key 'albdo' in [bottom] (did you mean 'albedo'?)"}));
   EXPECT_EQ(
       diagnostics_of(edited({{25, 25, base_lines()[24] + "\n[bottom]\nalbedo = 1"}})),

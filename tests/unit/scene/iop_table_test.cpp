@@ -185,17 +185,18 @@ INSTANTIATE_TEST_SUITE_P(
               {"lib.csv:2:1: no \"depth_m\" (did you mean 'depth'?)"}},
         Table{"NoScattering",
               "depth_m, wavelength_nm, a_per_m\n0, 500, 1\n",
-              {"lib.csv:1:1: neither \"b_per_m\" nor \"c_per_m\" (there are: depth_m, "
-               "wavelength_nm, a_per_m)"}},
+              {"lib.csv:1:1: neither \"b_per_m\" nor \"c_per_m\" (there are, between "
+               "commas: depth_m, wavelength_nm, a_per_m)"}},
         Table{"AttenuationBelowAbsorption",
               "depth_m, wavelength_nm, a_per_m, c_per_m\n0, 500, 1, 0.5\n",
               {"lib.csv:2:11: c_per_m, 0.5, is below a_per_m, 1 (c is a + b)"}},
         Table{"Negative",
               rows("0, 500, -1, 0.1\n"),
               {"lib.csv:2:8: 'a_per_m' must be a finite number, at least 0, not -1"}},
-        Table{"NotANumber",
-              rows("0, 500, 1, nan\n"),
-              {"lib.csv:2:11: \"nan\" is not a finite number"}},
+        Table{
+            "NotANumber",
+            rows("0, 500, 1, nan\n"),
+            {"lib.csv:2:11: \"nan\" is not a finite number (fill the gap, or leave the row out)"}},
         Table{"NothingAtAll",
               rows("0, 500, 0, 0\n"),
               {"lib.csv:2:8: a_per_m + b_per_m is 0: there is no water without attenuation"}},
@@ -238,7 +239,7 @@ INSTANTIATE_TEST_SUITE_P(
               rows("0, 500, 1\n"),
               {"lib.csv:2:1: 3 fields where 4 columns are named (separate them by commas, as the "
                "names are)"}},
-        Table{"NoRows", rows(""), {"lib.csv:1:1: has no rows of data"}},
+        Table{"NoRows", rows(""), {"lib.csv:1:1: no table of numbers: no rows of data"}},
         Table{"Backscattering",
               "depth_m, wavelength_nm, a_per_m, b_per_m, bb_per_m\n0, 500, 1, 1, 0.02\n",
               {"scene.toml:20:50: 'phase_function' and the file's bb_per_m exclude each other "

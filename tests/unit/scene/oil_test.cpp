@@ -62,7 +62,64 @@ TEST(Oil, OfAFileWithoutThemIsRefused) {
   const OilFile file(std::string("# yield: 0.05\n") + columns + rows);
   const Texts all = told(file.overrides());
   ASSERT_EQ(all.size(), 1U);
-  EXPECT_TRUE(all[0].ends_with("photic-oil.csv:1:1: no line \"# lifetime_ns: …\"")) << all[0];
+  EXPECT_TRUE(
+      all[0].ends_with("photic-oil.csv:1:1: no line \"# lifetime_ns: …\" (add it, or give "
+                       "lifetime_ns in [oil])"))
+      << all[0];
+}
+
+// Seen red, each for itself: with the comments asked for although the scene has both; with those of
+// the file before the scene's.
+TEST(Oil, TellsInTheSceneWhatItsFileDoesNot) {
+  const OilFile bare(std::string(columns) + rows);
+  auto given = bare.overrides();
+  given.push_back({"oil.yield=0.1"});
+  EXPECT_TRUE(
+      told(given).at(0).ends_with("no line \"# lifetime_ns: …\" (add it, or give "
+                                  "lifetime_ns in [oil])"));
+  given.push_back({"oil.lifetime_ns=3"});
+  EXPECT_EQ(told(given), Texts{});
+  EXPECT_EQ(base_scene(given).oil->lifetime_ns, 3);
+  const OilFile full(std::string("# yield: much\n# lifetime_ns: 7\n") + columns + rows);
+  EXPECT_EQ(told(given), Texts{});
+  EXPECT_EQ(base_scene(given).oil->yield, 0.1);
+}
+
+/// Columns in the scene, with more beside them.
+Override oil_of_columns(const std::string& beside, const std::string& more = "") {
+  return {
+      "oil={ thickness_um = 1, file = { wavelength_nm = [300, 900], n = [1.5, 1.4], a_per_m = "
+      "[1e5, 1e3]" +
+      beside + " }" + more + " }"};
+}
+const std::string shining = ", emission_per_nm = [0, 1]";
+
+// Seen red, each for itself: with the two keys unknown; with theirs before those of [oil].
+TEST(Oil, OfColumnsInTheSceneMayHaveYieldAndLifetimeBesideThem) {
+  const std::string beside = shining + ", yield = 0.05, lifetime_ns = 7";
+  const Scene scene = base_scene({oil_of_columns(beside)});
+  EXPECT_EQ(scene.oil->yield, 0.05);
+  EXPECT_EQ(scene.oil->lifetime_ns, 7);
+  EXPECT_EQ(read_text(write_scene(scene)), scene);
+  const Scene other = base_scene({oil_of_columns(beside, ", yield = 0.1, lifetime_ns = 2")});
+  EXPECT_EQ(other.oil->yield, 0.1);
+  EXPECT_EQ(other.oil->lifetime_ns, 2);
+  EXPECT_EQ(told({oil_of_columns(shining)}),
+            (Texts{"--set oil: 'yield' is missing in [oil] (add it, there or in 'file')",
+                   "--set oil: 'lifetime_ns' is missing in [oil] (add it, there or in 'file')"}));
+  EXPECT_EQ(told({oil_of_columns(shining + ", yield = 2, lifetime_ns = -1")}),
+            (Texts{"--set oil: 'yield' must be a finite number, at least 0 and at most 1, not 2",
+                   "--set oil: 'lifetime_ns' must be a finite number, at least 0, not -1"}));
+}
+
+// Seen red: with the column of emission asked for; with the lifetime.
+TEST(Oil, ThatDoesNotShineNeedsNoSpectrum) {
+  EXPECT_EQ(base_scene({oil_of_columns(", yield = 0")}).oil->lifetime_ns, 0);
+  const Scene scene = base_scene({oil_of_columns("", ", yield = 0, lifetime_ns = 2")});
+  EXPECT_EQ(scene.oil->lifetime_ns, 2);
+  EXPECT_EQ(read_text(write_scene(scene)), scene);
+  const OilFile file("# yield: 0\nwavelength_nm,n,a_per_m\n300,1.5,1e5\n900,1.5,1e3\n");
+  EXPECT_EQ(told(file.overrides()), Texts{});
 }
 
 TEST(Oil, EveryTextOfWhatIsWrong) {

@@ -34,12 +34,13 @@ TEST(CsvProfile, ProblemsAreToldAtTheirLineAndColumn) {
                    "\"zero\" counts values below 0 as 0)"}));
   EXPECT_EQ(problems("0, 0.2\n10,\n30, nan\n"),
             (Texts{"chl.csv:3:4: \"\" is not a finite number (fill the gap, or leave the row out)",
-                   "chl.csv:4:4: \"nan\" is not a finite number"}));
+                   "chl.csv:4:4: \"nan\" is not a finite number (fill the gap, or leave the row "
+                   "out)"}));
   EXPECT_EQ(problems("10, 0.2\n10, 0.4\n"),
             (Texts{"chl.csv:2:4: all rows are at a depth of 10 m (a profile needs two depths)"}));
   EXPECT_EQ(problems("0, 0.2\n"), (Texts{"chl.csv:2:1: a profile needs at least two rows"}));
   EXPECT_EQ(problems("0, 0.2\n30, 0.4\n", "file = 'chl.csv', depth = 'depth_m', column = 'chla'"),
-            (Texts{"chl.csv:1:1: no column \"chla\" (there are: depth_m, chl)"}));
+            (Texts{"chl.csv:1:1: no column \"chla\" (there are, between commas: depth_m, chl)"}));
   EXPECT_EQ(problems("0, 0.2\n15, 0.4\n"),
             (Texts{"scene.toml:22:21: 'chlorophyll_mg_m3' is known from 0 to 15 m, and its layer "
                    "goes from 0 to 20 m (below = \"constant\" holds its last value down to the "
@@ -55,7 +56,8 @@ TEST(CsvProfile, KeysThatAreMissing) {
   EXPECT_EQ(
       files.problems(profiled("file = 'chl.csv', column = 'chl', variable = 'CHLA'")),
       (Texts{"scene.toml:22:21: 'depth' is missing in 'chlorophyll_mg_m3' (add it: the column "
-             "of depths in m, or the variable of depths or pressures)",
+             "of depths in m, by its name or its number from 1, or the variable of depths or "
+             "pressures)",
              "scene.toml:22:57: 'column' and 'variable' exclude each other in "
              "'chlorophyll_mg_m3' (keep one of them)"}));
 }

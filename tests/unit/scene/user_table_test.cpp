@@ -133,8 +133,10 @@ TEST_F(UserTableTest, WhatIsWrongIsToldAtItsPlace) {
   EXPECT_EQ(files_.problems(phase("\"bad.csv\"")),
             Texts{"bad.csv:2:3: \"x\" is not a finite number"});
   files_.write("bad.csv", "angle_deg,vsf\n0,1\n180,1\n");
-  EXPECT_EQ(files_.problems(phase("\"bad.csv\"")),
-            Texts{"bad.csv:1:1: no column \"phase_function_per_sr\" (there are: angle_deg, vsf)"});
+  EXPECT_EQ(
+      files_.problems(phase("\"bad.csv\"")),
+      Texts{"bad.csv:1:1: no column \"phase_function_per_sr\" (there are, between "
+            "commas: angle_deg, vsf; the scene may name it: { file = …, phase_function = … })"});
 }
 
 // Seen red: with every number on the line.

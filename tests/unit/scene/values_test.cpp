@@ -241,8 +241,8 @@ fwhm_nm = -3)"}},
         "starts at the scene file)"}},
       {"FileIsAFolder",
        {{25, 25, R"(phase_function = { model = "table", file = "." })"}},
-       {"scene.toml:25:44: 'file' names a file that cannot be read: / (a relative path starts at "
-        "the scene file)"}},
+       {"scene.toml:25:44: 'file' names no regular file: / (folders, pipes and devices are "
+        "not read)"}},
   };
   return all;
 }
