@@ -8,7 +8,6 @@
 #include "scene/format.hpp"
 #include "scene/other_water.hpp"
 #include "scene/override.hpp"
-#include "scene/parse.hpp"
 #include "scene/tree.hpp"
 
 namespace photic::scene {
@@ -54,9 +53,7 @@ Place place_of(const Entry& entry) {
 bool hold(const Node& written_scene, const Environment& environment) {
   Node document = written_scene;
   Findings findings(document, {});
-  for (const Change& change : environment.set)
-    if (auto value = parse_value(change.value, {}))
-      assign(change.path, std::move(*value), {}, document, findings);
+  make_changes(environment.set, document, findings);
   const Scene read = scene_of(document, std::nullopt, findings);
   return findings.problems().empty() && read.optics == environment.optics &&
          read.sea == environment.sea && read.bottom == environment.bottom &&
