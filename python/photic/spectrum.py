@@ -34,6 +34,11 @@ def filters(result, channels):
     return [told[name] for name in there] if len(there) > len(COLOURS) else []
 
 
+def widths(found):
+    """What the filters found let pass in all [nm]."""
+    return numpy.array([each["fwhm_nm"] * AREA[each.get("filter", "top-hat")] for each in found])
+
+
 def seen(view, found, echo="echo", converged="converged"):
     """What one telescope sees through the filters found; echo, converged: names of variables with the
     dimensions channel and gate.
@@ -42,8 +47,7 @@ def seen(view, found, echo="echo", converged="converged"):
     sum of the errors.
     """
     names = [each["name"] for each in found]
-    width = [each["fwhm_nm"] * AREA[each.get("filter", "top-hat")] for each in found]
-    width = xarray.DataArray(width, dims="channel", coords={"channel": names})
+    width = xarray.DataArray(widths(found), dims="channel", coords={"channel": names})
     part = view.sel(channel=names)
     density, error = (
         (part[name].sum("gate", skipna=False) / width).values
