@@ -45,7 +45,7 @@ def _rows(sheet, results, shown, groups, filters, most):
         group = next(each for each in groups if each[0] == name)
         seen = {name: through(results, name, shown.channels)[0] for name in group}
         said = partial(shown.title, name)
-        of_all = said if len(group) == 1 else partial(_title, group, len(groups))
+        of_all = partial(shown.title_of, group)
         columns, others = _columns(seen[name], filters)
         cells = [_map(seen[name], columns, said)]
         if others:
@@ -60,11 +60,6 @@ def _rows(sheet, results, shown, groups, filters, most):
     if filters:
         notes.append(spectrum.CAPTION if most > 1 else NO_ROOM)
     return out, notes
-
-
-def _title(names, groups, words):
-    """Of a panel that telescopes share: its legend names them, where there are no others."""
-    return words if groups == 1 else f"{', '.join(names)}: {words}"
 
 
 def _columns(view, filters):

@@ -52,7 +52,7 @@ def _rows(sheet, shown, filters, seen, broken, most):
     out = []
     for of_group, (mixed, by_order) in zip(seen, broken):
         said = [partial(shown.title, name) for name in of_group]
-        of_all = said[0] if len(of_group) == 1 else partial(_title, list(of_group), len(seen))
+        of_all = partial(shown.title_of, list(of_group))
         for view, one in zip(of_group.values(), said):
             out += rows(sheet, spectra(view, filters, one), LOW) if filters else []
         echoes = _echoes(of_group, groups, mixed, of_all)
@@ -65,11 +65,6 @@ def _rows(sheet, shown, filters, seen, broken, most):
             out += _environments(sheet, view, changed, one) if "environment" in view.sizes else []
             out += _sensitivities(sheet, view, changed, one) if "parameter" in view.sizes else []
     return out, notes
-
-
-def _title(names, groups, words):
-    """Of a panel that telescopes share: its legend names them, where there are no others."""
-    return words if groups == 1 else f"{', '.join(names)}: {words}"
 
 
 def spectra(view, filters, said, width=MIDDLE):
