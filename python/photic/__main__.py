@@ -18,8 +18,8 @@ def main(arguments=None):
     plot = commands.add_parser(
         "plot",
         help="draw echoes against depth, or optics",
-        description="Draws the echoes of one result by channel, process and order, or those of "
-        "several results over each other, channel by channel, and each by order beside them; all "
+        description="Draws the echoes of one result by channel, process and order, of eight "
+        "channels and more by depth and wavelength, or those of several results over each other, channel by channel, and each by order beside them; all "
         "telescopes, or those chosen. Of a "
         "file of `photic optics` it draws coefficients, phase functions and emitted light, or "
         "spectra.",

@@ -21,6 +21,12 @@ class Drawn:
         """Of a panel: with the telescope's name where there are several."""
         return f"{telescope}: {words}" if len(self.telescopes) > 1 else words
 
+    def title_of(self, group, words):
+        """Of a panel that telescopes share: with their names where there are others."""
+        if len(group) == 1:
+            return self.title(group[0], words)
+        return f"{', '.join(group)}: {words}" if len(group) < len(self.telescopes) else words
+
 
 def drawn(results, names, telescopes, channels, notes):
     """What is drawn of what is wanted (nothing: all); to the notes: what has no place.

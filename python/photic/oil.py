@@ -5,6 +5,7 @@ import xarray
 
 from photic.errors import Error
 from photic.names import chosen, listed, suggestion
+from photic.result import scene_of
 
 FORMULAS = ["interfaces", "paper"]
 UM_PER_M = 1e6
@@ -12,11 +13,15 @@ UM_PER_M = 1e6
 # mean wavelength: behind a filter it is a little another one under a film.
 BOUNDS = {"gate_time_bounds": 1e-9, "gate_depth_bounds": 1e-3}
 ROUNDING = 1e-9
+LARGEST_RATIO = 2  # of measured echoes: no film makes Raman light so much brighter; per cent are above it
 WITHOUT_FILM = "run the same scene with oil.thickness_um = 0"
 
 
-def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
-    """The thickness of the film that a run's Raman echoes tell, as an xarray.Dataset.
+def oil_thickness(
+    result, clean, *, channel="raman", formula="interfaces", ratio=None, ratio_error=None
+):
+    """The thickness of a film of oil by its Raman echoes, as an xarray.Dataset: of the run's film, or of
+    one over which a ratio of echoes was measured.
 
     With E the echo of the sea under the film, W that of the clean sea, a the film's absorption per
     metre of thickness [1/m], of the laser's light on its slanted way down and of the channel's on
@@ -26,13 +31,24 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
         thickness = (ln(W / E) + ln(r)) / a      formula="interfaces"
         thickness = ln(W / E) / a                formula="paper", which takes r as 1
 
+    A measured ratio of the echo under a film to that of the clean sea beside it is compared with E / W of
+    the run, whose film is d thick:
+
+        thickness = d + (ln(E / W) - ln(ratio)) / a
+
+    So whatever the formulas neglect, as waves, is counted as it is over the run's film: take a scene whose
+    film is about as thick as the one sought, over the sea and with the instrument of the measurement.
+
     result   of a run over a film of oil, whole, as photic.open and photic.run return it
     clean    the same sea without the film: the name of an environment of `result` with
              oil.thickness_um = 0, or the whole result of another run with the same telescopes and
              gates, and with another simulation.seed, since it is taken as independent. That nothing
              but the film differs is not checked: leave [oil] in the scene, since it damps waves too
     channel  name of the channel that counts the water's Raman light
-    formula  "interfaces" or "paper"
+    formula  "interfaces" or "paper"; a measured ratio needs neither
+    ratio    measured: above 0, and about 1 at most. A number, a value for each gate, or a DataArray on
+             telescope, gate or both; NaN where nothing was measured
+    ratio_error  its standard deviation, in the same forms
 
     On (telescope, gate), with their coordinates:
     thickness                 [um] any number: below 0 where noise has it so
@@ -40,7 +56,9 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
                               while these are far below E and W. Echoes of one run stem from the
                               same photons: their covariance is taken from the error of their
                               difference, and the error is NaN where no covariance fits all three.
-                              Those of two runs have none. a and r are taken as exact
+                              Those of two runs have none. Of a measured ratio both errors are in it,
+                              the measurement's and the run's, as independent of each other. a and r
+                              are taken as exact
     reliable                  [bool] whether E and W are both converged and above 0, and thickness
                               and error are known
     Thickness and error are NaN where E or W is not above 0, for telescopes or a laser in the water
@@ -50,7 +68,8 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
     back.
 
     Raises photic.Error if `result` or `clean` is no whole result, `result` has no film or `clean`
-    has one, there is no such environment, channel or formula, or telescopes or gates differ.
+    has one, there is no such environment, channel or formula, telescopes or gates differ, or a ratio
+    comes without its error, is not above 0 or too large, or does not fit the gates.
 
     Sources: Raman light that is missing as the measure of a film, Hoge & Swift 1980, Appl. Opt. 19,
     3269 [from memory]; the formula without interfaces, Barbini et al. 2000 (PREMAR-2F), Proc.
@@ -59,6 +78,7 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
     _check_film(result)
     if formula not in FORMULAS:
         raise Error(f"there is no formula {formula!r}{suggestion(str(formula), FORMULAS)}")
+    measured = _measured(result, ratio, ratio_error, formula)
     oily = _of_channel(result, "result", channel)
     if isinstance(clean, str):
         water = _environment(result, oily, clean)
@@ -69,10 +89,15 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
     film = (oily.film_attenuation > 0) & (oily.film_interface_ratio > 0)
     um = UM_PER_M / oily.film_attenuation.where(film)
     logarithm = numpy.log(water.echo.where(lit) / oily.echo.where(lit))
-    if formula == "interfaces":
-        logarithm = logarithm + numpy.log(oily.film_interface_ratio.where(film))
-    thickness = um * logarithm
-    error = um * numpy.sqrt(_variance_of_log_ratio(oily, water, lit))
+    variance = _variance_of_log_ratio(oily, water, lit)
+    if measured is not None:
+        thickness = measured.film_um - um * (numpy.log(measured.ratio) + logarithm)
+        variance = variance + (measured.error / measured.ratio) ** 2
+    elif formula == "interfaces":
+        thickness = um * (logarithm + numpy.log(oily.film_interface_ratio.where(film)))
+    else:
+        thickness = um * logarithm
+    error = um * numpy.sqrt(variance)
     reliable = oily.converged & water.converged & error.notnull()
 
     of = "thickness of the film of oil"
@@ -86,7 +111,7 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
                 long_name=f"whether the {of} and its standard error can be relied on"
             ),
         },
-        attrs={"formula": formula},
+        attrs={"formula": formula} if measured is None else {},
     ).transpose("telescope", "gate")
 
 
@@ -100,6 +125,52 @@ def _variance_of_log_ratio(oily, water, lit):
     of_oily, of_water = oily.echo_standard_error / e, numpy.sqrt(water.variance) / w
     least = (of_oily - of_water) ** 2
     return variance.clip(min=least).where(variance > least - ROUNDING * (of_oily + of_water) ** 2)
+
+
+def _measured(result, ratio, error, formula):
+    """What was measured, by gate or alike in all, and the thickness of the run's film [um]; None if
+    nothing was."""
+    if ratio is None and error is None:
+        return None
+    if ratio is None or error is None:
+        given, missing = ("ratio", "ratio_error") if error is None else ("ratio_error", "ratio")
+        raise Error(f"{given} without {missing}: give both, the measured ratio and its standard deviation")
+    if formula != "interfaces":
+        raise Error(
+            f"formula {formula!r} with a measured ratio: that is compared with the run's, which has the "
+            "interfaces in it (leave out formula)"
+        )
+    ratio, error = _by_gate(result, "ratio", ratio), _by_gate(result, "ratio_error", error)
+    if not bool((ratio.isnull() | ((ratio > 0) & (ratio <= LARGEST_RATIO))).all()):
+        raise Error(
+            "ratio: not above 0, or too large: it is the echo under the film over that of the clean sea, "
+            "as 0.83 and not 83 per cent"
+        )
+    if not bool((error.isnull() | ((error >= 0) & (error < numpy.inf))).all()):
+        raise Error("ratio_error: below 0 or infinite: it is a standard deviation")
+    film_um = scene_of(result)["oil"]["thickness_um"]
+    return xarray.Dataset({"ratio": ratio, "error": error, "film_um": film_um})
+
+
+def _by_gate(result, name, values):
+    """Numbers as a DataArray that fits the result."""
+    if not isinstance(values, xarray.DataArray):
+        values = numpy.asarray(values)
+        values = xarray.DataArray(values, dims=["gate"][: values.ndim]) if values.ndim < 2 else None
+    if values is None or values.dtype.kind not in "if" or not _fits(result, values):
+        raise Error(
+            f"{name}: give a number, one for each of the {result.sizes['gate']} gates, or a DataArray on "
+            "telescope and gate"
+        )
+    return values.reset_coords(drop=True).astype(float)
+
+
+def _fits(result, values):
+    """Whether there is a value for each telescope and gate of the result along the axes that there are."""
+    if set(values.dims) - {"telescope", "gate"}:
+        return False
+    named = set(values.telescope.values) == set(result.telescope.values) if "telescope" in values.dims else True
+    return named and all(values.sizes[axis] == result.sizes[axis] for axis in values.dims)
 
 
 def _check_film(result):

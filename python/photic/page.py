@@ -22,6 +22,7 @@ MOST_NAMED = 24  # lines of one legend
 BESIDE = 0.35  # a panel: numbers of its vertical axis, and margins
 WITHOUT_AXIS = 0.3
 BELOW_AND_ABOVE = 0.6  # a panel: its title, numbers and name of its horizontal axis
+BAR = 0.6  # of colours: its height where long names stand below the panel, over that of the row
 
 
 @dataclass(frozen=True)
@@ -212,6 +213,9 @@ def _draw_panels(page, row, part):
         panel.tick_params(which="both", labelsize=page.ticks)
         for words in panel.texts:
             words.set_fontsize(page.label)
+    for bar in [each for each in part.axes if each not in panels]:  # of colours
+        bar.tick_params(which="both", labelsize=page.ticks)
+        bar.set_ylabel(folded(bar.get_ylabel(), BAR * row.height, page.label), fontsize=page.label)
 
 
 def _strip(page, row):

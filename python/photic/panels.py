@@ -32,21 +32,21 @@ SEA_LEVEL |= {"zorder": 1.5}  # over areas, under curves
 VEIL = {"facecolor": (1, 1, 1, 1 - FADED)}
 
 
-def line(panel, part, echo, standard_error, colour):
+def line(panel, part, echo, standard_error, colour, style="-"):
     """An echo with its 95 % band; faded, with open circles, where not converged, a gap where not above
     0."""
     echo = echo.where(echo > 0).values
-    ends = _ends(echo, INTERVAL_95 * standard_error.values)
-    _curve(panel, part.gate_depth.values, echo, ends, part.converged.values, colour)
+    ends = band_ends(echo, INTERVAL_95 * standard_error.values)
+    _curve(panel, part.gate_depth.values, echo, ends, part.converged.values, colour, style=style)
 
 
-def _ends(middle, half_width):
+def band_ends(middle, half_width):
     """Of a band on a logarithmic axis. A lower end at or below 0 has no place there: cut where the
     caption says."""
     return numpy.maximum(middle - half_width, 0.1 * middle), middle + half_width
 
 
-def _curve(panel, depth, middle, ends, settled, colour, upright=True):
+def _curve(panel, depth, middle, ends, settled, colour, upright=True, style="-"):
     """The line with its band, both faded where not converged. Not upright: along the horizontal axis,
     with wavelengths for depths."""
     there = ~numpy.isnan(middle)
@@ -66,8 +66,8 @@ def _curve(panel, depth, middle, ends, settled, colour, upright=True):
     def plot(across, along, **look):
         panel.plot(*((across, along) if upright else (along, across)), color=colour, **look)
 
-    plot(thick, depth, linewidth=1.8, **dots)
-    plot(middle, depth, linewidth=0.8, alpha=FADED)
+    plot(thick, depth, linewidth=1.8, linestyle=style, **dots)
+    plot(middle, depth, linewidth=0.8, linestyle=style, alpha=FADED)
     plot(middle[marked], depth[marked], **_circles())
 
 
@@ -90,14 +90,17 @@ def thinned(chosen, step):
     return kept
 
 
-def lines_legend(lines, faded, title=None):
-    """lines: what they are called, and their colours; faded: whether any gate has not converged."""
+def lines_legend(lines, faded, title=None, styles=()):
+    """lines: what they are called, and their colours; faded: whether any gate has not converged; styles:
+    the same of lines of any colour."""
     kept = spread(len(lines), MOST_NAMED)
     named = [lines[k] for k in kept]
     handles = [Line2D([], [], color=colour, linewidth=1.8, label=name) for name, colour in named]
     if len(named) < len(lines):
         label = f"{len(named)} of {len(lines)} are named"
         handles.append(Line2D([], [], linestyle="none", label=label))
+    for name, style in styles:
+        handles.append(Line2D([], [], color="0.2", linewidth=1.8, linestyle=style, label=name))
     if faded:
         style = {**_circles(), "linestyle": "-", "linewidth": 0.8, "color": "0.2"}
         handles.append(Line2D([], [], label=NOT_CONVERGED, **style))
@@ -141,38 +144,44 @@ def _limits(echoes):
     return max(values.min() / 3, values.max() / LARGEST_RATIO), 3 * values.max()
 
 
-def processes(panel, part, lines):
+def processes(panel, part, lines, style="-"):
     """The echo of one channel by the process in which the light turned; lines: processes, and their
     colours."""
     for process, colour in lines:
         one = part.sel(process=process)
-        line(panel, part, one.echo_by_process, one.echo_by_process_standard_error, colour)
-    finish_lines(panel, [part.echo_by_process])
+        line(panel, part, one.echo_by_process, one.echo_by_process_standard_error, colour, style)
 
 
-def spectra(lines, every, panel):
+def spectra(lines, every, panel, styles=itertools.repeat("-")):
     """lines: what spectra are called, their colours, and the spectra; every: those that the axis is
-    chosen by."""
-    for _, colour, one in lines:
+    chosen by; styles: of lines."""
+    for (_, colour, one), style in zip(lines, styles):
         density = numpy.where(one.density > 0, one.density, numpy.nan)
-        ends = _ends(density, INTERVAL_95 * one.standard_error)
-        _curve(panel, one.wavelength, density, ends, one.settled, colour, upright=False)
-    limits = _limits([one.density for one in every])
+        ends = band_ends(density, INTERVAL_95 * one.standard_error)
+        _curve(panel, one.wavelength, density, ends, one.settled, colour, upright=False, style=style)
+    finish_spectra(panel, [one.density for one in every], "photons detected per photon emitted and nm")
+
+
+def finish_spectra(panel, values, unit):
+    """Axes for values by wavelength."""
+    limits = _limits(values)
     if limits is None:
         say(panel, NO_LIGHT)
+        panel.set_xticks([])
         panel.set_yticks([])
     else:
         panel.set_yscale("log")
         panel.set_ylim(limits)
     panel.set_xlabel("wavelength [nm]")
-    panel.set_ylabel("photons detected per photon emitted and nm")
+    panel.set_ylabel(unit)
     grid(panel)
 
 
-def spectra_legend(lines, title=None):
-    """For one panel of them."""
+def spectra_legend(lines, title=None, styles=()):
+    """For one panel of them: a name for all lines of one colour."""
     faded = any((~one.settled & (one.density > 0)).any() for *_, one in lines)
-    return lines_legend([(name, colour) for name, colour, _ in lines], faded, title)
+    names = {name: colour for name, colour, _ in lines}
+    return lines_legend(list(names.items()), faded, title, styles)
 
 
 def environments(panel, part, colours):
@@ -202,7 +211,7 @@ def changes(panel, part, colours):
         good, narrow = settled.sel(this).values, ~(width >= NARROW * middle)
         seen = numpy.where(good | narrow, width, numpy.nan)  # wild bands would hide the others
         lower = numpy.maximum(middle - seen, 0)  # no echo is below 0
-        ends = _ends(middle, seen) if factors else (lower, middle + seen)
+        ends = band_ends(middle, seen) if factors else (lower, middle + seen)
         if not factors:
             middle, *ends = (100 * (each - 1) for each in (middle, *ends))
         _curve(panel, part.gate_depth.values, middle, ends, good, colour)

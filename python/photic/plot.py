@@ -1,9 +1,10 @@
 """Drawing results: echo against depth, on a figure of matplotlib."""
 
-from photic import plot_one, plot_several
+from photic import plot_many, plot_one, plot_several
 from photic.choice import drawn
 from photic.errors import Error
 from photic.page import build
+from photic.panels import COLOURS
 from photic.sources import caution
 
 
@@ -13,7 +14,8 @@ def figure(results, names, telescopes=(), channels=(), title=None, width_mm=None
     there are sensitivities, below all a panel of them for each channel. Several: a row for each
     telescope and channel, with the echoes overlaid, and beside them each result by order. Results of
     one telescope each are drawn over each other whatever its name is. Above all stands the spectrum,
-    where more filters see it than have colours of their own.
+    where more filters see it than have colours of their own. One result with more channels than these,
+    of which none is chosen, has a map of depth and wavelength and spectra in the place of all else.
 
     results   datasets of photic.open; names: what to call each of them
     telescopes, channels  by name; default: all, as far as a page holds them
@@ -26,7 +28,9 @@ def figure(results, names, telescopes=(), channels=(), title=None, width_mm=None
             raise Error(f"{name}: holds no echoes: there is nothing to draw")
     notes = []
     shown = drawn(results, names, telescopes, channels, notes)
-    draw = plot_one.draw if len(results) == 1 else plot_several.draw
+    many = len(shown.channels) > len(COLOURS) and not channels
+    alone = plot_many.draw if many else plot_one.draw
+    draw = alone if len(results) == 1 else plot_several.draw
     sheet, rows, more = draw(results, names, shown, width_mm)
     captions = [_caption(result, shown) for result in results]
     if len(results) > 1:

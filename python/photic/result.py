@@ -1,6 +1,7 @@
 """Reading result files."""
 
 import os
+import tomllib
 
 import xarray
 
@@ -19,7 +20,9 @@ def open(path):
     converged (bool), convergence_flags
     with their meanings, … If the scene has environments: the dimension environment (indexed by name),
     environment_echo and environment_difference (to echo), with _standard_error, and
-    environment_converged. If it has sensitivities: the dimension parameter (indexed by path), with
+    environment_converged. If environments set numbers: the dimension environment_path (indexed by path),
+    environment_value, and for each path a coordinate of that name along environment, so that
+    swap_dims(environment="sea.layer.0.chlorophyll_mg_m3") puts values in the place of names. If it has sensitivities: the dimension parameter (indexed by path), with
     parameter_value, sensitivity and logarithmic_sensitivity, with _standard_error, and
     sensitivity_converged. Over a film of oil: film_attenuation [1/m] and film_interface_ratio, which
     oil_thickness takes. Attributes: the run, and the scene as text.
@@ -53,9 +56,15 @@ def open(path):
         raise Error(f"{path}: a result of Photic that lacks {error}") from error
 
 
+def scene_of(result):
+    """The scene of a result, every default in it, as dicts and lists."""
+    return tomllib.loads(result.attrs["scene"])
+
+
 def _named(dataset):
     """Echoes by the names of telescopes, channels and processes."""
-    has = {axis: axis + "_name" in dataset for axis in ("environment", "parameter")}
+    others = ("environment", "environment_path", "parameter")
+    has = {axis: axis + "_name" in dataset for axis in others}
     for axis in ["telescope", "channel", "process"] + [axis for axis in has if has[axis]]:
         if axis + "_name" not in dataset and axis in dataset.coords:
             continue  # a dataset of this function, written by xarray
@@ -63,11 +72,15 @@ def _named(dataset):
         dataset = dataset.assign_coords({axis: (axis, names.values.astype(str), names.attrs)})
         dataset = dataset.drop_vars(axis + "_name")
     flags = {"environment": "environment_converged", "parameter": "sensitivity_converged"}
-    for name in ["converged"] + [flags[axis] for axis in has if has[axis]]:
+    for name in ["converged"] + [flags[axis] for axis in flags if has[axis]]:
         # With bytes, ~ds.converged would be true everywhere.
         converged = dataset[name].astype(bool)
         converged.attrs = {"long_name": dataset[name].attrs["long_name"]}
         dataset[name] = converged
+    if has["environment_path"]:
+        for one in dataset.environment_value.transpose("environment_path", ...):
+            path = str(one.environment_path.values)
+            dataset = dataset.assign_coords({path: ("environment", one.values, {"long_name": path})})
     bounds = ["gate_time_bounds", "gate_depth_bounds", "depth_bounds"]
     return dataset.set_coords([name for name in bounds if name in dataset])
 

@@ -1,13 +1,13 @@
 """The spectrum that the filters of a result see."""
 
 import math
-import tomllib
 from dataclasses import dataclass
 
 import numpy
 import xarray
 
 from photic.panels import COLOURS
+from photic.result import scene_of
 
 # What a filter lets pass in all, over its full width at half maximum.
 AREA = {"top-hat": 1.0, "gaussian": math.sqrt(math.pi / math.log(16))}
@@ -28,14 +28,15 @@ class Spectrum:
 def filters(result, channels):
     """The channels that are filters, by ascending wavelength; empty if these are so few that each has
     a colour of its own. The scene of a result tells what a channel is."""
-    told = {channel["name"]: channel for channel in _scene(result).get("channel", [])}
+    told = {channel["name"]: channel for channel in scene_of(result).get("channel", [])}
     there = [name for name in channels if name in told and "centre_nm" in told[name]]
     there.sort(key=lambda name: told[name]["centre_nm"])
     return [told[name] for name in there] if len(there) > len(COLOURS) else []
 
 
-def _scene(result):
-    return tomllib.loads(result.attrs["scene"])
+def widths(found):
+    """What the filters found let pass in all [nm]."""
+    return numpy.array([each["fwhm_nm"] * AREA[each.get("filter", "top-hat")] for each in found])
 
 
 def seen(view, found, echo="echo", converged="converged"):
@@ -46,8 +47,7 @@ def seen(view, found, echo="echo", converged="converged"):
     sum of the errors.
     """
     names = [each["name"] for each in found]
-    width = [each["fwhm_nm"] * AREA[each.get("filter", "top-hat")] for each in found]
-    width = xarray.DataArray(width, dims="channel", coords={"channel": names})
+    width = xarray.DataArray(widths(found), dims="channel", coords={"channel": names})
     part = view.sel(channel=names)
     density, error = (
         (part[name].sum("gate", skipna=False) / width).values

@@ -20,6 +20,7 @@
 #include "medium/film.hpp"
 #include "medium/upside_down.hpp"
 #include "optics/data_folder.hpp"
+#include "scene/environment_values.hpp"
 #include "scene/forward_settings.hpp"
 #include "transport/touched.hpp"
 
@@ -249,8 +250,11 @@ tally::Result describe(const Model& model) {
   for (const auto& t : scene.telescope) result.telescope_name.push_back(t.name);
   for (const auto& e : scene.environment) {
     result.environment_name.push_back(e.name);
-    result.environment_values.push_back(values_untold(e));
+    result.environment_changes.push_back(values_untold(e));
   }
+  auto numbers = scene::environment_values(scene);
+  result.environment_path = std::move(numbers.path);
+  result.environment_value = std::move(numbers.value);
   for (const auto& s : scene.sensitivity) {
     result.parameter_name.push_back(s.path);
     result.parameter_value.push_back(s.value);

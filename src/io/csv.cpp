@@ -62,6 +62,9 @@ std::string head(const tally::Result& result) {
         "# environment: none for the scene itself; difference: echo in the environment less the "
         "scene's, from the same photons\n";
     more += ",environment,difference,difference_standard_error";
+    if (!result.environment_path.empty())
+      out += "# columns called by paths: the values there in the environment\n";
+    for (const std::string& path : result.environment_path) more += "," + field(path);
   }
   if (has_parameters(result)) {
     out +=
@@ -82,10 +85,17 @@ std::string line(const tally::Result& result, const EchoRow& row) {
                      row.converged() ? "yes" : "no", fmt::join(flag_names(row.flags), " "));
 }
 
-std::string environment_part(const tally::Result& result, const std::string& name,
+/// Of the number of an environment; without one all is empty but the difference.
+std::string environment_part(const tally::Result& result, std::optional<std::size_t> environment,
                              const EchoRow& row) {
   if (!has_environments(result)) return "";
-  return fmt::format(",{},{},{}", field(name), row.difference, row.difference_standard_error);
+  const std::size_t paths = result.environment_path.size();
+  const std::string name = environment ? field(result.environment_name[*environment]) : "";
+  std::string out = fmt::format(",{},{},{}", name, row.difference, row.difference_standard_error);
+  for (std::size_t p = 0; p < paths; ++p)
+    out +=
+        environment ? fmt::format(",{}", result.environment_value[*environment * paths + p]) : ",";
+  return out;
 }
 
 std::string parameter_part(const tally::Result& result, const std::string& name,
@@ -98,7 +108,7 @@ std::string parameter_part(const tally::Result& result, const std::string& name,
 
 /// All rows of the scene, an environment or a parameter.
 std::string lines(const tally::Result& result, const std::vector<EchoRow>& rows,
-                  const std::string& environment, const std::string& parameter) {
+                  std::optional<std::size_t> environment, const std::string& parameter) {
   std::string out;
   for (const EchoRow& row : rows)
     out += line(result, row) + environment_part(result, environment, row) +
@@ -109,11 +119,11 @@ std::string lines(const tally::Result& result, const std::vector<EchoRow>& rows,
 }  // namespace
 
 std::string echo_csv(const tally::Result& result) {
-  std::string out = head(result) + lines(result, echo_rows(result), "", "");
+  std::string out = head(result) + lines(result, echo_rows(result), std::nullopt, "");
   for (std::size_t e = 0; e < result.environment_name.size(); ++e)
-    out += lines(result, environment_rows(result, e), result.environment_name[e], "");
+    out += lines(result, environment_rows(result, e), e, "");
   for (std::size_t p = 0; p < result.parameter_name.size(); ++p)
-    out += lines(result, sensitivity_rows(result, p), "", result.parameter_name[p]);
+    out += lines(result, sensitivity_rows(result, p), std::nullopt, result.parameter_name[p]);
   return out;
 }
 

@@ -13,7 +13,7 @@ std::string ratio_text(const EchoRow& scene, const EchoRow& environment) {
 
 /// Its name, and the values that the name does not tell.
 std::string meaning(const tally::Result& result, std::size_t environment) {
-  const std::string& values = result.environment_values[environment];
+  const std::string& values = result.environment_changes[environment];
   return result.environment_name[environment] + (values.empty() ? "" : ": " + values);
 }
 

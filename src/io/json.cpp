@@ -35,6 +35,15 @@ Json echo(const tally::Result& result, const EchoRow& row) {
           {"reasons", flag_names(row.flags)}};
 }
 
+/// The name of an environment, and its numbers by their paths.
+Json environment(const tally::Result& result, std::size_t index) {
+  Json values = Json::object();
+  const std::size_t paths = result.environment_path.size();
+  for (std::size_t p = 0; p < paths; ++p)
+    values[result.environment_path[p]] = result.environment_value[index * paths + p];
+  return {{"name", result.environment_name[index]}, {"values", values}};
+}
+
 /// An object for each row of an environment, with its name.
 Json environment_echoes(const tally::Result& result, std::size_t environment) {
   Json all = Json::array();
@@ -87,9 +96,11 @@ std::string echo_json(const tally::Result& result) {
                {"depth_is_range", result.gate_depth_is_range},
                {"echoes", Json::array()}};
   for (const EchoRow& row : echo_rows(result)) json["echoes"].push_back(echo(result, row));
-  for (std::size_t e = 0; e < result.environment_name.size(); ++e)
+  for (std::size_t e = 0; e < result.environment_name.size(); ++e) {
+    json["environments"].push_back(environment(result, e));
     for (Json& one : environment_echoes(result, e))
       json["environment_echoes"].push_back(std::move(one));
+  }
   for (std::size_t p = 0; p < result.parameter_name.size(); ++p)
     for (Json& one : sensitivities(result, p)) json["sensitivities"].push_back(std::move(one));
   // Names may hold bytes that are not UTF-8: shown as U+FFFD, not a reason to lose the rest.

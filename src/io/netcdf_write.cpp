@@ -240,6 +240,20 @@ void add_convergence(NetcdfImage& file, const tally::Result& result) {
                     dimensionless("first order of scattering that was cut off, over the echo"));
 }
 
+/// Nothing if environments set no numbers.
+void add_environment_values(NetcdfImage& file, const tally::Result& result) {
+  if (result.environment_path.empty()) return;
+  file.add_dimension("environment_path", result.environment_path.size());
+  file.add_variable("environment_path_name", {"environment_path"}, result.environment_path,
+                    {{"long_name", "path in the scene of a number that an environment sets"}});
+  file.add_variable("environment_value", {"environment", "environment_path"},
+                    result.environment_value,
+                    {{"long_name", "value at the path in the environment, in the unit of its name"},
+                     {"units", "1"},
+                     {"_FillValue", nan},
+                     {"coordinates", "environment_name environment_path_name"}});
+}
+
 /// Nothing if there are none.
 void add_environments(NetcdfImage& file, const tally::Result& result) {
   if (result.environment_name.empty()) return;
@@ -249,6 +263,7 @@ void add_environments(NetcdfImage& file, const tally::Result& result) {
   file.add_dimension("environment", result.environment_name.size());
   file.add_variable("environment_name", {"environment"}, result.environment_name,
                     {{"long_name", "name of the environment: the scene in other water"}});
+  add_environment_values(file, result);
   add_estimates(file, "environment_echo", dimensions, result.environment_echo,
                 echo_meaning + ", in the environment", "gate: sum", flags, more_coordinates);
   add_estimates(file, "environment_difference", dimensions, result.environment_difference,

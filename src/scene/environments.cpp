@@ -9,7 +9,6 @@
 #include "scene/format.hpp"
 #include "scene/other_water.hpp"
 #include "scene/override.hpp"
-#include "scene/parse.hpp"
 #include "scene/tree.hpp"
 
 namespace photic::scene {
@@ -55,13 +54,7 @@ Place place_of(const Entry& entry) {
 bool hold(const Node& written_scene, const Environment& environment) {
   Node document = written_scene;
   Findings findings(document, {});
-  std::vector<std::string> changed;
-  for (const Change& change : environment.set) {
-    changed.push_back(change.path);
-    if (auto value = parse_value(change.value, {}))
-      assign(change.path, std::move(*value), {}, document, findings);
-  }
-  take_out_replaced(changed, document);
+  take_out_replaced(make_changes(environment.set, document, findings), document);
   const Scene read = scene_of(document, std::nullopt, findings);
   return findings.problems().empty() && read.optics == environment.optics &&
          read.sea == environment.sea && read.bottom == environment.bottom &&

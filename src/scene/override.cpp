@@ -140,6 +140,18 @@ std::optional<std::string> assign(const std::string& path, Node value, const Pla
   return assignment.apply(document, keys, std::move(value));
 }
 
+std::vector<std::string> make_changes(const std::vector<Change>& changes, Node& document,
+                                      Findings& findings) {
+  std::vector<std::string> paths;
+  for (const Change& change : changes) {
+    auto value = parse_value(change.value, {});
+    if (!value) continue;
+    if (auto path = assign(change.path, std::move(*value), {}, document, findings))
+      paths.push_back(std::move(*path));
+  }
+  return paths;
+}
+
 void apply_override(const std::string& override_text, Node& document, Findings& findings) {
   const std::size_t equals = override_text.find('=');
   const std::string path = override_text.substr(0, equals);

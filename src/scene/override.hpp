@@ -3,9 +3,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/findings.hpp"
 #include "scene/node.hpp"
+#include "scene/scene.hpp"
 
 namespace photic::scene {
 
@@ -13,6 +15,10 @@ namespace photic::scene {
 /// place of names. Says at `place` why it cannot be, and returns nothing.
 std::optional<std::string> assign(const std::string& path, Node value, const Place& place,
                                   Node& document, Findings& findings);
+
+/// Makes an environment's changes. Returns the paths of those that could be made, by numbers.
+std::vector<std::string> make_changes(const std::vector<Change>& changes, Node& document,
+                                      Findings& findings);
 
 /// Puts the value into the document, or says why it cannot be.
 void apply_override(const std::string& override_text, Node& document, Findings& findings);

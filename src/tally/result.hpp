@@ -65,9 +65,11 @@ struct Result {
 
   // The same of the environments, if there are any.
   std::vector<std::string> environment_name;
-  std::vector<std::string> environment_values;  ///< that its name does not tell: "path = value, …"
-  Estimates environment_echo;                   ///< [environment][telescope][channel][gate]
-  Estimates environment_difference;             ///< the same: less the echo; its error is its own
+  std::vector<std::string> environment_changes;  ///< that its name does not tell: "path = value, …"
+  std::vector<std::string> environment_path;     ///< that any of them sets to a number, as of --set
+  std::vector<double> environment_value;         ///< [environment][path]; NaN: no number
+  Estimates environment_echo;                    ///< [environment][telescope][channel][gate]
+  Estimates environment_difference;              ///< the same: less the echo; its error is its own
   std::vector<std::int32_t> environment_convergence_flags;  ///< of environment_echo
 
   // The derivatives with respect to parameters p of the water, if any are asked for.

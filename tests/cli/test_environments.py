@@ -48,7 +48,8 @@ def test_a_run_goes_on_with_them(photic, environments, tmp_path):
         done = photic("run", *scene, "--photons", photons, *more, "-o", name)
         assert done.returncode == 0, done.stderr
     with netCDF4.Dataset(tmp_path / "next.nc") as then, netCDF4.Dataset(tmp_path / "once.nc") as once:
-        for name in ("environment_echo", "environment_difference_standard_error", "environment_convergence_flags"):
+        names = ("environment_echo", "environment_difference_standard_error", "environment_convergence_flags")
+        for name in (*names, "environment_value"):
             assert (then[name][:] == once[name][:]).all(), name
 
 
@@ -94,6 +95,11 @@ def test_a_grid_runs_as_its_environments(photic, environments, tmp_path):
         assert names[6] == "chlorophyll_mg_m3 = 2.0, cdom_a440_per_m = 0.02" and len(names) == 8
         elastic = file["environment_echo"][2:, 0, 0, :].sum(axis=1)
         assert list(elastic[:3]) == sorted(elastic[:3], reverse=True)  # darker and darker
+        paths = ["sea.layer.1.chlorophyll_mg_m3", "sea.layer.1.cdom_a440_per_m"]
+        assert list(file["environment_path_name"][:]) == paths
+        values = file["environment_value"][:].tolist()
+        assert values[:2] == [[2.0, 0.0], [1.0, 0.0]]  # of the scene where nothing is set
+        assert values[2:] == [[chlorophyll, cdom] for chlorophyll in (1.0, 2.0) for cdom in (0.01, 0.02, 0.03)]
         alone = float(file["environment_echo"][6, 0, 0, 3])
     (tmp_path / "alone.toml").write_text(photic("show", "out.nc").stdout)
     done = photic("run", "alone.toml", "-o", "again.nc")

@@ -72,6 +72,22 @@ def test_environments_go_by_their_names(sample, sample_in_other_water):
     assert not [name for name in photic.open(sample).variables if "environment" in name]
 
 
+CHLOROPHYLL, CDOM = "sea.layer.0.chlorophyll_mg_m3", "sea.layer.0.cdom_a440_per_m"
+
+
+# Seen red: with the paths left under their numbers; with the values of the first path for both.
+def test_environments_go_by_their_values(sample, sample_in_other_water):
+    ds = photic.open(sample_in_other_water)
+    assert list(ds.environment_path.values) == [CHLOROPHYLL, CDOM]
+    assert ds.environment_value.dims == ("environment", "environment_path")
+    assert list(ds.environment_value.sel(environment_path=CHLOROPHYLL)) == pytest.approx([0.1, 0.2, 0.3])
+    assert {CHLOROPHYLL, CDOM} <= set(ds.coords) and ds[CDOM].dims == ("environment",)
+    assert numpy.array_equal(ds[CDOM], [numpy.nan, 0.01, 0.02 / 3], equal_nan=True)
+    one = ds.environment_echo.swap_dims(environment=CHLOROPHYLL).sel({CHLOROPHYLL: 0.2}, method="nearest")
+    assert numpy.array_equal(one, ds.environment_echo.sel(environment="no $ _CDOM_"))
+    assert not [name for name in photic.open(sample).variables if "path" in name or name.startswith("sea.")]
+
+
 # Seen red: with parameters left under their numbers; with their convergence left as bytes.
 def test_parameters_go_by_their_paths(sample, sample_with_parameters):
     ds = photic.open(sample_with_parameters)

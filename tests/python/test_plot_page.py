@@ -39,6 +39,12 @@ def with_channels(ds, count):
     return many
 
 
+def of_every_channel(ds, **look):
+    """The panels of channels that are asked for, each of them."""
+    names = [str(name) for name in ds.channel.values]
+    return plot.figure([ds], [str(len(names))], ["wide"], names, **look)
+
+
 def two_dark(ds):
     ds.echo.loc[{"channel": ["f_400", "f_405"]}] = 0
     return ds
@@ -71,8 +77,8 @@ FIGURES = {
     "one": lambda ds, **look: plot.figure([ds], ["one"], **look),
     "one telescope": lambda ds, **look: plot.figure([ds], ["one"], telescopes=["wide"], **look),
     "three": lambda ds, **look: plot.figure([ds] * 3, ["a", "b", "a long name of a result"], **look),
-    "33": lambda ds, **look: plot.figure([two_dark(with_channels(ds, 33))], ["33"], ["wide"], **look),
-    "64": lambda ds, **look: plot.figure([with_channels(ds, 64)], ["64"], ["wide"], **look),
+    "33": lambda ds, **look: of_every_channel(two_dark(with_channels(ds, 33)), **look),
+    "64": lambda ds, **look: of_every_channel(with_channels(ds, 64), **look),
     "64, twice": lambda ds, **look: plot.figure([with_channels(ds, 64)] * 2, ["a", "b"], **look),
 }
 

@@ -42,7 +42,11 @@ def view(ds):
 
 
 def found_in(ds):
-    return spectrum.filters(ds, [str(name) for name in ds.channel.values])
+    return spectrum.filters(ds, names_of(ds))
+
+
+def names_of(ds):
+    return [str(name) for name in ds.channel.values]
 
 
 def close(values, rel=1e-12):
@@ -127,7 +131,7 @@ def test_a_filter_is_settled_where_all_its_gates_with_light_are(filtered):
 # with the note left out.
 def test_a_figure_has_the_spectrum_by_process(filtered):
     filtered.converged.loc[{"channel": ["f0", "f3"], "gate": 2}] = False
-    drawing = plot.figure([filtered], ["sample"], ["narrow"])
+    drawing = plot.figure([filtered], ["sample"], ["narrow"], names_of(filtered))
     assert titles(drawing)[0] == "Spectrum by process" and titles(drawing).count("Spectrum by process") == 1
     assert spectrum.CAPTION in caption(drawing)
     panel = drawing.axes[0]
@@ -159,7 +163,7 @@ def test_spectra_in_the_environments(sample_in_other_water):
     ds.converged[:] = True
     ds.environment_converged[:] = True
     ds.environment_converged.loc[{"environment": "bloom", "channel": "f1"}] = False
-    drawing = plot.figure([ds], ["sample"], ["narrow"])
+    drawing = plot.figure([ds], ["sample"], ["narrow"], names_of(ds))
     assert titles(drawing)[:2] == ["Spectrum by process", "Spectrum in the environments"]
     assert drawing.axes[0].get_ylim() == drawing.axes[1].get_ylim()
     found = found_in(ds)
@@ -190,9 +194,9 @@ def test_no_light_and_errors_that_are_not_known(filtered):
     dark = filtered.copy(deep=True)
     for name in ("echo", "echo_by_process", "echo_by_order"):
         dark[name] = 0 * dark[name]
-    drawing = plot.figure([dark], ["dark"], ["narrow"])
+    drawing = plot.figure([dark], ["dark"], ["narrow"], names_of(dark))
     drawing.draw_without_rendering()
     assert panels.NO_LIGHT in [text.get_text() for text in drawing.axes[0].texts]
     filtered["echo_standard_error"] = numpy.nan * filtered.echo
     assert numpy.isnan(spectrum.seen(view(filtered), found_in(filtered)).standard_error).all()
-    plot.figure([filtered], ["one batch"], ["narrow"]).draw_without_rendering()
+    plot.figure([filtered], ["one batch"], ["narrow"], names_of(filtered)).draw_without_rendering()

@@ -117,6 +117,10 @@ class Maker {
 
   /// Errors of the differences are far smaller than those of the echoes.
   void environment(double steps) {
+    result_.environment_path = {"sea.layer.0.chlorophyll_mg_m3", "sea.layer.0.cdom_a440_per_m"};
+    result_.environment_value.push_back(0.1 * steps);
+    result_.environment_value.push_back(steps == 1 ? std::numeric_limits<double>::quiet_NaN()
+                                                   : 0.02 / steps);
     for (std::size_t cell = 0; cell < result_.echo.mean.size(); ++cell) {
       const double depth_m = step_m * (static_cast<double>(cell % gates) + 0.5);
       const double echo = result_.echo.mean[cell], error = result_.echo.standard_error[cell];
@@ -157,7 +161,7 @@ class Maker {
     result_.version = "0.1.0";
     result_.engine = "scalar";
     result_.estimator = "forward";
-    result_.environment_values.assign(result_.environment_name.size(), "");
+    result_.environment_changes.assign(result_.environment_name.size(), "");
     result_.seed = 1;
     result_.photons = 20'000'000;
     result_.stopped_by = "photons";

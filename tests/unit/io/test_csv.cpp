@@ -132,22 +132,23 @@ TEST(Csv, QuotesWhatNeedsIt) {
 }
 
 // Seen red: with the rows of the first environment for the second; with the error of the echo in
-// the place of the difference's.
+// the place of the difference's; with the numbers of the first environment for the second.
 TEST(Csv, EnvironmentsFollowTheScene) {
   const std::vector<std::string> names{"more algae", "a \"b\", c"};
   const tally::Result result = test::sample_result_in(names);
   const Csv csv(echo_csv(result)), scene(echo_csv(test::sample_result()));
   ASSERT_EQ(csv.records.size(), 1 + 3 * 600u);
-  const Record more{"environment", "difference", "difference_standard_error"};
+  const Record more{"environment", "difference", "difference_standard_error",
+                    "sea.layer.0.chlorophyll_mg_m3", "sea.layer.0.cdom_a440_per_m"};
   EXPECT_EQ(Record(csv.records[0].begin() + 11, csv.records[0].end()), more);
   for (std::size_t i = 1; i <= 600; ++i) {
     Record record = scene.records[i];
-    record.insert(record.end(), {"", "nan", "nan"});
+    record.insert(record.end(), {"", "nan", "nan", "", ""});
     EXPECT_EQ(csv.records[i], record);
   }
   for (std::size_t i = 0; i < 1200; ++i) {
     const Record& record = csv.records[601 + i];
-    ASSERT_EQ(record.size(), 14u);
+    ASSERT_EQ(record.size(), 16u);
     EXPECT_EQ(Record(record.begin(), record.begin() + 6),
               Record(scene.records[1 + i % 600].begin(), scene.records[1 + i % 600].begin() + 6));
     EXPECT_EQ(number(record[6]), result.environment_echo.mean[i]);
@@ -156,6 +157,11 @@ TEST(Csv, EnvironmentsFollowTheScene) {
     EXPECT_EQ(record[11], names[i / 600]);
     EXPECT_EQ(number(record[12]), result.environment_difference.mean[i]);
     EXPECT_EQ(number(record[13]), result.environment_difference.standard_error[i]);
+    EXPECT_EQ(number(record[14]), result.environment_value[2 * (i / 600)]);
+    if (i < 600)
+      EXPECT_EQ(record[15], "nan");
+    else
+      EXPECT_EQ(number(record[15]), result.environment_value[3]);
   }
 }
 
@@ -167,7 +173,7 @@ TEST(Csv, ParametersFollowTheEnvironments) {
   ASSERT_EQ(csv.records.size(), 1 + 4 * 600u);
   const Record more{"parameter", "sensitivity", "sensitivity_standard_error",
                     "logarithmic_sensitivity", "logarithmic_sensitivity_standard_error"};
-  EXPECT_EQ(Record(csv.records[0].begin() + 14, csv.records[0].end()), more);
+  EXPECT_EQ(Record(csv.records[0].begin() + 16, csv.records[0].end()), more);
   for (std::size_t i = 1; i <= 1200; ++i) {
     Record record = before.records[i];
     record.insert(record.end(), {"", "nan", "nan", "nan", "nan"});
@@ -175,21 +181,21 @@ TEST(Csv, ParametersFollowTheEnvironments) {
   }
   for (std::size_t i = 0; i < 1200; ++i) {
     const Record& record = csv.records[1201 + i];
-    ASSERT_EQ(record.size(), 19u);
+    ASSERT_EQ(record.size(), 21u);
     const Record& of_scene = before.records[1 + i % 600];
     EXPECT_EQ(Record(record.begin(), record.begin() + 9),
               Record(of_scene.begin(), of_scene.begin() + 9));
     EXPECT_EQ(record[9], result.sensitivity_convergence_flags[i] == 0 ? "yes" : "no");
-    EXPECT_EQ(record[11], "");
-    EXPECT_EQ(record[14], result.parameter_name[i / 600]);
-    EXPECT_EQ(number(record[15]), result.sensitivity.mean[i]);
-    EXPECT_EQ(number(record[16]), result.sensitivity.standard_error[i]);
+    for (const std::size_t empty : {11, 14, 15}) EXPECT_EQ(record[empty], "");
+    EXPECT_EQ(record[16], result.parameter_name[i / 600]);
+    EXPECT_EQ(number(record[17]), result.sensitivity.mean[i]);
+    EXPECT_EQ(number(record[18]), result.sensitivity.standard_error[i]);
     if (result.echo.mean[i % 600] == 0) {
-      EXPECT_EQ(record[17], "nan");
+      EXPECT_EQ(record[19], "nan");
       continue;
     }
-    EXPECT_EQ(number(record[17]), result.logarithmic_sensitivity.mean[i]);
-    EXPECT_EQ(number(record[18]), result.logarithmic_sensitivity.standard_error[i]);
+    EXPECT_EQ(number(record[19]), result.logarithmic_sensitivity.mean[i]);
+    EXPECT_EQ(number(record[20]), result.logarithmic_sensitivity.standard_error[i]);
   }
   const Csv alone(echo_csv(test::sample_result_in({}, {"sea.x"})));
   EXPECT_EQ(Record(alone.records[0].begin() + 11, alone.records[0].end()), more);

@@ -39,11 +39,18 @@ TEST(EchoJson, ReadsBackToTheSameNumbers) {
   EXPECT_EQ(parsed["echoes"][99]["reasons"], json({"no_score"}));
 }
 
+// Seen red: with the values of the first environment for all.
 TEST(EchoJson, EnvironmentsIfThereAreAny) {
-  EXPECT_FALSE(json::parse(echo_json(test::sample_result())).contains("environment_echoes"));
+  const json alone = json::parse(echo_json(test::sample_result()));
+  EXPECT_FALSE(alone.contains("environment_echoes") || alone.contains("environments"));
   const tally::Result result = test::sample_result_in({"more algae", "no CDOM"});
   const json parsed = json::parse(echo_json(result));
   EXPECT_EQ(parsed["echoes"].size(), 600u);
+  const char* const chlorophyll = "sea.layer.0.chlorophyll_mg_m3";
+  const char* const cdom = "sea.layer.0.cdom_a440_per_m";
+  EXPECT_EQ(parsed["environments"],
+            json({{{"name", "more algae"}, {"values", {{chlorophyll, 0.1}, {cdom, nullptr}}}},
+                  {{"name", "no CDOM"}, {"values", {{chlorophyll, 0.2}, {cdom, 0.01}}}}}));
   ASSERT_EQ(parsed["environment_echoes"].size(), 1200u);
   for (std::size_t i = 0; i < 1200; ++i) {
     const json& echo = parsed["environment_echoes"][i];

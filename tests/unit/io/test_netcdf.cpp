@@ -225,6 +225,31 @@ TEST(WrittenEnvironments, EchoesDifferencesAndFlags) {
   for (std::size_t i = 0; i < flags.size(); ++i) EXPECT_EQ(converged[i] != 0, flags[i] == 0);
 }
 
+// Seen red: with the dimensions the other way round.
+TEST(WrittenEnvironments, NumbersThatTheySet) {
+  const test::TemporaryFolder folder;
+  tally::Result result = test::sample_result_in({"more algae", "less", "bloom"});
+  write_netcdf(result, folder.file("out.nc"), {"test"});
+  const NetcdfFile file(folder.file("out.nc"));
+  EXPECT_EQ(file.texts("environment_path_name"), result.environment_path);
+  EXPECT_EQ(file.dimensions(file.variable("environment_value")),
+            (Names{"environment", "environment_path"}));
+  expect_same(file.numbers("environment_value"), result.environment_value);
+}
+
+// Seen red: with a dimension of no length, which netCDF takes for one without end.
+TEST(WrittenEnvironments, ThatSetNoNumbers) {
+  const test::TemporaryFolder folder;
+  tally::Result result = test::sample_result_in({"data of the paper"});
+  result.environment_path.clear();
+  result.environment_value.clear();
+  write_netcdf(result, folder.file("out.nc"), {"test"});
+  const NetcdfFile file(folder.file("out.nc"));
+  EXPECT_FALSE(file.has_variable("environment_value"));
+  int id = 0;
+  EXPECT_EQ(nc_inq_dimid(file.id(), "environment_path", &id), NC_EBADDIM);
+}
+
 // Seen red, each for itself: with the logarithmic derivative in the place of the other; without
 // flags.
 TEST(WrittenSensitivities, DerivativesAndFlags) {

@@ -170,7 +170,7 @@ tally::Result small_result_in(const std::vector<std::string>& names) {
   tally::Result result = small_result();
   result.environment_name = names;
   for (const std::string& name : names)
-    result.environment_values.push_back(name.starts_with("many") ? "sea.x = 2" : "");
+    result.environment_changes.push_back(name.starts_with("many") ? "sea.x = 2" : "");
   for (std::size_t e = 0; e < names.size(); ++e)
     for (std::size_t i = 0; i < 5; ++i) {
       const double echo = result.echo.mean[i];
