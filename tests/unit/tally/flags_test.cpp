@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 
 #include "unit/tally/tallies.hpp"
 
@@ -215,7 +216,7 @@ void add_beside_quiet_scores(Tallies& t, double index, int scores, test::Random&
 
 // The largest scores of a gate may be those of walks that tell nothing of what others are to find.
 // Most runs are flagged; in others a large score has come, which is in the error. Seen red: with
-// the octaves of all walks together.
+// the octaves of all walks together, and so where one kind, here no walk, has none.
 TEST(Flags, HeavyTailOfSomeWalksIsNotHiddenByOthers) {
   test::Random random(13);
   constexpr double index = 1.2, least = 3e-7, most = 0.5;
@@ -251,6 +252,31 @@ TEST(Flags, BeamMissed) {
   EXPECT_EQ(flags_of(4, 0), beam_missed);
   EXPECT_EQ(flags_of(5, 0), 0);
   EXPECT_EQ(flags_of(0, 1), 0);
+}
+
+/// Of a gate in 64 batches: a hundred scores of no walk that add up to an echo, and so many of each
+/// of the given walks that add up to a share of it.
+std::int32_t flags_beside_histories(double share, int scores, std::initializer_list<Walked> walks) {
+  Tallies t(0, 0, kinds_of_walked);
+  for (int b = 0; b < 64; ++b) {
+    for (int k = 0; k < 100; ++k) t.score(0, steady(b) / 100, Walked::none);
+    for (const Walked walked : walks)
+      for (int k = 0; k < scores; ++k) t.score(0, share * steady(b) / scores, walked);
+    t.end_batch(1000);
+  }
+  return flags(t);
+}
+
+// Light that no walk carries asks for no walk of a telescope. The rest of a gate's light does,
+// where it is no negligible part. Seen red: with histories counted as walks of the laser, as it
+// was; with any rest judged; with the scores of telescopes' walks left out of the rest.
+TEST(Flags, BeamMissedJudgesTheLightOfWalks) {
+  EXPECT_EQ(flags_beside_histories(0, 0, {}), 0);
+  EXPECT_EQ(flags_beside_histories(4e-4, 10, {Walked::laser}), 0);
+  EXPECT_EQ(flags_beside_histories(3e-3, 10, {Walked::laser}), beam_missed);
+  EXPECT_EQ(flags_beside_histories(3e-3, 10, {Walked::laser, Walked::both}), 0);
+  EXPECT_EQ(flags_beside_histories(4e-4, 3, {Walked::telescope}), 0);
+  EXPECT_EQ(flags_beside_histories(3e-3, 3, {Walked::telescope}), beam_missed);
 }
 
 // Calm batches, then ones that scatter ten times as much. Seen red: with the error not scaled by
