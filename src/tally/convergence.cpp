@@ -81,6 +81,11 @@ double fourth_powers(const Octaves& octaves, double largest) {
   return std::pow(largest, 4) + sum * 15 / (4 * std::numbers::ln2);
 }
 
+/// Whether what has not been seen of a sum is more than its error says, and no negligible part.
+bool heavy(double unseen, double error, double sum) {
+  return unseen > largest_unseen * error && unseen > negligible_share * std::abs(sum);
+}
+
 /// Whether few scores carry the second moment.
 bool heavy(const Powers& p) { return p.fourth > largest_fourth_share * p.square * p.square; }
 
@@ -135,7 +140,7 @@ Totals::Health Totals::health_of(const TailSums& s, const Counted& n, double uns
   health.relative_error = told_error(s.low, n, unseen) / mean(s.low, n);
   health.raise(n.batches < least_batches, few_batches);
   health.raise(health.relative_error > largest_relative_error, large_error);
-  health.raise(unseen > largest_unseen * error_of_sum(s.low, n), heavy_tail);
+  health.raise(heavy(unseen, error_of_sum(s.low, n), s.low.x), heavy_tail);
   return health;
 }
 
@@ -147,9 +152,11 @@ Totals::Health Totals::health(std::size_t cell) const {
 }
 
 std::int32_t Totals::difference_flags(std::size_t cell, const EnvironmentSums& s) const {
-  const double error = error_of_sum(s.difference.low, counted(cell));
+  const Sums& difference = s.difference.low;
   Health own;
-  own.raise(unseen_of(cell, s.of_differences) > largest_unseen * error, heavy_tail);
+  own.raise(heavy(unseen_of(cell, s.of_differences), error_of_sum(difference, counted(cell)),
+                  difference.x),
+            heavy_tail);
   own.raise(heavy(s.of_differences), heavy_tail);
   own.raise(variance_of_variance(s.difference, counted(cell)) > largest_variance_of_variance,
             uncertain_variance);

@@ -45,3 +45,27 @@ def test_no_starter_of_histories_beside_walks_is_flagged_for_ever(program, kind)
     done = subprocess.run(script, env=os.environ | {"PHOTIC_PROGRAM": program}, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith(f"{kind}: bidirectional, ")
+
+
+@pytest.mark.parametrize(("estimator", "photons"), [("forward", 4e5), ("bidirectional", 8e4)])
+def test_a_glint_that_is_known_has_no_heavy_tail(photic, tmp_path, estimator, photons):
+    # Seen red (bidirectional): without the look at the echo.
+    (tmp_path / "glint.toml").write_text(
+        f"""\
+channel = [{{ name = "elastic", process = "elastic" }}]
+gates = {{ depth_min_m = -0.5, depth_max_m = 3.5, depth_step_m = 1 }}
+simulation = {{ photons = {photons}, estimator = "{estimator}" }}
+source = {{ wavelength_nm = 532, position_m = [0, 0, 10], direction = [0, 0, -1], diameter_m = 0.001, \
+half_divergence_mrad = 3 }}
+telescope = [{{ position_m = [0, 0, 10], direction = [0, 0, -1], diameter_m = 0.3, focal_length_m = 1.5, \
+half_field_of_view_mrad = 20 }}]
+sea.surface = {{ model = "gaussian", upwind_slope_variance = 0.015, crosswind_slope_variance = 0.015, whitecaps = false }}
+[[sea.layer]]
+iop = [{{ wavelength_nm = 532, a_per_m = 0.08, b_per_m = 0.1 }}]
+phase_function = {{ model = "henyey-greenstein", g = 0.8 }}
+"""
+    )
+    assert photic("run", "glint.toml", "-o", "glint.nc").returncode == 0
+    with netCDF4.Dataset(tmp_path / "glint.nc") as file:
+        assert file["echo_standard_error"][0, 0, 0] < 1e-4 * file["echo"][0, 0, 0]
+        assert file["convergence_flags"][0, 0, 0] == 0

@@ -177,6 +177,20 @@ TEST(Flags, HeavyTailAboveOneError) {
   EXPECT_EQ(flags(less), 0);
 }
 
+// Batches of even points differ so little that any score is many errors. Where it would be no more
+// than a thousandth of the echo, it is in the error that is told, and raises no flag. Seen red:
+// with a ten thousandth; with a hundredth.
+TEST(Flags, HeavyTailIsNoNegligiblePart) {
+  for (const int scores : {40, 80}) {
+    Tallies t;
+    add_batches(t, 64, scores, [](int b) { return 1e-3 * (1 + 1e-3 * (steady(b) / 1e-3 - 1)); });
+    const double share = t.result().echo.standard_error[0] / t.result().echo.mean[0];
+    EXPECT_GT(widening(t), 10);
+    EXPECT_NEAR(share, scores == 40 ? 1.2e-3 : 0.5e-3, 0.1e-3);
+    EXPECT_EQ(flags(t), scores == 40 ? heavy_tail : 0);
+  }
+}
+
 // A run is no better for lacking the scores that are to come. Seen red: with 0.5 for 1 error; with
 // the index of the tail less by 0.5.
 TEST(Flags, HeavyTailDoesNotPickRunsThatLackLargeScores) {
