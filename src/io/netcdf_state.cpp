@@ -94,8 +94,8 @@ void describe(Visitor& v, State& s) {
   v.array("order_cut_sum", cell, s.cut_order, itself, "first order cut off: sum of the scores");
   v.array("largest_score", cell, s.largest, itself, "largest single score");
   v.array("score_octaves", in_cell({"walked", "octave"}), s.octaves, octaves,
-          "number of scores by octave of their size, 2^-128 to 1; of paths of the laser's walks "
-          "alone, and with the telescope's");
+          "number of scores by octave of their size, 2^-128 to 1; of the bidirectional estimator "
+          "apart for paths of no walk, of the laser's walks alone, and with the telescope's");
   if (!s.environment.empty())
     v.array("environment_sums", in_cell({"other_water", "environment_sum"}), s.environment,
             environment_sums,

@@ -19,7 +19,7 @@ struct LaneScores {
   double path_to_origin = 0;  ///< what the paths are short of (estimator/world.hpp) [m]
   Index<T> light{}, order{};
   T depth{}, path{}, value{};
-  tally::Walked walked = tally::Walked::laser;
+  tally::Walked walked = tally::Walked::none;
 };
 
 /// Their whole paths, in double.

@@ -9,13 +9,21 @@ namespace {
 // file; the number in two batches, or mean and error in the result.
 constexpr double per_sum = 16.0 + 16.0 + 16.0;
 constexpr double per_sum_of_batch = 8.0;
-/// Of a cell by itself: counts of its scores by 128 octaves and two kinds, of 8 bytes twice, and of
-/// 4 in two batches; sums, snapshots of them, flags, diagnostics.
-constexpr double per_cell = 2 * 2048.0 + 2 * 1048.0 + 500.0;
-constexpr double per_cell_of_batch = 1048.0;
+/// Of a cell by itself: counts of its scores by 128 octaves, of 4 bytes and of three kinds in two
+/// batches; sums, snapshots of them, flags, diagnostics.
+constexpr double per_cell = 2 * 1560.0 + 500.0;
+constexpr double per_cell_of_batch = 1560.0;
+/// Of a kind of its scores: the counts of all batches, of 8 bytes, twice.
+constexpr double per_kind = 2 * 1024.0;
 /// Of a cell in other water: tally::EnvironmentSums as sums above, and four numbers of the result.
 constexpr double per_water = 2 * 168.0 + 2 * 56.0 + 32.0;
 constexpr double per_water_of_batch = 56.0;
+
+/// Of scores, at most (tally::kinds_of_walked).
+double kinds_in(const Scene& scene) {
+  const auto estimator = scene.simulation.estimator;
+  return estimator == Estimator::forward || estimator == Estimator::analog ? 1 : 3;
+}
 
 }  // namespace
 
@@ -31,7 +39,7 @@ TallyMemory tally_memory(const Scene& scene) {
   return {.depths = cells * depths * per_sum,
           .orders = cells * orders * per_sum,
           .other_waters = cells * waters * per_water,
-          .rest = cells * (processes * per_sum + per_cell),
+          .rest = cells * (processes * per_sum + per_cell + kinds_in(scene) * per_kind),
           .batch = cells * ((depths + orders + processes) * per_sum_of_batch +
                             waters * per_water_of_batch + per_cell_of_batch)};
 }

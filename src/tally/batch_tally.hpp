@@ -54,7 +54,7 @@ struct Score {
   double path = 0;   ///< group path from the laser's disc to the aperture [m], as if emitters
                      ///< gave light back at once
   double value = 0;  ///< expected photons
-  Walked walked = Walked::laser;
+  Walked walked = Walked::none;
 };
 
 /// Where scores belong: the gate, if their light is emitted at once, and the cell of depth; -1:

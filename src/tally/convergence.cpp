@@ -28,6 +28,8 @@ constexpr double largest_unseen = 1;       // in standard errors of the batches
 /// Of telescopes' walks, at least: with fewer they have hardly ever come near the beam, and what
 /// only they can find has not been seen (decision 39).
 constexpr double least_scores_with_telescope = 300;
+/// Of an echo, that its flags do not ask about (decision 47).
+constexpr double negligible_share = 1e-3;
 // Scores of environments and differences are not counted by octave, and ratios of the waters give
 // them tails of their own: their second moment stands in no fewer scores than 30, as sums of fourth
 // powers tell, and their variance is known as MCNP asks for (X-5 Monte Carlo Team, LA-UR-03-1987
@@ -37,6 +39,14 @@ constexpr double largest_variance_of_variance = 0.1;
 
 double scores_in(const Octaves& octaves) {
   return static_cast<double>(std::accumulate(octaves.begin(), octaves.end(), std::uint64_t{0}));
+}
+
+/// About the sum of the scores, taken to be spread evenly over their octaves.
+double sum_of(const Octaves& octaves) {
+  double sum = 0;
+  for (int k = 0; k < score_octaves; ++k)
+    sum += std::ldexp(static_cast<double>(octaves[static_cast<std::size_t>(k)]), k - score_octaves);
+  return sum / std::numbers::ln2;
 }
 
 /// The sum to be expected of scores larger than any expected so far, if the largest ones follow a
@@ -71,24 +81,35 @@ double fourth_powers(const Octaves& octaves, double largest) {
   return std::pow(largest, 4) + sum * 15 / (4 * std::numbers::ln2);
 }
 
+/// Whether what has not been seen of a sum is more than its error says, and no negligible part.
+bool heavy(double unseen, double error, double sum) {
+  return unseen > largest_unseen * error && unseen > negligible_share * std::abs(sum);
+}
+
 /// Whether few scores carry the second moment.
 bool heavy(const Powers& p) { return p.fourth > largest_fourth_share * p.square * p.square; }
 
 }  // namespace
 
+std::span<const Octaves> Totals::kinds(std::size_t cell) const {
+  return std::span(state_.octaves).subspan(cell * shape_->walked, shape_->walked);
+}
+
 Octaves Totals::octaves(std::size_t cell) const {
   Octaves sum{};
-  for (std::size_t k = cell * shape_->walked; k < (cell + 1) * shape_->walked; ++k)
-    std::ranges::transform(sum, state_.octaves[k], sum.begin(), std::plus());
+  for (const Octaves& kind : kinds(cell))
+    std::ranges::transform(sum, kind, sum.begin(), std::plus());
   return sum;
 }
 
 double Totals::unseen(std::size_t cell) const {
-  const auto kinds = std::span(state_.octaves).subspan(cell * shape_->walked, shape_->walked);
-  const auto few = [](const Octaves& kind) { return scores_in(kind) < tail_scores; };
-  if (std::ranges::any_of(kinds, few)) return unseen_sum(octaves(cell));
   double sum = 0;
-  for (const Octaves& kind : kinds) sum += unseen_sum(kind);
+  for (const Octaves& kind : kinds(cell)) {
+    const double scores = scores_in(kind);
+    if (scores == 0) continue;  // none of the gate's light is found so
+    if (scores < tail_scores) return unseen_sum(octaves(cell));
+    sum += unseen_sum(kind);
+  }
   return sum;
 }
 
@@ -102,8 +123,10 @@ bool Totals::beam_missed(std::size_t cell) const {
   if (shape_->walked == 1) return false;
   // Light scattered once the laser's walks find alone, all of it.
   if (shape_->max_order == 1) return false;
-  return scores_in(state_.octaves[cell * shape_->walked + kind_of(Walked::both)]) <
-         least_scores_with_telescope;
+  const Octaves& of_laser = kinds(cell)[kind_of(Walked::laser)];
+  const Octaves& with_telescope = kinds(cell)[kind_of(Walked::both)];
+  if (scores_in(with_telescope) >= least_scores_with_telescope) return false;
+  return sum_of(of_laser) + sum_of(with_telescope) > negligible_share * state_.echo[cell].low.x;
 }
 
 double Totals::told_error(const Sums& sums, const Counted& n, double unseen) {
@@ -117,7 +140,7 @@ Totals::Health Totals::health_of(const TailSums& s, const Counted& n, double uns
   health.relative_error = told_error(s.low, n, unseen) / mean(s.low, n);
   health.raise(n.batches < least_batches, few_batches);
   health.raise(health.relative_error > largest_relative_error, large_error);
-  health.raise(unseen > largest_unseen * error_of_sum(s.low, n), heavy_tail);
+  health.raise(heavy(unseen, error_of_sum(s.low, n), s.low.x), heavy_tail);
   return health;
 }
 
@@ -129,9 +152,11 @@ Totals::Health Totals::health(std::size_t cell) const {
 }
 
 std::int32_t Totals::difference_flags(std::size_t cell, const EnvironmentSums& s) const {
-  const double error = error_of_sum(s.difference.low, counted(cell));
+  const Sums& difference = s.difference.low;
   Health own;
-  own.raise(unseen_of(cell, s.of_differences) > largest_unseen * error, heavy_tail);
+  own.raise(heavy(unseen_of(cell, s.of_differences), error_of_sum(difference, counted(cell)),
+                  difference.x),
+            heavy_tail);
   own.raise(heavy(s.of_differences), heavy_tail);
   own.raise(variance_of_variance(s.difference, counted(cell)) > largest_variance_of_variance,
             uncertain_variance);

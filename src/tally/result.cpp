@@ -13,7 +13,8 @@ const std::vector<FlagMeaning>& flag_meanings() {
        "scores too rare to have been seen may add up to more than the error"},
       {among_flagged, "among_flagged", "most of the gates around it are flagged"},
       {beam_missed, "beam_missed",
-       "the telescope's walks hardly found the laser's light: take the forward estimator"},
+       "the telescope's walks hardly found the laser's light: more photons, or the forward "
+       "estimator"},
   };
   return meanings;
 }

@@ -18,10 +18,11 @@ struct Counting {
 
 /// Immutable; shared by all batches.
 struct Shape {
+  /// Orders count from 0: light that has been neither scattered nor converted.
   std::size_t telescopes = 0, channels = 0, processes = 0, orders = 0, gates = 0, depths = 0,
               environments = 0;
-  /// Orders count from 0: light that has been neither scattered nor converted.
-  std::size_t walked = 1;  ///< kinds of walks that scores are counted apart for: 1 or 2
+  /// Kinds that scores are counted apart for: kinds_of_walked, or 1 of an estimator without walks.
+  std::size_t walked = 1;
   std::vector<std::vector<Counting>> channels_of_line;  ///< that count a line's light
   /// Index in the result's process axis, of each light: a line that has touched something
   /// (transport::Touched), [touched][line].

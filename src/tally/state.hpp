@@ -1,6 +1,7 @@
 // All that is known of the batches merged so far, as plain values: what a run goes on from.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -98,12 +99,14 @@ struct Row {
   friend bool operator==(const Row&, const Row&) = default;
 };
 
-/// The walks that a scored path is made of: the laser's alone, which is all there is but for the
-/// bidirectional estimator, the telescope's alone, or both.
-enum class Walked : std::int8_t { laser, telescope, both };
-/// Kinds that scores are counted apart for: of the laser's walks alone, and with a telescope's.
-inline constexpr std::size_t kinds_of_walked = 2;
-inline std::size_t kind_of(Walked walked) { return walked == Walked::laser ? 0 : 1; }
+/// The walks of the bidirectional estimator that a scored path is made of: the laser's alone, the
+/// telescope's alone, or both. None: a history of another estimator, by itself or beside walks.
+enum class Walked : std::int8_t { none, laser, telescope, both };
+/// Kinds that scores are counted apart for: of no walk, of the laser's alone, with a telescope's.
+inline constexpr std::size_t kinds_of_walked = 3;
+inline std::size_t kind_of(Walked walked) {
+  return std::min(static_cast<std::size_t>(walked), kinds_of_walked - 1);
+}
 
 /// Scores are also counted by octave of their size: what shows a heavy tail.
 inline constexpr int score_octaves = 128;  ///< 2^-128 … 1

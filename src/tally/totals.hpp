@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "tally/batch_tally.hpp"
@@ -66,9 +67,11 @@ class Totals {
   [[nodiscard]] bool row_converged(std::size_t row, double relative_error) const;
   /// Of sums in a cell with what has not been seen of them.
   void estimate(const Sums& sums, std::size_t cell, double unseen, Estimates& out) const;
-  /// Of scores of either kind, together.
+  /// Of scores of each kind.
+  [[nodiscard]] std::span<const Octaves> kinds(std::size_t cell) const;
+  /// Of scores of all kinds, together.
   [[nodiscard]] Octaves octaves(std::size_t cell) const;
-  /// The sum expected of scores too rare to have been seen, of both kinds (docs/theory.md, eq. 76);
+  /// The sum expected of scores too rare to have been seen, of all kinds (docs/theory.md, eq. 76);
   /// infinite of too few scores to tell.
   [[nodiscard]] double unseen(std::size_t cell) const;
   /// The same of scores that go with those of the echo, in an environment or a difference.

@@ -148,7 +148,7 @@ TEST(EnvironmentGrid, IsRefusedIfItIsTooLarge) {
                            "\"sea.layer.0.chlorophyll_mg_m3\" = " +
                            numbers(2400)),
             (Texts{"scene.toml:33:1: the tallies (telescopes 1, channels 1, gates 4167, orders 6, "
-                   "cells of depth 100, environments 2401) would take 4.52 GiB; the limit is 2 GiB "
+                   "cells of depth 100, environments 2401) would take 4.53 GiB; the limit is 2 GiB "
                    "(take fewer environments, or fewer gates)"}));
 }
 

@@ -47,6 +47,26 @@ TEST(EnvironmentScores, HaveTheirShareOfWhatHasNotBeenSeen) {
   EXPECT_NEAR(r.environment_difference.standard_error[0] / error, 0.2, 0.02);
 }
 
+// What is negligible in an echo may be all of a difference. Seen red: with a thousandth of the echo
+// for one of the difference.
+TEST(EnvironmentFlags, WhatIsNegligibleIsMeasuredByTheDifference) {
+  for (const double odd : {1.1, 0.9}) {
+    Tallies t(0, 1);
+    std::array<double, EnvironmentScores::size> ratio{};
+    for (int batch = 0; batch < 40; ++batch) {
+      for (int k = 0; k < 400; ++k) {
+        ratio.fill(k % 2 == 0 ? 1.1 : odd);
+        const Score score{0, 0, 1, 2.5, t.path_in(0), 1e-6};
+        t.batch.score(score, t.batch.places(score.path, score.depth), ratio.data());
+      }
+      t.end_batch(2000);
+    }
+    const Result r = t.result();
+    EXPECT_EQ(r.convergence_flags[0], 0);
+    EXPECT_EQ(r.environment_convergence_flags[0], odd > 1 ? 0 : heavy_tail);
+  }
+}
+
 /// The flags of an environment in four gates, all with steady echoes, but for some where once it
 /// has a very large score.
 std::vector<std::int32_t> flags_with_large_scores_in(const std::vector<std::int32_t>& gates) {

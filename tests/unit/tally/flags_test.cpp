@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <initializer_list>
 
 #include "unit/tally/tallies.hpp"
 
@@ -176,6 +177,20 @@ TEST(Flags, HeavyTailAboveOneError) {
   EXPECT_EQ(flags(less), 0);
 }
 
+// Batches of even points differ so little that any score is many errors. Where it would be no more
+// than a thousandth of the echo, it is in the error that is told, and raises no flag. Seen red:
+// with a ten thousandth; with a hundredth.
+TEST(Flags, HeavyTailIsNoNegligiblePart) {
+  for (const int scores : {40, 80}) {
+    Tallies t;
+    add_batches(t, 64, scores, [](int b) { return 1e-3 * (1 + 1e-3 * (steady(b) / 1e-3 - 1)); });
+    const double share = t.result().echo.standard_error[0] / t.result().echo.mean[0];
+    EXPECT_GT(widening(t), 10);
+    EXPECT_NEAR(share, scores == 40 ? 1.2e-3 : 0.5e-3, 0.1e-3);
+    EXPECT_EQ(flags(t), scores == 40 ? heavy_tail : 0);
+  }
+}
+
 // A run is no better for lacking the scores that are to come. Seen red: with 0.5 for 1 error; with
 // the index of the tail less by 0.5.
 TEST(Flags, HeavyTailDoesNotPickRunsThatLackLargeScores) {
@@ -215,7 +230,7 @@ void add_beside_quiet_scores(Tallies& t, double index, int scores, test::Random&
 
 // The largest scores of a gate may be those of walks that tell nothing of what others are to find.
 // Most runs are flagged; in others a large score has come, which is in the error. Seen red: with
-// the octaves of all walks together.
+// the octaves of all walks together, and so where one kind, here no walk, has none.
 TEST(Flags, HeavyTailOfSomeWalksIsNotHiddenByOthers) {
   test::Random random(13);
   constexpr double index = 1.2, least = 3e-7, most = 0.5;
@@ -251,6 +266,31 @@ TEST(Flags, BeamMissed) {
   EXPECT_EQ(flags_of(4, 0), beam_missed);
   EXPECT_EQ(flags_of(5, 0), 0);
   EXPECT_EQ(flags_of(0, 1), 0);
+}
+
+/// Of a gate in 64 batches: a hundred scores of no walk that add up to an echo, and so many of each
+/// of the given walks that add up to a share of it.
+std::int32_t flags_beside_histories(double share, int scores, std::initializer_list<Walked> walks) {
+  Tallies t(0, 0, kinds_of_walked);
+  for (int b = 0; b < 64; ++b) {
+    for (int k = 0; k < 100; ++k) t.score(0, steady(b) / 100, Walked::none);
+    for (const Walked walked : walks)
+      for (int k = 0; k < scores; ++k) t.score(0, share * steady(b) / scores, walked);
+    t.end_batch(1000);
+  }
+  return flags(t);
+}
+
+// Light that no walk carries asks for no walk of a telescope. The rest of a gate's light does,
+// where it is no negligible part. Seen red: with histories counted as walks of the laser, as it
+// was; with any rest judged; with the scores of telescopes' walks left out of the rest.
+TEST(Flags, BeamMissedJudgesTheLightOfWalks) {
+  EXPECT_EQ(flags_beside_histories(0, 0, {}), 0);
+  EXPECT_EQ(flags_beside_histories(4e-4, 10, {Walked::laser}), 0);
+  EXPECT_EQ(flags_beside_histories(3e-3, 10, {Walked::laser}), beam_missed);
+  EXPECT_EQ(flags_beside_histories(3e-3, 10, {Walked::laser, Walked::both}), 0);
+  EXPECT_EQ(flags_beside_histories(4e-4, 3, {Walked::telescope}), 0);
+  EXPECT_EQ(flags_beside_histories(3e-3, 3, {Walked::telescope}), beam_missed);
 }
 
 // Calm batches, then ones that scatter ten times as much. Seen red: with the error not scaled by
