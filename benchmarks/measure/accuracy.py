@@ -201,31 +201,31 @@ MEASUREMENTS = [
         "lidar-equation", "Single scattering", "Echoes of light scattered once are those of the lidar equation.",
         "The equation (docs/theory.md, eq. 30) is integrated over the laser's cone and each gate by "
         "`benchmarks/measure/lidar_equation.py`, which shares no code with the program. The number is the largest relative "
-        "difference of any gate. The tilted telescope sees all of the beam: the equation takes the blur of an image for round.",
+        "difference of any gate. The tilted telescope sees the whole beam: the equation takes the blur of an image for round.",
         measure_lidar_equation, rows_lidar_equation,
     ),
     Measurement(
         "agreement", "Two estimators", "The forward and the bidirectional estimator, which share emission, flight and "
         "scattering but not how an echo is estimated, agree.",
-        "z is the difference of two echoes over the error of that difference, in gates converged in both, of several pairs of "
-        "runs. The largest may pass the limit by chance in one of a hundred measurements; gates of a run have histories "
-        "in common, so that the root mean square scatters about 1.",
+        "z is the difference of two echoes divided by the error of that difference, in gates converged in both, of several pairs "
+        "of runs. The largest may exceed the limit by chance in one of a hundred measurements; the gates of a run share "
+        "histories, so the root mean square scatters about 1.",
         measure_agreement, rows_agreement,
     ),
     Measurement(
-        "slabs", "Multiple scattering", "Reflectance and transmittance of slabs are those that other methods found.",
-        "Shares of all light that leave the water upwards and reach its bottom: van de Hulst 1980, table 35; Giovanelli 1955.",
+        "slabs", "Multiple scattering", "Reflectance and transmittance of slabs are those published for other methods.",
+        "Shares of all light that leave the water upwards and that reach its bottom: van de Hulst 1980, table 35; Giovanelli 1955.",
         measure_slabs, rows_slabs,
     ),
     Measurement(
         "lanes", "Lanes in float", "Echoes from lanes, in float, are those of the scalar engine in double.",
-        "Differences of echoes of the same photons, over their standard error, in gates converged in the scalar run, of two "
-        "scenes by both estimators.",
+        "Differences of echoes of the same photons, divided by their standard error, in gates converged in the scalar run, for two "
+        "scenes and both estimators.",
         measure_lanes, rows_lanes,
     ),
     Measurement(
         "ledger", "Weight", "All weight that was emitted is booked: absorbed, escaped, or cut off.",
-        "The worst of several scenes. The sum is 1 in the mean only. In turbid water the forward estimator's is not, and a "
+        "The worst of several scenes. The sum is 1 only in the mean. In turbid water the forward estimator's is not, and a "
         "warning says so (docs/theory.md, eq. 24).",
         measure_ledger, rows_ledger,
     ),

@@ -275,7 +275,7 @@ def test_ctrl_c_keeps_what_is_done(tmp_path):
     _, errors = process.communicate(timeout=100)
     assert time.monotonic() - start < 5
     assert process.returncode == 130
-    assert errors.strip() == "measure.py: interrupted; the same command goes on with what is missing"
+    assert errors.strip() == "measure.py: interrupted; the same command continues with what is missing"
     assert list(json.loads(path.read_text())["measurements"]) == ["slabs"]
 
 
