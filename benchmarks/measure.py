@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""Measures what Photic claims, and writes the pages that tell it.
+"""Measures what Photic claims, and writes the pages that report it.
 
     benchmarks/measure.py run -o benchmarks/measured.json     # all of it: some 40 minutes on two idle cores
     benchmarks/measure.py run --only coverage --only slabs    # some of it, into measured.json here
     benchmarks/measure.py write benchmarks/measured.json      # docs/accuracy.md, docs/benchmarks.md, README's tables
 
-Results are kept after each measurement: one that was interrupted goes on with what is missing. The program is that of
-PHOTIC_PROGRAM, or build/release/apps/photic/photic.
+Results are kept after each measurement: after an interruption the same command continues with what is missing.
+The program is that of PHOTIC_PROGRAM, or build/release/apps/photic/photic.
 """
 
 import argparse
@@ -29,7 +29,7 @@ def main(arguments=None):
     run = commands.add_parser("run", help="measure")
     names = [measurement.name for measurement in pages.ALL]
     run.add_argument("--only", action="append", choices=names, metavar="NAME", help=f"this one, again if it is there: {', '.join(names)}")
-    run.add_argument("--quick", action="store_true", help="few photons and seeds: whether it works; marked as a reduced run")
+    run.add_argument("--quick", action="store_true", help="few photons and seeds, to try it out; marked as a reduced run")
     run.add_argument("-o", "--output", type=Path, default=Path("measured.json"), help="default: measured.json")
     write = commands.add_parser("write", help="write the pages")
     write.add_argument("results", type=Path)
@@ -40,7 +40,7 @@ def main(arguments=None):
         print(f"measure.py: {failure}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print("\nmeasure.py: interrupted; the same command goes on with what is missing", file=sys.stderr)
+        print("\nmeasure.py: interrupted; the same command continues with what is missing", file=sys.stderr)
         return 130
 
 
@@ -74,7 +74,7 @@ def measure(asked):
         results = read(asked.output)
         other = differences(results["stamp"], now)
         if other:
-            raise Failed(f"{asked.output}: was not measured in the same way: {'; '.join(other)} (remove it, or take another -o)")
+            raise Failed(f"{asked.output}: was not measured in the same way: {'; '.join(other)} (remove it, or give another -o)")
     done = results["measurements"]
     due = [m for m in pages.ALL if (m.name in asked.only if asked.only else "raw" not in done.get(m.name, {}))]
     known = {}

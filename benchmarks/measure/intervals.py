@@ -133,25 +133,25 @@ def rows_target(raw):
 
 SHORT = (
     "Short runs of many seeds against one long run of the bidirectional estimator, whose own error widens the intervals; gates "
-    "that are flagged, in either, are left out."
+    "that are flagged in either are left out."
 )
 MEASUREMENTS = [
     Measurement(
         "coverage", "Error bars", "95 % intervals of gates flagged converged cover the truth in 95 % of the cases.",
-        SHORT + " The number is the share that cover, its error the scatter from seed to seed.",
+        SHORT + " The number is the share of intervals that cover, its error the scatter from seed to seed.",
         measure_coverage, rows_coverage,
     ),
     Measurement(
         "coverage-hard", "Error bars in hard water", "In forty layers of random chlorophyll, seen by a tilted and a wide telescope, "
         "elastic and Raman.",
-        "As above, but for the long run, which is the forward estimator's: it converges in more of the gates. The bound is that of "
+        "As above, but the long run is the forward estimator's, which converges in more of the gates. The bound is that of "
         "other water.",
         measure_hard, rows_hard,
     ),
     Measurement(
         "flags", "Flags", "Gates flagged converged are not far off, and gates that are well known are not flagged.",
-        "The runs of `coverage`. A gate is known to 2.5 % where the short runs scatter about the truth by less (root mean "
-        "square), half of the 5 % that such runs are for. The forward estimator is flagged sooner: its large scores are rare.",
+        "The runs of `coverage`. A gate is known to 2.5 %, half of the 5 % that such runs aim at, where the short runs scatter about "
+        "the truth by less (root mean square). The forward estimator is flagged sooner: its large scores are rare.",
         measure_coverage, rows_flags,
     ),
     Measurement(
@@ -159,7 +159,7 @@ MEASUREMENTS = [
         "cover the truth in 95 % of the cases.", SHORT, measure_differences, rows_differences,
     ),
     Measurement(
-        "target", "Runs that end at a target", "A run that `--target` ended is as good as it says: that it ends when its errors "
-        "look small does not make them too small.", "Peaked water to 40 m at 5 %. " + SHORT, measure_target, rows_target,
+        "target", "Runs that end at a target", "A run that `--target` ended is as good as it says: ending when errors look small "
+        "does not make them too small.", "Peaked water to 40 m at 5 %. " + SHORT, measure_target, rows_target,
     ),
 ]

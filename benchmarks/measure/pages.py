@@ -15,7 +15,7 @@ PAGES = {
     ),
     "docs/benchmarks.md": (
         "Benchmarks",
-        "How long things take. Compare ratios, not seconds: processors differ by two and more.",
+        "How long things take. Compare ratios, not seconds: processors differ by a factor of two and more.",
         speed.MEASUREMENTS + instruments.MEASUREMENTS,
     ),
 }
@@ -45,7 +45,7 @@ def page(results, title, intro, measurements):
     reduced = " (reduced run)" if stamp["reduced"] else ""
     lines = [f"# {title}{reduced}", ""]
     if stamp["reduced"]:
-        lines += ["**Reduced run**: few photons and seeds, by which the measurements were tried out. Do not quote these numbers; "
+        lines += ["**Reduced run**: few photons and seeds, to try out the measurements. Do not quote these numbers; "
                   "bounds may be missed by chance.", ""]
     lines += [
         "<!-- Written by benchmarks/measure.py write; changes go there. -->", "",

@@ -1,4 +1,4 @@
-"""How long things take: ratios where that can be, since machines differ."""
+"""How long things take: as ratios where possible, since machines differ."""
 
 import math
 import os
@@ -53,7 +53,7 @@ def told_time(one, limit):
 
 
 def slowest(raw):
-    """The scene of which least was known when its time was over; if all were known, that which took longest."""
+    """The scene with the fewest known gates when its time was over; if all were known, the one that took longest."""
     scenes = {name: one for name, one in raw.items() if name != "limit"}
     return min(scenes.items(), key=lambda item: (item[1]["known"] / max(1, item[1]["gates"]), -item[1]["wall_s"]))
 
@@ -92,7 +92,7 @@ def rows_estimators(raw):
         for band in BANDS:
             both, forward = (in_band(merits[name], band) for name in ("bidirectional, 0.6", "forward, ray"))
             known = not math.isnan(both)
-            told = f"{number(both)} and {number(forward)} per second: {number(both / forward)} times" if known else "no gate known"
+            told = f"{number(both)} and {number(forward)} per second: ratio {number(both / forward)}" if known else "no gate known"
             yield Row(f"{scene}, {band[0]} to {band[1]} m", told)
 
 
@@ -241,40 +241,40 @@ def rows_files(raw):
         yield Row(name, f"{size / 1000:.0f} kB")
 
 
-SAME_PHOTONS = "CPU time of whole runs of the same photons on one thread, the least of several in turn."
+SAME_PHOTONS = "CPU time of whole runs of the same photons on one thread, the shortest of several in turn."
 MEASUREMENTS = [
     Measurement(
         "time-to-target", "Time to 2 %", "How long until every gate to 40 m is known to 2 % (ship-tilted and rov: to the last "
         "of their own gates).",
-        "The whole command on all cores, estimator chosen by itself. A run that its limit of time ends tells how many gates were known "
-        "by then, of those that light reaches.",
+        "The whole command on all cores, with the estimator that `auto` chose. For a run that its limit of time ended: how many gates "
+        "were known by then, of those that light reaches.",
         measure_target, rows_target,
     ),
     Measurement(
         "estimators", "Estimators by depth", "Figures of merit, 1 / (relative variance x CPU seconds), of the bidirectional and "
         "the forward estimator.",
         "Geometric means over the gates of a band that `photic bench` compares. A gate's figure is uncertain by 41 %, and "
-        "the forward one's in deep gates is probably lower: 12 repeats miss rare large scores.",
+        "the forward one in deep gates is probably lower: 12 repeats miss rare large scores.",
         measure_estimators, rows_estimators,
     ),
     Measurement(
-        "engines", "Engines", "Photons and collisions per second on one core, by the instructions of the lanes.",
+        "engines", "Engines", "Photons and collisions per second on one core, by the instruction set of the lanes.",
         "Peaked water, the best of several runs in turn.", measure_engines, rows_engines,
     ),
-    Measurement("threads", "Threads", "Two threads over one.", "Wall time, the least of several runs in turn.",
+    Measurement("threads", "Threads", "Two threads, relative to one.", "Wall time, the shortest of several runs in turn.",
                 measure_threads, rows_threads),
-    Measurement("layers", "Layers", "Fifty layers of like water over one.", SAME_PHOTONS, measure_layers, rows_layers),
+    Measurement("layers", "Layers", "Fifty layers of similar water, relative to one.", SAME_PHOTONS, measure_layers, rows_layers),
     Measurement(
-        "environments", "Environments", "What other waters cost that are computed from the same photons.",
+        "environments", "Environments", "The cost of other waters that are computed from the same photons.",
         SAME_PHOTONS,
         measure_environments, rows_environments,
     ),
-    Measurement("derivatives", "Derivatives", "What derivatives with respect to one and four parameters cost.", SAME_PHOTONS,
+    Measurement("derivatives", "Derivatives", "The cost of derivatives with respect to one and four parameters.", SAME_PHOTONS,
                 measure_derivatives, rows_derivatives),
     Measurement(
         "start", "Start", "A whole run of 1000 photons: with `auto`, pilot runs choose the estimator first.",
-        "Wall time on all cores, the least of several.", measure_start, rows_start,
+        "Wall time on all cores, the shortest of several.", measure_start, rows_start,
     ),
-    Measurement("files", "Files", "The size of a result, with all that it takes to go on from it.", "netCDF, three channels "
+    Measurement("files", "Files", "The size of a result, with all that is needed to continue it.", "netCDF, three channels "
                 "of 25 gates.", measure_files, rows_files),
 ]

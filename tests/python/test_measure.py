@@ -15,7 +15,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks"))
 
-from measure import accuracy, coverage, instruments, intervals, pages, program, speed, stamp  # noqa: E402
+from measure import accuracy, coverage, instruments, intervals, pages, program, readme, speed, stamp  # noqa: E402
 
 RESULTS = json.loads((ROOT / "benchmarks/measured.json").read_text())
 README = (ROOT / "README.md").read_text()
@@ -55,7 +55,7 @@ def test_the_results_hold_every_measurement():
 def test_the_tables_of_the_readme():
     # Seen red: with a command written out in a cell; with four rows.
     trust, speeds = tables(README, "trust"), tables(README, "speed")
-    assert trust[0] == ["claim", "allowed", "measured", "command"]
+    assert trust[0] == ["claim", "allowed", "measured", "option of `benchmarks/measure.py run`"]
     assert speeds[0] == ["what", "measured"]
     assert len(trust) == len(speeds) == 2 + 5
     cells = [cell for line in trust + speeds for cell in line]
@@ -87,9 +87,9 @@ def test_what_is_missing_failed_or_missed_is_told():
     assert "| 0.0500 (**not held**) |" in text
     assert "**Not measured**: photic run: exit code 1: no disk" in text
     assert text.count("**Not measured.**") == len(accuracy.MEASUREMENTS + intervals.MEASUREMENTS) - 2
-    readme = pages.readme(results, README)
-    assert tables(readme, "trust")[6][2].endswith("(**not held**)")
-    assert [line[2] for line in tables(readme, "trust")[2:6]] == ["not measured"] * 4
+    written = pages.readme(results, README)
+    assert tables(written, "trust")[6][2].endswith("(**not held**)")
+    assert [line[2] for line in tables(written, "trust")[2:6]] == ["not measured"] * 4
 
 
 def made_up(seeds, cells, shrunk=1.0, flagged=lambda seed, cell: False):
@@ -136,13 +136,31 @@ def test_nothing_converged_is_not_held():
     counts = made_up(3, 5, flagged=lambda seed, cell: True)
     row = intervals.covered("made up", counts, intervals.ALLOWED)
     assert (row.measured, row.held) == ("no gate is converged", False)
-    assert [row.held for row in accuracy.rows_agreement({"ship": []})] == [False]
+    assert [row.held for row in accuracy.rows_agreement({"ship": {"z": [], "largest": ""}})] == [False]
 
 
 def test_estimators_that_disagree_are_seen():
     chance = random.Random(5)
     z = [chance.gauss(0, 1) for _ in range(200)]
-    assert [row.held for row in accuracy.rows_agreement({"a": z, "b": [1.3 * x for x in z], "c": [*z, 5.0]})] == [True, False, False]
+    raw = {"a": z, "b": [1.3 * x for x in z], "c": [*z, 5.0]}
+    raw = {scene: {"z": of_scene, "largest": "raman of ship, gate 7, seed 2"} for scene, of_scene in raw.items()}
+    rows = list(accuracy.rows_agreement(raw))
+    assert [row.held for row in rows] == [True, False, False]
+    assert "beyond" not in rows[0].measured
+    assert rows[2].measured.endswith(
+        "; 1 beyond the limit, at the worst (raman of ship, gate 7, seed 2) the forward echo above the bidirectional one"
+    )
+
+
+def test_the_readme_says_in_which_scene_estimators_disagree():
+    # Seen red: with the gates of all scenes counted; with no scene named.
+    def cell(**z):
+        return readme.agreement({scene.replace("_", "-"): {"z": of_scene, "largest": ""} for scene, of_scene in z.items()})[1]
+
+    assert cell(ship=[0.5, -1.0], three_layers=[1.0]) == "up to 1.0 errors in 3 gates"
+    assert cell(ship=[0.5, -1.0], three_layers=[-5.0, 1.0]) == "three-layers: 1 of 2 gates off by up to 5.0 (**not held**)"
+    assert cell(ship=[0.5, 6.0], rov=[1.0], minimal=[-5.0, 1.0, 1.0]) == "2 scenes: 2 of 5 gates off by up to 6.0 (**not held**)"
+    assert cell(ship=[]) == "up to 0.0 errors in 0 gates (**not held**)"
 
 
 def test_single_scattering_meets_the_equation_and_a_wrong_one_is_seen():
@@ -257,7 +275,7 @@ def test_ctrl_c_keeps_what_is_done(tmp_path):
     _, errors = process.communicate(timeout=100)
     assert time.monotonic() - start < 5
     assert process.returncode == 130
-    assert errors.strip() == "measure.py: interrupted; the same command goes on with what is missing"
+    assert errors.strip() == "measure.py: interrupted; the same command continues with what is missing"
     assert list(json.loads(path.read_text())["measurements"]) == ["slabs"]
 
 
