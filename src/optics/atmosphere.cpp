@@ -80,13 +80,6 @@ std::vector<double> temperatures(const DataTable& table) {
                  "is it in degrees Celsius, and not in K?");
 }
 
-/// No number, where others have one.
-bool is_gap(const std::string& text) {
-  return text.empty() ||
-         (text.size() == 3 && std::ranges::equal(text, std::string("nan"), {},
-                                                 [](unsigned char c) { return std::tolower(c); }));
-}
-
 double saturated_vapour_per_m3(double temperature_k) {
   constexpr double grams_per_mol = 18.015;  // of water
   const double a = 273.15 / temperature_k;
