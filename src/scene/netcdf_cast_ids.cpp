@@ -13,7 +13,7 @@
 namespace photic::scene {
 namespace {
 
-using Names = std::set<std::string>;
+using NameSet = std::set<std::string>;
 
 /// Finds them for the values of one variable.
 class Finder {
@@ -140,8 +140,8 @@ std::string joined_parts(const std::string& name) {
 }
 
 bool names_casts(const std::string& name, const NetcdfHeader& header) {
-  static const Names roles{"profile_id", "trajectory_id", "timeseries_id"};
-  static const Names words{
+  static const NameSet roles{"profile_id", "trajectory_id", "timeseries_id"};
+  static const NameSet words{
       "profile",         "profileindex",   "profileid",   "profilenumber", "profilenum",
       "profileno",       "cycle",          "cycleid",     "cyclenumber",   "cast",
       "castindex",       "castid",         "castnumber",  "castno",        "station",
@@ -157,13 +157,13 @@ bool names_casts(const std::string& name, const NetcdfHeader& header) {
 }
 
 bool names_time(const std::string& name, const NetcdfHeader& header) {
-  static const Names names{"time", "juld"};
+  static const NameSet names{"time", "juld"};
   return header.text("standard_name") == "time" || names.contains(lower_case(name));
 }
 
 bool names_place(const std::string& name, const NetcdfHeader& header) {
-  static const Names standard_names{"latitude", "longitude"};
-  static const Names names{"latitude", "lat", "longitude", "lon"};
+  static const NameSet standard_names{"latitude", "longitude"};
+  static const NameSet names{"latitude", "lat", "longitude", "lon"};
   return standard_names.contains(header.text("standard_name")) || names.contains(lower_case(name));
 }
 

@@ -12,7 +12,7 @@ namespace photic::scene {
 namespace {
 
 /// The depths of some values.
-struct Span {
+struct DepthRange {
   double least = std::numeric_limits<double>::infinity(), most = -least;
 
   void take(double depth) {
@@ -69,8 +69,8 @@ Casts::Grouping Casts::grouped(const std::vector<CastId>& ids, std::size_t value
 /// Whether a group has parts that cover the same depths. The samples of one cast do not do so, of
 /// which each has its own time.
 bool Casts::overlap_in_depth(const Grouping& parts, std::size_t first, std::size_t end) const {
-  std::vector<Span> spans(end - first);
-  Span all;
+  std::vector<DepthRange> spans(end - first);
+  DepthRange all;
   for (std::size_t k = first; k < end; ++k)
     for (std::size_t i = parts.run[k].begin; i < parts.run[k].end; ++i) {
       const double depth = depth_.value[layout_.depth(parts.order[i])];
@@ -78,9 +78,9 @@ bool Casts::overlap_in_depth(const Grouping& parts, std::size_t first, std::size
       all.take(depth);
     }
   const auto longest = std::ranges::max_element(
-      spans, [](const Span& a, const Span& b) { return a.length() < b.length(); });
+      spans, [](const DepthRange& a, const DepthRange& b) { return a.length() < b.length(); });
   if (!(longest->length() >= all.length() / 2)) return false;
-  return std::any_of(spans.begin(), spans.end(), [&](const Span& other) {
+  return std::any_of(spans.begin(), spans.end(), [&](const DepthRange& other) {
     const double shared =
         std::min(longest->most, other.most) - std::max(longest->least, other.least);
     return &other != &*longest && other.length() > 0 && shared > other.length() / 2;
@@ -145,16 +145,17 @@ std::vector<std::size_t> Casts::numbers() const {
 }
 
 Cast Casts::cast(std::size_t number) const {
-  const auto all = numbers();
-  const auto at = std::ranges::lower_bound(all, number);
   Cast out{number};
-  if (at == all.end() || *at != number) return out;
-  const Run& run = groups_.run[static_cast<std::size_t>(at - all.begin())];
-  for (std::size_t i = run.begin; i < run.end; ++i) {
+  const auto run = is_numbered_
+                       ? std::ranges::lower_bound(groups_.run, number, {},
+                                                  [&](const Run& r) { return first_id(r); })
+                       : groups_.run.begin() + static_cast<std::ptrdiff_t>(number);
+  if (run == groups_.run.end() || (is_numbered_ && first_id(*run) != number)) return out;
+  for (std::size_t i = run->begin; i < run->end; ++i) {
     out.value.push_back(groups_.order[i]);
     out.depth.push_back(layout_.depth(groups_.order[i]));
   }
-  if (!is_numbered_) out.label = label(run);
+  if (!is_numbered_) out.label = label(*run);
   return out;
 }
 
@@ -193,7 +194,8 @@ std::string Casts::ids_text() const {
   const std::string text = joined(names, "and");
   if (ids_.size() != 1 || ids_.front().casts) return text;
   std::vector<std::string> labels;
-  for (const Run& run : groups_.run) labels.push_back(ids_.front().label(first_id(run)));
+  for (std::size_t k = 0; k < std::min<std::size_t>(groups_.run.size(), 10); ++k)
+    labels.push_back(ids_.front().label(first_id(groups_.run[k])));
   return fmt::format("{} ({})", text, first_of(labels));
 }
 

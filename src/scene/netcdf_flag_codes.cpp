@@ -1,6 +1,7 @@
 #include "scene/netcdf_flag_codes.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -108,17 +109,26 @@ class Explainer {
     return static_cast<std::uint64_t>(x);
   }
 
-  [[nodiscard]] std::uint64_t bits_in(const std::string& attribute, double x) const {
+  [[nodiscard]] std::uint64_t bits_of_mask(double x) const {
     const auto bits = as_bits(x);
-    if (!bits) fail(fmt::format("its {} has {}, which is no set of bits", attribute, x));
+    if (!bits) fail(fmt::format("its flag_masks has {}, which is no set of bits", x));
+    if (*bits == 0) fail("its flag_masks has 0, which is no bit");
     return *bits;
+  }
+
+  [[nodiscard]] std::uint64_t bits_of_value(const std::string& text) const {
+    std::uint64_t bits = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, bits);
+    if (error != std::errc{} || stop != end)
+      fail(fmt::format("its flag_values has {}, which is no set of bits", shortened(text)));
+    return bits;
   }
 
   void read_bits() {
     for (std::size_t i = 0; i < masks().size(); ++i) {
-      Bits bits{bits_in("flag_masks", masks()[i]), std::nullopt, meanings_[i]};
-      if (bits.mask == 0) fail("its flag_masks has 0, which is no bit");
-      if (!values().empty()) bits.value = bits_in("flag_values", std::atof(values()[i].c_str()));
+      Bits bits{bits_of_mask(masks()[i]), std::nullopt, meanings_[i]};
+      if (!values().empty()) bits.value = bits_of_value(values()[i]);
       for (const Bits& other : bits_)
         if (other.mask == bits.mask && other.value == bits.value)
           expect_one_meaning(plain_number(masks()[i]), other.meaning, bits.meaning);

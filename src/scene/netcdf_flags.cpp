@@ -99,19 +99,22 @@ void QualityFlags::judge_by(const Flags& flags, const std::vector<std::size_t>& 
 }
 
 void QualityFlags::check_agreement(std::size_t position) const {
-  const auto says = [&](const Flags& flags, Quality quality) {
+  const Flags *good[2] = {}, *bad[2] = {};  // not listed, listed
+  for (const Flags& flags : flags_) {
     const FlagCode* code = flag(flags, position);
-    return code != nullptr && code->quality == quality;
-  };
-  for (const Flags& a : flags_)
-    for (const Flags& b : flags_)
-      if (!(a.is_listed && b.is_listed) && says(a, Quality::good) && says(b, Quality::bad))
-        file_.fail(variable_ + shape_.index_text(position),
-                   fmt::format("is good by {} and bad by {}", a.name, b.name),
-                   fmt::format("remove the flags that are wrong from the file, or name both in the "
-                               "ancillary_variables of {}: then what any of them calls bad is "
-                               "left out",
-                               variable_));
+    if (code == nullptr) continue;
+    if (code->quality == Quality::good) good[flags.is_listed ? 1 : 0] = &flags;
+    if (code->quality == Quality::bad) bad[flags.is_listed ? 1 : 0] = &flags;
+  }
+  for (const auto& [a, b] :
+       {std::pair(good[0], bad[0]), std::pair(good[0], bad[1]), std::pair(good[1], bad[0])})
+    if (a != nullptr && b != nullptr)
+      file_.fail(variable_ + shape_.index_text(position),
+                 fmt::format("is good by {} and bad by {}", a->name, b->name),
+                 fmt::format("remove the flags that are wrong from the file, or name both in the "
+                             "ancillary_variables of {}: then what any of them calls bad is "
+                             "left out",
+                             variable_));
 }
 
 }  // namespace photic::scene

@@ -36,8 +36,12 @@ std::optional<std::string> adjusted(const NetcdfColumns& file, const ProfileVari
     if (lower_case(name) != lower_case(variable.name() + "_adjusted") || !header.has_numbers ||
         header.length != variable.variable().length)
       continue;
-    const ProfileVariable other(file, name);
-    if (known_levels(cast, other, other) >= fewest_levels) return name;
+    try {
+      const ProfileVariable other(file, name);
+      if (known_levels(cast, other, other) >= fewest_levels) return name;
+    } catch (const InputError&) {
+      continue;  // it is of no use itself
+    }
   }
   return std::nullopt;
 }

@@ -296,6 +296,9 @@ TEST(NetcdfFlags, ThatContradictThemselvesAreRefused) {
   bits.flag_masks = {1, 2, 4};
   EXPECT_EQ(file.problem(), "chla_qc: has 3 flag_masks and 2 flag_meanings" + one_meaning);
   bits.flag_masks = {1, 4};
+  bits.flag_values = {"1", "4.5"};
+  EXPECT_EQ(file.problem(),
+            "chla_qc: its flag_values has 4.5, which is no set of bits" + one_meaning);
   bits.flag_values = {"1"};
   EXPECT_EQ(file.problem(), "chla_qc: has 1 flag_values and 2 flag_masks" + one_meaning);
 }
