@@ -85,7 +85,7 @@ void check_aerosols(const Atmosphere& air, Findings& findings) {
   const char* depth = "atmosphere.aerosol_optical_depth_550";
   const bool has_depth = air.aerosol_optical_depth_550.has_value();
   if (has_depth && air.visibility_km)
-    findings.add(depth, "it takes the place of visibility_km, which is there, too",
+    findings.add(depth, "it takes the place of visibility_km, which is also given",
                  "leave one of them out");
   else if (!air.has_aerosols() && (has_depth || air.visibility_km))
     findings.add(has_depth ? depth : "atmosphere.visibility_km",

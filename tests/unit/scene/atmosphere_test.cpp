@@ -243,7 +243,7 @@ const std::vector<AirCase>& profile_cases() {
        {"scene.toml:28:29: 'aerosol_optical_depth_550' must be a finite number, at least 0 and at "
         "most 5, not 5.1"}},
       {us + "aerosol_optical_depth_550 = 0.2\nvisibility_km = 23",
-       {"scene.toml:28:29: it takes the place of visibility_km, which is there, too (leave one of "
+       {"scene.toml:28:29: it takes the place of visibility_km, which is also given (leave one of "
         "them out)"}},
       {us + "aerosol = \"none\"\naerosol_optical_depth_550 = 0.2",
        {"scene.toml:29:29: aerosol = \"none\" says that there are no aerosols (leave one of them "

@@ -88,7 +88,7 @@ TEST(Atmosphere, EveryTextOfWhatEnvironmentsMustNotChange) {
   EXPECT_EQ(with_environment(us_standard,
                              "\"atmosphere.aerosol_optical_depth_550\" = 0.2, "
                              "\"atmosphere.visibility_km\" = 23"),
-            Texts{"--set environment: it takes the place of visibility_km, which is there, too "
+            Texts{"--set environment: it takes the place of visibility_km, which is also given "
                   "(leave one of them out)"});
 }
 
