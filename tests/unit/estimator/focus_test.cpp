@@ -113,8 +113,8 @@ TEST(Focus, IsShownOfTheSurfaceAndTheLastGate) {
 
 // Along an axis 60 degrees off nadir the sea is 18 m away, and the cosine in the water is 0.7631:
 // a depth of 4 m is 5.242 m of the way and a range of 19 m is 1 m of it; a gate in the air is as
-// far away as it is. Seen red: with the tangential for the sagittal image; with the way in the
-// water as in the air.
+// far away as it is. Seen red: with the way in the water as in the air; with the
+// height for the way along the axis.
 TEST(Focus, IsShownAlongTheAxis) {
   const std::string slanted =
       "position_m = [0, 0, 9]\ndirection = [1.7320508075688772, 0, -1]\ndiameter_m = "
