@@ -132,7 +132,7 @@ def _name(panel, columns, across, is_wavelength):
         return
     count = len(columns.names)
     named = count <= MOST_NAMED and columns.width_nm is None
-    shown = spread(count, MOST_NAMED if named else MOST_TICKS)
+    shown = spread(count, count if count <= MOST_NAMED else MOST_TICKS)
     labels = [f"{columns.wavelength[k]:.4g}" for k in shown]
     if named:
         labels = [text(f"{columns.names[k]}, {label}") for k, label in zip(shown, labels)]

@@ -37,7 +37,8 @@ def oil_thickness(
         thickness = d + (ln(E / W) - ln(ratio)) / a
 
     So whatever the formulas neglect, as waves, is counted as it is over the run's film: take a scene whose
-    film is about as thick as the one sought, over the sea and with the instrument of the measurement.
+    film is about as thick as the one sought, over the sea and with the instrument of the measurement. d is
+    the scene's oil.thickness_um, also where the echoes of an environment were put in the place of its own.
 
     result   of a run over a film of oil, whole, as photic.open and photic.run return it
     clean    the same sea without the film: the name of an environment of `result` with

@@ -22,11 +22,15 @@ what it prints
 """
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/guide.md", "docs/howto/focus.md"])
-def test_commands_of(page, tmp_path, installed_environment):
-    # Seen red: with `photic new ships` in README, and `photic --versions` in the guide.
+PAGES = ["README.md", "docs/guide.md", *sorted(f"docs/howto/{path.name}" for path in (SOURCE / "docs/howto").glob("*.md"))]
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_commands_of(page, tmp_path, installed_environment, prefix):
+    # Seen red: with `photic new ships` in README, `photic --versions` in the guide, `surfaces` for `surface` in waves.md.
     assert commands_to_run(SOURCE / page), f"{page}: no block is tagged ```sh"
-    done = run_all(SOURCE / page, tmp_path, installed_environment)
+    python = {"PYTHONPATH": str(prefix / "lib/python3/dist-packages")}  # as "Install" in the guide says
+    done = run_all(SOURCE / page, tmp_path, installed_environment | python)
     assert done.returncode == 0, done.stderr
 
 

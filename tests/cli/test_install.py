@@ -95,7 +95,7 @@ def test_links_of_the_pages_lead_somewhere(prefix):
     # Seen red: without docs/images, and without the link to the data.
     pages = prefix / "share/doc/photic"
     missing, seen = [], 0
-    for page in [pages / "README.md", *pages.glob("docs/*.md")]:
+    for page in [pages / "README.md", *pages.glob("docs/**/*.md")]:
         for target in re.findall(r"\]\(([^)#]+)", page.read_text()):
             # The source stays in the repository.
             if re.match(r"https?:|(\.\./)*(src|apps|tests|tools|benchmarks|experiments)(/|$)", target):
