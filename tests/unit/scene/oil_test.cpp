@@ -34,7 +34,7 @@ TEST(Oil, IsWrittenAsItWasRead) {
 }
 
 constexpr const char* columns = "wavelength_nm,n,a_per_m,emission_per_nm\n";
-constexpr const char* rows = "300,1.5,1e5,0\n900,1.5,1e3,1\n";
+constexpr const char* oil_rows = "300,1.5,1e5,0\n900,1.5,1e3,1\n";
 
 /// The scene with an oil from a file.
 struct OilFile {
@@ -49,7 +49,7 @@ struct OilFile {
 
 // What a file tells stands in the written scene, which needs no file.
 TEST(Oil, OfAFileHasItsYieldAndLifetime) {
-  const OilFile file(std::string("# yield: 0.05\n# lifetime_ns: 7\n") + columns + rows);
+  const OilFile file(std::string("# yield: 0.05\n# lifetime_ns: 7\n") + columns + oil_rows);
   const Scene scene = base_scene(file.overrides());
   EXPECT_EQ(scene.oil->yield, 0.05);
   EXPECT_EQ(scene.oil->lifetime_ns, 7);
@@ -59,7 +59,7 @@ TEST(Oil, OfAFileHasItsYieldAndLifetime) {
   EXPECT_EQ(base_scene(given).oil->yield, 0.1);
 }
 TEST(Oil, OfAFileWithoutThemIsRefused) {
-  const OilFile file(std::string("# yield: 0.05\n") + columns + rows);
+  const OilFile file(std::string("# yield: 0.05\n") + columns + oil_rows);
   const Texts all = told(file.overrides());
   ASSERT_EQ(all.size(), 1U);
   EXPECT_TRUE(
@@ -71,7 +71,7 @@ TEST(Oil, OfAFileWithoutThemIsRefused) {
 // Seen red, each for itself: with the comments asked for although the scene has both; with those of
 // the file before the scene's.
 TEST(Oil, TellsInTheSceneWhatItsFileDoesNot) {
-  const OilFile bare(std::string(columns) + rows);
+  const OilFile bare(std::string(columns) + oil_rows);
   auto given = bare.overrides();
   given.push_back({"oil.yield=0.1"});
   EXPECT_TRUE(
@@ -80,7 +80,7 @@ TEST(Oil, TellsInTheSceneWhatItsFileDoesNot) {
   given.push_back({"oil.lifetime_ns=3"});
   EXPECT_EQ(told(given), Texts{});
   EXPECT_EQ(base_scene(given).oil->lifetime_ns, 3);
-  const OilFile full(std::string("# yield: much\n# lifetime_ns: 7\n") + columns + rows);
+  const OilFile full(std::string("# yield: much\n# lifetime_ns: 7\n") + columns + oil_rows);
   EXPECT_EQ(told(given), Texts{});
   EXPECT_EQ(base_scene(given).oil->yield, 0.1);
 }
