@@ -22,7 +22,7 @@ what it prints
 """
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/guide.md"])
+@pytest.mark.parametrize("page", ["README.md", "docs/guide.md", "docs/howto/files.md"])
 def test_commands_of(page, tmp_path, installed_environment):
     # Seen red: with `photic new ships` in README, and `photic --versions` in the guide.
     assert commands_to_run(SOURCE / page), f"{page}: no block is tagged ```sh"
