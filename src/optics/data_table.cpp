@@ -45,12 +45,14 @@ DataTable DataTable::of_columns(const std::vector<Column>& columns, const std::s
     for (std::size_t row = 0; row < cells.size(); ++row) table.cells_[row].push_back(cells[row]);
   }
   table.listed_ = table.columns_;
+  table.units_.resize(columns.size());
   return table;
 }
 
 DataTable DataTable::with(const std::vector<std::pair<std::string, ColumnInFile>>& columns) const {
   DataTable out = *this;
   out.columns_.clear();
+  out.units_.clear();
   for (Cells& row : out.cells_) row.clear();
   std::map<std::size_t, std::string> taken;
   for (const auto& [called, column] : columns) {
@@ -61,6 +63,7 @@ DataTable DataTable::with(const std::vector<std::pair<std::string, ColumnInFile>
           fmt::format("column {} is named as both {} and {}", index + 1, other->second, called),
           "each has a column of its own");
     out.columns_.push_back(called);
+    out.units_.push_back(units_[index]);
     for (std::size_t row = 0; row < cells_.size(); ++row)
       out.cells_[row].push_back(cells_[row][index]);
   }
@@ -143,6 +146,8 @@ double DataTable::number_in_header(const std::string& key) const {
 bool DataTable::has(const std::string& column) const {
   return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
 }
+
+std::string DataTable::units(const std::string& column) const { return units_[index_of(column)]; }
 
 std::vector<std::string> DataTable::texts(const std::string& column) const {
   const std::size_t c = index_of(column);

@@ -83,6 +83,8 @@ class DataTable {
   [[nodiscard]] double number_in_header(const std::string& key) const;
 
   [[nodiscard]] bool has(const std::string& column) const;
+  /// What the header of a SeaBASS file says of a column; mostly nothing.
+  [[nodiscard]] std::string units(const std::string& column) const;
 
   [[nodiscard]] std::vector<std::string> texts(const std::string& column) const;
   /// Finite numbers only.
@@ -143,6 +145,7 @@ class DataTable {
   Headers headers_;
   std::vector<std::string> columns_;
   std::vector<std::string> listed_;  ///< the columns of the file
+  std::vector<std::string> units_;   ///< of each column
   int column_line_ = 0;
   char separator_ = comma;
   bool has_names_ = true;

@@ -18,6 +18,8 @@ DataTable DataTable::parse(const std::string& text, const std::string& name) {
   table.column_line_ = head.line;
   table.separator_ = head.separator;
   table.missing_ = head.missing;
+  table.units_ = head.units;
+  table.units_.resize(head.columns);
   table.read_lines(lines, head);
   if (table.cells_.empty())
     table.fail_at(std::max<int>(1, static_cast<int>(lines.size())), 1,

@@ -102,15 +102,22 @@ class HeadReader {
     if (sign == line.size() && !key.starts_with("/begin_header") && !key.starts_with("/end_header"))
       return false;
     if (key == "/fields") {
-      for (const TableCell& field : fields_of(value, comma, name_, static_cast<int>(first_) + 1))
-        fields_.push_back(field.text);
+      fields_ = texts_in(value);
       fields_line_ = first_;
     }
+    if (key == "/units") units_ = texts_in(value);
     if (key == "/delimiter")
       told_ = value == "comma" ? comma : value == "tab" ? tab : value == "space" ? blank : told_;
     if (key == "/missing" || key == "/below_detection_limit" || key == "/above_detection_limit")
       if (const auto number = finite_number(value)) head_.missing.push_back(*number);
     return true;
+  }
+
+  [[nodiscard]] std::vector<std::string> texts_in(const std::string& list) const {
+    std::vector<std::string> texts;
+    for (const TableCell& field : fields_of(list, comma, name_, static_cast<int>(first_) + 1))
+      texts.push_back(field.text);
+    return texts;
   }
 
   // --- Lines of numbers --------------------------------------------------------------------------
@@ -286,6 +293,7 @@ class HeadReader {
 
   bool take_fields(const Row& way) {
     head_.names = fields_;
+    if (units_.size() == fields_.size()) head_.units = units_;
     head_.columns = fields_.size();
     head_.line = static_cast<int>(fields_line_) + 1;
     head_.separator = way.separator;
@@ -315,7 +323,7 @@ class HeadReader {
   const std::string& name_;
   std::size_t first_ = 0;     ///< the first line that is no comment and no header
   std::optional<char> told_;  ///< the separator
-  std::vector<std::string> fields_;
+  std::vector<std::string> fields_, units_;
   std::size_t fields_line_ = 0;
   TableHead head_;
 };

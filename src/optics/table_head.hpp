@@ -15,6 +15,7 @@ namespace photic::optics {
 
 struct TableHead {
   std::vector<std::string> names;  ///< none: there are none
+  std::vector<std::string> units;  ///< of each of them, where the file lists them
   std::size_t columns = 0;
   int line = 1;  ///< of the names, or else of the first row
   char separator = comma;

@@ -16,6 +16,7 @@
 #include "scene/netcdf_columns.hpp"
 #include "scene/netcdf_units.hpp"
 #include "scene/suggest.hpp"
+#include "scene/units.hpp"
 
 namespace photic::scene {
 namespace {
@@ -147,6 +148,7 @@ IopGrid grid_of_text(const std::string& path, const IopNames& names_in_file) {
   };
   if (!file.may_be_quoted()) contents.first = fmt::format("{}: ", optics::no_numbers);
   const auto names = value_names(contents);
+  for (const std::string& column : table.columns()) refuse_other_units(table, column, column);
   const auto depth = table.numbers(depth_name);
   const auto wavelength = table.numbers(wavelength_name);
   IopGrid grid;

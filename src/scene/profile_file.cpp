@@ -14,6 +14,7 @@
 #include "scene/netcdf_instead.hpp"
 #include "scene/netcdf_latitude.hpp"
 #include "scene/netcdf_units.hpp"
+#include "scene/units.hpp"
 
 namespace photic::scene {
 namespace {
@@ -135,6 +136,8 @@ ReadProfile profile_of_text(const ProfileFile& from, const ProfiledKey& key) {
   constexpr const char *depth = "depth", *value = "column";
   const auto file = optics::DataTable::read(from.file);
   const auto table = file.with({{depth, from.depth}, {value, from.column}});
+  refuse_other_units(table, depth, "depth_m");
+  refuse_other_units(table, value, key.key);
   Measured measured{
       "rows", file.name_of_column(from.depth), file.name_of_column(from.column), {}, {}, {}};
   measured.depth_m = table.numbers(depth);

@@ -1,5 +1,7 @@
 #include "scene/units.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -146,6 +148,22 @@ std::string understood_for(const std::string& key) {
     return "\"psu\", \"1\" and \"1e-3\" are understood for practical salinities, \"g/kg\" for "
            "absolute ones";
   return key_unit(key)->understood;
+}
+
+void refuse_other_units(const optics::DataTable& table, const std::string& column,
+                        const std::string& key) {
+  const std::string units = table.units(column);
+  const KeyUnit* unit = key_unit(key);
+  const bool has_scale = is_temperature(key) || is_salinity(key);
+  if (units.empty() || !unit || !(unit->unit || has_scale)) return;
+  const auto convert = conversion_to(key, units, "");
+  const bool same = convert && convert->decade == 0 && convert->factor == 1 && convert->offset == 0;
+  if (same || (!convert && !unit_called(units))) return;
+  const std::string other =
+      table.may_be_quoted() ? fmt::format("\"{}\"", optics::shown(units)) : "other units";
+  table.fail_columns(
+      fmt::format("{} is in {} by the header of the file, not in {}", column, other, unit->text),
+      "convert the column, and write its new units there");
 }
 
 bool is_absolute_salinity(const std::string& units, const std::string& standard_name) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "optics/data_table.hpp"
 #include "scene/unit_text.hpp"
 
 namespace photic::scene {
@@ -48,6 +49,11 @@ struct OtherUnit {
 
 /// "… are understood": what a file may call units of this key.
 [[nodiscard]] std::string understood_for(const std::string& key);
+
+/// Throws InputError where the header of a table says that a column has units that are understood
+/// and are not the key's: it would be misread.
+void refuse_other_units(const optics::DataTable& table, const std::string& column,
+                        const std::string& key);
 
 /// Whether a file's salinities are in grams per kilogram (TEOS-10), which are not practical ones.
 [[nodiscard]] bool is_absolute_salinity(const std::string& units, const std::string& standard_name);

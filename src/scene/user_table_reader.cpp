@@ -42,8 +42,11 @@ void read_file(const TableOrFile& rule, const std::string& path, const NamesInFi
       data = data.with(names);
     if (refuse_missing(rule, data, name, shared)) return;
     std::vector<std::string> taken;
-    for (const TableOrFile::Column& column : rule.columns)
-      if (data.has(column.name)) taken.emplace_back(column.name);
+    for (const TableOrFile::Column& column : rule.columns) {
+      if (!data.has(column.name)) continue;
+      refuse_other_units(data, column.name, column.name);
+      taken.emplace_back(column.name);
+    }
     value = UserTable(data, taken);
     for (const std::string& remark : data.remarks())
       shared.findings.remark(name.path, data.name() + ": " + remark);

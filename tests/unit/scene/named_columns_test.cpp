@@ -239,6 +239,45 @@ TEST_F(NamedColumns, WhatIsWrongIsToldAtItsPlace) {
                    "out)"}));
 }
 
+// The header of a SeaBASS file, whose units are those of the key or of no kind that is known. Seen
+// red, each for itself: with units left unread; in tables, in profiles, in iop tables.
+TEST_F(NamedColumns, AreInTheUnitsOfTheirKeys) {
+  const auto with_units = [&](const std::string& units) {
+    files_.write("f.dat", "/begin_header\n/fields=x,y\n/units=" + units +
+                              "\n/delimiter=space\n/end_header\n400 0.1\n600 0.2\n");
+  };
+  const std::string bed = with_a_bed("{ file = 'f.dat', wavelength = 'x', albedo = 'y' }");
+  const std::string profile =
+      profiled("file = 'f.dat', depth = 'x', column = 'y', above = 'constant'");
+  const std::string other = " (convert the column, and write its new units there)";
+  for (const char* units : {"nm,unitless", "NM,1", "nm,%", "wl,none", "nm"}) {
+    with_units(units);
+    EXPECT_EQ(files_.problems(bed), Texts{}) << units;
+  }
+  with_units("um,1");
+  EXPECT_EQ(
+      files_.problems(bed),
+      Texts{"f.dat:2:1: wavelength_nm is in \"um\" by the header of the file, not in nm" + other});
+  for (const char* units : {"m,mg/m^3", "m,mg m^-3", "meters,ug/l"}) {
+    with_units(units);
+    EXPECT_EQ(files_.problems(profile), Texts{}) << units;
+  }
+  for (const auto& [units, said] : std::vector<std::pair<std::string, std::string>>{
+           {"m,ug/ml", "column is in \"ug/ml\" by the header of the file, not in mg/m3"},
+           {"dbar,mg/m^3", "depth is in \"dbar\" by the header of the file, not in m"},
+           {"m,1/m", "column is in \"1/m\" by the header of the file, not in mg/m3"}}) {
+    with_units(units);
+    EXPECT_EQ(files_.problems(profile), Texts{"f.dat:2:1: " + said + other});
+  }
+  files_.write("f.dat", "/fields=z,l,a,b\n/units=m,nm,1/cm,1/m\n0 500 1 2\n");
+  EXPECT_EQ(
+      files_.problems(edited({{19, 25,
+                               "[sea]\niop_table = { file = 'f.dat', depth = 1, "
+                               "wavelength = 2, a = 3, b = 4, phase_function = "
+                               "'petzold' }"}})),
+      Texts{"f.dat:1:1: a_per_m is in \"1/cm\" by the header of the file, not in 1/m" + other});
+}
+
 // Seen red: with the name of the variable taken for a number; with columns of a tape6.
 TEST_F(NamedColumns, AreThoseOfTablesOfText) {
   write_float(files_);
