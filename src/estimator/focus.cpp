@@ -49,7 +49,7 @@ double middle_of_gate(const Model& model, std::size_t t, std::int32_t gate) {
 std::string focused_at(const scene::Telescope& telescope) {
   const double per_metre = instrument::per_sharp_range(telescope);
   if (per_metre < 0) return "focused nowhere, with its detector before the focal plane";
-  return per_metre > 0 ? fmt::format("focused at {:.4g} m", 1 / per_metre) : "focused at infinity";
+  return per_metre > 0 ? fmt::format("focused at {:.6g} m", 1 / per_metre) : "focused at infinity";
 }
 
 std::string told_of(const Model& model, std::size_t t) {
