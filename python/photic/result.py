@@ -8,6 +8,7 @@ import xarray
 from photic.errors import Error
 
 FORMAT = 3  # the newest layout this package reads
+PARTS_CONVERGED = ("echo_by_process_converged", "echo_by_order_converged")
 
 
 def open(path):
@@ -18,7 +19,8 @@ def open(path):
     gate_depth [m] of each telescope and channel, channel_wavelength [nm], and the bounds of gates.
     Variables: echo, echo_by_process, echo_by_order, echo_by_depth, each with _standard_error, and
     converged (bool), convergence_flags
-    with their meanings, … If the scene has environments: the dimension environment (indexed by name),
+    with their meanings, the same of parts as echo_by_process_converged, echo_by_order_converged and
+    their _convergence_flags, … If the scene has environments: the dimension environment (indexed by name),
     environment_echo and environment_difference (to echo), with _standard_error, and
     environment_converged. If environments set numbers: the dimension environment_path (indexed by path),
     environment_value, and for each path a coordinate of that name along environment, so that
@@ -72,7 +74,8 @@ def _named(dataset):
         dataset = dataset.assign_coords({axis: (axis, names.values.astype(str), names.attrs)})
         dataset = dataset.drop_vars(axis + "_name")
     flags = {"environment": "environment_converged", "parameter": "sensitivity_converged"}
-    for name in ["converged"] + [flags[axis] for axis in flags if has[axis]]:
+    parts = [name for name in PARTS_CONVERGED if name in dataset]  # earlier results have none
+    for name in ["converged"] + parts + [flags[axis] for axis in flags if has[axis]]:
         # With bytes, ~ds.converged would be true everywhere.
         converged = dataset[name].astype(bool)
         converged.attrs = {"long_name": dataset[name].attrs["long_name"]}

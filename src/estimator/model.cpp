@@ -89,6 +89,9 @@ tally::Shape make_shape(const scene::Scene& scene, const medium::Medium& medium,
     }
     shape.channels_of_line.push_back(std::move(counted_by));
   }
+  for (const std::string& process : processes)
+    shape.beside_walks.push_back(process == "surface" ||
+                                 process == scene::word_of(medium::Process::oil));
   const auto last_touched = static_cast<std::int32_t>(touched_in(medium, air).back());
   for (std::int32_t touched = 0; touched <= last_touched; ++touched)
     for (const auto& line : medium.line) {

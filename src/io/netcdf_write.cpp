@@ -188,9 +188,11 @@ void add_echoes(NetcdfImage& file, const tally::Result& result) {
       "order_cut_share");
   add_estimates(file, "echo_by_process", {"telescope", "channel", "process", "gate"},
                 result.echo_by_process, echo_meaning + ", by the process in which the light turned",
-                "gate: sum", "", " process_name");
+                "gate: sum", " echo_by_process_converged echo_by_process_convergence_flags",
+                " process_name");
   add_estimates(file, "echo_by_order", {"telescope", "channel", "order", "gate"},
-                result.echo_by_order, echo_meaning + ", by order of scattering", "gate: sum");
+                result.echo_by_order, echo_meaning + ", by order of scattering", "gate: sum",
+                " echo_by_order_converged echo_by_order_convergence_flags");
   if (result.depths() == 0) return;
   add_estimates(file, "echo_by_depth", {"telescope", "channel", "gate", "depth"},
                 result.echo_by_depth, echo_meaning + ", by depth of the last scattering",
@@ -229,6 +231,11 @@ void add_flags(NetcdfImage& file, const std::string& prefix, const std::string& 
 void add_convergence(NetcdfImage& file, const tally::Result& result) {
   const std::vector<std::string> dimensions = {"telescope", "channel", "gate"};
   add_flags(file, "", "echo", dimensions, result.convergence_flags);
+  add_flags(file, "echo_by_process_", "echo of a process",
+            {"telescope", "channel", "process", "gate"}, result.process_convergence_flags,
+            " process_name");
+  add_flags(file, "echo_by_order_", "echo of an order", {"telescope", "channel", "order", "gate"},
+            result.order_convergence_flags);
   file.add_variable("largest_score_share", dimensions, result.largest_score_share,
                     dimensionless("share of the largest single score in the echo"));
   file.add_variable("variance_of_variance", dimensions, result.variance_of_variance,

@@ -8,13 +8,15 @@ namespace {
 // Of a number with its square: a sum, and the sum before an incomplete batch or on its way into the
 // file; the number in two batches, or mean and error in the result.
 constexpr double per_sum = 16.0 + 16.0 + 16.0;
+/// Of an order or a process, of which higher powers are summed (tally::TailSums), and its flags.
+constexpr double per_part = 64.0 + 64.0 + 16.0 + 5.0;
 constexpr double per_sum_of_batch = 8.0;
-/// Of a cell by itself: counts of its scores by 128 octaves, of 4 bytes and of three kinds in two
-/// batches; sums, snapshots of them, flags, diagnostics.
-constexpr double per_cell = 2 * 1560.0 + 500.0;
-constexpr double per_cell_of_batch = 1560.0;
-/// Of a kind of its scores: the counts of all batches, of 8 bytes, twice.
-constexpr double per_kind = 2 * 1024.0;
+/// Of a cell by itself: sums, snapshots of them, flags, diagnostics.
+constexpr double per_cell = 2 * 24.0 + 500.0;
+constexpr double per_cell_of_batch = 24.0;
+/// Of a kind of its scores: counts by 128 octaves, of 8 bytes twice, and of 4 in two batches.
+constexpr double per_kind = 2 * 1024.0 + 2 * 512.0;
+constexpr double per_kind_of_batch = 512.0;
 /// Of a cell in other water: tally::EnvironmentSums as sums above, and four numbers of the result.
 constexpr double per_water = 2 * 168.0 + 2 * 56.0 + 32.0;
 constexpr double per_water_of_batch = 56.0;
@@ -37,11 +39,12 @@ TallyMemory tally_memory(const Scene& scene) {
       3.0 + (scene.bottom ? 1 : 0) + (scene.oil ? 1 : 0);  // elastic, raman, chlorophyll
   const double waters = number(scene.environment.size() + scene.sensitivity.size());
   return {.depths = cells * depths * per_sum,
-          .orders = cells * orders * per_sum,
+          .orders = cells * orders * per_part,
           .other_waters = cells * waters * per_water,
-          .rest = cells * (processes * per_sum + per_cell + kinds_in(scene) * per_kind),
-          .batch = cells * ((depths + orders + processes) * per_sum_of_batch +
-                            waters * per_water_of_batch + per_cell_of_batch)};
+          .rest = cells * (processes * per_part + per_cell + kinds_in(scene) * per_kind),
+          .batch = cells *
+                   ((depths + orders + processes) * per_sum_of_batch + waters * per_water_of_batch +
+                    per_cell_of_batch + kinds_in(scene) * per_kind_of_batch)};
 }
 
 }  // namespace photic::scene

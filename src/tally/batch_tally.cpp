@@ -19,8 +19,6 @@ void CellScores::add(const CellScores& others) {
   largest = std::max(largest, others.largest);
   cut_order += others.cut_order;
   scores += others.scores;
-  for (std::size_t kind = 0; kind < count.size(); ++kind)
-    std::ranges::transform(count[kind], others.count[kind], count[kind].begin(), std::plus());
 }
 
 void EnvironmentScores::add(const EnvironmentScores& others) {
@@ -50,6 +48,7 @@ BatchTally::BatchTally(const Shape& shape, const Gates& gates)
       cells_of_telescope_(shape.channels * shape.gates),
       last_order_(shape.max_order > 0 ? shape.max_order
                                       : std::numeric_limits<std::int32_t>::max()) {
+  for (auto& kind : octaves) kind.resize(shape.cells());
   const std::size_t lines = shape.channels_of_line.size();
   for (std::size_t each = 0; each < shape.process_of_light.size(); ++each) {
     const std::size_t line = each % lines;
@@ -91,6 +90,10 @@ void BatchTally::pass_to_wider() {
 void BatchTally::add_cell(std::size_t from, std::size_t to) {
   if (!cells[to].touched()) touched_cells.push_back(static_cast<std::uint32_t>(to));
   cells[to].add(cells[from]);
+  for (auto& kind : octaves) {
+    if (kind[from] != OctavesOfBatch{})
+      std::ranges::transform(kind[to], kind[from], kind[to].begin(), std::plus());
+  }
   add_sums(by_order, from, to, orders_);
   add_sums(by_process, from, to, processes_);
   for (std::size_t g = 0; g < environment_groups; ++g)
@@ -111,6 +114,8 @@ void BatchTally::clear() {
     std::fill_n(by_process.begin() + static_cast<std::ptrdiff_t>(cell * shape_->processes),
                 shape_->processes, 0.0);
     cells[cell] = {};
+    for (auto& kind : octaves)
+      if (kind[cell] != OctavesOfBatch{}) kind[cell] = {};
     std::fill_n(environment.begin() + static_cast<std::ptrdiff_t>(cell * environment_groups),
                 environment_groups, EnvironmentScores{});
   }

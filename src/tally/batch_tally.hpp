@@ -33,17 +33,17 @@ struct CellScores {
   double largest = 0;    ///< single score
   double cut_order = 0;  ///< first order beyond max_order
   std::uint64_t scores = 0;
-  /// Of them, by the walks that they are of, in an octave.
-  std::array<std::array<std::uint32_t, score_octaves>, kinds_of_walked> count{};
 
   [[nodiscard]] bool touched() const { return largest > 0 || cut_order > 0; }
-  void add(double value, Walked walked) {
+  void add(double value) {
     largest = std::max(largest, value);
     ++scores;
-    ++count[kind_of(walked)][static_cast<std::size_t>(score_octave(value))];
   }
   void add(const CellScores& others);
 };
+
+/// So many of them in each octave.
+using OctavesOfBatch = std::array<std::uint32_t, score_octaves>;
 
 /// One contribution of a collision to a telescope, of one light.
 struct Score {
@@ -142,6 +142,8 @@ class BatchTally {
   ZeroedVector<double> by_process;  ///< [cell][process]
   ZeroedVector<double> by_depth;    ///< [cell][depth]
   ZeroedVector<CellScores> cells;   ///< [cell]
+  /// [cell], by the walks that the scores are of. Kinds without a score take no memory.
+  std::array<ZeroedVector<OctavesOfBatch>, kinds_of_walked> octaves;
   std::size_t environment_groups;
   ZeroedVector<EnvironmentScores> environment;  ///< [cell][group of environments]
   std::vector<std::uint32_t> touched_cells, touched_depths;
@@ -211,7 +213,8 @@ inline bool BatchTally::add(const Score& s, std::int32_t depth, std::size_t cell
     here.cut_order += value;
     return false;
   }
-  here.add(value, s.walked);
+  here.add(value);
+  ++octaves[kind_of(s.walked)][cell][static_cast<std::size_t>(score_octave(value))];
   by_order[cell * orders_ + std::min(static_cast<std::size_t>(s.order), orders_ - 1)] += value;
   by_process[cell * processes_ + light_[static_cast<std::size_t>(s.light)].process] += value;
   if (depth >= 0) {

@@ -170,6 +170,15 @@ std::int32_t Totals::environment_flags(std::size_t cell, const EnvironmentSums& 
   return own.flags | difference_flags(cell, s);
 }
 
+std::int32_t Totals::part_flags(const TailSums& part, std::size_t cell, const Whole& whole,
+                                bool beside_walks) const {
+  Health own = health_of(part, counted(cell), whole.unseen_share * part.low.x);
+  if ((own.flags & no_score) != 0) return own.flags;
+  own.raise(own.variance_of_variance > largest_variance_of_variance, uncertain_variance);
+  const std::int32_t shared = heavy_tail | (beside_walks ? 0 : ConvergenceFlag::beam_missed);
+  return own.flags | (whole.flags & shared);
+}
+
 bool Totals::row_converged(std::size_t row, double relative_error) const {
   for (std::size_t cell = row * shape_->gates; cell < (row + 1) * shape_->gates; ++cell) {
     const Health h = health(cell);

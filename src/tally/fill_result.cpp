@@ -94,43 +94,45 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
   flag_among_flagged(first, shape_->gates, result.sensitivity_convergence_flags);
 }
 
+void Totals::fill_parts(const ZeroedVector<TailSums>& parts, const std::vector<Whole>& wholes,
+                        const std::vector<bool>& beside_walks, Estimates& out,
+                        std::vector<std::int32_t>& flags) const {
+  const std::size_t count = parts.size() / wholes.size();
+  for (std::size_t row = 0; row < shape_->rows(); ++row) {
+    for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t cell = row * shape_->gates; cell < (row + 1) * shape_->gates; ++cell) {
+        const TailSums& part = parts[cell * count + k];
+        estimate(part.low, cell, wholes[cell].unseen_share * part.low.x, out);
+        flags.push_back(
+            part_flags(part, cell, wholes[cell], k < beside_walks.size() && beside_walks[k]));
+      }
+    }
+  }
+}
+
 void Totals::fill(Result& result) const {
-  const auto gates = shape_->gates;
-  std::vector<double> unseen_share;  // of an echo, and so of its parts
+  std::vector<Whole> wholes;
   for (std::size_t cell = 0; cell < state_.echo.size(); ++cell) {
     const double x = state_.echo[cell].low.x;
-    unseen_share.push_back(x > 0 ? unseen(cell) / x : 0);
     estimate(state_.echo[cell].low, cell, unseen(cell), result.echo);
     const Health h = health(cell);
     result.convergence_flags.push_back(h.flags);
+    wholes.push_back({h.flags, x > 0 ? unseen(cell) / x : 0});
     result.variance_of_variance.push_back(h.variance_of_variance);
     result.error_growth.push_back(error_growth(cell));
     result.largest_score_share.push_back(x > 0 ? state_.largest[cell] / x : 0.0);
     result.order_cut_share.push_back(x > 0 ? state_.cut_order[cell] / x : 0.0);
   }
-  // The result has gates last but for the depths.
-  for (std::size_t tc = 0; tc < shape_->rows(); ++tc) {
-    result.channel_photons.push_back(state_.row[tc].photons);
-    for (std::size_t p = 0; p < shape_->processes; ++p) {
-      for (std::size_t g = 0; g < gates; ++g) {
-        const std::size_t cell = tc * gates + g;
-        const Sums& part = state_.by_process[cell * shape_->processes + p];
-        estimate(part, cell, unseen_share[cell] * part.x, result.echo_by_process);
-      }
-    }
-    for (std::size_t o = 0; o < shape_->orders; ++o) {
-      for (std::size_t g = 0; g < gates; ++g) {
-        const std::size_t cell = tc * gates + g;
-        const Sums& part = state_.by_order[cell * shape_->orders + o];
-        estimate(part, cell, unseen_share[cell] * part.x, result.echo_by_order);
-      }
-    }
-  }
+  for (const Row& row : state_.row) result.channel_photons.push_back(row.photons);
+  fill_parts(state_.by_process, wholes, shape_->beside_walks, result.echo_by_process,
+             result.process_convergence_flags);
+  // No walk carries light that has been neither scattered nor converted.
+  fill_parts(state_.by_order, wholes, {true}, result.echo_by_order, result.order_convergence_flags);
   result.echo_by_depth.mean.reserve(state_.by_depth.size());
   result.echo_by_depth.standard_error.reserve(state_.by_depth.size());
   for (std::size_t k = 0; k < state_.by_depth.size(); ++k) {
     const std::size_t cell = k / shape_->depths;
-    estimate(state_.by_depth[k], cell, unseen_share[cell] * state_.by_depth[k].x,
+    estimate(state_.by_depth[k], cell, wholes[cell].unseen_share * state_.by_depth[k].x,
              result.echo_by_depth);
   }
   const std::size_t parameters = result.parameter_value.size();

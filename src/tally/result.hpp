@@ -18,12 +18,13 @@ struct Estimates {
   ZeroedVector<double> standard_error;  ///< of the mean; the same length
 };
 
-/// Why a gate is not converged: bits of Result::convergence_flags (docs/theory.md, "Error bars").
+/// Why an echo is not converged: bits of Result::convergence_flags (docs/theory.md, "Error bars").
 enum ConvergenceFlag : std::int32_t {
   no_score = 1,             ///< nothing was ever scored here
   few_batches = 2,          ///< too few batches to know a standard error
   large_error = 4,          ///< the standard error is above 10 % of the echo
-  uncertain_variance = 16,  ///< of an environment: one batch carries much of the variance
+  uncertain_variance = 16,  ///< of an order, a process or an environment: one batch carries much of
+                            ///< the variance
   heavy_tail = 32,          ///< scores too rare to have been seen may carry too much
   among_flagged = 128,      ///< most of the gates around are flagged
   beam_missed = 256,        ///< the telescope's walks hardly came near the laser's light
@@ -56,8 +57,10 @@ struct Result {
   Estimates echo_by_order;                      ///< [telescope][channel][order][gate]
   Estimates echo_by_depth;                      ///< [telescope][channel][gate][depth]
   std::vector<std::int32_t> convergence_flags;  ///< [telescope][channel][gate]; 0: converged
-  std::vector<double> largest_score_share;      ///< [telescope][channel][gate] of the echo
-  std::vector<double> variance_of_variance;     ///< [telescope][channel][gate]
+  std::vector<std::int32_t> process_convergence_flags;  ///< of echo_by_process
+  std::vector<std::int32_t> order_convergence_flags;    ///< of echo_by_order
+  std::vector<double> largest_score_share;              ///< [telescope][channel][gate] of the echo
+  std::vector<double> variance_of_variance;             ///< [telescope][channel][gate]
   std::vector<double> error_growth;  ///< [telescope][channel][gate]: of error * sqrt(photons), over
                                      ///< the last factor of 4 to 8 in photons; NaN of short runs
   std::vector<double>

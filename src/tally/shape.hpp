@@ -27,6 +27,7 @@ struct Shape {
   /// Index in the result's process axis, of each light: a line that has touched something
   /// (transport::Touched), [touched][line].
   std::vector<std::int32_t> process_of_light;
+  std::vector<bool> beside_walks;            ///< [process] whose light no walk carries
   std::vector<Decay> decay_of_line;          ///< empty if all lines are emitted at once
   std::int32_t max_order = 0;                ///< 0: none; order max_order + 1 is what is cut off
   double depth_min = 0, per_depth_step = 1;  ///< of the depths, if there are any

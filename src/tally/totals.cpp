@@ -55,8 +55,9 @@ void Totals::merge(const BatchTally& batch) {
     for (auto k = static_cast<std::size_t>(score_octave(scores.largest)); rest > 0; --k) {
       for (std::size_t kind = 0; kind < kinds_of_walked; ++kind) {
         const std::size_t row = std::min(kind, shape_->walked - 1);
-        state_.octaves[cell * shape_->walked + row][k] += scores.count[kind][k];
-        rest -= scores.count[kind][k];
+        const std::uint32_t count = batch.octaves[kind][cell][k];
+        state_.octaves[cell * shape_->walked + row][k] += count;
+        rest -= count;
       }
     }
     merge_environments(batch, cell, echo);

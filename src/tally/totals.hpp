@@ -85,6 +85,19 @@ class Totals {
   [[nodiscard]] std::int32_t environment_flags(std::size_t cell, const EnvironmentSums& s) const;
   /// Of a difference alone, as tangents are: their echo is a line through the scene's, and no echo.
   [[nodiscard]] std::int32_t difference_flags(std::size_t cell, const EnvironmentSums& s) const;
+  /// What is known of a gate, for the orders and processes that its echo is the sum of.
+  struct Whole {
+    std::int32_t flags = 0;
+    double unseen_share = 0;  ///< of the echo, and so of its parts
+  };
+  /// Bits of ConvergenceFlag of a part. beside_walks: no walk carries its light.
+  [[nodiscard]] std::int32_t part_flags(const TailSums& part, std::size_t cell, const Whole& whole,
+                                        bool beside_walks) const;
+  /// Estimates and flags, [row][part][gate], of parts, [cell][part]. beside_walks: [part]; no
+  /// further one is.
+  void fill_parts(const ZeroedVector<TailSums>& parts, const std::vector<Whole>& wholes,
+                  const std::vector<bool>& beside_walks, Estimates& out,
+                  std::vector<std::int32_t>& flags) const;
   void fill_environment(std::size_t environment, Result& result) const;
   /// Of a parameter's value in the scene; `tangent` counts from the first environment.
   void fill_sensitivity(std::size_t tangent, double value, Result& result) const;

@@ -74,7 +74,8 @@ class Maker {
     for (std::size_t k = 0; k < gates; ++k) push(result_.echo, echo[k], error[k]);
     for (std::size_t process = 0; process < 3; ++process)
       for (std::size_t k = 0; k < gates; ++k)
-        push(result_.echo_by_process, process == c ? echo[k] : 0, process == c ? error[k] : 0);
+        part(process == c ? echo[k] : 0, process == c ? error[k] : 0, result_.echo_by_process,
+             result_.process_convergence_flags);
     orders(look, echo, error);
     depths(echo, error);
   }
@@ -93,7 +94,8 @@ class Maker {
   }
 
   void orders(const Look& look, const std::vector<double>& echo, const std::vector<double>& error) {
-    for (std::size_t k = 0; k < gates; ++k) push(result_.echo_by_order, 0, 0);
+    for (std::size_t k = 0; k < gates; ++k)
+      part(0, 0, result_.echo_by_order, result_.order_convergence_flags);
     for (int order = 1; order <= 6; ++order)
       for (std::size_t k = 0; k < gates; ++k) {
         // A geometric series whose first term loses ground with depth; the last order takes the
@@ -101,8 +103,17 @@ class Maker {
         const double first = look.single_share * std::exp(-0.02 * static_cast<double>(k));
         const double share =
             order < 6 ? first * std::pow(1 - first, order - 1) : std::pow(1 - first, 5);
-        push(result_.echo_by_order, share * echo[k], std::sqrt(share) * error[k]);
+        part(share * echo[k], std::sqrt(share) * error[k], result_.echo_by_order,
+             result_.order_convergence_flags);
       }
+  }
+
+  /// An order or a process of a gate.
+  static void part(double echo, double error, tally::Estimates& estimates,
+                   std::vector<std::int32_t>& flags) {
+    push(estimates, echo, error);
+    const std::int32_t large = error > 0.1 * echo ? tally::large_error : 0;
+    flags.push_back(echo > 0 ? large : tally::no_score);
   }
 
   void depths(const std::vector<double>& echo, const std::vector<double>& error) {
@@ -202,15 +213,14 @@ class Maker {
     state.ledger_excess = {next(), next()};
     state.resting_target = next();
     for (auto& row : state.row) row = {++numbers_, ++numbers_, ++numbers_, ++numbers_};
-    for (auto& s : state.echo)
-      s = {{next(), next()}, next(), next(), {next(), next(), next(), next()}};
-    for (auto* sums : {&state.by_order, &state.by_process, &state.by_depth})
-      for (auto& s : *sums) s = {next(), next()};
+    for (auto& s : state.echo) s = tail_sums();
+    for (auto* sums : {&state.by_order, &state.by_process})
+      for (auto& s : *sums) s = tail_sums();
+    for (auto& s : state.by_depth) s = {next(), next()};
     for (auto* values : {&state.cut_order, &state.largest})
       for (double& value : *values) value = next();
     for (auto& s : state.environment) {
-      for (auto* sums : {&s.echo, &s.difference})
-        *sums = {{next(), next()}, next(), next(), {next(), next(), next(), next()}};
+      for (auto* sums : {&s.echo, &s.difference}) *sums = tail_sums();
       s.largest = next();
       for (auto* powers : {&s.of_scores, &s.of_differences}) *powers = {next(), next()};
     }
@@ -225,6 +235,10 @@ class Maker {
         state.snapshot_echo.push_back({next(), next()});
     }
     result_.state = std::move(state);
+  }
+
+  tally::TailSums tail_sums() {
+    return {{next(), next()}, next(), next(), {next(), next(), next(), next()}};
   }
 
   double next() { return std::sqrt(static_cast<double>(++numbers_)); }

@@ -92,7 +92,9 @@ TEST_F(Cf, TheVariablesOfTheFormat) {
       as_set(file_.variables()),
       as_set(words(
           "channel_photons echo echo_standard_error echo_by_process echo_by_process_standard_error "
-          "echo_by_order echo_by_order_standard_error echo_by_depth "
+          "echo_by_process_converged echo_by_process_convergence_flags "
+          "echo_by_order echo_by_order_standard_error echo_by_order_converged "
+          "echo_by_order_convergence_flags echo_by_depth "
           "echo_by_depth_standard_error converged convergence_flags largest_score_share "
           "variance_of_variance error_growth order_cut_share gate_time gate_time_bounds gate_depth "
           "gate_depth_bounds depth depth_bounds order telescope_name channel_name "
@@ -232,7 +234,7 @@ TEST_F(Cf, Flags_3_5) {
       EXPECT_TRUE(masks ? (flags & ~all) == 0 : values.count(flags) > 0) << name << ": " << value;
     }
   }
-  EXPECT_EQ(count, 6u);  // of the scene, of the environments and of the parameters
+  EXPECT_EQ(count, 10u);  // of the scene, of processes, orders, environments and parameters
 }
 
 TEST_F(Cf, CoordinateVariables_4_5) {

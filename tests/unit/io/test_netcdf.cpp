@@ -127,6 +127,22 @@ TEST_F(WrittenResult, Convergence) {
   expect_same(file.numbers("order_cut_share"), result_.order_cut_share);
 }
 
+// Seen red: with the flags of orders for those of processes; with the gates' own.
+TEST_F(WrittenResult, ConvergenceOfParts) {
+  const NetcdfFile file(folder_.file("out.nc"));
+  for (const auto& [name, flags] : {std::pair<std::string, std::vector<std::int32_t>&>{
+                                        "echo_by_process", result_.process_convergence_flags},
+                                    {"echo_by_order", result_.order_convergence_flags}}) {
+    EXPECT_EQ(file.dimensions(file.variable(name + "_convergence_flags")),
+              file.dimensions(file.variable(name)));
+    expect_same(file.numbers(name + "_convergence_flags"),
+                std::vector<double>(flags.begin(), flags.end()));
+    const auto converged = file.numbers(name + "_converged");
+    ASSERT_EQ(converged.size(), flags.size());
+    for (std::size_t i = 0; i < flags.size(); ++i) EXPECT_EQ(converged[i] != 0, flags[i] == 0);
+  }
+}
+
 TEST_F(WrittenResult, FlagMeanings) {
   const NetcdfFile file(folder_.file("out.nc"));
   const int v = file.variable("convergence_flags");

@@ -209,7 +209,7 @@ telescope ship, channel raman
       4.50              -*              -*
 
 * not converged, because
-  uncertain_variance, 4 gates: of environments: one batch carries much of the variance
+  uncertain_variance, 4 gates: one batch carries much of the variance
 )");
   EXPECT_EQ(section_of_environments(small_result()), "none");
 }
@@ -254,7 +254,7 @@ telescope ship, channel raman
       4.50              -*              -*
 
 * not converged, because
-  uncertain_variance, 4 gates: of environments: one batch carries much of the variance
+  uncertain_variance, 4 gates: one batch carries much of the variance
 )");
   EXPECT_EQ(echo_table(small_result()).find("Sensitivities"), std::string::npos);
 }

@@ -51,6 +51,8 @@ void expect_same(const tally::Result& a, const tally::Result& b) {
   expect_same(a.echo_by_order, b.echo_by_order);
   expect_same(a.echo_by_depth, b.echo_by_depth);
   EXPECT_EQ(a.convergence_flags, b.convergence_flags);
+  EXPECT_EQ(a.process_convergence_flags, b.process_convergence_flags);
+  EXPECT_EQ(a.order_convergence_flags, b.order_convergence_flags);
   EXPECT_EQ(a.largest_score_share, b.largest_score_share);
   EXPECT_EQ(a.variance_of_variance, b.variance_of_variance);
   EXPECT_EQ(a.order_cut_share, b.order_cut_share);

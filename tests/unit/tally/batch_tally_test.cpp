@@ -116,11 +116,10 @@ TEST(BatchTally, IsAsNewWhenCleared) {
   t.batch.clear();
   for (const auto* table : {&t.batch.by_order, &t.batch.by_process, &t.batch.by_depth})
     EXPECT_EQ(sum(*table), 0);
-  for (const CellScores& cell : t.batch.cells) {
-    EXPECT_FALSE(cell.touched());
-    for (const auto& count : cell.count)
+  for (const CellScores& cell : t.batch.cells) EXPECT_FALSE(cell.touched());
+  for (const auto& kind : t.batch.octaves)
+    for (const OctavesOfBatch& count : kind)
       EXPECT_EQ(std::accumulate(count.begin(), count.end(), 0U), 0U);
-  }
   EXPECT_TRUE(t.batch.touched_cells.empty() && t.batch.touched_depths.empty());
   EXPECT_EQ(t.batch.ledger.absorbed, 0);
   EXPECT_EQ(t.batch.photons + t.batch.collisions + t.batch.too_many_events + t.batch.not_finite,

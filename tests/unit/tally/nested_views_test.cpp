@@ -59,7 +59,8 @@ void expect_same(const BatchTally& a, const BatchTally& b) {
     EXPECT_EQ(a.cells[k].largest, b.cells[k].largest);
     EXPECT_EQ(a.cells[k].cut_order, b.cells[k].cut_order);
     EXPECT_EQ(a.cells[k].scores, b.cells[k].scores);
-    EXPECT_EQ(a.cells[k].count, b.cells[k].count);
+    for (std::size_t kind = 0; kind < kinds_of_walked; ++kind)
+      EXPECT_EQ(a.octaves[kind][k], b.octaves[kind][k]);
   }
   for (std::size_t k = 0; k < a.environment.size(); ++k) {
     const EnvironmentScores &x = a.environment[k], &y = b.environment[k];

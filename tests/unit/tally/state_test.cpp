@@ -53,6 +53,8 @@ TEST(TotalsState, GoesOnToTheLastBit) {
     expect_same(resumed.echo_by_process, whole.echo_by_process);
     expect_same(resumed.echo_by_depth, whole.echo_by_depth);
     EXPECT_EQ(resumed.convergence_flags, whole.convergence_flags);
+    EXPECT_EQ(resumed.process_convergence_flags, whole.process_convergence_flags);
+    EXPECT_EQ(resumed.order_convergence_flags, whole.order_convergence_flags);
     EXPECT_EQ(resumed.variance_of_variance, whole.variance_of_variance);
     EXPECT_EQ(resumed.largest_score_share, whole.largest_score_share);
     EXPECT_EQ(resumed.order_cut_share, whole.order_cut_share);
