@@ -195,7 +195,7 @@ void Connections<T>::free_telescope_by(const FreePairing<T>& pairing, const RayP
   change_first(pairing.m == Index<T>(1), per_p, chance, back, met.back_near, met.back_free);
   met.rest = chance;
   put_first(T(edge.area / abs(arriving.z)), edge.freed, met.back_near, met.back_free);
-  met.translation_area = translation_area(world_, telescope_, receiver_.region, way.arriving);
+  met.translation_area = instrument::translation_area(telescope_, way.arriving);
   back.weight = back.weight / first.weight * collision_gain(first) * edge.weight *
                 (exp_minus(tau.all) / cone.reach(Mask<T>(true), tau.walk, arriving.z, bed));
   back.path = back.path - first.path + edge.path;
