@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "estimator/bidirectional/connection_end.hpp"
+#include "estimator/bidirectional/surface_entry.hpp"
 #include "estimator/bidirectional/walk.hpp"
 #include "geometry/sightline.hpp"
 #include "transport/cross.hpp"
@@ -23,6 +24,12 @@ struct WayByFacets {
   double chance = 1;  ///< density with which telescopes' walks do, over that
 };
 
+/// Where the light of an instrument in the air comes through waves.
+struct Entry {
+  V at;                     ///< point of the surface
+  double drawn_weight = 0;  ///< of a walk that has drawn its facets there; 0: it goes by one facet
+};
+
 /// From the laser's fictitious vertex by x_1 … x_k to a point of telescope 0's lens.
 struct Path {
   std::vector<V> vertex;
@@ -31,6 +38,7 @@ struct Path {
   std::int32_t converted = 0;      ///< the number of the vertex that converts; 0: none
   std::array<bool, 8> mirrored{};  ///< edges by way of the surface
   std::array<std::optional<WayByFacets>, 8> by_facets;  ///< and by way of facets of waves
+  std::optional<Entry> laser_entry, telescope_entry;    ///< of instruments above waves
 
   [[nodiscard]] std::int32_t order() const { return static_cast<std::int32_t>(vertex.size()); }
   /// Vertex i of 1 … k.
@@ -121,6 +129,7 @@ class Writer {
     record.spread = birth.spread;
     record.own = true;
     walks.birth(true, 0, record, ray_);
+    if (world.sea.waves.rough) walks.enter(true, 0, birth.entry);
   }
 
   void collide_at(const V& place, bool mirrored, const std::optional<WayByFacets>& facets = {}) {
@@ -142,6 +151,7 @@ class Writer {
       photon_.weight *= world_.sea.collision_gain[here()];
     const auto& cone = world_.cone(instrument_);
     const std::int32_t before = walks.vertices(0);
+    const auto spread = before == 0 && cone.enters_by_slopes ? spread_with_slopes() : spread_;
     if (before == 0) photon_.weight *= cone.over_reach(leg.walk_tau, photon_.direction.z, bed);
     const Arrival<double> arrival{ray_,
                                   leg,
@@ -150,10 +160,10 @@ class Writer {
                                   reach_of(world_.sea, cone, before == 0, photon_, leg),
                                   world_.sea.waves.rough ? &sent_back : nullptr,
                                   walks.rotates(0, before)};
-    vertex_ = vertex_on(world_.sea, arrival, spread_, photon_, walks.axis(0), samples_);
+    vertex_ = vertex_on(world_.sea, arrival, spread, photon_, walks.axis(0), samples_);
     walks.add(true, 0, before, vertex_);
     if (before < 2) {
-      first_.arrive(vertex_, arrival, spread_, samples_);
+      first_.arrive(vertex_, arrival, spread, samples_);
       walks.keep(true, 0, first_, true);
     }
     if (bed) walks.come_to_bed(true, 0, walks.vertices(0) - 1);
@@ -230,6 +240,12 @@ class Writer {
  private:
   [[nodiscard]] std::int32_t here() const { return world_.sea.at(photon_.line, photon_.layer); }
 
+  /// The first vertex may also be connected by entries that slopes draw.
+  [[nodiscard]] Spread<double> spread_with_slopes() const {
+    return spread_by_entries(slopes_over_rays(world_, instrument_, photon_.line, photon_.position,
+                                              walks.entry(0), walks.birth_record(0).lens, true),
+                             spread_);
+  }
   void fly_to(const V& place, Leg<double>& leg) {
     const auto before = photon_;
     const double distance = length(place - before.position);
@@ -265,7 +281,22 @@ inline EntryRay<double> entry_ray_of(const World<double>& world, std::int32_t in
   return entry_ray(cone, n, double(world.sea.index[0]), direction, direction - cone.axis);
 }
 
-/// The laser's walk with the first vertices of a path, and on its way to the next if it `leaves`.
+/// A walk of the laser that has begun, with the first vertices of a path, and on its way to the
+/// next if it `leaves`.
+inline Walks<double> laser_walk(const World<double>& world, const Samples<double>& samples,
+                                const Birth<double>& birth, const Path& path, std::int32_t vertices,
+                                bool leaves) {
+  Writer writer(world, samples, birth, {}, false);
+  for (std::int32_t i = 1; i <= vertices; ++i) {
+    writer.collide_at(path.x(i), path.is_mirrored(i - 1), path.facets(i - 1));
+    if (i < vertices || leaves)
+      writer.leave_for(path.x(i + 1), path.is_mirrored(i), false, path.facets(i));
+  }
+  if (leaves && path.facets(vertices))
+    writer.come_back(*path.facets(vertices), path.x(vertices + 1));
+  return writer.walks;
+}
+/// One that comes to the path's first vertex.
 inline Walks<double> laser_walk(const World<double>& world, const Samples<double>& samples,
                                 const Path& path, std::int32_t vertices, bool leaves) {
   const auto& laser = world.laser;
@@ -277,19 +308,28 @@ inline Walks<double> laser_walk(const World<double>& world, const Samples<double
                                       double(world.sea.index[0]), 0.0, 0.0);
     birth.photon.position = {path.x(1).x, path.x(1).y, birth.photon.position.z};
   }
-  Writer writer(world, samples, birth, {}, false);
-  for (std::int32_t i = 1; i <= vertices; ++i) {
-    writer.collide_at(path.x(i), path.is_mirrored(i - 1), path.facets(i - 1));
-    if (i < vertices || leaves)
-      writer.leave_for(path.x(i + 1), path.is_mirrored(i), false, path.facets(i));
-  }
-  if (leaves && path.facets(vertices))
-    writer.come_back(*path.facets(vertices), path.x(vertices + 1));
-  return writer.walks;
+  return laser_walk(world, samples, birth, path, vertices, leaves);
 }
 
-/// The telescope's walk with the last vertices of a path, and on its way to the next; it meets
-/// others at a grid's depths from `grid_offset` on.
+/// A walk of the telescope that has begun, with the last vertices of a path, and on its way to the
+/// next if it `leaves`.
+inline Walks<double> telescope_walk(const World<double>& world, const Samples<double>& samples,
+                                    const Birth<double>& birth, const BirthRecord<double>& record,
+                                    const Path& path, std::int32_t vertices, bool leaves) {
+  Writer writer(world, samples, birth, record, true);
+  const std::int32_t k = path.order();
+  for (std::int32_t i = k; i > k - vertices; --i) {
+    writer.collide_at(path.x(i), path.is_mirrored(i), path.facets(i));
+    if (i > k - vertices + 1 || leaves)
+      writer.leave_for(path.x(i - 1), path.is_mirrored(i - 1), i == path.converted,
+                       path.facets(i - 1));
+  }
+  if (leaves && path.facets(k - vertices))
+    writer.come_back(*path.facets(k - vertices), path.x(k - vertices));
+  return writer.walks;
+}
+/// One that comes from the path's last vertex, and meets others at a grid's depths from
+/// `grid_offset` on.
 inline Walks<double> telescope_walk(const World<double>& world, const Samples<double>& samples,
                                     const Path& path, std::int32_t vertices, bool leaves,
                                     double grid_offset = 0) {
@@ -301,21 +341,12 @@ inline Walks<double> telescope_walk(const World<double>& world, const Samples<do
   record.translation_area = translation_area(telescope, record.outward);
   record.grid_offset = grid_offset;
   record.line = path.line;
-  Writer writer(world, samples,
-                birth_at_telescope(
-                    world.sea, telescope, world.telescope_region[0], world.telescope_cones[0],
-                    entry_ray_of(world, of_telescope(0), path.line, way), path.line, path.lens),
-                record, true);
-  const std::int32_t k = path.order();
-  for (std::int32_t i = k; i > k - vertices; --i) {
-    writer.collide_at(path.x(i), path.is_mirrored(i), path.facets(i));
-    if (i > k - vertices + 1 || leaves)
-      writer.leave_for(path.x(i - 1), path.is_mirrored(i - 1), i == path.converted,
-                       path.facets(i - 1));
-  }
-  if (leaves && path.facets(k - vertices))
-    writer.come_back(*path.facets(k - vertices), path.x(k - vertices));
-  return writer.walks;
+  return telescope_walk(
+      world, samples,
+      birth_at_telescope(world.sea, telescope, world.telescope_region[0], world.telescope_cones[0],
+                         entry_ray_of(world, of_telescope(0), path.line, way), path.line,
+                         path.lens),
+      record, path, vertices, leaves);
 }
 
 }  // namespace photic::estimator

@@ -49,17 +49,24 @@ class Scores {
   }
 
   double connecting(std::int32_t edge) {
-    const std::int32_t k = path_.order();
-    const auto laser = laser_walk(world_, samples_, path_, edge, false);
-    const auto back = telescope_walk(world_, samples_, path_, k - edge, false);
+    return connecting(edge, laser_walk(world_, samples_, path_, edge, false),
+                      telescope_walk(world_, samples_, path_, path_.order() - edge, false));
+  }
+  /// By walks that have drawn all but the edge.
+  double connecting(std::int32_t edge, const Walks<double>& laser, const Walks<double>& back) {
     Connections<double> connections(world_, receiver_, samples_, laser, back, tally_);
     if (edge == 0) {
       connections.to_laser(0);
-    } else if (edge == k) {
+    } else if (edge == path_.order()) {
       connections.to_telescope(0);
     } else {
       connections.between(0);
     }
+    return taken();
+  }
+  /// By walks whose rays meet if one of them is moved.
+  double meeting(const Walks<double>& laser, const Walks<double>& back, Moves moves) {
+    Connections<double>(world_, receiver_, samples_, laser, back, tally_).meetings(0, 1, 0, moves);
     return taken();
   }
 
@@ -72,43 +79,34 @@ class Scores {
 
   /// The telescope's walk is that of another path, which is translated sideways.
   double translated(std::int32_t i, const Path& other) {
-    const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
-    const auto back =
-        telescope_walk(world_, samples_, other, path_.order() - i, true, offset_at(i, grid));
-    Connections<double>(world_, receiver_, samples_, laser, back, tally_)
-        .meetings(0, 1, 0, Moves::translations);
-    return taken();
+    return meeting(
+        laser_walk(world_, samples_, path_, i - 1, true),
+        telescope_walk(world_, samples_, other, path_.order() - i, true, offset_at(i, grid)),
+        Moves::translations);
   }
 
   /// The telescope's walk is that of another path, all of whose vertices are elsewhere.
   double free_telescope(std::int32_t i, const Path& other) {
-    const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
-    const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true,
-                                     offset_at(i, samples_.free_telescope));
-    Connections<double>(world_, receiver_, samples_, laser, back, tally_)
-        .meetings(0, 1, 0, Moves::free_telescope);
-    return taken();
+    return meeting(laser_walk(world_, samples_, path_, i - 1, true),
+                   telescope_walk(world_, samples_, other, path_.order() - i, true,
+                                  offset_at(i, samples_.free_telescope)),
+                   Moves::free_telescope);
   }
   /// The laser's walk is.
   double free_laser(std::int32_t i, const Path& other) {
-    const auto laser = laser_walk(world_, samples_, other, i - 1, true);
-    const auto back = telescope_walk(world_, samples_, path_, path_.order() - i, true,
-                                     offset_at(i, samples_.free_laser));
-    Connections<double>(world_, receiver_, samples_, laser, back, tally_)
-        .meetings(0, 1, 0, Moves::free_laser);
-    return taken();
+    return meeting(laser_walk(world_, samples_, other, i - 1, true),
+                   telescope_walk(world_, samples_, path_, path_.order() - i, true,
+                                  offset_at(i, samples_.free_laser)),
+                   Moves::free_laser);
   }
 
   /// The telescope's walk is that of another path, which is otherwise rotated.
   double rotated(std::int32_t i, const Path& other) {
-    const auto laser = laser_walk(world_, samples_, path_, i - 1, true);
-    const auto back = telescope_walk(world_, samples_, other, path_.order() - i, true);
-    Connections<double>(world_, receiver_, samples_, laser, back, tally_)
-        .meetings(0, 1, 0, Moves::rotations);
-    return taken();
+    return meeting(laser_walk(world_, samples_, path_, i - 1, true),
+                   telescope_walk(world_, samples_, other, path_.order() - i, true),
+                   Moves::rotations);
   }
 
- private:
   /// Of a grid's points of which one lies where rays meet at vertex i; on the bed, below it.
   [[nodiscard]] double offset_at(std::int32_t i, const MeetingGrid<double>& of) const {
     const double number = of.number(-path_.x(i).z, path_.order()) +
@@ -117,6 +115,8 @@ class Scores {
                                : 0);
     return number - std::floor(number);
   }
+
+ private:
   double taken() {
     const double sum = tally_.by_order[static_cast<std::size_t>(path_.order())];
     const bool bed = std::ranges::any_of(

@@ -2,6 +2,7 @@
 // estimator/bidirectional/strategy_sums.hpp states it.
 #pragma once
 
+#include "unit/estimator/entries.hpp"
 #include "unit/estimator/paths.hpp"
 #include "unit/transport/straight_ways.hpp"
 
@@ -12,6 +13,7 @@ struct Edge {
   double tau = 0, walk_tau = 0;
   double path = 0;    ///< group path [m]
   double spread = 0;  ///< d^2; at an instrument, its solid angle over that per area [m^2]
+  double freed = 1;   ///< share of that which free walks have, too
   bool mirrored = false;
   bool by_facets = false;
   double walk_tau_before = 0, walk_tau_behind = 0;  ///< the facets
@@ -64,16 +66,16 @@ struct StrategiesOfPath {
     if (i == path.order() || !world.telescope_cones[0].by_depth) return 0;
     const Edge& e = edge.back();
     return samples.pairs * samples.free_telescope.density(path.order()) *
-           (e.spread / samples.to_instrument / std::abs(e.leaving.z)) * mean_over_telescope() *
-           moved_to(i);
+           (e.freed * e.spread / samples.to_instrument / std::abs(e.leaving.z)) *
+           world.telescope_cones[0].free_share * mean_over_telescope() * moved_to(i);
   }
   /// The same of a laser's walk.
   [[nodiscard]] double free_laser(std::int32_t i) const {
     if (i == 1 || !world.laser_cone.by_depth) return 0;
     const Edge& e = edge.front();
     return samples.pairs * samples.free_laser.density(path.order()) *
-           (e.spread / samples.to_instrument / std::abs(e.arriving.z)) * mean_over_laser() *
-           moved_to(i);
+           (e.freed * e.spread / samples.to_instrument / std::abs(e.arriving.z)) *
+           world.laser_cone.free_share * mean_over_laser() * moved_to(i);
   }
   /// Whether rays that meet at vertex i may have the same group path where they meet at other
   /// points of a grid: where light goes on down or up about as steep as it came.
@@ -339,8 +341,23 @@ struct StrategiesOfPath {
     const double ratio = std::abs(steep / cone.axis.z);
     e.walk_tau = e.walk_tau * ratio - (bed ? 0 : std::log(ratio));
   }
+  /// An instrument's edge by a point of a rough surface.
+  void add_by_entry(const V& vertex, std::int32_t line, const Entry& entry, const WayByEntry& way,
+                    const EntryCone<double>& cone, bool bed) {
+    Edge e{-way.direction, way.direction};
+    e.spread = samples.to_instrument * way.area;
+    e.freed = way.freed;
+    e.path = way.length_air;
+    add_water(e, line, {entry.at, vertex});
+    draw_by_depth(cone, way.direction.z, bed, e);
+    common *= way.value;
+    edge.push_back(e);
+  }
   void add_first() {
     const auto& laser = world.laser;
+    if (path.laser_entry)
+      return add_by_entry(path.x(1), 0, *path.laser_entry, way_of_laser(world, path),
+                          world.laser_cone, is_on_bed(1));
     const auto way = way_to_laser(world, path);
     const V vertex = fictitious_vertex(laser);
     const double hidden = laser.vertex_distance / -dot(way.arriving, laser.axis);
@@ -354,6 +371,12 @@ struct StrategiesOfPath {
   }
   void add_last() {
     const auto& telescope = world.telescopes[0];
+    if (path.telescope_entry) {
+      const auto by = way_of_telescope(world, path);
+      translation_area = by.translation_area;
+      return add_by_entry(path.x(path.order()), path.line, *path.telescope_entry, by,
+                          world.telescope_cones[0], is_on_bed(path.order()));
+    }
     const auto way = way_to_lens(world, path);
     const double cosine = -dot(way.arriving, telescope.axis);
     const double solid_angle = drawn_solid_angle(world.telescope_cones[0], path.line, way);

@@ -10,6 +10,7 @@
 #include "support/chi_squared.hpp"
 #include "support/mean.hpp"
 #include "support/z_test.hpp"
+#include "unit/instrument/share_of_lens.hpp"
 #include "unit/instrument/telescopes.hpp"
 
 namespace photic::instrument {
@@ -169,6 +170,34 @@ TEST(Sight, OverTheLensIsTheOverlap) {
     compare(family, mean, t.overlap(1 / range, tangent), "telescope " + std::to_string(n));
   }
   EXPECT_GT(family.size(), 200);
+  family.judge();
+}
+
+// Of rays of one direction: against rings of the lens, and rays from even points of it; z-tests, 1
+// % for the family. Seen red:
+TEST(ShareThatSees, IsThatOfTheOpenLens) {
+  Random random(71);
+  test::ZFamily family(0.01);
+  int in_part = 0, in_focus = 0;
+  for (int n = 0; n < 1000; ++n) {
+    const auto t = make_telescope<double>(random_telescope(random));
+    const double tangent = random_tangent(t, 0, random), azimuth = random.between(0, 2 * pi);
+    const V arriving = moving_aside(t, {tangent * std::cos(azimuth), tangent * std::sin(azimuth)});
+    if (t.per_sharp_range == 0) {
+      ASSERT_EQ(share_that_sees(t, arriving), 1);
+      ++in_focus;
+      continue;
+    }
+    const double share = share_of_lens(t, tangent);
+    // What is seen by a point or two is told as more than nothing.
+    ASSERT_NEAR(share_that_sees(t, arriving), std::max(share, 1e-6), 1e-9) << n;
+    ASSERT_EQ(share_that_sees(t, -arriving), share_that_sees(t, arriving)) << "either way";
+    compare(family, seen_share(t, random, [&](const Point&) { return arriving; }), share,
+            "telescope " + std::to_string(n));
+    in_part += share > 0.02 && share < 0.98;
+  }
+  EXPECT_GT(in_part, 200);
+  EXPECT_GT(in_focus, 200);
   family.judge();
 }
 
