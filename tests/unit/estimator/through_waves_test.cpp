@@ -5,6 +5,7 @@
 #include <string>
 
 #include "unit/estimator/begun_walks.hpp"
+#include "unit/estimator/same_of_all.hpp"
 
 namespace photic::estimator {
 namespace {

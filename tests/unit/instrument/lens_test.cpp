@@ -174,7 +174,7 @@ TEST(Sight, OverTheLensIsTheOverlap) {
 }
 
 // Of rays of one direction: against rings of the lens, and rays from even points of it; z-tests, 1
-// % for the family. Seen red:
+// % for the family. Seen red: with an angle that is 1 % wider; with the lens for what sees.
 TEST(ShareThatSees, IsThatOfTheOpenLens) {
   Random random(71);
   test::ZFamily family(0.01);
@@ -192,9 +192,10 @@ TEST(ShareThatSees, IsThatOfTheOpenLens) {
     // What is seen by a point or two is told as more than nothing.
     ASSERT_NEAR(share_that_sees(t, arriving), std::max(share, 1e-6), 1e-9) << n;
     ASSERT_EQ(share_that_sees(t, -arriving), share_that_sees(t, arriving)) << "either way";
+    if (share < 0.02 || share > 0.98) continue;  // too few rays of one kind for a normal variate
     compare(family, seen_share(t, random, [&](const Point&) { return arriving; }), share,
             "telescope " + std::to_string(n));
-    in_part += share > 0.02 && share < 0.98;
+    ++in_part;
   }
   EXPECT_GT(in_part, 200);
   EXPECT_GT(in_focus, 200);

@@ -55,6 +55,7 @@ std::set<std::string> keys_of_scenes() {
            {"sea={ refractive_index = 1.3, group_index = 1.4, layer = [{ bottom_depth_m = 60 }] }",
             "simulation={ photons = 1, target_relative_error = 0.1, max_time_s = 1, max_order = 1, "
             "estimator_reason = \"why\", walk_attenuation = 0.9, directed_fraction = 0.5, "
+            "batch_photons = 500, "
             "scored_points = 4, tools = { importance = [{ depth_m "
             "= 1, value = 2 }] } }"},
            {"telescope.0={ position_m = [0, 0, 12], direction = [0, 0, -1], diameter_m = 0.4, "
