@@ -72,7 +72,7 @@ def test_environments_and_derivatives_know_the_optical_depth(photic, scene, tmp_
 
 
 REFUSED = {
-    "both": ("visibility_km = 23\naerosol_optical_depth_550 = 0.2", "quick.toml:31:29: it takes the place of visibility_km"),
+    "both": ("visibility_km = 23\naerosol_optical_depth_550 = 0.2", "quick.toml:32:29: it takes the place of visibility_km"),
     "none": ('aerosol_optical_depth_550 = 0.2\naerosol = "none"', "aerosol = \"none\" says that there are no aerosols"),
     "negative": ("aerosol_optical_depth_550 = -0.2", "must be a finite number, at least 0 and at most 5, not -0.2"),
     "too much": ("aerosol_optical_depth_550 = 5.5", "must be a finite number, at least 0 and at most 5, not 5.5"),

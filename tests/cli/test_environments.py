@@ -44,7 +44,7 @@ def test_both_estimators_have_them(photic, environments, tmp_path, estimator):
 def test_a_run_goes_on_with_them(photic, environments, tmp_path):
     for photons, more in ((9000, ()), (21000, ("--continue", "first.nc")), (21000, ())):
         name = "first.nc" if photons == 9000 else ("next.nc" if more else "once.nc")
-        scene = () if more else ("quick.toml",)
+        scene = () if more else ("quick.toml", "--set", "simulation.batch_photons=250")
         done = photic("run", *scene, "--photons", photons, *more, "-o", name)
         assert done.returncode == 0, done.stderr
     with netCDF4.Dataset(tmp_path / "next.nc") as then, netCDF4.Dataset(tmp_path / "once.nc") as once:

@@ -97,8 +97,8 @@ def test_the_effective_scene_has_the_focus_as_it_was_given(photic, ship, tmp_pat
 def test_a_run_with_a_focus_goes_on(photic, ship, tmp_path):
     """Seen red: with focus_m left out of the scene that is written."""
     ship.write_text(SCENE.format("focus_m = 12"))
-    whole = echoes(photic, tmp_path)
-    echoes(photic, tmp_path, "--photons", "20000")
+    whole = echoes(photic, tmp_path, "--set", "simulation.batch_photons=500")
+    echoes(photic, tmp_path, "--photons", "20000", "--force")
     assert echoes(photic, tmp_path, "--continue", "out.nc") == whole
     for other, was, now in [("12.5", "12", "12.5"), ("13", "12", "13")]:
         done = photic("run", "ship.toml", "--continue", "out.nc", "--photons", "90000", "--set", f"telescope.0.focus_m={other}")

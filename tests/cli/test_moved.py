@@ -40,8 +40,11 @@ cdom_fluorescence_file = "eem.csv"
 """
 
 
+BATCH = ["--set", "simulation.batch_photons=500"]  # of 20000 photons
+
+
 def test_a_result_is_shown_and_gone_on_from_where_its_folder_has_moved(photic, campaign, tmp_path):
-    long_run = photic("run", "lib.toml", "--photons", "40000", "-o", "../long.nc", cwd=campaign)
+    long_run = photic("run", "lib.toml", "--photons", "40000", "-o", "../long.nc", *BATCH, cwd=campaign)
     assert long_run.returncode == 0, long_run.stderr
     assert photic("run", "lib.toml", "-o", "out.nc", cwd=campaign).returncode == 0
     shown = photic("show", "out.nc", cwd=campaign)

@@ -64,5 +64,5 @@ def test_a_run_ended_by_time_equals_one_of_that_many_photons(result, scene, tmp_
     by_time, _ = result("time.nc", "quick.toml", "--photons", "1e15", "--max-time", "0.3s")
     with netCDF4.Dataset(tmp_path / "time.nc") as file:
         photons = int(file.photons)
-    by_photons, _ = result("photons.nc", "quick.toml", "--photons", photons)
+    by_photons, _ = result("photons.nc", "quick.toml", "--photons", photons, "--set", "simulation.batch_photons=8000")
     assert by_time == by_photons
