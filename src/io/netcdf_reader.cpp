@@ -31,6 +31,8 @@ int open_file(const std::string& path, const std::string& wanted) {
       throw EnvironmentError(fmt::format("{}: cannot read the file: {}", path, error.message()));
     refuse_file(path, fs::exists(path, error) ? "not a file" : "there is no such file", wanted);
   }
+  // Those of the system that have no end say so.
+  if (fs::file_size(path, error) == 0) refuse_file(path, "not a netCDF file", wanted);
   int file = -1;
   const int status = nc_open(path.c_str(), NC_NOWRITE, &file);
   if (status > 0)  // an errno of the system

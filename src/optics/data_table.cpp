@@ -1,12 +1,13 @@
 #include "optics/data_table.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include "optics/table_text.hpp"
@@ -20,15 +21,24 @@ bool is_no_regular_file(const std::string& path) {
 }
 
 std::string read_text(const std::string& path) {
-  if (is_no_regular_file(path))
-    throw InputError({{path, 0, 0, "no regular file", files_are_regular}});
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file.peek() != std::ifstream::traits_type::eof()) text << file.rdbuf();
-  if (!file.is_open() || file.bad() || text.fail()) {
-    throw InputError({{path, 0, 0, "cannot be read", "is the path right, and the file readable?"}});
+  constexpr std::size_t block = 65536;
+  // Some files of the system block who opens or reads them.
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  struct stat status {};
+  const bool regular = file < 0 || ::fstat(file, &status) != 0 || S_ISREG(status.st_mode);
+  std::string text;
+  ssize_t more = file < 0 ? -1 : 1;
+  while (regular && more > 0) {
+    const std::size_t before = text.size();
+    text.resize(before + block);
+    more = ::read(file, text.data() + before, block);
+    text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(more, 0)));
   }
-  return text.str();
+  if (file >= 0) ::close(file);
+  if (!regular) throw InputError({{path, 0, 0, "no regular file", files_are_regular}});
+  if (more < 0)
+    throw InputError({{path, 0, 0, "cannot be read", "is the path right, and the file readable?"}});
+  return text;
 }
 
 DataTable DataTable::read(const std::string& path) { return parse(read_text(path), path); }
@@ -102,7 +112,8 @@ std::size_t DataTable::index_of(const std::string& column) const {
   const auto found = std::find(columns_.begin(), columns_.end(), column);
   if (found == columns_.end()) fail_columns(lack_of(column), what_there_is());
   if (std::find(found + 1, columns_.end(), column) != columns_.end())
-    fail_columns(fmt::format("column \"{}\" is there twice", column));
+    fail_columns(fmt::format("column \"{}\" is there twice", column),
+                 "give each a name of its own; a scene may call columns by their numbers");
   return static_cast<std::size_t>(found - columns_.begin());
 }
 

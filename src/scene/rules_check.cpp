@@ -1,9 +1,9 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "scene/rules.hpp"
 #include "scene/suggest.hpp"
@@ -147,7 +147,7 @@ std::optional<Refusal> check(const File&, const Node& node, std::string& value,
   if (optics::is_no_regular_file(path))
     return Refusal{fmt::format("names no regular file: {}", path.string()),
                    optics::files_are_regular};
-  const bool readable = !failure && std::ifstream(path).good();
+  const bool readable = !failure && ::access(path.c_str(), R_OK) == 0;
   if (!readable)
     return Refusal{fmt::format("names a file that cannot be read: {}", path.string()),
                    "a relative path starts at the scene file"};

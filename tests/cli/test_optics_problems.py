@@ -2,6 +2,8 @@
 command, and before a run."""
 
 import json
+import os
+import re
 
 import pytest
 from conftest import QUICK_SCENE
@@ -127,3 +129,35 @@ def test_missing_data_do_not_hide_what_is_wrong_with_the_scene(photic, scene, tm
     done = photic("check", "quick.toml", "--set", "gates.depth_step_m=-1", **missing)
     assert done.returncode == 2
     assert done.stderr.startswith("--set gates.depth_step_m: ")
+
+
+SECRETS = {"prose": "my secret pass word\nand more of it\n", "keys": "secret = 5\npass = word\n", "shadow": "secret:$6$word:1:0:\n"}
+NAMED_BY = [
+    'sea.layer.0.phase_function={ model = "table", file = "FILE" }',
+    "sea.layer.0.chlorophyll_mg_m3={ file = 'FILE', depth = 1, column = 2 }",
+    'oil={ file = "FILE", thickness_um = 1 }',
+    'atmosphere={ profile = "./FILE" }',
+    'atmosphere={ profile = "us-standard", gases = [{ top_km = 2, file = "FILE" }] }',
+    'optics={ phytoplankton = "table", phytoplankton_file = "FILE" }',
+]
+
+
+@pytest.mark.parametrize("setting", NAMED_BY)
+def test_a_pipe_is_not_waited_for(photic, scene, tmp_path, setting):
+    """Seen red: with folders alone refused, for ever."""
+    os.mkfifo(tmp_path / "pipe")
+    for name in ["./pipe", "/dev/zero"]:
+        done = photic("check", "quick.toml", "--set", setting.replace("./FILE", "FILE").replace("FILE", name))
+        assert done.returncode == 2
+        assert "names no regular file: " in done.stderr
+
+
+@pytest.mark.parametrize("setting", NAMED_BY)
+@pytest.mark.parametrize("text", SECRETS.values(), ids=SECRETS)
+def test_a_file_that_is_no_table_is_not_quoted(photic, scene, tmp_path, setting, text):
+    """Seen red: with the first line listed as names of columns."""
+    (tmp_path / "kept.txt").write_text(text)
+    done = photic("check", "quick.toml", "--set", setting.replace("FILE", "kept.txt"))
+    assert done.returncode == 2
+    assert "no table of numbers" in done.stderr
+    assert not re.search("secret|pass|word", done.stderr)

@@ -1,4 +1,4 @@
-// CSV files of any bytes behind a first one that says what they are read as.
+// Tables of any bytes behind a first one that says what they are read as.
 #include <cstdint>
 #include <string>
 
@@ -21,6 +21,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
       case 'c':
         cdom_fluorescence(table, 355.0);
+        break;
+      case 'n':
+        static_cast<void>(table.with({{"x", {"", 1}}, {"y", {"", 2}}}).numbers("y"));
         break;
       case 'p':
         phase_from_table(table);

@@ -167,7 +167,9 @@ TEST(DataTable, NeverReadsDecimalCommasBetweenCommas) {
 
 // Seen red: with the first of the two.
 TEST(DataTable, DoesNotChooseBetweenColumnsOfOneName) {
-  EXPECT_EQ(why_not("x,y,y\n1,2,3\n"), "t.csv:1:1: column \"y\" is there twice");
+  EXPECT_EQ(why_not("x,y,y\n1,2,3\n"),
+            "t.csv:1:1: column \"y\" is there twice (give each a name of its own; a scene may call "
+            "columns by their numbers)");
   EXPECT_EQ(parse("x,y,y\n1,2,3\n").numbers("x"), (std::vector<double>{1}));
 }
 

@@ -187,7 +187,10 @@ TEST(ColumnsInAFile, AreCalledByNameOrNumber) {
   const std::string there_are = " (there are, between blanks: nm, sand, mud, sand)";
   EXPECT_EQ(refusal_of({{"albedo", {"", 5}}}), "t.dat:1:1: no column 5" + there_are);
   EXPECT_EQ(refusal_of({{"albedo", {"clay", 0}}}), "t.dat:1:1: no column \"clay\"" + there_are);
-  EXPECT_EQ(refusal_of({{"albedo", {"sand", 0}}}), "t.dat:1:1: column \"sand\" is there twice");
+  EXPECT_EQ(
+      refusal_of({{"albedo", {"sand", 0}}}),
+      "t.dat:1:1: column \"sand\" is there twice (give each a name of its own; a scene may call "
+      "columns by their numbers)");
   EXPECT_EQ(refusal_of({{"nm", {}}, {"albedo", {"", 1}}}),
             "t.dat:1:1: column 1 is named as both nm and albedo (each has a column of its own)");
   EXPECT_EQ(message<InputError>([] { static_cast<void>(read_table("400 0.1\n").numbers("nm")); }),
