@@ -64,7 +64,7 @@ std::string head(const tally::Result& result) {
     more += ",environment,difference,difference_standard_error";
     if (!result.environment_path.empty())
       out += "# columns called by paths: the values there in the environment\n";
-    for (const std::string& path : result.environment_path) more += "," + field(path);
+    for (const std::string& path : result.environment_path) more.append(1, ',').append(field(path));
   }
   if (has_parameters(result)) {
     out +=
