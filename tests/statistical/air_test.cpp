@@ -105,7 +105,7 @@ TEST(Air, BothEstimatorsFindTheSameLight) {
         {"ship, dense air",
          lidar(12, 10, 40, 10) + dense + channel("elastic") + channel("raman") + waves +
              raman_water + depth_gates(12, 2) + simulation(1, 1),
-         1e6, 1e5, 25},
+         1e6, 1.6e5, 25},
         {"above the air",
          lidar(100, 0, 50, 5) + thin + channel("elastic") + "[[sea.layer]]\n" +
              optics(0.05, 0.1, 0.8) +

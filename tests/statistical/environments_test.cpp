@@ -371,6 +371,7 @@ TEST(EnvironmentOf, WindKeepsWhatWhitecapsSendOn) {
 TEST(EnvironmentOf, ThreadsAndSittingsDoNotMatter) {
   auto scene = with(algae_scene(0.5, 46), {algae_scene(0.7, 1)});
   scene.simulation.photons = 40'000;
+  scene.simulation.batch_photons = 500;
   run::RunOptions options;
   options.threads = 3;
   options.lanes = isa_of_tests();
