@@ -34,7 +34,7 @@ std::string word_of(const std::string& text) {
   const std::string blanks = " \t\r\n\0"s;
   const auto first = text.find_first_not_of(blanks);
   if (first == std::string::npos) return "";
-  const std::string word = text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+  std::string word = text.substr(first, text.find_last_not_of(blanks) + 1 - first);
   const auto number = number_in(word);
   if (!number) return word;
   return std::isnan(*number) ? "" : scene::plain_number(*number + 0.0);

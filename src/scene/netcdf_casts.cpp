@@ -191,7 +191,7 @@ Cast Casts::chosen(std::optional<std::int64_t> profile) const {
 std::string Casts::ids_text() const {
   std::vector<std::string> names;
   for (const CastId& id : ids_) names.push_back(id.name);
-  const std::string text = joined(names, "and");
+  std::string text = joined(names, "and");
   if (ids_.size() != 1 || ids_.front().casts) return text;
   std::vector<std::string> labels;
   for (std::size_t k = 0; k < std::min<std::size_t>(groups_.run.size(), 10); ++k)
