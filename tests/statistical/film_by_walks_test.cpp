@@ -63,9 +63,9 @@ TEST(OilFilm, TakesAlikeByTheAccountsOfBothEstimators) {
         "phase_function = { model = \"henyey-greenstein\", g = 0.3 }\n[bottom]\nalbedo = 0.5\n"
         "[gates]\ndepth_max_m = 20.0\ndepth_step_m = 20.0\n";
     const auto forward =
-        run_in_lanes(read(scene + simulation(4e4, 33, "directed_fraction = 0.0"))).ledger;
+        run_in_lanes(read(scene + simulation(1.6e5, 33, "directed_fraction = 0.0"))).ledger;
     const auto walks =
-        run_in_lanes(read(scene + simulation(1e4, 34, no_free_walks, "bidirectional")));
+        run_in_lanes(read(scene + simulation(4e4, 34, no_free_walks, "bidirectional")));
     std::printf("%s: oil %.4f and %.4f, escaped %.4f and %.4f\n", surface.c_str(), walks.ledger.oil,
                 forward.oil, walks.ledger.escaped, forward.escaped);
     EXPECT_NEAR(walks.ledger.oil, forward.oil, 0.02 * forward.oil) << surface;

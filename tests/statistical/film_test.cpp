@@ -84,8 +84,9 @@ TEST(OilFilm, IsThatWhichPhotonsMeetByChance) {
         "b_per_m = 0.5 }, { wavelength_nm = 800.0, a_per_m = 0.05, b_per_m = 0.5 }]\n"
         "phase_function = { model = \"henyey-greenstein\", g = 0.3 }\n[bottom]\nalbedo = 0.4\n"
         "[gates]\nstart_ns = 5.0\nstop_ns = 245.0\nstep_ns = 16.0\n";
-    const auto forward = run_in_lanes(read(scene + simulation(1e6, 7, "directed_fraction = 0.0")));
-    const auto analog = run_in_lanes(read(scene + simulation(1e7, 8, "", "analog")));
+    const auto forward =
+        run_in_lanes(read(scene + simulation(1e6, 207, "directed_fraction = 0.0")));
+    const auto analog = run_in_lanes(read(scene + simulation(1e7, 208, "", "analog")));
     ZFamily family(0.01);
     std::size_t of_oil = 0;
     const auto compare = [&](const tally::Estimates& f, const tally::Estimates& a,

@@ -89,7 +89,7 @@ TEST(OtherAirs, AreThoseOfTheirOwnRuns) {
 }
 // Seen red: without the air between the sea and where walks begin, or where they end.
 TEST(OtherAirs, AreThoseOfTheirOwnRunsByWalks) {
-  expect_airs_are_their_own_runs(flat, "bidirectional", 6e4, 20);
+  expect_airs_are_their_own_runs(flat, "bidirectional", 8e4, 20);
   expect_airs_are_their_own_runs(waves, "bidirectional", 6e4, 16);
 }
 
