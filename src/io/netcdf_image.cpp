@@ -71,6 +71,10 @@ std::vector<std::size_t> chunk_of(std::vector<std::size_t> lengths) {
   return lengths;
 }
 
+/// Pieces that wait to be compressed: each is written once, and whole. By default every variable
+/// would keep 16 MB of them until the file is finished.
+constexpr std::size_t cache_bytes = std::size_t{1} << 20, cache_slots = 101;
+
 int put_values(int file, int variable, const Values& values) {
   return std::visit(
       [&](auto span) {
@@ -190,6 +194,7 @@ void NetcdfImage::add_variable(const std::string& name, const std::vector<std::s
   const auto chunk = chunk_of(lengths);
   if (ids.size() > 1) {
     check(nc_def_var_chunking(group_, variable, NC_CHUNKED, chunk.data()), name);
+    check(nc_set_var_chunk_cache(group_, variable, cache_bytes, cache_slots, 1), name);
     check(nc_def_var_deflate(group_, variable, NC_SHUFFLE, 1, 1), name);
   }
   for (const auto& [key, value] : attributes) put_attribute(variable, key, value);

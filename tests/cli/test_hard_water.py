@@ -34,7 +34,7 @@ def estimator(name):
 
 def test_the_error_of_one_batch_is_not_known(photic, scene, tmp_path):
     # Seen red: with an error of 0 of a single batch.
-    run = ("run", "quick.toml", "--photons", "8000", "-o")
+    run = ("run", "quick.toml", "--photons", "8000", "--set", "simulation.batch_photons=8000", "-o")
     table = photic(*run, "one.nc").stdout
     shallow = next(line for line in table.splitlines() if line.startswith("        0.50"))
     assert shallow.split()[2:4] == ["-", "*"]
@@ -71,7 +71,8 @@ def test_a_ledger_that_is_not_whole_is_told(photic, water):
 def test_a_ledger_of_few_photons_is_no_reason_to_worry(photic):
     # Which scatters by more than 2 %. Seen red: without a look at its own error.
     scene = SOURCE / "scenes/three-layers.toml"
-    run = ("run", scene, "--json", *estimator("forward"), "--photons", "80000", "-o", "few.nc", "--seed")
+    few = ("--photons", "80000", "--set", "simulation.batch_photons=8000")  # ten batches
+    run = ("run", scene, "--json", *estimator("forward"), *few, "-o", "few.nc", "--seed")
     ledgers = [ledger_warnings(photic(*run, seed)) for seed in range(1, 7)]
     assert [told for _, told in ledgers if told] == []
     assert max(abs(whole - 1) for whole, _ in ledgers) > 0.02

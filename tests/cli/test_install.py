@@ -98,7 +98,7 @@ def test_links_of_the_pages_lead_somewhere(prefix):
     for page in [pages / "README.md", *pages.glob("docs/**/*.md")]:
         for target in re.findall(r"\]\(([^)#]+)", page.read_text()):
             # The source stays in the repository.
-            if re.match(r"https?:|(\.\./)*(src|apps|tests|tools|benchmarks|experiments)(/|$)", target):
+            if re.match(r"https?:|(\.\./)*(src|apps|cmake|tests|tools|benchmarks|experiments)(/|$)", target):
                 continue
             seen += 1
             if not (page.parent / target).exists():

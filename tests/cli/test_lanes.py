@@ -34,7 +34,7 @@ def test_the_number_of_threads_does_not_matter(run, scene, tmp_path):
 
 def test_a_run_goes_on_in_its_engine(run, scene, tmp_path):
     # Seen red: with the scalar engine as the default of runs that go on.
-    run("--isa", "baseline", "--photons", "21000", "-o", "long.nc")
+    run("--isa", "baseline", "--photons", "21000", "-o", "long.nc", "--set", "simulation.batch_photons=250")
     run("--isa", "baseline", "--photons", "9000", "-o", "old.nc")
     run("--photons", "21000", "--continue", "old.nc", "-o", "new.nc")
     assert engine_of(tmp_path / "new.nc") == "lanes (baseline)"

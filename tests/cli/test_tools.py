@@ -20,7 +20,7 @@ def test_bits_do_not_depend_on_threads_or_sittings(photic, scene, tmp_path):
         runs = {"one": (20000, "--threads", 1), "two": (20000, "--threads", 2), "seven": (20000, "--threads", 7),
                 "first": (8000,), "both": (20000, "--continue", "first.nc")}
         for name, (photons, *more) in runs.items():
-            where = () if "--continue" in more else ("quick.toml",)
+            where = () if "--continue" in more else ("quick.toml", "--set", "simulation.batch_photons=250")
             done = photic("run", *where, "--photons", photons, "--engine", engine, *more, "-o", f"{name}.nc")
             assert done.returncode == 0, done.stderr
         with netCDF4.Dataset(tmp_path / "one.nc") as one:
