@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 
 #include "core/constants.hpp"
@@ -27,10 +27,16 @@ inline double share_of_lens(const Telescope<double>& t, double aside) {
   std::array edges{inner, std::clamp(std::abs(off - disc), inner, outer),
                    std::clamp(off + disc, inner, outer), outer};
   std::ranges::sort(edges);
-  static boost::math::quadrature::tanh_sinh<double> rule;
+  using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
   double sum = 0;
-  for (std::size_t k = 0; k + 1 < edges.size(); ++k)
-    if (edges.at(k) < edges.at(k + 1)) sum += rule.integrate(arc, edges.at(k), edges.at(k + 1));
+  for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
+    const double middle = (edges.at(k) + edges.at(k + 1)) / 2, half = middle - edges.at(k);
+    if (!(half > 0)) continue;
+    // By angles those are smooth.
+    sum += Rule::integrate(
+        [&](double angle) { return half * std::sin(angle) * arc(middle - half * std::cos(angle)); },
+        0.0, pi, 5, 1e-12);
+  }
   return sum / (pi * (outer * outer - inner * inner));
 }
 

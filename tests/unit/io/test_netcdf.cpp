@@ -127,7 +127,6 @@ TEST_F(WrittenResult, Convergence) {
   expect_same(file.numbers("order_cut_share"), result_.order_cut_share);
 }
 
-// Seen red: with the flags of orders for those of processes; with the gates' own.
 TEST_F(WrittenResult, ConvergenceOfParts) {
   const NetcdfFile file(folder_.file("out.nc"));
   for (const auto& [name, flags] : {std::pair<std::string, std::vector<std::int32_t>&>{
