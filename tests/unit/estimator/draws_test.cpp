@@ -15,9 +15,11 @@ namespace {
 
 World<double> world_with(const std::string& sampling) {
   using namespace test;
-  const auto model = make_model(read(
-      ship_instrument + channel("elastic") + water(0.06, 0.1, "{ model = \"isotropic\" }") +
-      depth_gates(10, 2) + simulation(1e4, 5, "batch_photons = 2000\nsampling = \"" + sampling + "\"", "bidirectional")));
+  const auto model =
+      make_model(read(ship_instrument + channel("elastic") +
+                      water(0.06, 0.1, "{ model = \"isotropic\" }") + depth_gates(10, 2) +
+                      simulation(1e4, 5, "batch_photons = 2000\nsampling = \"" + sampling + "\"",
+                                 "bidirectional")));
   return make_world<double>(model);
 }
 
