@@ -284,7 +284,8 @@ void expect_near(std::span<const double> lanes, std::span<const double> scalar, 
 /// rounding, some fall on the other side of a depth's edge, and the few histories that take another
 /// branch (see above) have some collisions more or less.
 void expect_echoes_of_the_scalar_engine(const scene::Scene& asked) {
-  const scene::Scene scene = run::choose_estimator(asked, {});
+  scene::Scene scene = run::choose_estimator(asked, {});
+  scene.simulation.batch_photons = 2000;
   const estimator::Model model = estimator::make_model(scene);
   const run::RunOptions options;
   run::RunControl control(model.scene.simulation, options);
