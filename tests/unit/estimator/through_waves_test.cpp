@@ -309,8 +309,6 @@ TEST(StrategiesOfPath, ThroughWavesAgree) {
         {"laser below, tilted", below, telescope_over_waves(tilted, 0.06, 0.3)}})
     for (const auto& waves : {waves_of(0.015, 0.015), waves_of(0.03, 0.01), waves_of(0.03, 0)})
       for (const bool bed : {false, true}) expect_strategies_agree(lidar, waves, bed, random, held);
-  printf("%d %d %d %d %d %d %d %d\n", held.own, held.by_slopes, held.between, held.translated,
-         held.in_part, held.rotated, held.free_telescope, held.free_laser);
   EXPECT_GT(held.own, 500);
   EXPECT_GT(held.by_slopes, 100);
   EXPECT_GT(held.between, 500);
