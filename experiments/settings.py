@@ -7,8 +7,7 @@
 Each scene of experiments/settings is run with every row of SETTINGS, and once with ten times the photons and its own settings.
 Compared with that are the gates that are converged in both, those of environments as well: the difference of two echoes over the
 error of that difference. No |z| may be above 4.5, and the root mean square of a scene is to lie between 0.8 and 1.25.
-`--photons`: of a run; settings that cost more have fewer. A line for each setting is printed with `--each`. The short form is
-tests/statistical/settings_test.cpp.
+`--photons`: of a run; settings that cost more have fewer. A line for each setting is printed with `--each`.
 """
 
 import argparse
