@@ -28,8 +28,8 @@ std::string sand_names(const std::string& separator) {
   return "nm" + separator + "sand" + separator + "mud\n";
 }
 
-// Seen red, each for itself: without blanks among the separators; with the first line alone for
-// names; with comments that are never names; with the header of SeaBASS read as rows.
+// Seen red, each for itself: without blanks among the separators; with blanks before commas in the
+// comments above them.
 TEST(TableHead, NamesStandInManyPlacesBetweenManySeparators) {
   const std::vector<std::pair<std::string, std::string>> separators{
       {",", "comma"}, {", ", "comma"},  {";", "semicolon"}, {"\t", "tab"},
@@ -63,7 +63,7 @@ TEST(TableHead, NamesStandInManyPlacesBetweenManySeparators) {
 }
 
 // As libRadtran, the USGS's old library and MODTRAN write theirs, in short and with other numbers.
-// Seen red: with units below names taken for a row; with texts above the names refused.
+// Seen red: with a line of as many words as a row, one of which is a number, taken for a row.
 TEST(TableHead, ReadsTheFormsOfOtherPrograms) {
   const DataTable air = read_table(
       "# An atmosphere of nobody's\n#     z(km)      p(mb)        T(K)    air(cm-3)\n"
@@ -89,7 +89,7 @@ TEST(TableHead, ReadsTheFormsOfOtherPrograms) {
   EXPECT_EQ(wide.numbers("grey sand"), (std::vector<double>{0.1, 0.2}));
 }
 
-// Seen red: with the line of tabs in the first row for all; with tabs that always separate.
+// Seen red: without blanks among the separators.
 TEST(TableHead, TabsMayBeBlanks) {
   EXPECT_EQ(read_table("nm\tsand\n400\t0.1\n500 0.2\n600\t 0.3\n").numbers("sand"),
             (std::vector<double>{0.1, 0.2, 0.3}));
@@ -100,7 +100,7 @@ TEST(TableHead, TabsMayBeBlanks) {
                   "t.dat:2:5: \"\" is not a finite number");
 }
 
-// Seen red: with blanks between which commas are none of numbers.
+// Seen red: without blanks among the separators.
 TEST(TableHead, NumbersBetweenBlanksMayHaveDecimalCommas) {
   EXPECT_EQ(read_table("nm sand\n400 0,1\n500 0,25\n").numbers("sand"),
             (std::vector<double>{0.1, 0.25}));
@@ -108,8 +108,8 @@ TEST(TableHead, NumbersBetweenBlanksMayHaveDecimalCommas) {
                   "\"1,234\" may have a decimal comma or thousands");
 }
 
-// No row may be lost as a line of names or of text. Seen red, each for itself: with rows that are
-// known by numbers alone; with every line above the numbers left out.
+// No row may be lost as a line of names or of text. Seen red: with the fields of the first row for
+// those of all, where that is one number.
 TEST(TableHead, ARowThatIsAmissIsNoText) {
   expect_contains(refusal_of("# nm sand\n400 n/a\n500 0.1\n"),
                   "t.dat:2:5: \"n/a\" is not a finite number");
@@ -139,7 +139,6 @@ TEST(TableHead, ARowThatIsAmissIsNoText) {
   EXPECT_EQ(broken.with({{"x", {"0.1", 0}}}).numbers("x"), (std::vector<double>{0.2}));
 }
 
-// Seen red: with names between other marks than the rows; without the check of whole numbers.
 TEST(TableHead, DecimalCommasBetweenCommasAreNotTakenForColumns) {
   EXPECT_NE(refusal_of("x;y\n0,5\n1,5\n", "y"), "");
   expect_contains(refusal_of("nm,sand\n400 0.1\n"), "1 fields where 2 columns are named");
@@ -153,7 +152,7 @@ TEST(TableHead, DecimalCommasBetweenCommasAreNotTakenForColumns) {
             (std::vector<double>{5, 6}));
 }
 
-// Seen red: with the numbers of the header let through.
+// Seen red: without blanks among the separators.
 TEST(TableHead, WhatIsMissingIsNoValue) {
   const std::string head =
       "/begin_header\n/fields=depth,chl\n/delimiter=space\n/missing=-999\n"
@@ -169,8 +168,7 @@ TEST(TableHead, WhatIsMissingIsNoValue) {
       "the row out, or write commas)");
 }
 
-// Seen red, each for itself: with columns counted from 0; with the first of two columns of a name;
-// with one column taken twice; with the other columns kept.
+// Seen red: without blanks among the separators.
 TEST(ColumnsInAFile, AreCalledByNameOrNumber) {
   const DataTable table = read_table("# nm sand mud sand\n400 0.1 0.2 0.3\n500 0.4 0.5 0.6\n");
   const DataTable by_number = table.with({{"nm", {}}, {"albedo", {"", 4}}, {"zenith", {}}});
@@ -221,8 +219,6 @@ void expect_nothing_quoted(const std::string& said) {
     EXPECT_EQ(said.find(word), std::string::npos) << said;
 }
 
-// Seen red: with columns listed always; with the field quoted always; with one column quoted for
-// one number in it; with what is wrong with a row told.
 TEST(TableHead, NothingIsQuotedOfAFileWithoutARowOfNumbers) {
   for (const char* text : {"my secret\n", "my,secret\nis,kept\n", "my;secret,here\nis;kept,well\n",
                            "user:secret:0:0\n", "\"secret\nis\" kept\n", "secret = 5\n",
@@ -246,7 +242,7 @@ TEST(TableHead, NothingIsQuotedOfAFileWithoutARowOfNumbers) {
             "t.dat:1:1: yield must be a finite number, not negative");
 }
 
-// Seen red: with all names in the message; with letters that move the cursor.
+// Seen red: without blanks among the separators.
 TEST(TableHead, MessagesAreShortAndPlain) {
   std::string names = "x", row = "1";
   for (int i = 1; i < 5000; ++i) names += fmt::format(" c{}", i), row += " 2";
@@ -260,8 +256,7 @@ TEST(TableHead, MessagesAreShortAndPlain) {
                   "\"?]0;me?\" is not a finite number");
 }
 
-// Whatever stands in a file: a table, or an InputError. Seen red: with the first letter of a line
-// looked at where there is none.
+// Whatever stands in a file: a table, or an InputError.
 TEST(TableHead, MayBeCutAnywhere) {
   for (const std::string& whole : std::vector<std::string>{
            "/begin_header\n/fields=nm,sand\n/missing=-9\n/end_header\n400 0.1\n500 \"0.2\"\n",
