@@ -65,6 +65,7 @@ class OilOfAUser : public TableOfAUser {
 };
 
 // Through the film and back: exp(-2 x 5e4 1/m x 1e-5 m).
+// Seen red, each for itself: with a spectrum asked for that has an integral above 0; with one.
 TEST_F(OilOfAUser, AbsorbsThoughItDoesNotShine) {
   for (const char* text :
        {"# yield: 0\n# lifetime_ns: 0\nwavelength_nm,n,a_per_m,emission_per_nm\n300,1.50,1e5,0\n"

@@ -175,6 +175,7 @@ void expect_no_quotation(const std::string& said) {
   EXPECT_EQ(said.find("secret"), std::string::npos) << said;
 }
 
+// Seen red: without the check of its rows.
 TEST(Tape6, IsNotQuotedWithoutARowOfNumbers) {
   const std::string head = "*** MODTRAN\n ATMOSPHERIC PROFILES\n";
   for (const char* rows : {"1 2 3 4 5\n1 secret\n", "1 2 3 4 secret 6 7 8 9\n"}) {
@@ -368,6 +369,7 @@ TEST(Tape7, SaysWhatIsWrongAndWhatWasExpected) {
     expect_contains(message<InputError>([&] { transmittances(file.text); }), file.says);
 }
 
+// Seen red, each for itself: without the check of its rows; of whether there are any.
 TEST(Tape7, IsNotQuotedWithoutARowOfNumbers) {
   for (const char* text : {"FREQ my secret\nCM-1 is kept\nsecret 0.1 0.2\n0.2 0.3 secret\n",
                            "FREQ secret secret\nCM-1 TRANS TRANS\n-9999.\n",

@@ -28,8 +28,9 @@ std::string sand_names(const std::string& separator) {
   return "nm" + separator + "sand" + separator + "mud\n";
 }
 
-// Seen red, each for itself: without blanks among the separators; with blanks before commas in the
-// comments above them.
+// Seen red, each for itself: without blanks among the separators; with comments that are never
+// names; with blanks before commas in comments; with the header of SeaBASS read as rows; with texts
+// above the names refused.
 TEST(TableHead, NamesStandInManyPlacesBetweenManySeparators) {
   const std::vector<std::pair<std::string, std::string>> separators{
       {",", "comma"}, {", ", "comma"},  {";", "semicolon"}, {"\t", "tab"},
@@ -63,7 +64,8 @@ TEST(TableHead, NamesStandInManyPlacesBetweenManySeparators) {
 }
 
 // As libRadtran, the USGS's old library and MODTRAN write theirs, in short and with other numbers.
-// Seen red: with a line of as many words as a row, one of which is a number, taken for a row.
+// Seen red: with units below the names taken for a row; with a line of as many words as a row, one
+// of which is a number, taken for one.
 TEST(TableHead, ReadsTheFormsOfOtherPrograms) {
   const DataTable air = read_table(
       "# An atmosphere of nobody's\n#     z(km)      p(mb)        T(K)    air(cm-3)\n"
@@ -89,7 +91,7 @@ TEST(TableHead, ReadsTheFormsOfOtherPrograms) {
   EXPECT_EQ(wide.numbers("grey sand"), (std::vector<double>{0.1, 0.2}));
 }
 
-// Seen red: without blanks among the separators.
+// Seen red: with tabs that always separate.
 TEST(TableHead, TabsMayBeBlanks) {
   EXPECT_EQ(read_table("nm\tsand\n400\t0.1\n500 0.2\n600\t 0.3\n").numbers("sand"),
             (std::vector<double>{0.1, 0.2, 0.3}));
@@ -100,7 +102,7 @@ TEST(TableHead, TabsMayBeBlanks) {
                   "t.dat:2:5: \"\" is not a finite number");
 }
 
-// Seen red: without blanks among the separators.
+// Seen red: with blanks between which commas are none of numbers.
 TEST(TableHead, NumbersBetweenBlanksMayHaveDecimalCommas) {
   EXPECT_EQ(read_table("nm sand\n400 0,1\n500 0,25\n").numbers("sand"),
             (std::vector<double>{0.1, 0.25}));
@@ -108,8 +110,9 @@ TEST(TableHead, NumbersBetweenBlanksMayHaveDecimalCommas) {
                   "\"1,234\" may have a decimal comma or thousands");
 }
 
-// No row may be lost as a line of names or of text. Seen red: with the fields of the first row for
-// those of all, where that is one number.
+// No row may be lost as a line of names or of text. Seen red, each for itself: with the fields
+// of the first row for those of all, where that is one number; with rows that hold numbers alone;
+// with a number for the name of a column that is called by its number.
 TEST(TableHead, ARowThatIsAmissIsNoText) {
   expect_contains(refusal_of("# nm sand\n400 n/a\n500 0.1\n"),
                   "t.dat:2:5: \"n/a\" is not a finite number");
@@ -139,6 +142,7 @@ TEST(TableHead, ARowThatIsAmissIsNoText) {
   EXPECT_EQ(broken.with({{"x", {"0.1", 0}}}).numbers("x"), (std::vector<double>{0.2}));
 }
 
+// Seen red: without the check of whole numbers.
 TEST(TableHead, DecimalCommasBetweenCommasAreNotTakenForColumns) {
   EXPECT_NE(refusal_of("x;y\n0,5\n1,5\n", "y"), "");
   expect_contains(refusal_of("nm,sand\n400 0.1\n"), "1 fields where 2 columns are named");
@@ -152,7 +156,7 @@ TEST(TableHead, DecimalCommasBetweenCommasAreNotTakenForColumns) {
             (std::vector<double>{5, 6}));
 }
 
-// Seen red: without blanks among the separators.
+// Seen red: with the numbers of the header let through.
 TEST(TableHead, WhatIsMissingIsNoValue) {
   const std::string head =
       "/begin_header\n/fields=depth,chl\n/delimiter=space\n/missing=-999\n"
@@ -168,7 +172,8 @@ TEST(TableHead, WhatIsMissingIsNoValue) {
       "the row out, or write commas)");
 }
 
-// Seen red: without blanks among the separators.
+// Seen red, each for itself: with columns counted from 0; with one column taken twice; with the
+// other columns kept.
 TEST(ColumnsInAFile, AreCalledByNameOrNumber) {
   const DataTable table = read_table("# nm sand mud sand\n400 0.1 0.2 0.3\n500 0.4 0.5 0.6\n");
   const DataTable by_number = table.with({{"nm", {}}, {"albedo", {"", 4}}, {"zenith", {}}});
@@ -219,6 +224,8 @@ void expect_nothing_quoted(const std::string& said) {
     EXPECT_EQ(said.find(word), std::string::npos) << said;
 }
 
+// Seen red, each for itself: with all files quoted; with columns listed and fields quoted of those
+// that are no tables; with one column quoted for one number in it.
 TEST(TableHead, NothingIsQuotedOfAFileWithoutARowOfNumbers) {
   for (const char* text : {"my secret\n", "my,secret\nis,kept\n", "my;secret,here\nis;kept,well\n",
                            "user:secret:0:0\n", "\"secret\nis\" kept\n", "secret = 5\n",
@@ -242,7 +249,7 @@ TEST(TableHead, NothingIsQuotedOfAFileWithoutARowOfNumbers) {
             "t.dat:1:1: yield must be a finite number, not negative");
 }
 
-// Seen red: without blanks among the separators.
+// Seen red: with all names in the message; with letters that move the cursor.
 TEST(TableHead, MessagesAreShortAndPlain) {
   std::string names = "x", row = "1";
   for (int i = 1; i < 5000; ++i) names += fmt::format(" c{}", i), row += " 2";
