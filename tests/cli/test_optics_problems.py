@@ -144,7 +144,7 @@ NAMED_BY = [
 
 @pytest.mark.parametrize("setting", NAMED_BY)
 def test_a_pipe_is_not_waited_for(photic, scene, tmp_path, setting):
-    """Seen red: with folders alone refused, for ever."""
+    """Seen red: with folders alone refused."""
     os.mkfifo(tmp_path / "pipe")
     for name in ["./pipe", "/dev/zero"]:
         done = photic("check", "quick.toml", "--set", setting.replace("./FILE", "FILE").replace("FILE", name))
@@ -155,7 +155,7 @@ def test_a_pipe_is_not_waited_for(photic, scene, tmp_path, setting):
 @pytest.mark.parametrize("setting", NAMED_BY)
 @pytest.mark.parametrize("text", SECRETS.values(), ids=SECRETS)
 def test_a_file_that_is_no_table_is_not_quoted(photic, scene, tmp_path, setting, text):
-    """Seen red: with the first line listed as names of columns."""
+    """Seen red: with all files quoted."""
     (tmp_path / "kept.txt").write_text(text)
     done = photic("check", "quick.toml", "--set", setting.replace("FILE", "kept.txt"))
     assert done.returncode == 2

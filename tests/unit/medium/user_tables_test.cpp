@@ -64,8 +64,8 @@ class OilOfAUser : public TableOfAUser {
   }
 };
 
-// Through the film and back: exp(-2 x 5e4 1/m x 1e-5 m). Seen red: with an emission asked for that
-// has an integral above 0.
+// Through the film and back: exp(-2 x 5e4 1/m x 1e-5 m).
+// Seen red, each for itself: with a spectrum asked for that has an integral above 0; with one.
 TEST_F(OilOfAUser, AbsorbsThoughItDoesNotShine) {
   for (const char* text :
        {"# yield: 0\n# lifetime_ns: 0\nwavelength_nm,n,a_per_m,emission_per_nm\n300,1.50,1e5,0\n"
@@ -86,7 +86,6 @@ TEST_F(OilOfAUser, AbsorbsThoughItDoesNotShine) {
   }
 }
 
-// Seen red: with no spectrum for one that is 0.
 TEST_F(OilOfAUser, NeedsASpectrumIfItShines) {
   EXPECT_EQ(problems(with("wavelength_nm,n,a_per_m\n300,1.5,1e5\n800,1.5,1e3\n",
                           "yield = 0.1\nlifetime_ns = 2\n")),

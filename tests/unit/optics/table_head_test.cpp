@@ -28,8 +28,9 @@ std::string sand_names(const std::string& separator) {
   return "nm" + separator + "sand" + separator + "mud\n";
 }
 
-// Seen red, each for itself: without blanks among the separators; with the first line alone for
-// names; with comments that are never names; with the header of SeaBASS read as rows.
+// Seen red, each for itself: without blanks among the separators; with comments that are never
+// names; with blanks before commas in comments; with the header of SeaBASS read as rows; with texts
+// above the names refused.
 TEST(TableHead, NamesStandInManyPlacesBetweenManySeparators) {
   const std::vector<std::pair<std::string, std::string>> separators{
       {",", "comma"}, {", ", "comma"},  {";", "semicolon"}, {"\t", "tab"},
@@ -63,7 +64,8 @@ TEST(TableHead, NamesStandInManyPlacesBetweenManySeparators) {
 }
 
 // As libRadtran, the USGS's old library and MODTRAN write theirs, in short and with other numbers.
-// Seen red: with units below names taken for a row; with texts above the names refused.
+// Seen red: with units below the names taken for a row; with a line of as many words as a row, one
+// of which is a number, taken for one.
 TEST(TableHead, ReadsTheFormsOfOtherPrograms) {
   const DataTable air = read_table(
       "# An atmosphere of nobody's\n#     z(km)      p(mb)        T(K)    air(cm-3)\n"
@@ -89,7 +91,7 @@ TEST(TableHead, ReadsTheFormsOfOtherPrograms) {
   EXPECT_EQ(wide.numbers("grey sand"), (std::vector<double>{0.1, 0.2}));
 }
 
-// Seen red: with the line of tabs in the first row for all; with tabs that always separate.
+// Seen red: with tabs that always separate.
 TEST(TableHead, TabsMayBeBlanks) {
   EXPECT_EQ(read_table("nm\tsand\n400\t0.1\n500 0.2\n600\t 0.3\n").numbers("sand"),
             (std::vector<double>{0.1, 0.2, 0.3}));
@@ -108,8 +110,9 @@ TEST(TableHead, NumbersBetweenBlanksMayHaveDecimalCommas) {
                   "\"1,234\" may have a decimal comma or thousands");
 }
 
-// No row may be lost as a line of names or of text. Seen red, each for itself: with rows that are
-// known by numbers alone; with every line above the numbers left out.
+// No row may be lost as a line of names or of text. Seen red, each for itself: with the fields
+// of the first row for those of all, where that is one number; with rows that hold numbers alone;
+// with a number for the name of a column that is called by its number.
 TEST(TableHead, ARowThatIsAmissIsNoText) {
   expect_contains(refusal_of("# nm sand\n400 n/a\n500 0.1\n"),
                   "t.dat:2:5: \"n/a\" is not a finite number");
@@ -139,7 +142,7 @@ TEST(TableHead, ARowThatIsAmissIsNoText) {
   EXPECT_EQ(broken.with({{"x", {"0.1", 0}}}).numbers("x"), (std::vector<double>{0.2}));
 }
 
-// Seen red: with names between other marks than the rows; without the check of whole numbers.
+// Seen red: without the check of whole numbers.
 TEST(TableHead, DecimalCommasBetweenCommasAreNotTakenForColumns) {
   EXPECT_NE(refusal_of("x;y\n0,5\n1,5\n", "y"), "");
   expect_contains(refusal_of("nm,sand\n400 0.1\n"), "1 fields where 2 columns are named");
@@ -169,8 +172,8 @@ TEST(TableHead, WhatIsMissingIsNoValue) {
       "the row out, or write commas)");
 }
 
-// Seen red, each for itself: with columns counted from 0; with the first of two columns of a name;
-// with one column taken twice; with the other columns kept.
+// Seen red, each for itself: with columns counted from 0; with one column taken twice; with the
+// other columns kept.
 TEST(ColumnsInAFile, AreCalledByNameOrNumber) {
   const DataTable table = read_table("# nm sand mud sand\n400 0.1 0.2 0.3\n500 0.4 0.5 0.6\n");
   const DataTable by_number = table.with({{"nm", {}}, {"albedo", {"", 4}}, {"zenith", {}}});
@@ -221,8 +224,8 @@ void expect_nothing_quoted(const std::string& said) {
     EXPECT_EQ(said.find(word), std::string::npos) << said;
 }
 
-// Seen red: with columns listed always; with the field quoted always; with one column quoted for
-// one number in it; with what is wrong with a row told.
+// Seen red, each for itself: with all files quoted; with columns listed and fields quoted of those
+// that are no tables; with one column quoted for one number in it.
 TEST(TableHead, NothingIsQuotedOfAFileWithoutARowOfNumbers) {
   for (const char* text : {"my secret\n", "my,secret\nis,kept\n", "my;secret,here\nis;kept,well\n",
                            "user:secret:0:0\n", "\"secret\nis\" kept\n", "secret = 5\n",
@@ -260,8 +263,7 @@ TEST(TableHead, MessagesAreShortAndPlain) {
                   "\"?]0;me?\" is not a finite number");
 }
 
-// Whatever stands in a file: a table, or an InputError. Seen red: with the first letter of a line
-// looked at where there is none.
+// Whatever stands in a file: a table, or an InputError.
 TEST(TableHead, MayBeCutAnywhere) {
   for (const std::string& whole : std::vector<std::string>{
            "/begin_header\n/fields=nm,sand\n/missing=-9\n/end_header\n400 0.1\n500 \"0.2\"\n",

@@ -212,7 +212,7 @@ TEST(Tape6, MayEndAnywhere) {
     EXPECT_THROW(tape6(lowtran.substr(0, n)), InputError) << n;
 }
 
-// Seen red, each for itself: without the checks of rows.
+// Seen red: without the check of its rows.
 TEST(Tape6, IsNotQuotedWithoutARowOfNumbers) {
   const std::string head = "*** MODTRAN\n ATMOSPHERIC PROFILES\n";
   for (const char* rows : {"1 2 3 4 5\n1 secret\n", "1 2 3 4 secret 6 7 8 9\n"}) {

@@ -164,7 +164,7 @@ TEST(Tape7, MayEndAnywhere) {
     EXPECT_THROW(transmittances(tape7.substr(0, n)), InputError) << n;
 }
 
-// Seen red, each for itself: without the checks of rows.
+// Seen red, each for itself: without the check of its rows; of whether there are any.
 TEST(Tape7, IsNotQuotedWithoutARowOfNumbers) {
   for (const char* text : {"FREQ my secret\nCM-1 is kept\nsecret 0.1 0.2\n0.2 0.3 secret\n",
                            "FREQ secret secret\nCM-1 TRANS TRANS\n-9999.\n",

@@ -150,8 +150,9 @@ class NamedColumns : public testing::Test {
   WrittenFiles files_{"named_columns"};
 };
 
-// Seen red, each for itself: with the keys of columns left out of each of the readers; with numbers
-// from 0; without blanks; without comments for names.
+// Seen red, each for itself: with the names left out by the reader of tables, by that of iop
+// tables; with numbers from 0; with comments that are never names; with the header of SeaBASS read
+// as rows.
 TEST_F(NamedColumns, OfEveryKeyInEveryKindOfTable) {
   for (const KeyOfATable& key : keys_of_tables()) {
     SCOPED_TRACE(key.name);
@@ -186,7 +187,8 @@ TEST_F(NamedColumns, OfEveryKeyInEveryKindOfTable) {
   }
 }
 
-// Values between blanks, worked out by hand: 0.14 + 32/100 x 0.04. Seen red: with mud for sand.
+// Values between blanks, worked out by hand: 0.14 + 32/100 x 0.04. Seen red: with
+// mud for sand (numbers from 0).
 TEST_F(NamedColumns, OfABedBetweenBlanks) {
   files_.write("bed.dat",
                "# albedo of a made-up sea bed\n#  nm    sand   mud\n  400   0.10   0.02\n"
@@ -200,7 +202,7 @@ TEST_F(NamedColumns, OfABedBetweenBlanks) {
   }
 }
 
-// Seen red: each, with the check that finds it taken out.
+// Seen red: with numbers from 0; with one column taken twice; with the names left out.
 TEST_F(NamedColumns, WhatIsWrongIsToldAtItsPlace) {
   files_.write("bed.dat", "# nm sand mud\n400 0.10 0.02\n500 0.14 0.04\n600 0.18 0.06\n");
   const auto problems = [&](const std::string& keys) {
@@ -240,7 +242,7 @@ TEST_F(NamedColumns, WhatIsWrongIsToldAtItsPlace) {
 }
 
 // The header of a SeaBASS file, whose units are those of the key or of no kind that is known. Seen
-// red, each for itself: with units left unread; in tables, in profiles, in iop tables.
+// red, each for itself: with the units left unread; in tables, in profiles, in iop tables.
 TEST_F(NamedColumns, AreInTheUnitsOfTheirKeys) {
   const auto with_units = [&](const std::string& units) {
     files_.write("f.dat", "/begin_header\n/fields=x,y\n/units=" + units +
@@ -278,7 +280,7 @@ TEST_F(NamedColumns, AreInTheUnitsOfTheirKeys) {
       Texts{"f.dat:1:1: a_per_m is in \"1/cm\" by the header of the file, not in 1/m" + other});
 }
 
-// Seen red: with the name of the variable taken for a number; with columns of a tape6.
+// Seen red: with a number taken for the variable of depths; with the names left out.
 TEST_F(NamedColumns, AreThoseOfTablesOfText) {
   write_float(files_);
   EXPECT_EQ(files_.problems(profiled("file = 'float.nc', depth = 1, variable = 'CHLA'")),
@@ -333,12 +335,13 @@ TEST_F(NamedColumns, WhatIsNoRegularFileIsRefused) {
   EXPECT_THROW(optics::read_text(pipe), InputError);
 }
 
-// Seen red, each for itself: with the columns of such files listed by tables, by iop tables, by
-// profiles; with fields quoted.
+// Seen red, each for itself: with all files quoted; with fields quoted; with names proposed of
+// those that are no iop tables.
 TEST_F(NamedColumns, NothingIsQuotedOfAFileThatIsNoTable) {
   for (const std::string text :
        {"my secret pass word\nand more of it\n", "my,secret\nof,words\n", "user:secret:0:0\n",
-        "secret=1\n", "pass;secret;word\na;1;b\n", "secret\n", "{\n  \"secret\": 5\n}\n"}) {
+        "secret=1\n", "pass;secret;word\na;1;b\n", "my_depth_m,secret\nof,words\n", "secret\n",
+        "{\n  \"secret\": 5\n}\n"}) {
     files_.write("f.dat", text);
     for (const KeyOfATable& key : keys_of_tables()) {
       SCOPED_TRACE(key.name + ": " + text);

@@ -68,8 +68,7 @@ TEST(Oil, OfAFileWithoutThemIsRefused) {
       << all[0];
 }
 
-// Seen red, each for itself: with the comments asked for although the scene has both; with those of
-// the file before the scene's.
+// Seen red: with the numbers of the file before the scene's.
 TEST(Oil, TellsInTheSceneWhatItsFileDoesNot) {
   const OilFile bare(std::string(columns) + oil_rows);
   auto given = bare.overrides();
@@ -94,7 +93,7 @@ Override oil_of_columns(const std::string& beside, const std::string& more = "")
 }
 const std::string shining = ", emission_per_nm = [0, 1]";
 
-// Seen red, each for itself: with the two keys unknown; with theirs before those of [oil].
+// Seen red: with the numbers beside the columns before those of [oil].
 TEST(Oil, OfColumnsInTheSceneMayHaveYieldAndLifetimeBesideThem) {
   const std::string beside = shining + ", yield = 0.05, lifetime_ns = 7";
   const Scene scene = base_scene({oil_of_columns(beside)});
@@ -112,7 +111,7 @@ TEST(Oil, OfColumnsInTheSceneMayHaveYieldAndLifetimeBesideThem) {
                    "--set oil: 'lifetime_ns' must be a finite number, at least 0, not -1"}));
 }
 
-// Seen red: with the column of emission asked for; with the lifetime.
+// Seen red: with a lifetime asked for.
 TEST(Oil, ThatDoesNotShineNeedsNoSpectrum) {
   EXPECT_EQ(base_scene({oil_of_columns(", yield = 0")}).oil->lifetime_ns, 0);
   const Scene scene = base_scene({oil_of_columns("", ", yield = 0, lifetime_ns = 2")});
