@@ -110,7 +110,7 @@ def rows_first_runs(raw):
 
 MEASUREMENTS = [
     Measurement(
-        "instruments", "Instruments", "What it takes to know every gate to 2 %, for the scenes that `photic new` writes, and for two harder ones.",
+        "instruments", "Instruments", "The cost of knowing every gate to 2 %, for the scenes that `photic new` writes, and for two harder ones.",
         "CPU time of the whole command on one thread, the median of three seeds and each of them, in R: that of peaked water (benchmark-peaked) to "
         f"40 m, measured before each of these runs. Gates by depth end at {DEEPEST_M} m. A run has {LIMIT} R after the pilots: "
         "'not reached' if most seeds ended so. Gates: the smallest number, over the seeds, that were known by then, of those that light "
@@ -118,7 +118,7 @@ MEASUREMENTS = [
         measure_costs, rows_costs,
     ),
     Measurement(
-        "first-runs", "First runs", "What a user gets from such a scene as it is.",
+        "first-runs", "First runs", "The result of such a scene as it is.",
         "Wall time of the whole command on two threads; what ended it; how many gates are converged, and how many of those "
         "are below the scene's own target; how many gates have each flag.",
         measure_first_runs, rows_first_runs,

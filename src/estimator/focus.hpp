@@ -14,7 +14,7 @@ namespace photic::estimator {
 /// itself says where their detector is.
 void check_focus(const scene::Scene& scene, scene::Findings& findings);
 
-/// What `photic show` says of each telescope.
+/// The line of `photic show` on each telescope.
 std::vector<std::string> focus_told(const Model& model);
 
 }  // namespace photic::estimator

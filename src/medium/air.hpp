@@ -77,14 +77,14 @@ std::vector<std::string> air_told(const scene::Scene& scene, const Air& air);
 /// The profile of a scene that has one, with its aerosols. Throws InputError where it is of no use.
 optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::AirLibrary& library);
 
-/// What is possible of the levels that a scene gives, but more likely in another unit.
+/// Remarks on levels of a scene that are possible, but more likely in another unit.
 std::vector<std::string> doubts_about_levels(const scene::Atmosphere& air);
 
 /// What of it is below the top of the air. Throws InputError if it does not reach it.
 optics::AirProfile profile_to_top(const scene::Atmosphere& air, const optics::AirProfile& whole);
 
-/// What is below the top, with as much aerosol as the scene's optical depth has, if it gives one.
-/// Throws InputError where that cannot be.
+/// The profile below the top, with as much aerosol as the scene's optical depth has, if it gives
+/// one. Throws InputError where that cannot be.
 optics::AirProfile as_deep_as_given(const scene::Atmosphere& air, optics::AirProfile to_top);
 
 /// Optical depths by other gases than ozone, from the sea straight up to each rung. Throws

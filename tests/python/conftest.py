@@ -6,7 +6,9 @@ import subprocess
 import warnings
 from pathlib import Path
 
+import numpy
 import pytest
+from oil_results import ATTENUATION, CLEAN_ECHO, RATIO, THICKNESS_UM, film, run_over_the_sea, with_environments
 
 from photic.__main__ import main
 
@@ -56,3 +58,16 @@ def made(path, *environments):
     maker = Path(os.environ["PHOTIC_BUILD"]) / "tests" / "unit" / "io" / "make_sample_result"
     subprocess.run([maker, path, *environments], check=True)
     return path
+
+
+@pytest.fixture
+def oily():
+    """Over a film, of another thickness in every gate, with the clean sea and other water."""
+    share = RATIO[:, :, None] * numpy.exp(-ATTENUATION[:, :, None] * 1e-6 * THICKNESS_UM[:, None, :])
+    result = run_over_the_sea(CLEAN_ECHO * share, **film(ATTENUATION, RATIO))
+    return with_environments(result, {"more algae": 0.5 * CLEAN_ECHO, "clean": CLEAN_ECHO})
+
+
+@pytest.fixture
+def clean():
+    return run_over_the_sea(CLEAN_ECHO, 0.03)

@@ -6,80 +6,22 @@ import sys
 import numpy
 import pytest
 import xarray
+from oil_results import (
+    ATTENUATION,
+    CLEAN_ECHO,
+    RATIO,
+    TELESCOPES,
+    THICKNESS_UM,
+    agrees,
+    drawn_gates,
+    film,
+    refused,
+    run_over_the_sea,
+    same,
+    with_environments,
+)
 
 import photic
-
-TELESCOPES = ["narrow", "wide"]
-CHANNELS = ["elastic", "raman"]
-# By telescope and channel: absorption along both ways [1/m], and share passing over that of bare water.
-ATTENUATION = numpy.array([[3e5, 2e5], [3.5e5, 2.5e5]])
-RATIO = numpy.array([[0.97, 0.98], [0.99, 1.01]])
-CLEAN_ECHO = numpy.array([[[9e-6, 4e-6, 1e-6], [3e-7, 2e-7, 5e-8]], [[8e-6, 5e-6, 2e-6], [6e-7, 3e-7, 7e-8]]])
-THICKNESS_UM = numpy.array([[1.0, 2.5, 0.01], [5.0, 0.3, 20.0]])  # by telescope and gate
-AXES = ("telescope", "channel", "gate")
-
-
-def run_over_the_sea(echo, relative_error=0.02, **more):
-    """A result as photic.open gives it."""
-    telescopes, channels, gates = echo.shape
-    edges = numpy.arange(gates + 1.0)
-    bounds = numpy.stack([edges[:-1], edges[1:]], axis=1)
-    depths = numpy.tile(0.1 * bounds, (telescopes, channels, 1, 1))
-    return xarray.Dataset(
-        {
-            "echo": (AXES, echo.copy()),
-            "echo_standard_error": (AXES, relative_error * abs(echo)),
-            "converged": (AXES, numpy.full(echo.shape, True)),
-            **more,
-        },
-        coords={
-            "telescope": TELESCOPES[:telescopes],
-            "channel": CHANNELS[-channels:],
-            "channel_wavelength": ("channel", [355.0, 404.0][-channels:], {"units": "nm"}),
-            "gate_time": ("gate", bounds.mean(axis=-1), {"units": "ns"}),
-            "gate_time_bounds": (("gate", "bnds"), bounds),
-            "gate_depth": (AXES, depths.mean(axis=-1), {"units": "m"}),
-            "gate_depth_bounds": ((*AXES, "bnds"), depths),
-        },
-    )
-
-
-def film(attenuation, ratio):
-    axes = ("telescope", "channel")
-    return {
-        "film_attenuation": (axes, numpy.array(attenuation)),
-        "film_interface_ratio": (axes, numpy.array(ratio)),
-    }
-
-
-def with_environments(result, echoes, error=0.02, error_of_difference=0.02):
-    """The same with environments, by name; errors are relative to their echoes."""
-    axes = ("environment", *AXES)
-    echo = numpy.stack(list(echoes.values()))
-    return result.assign(
-        environment_echo=(axes, echo),
-        environment_echo_standard_error=(axes, error * abs(echo)),
-        environment_difference=(axes, echo - result.echo.values),
-        environment_difference_standard_error=(axes, error_of_difference * abs(echo)),
-        environment_converged=(axes, numpy.full(echo.shape, True)),
-    ).assign_coords(environment=list(echoes))
-
-
-@pytest.fixture
-def oily():
-    """Over a film, of another thickness in every gate, with the clean sea and other water."""
-    share = RATIO[:, :, None] * numpy.exp(-ATTENUATION[:, :, None] * 1e-6 * THICKNESS_UM[:, None, :])
-    result = run_over_the_sea(CLEAN_ECHO * share, **film(ATTENUATION, RATIO))
-    return with_environments(result, {"more algae": 0.5 * CLEAN_ECHO, "clean": CLEAN_ECHO})
-
-
-@pytest.fixture
-def clean():
-    return run_over_the_sea(CLEAN_ECHO, 0.03)
-
-
-def same(found, expected):
-    return numpy.allclose(found.values, expected, rtol=1e-12, atol=1e-12)
 
 
 # Seen red: with ln(E / W); with ln(r) subtracted; in m; with the first environment; with attenuation or
@@ -120,28 +62,6 @@ def test_shape_coordinates_and_units(oily, clean, by_run):
     assert found.gate_time.attrs["units"] == "ns" and found.gate_depth.dims == ("telescope", "gate")
     assert found.channel == "raman" and "environment" not in found.coords
     assert found.equals(photic.oil_thickness(oily.transpose(), clean if by_run else "clean"))
-
-
-def drawn_gates(count, errors, correlation):
-    """Echoes under a film and of the clean sea, in as many gates as they were drawn: 2e-7 and 3e-7 on
-    average, with relative errors and a correlation. An error of each, and of the difference."""
-    means = numpy.array([2e-7, 3e-7])
-    e, w = means * errors
-    covariance = correlation * e * w
-    random = numpy.random.default_rng(20260501)
-    echoes = random.multivariate_normal(means, [[e**2, covariance], [covariance, w**2]], count)
-    of_difference = numpy.sqrt(e**2 + w**2 - 2 * covariance)
-    under, bare = (echoes[:, i].reshape(1, 1, count) for i in (0, 1))
-    oily = run_over_the_sea(under, **film([[2e5]], [[0.98]]))
-    oily["echo_standard_error"] = oily.echo * 0 + e
-    return with_environments(oily, {"clean": bare}), bare, e, w, of_difference
-
-
-def agrees(found):
-    """Whether the thicknesses scatter as their errors say. Those of 2e5 gates tell the scatter to
-    0.16 %, and terms of the second order are below 0.1 %: 1 % is passed by chance in 1 of 1e8 cases."""
-    predicted = float(numpy.sqrt((found.thickness_standard_error**2).mean()))
-    return float(found.thickness.std()) == pytest.approx(predicted, rel=0.01)
 
 
 # Seen red: without the covariance; with half of it; with the error of the difference for that of the
@@ -244,107 +164,6 @@ def test_reliable_is_what_both_echoes_are(oily, clean):
 # Seen red: with telescopes taken in the order of each run.
 def test_telescopes_of_another_run_go_by_their_names(oily, clean):
     assert same(photic.oil_thickness(oily, clean.isel(telescope=[1, 0])).thickness, THICKNESS_UM)
-
-
-def refused(*arguments, **options):
-    with pytest.raises(photic.Error) as error:
-        photic.oil_thickness(*arguments, **options)
-    assert error.value.exit_code == 2
-    return str(error.value)
-
-FILM = {"scene": "[oil]\nthickness_um = 2.0\n"}
-
-
-# Seen red: with the ratio and its inverse exchanged; with the film's thickness left out; with that of another unit.
-@pytest.mark.parametrize("by_run", [False, True], ids=["environment", "another run"])
-def test_a_measured_ratio_is_compared_with_that_of_the_run(oily, clean, by_run):
-    """Over a film of 2 um the run has ratios of its own, with a factor that no formula knows."""
-    unknown = numpy.array([[1.1, 1.0, 0.9], [1.0, 0.95, 1.0]])
-    absorbed = numpy.exp(-1e-6 * ATTENUATION[:, 1, None] * numpy.array([2.0, 5.0])[:, None, None])
-    oily["echo"] = (AXES, CLEAN_ECHO * unknown[:, None, :])
-    oily.echo[:, 1] = CLEAN_ECHO[:, 1] * unknown * absorbed[0]
-    axes = ("telescope", "gate")
-    there = {"telescope": TELESCOPES[::-1]}  # by their names, in any order
-    ratio = xarray.DataArray((unknown * absorbed[1])[::-1], dims=axes, coords=there)
-    oily = oily.assign_attrs(FILM)
-    found = photic.oil_thickness(oily, clean if by_run else "clean", ratio=ratio, ratio_error=0.01)
-    assert same(found.thickness, numpy.full((2, 3), 5.0))
-    assert found.reliable.values.all() and found.thickness.dims == axes and found.attrs == {}
-    own = photic.oil_thickness(oily, clean if by_run else "clean").thickness_standard_error
-    measured = 1e6 / ATTENUATION[:, 1, None] * (0.01 / ratio.values[::-1])
-    assert same(found.thickness_standard_error, numpy.hypot(own, measured))
-
-
-# Seen red: with the measurement's error alone; with the run's alone; with both added up; with that of the ratio for
-# that of its logarithm.
-@pytest.mark.parametrize("correlation", [0.0, 0.9])
-@pytest.mark.parametrize("relative", [0.002, 0.015], ids=["measured well", "measured as the run"])
-def test_the_error_of_a_measured_ratio_contains_the_runs(correlation, relative):
-    """Thicknesses of measurements and runs that are drawn at random scatter as their errors say."""
-    oily, _, _, w, of_difference = drawn_gates(200_000, numpy.array([0.02, 0.015]), correlation)
-    blank = oily.environment_echo * 0
-    oily["environment_echo_standard_error"] = blank + w
-    oily["environment_difference_standard_error"] = blank + of_difference
-    measured = 0.4 * numpy.random.default_rng(20260502).normal(1, relative, 200_000)
-    given = {"ratio": measured, "ratio_error": 0.4 * relative}
-    found = photic.oil_thickness(oily.assign_attrs(FILM), "clean", **given)
-    assert agrees(found)
-    assert float(found.thickness.mean()) == pytest.approx(2 - 5 * numpy.log(0.4 / (2 / 3)), abs=0.005)
-
-
-# Seen red: with the flags of the run alone in `reliable`.
-@pytest.mark.filterwarnings("error")
-def test_gates_where_nothing_was_measured_are_nan(oily):
-    oily = oily.assign_attrs(FILM)
-    given = {"ratio": [0.5, numpy.nan, 0.4], "ratio_error": [0.01, 0.01, numpy.nan]}
-    found = photic.oil_thickness(oily, "clean", **given)
-    assert numpy.isnan(found.thickness).values.tolist() == [[False, True, False]] * 2
-    assert numpy.isnan(found.thickness_standard_error).values.tolist() == [[False, True, True]] * 2
-    assert found.reliable.values.tolist() == [[True, False, False]] * 2
-
-
-def test_a_measured_ratio_needs_its_error(oily):
-    both = "give both, the measured ratio and its standard deviation"
-    assert refused(oily, "clean", ratio=0.5) == f"ratio without ratio_error: {both}"
-    assert refused(oily, "clean", ratio_error=0.5) == f"ratio_error without ratio: {both}"
-
-
-# Seen red: without the look at either end.
-@pytest.mark.parametrize("ratio", [0.0, -0.1, 83.0, numpy.inf, [0.5, 0.6, 83.0]])
-def test_ratios_that_can_be_none(oily, ratio):
-    reason = "ratio: not above 0, or too large: it is the echo under the film over that of the clean sea, "
-    reason += "as 0.83 and not 83 per cent"
-    assert refused(oily, "clean", ratio=ratio, ratio_error=0.01) == reason
-
-
-@pytest.mark.parametrize("error", [-0.01, numpy.inf])
-def test_errors_of_ratios_that_can_be_none(oily, error):
-    reason = "ratio_error: below 0 or infinite: it is a standard deviation"
-    assert refused(oily, "clean", ratio=0.5, ratio_error=error) == reason
-
-
-# Seen red: with the telescopes' names not looked at, which leaves one of two; without the number of gates.
-@pytest.mark.parametrize(
-    "ratio",
-    [
-        "0.5",
-        [0.5, 0.6],
-        [[0.5] * 3] * 2,
-        xarray.DataArray([0.5, 0.6], dims="channel"),
-        xarray.DataArray([0.5, 0.6], dims="telescope", coords={"telescope": ["narrow", "high"]}),
-    ],
-    ids=["text", "two gates", "without names", "by channel", "another telescope"],
-)
-def test_ratios_that_do_not_fit_the_gates(oily, ratio):
-    forms = "give a number, one for each of the 3 gates, or a DataArray on telescope and gate"
-    assert refused(oily, "clean", ratio=ratio, ratio_error=0.01) == f"ratio: {forms}"
-    assert refused(oily, "clean", ratio=0.5, ratio_error=ratio) == f"ratio_error: {forms}"
-
-
-def test_a_measured_ratio_has_the_interfaces_in_it(oily):
-    reason = "formula 'paper' with a measured ratio: that is compared with the run's, which has the interfaces in it "
-    reason += "(leave out formula)"
-    assert refused(oily, "clean", formula="paper", ratio=0.5, ratio_error=0.01) == reason
 
 
 def test_no_film(oily, clean):
