@@ -59,9 +59,7 @@ class HeadReader {
   void take(const std::vector<Row>& ways) {
     if (first_ == lines_.size())
       head_.first_row = first_;
-    else if (fields_.empty() && separated_as_its_rows(first_))
-      take_names_at(first_);
-    else if (ways.empty())
+    else if (ways.empty() || (fields_.empty() && separated_as_its_rows(first_)))
       take_names_at(first_);
     else if (std::ranges::none_of(ways, [&](const Row& way) { return take_names(way); }))
       take_no_names(ways.front());
