@@ -1,4 +1,4 @@
-"""How thick a film of oil is, by the light that it takes from the water's Raman echo."""
+"""The thickness of a film of oil, from the light that it takes from the water's Raman echo."""
 
 import numpy
 import xarray
@@ -16,7 +16,7 @@ WITHOUT_FILM = "run the same scene with oil.thickness_um = 0"
 
 
 def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
-    """The thickness of the film that a run's Raman echoes tell, as an xarray.Dataset.
+    """The thickness of the film found from a run's Raman echoes, as an xarray.Dataset.
 
     With E the echo of the sea under the film, W that of the clean sea, a the film's absorption per
     metre of thickness [1/m], of the laser's light on its slanted way down and of the channel's on
@@ -24,7 +24,7 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
     nothing, over the share that passes the bare surface (film_interface_ratio):
 
         thickness = (ln(W / E) + ln(r)) / a      formula="interfaces"
-        thickness = ln(W / E) / a                formula="paper", which takes r as 1
+        thickness = ln(W / E) / a                formula="paper", which assumes r = 1
 
     result   of a run over a film of oil, whole, as photic.open and photic.run return it
     clean    the same sea without the film: the name of an environment of `result` with
@@ -36,8 +36,8 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
 
     On (telescope, gate), with their coordinates:
     thickness                 [um] any number: below 0 where noise has it so
-    thickness_standard_error  [um] 0 or more, to the first order in the errors of E and W: good
-                              while these are far below E and W. Echoes of one run stem from the
+    thickness_standard_error  [um] 0 or more, to the first order in the errors of E and W: valid
+                              while these are far below E and W. Echoes of one run come from the
                               same photons: their covariance is taken from the error of their
                               difference, and the error is NaN where no covariance fits all three.
                               Those of two runs have none. a and r are taken as exact
@@ -46,10 +46,10 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
     Thickness and error are NaN where E or W is not above 0, for telescopes or a laser in the water
     (r is NaN there) and where the film absorbs nothing.
 
-    Every gate tells the thickness anew. From below a film of many 1/a next to no Raman light comes
+    Every gate gives the thickness anew. From below a film of many 1/a hardly any Raman light comes
     back.
 
-    Raises photic.Error if `result` or `clean` is no whole result, `result` has no film or `clean`
+    Raises photic.Error if `result` or `clean` is not a whole result, `result` has no film or `clean`
     has one, there is no such environment, channel or formula, or telescopes or gates differ.
 
     Sources: Raman light that is missing as the measure of a film, Hoge & Swift 1980, Appl. Opt. 19,
@@ -93,7 +93,7 @@ def oil_thickness(result, clean, *, channel="raman", formula="interfaces"):
 def _variance_of_log_ratio(oily, water, lit):
     """Of ln(W / E), to the first order. It is vE/E^2 + vW/W^2 - 2 cov/(E W), with 2 cov =
     vE + vW - vD, written so that like echoes lose no digits. NaN where the three errors contradict
-    one another: no covariance is so large that it falls below (sE/E - sW/W)^2, but for rounding."""
+    one another: no covariance makes it fall below (sE/E - sW/W)^2, except by rounding."""
     e, w = oily.echo.where(lit), water.echo.where(lit)
     own = water.variance / w - oily.echo_standard_error**2 / e
     variance = (water.variance_of_difference - (w - e) * own) / (e * w)
@@ -155,7 +155,7 @@ def _other_run(oily, clean, channel):
     wanted, there = (list(map(str, each.telescope.values)) for each in (oily, other))
     if set(wanted) != set(there):
         raise Error(
-            f"clean: other telescopes than those of result: {listed(there)} in the place of "
+            f"clean: other telescopes than those of result: {listed(there)} in place of "
             f"{listed(wanted)}; {WITHOUT_FILM}"
         )
     other = other.sel(telescope=oily.telescope)

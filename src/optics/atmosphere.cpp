@@ -46,7 +46,7 @@ void check_columns(const DataTable& table) {
     if (std::find(known.begin(), known.end(), column) == known.end())
       table.fail_columns(fmt::format("unknown column \"{}\"", column), there_are);
     if (std::count(table.columns().begin(), table.columns().end(), column) > 1)
-      table.fail_columns(fmt::format("column \"{}\" is there twice", column));
+      table.fail_columns(fmt::format("column \"{}\" appears twice", column));
   }
   if (has(table, humidity_column) && has(table, vapour_column)) {
     table.fail_columns(

@@ -42,7 +42,7 @@ std::size_t DataTable::index_of(const std::string& column) const {
                  fmt::format("there are: {}", fmt::join(columns_, ", ")));
   }
   if (std::find(found + 1, columns_.end(), column) != columns_.end())
-    fail_columns(fmt::format("column \"{}\" is there twice", column));
+    fail_columns(fmt::format("column \"{}\" appears twice", column));
   return static_cast<std::size_t>(found - columns_.begin());
 }
 

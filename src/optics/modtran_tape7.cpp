@@ -110,13 +110,13 @@ std::vector<std::string> joined_names(const ModtranText& text, const Fields& fie
   const auto first = fields.names(line), second = fields.names(line + 1);
   if (first.size() != second.size())
     text.fail(line, 1,
-              fmt::format("{} names where {} stand in the line below", first.size(), second.size()),
+              fmt::format("{} names where the line below has {}", first.size(), second.size()),
               transmittances_expected);
   std::vector<std::string> out;
   for (std::size_t i = 0; i < first.size(); ++i) {
     const std::string name = first[i].text + " " + second[i].text;
     if (std::find(out.begin(), out.end(), name) != out.end())
-      text.fail(line, first[i].column, fmt::format("column \"{}\" is there twice", name), "");
+      text.fail(line, first[i].column, fmt::format("column \"{}\" appears twice", name), "");
     out.push_back(name);
   }
   return out;

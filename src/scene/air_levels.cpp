@@ -64,8 +64,8 @@ optics::DataTable read_air_levels(const std::string& path) {
   const std::string text = optics::read_text(path);
   if (!optics::is_tape6(text))
     throw InputError(
-        {{path, 0, 0, "no tape6 of LOWTRAN 7 or MODTRAN (no block \"ATMOSPHERIC PROFILES\")",
-          "a table of levels is known by its name: it ends in .csv"}});
+        {{path, 0, 0, "not a tape6 of LOWTRAN 7 or MODTRAN (no block \"ATMOSPHERIC PROFILES\")",
+          "the name of a table of levels must end in .csv"}});
   return table_of(optics::modtran_profile(text, path), path);
 }
 
@@ -73,8 +73,8 @@ optics::DataTable read_gas_depths(const std::string& path) {
   if (path.ends_with(".csv")) return optics::DataTable::read(path);
   const std::string text = optics::read_text(path);
   if (!optics::is_tape7(text))
-    throw InputError({{path, 0, 0, "no tape7 of LOWTRAN 7 or MODTRAN (no line begins with FREQ)",
-                       "a table of optical depths is known by its name: it ends in .csv"}});
+    throw InputError({{path, 0, 0, "not a tape7 of LOWTRAN 7 or MODTRAN (no line begins with FREQ)",
+                       "the name of a table of optical depths must end in .csv"}});
   const optics::ModtranTransmittances air(text, path);
   const std::vector<std::string> columns = air.columns();
   std::vector<double> wavelength_nm, optical_depth;

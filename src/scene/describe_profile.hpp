@@ -1,4 +1,4 @@
-// The keys of a constituent that changes with depth, written in the place of a number.
+// The keys of a constituent that changes with depth, written in place of a number.
 #pragma once
 
 #include <cstdint>
@@ -54,7 +54,7 @@ void describe(V& v, ProfilePoints& p) {
 
 template <class V>
 void describe(V& v, ProfileFile& p) {
-  v.required("file", p.file, File{}, "a CSV file, or a netCDF file as floats write it");
+  v.required("file", p.file, File{}, "a CSV file, or a netCDF file such as those of floats");
   v.one_of(option(!p.column.empty(),
                   [&](auto& w) {
                     w.required("column", p.column, Text{}, "the values' column of a CSV file");
@@ -67,7 +67,7 @@ void describe(V& v, ProfileFile& p) {
   v.required("depth", p.depth, Text{},
              "the column of depths in m, or the variable of depths or pressures");
   v.optional("negative", p.negative, Choice{{{"zero", "they count as 0"}}},
-             "what becomes of values below 0, as dark counts leave them; refused without it");
+             "what happens to values below 0, as dark counts leave them; refused without it");
   describe_beyond(v, p.beyond);
 }
 
