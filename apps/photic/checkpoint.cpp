@@ -54,7 +54,7 @@ Checkpoint::Checkpoint(const std::string& result, const Origin& origin, std::str
 std::string Checkpoint::leftover(std::uint64_t photons) const {
   if (photons_ <= photons) return "";
   return fmt::format(
-      "{}: left by a run of this scene that did not end, with {} photons (go on from it: {})\n",
+      "{}: left by a run of this scene that did not end, with {} photons (continue it: {})\n",
       path_, photons_, go_on_command(call_, path_, result_));
 }
 
@@ -70,7 +70,7 @@ void Checkpoint::write(const tally::Result& so_far, ProgressBar& bar) {
     if (warned_) return;
     warned_ = true;
     bar.wipe();
-    print_error(fmt::format("{} (the run goes on without this checkpoint)\n", error.what()));
+    print_error(fmt::format("{} (the run continues without this checkpoint)\n", error.what()));
   }
 }
 

@@ -133,7 +133,7 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   CLI::App app("Photic simulates what a lidar over or in the sea will see.", "photic");
   app.require_subcommand(1);
   bool version = false;
-  app.add_flag("--version", version, "Tell version, compiler, instruction sets and data folder");
+  app.add_flag("--version", version, "Print version, compiler, instruction sets and data folder");
   Commands commands;
   Notes notes;
   add_subcommands(app, commands, notes);

@@ -44,7 +44,7 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
     return {{.file = file,
              .reason = fmt::format("made by Photic {}; this one, {}, may simulate other photons",
                                    run.version, PHOTIC_VERSION),
-             .suggestion = fmt::format("go on with Photic {}, or start anew", run.version)}};
+             .suggestion = fmt::format("continue with Photic {}, or start anew", run.version)}};
   }
   scene::Scene then = scene::read_scene_text(run.scene_toml, file, folder_of(file)).scene;
   const scene::Scene now = estimator::scene_told(estimator::make_model(as_chosen(asked, then)));
@@ -59,7 +59,7 @@ std::vector<Diagnostic> obstacles(const io::RunSoFar& run, const std::string& fi
   }
   if (!out.empty()) {
     out.back().suggestion =
-        "a run that goes on may change photons, target_relative_error and max_time_s alone";
+        "a continued run may change only photons, target_relative_error and max_time_s";
   }
   return out;
 }
@@ -90,7 +90,7 @@ Earlier take_up(const std::string& file, const scene::Scene& scene) {
   if (asked && *asked < run.photons) {
     problems.push_back(
         {.file = file,
-         .reason = fmt::format("holds {} photons already, more than the {} asked for", run.photons,
+         .reason = fmt::format("holds {} photons already, more than the {} requested", run.photons,
                                *asked),
          .suggestion = "--photons is the total, not what is added"});
   }

@@ -66,7 +66,7 @@ void Destination::expect_room(const Occupant& occupant) const {
   const auto asked = origin_.scene.simulation.photons;
   if (occupant.kind == Kind::same_scene && asked && *asked < occupant.photons)
     refuse_to_replace(path_,
-                      fmt::format("{}, more than the {} asked for", more_photons(occupant), *asked),
+                      fmt::format("{}, more than the {} requested", more_photons(occupant), *asked),
                       fmt::format("add to them with --continue {}, ", path_));
   if (occupant.kind != Kind::edited_scene && occupant.kind != Kind::some_scene) return;
   const Occupant previous = occupant_of(previous_, origin_);

@@ -123,7 +123,7 @@ std::string short_help(const CommandManual& program, int terminal_width) {
   std::string out = io::paragraph(program.meaning, static_cast<std::size_t>(width), 0) +
                     "\nUsage: " + usage(program);
   out += commands(program, width) + examples(program, width) + '\n';
-  return out + io::paragraph("photic help COMMAND tells all of a command.",
+  return out + io::paragraph("photic help COMMAND describes a command in full.",
                              static_cast<std::size_t>(width), 0);
 }
 

@@ -40,7 +40,7 @@ std::string where_it_is(const tally::Result& result, const Call& call, const std
                                 result.partial ? " (partial: the run was interrupted)" : "", path);
   const bool netcdf = format_of(path) == Format::netcdf;
   if (result.partial && (netcdf || !checkpoint.empty()))
-    out += fmt::format("Go on:    {}\n", go_on_command(call, netcdf ? path : checkpoint, path));
+    out += fmt::format("Continue: {}\n", go_on_command(call, netcdf ? path : checkpoint, path));
   return out + plot_hint(call, path);
 }
 
@@ -126,14 +126,14 @@ std::optional<Isa> lanes_going_on(const RunCommand& command, const std::optional
     throw InputError({{.file = command.earlier,
                        .reason = fmt::format("ran in the engine {}, which does not run here",
                                              schedule::engine_name(before)),
-                       .suggestion = "go on where the processor has it, or run anew"}});
+                       .suggestion = "continue where the processor has it, or run anew"}});
   }
   if (command.engine.empty() && command.isa.empty()) return before;
   const auto now = lanes_asked(command);
   if (now == before) return now;
   throw InputError(
       {{.file = command.earlier,
-        .reason = fmt::format("ran in the engine {}, and is to go on in {}",
+        .reason = fmt::format("ran in the engine {}, and is to continue in {}",
                               schedule::engine_name(before), schedule::engine_name(now)),
         .suggestion = "leave out --engine and --isa"}});
 }
@@ -161,7 +161,7 @@ Plan plan(const RunCommand& command) {
   plan.photons = earlier.photons;
   if (plan.photons == plan.origin.scene.simulation.photons)
     print_warning(
-        fmt::format("{}: holds all {} photons asked for already (--photons is the total)\n",
+        fmt::format("{}: already holds all {} photons requested (--photons is the total)\n",
                     command.earlier, plan.photons));
   return plan;
 }

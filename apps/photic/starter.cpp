@@ -42,7 +42,7 @@ void call_by_name(std::string& text, const std::string& kind, const fs::path& fi
 }
 
 std::string told(const std::string& file, bool written) {
-  return file + (written ? ": written" : ": is there already");
+  return file + (written ? ": written" : ": exists already");
 }
 
 /// The files that a scene reads go into its folder. Throws as write_new_file.

@@ -19,7 +19,8 @@ void add_overrides(CLI::App& app, std::vector<scene::Override>& overrides) {
       ->allow_extra_args(false);
 }
 
-/// An option whose text is looked at as it is taken: a std::invalid_argument is told with the flag.
+/// An option whose text is checked when it is read: a std::invalid_argument is reported with the
+/// flag.
 void add_checked(CLI::App& app, const std::string& flag, const std::string& type,
                  const std::string& description,
                  const std::function<void(const std::string& text)>& take) {
@@ -36,7 +37,7 @@ void add_checked(CLI::App& app, const std::string& flag, const std::string& type
       ->type_name(type);
 }
 
-/// An option that stands for one value of the scene: the effective scene tells what ran.
+/// An option that replaces one value of the scene: the effective scene shows what ran.
 void add_scene_value(CLI::App& app, std::vector<scene::Override>& overrides,
                      const std::string& flag, const std::string& type, const std::string& path,
                      const std::string& description, std::string (*value)(const std::string&)) {
@@ -87,7 +88,7 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& value
                  "[default: the scene's name, .nc, in the current folder]")
       ->type_name("FILE");
   sub.add_option("--continue", run.earlier,
-                 "Go on from this result or checkpoint of the same scene; photons are the total")
+                 "Continue this result or checkpoint of the same scene; photons are the total")
       ->type_name("RESULT.nc");
   add_ends(sub, values);
   add_seed(sub, values);
@@ -101,11 +102,11 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& value
   add_threads(sub, run.threads,
               "Number of threads [default: all cores]; the result does not depend on it");
   add_choice(sub, "--engine", run.engine, "ENGINE", {"scalar", "lanes"},
-             "What walks the photons: lanes (many at a time in float) or scalar (in double, the "
-             "reference) [default: lanes, or what --continue goes on from]",
+             "What traces the photons: lanes (many at a time in float) or scalar (in double, the "
+             "reference) [default: lanes, or that of the continued result]",
              notes);
   add_choice(sub, "--isa", run.isa, "ISA", {"avx512", "avx2", "baseline"},
-             "Instructions of the lanes: avx512, avx2 or baseline [default: the best that the "
+             "Instruction set of the lanes: avx512, avx2 or baseline [default: the best that the "
              "processor has]",
              notes);
   add_checked(sub, "--checkpoint", "TIME",
@@ -126,7 +127,7 @@ void add_run(CLI::App& app, RunCommand& run, std::vector<scene::Override>& value
 void add_plot(CLI::App& app, PlotCommand& plot, Notes& notes) {
   CLI::App& sub =
       *app.add_subcommand("plot", "Draw results, or what photic optics wrote, as a picture");
-  sub.add_option("results", plot.results, "Results; several are drawn over each other")
+  sub.add_option("results", plot.results, "Results; several are drawn on the same axes")
       ->type_name("RESULT.nc")
       ->required();
   sub.add_option("-o,--output", plot.output,
@@ -143,7 +144,7 @@ void add_plot(CLI::App& app, PlotCommand& plot, Notes& notes) {
       ->type_name("MM");
   notes.examples["plot"] = {
       {"photic plot my.nc", "my.png"},
-      {"photic plot clear.nc green.nc -o both.pdf", "two results over each other"},
+      {"photic plot clear.nc green.nc -o both.pdf", "two results on the same axes"},
       {"photic plot my.nc -o my.svg --width-mm 84", "for one column of a journal"}};
 }
 
@@ -161,11 +162,11 @@ void add_bench(CLI::App& app, BenchCommand& bench, std::vector<scene::Override>&
 }
 
 void add_check(CLI::App& app, CheckCommand& check, Notes& notes) {
-  CLI::App& sub = *app.add_subcommand("check", "Tell every problem of a scene");
+  CLI::App& sub = *app.add_subcommand("check", "List every problem of a scene");
   add_scene(sub, check.scene, "The scene file")->required();
   add_overrides(sub, check.overrides);
   add_json(sub, check.json);
-  notes.examples["check"] = {{"photic check my.toml", "all that is wrong with it, by line"}};
+  notes.examples["check"] = {{"photic check my.toml", "every problem in it, by line"}};
 }
 
 void add_show(CLI::App& app, ShowCommand& show, Notes& notes) {
@@ -186,7 +187,7 @@ std::string not_a_pair(const std::string& text) {
   return fmt::format("'{}' is not KEY=VALUE (write chlorophyll_mg_m3=0.5)", text);
 }
 
-/// What is told of instead of a scene's water.
+/// What is shown instead of a scene's water.
 void add_optics_subjects(CLI::App& sub, OpticsCommand& optics) {
   sub.add_option("--water", optics.water,
                  "Instead of a scene: one layer with these keys (chlorophyll_mg_m3=0.5 "
@@ -204,17 +205,18 @@ void add_optics_subjects(CLI::App& sub, OpticsCommand& optics) {
          "of levels, a tape6 or tape7 of MODTRAN, or that of a scene (my.toml)")
       ->type_name("NAME|FILE");
   sub.add_option("--visibility", optics.visibility_km,
-                 "With --air: its aerosols are those of this visibility in km")
+                 "With --air: the visibility in km, which sets its aerosols")
       ->type_name("KM");
   sub.add_option("--aerosol", optics.aerosol,
-                 "With --air: of the lowest 2 km: rural, maritime, urban … [default: rural]")
+                 "With --air: the aerosols of the lowest 2 km: rural, maritime, urban … [default: "
+                 "rural]")
       ->type_name("MODEL");
 }
 
 void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Override>& values,
                 Notes& notes) {
   CLI::App& sub = *app.add_subcommand(
-      "optics", "Tell the optical properties of a scene's layers, of water, an oil or air");
+      "optics", "List the optical properties of a scene's layers, of water, an oil or air");
   add_scene(sub, optics.scene, "The scene file");
   add_optics_subjects(sub, optics);
   add_checked(
@@ -231,16 +233,16 @@ void add_optics(CLI::App& app, OpticsCommand& optics, std::vector<scene::Overrid
   add_overrides(sub, optics.overrides);
   add_json(sub, optics.json);
   notes.examples["optics"] = {
-      {"photic optics my.toml", "what its water does to light, and whose numbers these are"},
-      {"photic optics --water chlorophyll_mg_m3=0.5 -o water.nc", "as a file, of other water"}};
+      {"photic optics my.toml", "what its water does to light, and the sources of the numbers"},
+      {"photic optics --water chlorophyll_mg_m3=0.5 -o water.nc", "as a file, for other water"}};
 }
 
 void add_new(CLI::App& app, NewCommand& starter, Notes& notes) {
   CLI::App& sub = *app.add_subcommand("new", "Write a commented scene to start from");
-  sub.add_option("kind", starter.kind, "Which one: --list tells all")->type_name("KIND");
-  sub.add_flag("--list", starter.list, "Tell what there is, a line each");
+  sub.add_option("kind", starter.kind, "Which one: --list shows all")->type_name("KIND");
+  sub.add_flag("--list", starter.list, "List what there is, a line each");
   sub.add_option("-o,--output", starter.output,
-                 "Where to [default: standard output]; never an existing file")
+                 "The file to write [default: standard output]; never an existing one")
       ->type_name("FILE");
   notes.examples["new"] = {{"photic new ship -o my.toml", "a ship lidar over clear ocean water"}};
 }
@@ -256,11 +258,11 @@ void add_subcommands(CLI::App& program, Commands& commands, Notes& notes) {
   add_optics(program, commands.optics, commands.values, notes);
   add_bench(program, commands.bench, commands.values, notes);
   program.add_subcommand("schema", "Print the JSON Schema of scene files, for editors");
-  program.add_subcommand("help", "Tell of the program, or all of a command")
-      ->add_option("command", commands.help.command, "The command to tell of")
+  program.add_subcommand("help", "Describe the program, or a command in full")
+      ->add_option("command", commands.help.command, "The command to describe")
       ->type_name("COMMAND");
   notes.examples["photic"] = {{"photic new ship -o my.toml", "a commented scene to start from"},
-                              {"photic check my.toml", "all that is wrong with it"},
+                              {"photic check my.toml", "every problem in it"},
                               {"photic run my.toml", "simulate it; the result is my.nc"},
                               {"photic plot my.nc -o my.png", "its echoes as a picture"}};
 }

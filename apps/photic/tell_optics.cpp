@@ -77,7 +77,7 @@ optics::AirProfile modtran_air(const std::string& text, const std::string& name)
     throw InputError({{name, 0, 0,
                        "neither a tape6 of MODTRAN (no block \"ATMOSPHERIC PROFILES\") nor a tape7 "
                        "(no line of names that begins with FREQ)",
-                       "a table of levels is known by its name: it ends in .csv"}});
+                       "the name of a table of levels must end in .csv"}});
   }
   return optics::modtran_profile(text, name);
 }

@@ -1,4 +1,4 @@
-"""Pictures of what the air does to echoes, and the numbers that the guide tells of it."""
+"""Pictures of what the air does to echoes, and the numbers on it in the guide."""
 
 import sys
 

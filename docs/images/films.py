@@ -1,4 +1,4 @@
-"""The picture of films of oil, and the numbers that the guide tells of them."""
+"""The picture of films of oil, and the numbers on them in the guide."""
 
 import sys
 
@@ -61,9 +61,9 @@ def oil():
             values = [float(one.thickness) for one in found]
             errors = [float(one.thickness_standard_error) for one in found]
             right.errorbar(THICKNESSES, values, errors, color=colour, **_marks(), **look)
-    left.set(xscale="log", ylim=(0, 1.05), ylabel="over that of the clean sea", title="Raman light through a film")
+    left.set(xscale="log", ylim=(0, 1.05), ylabel="relative to the clean sea", title="Raman light through a film")
     right.set(xscale="log", yscale="log", xlim=(0.07, 14), ylim=(0.03, 20))
-    right.set(ylabel="thickness found [um]", title="Thickness by the light that is missing")
+    right.set(ylabel="thickness found [um]", title="Thickness from the missing light")
     handles = [Line2D([], [], color="0.3", label="with the interfaces", **_marks())]
     handles.append(Line2D([], [], color="0.3", markerfacecolor="white", label="without (the paper's)", **_marks()))
     left.legend(fontsize=8, loc="lower left")

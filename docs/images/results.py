@@ -133,10 +133,10 @@ def flags():
         _gate_by_gate(middle, ratio.values, depth, good, colour)
     left.axvline(100 * LARGEST_ERROR, color="0.3", linewidth=1, linestyle="--")
     left.text(110 * LARGEST_ERROR, 1.6, f"{100 * LARGEST_ERROR:.0f} %", **NOTE)
-    left.set(xscale="log", xlabel="relative standard error [%]", title="The error a run tells")
+    left.set(xscale="log", xlabel="relative standard error [%]", title="The error that a run reports")
     left.xaxis.set_major_formatter("{x:g}")
     middle.axvline(1, color="0.3", linewidth=1, linestyle="--")
-    middle.set(xlabel="echo over the converged one", title="How far its echo is off")
+    middle.set(xlabel="ratio to the converged echo", title="How far its echo is off")
     for panel, (one, colour, name) in zip(strips, looks):
         _strip(panel, one, colour, [short, long])
         panel.set_title(name, fontsize=8.5, color=colour)
@@ -235,7 +235,7 @@ def _one_per_cent(panel, one):
         panel.fill_betweenx(depth, change - width, change + width, linewidth=0, label=label, **look)
     panel.plot(change, depth, color=ELASTIC, linewidth=1.8, label="the same photons")
     panel.axvline(0, color="black", linewidth=1.2)
-    panel.set(xlabel="echo against the scene's [%]", title="elastic: " + ONE_PER_CENT)
+    panel.set(xlabel="change from the scene's echo [%]", title="elastic: " + ONE_PER_CENT)
     panel.locator_params(axis="x", nbins=5)
     panel.legend(fontsize=8, loc="upper left", framealpha=0.9)
 
@@ -265,7 +265,7 @@ def layers():
     good = raman.converged.values & chlorophyll.converged.values
     label = "of the echoes, less\nthe absorption of\npure water"
     _gate_by_gate(right, ratio, depth, good, CHLOROPHYLL, label)
-    right.set(xscale="log", xlim=(0.03, 5), xlabel="fluorescence over Raman light", title="Their ratio shows the layers")
+    right.set(xscale="log", xlim=(0.03, 5), xlabel="ratio of fluorescence to Raman light", title="The ratio shows the layers")
     right.legend(fontsize=8, loc="lower right")
     late = chlorophyll.echo_by_depth[-4]
     share = float(late.where(late.depth < tops[-1]).sum() / late.sum())
@@ -303,7 +303,7 @@ def bed():
         _gate_by_gate(right, (other.environment_echo / one.echo).values, depth, good, colour, f"albedo {albedo}")
     right.axvline(1, color="black", linewidth=1.2, label="the scene: 0.15")
     right.plot([], [], "o", color="0.4", markerfacecolor="white", markersize=5, label="not converged")
-    right.set(xlabel="echo over the scene's", title="Other beds, the same photons", xlim=(0, 2.2))
+    right.set(xlabel="ratio to the scene's echo", title="Other beds, the same photons", xlim=(0, 2.2))
     right.legend(fontsize=8, loc="upper left")
     left.set(xlim=(5e-14, 3e-10), ylim=(15, 6), ylabel="depth [m]")
     for panel in (left, right):

@@ -5,8 +5,8 @@
     ds.echo.sel(telescope="ship", channel="raman")
 
 run(scene) computes, open(path) reads a result file; both return an xarray.Dataset whose
-telescopes, channels and processes go by their names. oil_thickness(result, clean) tells how
-thick a film of oil is. `photic plot out.nc -o out.png` draws a result.
+telescopes, channels and processes are indexed by their names. oil_thickness(result, clean) finds
+the thickness of a film of oil. `photic plot out.nc -o out.png` draws a result.
 """
 
 from photic.errors import Error, Interrupted

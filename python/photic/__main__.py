@@ -18,9 +18,9 @@ def main(arguments=None):
     plot = commands.add_parser(
         "plot",
         help="draw echoes against depth, or optics",
-        description="Draws the echoes of one result by channel, process and order, of eight "
-        "channels and more by depth and wavelength, or those of several results over each other, channel by channel, and each by order beside them; all "
-        "telescopes, or those chosen. Of a "
+        description="Draws the echoes of one result by channel, process and order, or by depth and "
+        "wavelength if it has eight channels or more, or those of several results on the same axes, "
+        "channel by channel, and each by order beside them; all telescopes, or those chosen. From a "
         "file of `photic optics` it draws coefficients, phase functions and emitted light, or "
         "spectra.",
     )
@@ -45,7 +45,7 @@ def main(arguments=None):
 
 
 def _told(remarks):
-    """Each warning in a line; letters that the font lacks once for all."""
+    """Each warning on a line; letters that the font lacks once for all."""
     texts = [str(remark.message).replace("\n", " ") for remark in remarks]
     lacking = any(text.startswith("Glyph ") for text in texts)
     told = list(dict.fromkeys(text for text in texts if not text.startswith("Glyph ")))
@@ -89,7 +89,7 @@ def _ending(path):
 
 def _expect_one(options):
     if len(options.results) > 1:
-        raise Error("optics are drawn alone: give one file of `photic optics`, and nothing else")
+        raise Error("optics are drawn alone: give one file of `photic optics`, and no other")
     for option, given in (("telescope", options.telescope), ("channel", options.channel)):
         if given:
             raise Error(f"{options.results[0]}: holds optics, and no {option}s (leave out --{option})")

@@ -11,8 +11,8 @@ MOST_TELESCOPES = 4  # in a figure
 
 @dataclass(frozen=True)
 class Drawn:
-    """What a figure shows of its results: telescopes and channels by name. The telescope None stands
-    for the only one of each result, whatever its name is."""
+    """What a figure shows of its results: telescopes and channels by name. The telescope None is
+    the only one of each result, whatever its name is."""
 
     telescopes: list
     channels: list
@@ -29,7 +29,7 @@ class Drawn:
 
 
 def drawn(results, names, telescopes, channels, notes):
-    """What is drawn of what is wanted (nothing: all); to the notes: what has no place.
+    """What is drawn of what is wanted (nothing: all); what does not fit goes to the notes.
 
     Raises photic.Error as chosen does.
     """
@@ -42,7 +42,7 @@ def drawn(results, names, telescopes, channels, notes):
 
 
 def kept(every, most, axis, notes, what="Drawn are"):
-    """So many of the names, from the first to the last, with a note of the rest."""
+    """At most this many of the names, from the first to the last, with a note of the rest."""
     some = [every[k] for k in spread(len(every), most)]
     if len(some) < len(every):
         notes.append(f"{what} {len(some)} of {len(every)} {axis}s: {_choose(axis)}.")

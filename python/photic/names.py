@@ -1,4 +1,4 @@
-"""Names that the user tells, looked for among those of results."""
+"""Names that the user gives, looked up among those of results."""
 
 import difflib
 
@@ -8,7 +8,7 @@ MOST_LISTED = 12  # names in a message
 
 
 def chosen(results, names, axis, wanted):
-    """Names along the axis that any of the results has: those wanted, or all if none are told.
+    """Names along the axis that any of the results has: those wanted, or all if none are given.
 
     Raises photic.Error for a name that no result has, and for a result that has none of them.
     """
@@ -22,17 +22,17 @@ def chosen(results, names, axis, wanted):
     for result, name in zip(results, names):
         if not set(wanted) & set(result[axis].values):
             there = listed([str(each) for each in result[axis].values])
-            raise Error(f"{name}: has no {axis} of those asked for; there are: {there}")
+            raise Error(f"{name}: has no {axis} of those requested; there are: {there}")
     return list(dict.fromkeys(wanted))
 
 
 def suggestion(name, known):
-    """The end of a message about a name that is none of the known."""
+    """The end of a message about an unknown name."""
     near = difflib.get_close_matches(name, known, n=1)
     return f" (did you mean {near[0]!r}?)" if near else f"; there are: {listed(known)}"
 
 
 def listed(known):
-    """Names, as far as they have room in a line."""
+    """As many names as fit on a line."""
     more = len(known) - MOST_LISTED
     return ", ".join(known[:MOST_LISTED]) + (f" and {more} more" if more > 0 else "")

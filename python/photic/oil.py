@@ -1,4 +1,4 @@
-"""How thick a film of oil is, by the light that it takes from the water's Raman echo."""
+"""The thickness of a film of oil, from the light that it takes from the water's Raman echo."""
 
 import numpy
 import xarray
@@ -20,7 +20,7 @@ WITHOUT_FILM = "run the same scene with oil.thickness_um = 0"
 def oil_thickness(
     result, clean, *, channel="raman", formula="interfaces", ratio=None, ratio_error=None
 ):
-    """The thickness of a film of oil by its Raman echoes, as an xarray.Dataset: of the run's film, or of
+    """The thickness of a film found from Raman echoes, as an xarray.Dataset: of the run's film, or of
     one over which a ratio of echoes was measured.
 
     With E the echo of the sea under the film, W that of the clean sea, a the film's absorption per
@@ -29,7 +29,7 @@ def oil_thickness(
     nothing, over the share that passes the bare surface (film_interface_ratio):
 
         thickness = (ln(W / E) + ln(r)) / a      formula="interfaces"
-        thickness = ln(W / E) / a                formula="paper", which takes r as 1
+        thickness = ln(W / E) / a                formula="paper", which assumes r = 1
 
     A measured ratio of the echo under a film to that of the clean sea beside it is compared with E / W of
     the run, whose film is d thick:
@@ -53,8 +53,8 @@ def oil_thickness(
 
     On (telescope, gate), with their coordinates:
     thickness                 [um] any number: below 0 where noise has it so
-    thickness_standard_error  [um] 0 or more, to the first order in the errors of E and W: good
-                              while these are far below E and W. Echoes of one run stem from the
+    thickness_standard_error  [um] 0 or more, to the first order in the errors of E and W: valid
+                              while these are far below E and W. Echoes of one run come from the
                               same photons: their covariance is taken from the error of their
                               difference, and the error is NaN where no covariance fits all three.
                               Those of two runs have none. Of a measured ratio both errors are in it,
@@ -65,10 +65,10 @@ def oil_thickness(
     Thickness and error are NaN where E or W is not above 0, for telescopes or a laser in the water
     (r is NaN there) and where the film absorbs nothing.
 
-    Every gate tells the thickness anew. From below a film of many 1/a next to no Raman light comes
+    Every gate gives the thickness anew. From below a film of many 1/a hardly any Raman light comes
     back.
 
-    Raises photic.Error if `result` or `clean` is no whole result, `result` has no film or `clean`
+    Raises photic.Error if `result` or `clean` is not a whole result, `result` has no film or `clean`
     has one, there is no such environment, channel or formula, telescopes or gates differ, or a ratio
     comes without its error, is not above 0 or too large, or does not fit the gates.
 
@@ -119,7 +119,7 @@ def oil_thickness(
 def _variance_of_log_ratio(oily, water, lit):
     """Of ln(W / E), to the first order. It is vE/E^2 + vW/W^2 - 2 cov/(E W), with 2 cov =
     vE + vW - vD, written so that like echoes lose no digits. NaN where the three errors contradict
-    one another: no covariance is so large that it falls below (sE/E - sW/W)^2, but for rounding."""
+    one another: no covariance makes it fall below (sE/E - sW/W)^2, except by rounding."""
     e, w = oily.echo.where(lit), water.echo.where(lit)
     own = water.variance / w - oily.echo_standard_error**2 / e
     variance = (water.variance_of_difference - (w - e) * own) / (e * w)
@@ -227,7 +227,7 @@ def _other_run(oily, clean, channel):
     wanted, there = (list(map(str, each.telescope.values)) for each in (oily, other))
     if set(wanted) != set(there):
         raise Error(
-            f"clean: other telescopes than those of result: {listed(there)} in the place of "
+            f"clean: other telescopes than those of result: {listed(there)} in place of "
             f"{listed(wanted)}; {WITHOUT_FILM}"
         )
     other = other.sel(telescope=oily.telescope)

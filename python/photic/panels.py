@@ -13,14 +13,14 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from photic.page import MOST_NAMED, Legend, spread
 
-# Okabe & Ito (2008), "Color Universal Design": told apart by the colour-blind too.
+# Okabe & Ito (2008), "Color Universal Design": distinct to the colour-blind too.
 # Green comes first, for 532 nm.
 COLOURS = ["#009E73", "#D55E00", "#0072B2", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
 OF_AIR = "#56B4E9"  # light of the process air, and of no other
 INTERVAL_95 = 1.96  # standard errors of a normal distribution
 MARKERS_PER_LINE = 40
-LARGEST_RATIO = 1e16  # of echoes on one axis: more decades cannot be told apart
-LARGEST_CHANGE = 3  # factor of an environment that is still told in per cent
+LARGEST_RATIO = 1e16  # of echoes on one axis: more decades cannot be distinguished
+LARGEST_CHANGE = 3  # factor of an environment that is still given in per cent
 NARROW = 0.3  # band, over its echo: not too wild to choose the axis by
 BAND, FADED_BAND, FADED = 0.25, 0.08, 0.45  # opacity: of bands, and of what has not converged
 NO_LIGHT = "no light in any gate"
@@ -83,7 +83,7 @@ def _circles():
 
 
 def thinned(chosen, step):
-    """The first of every stretch that is chosen, that none goes unmarked, and every step-th on."""
+    """The first of every stretch that is chosen, so that none is unmarked, and every step-th on."""
     kept = []
     for stretch, indices in itertools.groupby(range(len(chosen)), key=lambda i: chosen[i]):
         kept += list(indices)[::step] if stretch else []
@@ -91,7 +91,7 @@ def thinned(chosen, step):
 
 
 def lines_legend(lines, faded, title=None, styles=()):
-    """lines: what they are called, and their colours; faded: whether any gate has not converged; styles:
+    """lines: their names and colours; faded: whether any gate has not converged; styles:
     the same of lines of any colour."""
     kept = spread(len(lines), MOST_NAMED)
     named = [lines[k] for k in kept]
@@ -122,7 +122,7 @@ def finish_lines(panel, echoes, every=None):
 
 
 def say(panel, words):
-    """In the middle of a panel without curves."""
+    """Words in the middle of a panel without curves."""
     panel.text(0.5, 0.5, words, transform=panel.transAxes, ha="center", color="0.3")
 
 
@@ -145,7 +145,7 @@ def _limits(echoes):
 
 
 def processes(panel, part, lines, style="-"):
-    """The echo of one channel by the process in which the light turned; lines: processes, and their
+    """The echo of one channel by process; lines: processes, and their
     colours."""
     for process, colour in lines:
         one = part.sel(process=process)
@@ -236,7 +236,7 @@ def _change_axes(panel, values, factors):
         panel.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 100 * low else (1,)))
         panel.xaxis.set_major_formatter("{x:g}")
         panel.xaxis.set_minor_formatter(NullFormatter())
-    label = "echo over that of the scene" if factors else "echo against the scene's [%]"
+    label = "ratio to the scene's echo" if factors else "change from the scene's echo [%]"
     panel.set_xlabel(label)
 
 
@@ -284,7 +284,7 @@ def environments_legend(result, colours):
 
 def orders(panel, part, count):
     """Shares of the orders of scattering, side by side: the lowest first. `count`: the highest order
-    that the figure tells."""
+    in the figure."""
     total = part.echo_by_order.sum("order")
     edges = (100 * part.echo_by_order / total.where(total > 0)).cumsum("order", skipna=False).values
     left = numpy.where(numpy.isnan(edges[0]), numpy.nan, 0.0)
@@ -322,8 +322,8 @@ def _shades(count):
 
 
 def family(count, taken=()):
-    """Colours of so many lines that black is not among, nor those taken: shades in their order where
-    there are more than colours."""
+    """Colours for this many lines, without black and those taken: shades in their order where
+    there are more lines than colours."""
     free = [colour for colour in COLOURS if colour not in taken]
     if count < len(free):
         return free[:count]

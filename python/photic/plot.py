@@ -9,15 +9,15 @@ from photic.sources import caution
 
 
 def figure(results, names, telescopes=(), channels=(), title=None, width_mm=None):
-    """One result: for each telescope its echoes by channel, by process, by order; if there are
+    """For one result: each telescope's echoes by channel, by process, by order; if there are
     environments, below these a row for each channel with the echo in every one and what it changes; if
     there are sensitivities, below all a panel of them for each channel. Several: a row for each
     telescope and channel, with the echoes overlaid, and beside them each result by order. Results of
-    one telescope each are drawn over each other whatever its name is. Above all stands the spectrum,
+    one telescope each are drawn on the same axes whatever its name is. On top is the spectrum,
     where more filters see it than have colours of their own. One result with more channels than these,
     of which none is chosen, has a map of depth and wavelength and spectra in the place of all else.
 
-    results   datasets of photic.open; names: what to call each of them
+    results   datasets of photic.open; names: a name for each of them
     telescopes, channels  by name; default: all, as far as a page holds them
     width_mm  of the figure; default: what the panels ask for
 
@@ -48,7 +48,7 @@ def figure(results, names, telescopes=(), channels=(), title=None, width_mm=None
 def _bands(results):
     bands = "Bands: 95 % intervals, the lower end not below a tenth of the echo."
     if len(results) == 1 and "environment" in results[0].sizes:
-        bands += " Against the scene's: those of differences between the same photons."
+        bands += " Of changes: those of differences between the same photons."
     return bands
 
 
@@ -66,7 +66,7 @@ def _caption(result, shown):
 
 
 def _left_out(result):
-    """What of a result a figure of several does not show."""
+    """What a figure of several results does not show."""
     more = {"environment": "environments", "parameter": "sensitivities"}
     there = " and ".join(word for axis, word in more.items() if axis in result.sizes)
-    return f"; its {there} are not drawn here, but where it is drawn alone" if there else ""
+    return f"; its {there} are drawn only where it is drawn alone" if there else ""

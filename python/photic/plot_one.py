@@ -216,7 +216,7 @@ def _environments(sheet, result, channels, said):
         )
         cells = [
             Cell(said(f"{channel} echo in the environments"), MIDDLE, echo),
-            Cell(said(f"{channel} echo against the scene's"), MIDDLE, change),
+            Cell(said(f"{channel} echo: change from the scene's"), MIDDLE, change),
         ]
         out += rows(sheet, cells, LOW)
     return with_legend(out, panels.environments_legend(result.sel(channel=channels), colours))

@@ -13,8 +13,8 @@ WIDEST = 16.5
 
 
 def draw(results, names, shown, width_mm):
-    """The page, its rows, and notes of what has no place: for each telescope the spectra, if many
-    filters see one, and a row for each channel with the echoes over each other, and beside them the
+    """The page, its rows, and notes of what does not fit: for each telescope the spectra, if many
+    filters see one, and a row for each channel with the echoes on the same axes, and beside them the
     orders of each result."""
     count = len(results)
     slim = max(1.6, 3.0 - 0.3 * count)  # the orders of one result
@@ -47,7 +47,7 @@ def _rows(sheet, results, looks, shown, slim, most):
 
 
 def _spectra(sheet, results, looks, shown, telescope):
-    """A row of the spectra over each other; none if no result has one."""
+    """A row of the spectra on the same axes; none if no result has one."""
     lines = []
     for one, look in zip(through(results, telescope, shown.channels), looks):
         filters = [] if one is None else spectrum.filters(one, list(one.channel.values))
@@ -72,7 +72,7 @@ def _cells(of_all, channel, slim, said):
     orders = max(int(one.order[-1]) for one in every)
     for part, (_, name, colour) in zip(parts, of_all):
         last = int(part.order[-1])
-        title = f"{name} by order" + ("" if last == orders else f" ({last} and above in one)")
+        title = f"{name} by order" + ("" if last == orders else f" ({last} includes all above)")
         legend = panels.orders_legend(parts) if len(cells) == 1 else None
         draws = partial(_orders, every, part, orders)
         cells.append(Cell(title, slim, draws, legend, colour))

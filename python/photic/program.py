@@ -33,12 +33,12 @@ def run(
     """Simulates a scene file and returns the result as photic.open does.
 
     set      values that replace the scene's, e.g. {"sea.layer.0.chlorophyll_mg_m3": 0.5}; a number
-             in the path counts from 0, a name of a layer, telescope or channel serves too
+             in the path counts from 0; the name of a layer, telescope or channel also works
     photons  how many to emit; threads: how many to use (default: all cores)
     output   where to keep the result file (.nc); not kept by default
-    continue_from  a result of the same scene to go on from; photons are the total then
-    force    replaces whatever is at `output`; otherwise what took longer, or is of another scene, is
-             refused, or left with this result beside it, which a warning tells
+    continue_from  a result of the same scene to continue; photons are the total then
+    force    replaces whatever is at `output`; otherwise the run is refused where that took longer or
+             is of another scene, or leaves it with this result beside it, and warns
     program  the program to run; otherwise $PHOTIC_PROGRAM, the one this package was installed or
              built with, or the one in PATH
 
@@ -73,7 +73,7 @@ def run(
 
 
 def _call(command):
-    """Of a program that wrote a result: its exit code, what it remarked, and what it printed."""
+    """Of a program that wrote a result: its exit code, its remarks, and what it printed."""
     pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     try:
         process = subprocess.Popen(command, encoding="utf-8", errors="surrogateescape", **pipes)
@@ -133,12 +133,12 @@ def _raise_ended(code, partial, output):
 
 
 def _count(number):
-    """1e7 as 10000000; what is no whole number is left for the program to refuse."""
+    """1e7 as 10000000; what is not a whole number is left for the program to refuse."""
     return str(int(number)) if number == int(number) else str(number)
 
 
 def find_program(program=None):
-    """The path of the program to run: what was asked for or an error, never another one."""
+    """The path of the program to run: the one requested or an error, never another one."""
     asked = program if program is not None else os.environ.get("PHOTIC_PROGRAM")
     if asked is not None:
         found = shutil.which(os.fspath(asked))
@@ -176,4 +176,4 @@ def toml_value(value):
     try:
         return "[" + ", ".join(toml_value(item) for item in value) + "]"
     except TypeError:
-        raise Error(f"{value!r} is nothing that a scene can hold") from None
+        raise Error(f"{value!r} is not a value that a scene can hold") from None

@@ -12,7 +12,7 @@ PARTS_CONVERGED = ("echo_by_process_converged", "echo_by_order_converged")
 
 
 def open(path):
-    """The result in a netCDF file as an xarray.Dataset, in memory; the file is closed again.
+    """Returns the result in a netCDF file as an xarray.Dataset, in memory; the file is closed again.
 
     Dimensions: telescope, channel and process (indexed by name), order (0, 1, … and above), gate,
     depth (of the last scattering) [m], unless the scene left it out. Coordinates: gate_time [ns],
@@ -21,20 +21,20 @@ def open(path):
     converged (bool), convergence_flags
     with their meanings, the same of parts as echo_by_process_converged, echo_by_order_converged and
     their _convergence_flags, … If the scene has environments: the dimension environment (indexed by name),
-    environment_echo and environment_difference (to echo), with _standard_error, and
+    environment_echo and environment_difference (from echo), with _standard_error, and
     environment_converged. If environments set numbers: the dimension environment_path (indexed by path),
     environment_value, and for each path a coordinate of that name along environment, so that
-    swap_dims(environment="sea.layer.0.chlorophyll_mg_m3") puts values in the place of names. If it has sensitivities: the dimension parameter (indexed by path), with
+    swap_dims(environment="sea.layer.0.chlorophyll_mg_m3") puts values in place of names. If it has sensitivities: the dimension parameter (indexed by path), with
     parameter_value, sensitivity and logarithmic_sensitivity, with _standard_error, and
     sensitivity_converged. Over a film of oil: film_attenuation [1/m] and film_interface_ratio, which
-    oil_thickness takes. Attributes: the run, and the scene as text.
+    oil_thickness uses. Attributes: the run, and the scene as text.
 
     What `photic optics` wrote is opened too. Dimensions: depth (the layers' upper edges) [m],
     wavelength [nm], angle [degree], process (indexed by name), emission_line. Variables: a_per_m,
     b_per_m, c_per_m, bb_per_m, albedo, mean_cosine, phase_function_per_sr, those of constituents
     (a_water_per_m …), emission_per_m, emission_line_per_m; the attribute photic_content is "optics".
-    Layers of air have altitude (their lower edges) [m] in the place of depth, refractive_index, and
-    emit nothing. Spectra of an oil and transmittances have the dimension wavelength alone;
+    Layers of air have altitude (their lower edges) [m] in place of depth, refractive_index, and
+    emit nothing. Spectra of an oil and transmittances have only the dimension wavelength;
     photic_content is then "spectra".
 
     Raises photic.Error if there is no such file or it was not written by Photic.

@@ -1,4 +1,4 @@
-"""What a file says of data that are not verified."""
+"""What a file says about data that are not verified."""
 
 import re
 
@@ -22,5 +22,5 @@ def caution(dataset):
 
 
 def _quantity(line):
-    """What a line tells the source of."""
+    """The quantity whose source a line gives."""
     return WAVELENGTHS.sub("", re.split(" = |: ", LAYER.sub("", line), maxsplit=1)[0])

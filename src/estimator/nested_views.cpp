@@ -55,7 +55,7 @@ std::vector<std::string> nested_views_told(const scene::Scene& scene) {
     for (std::size_t i = 1; i < views.size(); ++i)
       names += (i + 1 < views.size() ? ", " : " and ") + scene.telescope[views[i]].name;
     out.push_back(fmt::format(
-        "telescopes {} see one inside the other: what is drawn for one serves all", names));
+        "telescopes {} have views inside each other: what is drawn for one serves all", names));
   }
   return out;
 }

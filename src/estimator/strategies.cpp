@@ -26,7 +26,7 @@ Strategy to_laser(const scene::Scene& scene) {
   const std::string name = "walks from telescopes connected to the laser";
   if (scene.sea.surface.is_rough() && scene.source.position_m.z >= 0) {
     if (scene.sea.surface.is_one_dimensional())
-      return off(name, "waves of one direction lead no ray of it to a given point");
+      return off(name, "one-dimensional waves lead none of its rays to a given point");
     return {name, true, "where a ray of it comes through waves"};
   }
   const auto laser = instrument::make_laser<double>(scene.source);
@@ -54,14 +54,14 @@ Strategy rotated(const medium::Medium& medium, const Vec3<double>& beam) {
     return off(name, "light is converted, and looked for about a beam that is not vertical");
   const auto waves = medium.view().waves;
   if (waves.rough && !waves.isotropic)
-    return {name, true, "where waves, not alike to all sides, have not met what is rotated"};
+    return {name, true, "where anisotropic waves have not met what is rotated"};
   return {name, true, {}};
 }
 
 const char* const in_water_under_waves = "it is in the water, and waves have no mirror images";
 std::string waves_are_wider(const char* than, const scene::Scene& scene) {
   if (scene.sea.surface.is_one_dimensional())
-    return "waves of one direction lead no ray to a given point";
+    return "one-dimensional waves lead no ray to a given point";
   return fmt::format("waves spread light wider than {} is on the surface", than);
 }
 
@@ -106,9 +106,9 @@ void tell_meetings(const std::optional<double>& per_metre, Strategy& strategy) {
   if (!strategy.used) return;
   const std::string limit = strategy.reason.empty() ? "" : "; " + strategy.reason;
   if (!per_metre) {
-    strategy.reason = "as pilot runs tell" + limit;
+    strategy.reason = "as pilot runs found" + limit;
   } else if (*per_metre == 0) {
-    strategy = off(strategy.name, "they cost more than they give, or are not asked for");
+    strategy = off(strategy.name, "they cost more than they give, or are not requested");
   } else {
     strategy.reason =
         fmt::format("two rays meet {:.2g} times per metre of depth{}", *per_metre, limit);
@@ -135,8 +135,8 @@ Strategies make_strategies(const scene::Scene& scene, const medium::Medium& medi
   // What environments make of the angle that a rotation changes is not known apart.
   if (out.rotated.used && scene.compares())
     out.rotated_scattered = off(out.rotated_scattered.name,
-                                "environments or derivatives are asked for, in which the angle "
-                                "that this changes is not known apart");
+                                "environments or derivatives are requested, for which the angle "
+                                "that this changes is not recorded");
   out.free_telescope = free_telescopes(scene, medium);
   out.free_laser = free_laser(scene, medium);
   // Each phase function takes a millisecond and 90 kB for each instrument.

@@ -112,8 +112,8 @@ void check_walk_attenuation(const scene::Scene& scene, double highest_albedo,
   if (*asked.walk_attenuation >= least_walk_attenuation(highest_albedo)) return;
   findings.remark(
       path,
-      fmt::format("{} is little in water {:.3g} of whose attenuation is scattering: "
-                  "weights grow from vertex to vertex, and deep echoes come out low; "
+      fmt::format("{} is small for water where scattering is {:.3g} of the attenuation: weights "
+                  "grow from vertex to vertex, and deep echoes are low; "
                   "{:.3g} would do",
                   *asked.walk_attenuation, highest_albedo, usual_walk_attenuation(highest_albedo)));
 }

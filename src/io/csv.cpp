@@ -59,7 +59,7 @@ std::string head(const tally::Result& result) {
   std::string more;
   if (has_environments(result)) {
     out +=
-        "# environment: none for the scene itself; difference: echo in the environment less the "
+        "# environment: none for the scene itself; difference: echo in the environment minus the "
         "scene's, from the same photons\n";
     more += ",environment,difference,difference_standard_error";
     if (!result.environment_path.empty())

@@ -176,7 +176,7 @@ class StateReader {
 void add_state(NetcdfImage& file, const tally::TotalsState& state) {
   file.enter_group(group);
   file.add_global("comment",
-                  "what `photic run --continue` goes on from: the sums of all whole "
+                  "what `photic run --continue` starts from: the sums of all whole "
                   "batches, exact to the last bit");
   file.add_dimension("sum", 2);
   file.add_dimension("row_count", 4);
@@ -196,13 +196,12 @@ tally::TotalsState read_state(const std::string& path, const tally::Shape& shape
   NetcdfReader file(path);
   file.expect_result();
   if (file.format() < photic_format)
-    file.refuse(
-        fmt::format("written by Photic {} in result format {}; this program goes on from "
-                    "format {}: start anew",
-                    file.text("version"), file.format(), photic_format));
+    file.refuse(fmt::format(
+        "written by Photic {} in result format {}; this program continues format {}: start anew",
+        file.text("version"), file.format(), photic_format));
   const std::uint64_t photons = file.count("photons");
   if (!file.enter_group(group))
-    file.refuse(std::string("a result that no run can go on from: it has no group ") + group +
+    file.refuse(std::string("a result that no run can continue: it has no group ") + group +
                 ", which is lost where another program writes a result again");
   const StateReader reader(file, {{"telescope", shape.telescopes},
                                   {"channel", shape.channels},

@@ -51,11 +51,12 @@ void add_axes(NetcdfImage& file, const tally::Result& result) {
                     {{"long_name", "name of the telescope"}});
   file.add_variable("channel_name", {"channel"}, result.channel_name,
                     {{"long_name", "name of the channel"}});
-  file.add_variable("process_name", {"process"}, result.process_name,
-                    {{"long_name",
-                      "process in which the light turned towards the telescope; of the laser's "
-                      "wavelength: surface, if the light touched nothing but waves, bottom, if it "
-                      "touched that, else elastic"}});
+  file.add_variable(
+      "process_name", {"process"}, result.process_name,
+      {{"long_name",
+        "process that changed the light's wavelength; of the laser's wavelength: "
+        "bottom, if it touched the sea bed, surface, if it touched nothing but waves, "
+        "air, if it was never in the water, else elastic"}});
   file.add_variable("channel_wavelength", {"channel"}, result.channel_wavelength_nm,
                     {{"standard_name", "radiation_wavelength"},
                      {"long_name", "mean wavelength of the light that the channel counts"},
@@ -86,7 +87,7 @@ void add_axes(NetcdfImage& file, const tally::Result& result) {
       "order", {"order"}, order,
       {{"long_name", fmt::format("scatterings, conversions and bottom reflections of the light, 0: "
                                  "of the surface's own echo; "
-                                 "the last, {0}, stands for {0} and above",
+                                 "the last, {0}, includes all higher ones",
                                  result.orders - 1)},
        {"units", "1"}});
 }
@@ -175,21 +176,19 @@ void add_estimates(NetcdfImage& file, const std::string& name,
 
 void add_echoes(NetcdfImage& file, const tally::Result& result) {
   const std::vector<double> photons(result.channel_photons.begin(), result.channel_photons.end());
-  file.add_variable(
-      "channel_photons", {"telescope", "channel"}, photons,
-      {{"long_name",
-        "photons that the echoes of a channel are means over: fewer than all where it "
-        "had met the target before others did"},
-       {"units", "1"},
-       {"coordinates", "telescope_name channel_name"}});
+  file.add_variable("channel_photons", {"telescope", "channel"}, photons,
+                    {{"long_name",
+                      "photons that the echoes of a channel are means over: fewer than all where "
+                      "it met the target before others did"},
+                     {"units", "1"},
+                     {"coordinates", "telescope_name channel_name"}});
   add_estimates(
       file, "echo", {"telescope", "channel", "gate"}, result.echo, echo_meaning, "gate: sum",
       " converged convergence_flags largest_score_share variance_of_variance error_growth "
       "order_cut_share");
   add_estimates(file, "echo_by_process", {"telescope", "channel", "process", "gate"},
-                result.echo_by_process, echo_meaning + ", by the process in which the light turned",
-                "gate: sum", " echo_by_process_converged echo_by_process_convergence_flags",
-                " process_name");
+                result.echo_by_process, echo_meaning + ", by process", "gate: sum",
+                " echo_by_process_converged echo_by_process_convergence_flags", " process_name");
   add_estimates(file, "echo_by_order", {"telescope", "channel", "order", "gate"},
                 result.echo_by_order, echo_meaning + ", by order of scattering", "gate: sum",
                 " echo_by_order_converged echo_by_order_convergence_flags");
@@ -274,7 +273,7 @@ void add_environments(NetcdfImage& file, const tally::Result& result) {
   add_estimates(file, "environment_echo", dimensions, result.environment_echo,
                 echo_meaning + ", in the environment", "gate: sum", flags, more_coordinates);
   add_estimates(file, "environment_difference", dimensions, result.environment_difference,
-                "echo in the environment less that of the scene, from the same photons",
+                "echo in the environment minus that of the scene, from the same photons",
                 "gate: sum", flags, more_coordinates);
   add_flags(file, "environment_", "echo", dimensions, result.environment_convergence_flags,
             more_coordinates);

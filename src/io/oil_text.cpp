@@ -28,7 +28,7 @@ std::string oil_text(const optics::Oil& oil, const std::vector<double>& waveleng
                        column("n", oil.refractive_index, "{:.4f}"),
                        column("a [1/m]", oil.absorption_per_m, "{:.4g}"),
                        column("emission [1/nm]", oil.emission_per_nm, "{:.4g}")});
-  out += fmt::format("\n{:g} photons are emitted per photon absorbed, after {:g} ns in the mean.\n",
+  out += fmt::format("\n{:g} photons are emitted per photon absorbed, after {:g} ns on average.\n",
                      oil.yield, oil.lifetime_ns);
   if (!oil.properties.empty()) out += "\n";
   for (const auto& property : oil.properties) out += property_line(property);
@@ -42,7 +42,7 @@ SpectralTable oil_table(const optics::Oil& oil, const std::vector<double>& wavel
     table.columns.push_back({name, name, long_name, units, {}});
     for (const double nm : wavelength_nm) table.columns.back().values.push_back(spectrum(nm));
   };
-  add("n", "index of refraction against air", "1", oil.refractive_index);
+  add("n", "index of refraction relative to air", "1", oil.refractive_index);
   add("a_per_m", "absorption coefficient", "m-1", oil.absorption_per_m);
   add("emission_per_nm", "spectrum of emitted photons, 1 in all", "nm-1", oil.emission_per_nm);
   table.numbers = {{"yield", "photons emitted per photon absorbed", "1", oil.yield},

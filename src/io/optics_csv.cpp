@@ -56,7 +56,7 @@ std::string head(const OpticalTable& table, const OpticsOrigin& origin) {
       "# a absorption, b scattering, c = a + b, bb backscattering, albedo = b / c, mean_cosine of "
       "the scattering angle\n";
   if (!table.a_exciting_per_m.empty())
-    out += "# a_phytoplankton_per_m: the share of a that excites chlorophyll fluorescence\n";
+    out += "# a_phytoplankton_per_m: the part of a that excites chlorophyll fluorescence\n";
   for (const auto& emission : table.emission) {
     for (std::size_t k = 0; k < table.layers(); ++k) {
       out +=

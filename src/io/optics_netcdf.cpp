@@ -99,11 +99,11 @@ void add_totals(NetcdfImage& file, const OpticalTable& table) {
        {"units", "1"},
        {"coordinates", coordinates}});
   add("a_phytoplankton_per_m", table.a_exciting_per_m,
-      {{"long_name", "share of the absorption that excites chlorophyll fluorescence"},
+      {{"long_name", "part of the absorption that excites chlorophyll fluorescence"},
        {"units", "m-1"},
        {"coordinates", coordinates}});
   add("refractive_index", table.refractive_index,
-      {{"long_name", "index of refraction against vacuum"},
+      {{"long_name", "index of refraction relative to vacuum"},
        {"units", "1"},
        {"coordinates", coordinates}});
   file.add_variable("phase_function_per_sr", {edge_names(table).axis, "wavelength", "angle"},

@@ -14,7 +14,7 @@ std::string sensitivity_table(const tally::Result& result, std::size_t step,
         fmt::format("{}, {:g} in the scene", result.parameter_name[p], result.parameter_value[p]));
   return columns_table(
       result,
-      {.title = "Sensitivities: per cent that the echo changes by for 1 % of each parameter, with "
+      {.title = "Sensitivities: change of the echo in per cent for 1 % of each parameter, with "
                 "the standard error",
        .meanings = meanings,
        .rows = [&](std::size_t p) { return sensitivity_rows(result, p); },

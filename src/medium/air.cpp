@@ -215,8 +215,8 @@ std::vector<std::string> air_told(const scene::Scene& scene, const Air& air) {
     const auto axis = normalised(scene.source.direction);
     const auto bent = bent_axis(air, scene.source.position_m.z, -axis.z);
     out.push_back(fmt::format(
-        "refraction bends the laser's axis by {:.3g} urad; it meets the sea {:.3g} m "
-        "beside where it would go straight",
+        "refraction bends the laser's axis by {:.3g} urad; it meets the sea {:.3g} m from where a "
+        "straight one would",
         1e6 * std::abs(std::acos(bent.cosine) - std::acos(-axis.z)),
         std::abs(bent.aside_m - scene.source.position_m.z * std::hypot(axis.x, axis.y) / -axis.z)));
   }
@@ -248,7 +248,7 @@ optics::AirProfile whole_profile(const scene::Atmosphere& air, const optics::Air
            : optics::air_profile(std::get<scene::UserTable>(air.profile).data());
   if (profile.z_km.size() > most_levels)
     throw InputError({{"", 0, 0, fmt::format("the profile has {} levels", profile.z_km.size()),
-                       fmt::format("at most {} can be had: leave some out", most_levels)}});
+                       fmt::format("at most {} are possible: leave some out", most_levels)}});
   if (profile.z_km.front() != 0)
     throw InputError(
         {{"", 0, 0,
@@ -304,12 +304,11 @@ std::vector<double> gas_depths(const scene::Atmosphere& air, double wavelength_n
                       "add it to the table, or choose another wavelength");
     const double here = depth(wavelength_nm), before = out.empty() ? 0 : out.back();
     if (here < before * (1 - rounding) - rounding)
-      throw InputError(
-          {{"", 0, 0,
-            fmt::format("gases are {:.4g} deep at {:g} nm up to {:g} km, and {:.4g} up "
-                        "to the rung below it",
-                        here, wavelength_nm, rung.top_km, before),
-            "all rungs begin at the sea"}});
+      throw InputError({{"", 0, 0,
+                         fmt::format("gases have an optical depth of {:.4g} at {:g} nm up to {:g} "
+                                     "km, and of {:.4g} up to the rung below it",
+                                     here, wavelength_nm, rung.top_km, before),
+                         "all rungs begin at the sea"}});
     out.push_back(std::max(here, before));
   }
   return out;

@@ -191,7 +191,7 @@ void Checker::check_bed(const Wavelength& light) {
         environment.set, [](const auto& c) { return c.path.starts_with("bottom."); });
     findings_.add(set, findings_.place_in(set, change == environment.set.end() ? "" : change->path),
                   fmt::format("in environment {}: the sea bed reflects light of {:.6g} nm and a "
-                              "zenith angle of {:g} degrees, and not in the scene itself",
+                              "zenith angle of {:g} degrees, but not in the scene itself",
                               scene::quoted(environment.name), light.nm, **deg),
                   "no history of the scene goes that way: give its bed a little albedo, too");
   }
@@ -211,10 +211,9 @@ void Checker::remark_placeholders() {
   for (const auto& property : oil_->properties)
     if (property.source.ends_with("[placeholder]")) items.push_back(property.item);
   if (!items.empty())
-    findings_.remark(oil_path(),
-                     fmt::format("of the oil \"{}\" these are placeholders and no data: {}; give "
-                                 "your own oil by file = \"….csv\"",
-                                 oil_->name, fmt::join(items, ", ")));
+    findings_.remark(oil_path(), fmt::format("for the oil \"{}\" these are placeholders, not data: "
+                                             "{}; give your own oil as file = \"….csv\"",
+                                             oil_->name, fmt::join(items, ", ")));
 }
 
 /// What is wrong with the air at any wavelength.

@@ -52,7 +52,7 @@ bool is(const EmittedLine& emitted, const Line& line) {
                          const std::string& what) {
   throw InputError(
       {{"", 0, 0,
-        fmt::format("{}: layer \"{}\" {}, and not in the scene itself", who, layer.name, what),
+        fmt::format("{}: layer \"{}\" {}, but not in the scene itself", who, layer.name, what),
         "no history of the scene goes that way: give the scene a little of it, too"}});
 }
 

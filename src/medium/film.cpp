@@ -127,11 +127,11 @@ void check_other_film(const std::string& who, bool there, const LinesOfFilm& her
     throw InputError({{"", 0, 0, fmt::format("{}: {}", who, reason), suggestion}});
   };
   if (there && !here.exists)
-    refuse("there is a film of oil, and none in the scene itself",
+    refuse("there is a film of oil, but none in the scene itself",
            "give the scene the film, and let environments be without it: oil.thickness_um = 0");
   if (other.yield > 0 && here.yield == 0)
-    refuse("the film emits light, and not in the scene itself",
-           "no history of the scene tells of it: give the scene's oil a yield");
+    refuse("the film emits light, but not in the scene itself",
+           "no history of the scene has such light: give the scene's oil a yield");
 }
 
 }  // namespace
@@ -145,7 +145,7 @@ void add_films_of_environments(const scene::Scene& scene, const optics::Library&
   if (same) return;
   if (scene.sea.surface.is_one_dimensional())
     throw InputError(
-        {{"", 0, 0, "over waves of one direction all environments have the film of the scene",
+        {{"", 0, 0, "over one-dimensional waves all environments have the film of the scene",
           "write a surface with waves in both directions, or leave 'oil' as it is"}});
   const auto of = [&](const scene::Environment& e) {
     return lines_of_film(scene::scene_in(scene, e), library, medium);

@@ -63,7 +63,7 @@ WaterOptics of_table(const scene::Layer& layer, double wavelength_nm) {
   if (low.bb_per_m && high.bb_per_m && water.b_per_m > 0) {
     water.backscatter_fraction = std::lerp(*low.bb_per_m, *high.bb_per_m, t) / water.b_per_m;
     source += fmt::format(
-        "; b_b/b = {:.5g}, too: phase function Fournier-Forand of that b_b/b, "
+        "; b_b/b = {:.5g}, too: phase function Fournier-Forand with that b_b/b, "
         "Mobley, Sundman & Boss 2002 [verified]",
         *water.backscatter_fraction);
   }
@@ -82,7 +82,7 @@ WaterOptics LayerOptics::operator()(const scene::Layer& layer, double wavelength
                                               : of_constituents(layer, wavelength_nm);
   if (!std::isfinite(water.a_per_m + water.b_per_m))
     throw InputError({{"", 0, 0,
-                       fmt::format("layer \"{}\" attenuates {:g} nm more than a number can say",
+                       fmt::format("layer \"{}\" attenuates {:g} nm more than a number can hold",
                                    layer.name, wavelength_nm),
                        "are the units right?"}});
   return water;

@@ -26,7 +26,7 @@ struct Contribution {
 struct WaterOptics {
   double a_per_m = 0;           ///< all absorption
   double b_per_m = 0;           ///< all scattering
-  double a_exciting_per_m = 0;  ///< the share of a that excites chlorophyll fluorescence
+  double a_exciting_per_m = 0;  ///< the part of a that excites chlorophyll fluorescence
   double a_cdom_per_m = 0;      ///< the share of a that excites CDOM fluorescence
   double b_molecular_per_m =
       0;  ///< the share of b by the water itself (0 in an iop layer: it is not known apart)

@@ -20,7 +20,7 @@ void check_number(const std::vector<BandLine>& lines, Process process) {
   throw InputError({{"", 0, 0,
                      fmt::format("the channels' filters cut {} light into {} lines, more than {}",
                                  scene::word_of(process), lines.size(), most),
-                     "take fewer filters, or such that their edges coincide"}});
+                     "take fewer filters, or filters whose edges coincide"}});
 }
 
 /// A process of a scene's water: what it emits per photon and metre, and so many photons and metres
@@ -158,8 +158,8 @@ double emitted_per_m(const std::vector<EmittedLine>& lines, const scene::Scene& 
                     "absorbs ({:.3g} 1/m)",
                     l.name, sum, a_per_m),
         l.iop.empty() ? "choose other data in [optics], or give the layer's iop"
-                      : "a is the total absorption, the light given back at other wavelengths is "
-                        "part of it"}});
+                      : "a is the total absorption, and includes the light that is emitted at "
+                        "other wavelengths"}});
 }
 
 }  // namespace photic::medium

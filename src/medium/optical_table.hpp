@@ -43,7 +43,7 @@ struct OpticalTable {
   std::vector<double> wavelength_nm;
   std::vector<double> angle_deg;
   std::vector<double> a_per_m, b_per_m, backscatter_fraction, mean_cosine;
-  std::vector<double> a_exciting_per_m;  ///< of water: the share of a that excites chlorophyll
+  std::vector<double> a_exciting_per_m;  ///< of water: the part of a that excites chlorophyll
   std::vector<double> refractive_index;  ///< of air
   std::vector<double> phase_function_per_sr;
   std::vector<Part> parts;

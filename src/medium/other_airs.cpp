@@ -18,7 +18,7 @@ void check_scattering(const scene::Scene& scene, const Air& here, const OtherAir
     const auto& layers = scene.atmosphere->layer;
     throw InputError(
         {{"", 0, 0,
-          fmt::format("{}: the layer of air \"{}\" scatters light, and not in the scene itself",
+          fmt::format("{}: the layer of air \"{}\" scatters light, but not in the scene itself",
                       other.name, layers.empty() ? "" : layers[i % here.layers()].name),
           "no history of the scene goes that way: give the scene a little of it, too"}});
   }

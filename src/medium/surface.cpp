@@ -102,10 +102,10 @@ void check_other(const std::string& who, const scene::Surface& here, const scene
   if (there == here) return;
   const optics::SlopeLaw own = slopes_of(here), other = slopes_of(there);
   if (!there.is_rough())
-    refuse(who, "a flat surface leads light by one way alone, and no history over waves goes there",
+    refuse(who, "a flat surface sends light only one way, which no history over waves takes",
            "simulate the flat sea in a scene of its own, or write a weak wind");
   if (here.is_one_dimensional())
-    refuse(who, "over waves of one direction all environments have the surface of the scene",
+    refuse(who, "over one-dimensional waves all environments have the surface of the scene",
            "write a surface with waves in both directions, or leave 'sea.surface' as it is");
   if (other.upwind_variance > wider * own.upwind_variance ||
       other.crosswind_variance > wider * own.crosswind_variance)
@@ -115,15 +115,14 @@ void check_other(const std::string& who, const scene::Surface& here, const scene
                            other.crosswind_variance == own.crosswind_variance;
   if (!same_slopes && own.norm > 1 + denied)
     refuse(who,
-           "in the scene's wind Cox & Munk's series has no facets of some slopes that waves of "
-           "another wind have",
+           "in the scene's wind Cox & Munk's series lacks slopes that waves of another wind have",
            "write gram_charlier = false in the scene's 'sea.surface'");
   const double white = whitecap_fraction_of(here).value;
   const double other_white = whitecap_fraction_of(there).value;
   if ((white == 0 && other_white > 0) || (white == 1 && other_white < 1))
     refuse(who,
-           white == 0 ? "there are whitecaps, and none in the scene itself"
-                      : "whitecaps leave some of the surface free, and none in the scene",
+           white == 0 ? "there are whitecaps, but none in the scene itself"
+                      : "whitecaps leave some of the surface free, but none in the scene",
            "no history of the scene goes that way: give the scene a little of it, too");
 }
 

@@ -51,7 +51,7 @@ void check_columns(const DataTable& table) {
                                                : fmt::format("{}: unknown column", no_numbers),
                          there_are);
     if (std::count(table.columns().begin(), table.columns().end(), column) > 1)
-      table.fail_columns(fmt::format("column \"{}\" is there twice", column));
+      table.fail_columns(fmt::format("column \"{}\" appears twice", column));
   }
   if (has(table, humidity_column) && has(table, vapour_column)) {
     table.fail_columns(

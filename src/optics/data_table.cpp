@@ -112,7 +112,7 @@ std::size_t DataTable::index_of(const std::string& column) const {
   const auto found = std::find(columns_.begin(), columns_.end(), column);
   if (found == columns_.end()) fail_columns(lack_of(column), what_there_is());
   if (std::find(found + 1, columns_.end(), column) != columns_.end())
-    fail_columns(fmt::format("column \"{}\" is there twice", column),
+    fail_columns(fmt::format("column \"{}\" appears twice", column),
                  "give each a name of its own; a scene may call columns by their numbers");
   return static_cast<std::size_t>(found - columns_.begin());
 }

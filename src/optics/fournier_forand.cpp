@@ -71,12 +71,11 @@ double FournierForand::below(double x) const {
 
 FournierForand FournierForand::of_backscatter(double fraction) {
   if (!(fraction >= lowest_backscatter && fraction <= highest_backscatter)) {
-    throw InputError(
-        {{"", 0, 0,
-          fmt::format("a backscatter fraction b_b/b of {:.4g} is outside {:g} to {:g}, "
-                      "where it tells the phase function",
-                      fraction, lowest_backscatter, highest_backscatter),
-          "give a phase_function instead"}});
+    throw InputError({{"", 0, 0,
+                       fmt::format("a backscatter fraction b_b/b of {:.4g} is outside {:g} to "
+                                   "{:g}, where it sets the phase function",
+                                   fraction, lowest_backscatter, highest_backscatter),
+                       "give a phase_function instead"}});
   }
   const auto along = [](double slope) {
     return FournierForand(1.01 + 0.1542 * (slope - 3), slope);

@@ -78,7 +78,7 @@ Parameters::Parameters(const DataTable& table) : name_(table.name()) {
   for (std::size_t i = 0; i < item.size(); ++i) {
     const auto entry = Sourced{value[i], fmt::format("{} [{}]", source[i], status[i])};
     if (!items_.emplace(item[i], entry).second)
-      table.fail(i, "item", "\"" + item[i] + "\" is there twice");
+      table.fail(i, "item", "\"" + item[i] + "\" appears twice");
   }
 }
 

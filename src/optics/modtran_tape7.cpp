@@ -122,7 +122,7 @@ std::vector<std::string> joined_names(const ModtranText& text, const Fields& fie
   const auto first = fields.names(line), second = fields.names(line + 1);
   if (first.size() != second.size())
     text.fail(line, 1,
-              fmt::format("{} names where {} stand in the line below", first.size(), second.size()),
+              fmt::format("{} names where the line below has {}", first.size(), second.size()),
               transmittances_expected);
   if (fields.lack_numbers(first.size())) text.fail_without_numbers(line);
   std::vector<std::string> out;
@@ -131,8 +131,7 @@ std::vector<std::string> joined_names(const ModtranText& text, const Fields& fie
     const bool twice = std::find(out.begin(), out.end(), name) != out.end();
     if (twice && !fields.has_rows()) text.fail_without_numbers(line);
     if (twice)
-      text.fail(line, first[i].column, fmt::format("column \"{}\" is there twice", shown(name)),
-                "");
+      text.fail(line, first[i].column, fmt::format("column \"{}\" appears twice", shown(name)), "");
     out.push_back(name);
   }
   return out;

@@ -36,7 +36,7 @@ void check(const std::vector<OilProperty>& all, const DataTable& table) {
       table.fail(i, "item", fmt::format("no property of oil \"{}\"", p.item),
                  fmt::format("there are: {}", fmt::join(items, ", ")));
     if (find(all, p.oil, p.item) != &p)
-      table.fail(i, "item", fmt::format("\"{}\" of {} is there twice", p.item, p.oil));
+      table.fail(i, "item", fmt::format("\"{}\" of {} appears twice", p.item, p.oil));
     if (!(p.low <= p.value && p.value <= p.high))
       table.fail(i, "value", fmt::format("{} is not from {} to {}", p.value, p.low, p.high));
     for (const char* item : items)

@@ -99,7 +99,8 @@ std::vector<double> checked_x(const DataTable& table) {
   const auto same = std::adjacent_find(x.begin(), x.end(), std::greater_equal<>());
   if (same != x.end()) {
     table.fail(static_cast<std::size_t>(same - x.begin()) + 1, angle_column,
-               "this angle cannot be told from the one before it", "leave one of them out");
+               "this angle cannot be distinguished from the one before it",
+               "leave one of them out");
   }
   return x;
 }

@@ -59,7 +59,7 @@ std::vector<std::string> lines_of_table(const std::string& bytes, const std::str
   const std::string text = as_utf8(bytes);
   if (text.find('\0') != std::string::npos)
     throw InputError(
-        {{name, 1, 1, "is no text: it holds bytes of 0",
+        {{name, 1, 1, "is not text: it holds bytes of 0",
           "save it as CSV in UTF-8, not as a workbook or in UTF-16 without its mark"}});
   std::vector<std::string> lines;
   std::size_t from = 0;

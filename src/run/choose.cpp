@@ -142,12 +142,12 @@ scene::Scene choose_estimator(const scene::Scene& scene, const RunOptions& optio
   scene::Simulation& simulation = chosen.simulation;
   if (scene.simulation.tools.any()) {
     simulation.estimator = scene::Estimator::forward;
-    simulation.estimator_reason = "the only one that has the tools asked for in this version";
+    simulation.estimator_reason = "the only one with the requested tools in this version";
     return chosen;
   }
   if (const auto reason = scene::bidirectional_lacks(scene)) {
     simulation.estimator = scene::Estimator::forward;
-    simulation.estimator_reason = "the bidirectional one has no " + *reason;
+    simulation.estimator_reason = "the bidirectional one cannot treat " + *reason;
     return chosen;
   }
   estimator::Model model = estimator::make_model(scene);

@@ -32,7 +32,7 @@ std::string about_weights(const scene::Simulation& s) {
            "that scatters so much: leave it out, or raise it";
   if (s.directed_fraction.value_or(0) > 0)
     return "directed sampling, which doubles weights at each scattering: set directed_fraction = "
-           "0, or take estimator = \"bidirectional\"";
+           "0, or use estimator = \"bidirectional\"";
   return "tools or conversions: more photons are needed, or estimator = \"bidirectional\"";
 }
 
@@ -44,8 +44,8 @@ void warn_of_ledger(tally::Result& result, const scene::Simulation& simulation) 
   const double scatter = tolerated_errors * result.ledger_standard_error;
   if (excess <= std::max(tolerated_excess, std::min(scatter, far_off))) return;
   result.warnings.push_back(fmt::format(
-      "the photons' weights add up to {:.2f}, not 1: most is carried by photons so rare that they "
-      "were not met, and echoes of light scattered many times are off, mostly low, even in gates "
+      "the photons' weights add up to {:.2f}, not 1: most is carried by photons too rare to occur "
+      "in the run, and echoes of light scattered many times are off, mostly low, even in gates "
       "that seem converged. The reason is {}",
       result.ledger.sum(), about_weights(simulation)));
 }
@@ -109,8 +109,9 @@ tally::Result result_of(const estimator::Model& model, const tally::Totals& tota
   warn_of_ledger(result, model.scene.simulation);
   if (model.scene.simulation.estimator_reason == reason_unseen) {
     result.warnings.push_back(
-        "the pilot runs of estimator = \"auto\" saw no light at all: it took \"bidirectional\" "
-        "unseen; look whether telescopes and gates are where the light is, or name an estimator");
+        "the pilot runs of estimator = \"auto\" saw no light at all: it chose \"bidirectional\" "
+        "without a comparison; check that telescopes and gates are where the light is, or name an "
+        "estimator");
   }
   return result;
 }

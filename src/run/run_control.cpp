@@ -94,7 +94,7 @@ void RunControl::check_start(const tally::Shape& shape, const tally::BatchTally&
   refuse(*options_.start,
          "made by another build of Photic, or with other data tables: its first photons scored "
          "differently",
-         "go on with those, or start anew");
+         "continue with those, or start anew");
 }
 
 bool RunControl::ends(const tally::Totals& totals, std::uint64_t merged_batches) {

@@ -83,14 +83,15 @@ optics::DataTable read_air_levels(const std::string& path) {
   const std::string text = optics::read_text(path);
   if (is_csv(path) || !optics::is_tape6(text))
     return optics::with_all_humidities(table_of_text(
-        path, text, "no tape6 of LOWTRAN 7 or MODTRAN (no block \"ATMOSPHERIC PROFILES\")"));
+        path, text, "not a tape6 of LOWTRAN 7 or MODTRAN (no block \"ATMOSPHERIC PROFILES\")"));
   return table_of(optics::modtran_profile(text, path), path);
 }
 
 optics::DataTable read_gas_depths(const std::string& path) {
   const std::string text = optics::read_text(path);
   if (is_csv(path) || !optics::is_tape7(text))
-    return table_of_text(path, text, "no tape7 of LOWTRAN 7 or MODTRAN (no line begins with FREQ)");
+    return table_of_text(path, text,
+                         "not a tape7 of LOWTRAN 7 or MODTRAN (no line begins with FREQ)");
   const optics::ModtranTransmittances air(text, path);
   const std::vector<std::string> columns = air.columns();
   std::vector<double> wavelength_nm, optical_depth;

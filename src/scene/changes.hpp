@@ -25,7 +25,8 @@ Node to_node(const std::vector<Change>& value);
 bool leads_to_medium(const std::string& path);
 inline constexpr const char* media = "sea., optics., bottom., oil. or atmosphere.";
 inline constexpr const char* may_differ =
-    "only the water, the bed, a film of oil and the air may differ, for the histories are the same";
+    "only the water, the bed, a film of oil and the air may differ, since the histories are the "
+    "same";
 
 /// Why a path must not be changed in other water, as far as it alone tells.
 std::optional<Refusal> check_path(const std::string& path);

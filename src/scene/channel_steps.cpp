@@ -45,7 +45,7 @@ std::optional<Refusal> read(const Node& table, Steps& steps) {
                    "give the shorter wavelength first"};
   if (steps.count() > most_steps)
     return Refusal{fmt::format("makes {:.7g} channels", steps.count()),
-                   fmt::format("at most {:.0f} can be had: take longer steps", most_steps)};
+                   fmt::format("at most {:.0f} are possible: take longer steps", most_steps)};
   return std::nullopt;
 }
 

@@ -18,16 +18,18 @@ constexpr double most_of_air_index = 1.001, most_bent_deg = 60;
 void check_what_is_below(const Scene& scene, Findings& findings) {
   const auto check = [&](const std::string& path, double z) {
     if (findings.good({path}) && z < 0)
-      findings.add(path, "instruments in the water do not see the air yet",
+      findings.add(path, "instruments in the water cannot be combined with air yet",
                    "put it into the air (z > 0), or leave [atmosphere] out");
   };
   check("source.position_m", scene.source.position_m.z);
   for (std::size_t i = 0; i < scene.telescope.size(); ++i)
     check(below(below("telescope", i), "position_m"), scene.telescope[i].position_m.z);
   if (scene.oil && findings.good({"oil"}))
-    findings.add("oil", "a film of oil has no air above it yet", "leave [oil] or [atmosphere] out");
+    findings.add("oil", "a film of oil cannot be combined with air yet",
+                 "leave [oil] or [atmosphere] out");
   if (scene.simulation.tools.any() && findings.good({"simulation.tools"}))
-    findings.add("simulation.tools", "the forward estimator's tools do not know the air yet",
+    findings.add("simulation.tools",
+                 "the forward estimator's tools cannot be combined with air yet",
                  "leave [simulation.tools] or [atmosphere] out");
 }
 
@@ -150,8 +152,9 @@ void check_refraction(const Scene& scene, Findings& findings) {
     if (-normalised(direction).z < std::cos(most_bent_deg * radian_per_degree))
       findings.add(
           path,
-          fmt::format("the axis is more than {:g} degrees off nadir, where bent light is not known",
-                      most_bent_deg),
+          fmt::format(
+              "the axis is more than {:g} degrees off nadir, where refraction is not computed",
+              most_bent_deg),
           "look down more steeply, or leave atmosphere.refraction out");
   };
   check("source.direction", scene.source.direction);
@@ -163,8 +166,7 @@ void check_refraction(const Scene& scene, Findings& findings) {
       findings.add(
           path,
           fmt::format(
-              "air of such an index bends light too much: with refraction at most {:g} can be "
-              "had",
+              "air of such an index bends light too much: with refraction it can be {:g} at most",
               most_of_air_index),
           "write a lower index, or leave atmosphere.refraction out");
   }

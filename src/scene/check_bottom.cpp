@@ -49,7 +49,7 @@ void check_angles(const optics::DataTable& table) {
       table.fail(i, deg_column,
                  fmt::format("zenith_deg {} is not above the {} before it", deg[i], deg[i - 1]),
                  "angles ascend");
-    const char* whole = "tell the albedo from 0 to 90 degrees";
+    const char* whole = "give the albedo from 0 to 90 degrees";
     if (k == 0 && deg[i] != 0)
       table.fail(i, deg_column, fmt::format("the angles begin at {} degrees, not at 0", deg[i]),
                  whole);
@@ -61,7 +61,7 @@ void check_angles(const optics::DataTable& table) {
   if (deg.size() % count != 0)
     table.fail(last, deg_column, "every wavelength must have the same angles", "");
   if (table.has(nm_column) && deg.size() == count)
-    table.fail(last, nm_column, "there is one wavelength alone",
+    table.fail(last, nm_column, "there is only one wavelength",
                "add others, or leave wavelength_nm out if the albedo is the same at all");
 }
 

@@ -53,8 +53,9 @@ bool check_interval(const Gates::Interval& interval, const Keys& keys, Findings&
                              plain_number(interval.step), plain_number(extent), keys.unit),
                  "");
   } else if (!(interval.steps() <= most_gates)) {
-    findings.add(keys.step, fmt::format("these are {:.7g} gates", interval.steps()),
-                 fmt::format("at most {} can be had: take longer ones", plain_number(most_gates)));
+    findings.add(
+        keys.step, fmt::format("these are {:.7g} gates", interval.steps()),
+        fmt::format("at most {} are possible: take longer ones", plain_number(most_gates)));
   } else {
     remark_uneven(interval, keys, findings);
     return true;
@@ -68,10 +69,10 @@ void tell_of_bed(const Gates::Interval& depth, double bed, const Keys& keys, Fin
   const std::string at = fmt::format("the sea bed at {} m", plain_number(bed));
   if (depth.max <= bed)
     return findings.remark(keys.max, "the last gate ends before the light of " + at +
-                                         " comes: end the gates below it to see that");
+                                         " arrives: end the gates below it to see it");
   if (depth.min > bed)
-    return findings.remark(
-        keys.min, "the gates begin below " + at + ": of its light they hold only what comes late");
+    return findings.remark(keys.min, "the gates begin below " + at +
+                                         ": of its light they hold only what arrives late");
   const double length = (depth.max - depth.min) / depth.steps();
   const double from_edge = std::remainder(bed - depth.min, length);
   if (std::abs(from_edge) < 1e-4)
@@ -119,7 +120,7 @@ void check_range_gates(const Scene& scene, const Keys& keys, Findings& findings)
   if (t.position_m.z < 0.0) return;
   if (t.direction.z >= 0.0)
     return findings.add(keys.max, "the axis of the first telescope never meets the water",
-                        "let it look down, or give the gates by …_ns");
+                        "make it look down, or give the gates by …_ns");
   const double to_water = t.position_m.z * length(t.direction) / -t.direction.z;
   if (scene.gates.range_m->max <= to_water && !scene.atmosphere)
     findings.add(keys.max,
@@ -157,7 +158,7 @@ void check_tools(const Scene& scene, Findings& findings) {
   if ((s.estimator == Estimator::bidirectional || s.estimator == Estimator::analog) &&
       s.tools.any()) {
     findings.add("simulation.estimator",
-                 fmt::format("the {} estimator has none of simulation.tools", word_of(s.estimator)),
+                 fmt::format("the {} estimator cannot use simulation.tools", word_of(s.estimator)),
                  "write estimator = \"forward\", or leave the tools out");
   }
   for (std::size_t i = 1; i < s.tools.importance.size(); ++i) {
@@ -204,7 +205,7 @@ void check_estimator(const Scene& scene, Findings& findings) {
   if (scene.compares() && scene.simulation.estimator == Estimator::analog &&
       findings.good({"simulation.estimator"})) {
     findings.add("simulation.estimator",
-                 fmt::format("the analog estimator has no {}: its photons have no weights",
+                 fmt::format("the analog estimator cannot use {}: its photons have no weights",
                              scene.environment.empty() ? "sensitivities" : "environments"),
                  fmt::format("write estimator = \"forward\", or leave {} out",
                              scene.environment.empty() ? "sensitivity" : "[[environment]]"));

@@ -24,26 +24,26 @@ void check_oil(const Scene& scene, Findings& findings) {
   check_surface_under_oil(scene, findings);
   if (scene.oil->thickness_um > thickest_film_um)
     findings.remark("oil.thickness_um",
-                    "oil of more than 1 mm is no film: scattering in it, and how it bends the "
-                    "light aside, are left out");
+                    "oil of more than 1 mm is not a film: scattering in it, and the sideways shift "
+                    "of light, are left out");
   if (scene.sea.surface.is_rough() && scene.simulation.estimator == Estimator::analog &&
       findings.good({"simulation.estimator"}))
-    findings.add("simulation.estimator", "the analog estimator has no film of oil on waves",
+    findings.add("simulation.estimator", "the analog estimator cannot treat a film of oil on waves",
                  "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
   if (scene.oil->yield.value_or(0) > most_analog_yield &&
       scene.simulation.estimator == Estimator::analog && findings.good({"simulation.estimator"}))
     findings.add("simulation.estimator",
-                 fmt::format("analog photons are emitted by chances below 1, and so by oils of a "
-                             "yield up to {}",
+                 fmt::format("analog photons are emitted with a probability below 1, and so by "
+                             "oils with a yield up to {}",
                              most_analog_yield),
                  "write estimator = \"forward\"");
   if (scene.simulation.tools.forced_collisions > 0 && findings.good({"simulation.tools"}))
     findings.add("simulation.tools.forced_collisions",
-                 "how much light leaves the water is known of a clean surface alone",
+                 "how much light leaves the water is known only for a clean surface",
                  "write forced_collisions = 0, or leave [oil] out");
   if (scene.simulation.reception == Reception::overlap && findings.good({"simulation.reception"}))
     findings.add("simulation.reception",
-                 "a film of oil shines on the lens unevenly: the mean over the lens is not known",
+                 "a film of oil lights the lens unevenly: the mean over the lens is not known",
                  "write reception = \"ray\"");
 }
 

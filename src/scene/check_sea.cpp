@@ -42,15 +42,15 @@ void check_iop_entry(const Layer& layer, std::size_t k, const std::string& path,
   if (entry.a_phytoplankton_per_m > entry.a_per_m)
     findings.add(
         path + ".a_phytoplankton_per_m",
-        fmt::format("phytoplankton absorbs {} 1/m, more than the {} 1/m of all",
+        fmt::format("phytoplankton absorbs {} 1/m, more than the total of {} 1/m",
                     plain_number(entry.a_phytoplankton_per_m), plain_number(entry.a_per_m)),
-        "it is a share of a_per_m");
+        "it is a part of a_per_m");
   else if (entry.a_phytoplankton_per_m + entry.a_cdom_per_m > entry.a_per_m)
     findings.add(path + ".a_cdom_per_m",
-                 fmt::format("CDOM and phytoplankton absorb {} 1/m, more than the {} 1/m of all",
+                 fmt::format("CDOM and phytoplankton absorb {} 1/m, more than the total of {} 1/m",
                              plain_number(entry.a_phytoplankton_per_m + entry.a_cdom_per_m),
                              plain_number(entry.a_per_m)),
-                 "they are shares of a_per_m");
+                 "they are parts of a_per_m");
   if (k > 0 && !(entry.wavelength_nm > layer.iop[k - 1].wavelength_nm))
     findings.add(path + ".wavelength_nm",
                  fmt::format("{} nm does not come after {} nm", plain_number(entry.wavelength_nm),

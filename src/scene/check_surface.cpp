@@ -46,7 +46,7 @@ void check_simulation(const Scene& scene, Findings& findings) {
   const Simulation& s = scene.simulation;
   if (const auto reason = bidirectional_lacks(scene);
       reason && s.estimator == Estimator::bidirectional)
-    findings.add("simulation.estimator", "the bidirectional estimator has no " + *reason,
+    findings.add("simulation.estimator", "the bidirectional estimator cannot treat " + *reason,
                  "write estimator = \"forward\", or sea.surface = { model = \"flat\" }");
   if (s.reception == Reception::overlap)
     findings.add("simulation.reception",
@@ -54,7 +54,7 @@ void check_simulation(const Scene& scene, Findings& findings) {
                  "write reception = \"ray\"");
   if (s.tools.forced_collisions > 0)
     findings.add("simulation.tools.forced_collisions",
-                 "how much light leaves the water is known of a flat surface alone",
+                 "how much light leaves the water is known only for a flat surface",
                  "write forced_collisions = 0, or sea.surface = { model = \"flat\" }");
 }
 
@@ -75,7 +75,7 @@ std::optional<std::string> bidirectional_lacks(const Scene& scene) {
   const Surface& surface = scene.sea.surface;
   if (!surface.is_rough()) return {};
   if (!surface.is_one_dimensional() || !std::ranges::any_of(scene.telescope, looks_flat)) return {};
-  return fmt::format("waves of one direction seen by rays flatter than {} degrees",
+  return fmt::format("one-dimensional waves seen by rays within {} degrees of the horizontal",
                      flattest_degrees);
 }
 

@@ -1,5 +1,5 @@
-// What a scene chooses among a few: every value with its word in scene files and what it stands
-// for, said once. Keys (describe_*.hpp), messages, results and the schema take their words from
+// What a scene chooses among a few: every value with its word in scene files and its meaning,
+// listed once. Keys (describe_*.hpp), messages, results and the schema take their words from
 // here.
 #pragma once
 
@@ -40,7 +40,7 @@ enum class FilterShape { top_hat, gaussian };
 constexpr auto alternatives(FilterShape) {
   using enum FilterShape;
   return std::to_array<Alternative<FilterShape>>(
-      {{top_hat, "top-hat", "all within half of fwhm_nm about the centre passes, nothing outside"},
+      {{top_hat, "top-hat", "passes all light within half of fwhm_nm about the centre, no other"},
        {gaussian, "gaussian", "a Gaussian of that full width at half maximum"}});
 }
 
@@ -53,7 +53,7 @@ constexpr auto alternatives(OpticsSet) {
        {paper, "paper", "those of the PREMAR-2F paper, to compare with it"}});
 }
 
-/// What a constituent's particles may scatter by.
+/// The phase functions of a constituent's particles.
 enum class ParticlePhase { fournier_forand, petzold, mie };
 constexpr auto alternatives(ParticlePhase) {
   using enum ParticlePhase;
@@ -103,9 +103,9 @@ enum class PhaseModel {
 constexpr auto alternatives(PhaseModel) {
   using enum PhaseModel;
   return std::to_array<Alternative<PhaseModel>>(
-      {{henyey_greenstein, "henyey-greenstein", "Henyey and Greenstein's of a mean cosine g"},
+      {{henyey_greenstein, "henyey-greenstein", "Henyey and Greenstein's, with a mean cosine g"},
        {fournier_forand, "fournier-forand",
-        "Fournier and Forand's of particles with a hyperbolic size distribution"},
+        "Fournier and Forand's, for particles with a hyperbolic size distribution"},
        {petzold, "petzold", "the average of Petzold's measurements in the sea"},
        {rayleigh, "rayleigh", "that of molecules"},
        {isotropic, "isotropic", "the same in all directions"},
@@ -120,9 +120,9 @@ constexpr auto alternatives(SurfaceModel) {
   using enum SurfaceModel;
   return std::to_array<Alternative<SurfaceModel>>(
       {{flat, "flat", "a level surface without waves"},
-       {cox_munk, "cox-munk", "slopes by the wind, Cox & Munk 1954"},
+       {cox_munk, "cox-munk", "slopes that depend on the wind, Cox & Munk 1954"},
        {gaussian, "gaussian", "a Gaussian of your own variances"},
-       {paper, "paper", "PREMAR-2F's: slopes along the wind alone, rougher than the sea"}});
+       {paper, "paper", "PREMAR-2F's: slopes only along the wind, rougher than the sea"}});
 }
 
 /// How much of the sea whitecaps cover by the wind.
@@ -141,7 +141,7 @@ constexpr auto alternatives(WhitecapReflectance) {
   return std::to_array<Alternative<WhitecapReflectance>>(
       {{koepke1984, "koepke1984", "Koepke 1984: 0.22 in the visible"},
        {frouin1996, "frouin1996",
-        "the same, falling to the infrared as Frouin et al. 1996 found"}});
+        "the same, falling towards the infrared as Frouin et al. 1996 found"}});
 }
 
 /// Oils on the sea: the classes of data/oils.csv.
@@ -149,7 +149,7 @@ enum class OilClass { light_refined, weakly_absorbing_crude, strongly_absorbing_
 constexpr auto alternatives(OilClass) {
   using enum OilClass;
   return std::to_array<Alternative<OilClass>>(
-      {{light_refined, "light-refined", "diesel, petrol: hardly absorbs, shines bright and blue"},
+      {{light_refined, "light-refined", "diesel, petrol: hardly absorbs, bright blue fluorescence"},
        {weakly_absorbing_crude, "weakly-absorbing-crude", "light crude oil and lubricants"},
        {strongly_absorbing_crude, "strongly-absorbing-crude", "heavy crude oil and bunker oil"}});
 }
@@ -174,7 +174,7 @@ constexpr auto alternatives(Reception) {
   using enum Reception;
   return std::to_array<Alternative<Reception>>(
       {{ray, "ray", "single rays through the lens, which is exact"},
-       {overlap, "overlap", "the mean over the lens as if light fell evenly on it"}});
+       {overlap, "overlap", "the mean over the lens, as if it were lit uniformly"}});
 }
 
 /// How the photons or walks of a batch begin.
@@ -197,7 +197,7 @@ constexpr auto alternatives(LocalForcedCollisions) {
        {all, "all", "those of scattered light too"}});
 }
 
-/// What becomes of photons below the weight threshold.
+/// What happens to photons below the weight threshold.
 enum class AtThreshold { roulette, end, analog_absorption };
 constexpr auto alternatives(AtThreshold) {
   using enum AtThreshold;
@@ -205,7 +205,7 @@ constexpr auto alternatives(AtThreshold) {
       {{roulette, "roulette", "they play Russian roulette"},
        {end, "end", "they end, which makes echoes low"},
        {analog_absorption, "analog-absorption",
-        "they may be absorbed by chance in place of losing more weight"}});
+        "they may be absorbed by chance instead of losing more weight"}});
 }
 
 /// The word of a value.

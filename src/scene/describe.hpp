@@ -46,32 +46,32 @@ void describe(V& v, Gates& g) {
              w.once_read([&] { g.time_ns = time; });
            }));
   v.optional(expert("depth_cells"), g.depth_cells, Count{0, 10000},
-             "how many cells of depth echo_by_depth has; 0: there is none");
+             "the number of cells of depth of echo_by_depth; 0: no echo_by_depth");
 }
 
 template <class V>
 void describe(V& v, Importance& i) {
   v.required("depth_m", i.depth_m, positive, "from this depth on, in m");
   v.required(expert("value"), i.value, Number{.low = 1 / most_importance, .high = most_importance},
-             "how much a photon is worth there, against 1 at the surface");
+             "the worth of a photon there, relative to 1 at the surface");
 }
 
 template <class V>
 void describe(V& v, Tools& t) {
   v.optional(
       expert("forced_collisions"), t.forced_collisions, Count{0, 1'000'000},
-      "so many first flights of a photon end in the water, or reflected by its surface; what "
-      "would leave it is taken from the weight");
+      "this many first flights of a photon end in the water, or reflected by its surface; what "
+      "would leave is taken from the weight");
   v.optional(expert("local_forced_collisions"), t.local_forced_collisions,
              ChoiceOf<LocalForcedCollisions>{},
              "which collisions are scored at points chosen in a telescope's view; the others are "
              "scored where they happen");
   v.optional(expert("weight_threshold"), t.weight_threshold,
              Number{.low = 0.0, .high = 1.0, .low_open = true},
-             "of the forward estimator: the weight, without what sampling does to it, below which "
+             "of the forward estimator: the weight, without the factors from sampling, below which "
              "at_threshold decides");
   v.optional(expert("at_threshold"), t.at_threshold, ChoiceOf<AtThreshold>{},
-             "what becomes of photons of little weight");
+             "what happens to photons of little weight");
   v.sections(expert("importance"), t.importance, Need::optional,
              "photons are split on their way to where they are worth more, and play Russian "
              "roulette on their way to where they are worth less");
@@ -90,9 +90,8 @@ void describe(V& v, Simulation& s) {
   });
   v.optional(expert("max_order"), s.max_order, Count{1, 1'000'000},
              "end a photon after this many scatterings; no limit by default");
-  v.optional(
-      "orders_kept", s.orders_kept, Count{1, 1000},
-      "echoes are told apart by scattering order up to this one, which counts all above too");
+  v.optional("orders_kept", s.orders_kept, Count{1, 1000},
+             "echoes are split by scattering order up to this one, which includes all higher ones");
   v.optional(without_unit("seed"), s.seed, Count{.low = 0}, "the seed of the random numbers");
   v.optional(expert("reception"), s.reception, ChoiceOf<Reception>{},
              "of the forward estimator: how light reaches the detector");
@@ -100,10 +99,11 @@ void describe(V& v, Simulation& s) {
              Number{.low = 0.0, .high = 1.0, .high_open = true},
              "of the forward estimator: the share of directions drawn towards a telescope; 0 turns "
              "that off; by default 0.5, or 0.25 where all telescopes are 200 m above the sea");
-  v.optional(expert("scored_points"), s.scored_points, Count{1, 100},
-             "of the forward estimator: at so many points of each flight, spread evenly over its "
-             "free paths, collisions are scored; 1: only where photons collide; by default 4, or 1 "
-             "where all telescopes are 200 m above the sea");
+  v.optional(
+      expert("scored_points"), s.scored_points, Count{1, 100},
+      "of the forward estimator: the number of points of each flight, spread evenly over its "
+      "free paths, at which collisions are scored; 1: only where photons collide; by default "
+      "4, or 1 where all telescopes are 200 m above the sea");
   v.optional(
       expert("conversion_probability"), s.conversion_probability, between(0.0, 1.0),
       "the share of collisions followed into an inelastic process; in walks from telescopes, "
@@ -117,7 +117,7 @@ void describe(V& v, Simulation& s) {
   v.optional(expert("free_telescope_meetings"), s.free_telescope_meetings,
              Number{.low = 0.0, .high = 1e5},
              "of the bidirectional estimator: how often two rays are made to meet, per metre of "
-             "depth, by free walks of telescopes; by default as pilot runs tell");
+             "depth, by free walks of telescopes; by default as pilot runs find best");
   v.optional(expert("free_laser_meetings"), s.free_laser_meetings, Number{.low = 0.0, .high = 1e5},
              "the same by free walks of the laser");
   v.optional(
@@ -152,12 +152,12 @@ template <class V>
 void describe(V& v, Scene& s) {
   v.optional("title", s.title, Text{.may_be_empty = true}, "what is simulated, in one line");
   v.optional(expert("sensitivity"), s.sensitivity, Parameters{},
-             "the parameters of the water with respect to which echoes are derived, by their "
+             "the parameters of the water by which derivatives of echoes are taken, by their "
              "paths: those of --set that begin with sea., optics., bottom., oil. or atmosphere.");
   v.section("source", s.source, Need::required, "the source of light");
   v.sections("telescope", s.telescope, Need::required, "a telescope; any number of them");
   v.sections("channel", s.channel, Need::required,
-             "the light one detector counts; any number of them");
+             "the light that one detector counts; any number of them");
   v.section("optics", s.optics, Need::optional, "the data and models of the water's optics");
   v.section("sea", s.sea, Need::optional, "the sea: its surface and its layers of water");
   v.section("bottom", s.bottom, Need::optional,
@@ -170,7 +170,7 @@ void describe(V& v, Scene& s) {
   v.sections(expert("environment"), s.environment, Need::optional,
              "other water, whose echoes are computed from the same histories; any number of them");
   v.expanded(expert("environment_grid"), Grid{},
-             "more such environments: one for each choice of a value of each path");
+             "more such environments: one for each combination of the values of the paths");
 }
 
 }  // namespace photic::scene

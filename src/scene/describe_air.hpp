@@ -18,8 +18,8 @@ template <class V>
 void describe(V& v, AirLayer& l) {
   v.optional("name", l.name, Text{}, "what messages and --set call it; by default air0, air1 …");
   v.required("bottom_height_m", l.bottom_height_m, not_negative,
-             "the height of the layer's lower end above the sea in m: where the one below it ends, "
-             "of the first one 0");
+             "the height of the layer's lower end above the sea in m: the top of the one below it, "
+             "0 for the first one");
   v.required("top_height_m", l.top_height_m, positive, "the height of its upper end in m");
   v.tables("iop", l.iop, "absorption and scattering by ascending wavelength",
            [](auto& inner, IopEntry& entry) { describe_air_iop(inner, entry); });
@@ -75,8 +75,8 @@ void describe_profile(V& v, Atmosphere& a) {
              "aerosols at all");
   v.optional("visibility_km", a.visibility_km,
              from_to(optics::lowest_visibility_km, optics::highest_visibility_km),
-             "the visibility at the sea in km, which tells how much aerosol there is; by default "
-             "23, or what the profile's own levels tell of aerosols");
+             "the visibility at the sea in km, which sets how much aerosol there is; by default "
+             "23, or the aerosols of the profile's own levels");
   v.optional(
       "aerosol_optical_depth_550", a.aerosol_optical_depth_550,
       from_to(0.0, optics::most_aerosol_depth),
@@ -91,7 +91,7 @@ void describe_profile(V& v, Atmosphere& a) {
              "default the profile's");
   v.optional("top_km", a.top_km, positive, "where the air ends, in km above the sea");
   v.sections(expert("gases"), a.gases, Need::optional,
-             "what gases absorb besides ozone, up to one height after the other");
+             "absorption by gases other than ozone, up to one height after the other");
 }
 
 template <class V>
@@ -99,7 +99,7 @@ void describe(V& v, Atmosphere& a) {
   v.optional(
       expert("refraction"), a.refraction, YesOrNo{},
       "whether the air bends the axes of instruments by Snell's law; the indices of the water "
-      "are then against the air at the sea");
+      "are then relative to the air at the sea");
   v.one_of(option(a.layer.empty(), [&](auto& w) { describe_profile(w, a); }),
            option(!a.layer.empty(), [&](auto& w) {
              w.sections(expert("layer"), a.layer, Need::required,

@@ -1,4 +1,4 @@
-// The keys of [source], [[telescope]] and [[channel]]: name, type, range, meaning, each said once.
+// The keys of [source], [[telescope]] and [[channel]]: name, type, range, meaning, each given once.
 // Visited by reader.hpp, writer.hpp and schema_builder.hpp.
 #pragma once
 
@@ -14,14 +14,14 @@ inline constexpr double quarter_turn_mrad = 500.0 * pi;
 template <class V>
 void describe(V& v, Source& s) {
   v.optional("kind", s.kind,
-             Choice{{{"laser", "a disc whose light leaves evenly inside a cone"}},
+             Choice{{{"laser", "a disc that emits light uniformly into a cone"}},
                     {"beam", "point", "cone"}},
              "the kind of light source");
   v.required("wavelength_nm", s.wavelength_nm, Wavelength{}, "the wavelength of its light in nm");
   v.required("position_m", s.position_m, Position{},
              "the centre of the laser's disc [x, y, z] in m; z is up, the sea level is 0");
   v.required("direction", s.direction, Direction{},
-             "where the light goes [x, y, z]; need not be normalised");
+             "the direction of the light [x, y, z]; need not be normalised");
   v.required("diameter_m", s.diameter_m, positive, "the diameter of the laser's disc in m");
   v.required("half_divergence_mrad", s.half_divergence_mrad,
              Number{.low = 0.0, .high = quarter_turn_mrad, .high_open = true},
@@ -34,7 +34,7 @@ void describe(V& v, Telescope& t) {
   v.required("position_m", t.position_m, Position{},
              "the centre of the lens [x, y, z] in m; z is up, the sea level is 0");
   v.required("direction", t.direction, Direction{},
-             "where it looks [x, y, z]; need not be normalised");
+             "where the telescope looks [x, y, z]; need not be normalised");
   v.required("diameter_m", t.diameter_m, positive, "the diameter of the lens in m");
   v.required("focal_length_m", t.focal_length_m, positive, "the focal length of the lens in m");
   v.one_of(option(t.detector_diameter_m.has_value(),
@@ -75,8 +75,8 @@ void describe(V& v, Channel& c) {
                   [&](auto& w) {
                     w.required(
                         "centre_nm", c.centre_nm, WavelengthOrSteps{},
-                        "count what passes a filter of this centre in nm; { from, to, step } "
-                        "makes a channel of each step");
+                        "count light that passes a filter of this centre in nm; { from, to, step } "
+                        "makes a channel at each step");
                     w.required("fwhm_nm", c.fwhm_nm, positive,
                                "the filter's full width at half maximum in nm");
                     w.optional("filter", c.filter, ChoiceOf<FilterShape>{},
@@ -85,8 +85,8 @@ void describe(V& v, Channel& c) {
            option(c.transmission.has_value(), [&](auto& w) {
              w.required("transmission_file", c.transmission,
                         TableOrFile{{{"wavelength_nm", "wavelengths in nm, ascending"},
-                                     {"transmission", "what passes there, from 0 to 1"}}},
-                        "count what passes a filter given by a CSV file of wavelength_nm, "
+                                     {"transmission", "the transmission there, from 0 to 1"}}},
+                        "count light that passes a filter given by a CSV file of wavelength_nm, "
                         "transmission, or by a table of these");
            }));
 }

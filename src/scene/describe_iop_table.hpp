@@ -1,4 +1,4 @@
-// The keys of a table of inherent optical properties that stands for all layers.
+// The keys of a table of inherent optical properties that replaces all layers.
 #pragma once
 
 #include <array>

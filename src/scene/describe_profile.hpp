@@ -1,4 +1,4 @@
-// The keys of a constituent that changes with depth, written in the place of a number.
+// The keys of a constituent that changes with depth, written in place of a number.
 #pragma once
 
 #include <cstdint>
@@ -56,7 +56,7 @@ void describe(V& v, ProfilePoints& p) {
 
 template <class V>
 void describe(V& v, ProfileFile& p) {
-  v.required(file_key, p.file, File{}, "a file of text, or a netCDF file as floats write it");
+  v.required(file_key, p.file, File{}, "a file of text, or a netCDF file such as those of floats");
   v.one_of(option(p.column.given(),
                   [&](auto& w) {
                     w.required("column", p.column, ColumnOfFile{},
@@ -72,7 +72,7 @@ void describe(V& v, ProfileFile& p) {
              "the column of depths in m, by its name or its number from 1, or the variable of "
              "depths or pressures");
   v.optional("negative", p.negative, Choice{{{"zero", "they count as 0"}}},
-             "what becomes of values below 0, as dark counts leave them; refused without it");
+             "what happens to values below 0, as dark counts leave them; refused without it");
   describe_beyond(v, p.beyond);
 }
 

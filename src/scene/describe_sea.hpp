@@ -35,14 +35,14 @@ void describe(V& v, Optics& o) {
              Choice{{{"bricaud", "Bricaud et al. 1995 and 1998"},
                      {"prieur-sathyendranath", "Prieur & Sathyendranath 1981"},
                      {"table", "your own spectra: phytoplankton_file"}}},
-             "the absorption and scattering of phytoplankton by chlorophyll");
+             "the absorption and scattering of phytoplankton, which scale with chlorophyll");
   v.when("phytoplankton", o.phytoplankton, "table", [&](auto& w) {
     w.required("phytoplankton_file", o.phytoplankton_table,
                TableOrFile{{{"wavelength_nm", "wavelengths in nm, ascending"},
                             {"a_m2_per_mg", "absorption per chlorophyll in m2/mg"},
                             {"b_m2_per_mg", "scattering per chlorophyll in m2/mg"},
                             {"a_exciting_m2_per_mg",
-                             "the share of the absorption that excites fluorescence, in m2/mg; by "
+                             "the part of the absorption that excites fluorescence, in m2/mg; by "
                              "default all",
                              true}}},
                "a CSV file of wavelength_nm, a_m2_per_mg, b_m2_per_mg, or a table of these");
@@ -59,7 +59,7 @@ void describe(V& v, Optics& o) {
   v.optional(expert("minerals_b_555_m2_per_g"), minerals.b_555_m2_per_g, not_negative,
              "power-law: the scattering of minerals at 555 nm in m2/g");
   v.optional(expert("minerals_b_exponent"), minerals.b_exponent, any_number,
-             "power-law: the scattering of minerals goes as wavelength^-exponent");
+             "power-law: the scattering of minerals scales as wavelength^-exponent");
   v.optional(expert("minerals_phase"), o.minerals_phase, ChoiceOf<ParticlePhase>{},
              "the phase function of minerals");
   v.optional(
@@ -81,9 +81,9 @@ void describe(V& v, Optics& o) {
                "a CSV file of excitation_nm, emission_nm, yield_per_nm, or a table of these");
   });
   v.optional(expert("chlorophyll_lifetime_ns"), o.chlorophyll_lifetime_ns, not_negative,
-             "the mean time from excitation to emission of chlorophyll's light in ns; 0: at once");
+             "the mean time from excitation to emission of chlorophyll's light in ns; 0: no delay");
   v.optional(expert("cdom_lifetime_ns"), o.cdom_lifetime_ns, not_negative,
-             "the same of the light of dissolved organic matter");
+             "the same for the light of dissolved organic matter");
 }
 
 template <class V>
@@ -94,11 +94,11 @@ void describe(V& v, IopEntry& i) {
   v.required("b_per_m", i.b_per_m, not_negative,
              "the scattering coefficient in 1/m, water included");
   v.optional(expert("a_phytoplankton_per_m"), i.a_phytoplankton_per_m, not_negative,
-             "the share of a_per_m that excites chlorophyll fluorescence, in 1/m");
+             "the part of a_per_m that excites chlorophyll fluorescence, in 1/m");
   v.optional("bb_per_m", i.bb_per_m, not_negative,
-             "the backscattering coefficient in 1/m, water included; tells the phase function");
+             "the backscattering coefficient in 1/m, water included; sets the phase function");
   v.optional(expert("a_cdom_per_m"), i.a_cdom_per_m, not_negative,
-             "the share of a_per_m that excites the fluorescence of dissolved organic matter, in "
+             "the part of a_per_m that excites the fluorescence of dissolved organic matter, in "
              "1/m");
 }
 
@@ -112,11 +112,11 @@ inline constexpr double default_profile_tolerance = 0.05;
 // Wider than the seas: the formulas behind were fitted to 0-40 PSU and 0-40 C (Millero 1980).
 inline constexpr Number salinity_rule = from_to(0.0, 45.0);
 inline constexpr Number temperature_rule = from_to(-2.0, 45.0);
-/// What their departures are measured against, 0 C being no less water than 20 C: what a sea has by
+/// What their departures are relative to, 0 C being no less water than 20 C: what a sea has by
 /// default.
 inline constexpr double salinity_scale_psu = 35.0, temperature_scale_c = 20.0;
 
-/// Faster winds leave no surface, but spray.
+/// Stronger winds leave no surface, but spray.
 inline constexpr Number wind_speed_rule = from_to(0.0, 30.0);
 /// Slopes of 45 degrees and more.
 inline constexpr Number slope_variance_rule = from_to(0.0, 1.0);
@@ -152,8 +152,9 @@ void describe(V& v, PhaseFunction& p) {
                "the spheres' real refractive index relative to water");
     w.optional(expert("absorption_index"), p.particles.absorption_index, from_to(0.0, 3.0),
                "how much they absorb: k of their index n - ik relative to water");
-    w.optional(expert("junge_slope"), p.particles.junge_slope, from_to(0.0, 10.0),
-               "the exponent of their Junge distribution: numbers per radius go as radius^-slope");
+    w.optional(
+        expert("junge_slope"), p.particles.junge_slope, from_to(0.0, 10.0),
+        "the exponent of their Junge distribution: numbers per radius scale as radius^-slope");
     w.optional(expert("min_radius_um"), p.particles.min_radius_um, from_to(0.001, 20.0),
                "the smallest radius in um");
     w.optional(expert("max_radius_um"), p.particles.max_radius_um, from_to(0.001, 20.0),
@@ -190,12 +191,12 @@ void describe(V& v, Layer& l) {
                     w.profiled("minerals_g_m3", l.minerals_g_m3, not_negative,
                                "the mass of suspended minerals in g/m3");
                     w.profiled("salinity_psu", l.salinity_psu, salinity_rule,
-                               "the salinity in PSU, for the layer's absorption and scattering "
-                               "alone; by default the sea's, which bends and times all light",
+                               "the salinity in PSU, only for the layer's absorption and "
+                               "scattering; by default the sea's, which bends and times all light",
                                salinity_scale_psu);
                     w.profiled("temperature_c", l.temperature_c, temperature_rule,
-                               "the temperature in C, for the layer's absorption and scattering "
-                               "alone; by default the sea's, which bends and times all light",
+                               "the temperature in C, only for the layer's absorption and "
+                               "scattering; by default the sea's, which bends and times all light",
                                temperature_scale_c);
                   }),
            option(!l.iop.empty(),
@@ -208,12 +209,12 @@ void describe(V& v, Layer& l) {
            option(!l.jerlov.empty(), [&](auto& w) {
              w.required("jerlov", l.jerlov,
                         Choice{{{"IB", "clear ocean water"},
-                                {"II", "ocean water less clear"},
+                                {"II", "less clear ocean water"},
                                 {"III", "turbid ocean water"},
                                 {"1C", "clear coastal water"},
-                                {"3C", "coastal water less clear"},
+                                {"3C", "less clear coastal water"},
                                 {"5C", "turbid coastal water"}}},
-                        "Jerlov's type of water, which tells all absorption and scattering");
+                        "Jerlov's type of water, which sets all absorption and scattering");
            }));
   v.optional(expert("chlorophyll_yield"), l.chlorophyll_yield, from_to(0.0, 1.0),
              "fluorescence photons per photon absorbed by phytoplankton");
@@ -228,7 +229,7 @@ void describe(V& v, Surface& s) {
              "the shape of the sea surface");
   v.when("model", s.model, Models{{cox_munk, paper}}, [&](auto& w) {
     w.required("wind_speed_m_s", s.wind_speed_m_s, wind_speed_rule,
-               "the wind's speed in m/s; of 0 the surface is flat");
+               "the wind's speed in m/s; at 0 the surface is flat");
   });
   v.when("model", s.model, Models{{cox_munk, gaussian, paper}}, [&](auto& w) {
     w.optional("wind_direction_deg", s.wind_direction_deg, from_to(-360.0, 360.0),
@@ -243,18 +244,19 @@ void describe(V& v, Surface& s) {
     w.required("upwind_slope_variance", s.upwind_slope_variance, slope_variance_rule,
                "the variance of slopes along the wind");
     w.required("crosswind_slope_variance", s.crosswind_slope_variance, slope_variance_rule,
-               "the variance of slopes across the wind; with a 0 waves go one way");
+               "the variance of slopes across the wind; with one variance 0 waves are "
+               "one-dimensional");
   });
   v.when("model", s.model, Models{{cox_munk, gaussian, paper}}, [&](auto& w) {
     w.optional("whitecaps", s.whitecaps, YesOrNo{},
-               "whether whitecaps cover a part of the surface; by default with \"cox-munk\" alone, "
+               "whether whitecaps cover a part of the surface; by default only with \"cox-munk\", "
                "unless there is a slick");
     w.optional("whitecap_fraction", s.whitecap_fraction, from_to(0.0, 1.0),
-               "the share of the surface that whitecaps cover; by default by whitecap_law");
+               "the share of the surface that whitecaps cover; by default from whitecap_law");
   });
   v.when("model", s.model, Models{{cox_munk, paper}}, [&](auto& w) {
     w.optional(expert("whitecap_law"), s.whitecap_law, ChoiceOf<WhitecapLaw>{},
-               "how much of the sea whitecaps cover by the wind");
+               "how the part of the sea that whitecaps cover depends on the wind");
   });
   v.when("model", s.model, Models{{cox_munk, gaussian, paper}}, [&](auto& w) {
     w.optional(expert("whitecap_reflectance"), s.whitecap_reflectance,
@@ -276,7 +278,7 @@ void describe(V& v, Sea& s) {
                 "a file of optical properties by depth and wavelength, instead of layers");
   v.expanded(expert("profile_tolerance"), profile_tolerance_rule,
              "how far constituents may depart from their mean in the layers that profiles are cut "
-             "into, against their greatest value, temperatures against 20 C, salinities against "
+             "into, relative to their greatest value, temperatures to 20 C, salinities to "
              "35 PSU",
              default_profile_tolerance);
 }
@@ -287,11 +289,11 @@ void describe(V& v, Bottom& b) {
              NumberOrTable{from_to(0.0, 1.0),
                            {{{"wavelength_nm", "wavelengths in nm, ascending", true},
                              {"zenith_deg",
-                              "zenith angles in the water of the light that comes in, in degrees, "
+                              "zenith angles of the incident light in the water, in degrees, "
                               "ascending from 0 to 90",
                               true},
                              {"albedo", "the albedo there, 0 to 1"}}}},
-             "the share of the light that the sea bed reflects, alike in all directions (Lambert): "
+             "the share of the light that the sea bed reflects, as a Lambert reflector: "
              "a number, a table of wavelength_nm, zenith_deg or both, or { file = \"…\" }");
 }
 
@@ -301,13 +303,13 @@ void describe(V& v, Oil& o) {
       option(o.of_class.has_value(),
              [&](auto& w) {
                w.required("class", o.of_class, ChoiceOf<OilClass>{},
-                          "the kind of oil; most of what is known of them is a placeholder");
+                          "the kind of oil; most of the data on oils are placeholders");
              }),
       option(!o.table.columns().empty(), [&](auto& w) {
         w.required(
             "file", o.table,
             TableOrFile{{{"wavelength_nm", "wavelengths in nm, ascending"},
-                         {"n", "the refractive index against air"},
+                         {"n", "the refractive index relative to air"},
                          {"a_per_m", "the absorption coefficient in 1/m"},
                          {"emission_per_nm",
                           "the spectrum of the emitted light, in photons, relative; "
@@ -319,14 +321,14 @@ void describe(V& v, Oil& o) {
             "a CSV file as photic optics --oil writes it, or a table of its columns");
       }));
   v.required("thickness_um", o.thickness_um, not_negative,
-             "the thickness of the film in um; of 0 there is none");
+             "the thickness of the film in um; at 0 there is none");
   v.optional("yield", o.yield, from_to(0.0, 1.0),
              "fluorescence photons per photon absorbed; by default that of the class or file");
   v.optional(expert("lifetime_ns"), o.lifetime_ns, not_negative,
              "the mean time from excitation to emission in ns; by default that of the class or "
              "file");
   v.optional(expert("absorption_factor"), o.absorption_factor, not_negative,
-             "the oil absorbs so many times as much as its data say, at all wavelengths");
+             "multiplies the absorption of the oil's data, at all wavelengths");
 }
 
 }  // namespace photic::scene

@@ -82,7 +82,7 @@ bool check_grid(const Entry& grid, Findings& findings) {
   for (const Entry& entry : *table) good = check_values(entry, findings) && good;
   if (!good || product(*table) <= most_environments) return good;
   findings.add_at(grid.value.place, fmt::format("these are {:.7g} environments", product(*table)),
-                  fmt::format("at most {:.0f} can be had: take fewer values", most_environments));
+                  fmt::format("at most {:.0f} are possible: give fewer values", most_environments));
   return false;
 }
 

@@ -108,7 +108,7 @@ class LayerExpander {
         findings_.add(
             path, node->place,
             fmt::format("'{}' changes with depth in a layer without '{}'", key.key, bottom_key),
-            "end the layer, and let one with a number follow");
+            "end the layer, and add one with a number below it");
       }
       if (!span) findings_.spoil(path);
       set_number(layer, key.key, 0.0);
@@ -134,11 +134,12 @@ class LayerExpander {
     auto ends = cut(profiles, *span, tolerance_);
     if (ends) return ends;
     const auto enough = tolerance_to_keep(profiles, *span, tolerance_);
-    findings_.add(found.front().path, found.front().place,
-                  fmt::format("the layer becomes more than {} with profile_tolerance = {}",
-                              most_cuts, plain_number(tolerance_)),
-                  enough ? fmt::format("profile_tolerance = {:g} would do", *enough)
-                         : "are the units right?");
+    findings_.add(
+        found.front().path, found.front().place,
+        fmt::format("the layer would be cut into more than {} with profile_tolerance = {}",
+                    most_cuts, plain_number(tolerance_)),
+        enough ? fmt::format("profile_tolerance = {:g} would do", *enough)
+               : "are the units right?");
     return std::nullopt;
   }
 
@@ -223,11 +224,12 @@ void move_sensitivities(Node& document, const Node::Array& layers, const Cuts& c
     const auto i = layer_called(layers, parts[2]);
     if (!i) continue;
     if (cuts[*i].size() > 1) {
-      findings.add(below("sensitivity", s), (*elements)[s].place,
-                   fmt::format("'{}' is in a layer that its profiles cut into {}: there is no one "
-                               "value to derive by",
-                               *path, cuts[*i].size()),
-                   "compare environments, or derive in the scene that `photic show` writes");
+      findings.add(
+          below("sensitivity", s), (*elements)[s].place,
+          fmt::format("'{}' is in a layer that its profiles cut into {}: it has no single value "
+                      "for a derivative",
+                      *path, cuts[*i].size()),
+          "compare environments, or take the derivative in the scene that `photic show` writes");
       continue;
     }
     std::size_t now = 0;

@@ -94,7 +94,7 @@ class RowReader {
     }
     if (at_depth_ > 0 && !(wavelength > last_))
       fail(row, wavelength_name,
-           wavelength == last_ ? fmt::format("{:g} nm is there twice at {:g} m", wavelength, depth)
+           wavelength == last_ ? fmt::format("{:g} nm appears twice at {:g} m", wavelength, depth)
                                : fmt::format("{:g} nm comes after {:g} nm", wavelength, last_),
            order);
     if (grid_.depth_m.size() == 1)

@@ -49,9 +49,9 @@ void zero_negatives(Measured& measured, std::vector<std::string>& remarks) {
     ++count;
   }
   if (count > 0)
-    remarks.push_back(
-        fmt::format("{} of {} values of {} are below 0, the least of them {:.4g}, and count as 0",
-                    count, measured.value.size(), measured.name, least));
+    remarks.push_back(fmt::format(
+        "{} of {} values of {} are below 0, the smallest of them {:.4g}, and count as 0", count,
+        measured.value.size(), measured.name, least));
 }
 
 void check_values(const Measured& measured, const Number& rule, const RefuseLevel& refuse) {
@@ -89,8 +89,8 @@ void put_in_order(Measured& measured, std::vector<std::string>& remarks) {
   }
   if (first_shared)
     remarks.push_back(
-        fmt::format("{} of {} {} are at the depth of another one, the first at {:.4g} m: they "
-                    "become one, with the mean of {}",
+        fmt::format("{} of {} {} are at the depth of another one, the first at {:.4g} m: they are "
+                    "merged into one, with the mean of {}",
                     depth.size() - ordered.depth_m.size(), depth.size(), measured.levels,
                     *first_shared, measured.name));
   measured = std::move(ordered);

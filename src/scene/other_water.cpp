@@ -39,7 +39,8 @@ constexpr const char* times =
     "it times the light, whose histories are the same in all environments";
 constexpr const char* bends_and_times =
     "it bends and times the light, whose histories are the same in all environments";
-constexpr const char* borders = "light crosses from layer to layer alike in all environments";
+constexpr const char* borders =
+    "light crosses from layer to layer in the same way in all environments";
 constexpr const char* called = "all environments have the same layers";
 
 constexpr Fixed fixed_of_optics[] = {{"chlorophyll_lifetime_ns", times},

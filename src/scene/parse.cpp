@@ -79,7 +79,7 @@ Node parse_toml(const std::string& text, const std::string& file) {
   if (const auto stray = find_stray_character(text))
     throw InputError(
         {{file, stray->line, stray->column,
-          "this is not TOML: a character that is not ASCII stands outside quotes and comments",
+          "this is not TOML: a character that is not ASCII is outside quotes and comments",
           "look for typographic quotes, dashes and spaces"}});
   try {
     return convert(toml::parse(text), place);

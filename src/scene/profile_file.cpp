@@ -79,7 +79,7 @@ void check_salinities(const NetcdfColumns& file, const ProfileVariable& from, co
   if (is_ratio && greatest > 0 && greatest < largest_fraction)
     file.fail(from.name(),
               fmt::format("salinities of {:.4g} at most, in units of \"{}\", are fractions of mass "
-                          "and no practical ones",
+                          "and not practical salinities",
                           greatest, variable.units),
               "give its units as \"kg/kg\"");
 }
@@ -89,7 +89,7 @@ void convert_values(const NetcdfColumns& file, const ProfileVariable& from, cons
                     Levels& levels, std::vector<std::string>& remarks) {
   const NetcdfVariable& variable = from.variable();
   if (variable.units.empty()) {  // as of a CSV file's column, but those have no place for them
-    remarks.push_back(fmt::format("{} has no attribute units: its values are taken for {}",
+    remarks.push_back(fmt::format("{} has no attribute units: its values are taken to be in {}",
                                   from.name(), unit_of(key)));
     return;
   }

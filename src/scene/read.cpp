@@ -54,9 +54,9 @@ bool begins_as_netcdf(const std::string& bytes) {
 /// Throws InputError for what is no text.
 void expect_text(const std::string& path, const std::string& bytes) {
   if (begins_as_netcdf(bytes))
-    refuse_file(path, "this is a result, or another netCDF file, and not a scene",
-                fmt::format("of a result, photic show {0} prints the scene and photic run "
-                            "--continue {0} goes on",
+    refuse_file(path, "this is a result, or another netCDF file, not a scene",
+                fmt::format("for a result, photic show {0} prints the scene and photic run "
+                            "--continue {0} continues it",
                             path));
   if (bytes.find('\0') != std::string::npos)
     refuse_file(path, "this is not a text in UTF-8, and so not a scene",

@@ -88,7 +88,7 @@ struct IopEntry {
   double wavelength_nm{};
   double a_per_m{};
   double b_per_m{};
-  double a_phytoplankton_per_m = 0.0;  ///< the share of a that excites chlorophyll fluorescence
+  double a_phytoplankton_per_m = 0.0;  ///< the part of a that excites chlorophyll fluorescence
   std::optional<double> bb_per_m =
       std::nullopt;           ///< backscattering; in all entries of a layer or in none
   double a_cdom_per_m = 0.0;  ///< the share of a that excites CDOM's

@@ -63,7 +63,7 @@ class ParameterReader {
                     "name the path of a number");
     if (*value == 0)
       return refuse(fmt::format("'{}' is 0: the derivative may be infinite there, and no step is "
-                                "small against it",
+                                "small relative to it",
                                 sensitivity.path),
                     "give it a small value instead");
     sensitivity.value = *value;
@@ -182,7 +182,7 @@ void read_sensitivities(const Node& document, const Check& check, Scene& scene,
     const auto numbered = reader.find(sensitivity);
     if (!numbered) continue;
     if (!seen.insert(*numbered).second)
-      reader.refuse(fmt::format("'{}' is there twice", sensitivity.path), "name each path once");
+      reader.refuse(fmt::format("'{}' appears twice", sensitivity.path), "name each path once");
     else if (all_good)
       reader.read_steps(sensitivity);
   }

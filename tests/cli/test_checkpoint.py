@@ -98,7 +98,7 @@ def test_what_a_killed_run_left_is_told_and_never_replaced_by_less(photic, start
     assert done.returncode == 0
     assert done.stderr == (
         f"quick.checkpoint.nc: left by a run of this scene that did not end, with {photons} photons "
-        f"(go on from it: {program} run --continue quick.checkpoint.nc -o quick.nc)\n"
+        f"(continue it: {program} run --continue quick.checkpoint.nc -o quick.nc)\n"
     )
     assert photons_in(tmp_path / "quick.nc") == 4000, "not used by itself"
     assert photons_in(checkpoint) == photons
@@ -140,7 +140,7 @@ def test_a_full_disk_leaves_the_last_good_checkpoint_and_the_run_goes_on(start, 
     _, errors = process.communicate(timeout=60)
     assert process.returncode == 128 + signal.SIGTERM
     assert errors == (
-        "quick.checkpoint.nc: cannot write the file: File too large (the run goes on without this checkpoint)\n"
+        "quick.checkpoint.nc: cannot write the file: File too large (the run continues without this checkpoint)\n"
     )
     assert sorted(p.name for p in tmp_path.iterdir()) == ["quick.nc", "quick.toml"]
 
@@ -166,11 +166,11 @@ def test_an_interrupted_run_goes_on(photic, start, tmp_path, program):
     wait_until_it_listens(process)
     process.send_signal(signal.SIGTERM)
     out, _ = process.communicate(timeout=60)
-    assert f"Go on:    {program} run --continue quick.nc -o quick.nc\n" in out
+    assert f"Continue: {program} run --continue quick.nc -o quick.nc\n" in out
     total = photons_in(tmp_path / "quick.nc") + 7777
     done = photic("run", "--continue", "quick.nc", "-o", "quick.nc", "--photons", total)
     assert (done.returncode, done.stderr) == (0, "")
-    assert "Go on:" not in done.stdout
+    assert "Continue:" not in done.stdout
     assert photic("run", "quick.toml", "--photons", total, "-o", "long.nc", *LARGEST).returncode == 0
     assert contents(tmp_path / "quick.nc") == contents(tmp_path / "long.nc")
 
@@ -181,5 +181,5 @@ def test_an_interrupted_run_with_a_csv_result_keeps_its_checkpoint(start, tmp_pa
     wait_for(process, tmp_path / "echo.checkpoint.nc")
     process.send_signal(signal.SIGTERM)
     out, _ = process.communicate(timeout=60)
-    assert f"Go on:    {program} run --continue echo.checkpoint.nc -o echo.csv\n" in out
+    assert f"Continue: {program} run --continue echo.checkpoint.nc -o echo.csv\n" in out
     assert sorted(p.name for p in tmp_path.iterdir()) == ["echo.checkpoint.nc", "echo.csv", "quick.toml"]

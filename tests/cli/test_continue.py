@@ -72,21 +72,21 @@ def test_the_same_total_again_changes_nothing(run, scene, tmp_path):
     run("quick.toml", "--photons", "5000")
     before = contents(tmp_path / "quick.nc")
     done = run("quick.toml", "--photons", "5000", "--continue", "quick.nc")
-    assert done.stderr == "quick.nc: holds all 5000 photons asked for already (--photons is the total)\n"
+    assert done.stderr == "quick.nc: already holds all 5000 photons requested (--photons is the total)\n"
     assert contents(tmp_path / "quick.nc") == before
 
 
 REFUSED = {
-    ("--photons", "19999"): "old.nc: holds 20000 photons already, more than the 19999 asked for "
+    ("--photons", "19999"): "old.nc: holds 20000 photons already, more than the 19999 requested "
     "(--photons is the total, not what is added)\n1 problem in old.nc\n",
-    ("--set", "simulation.batch_photons=1000"): "old.nc: simulation.batch_photons was 500 and is 1000 now (a run that "
-    "goes on may change photons, target_relative_error and max_time_s alone)\n1 problem in old.nc\n",
-    ("--seed", "2"): "old.nc: simulation.seed was 1 and is 2 now (a run that goes on may change photons, "
-    "target_relative_error and max_time_s alone)\n1 problem in old.nc\n",
+    ("--set", "simulation.batch_photons=1000"): "old.nc: simulation.batch_photons was 500 and is 1000 now (a continued "
+    "run may change only photons, target_relative_error and max_time_s)\n1 problem in old.nc\n",
+    ("--seed", "2"): "old.nc: simulation.seed was 1 and is 2 now (a continued run may change only photons, "
+    "target_relative_error and max_time_s)\n1 problem in old.nc\n",
     ("--set", "sea.layer.1.cdom_a440_per_m=0.5", "--set", "simulation.max_order=3"):
     "old.nc: sea.layer.1.cdom_a440_per_m was 0 and is 0.5 now\n"
-    "old.nc: simulation.max_order was not given and is 3 now (a run that goes on may change photons, "
-    "target_relative_error and max_time_s alone)\n2 problems in old.nc\n",
+    "old.nc: simulation.max_order was not given and is 3 now "
+    "(a continued run may change only photons, target_relative_error and max_time_s)\n2 problems in old.nc\n",
 }  # fmt: skip
 
 
@@ -116,7 +116,7 @@ def test_another_version_is_refused(run, scene, tmp_path):
     done = run("quick.toml", "--continue", "old.nc", code=2)
     assert done.stderr == (
         f"old.nc: made by Photic 0.0.9; this one, {now}, may simulate other photons "
-        "(go on with Photic 0.0.9, or start anew)\n1 problem in old.nc\n"
+        "(continue with Photic 0.0.9, or start anew)\n1 problem in old.nc\n"
     )
 
 

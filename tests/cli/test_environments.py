@@ -71,7 +71,7 @@ def test_another_film_over_waves_of_one_direction_is_refused_at_its_place(photic
     done = photic("check", "quick.toml", *oil, *paper)
     assert done.returncode == 2
     line = 1 + scene.read_text().splitlines().index("[[environment]]")
-    assert f"quick.toml:{line}:1: over waves of one direction all environments have the film of the scene" in done.stderr
+    assert f"quick.toml:{line}:1: over one-dimensional waves all environments have the film of the scene" in done.stderr
     assert photic("check", "quick.toml", *oil).returncode == 0
 
 

@@ -91,7 +91,7 @@ def test_walks_take_more_of_the_attenuation_where_it_is_scattering(photic, water
     assert shown("--set", "simulation.walk_attenuation=0.7")[0] == 0.7
     done = photic("check", "quick.toml", *bidirectional, "--set", "simulation.walk_attenuation=0.7")
     assert done.returncode == 0
-    assert "0.7 is little in water 0.98 of whose attenuation is scattering" in done.stderr
+    assert "0.7 is small for water where scattering is 0.98 of the attenuation" in done.stderr
     water(0.1, 0.1)
     assert shown()[0] == 0.6
 

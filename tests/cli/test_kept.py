@@ -52,7 +52,7 @@ def test_more_photons_of_the_same_scene_are_not_replaced(run, scene, tmp_path):
     done = run("quick.toml", "--photons", "39999", code=2)
     assert done.stdout == ""
     assert done.stderr == (
-        "quick.nc: holds 40000 photons of this scene, more than the 39999 asked for, and is left as it is (add to them "
+        "quick.nc: holds 40000 photons of this scene, more than the 39999 requested, and is left as it is (add to them "
         "with --continue quick.nc, " + LEFT
     )
     assert (tmp_path / "quick.nc").read_bytes() == before
@@ -103,7 +103,7 @@ def test_an_interrupted_run_does_not_replace_a_longer_one(run, start, scene, tmp
     out, errors = process.communicate(timeout=60)
     assert process.returncode == 130
     assert errors.endswith("left as it is: see quick-2.nc\n")
-    assert f"Go on:    {program} run --continue quick-2.nc -o quick-2.nc\n" in out
+    assert f"Continue: {program} run --continue quick-2.nc -o quick-2.nc\n" in out
     assert photons_in(tmp_path / "quick.nc") == before > photons_in(tmp_path / "quick-2.nc")
 
 

@@ -41,7 +41,7 @@ def test_a_run_goes_on_in_its_engine(run, scene, tmp_path):
     assert contents(tmp_path / "new.nc") == contents(tmp_path / "long.nc")
     done = run("--photons", "21000", "--continue", "old.nc", "-o", "x.nc", "--engine", "scalar", code=2)
     assert done.stderr.startswith(
-        "old.nc: ran in the engine lanes (baseline), and is to go on in scalar (leave out --engine and --isa)\n"
+        "old.nc: ran in the engine lanes (baseline), and is to continue in scalar (leave out --engine and --isa)\n"
     )
 
 

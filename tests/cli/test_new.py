@@ -17,8 +17,8 @@ PROFILE = (SOURCE / "scenes/argo-profile.csv").read_text()
 def remark(kind, name):
     """What is said of a good scene: of oils little is known."""
     return {
-        "oil-spill": f'{name}:43:9: of the oil "weakly-absorbing-crude" these are placeholders and no data: absorption_337_nm, '
-        'absorption_slope; give your own oil by file = "….csv"\n'
+        "oil-spill": f'{name}:43:9: for the oil "weakly-absorbing-crude" these are placeholders, not data: absorption_337_nm, '
+        'absorption_slope; give your own oil as file = "….csv"\n'
     }.get(kind, "")
 
 
@@ -63,7 +63,7 @@ def test_a_file_that_a_scene_reads_comes_along(photic, tmp_path, program):
         f"there/mine.toml: written; check it with: {program} check there/mine.toml\n"
     )
     assert (tmp_path / "there/argo-profile.csv").read_text() == PROFILE
-    assert photic("new", "argo", "-o", "there/mine.toml").stdout.startswith("there/argo-profile.csv: is there already\n")
+    assert photic("new", "argo", "-o", "there/mine.toml").stdout.startswith("there/argo-profile.csv: exists already\n")
 
 
 def test_a_file_of_that_name_stays_as_it_is(photic, tmp_path):
@@ -123,7 +123,7 @@ def test_the_same_file_may_be_asked_for_again(photic, tmp_path, program):
     photic("new", "ship", "-o", "mine.toml")
     done = photic("new", "ship", "-o", "mine.toml")
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout == f"mine.toml: is there already; check it with: {program} check mine.toml\n"
+    assert done.stdout == f"mine.toml: exists already; check it with: {program} check mine.toml\n"
 
 
 def test_an_existing_file_stays_as_it_is(photic, tmp_path):

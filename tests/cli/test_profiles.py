@@ -168,8 +168,8 @@ def test_keys_that_help_a_float(photic, scene, tmp_path):
     scene.write_text(scene.read_text().replace(keys, keys + ', above = "constant", below = "constant"'))
     done = photic("run", "quick.toml", "--photons", "4000")
     assert done.returncode == 0, done.stderr
-    for remark in ("1 of 4 values of CHLA are below 0, the least of them -0.01, and count as 0",
-                   "1 of 4 levels are at the depth of another one, the first at 1.984 m: they become one",
+    for remark in ("1 of 4 values of CHLA are below 0, the smallest of them -0.01, and count as 0",
+                   "1 of 4 levels are at the depth of another one, the first at 1.984 m: they are merged into one",
                    "'chlorophyll_mg_m3' is held constant from 0 to 0.99188 m, at the 0.2 of 0.99188 m",
                    "'chlorophyll_mg_m3' is held constant from 3.96749 to 5 m, at the 0 of 3.96749 m"):
         assert remark in done.stderr

@@ -14,11 +14,11 @@ def test_what_is_wrong_is_told_at_the_path(photic, scene):
     assert done.returncode == 2
     assert done.stderr.splitlines()[:-1] == [
         "quick.toml:1:16: there is no 'chlorophyl_mg_m3' in 'sea.layer.0' (did you mean 'chlorophyll_mg_m3'?)",
-        "quick.toml:2:2: 'sea.layer.1.cdom_a440_per_m' is 0: the derivative may be infinite there, and no step is "
-        "small against it (give it a small value instead)",
-        "quick.toml:2:33: there is no derivative with respect to 'gates.depth_step_m': only the water, the bed, a film of oil and the "
-        "air may differ, for the histories are the same (name paths that begin with sea., optics., bottom., oil. or "
-        "atmosphere.)",
+        "quick.toml:2:2: 'sea.layer.1.cdom_a440_per_m' is 0: the derivative may be infinite there, "
+        "and no step is small relative to it (give it a small value instead)",
+        "quick.toml:2:33: there is no derivative with respect to 'gates.depth_step_m': "
+        "only the water, the bed, a film of oil and the air may differ, since the histories are the same "
+        "(name paths that begin with sea., optics., bottom., oil. or atmosphere.)",
     ]
 
 

@@ -101,7 +101,7 @@ def test_show_tells_which_telescopes_share_their_light(photic, scene):
     assert narrow != telescope
     scene.write_text(f"{text}\n{narrow}\nname = \"narrow\"\n")
     told = photic("show", "quick.toml").stdout
-    assert head + "#   telescopes narrow and telescope0 see one inside the other: what is drawn for one serves all\n" in told
+    assert head + "#   telescopes narrow and telescope0 have views inside each other: what is drawn for one serves all\n" in told
     assert head not in photic("show", "quick.toml", "--set", "simulation.reception=overlap").stdout
 
 

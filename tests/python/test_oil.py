@@ -207,7 +207,7 @@ def test_unknown_formula(oily):
 
 # Seen red: without the look at them.
 def test_other_telescopes(oily, clean):
-    reason = "clean: other telescopes than those of result: narrow in the place of narrow, wide; "
+    reason = "clean: other telescopes than those of result: narrow in place of narrow, wide; "
     reason += "run the same scene with oil.thickness_um = 0"
     assert refused(oily, clean.isel(telescope=[0])) == reason
 

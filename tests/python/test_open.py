@@ -216,7 +216,7 @@ def test_a_result_that_xarray_wrote_again(real, tmp_path, read, change):
     going_on = program("run", "--continue", copy, "--photons", "40000", "-o", tmp_path / "new.nc")
     assert going_on.returncode == 2
     assert going_on.stderr.startswith(
-        f"{copy}: a result that no run can go on from: it has no group continuation, which is lost where another "
+        f"{copy}: a result that no run can continue: it has no group continuation, which is lost where another "
     )
     scene = tmp_path / "other.toml"
     scene.write_text(SCENE)

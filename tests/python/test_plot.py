@@ -82,7 +82,7 @@ CHANNELS = ["elastic", "raman", "chlorophyll"]
 def test_environments_have_a_row_for_each_channel(drawn):
     drawing = drawn("in other water", "narrow")
     without = titles(drawn("sample", "narrow"))
-    rows = [[f"{name} echo in the environments", f"{name} echo against the scene's"] for name in CHANNELS]
+    rows = [[f"{name} echo in the environments", f"{name} echo: change from the scene's"] for name in CHANNELS]
     assert titles(drawing) == without + sum(rows, [])
     names = ["the scene", "more algae", "no \\$ _CDOM_", "bloom", FADED]
     assert legends(drawing)[2:] == [names]
@@ -199,8 +199,8 @@ def test_several_results_say_what_they_leave_out(sample, sample_with_parameters,
     results = [photic.open(path) for path in (sample, sample_with_parameters, sample_in_other_water)]
     lines = plot.figure(results, ["a", "b", "c"], **FEW)._supxlabel.get_text().splitlines()
     assert "not drawn" not in lines[0]
-    assert lines[1].endswith("; its environments and sensitivities are not drawn here, but where it is drawn alone")
-    assert lines[2].endswith("; its environments are not drawn here, but where it is drawn alone")
+    assert lines[1].endswith("; its environments and sensitivities are drawn only where it is drawn alone")
+    assert lines[2].endswith("; its environments are drawn only where it is drawn alone")
 
 
 # A run of one batch. Seen red: with curves whose error is not known left out of the axes.

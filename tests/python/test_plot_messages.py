@@ -94,7 +94,7 @@ def test_results_without_what_is_asked_for(command, sample, tmp_path):
     path = tmp_path / "wide.nc"
     photic.open(sample).isel(telescope=[1]).to_netcdf(path)
     code, error = command("plot", sample, path, "-o", tmp_path / "out.png", "--telescope", "narrow")
-    assert (code, error) == (2, "wide: has no telescope of those asked for; there are: wide\n")
+    assert (code, error) == (2, "wide: has no telescope of those requested; there are: wide\n")
 
 
 def test_letters_that_the_font_lacks_are_told_once(sample, tmp_path):

@@ -39,7 +39,7 @@ def test_several_results_are_told_apart_by_order(sample):
     fewer.echo_by_order[:, :, 1], fewer.echo_by_order[:, :, 3] = 1e-9, 3e-9
     drawing = plot.figure([ds, fewer], ["one", "two"], telescopes=["narrow"])
     names = [" ".join(title.split()) for title in titles(drawing)[:3]]
-    assert names == ["elastic echo", "one by order", "two by order (3 and above in one)"]
+    assert names == ["elastic echo", "one by order", "two by order (3 includes all above)"]
     echo, of_one, of_two = drawing.axes[:3]
     one = ds.sel(telescope="narrow", channel="elastic")
     shares = 100 * one.echo_by_order.isel(gate=10).cumsum() / one.echo_by_order.isel(gate=10).sum()

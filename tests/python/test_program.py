@@ -148,5 +148,5 @@ def test_values_as_toml(value, text):
 
 
 def test_a_value_no_scene_can_hold():
-    with pytest.raises(photic.Error, match="nothing that a scene can hold"):
+    with pytest.raises(photic.Error, match="not a value that a scene can hold"):
         program.toml_value(None)

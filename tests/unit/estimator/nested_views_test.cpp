@@ -96,8 +96,8 @@ TEST(NestedViews, AreInTheShapeOfTheTallies) {
 
 TEST(NestedViews, AreToldFromTheNarrowestOn) {
   EXPECT_EQ(nested_views_told(four_telescopes()),
-            std::vector<std::string>{"telescopes narrow, middle and wide see one inside the other: "
-                                     "what is drawn for one serves all"});
+            std::vector<std::string>{"telescopes narrow, middle and wide have views inside each "
+                                     "other: what is drawn for one serves all"});
 }
 
 }  // namespace

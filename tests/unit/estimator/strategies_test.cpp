@@ -115,7 +115,7 @@ TEST(Strategies, AreToldLineByLine) {
   EXPECT_EQ(told[3],
             "walks from telescopes rotated about a vertical so that rays meet: no: light is "
             "converted, and looked for about a beam that is not vertical");
-  EXPECT_EQ(told[5], "free walks of telescopes: yes: as pilot runs tell");
+  EXPECT_EQ(told[5], "free walks of telescopes: yes: as pilot runs found");
   EXPECT_EQ(describe(model).strategies, told);
   scene::Scene chosen = model.scene;
   chosen.simulation.free_telescope_meetings = 0.25;
@@ -123,7 +123,7 @@ TEST(Strategies, AreToldLineByLine) {
   const auto then = strategies_told(chosen, model.medium);
   EXPECT_EQ(then[5], "free walks of telescopes: yes: two rays meet 0.25 times per metre of depth");
   EXPECT_EQ(then[6],
-            "free walks of the laser: no: they cost more than they give, or are not asked for");
+            "free walks of the laser: no: they cost more than they give, or are not requested");
   scene::Scene forward = model.scene;
   forward.simulation.estimator = scene::Estimator::forward;
   EXPECT_TRUE(strategies_told(forward, model.medium).empty());

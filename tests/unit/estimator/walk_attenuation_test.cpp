@@ -75,8 +75,9 @@ TEST(WalkAttenuation, RemarksOnWalksWhoseWeightsGrow) {
   };
   using Texts = std::vector<std::string>;
   const std::string reason =
-      "is little in water 0.625 of whose attenuation is scattering: weights grow from vertex to "
-      "vertex, and deep echoes come out low; 0.6 would do";
+      "is small for water where scattering is 0.625 of the attenuation: weights grow from vertex "
+      "to "
+      "vertex, and deep echoes are low; 0.6 would do";
   EXPECT_EQ(with("walk_attenuation = 0.5"), Texts{"scene.toml:31:20: 0.5 " + reason});
   EXPECT_EQ(with("estimator = \"bidirectional\"\nwalk_attenuation = 0.5"),
             Texts{"scene.toml:32:20: 0.5 " + reason});

@@ -109,10 +109,9 @@ TEST_F(WrittenState, KnowsItsRun) {
 TEST_F(WrittenState, IsNotInEveryResult) {
   result_.state.reset();
   write();
-  EXPECT_EQ(
-      refusal(),
-      "a result that no run can go on from: it has no group continuation, which is lost where "
-      "another program writes a result again");
+  EXPECT_EQ(refusal(),
+            "a result that no run can continue: it has no group continuation, which is lost where "
+            "another program writes a result again");
 }
 
 // Seen red: without a look at the lengths of the dimensions.
@@ -174,7 +173,7 @@ TEST_F(WrittenState, OfAnEarlierFormatIsRefused) {
     nc_put_att_int(file, NC_GLOBAL, "photic_format", NC_INT, 1, &format);
   });
   EXPECT_EQ(refusal(),
-            "written by Photic 0.1.0 in result format 1; this program goes on from format 3: start "
+            "written by Photic 0.1.0 in result format 1; this program continues format 3: start "
             "anew");
 }
 

@@ -241,7 +241,7 @@ TEST(EchoTable, Sensitivities) {
   const std::size_t begin = table.find("\nSensitivities"), end = table.find("\nconverged: ");
   ASSERT_NE(begin, std::string::npos);
   EXPECT_EQ(table.substr(begin, end - begin), R"(
-Sensitivities: per cent that the echo changes by for 1 % of each parameter, with the standard error
+Sensitivities: change of the echo in per cent for 1 % of each parameter, with the standard error
   A sea.layer.0.chlorophyll_mg_m3, 0.1 in the scene (3 of 5 gates converged)
   B sea.x, 0.1 in the scene (3 of 5 gates converged)
 

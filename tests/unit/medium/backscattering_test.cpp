@@ -39,7 +39,7 @@ TEST(Backscattering, IsNamedAmongTheSources) {
   const auto m = medium_of(
       scene_of({backscattering_layer(0.004, 0.004)}, {test::channel_of(Process::elastic)}));
   const std::string told =
-      "given in the scene; b_b/b = 0.02381, too: phase function Fournier-Forand of that b_b/b, "
+      "given in the scene; b_b/b = 0.02381, too: phase function Fournier-Forand with that b_b/b, "
       "Mobley, Sundman & Boss 2002 [verified]";
   EXPECT_TRUE(
       std::ranges::any_of(m.sources, [&](const auto& s) { return s.source.ends_with(told); }));

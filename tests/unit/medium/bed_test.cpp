@@ -53,7 +53,7 @@ TEST(BedOfAScene, MustReflectWhatAnEnvironmentReflects) {
     return fmt::format(
         "in environment \"environment0\": the sea bed reflects light of {} nm and a zenith angle "
         "of "
-        "{} degrees, and not in the scene itself (no history of the scene goes that way: give its "
+        "{} degrees, but not in the scene itself (no history of the scene goes that way: give its "
         "bed a little albedo, too)",
         nm, deg);
   };

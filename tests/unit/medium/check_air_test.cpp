@@ -32,10 +32,10 @@ TEST(CheckOfAir, EveryTextWithLineAndColumn) {
                     deep = "{ wavelength_nm = [400, 800], optical_depth = [0.3, 0.3] }",
                     thin = "{ wavelength_nm = [400, 800], optical_depth = [0.2, 0.2] }";
   EXPECT_EQ(of_section(gases + thin + on + deep), Texts{});
-  EXPECT_EQ(
-      of_section(gases + deep + on + thin),
-      Texts{"scene.toml:28:1: gases are 0.2 deep at 532 nm up to 3 km, and 0.3 up to the rung "
-            "below it; the source emits there (all rungs begin at the sea)"});
+  EXPECT_EQ(of_section(gases + deep + on + thin),
+            Texts{"scene.toml:28:1: gases have an optical depth of 0.2 at 532 nm up to 3 km, and "
+                  "of 0.3 up to the rung "
+                  "below it; the source emits there (all rungs begin at the sea)"});
   EXPECT_EQ(of_section(gases + "{ wavelength_nm = [600, 800], optical_depth = [0, 0] }"),
             Texts{"scene.toml:28:1: no gas data at 532 nm: scene.toml cover 600-800 nm; the source "
                   "emits there (add it to the table, or choose another wavelength)"});
@@ -75,7 +75,7 @@ TEST(CheckOfAir, EveryTextWithLineAndColumn) {
   const std::string path = ::testing::TempDir() + "photic-long-air.csv";
   std::ofstream(path) << km;
   EXPECT_EQ(of_section("[atmosphere]\nprofile = \"" + path + "\""),
-            Texts{"scene.toml:27:11: the profile has 1001 levels (at most 1000 can be had: leave "
+            Texts{"scene.toml:27:11: the profile has 1001 levels (at most 1000 are possible: leave "
                   "some out)"});
   EXPECT_EQ(of_section(levels("[0, 9]", ", air_per_cm3 = [1e19, -1]") + "top_km = 9"),
             Texts{"scene.toml:27:88: air_per_cm3 -1 is below 1"});

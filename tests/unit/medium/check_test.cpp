@@ -107,7 +107,7 @@ const std::vector<Case>& cases() {
         {20, 24,
          "[[sea.layer]]\niop = [{ wavelength_nm = 530, a_per_m = 0.0001, b_per_m = 0.1 }, { "
          "wavelength_nm = 660, a_per_m = 0.0001, b_per_m = 0.1 }]"}},
-       {R"(scene.toml:21:7: layer "layer0" emits more Raman and fluorescence light (0.000171 1/m) than it absorbs (0.0001 1/m) (a is the total absorption, the light given back at other wavelengths is part of it))"}},
+       {R"(scene.toml:21:7: layer "layer0" emits more Raman and fluorescence light (0.000171 1/m) than it absorbs (0.0001 1/m) (a is the total absorption, and includes the light that is emitted at other wavelengths))"}},
       {"WaterEmitsMoreThanItAbsorbs",
        {{3, 3, "wavelength_nm = 355.0"},
         {16, 17, raman_channel},
@@ -161,13 +161,13 @@ const std::vector<Case>& cases() {
             "whitecap_reflectance = \"koepke1984\", or whitecaps = false)"}},
       {"MoreMineralsThanANumberCanSay",
        {{18, 18, "[optics]\nminerals_b_555_m2_per_g = 100"}, {22, 25, "minerals_g_m3 = 1e308"}},
-       {R"(scene.toml:21:1: layer "layer0" attenuates 532 nm more than a number can say; the source emits there (are the units right?))"}},
+       {R"(scene.toml:21:1: layer "layer0" attenuates 532 nm more than a number can hold; the source emits there (are the units right?))"}},
       {"BeyondAllNumbers",
        {{20, 25,
          "[[sea.layer]]\ncdom_a440_per_m = 1e308\ncdom_slope_per_nm = 0\nbottom_depth_m = "
          "20\n[[sea.layer]]\niop = [{ wavelength_nm = 532, a_per_m = 1e308, b_per_m = 1e308 "
          "}]\nphase_function = \"petzold\""}},
-       {R"(scene.toml:25:7: layer "layer1" attenuates 532 nm more than a number can say; the source emits there (are the units right?))"}},
+       {R"(scene.toml:25:7: layer "layer1" attenuates 532 nm more than a number can hold; the source emits there (are the units right?))"}},
   };
   return all;
 }

@@ -19,7 +19,7 @@ scene::Layer algae(double chlorophyll_mg_m3) {
 
 void expect_refused(const scene::Scene& scene, const std::string& what) {
   const std::string all = refusal(scene);
-  EXPECT_NE(all.find("environment \"other\": layer \"top\" " + what + ", and not in the scene"),
+  EXPECT_NE(all.find("environment \"other\": layer \"top\" " + what + ", but not in the scene"),
             std::string::npos)
       << all;
 }

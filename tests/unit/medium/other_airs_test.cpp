@@ -143,7 +143,7 @@ TEST(OtherAirs, ThatScatterWhereTheScenesDoesNotAreRefused) {
     FAIL() << "not refused";
   } catch (const InputError& error) {
     EXPECT_EQ(error.diagnostics().front().reason,
-              "environment \"other\": the layer of air \"from 100 m\" scatters light, and not in "
+              "environment \"other\": the layer of air \"from 100 m\" scatters light, but not in "
               "the scene itself");
   }
 }

@@ -236,10 +236,10 @@ TEST(SurfaceOfAnEnvironment, MayNotBeSteeper) {
   };
   const auto wind = [](double speed) { return gaussian_cox_munk(speed, 0.01); };
   expect_refused(wind(5), wind(6), "its waves are steeper than the scene's");
-  expect_refused(wind(5), wind(0), "a flat surface leads light by one way alone");
-  expect_refused(paper_sea(5), paper_sea(4), "over waves of one direction");
+  expect_refused(wind(5), wind(0), "a flat surface sends light only one way");
+  expect_refused(paper_sea(5), paper_sea(4), "over one-dimensional waves");
   expect_refused(cox_munk_sea(15), cox_munk_sea(14), "in the scene's wind Cox & Munk's series");
-  expect_refused(gaussian_cox_munk(5, 0), wind(5), "there are whitecaps, and none in the scene");
+  expect_refused(gaussian_cox_munk(5, 0), wind(5), "there are whitecaps, but none in the scene");
   expect_refused(gaussian_cox_munk(5, 1), wind(5), "whitecaps leave some of the surface free");
   for (const auto& good : {over(wind(5), wind(4)), over(cox_munk_sea(10), cox_munk_sea(3)),
                            over(wind(5), gaussian_cox_munk(5, 0.9))})

@@ -155,7 +155,7 @@ TEST(AirProfileTable, SaysWhatIsWrongAndWhere) {
       {"z_km,p_hpa,t_k,smoke\n0,1000,290,1\n1,900,280,1\n",
        "air.csv:1:1: unknown column \"smoke\" (there are: z_km, p_hpa, t_k, air_per_cm3,"},
       {"z_km,p_hpa,t_k,t_k\n0,1000,290,1\n1,900,280,1\n",
-       "air.csv:1:1: column \"t_k\" is there twice"},
+       "air.csv:1:1: column \"t_k\" appears twice"},
       {"z_km,p_hpa,t_k,relative_humidity_percent\n0,1000,290,101\n1,900,280,1\n",
        "air.csv:2:12: relative_humidity_percent 101 is above 100"},
       {"z_km,p_hpa,t_k,relative_humidity_percent,water_vapour_per_cm3\n0,1000,290,1,1\n",

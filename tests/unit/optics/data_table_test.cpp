@@ -68,7 +68,7 @@ TEST(DataTable, ReadsTextAsOtherSystemsWriteIt) {
   for (const std::string& no_text :
        {utf16(plain, true).substr(2), std::string("\x89HDF\0\0\0", 7), std::string(1, '\0')})
     EXPECT_EQ(message<InputError>([&] { parse(no_text); }),
-              "t.csv:1:1: is no text: it holds bytes of 0 (save it as CSV in UTF-8, not as a "
+              "t.csv:1:1: is not text: it holds bytes of 0 (save it as CSV in UTF-8, not as a "
               "workbook or in UTF-16 without its mark)");
 }
 
@@ -168,7 +168,7 @@ TEST(DataTable, NeverReadsDecimalCommasBetweenCommas) {
 // Seen red: with the first of the two.
 TEST(DataTable, DoesNotChooseBetweenColumnsOfOneName) {
   EXPECT_EQ(why_not("x,y,y\n1,2,3\n"),
-            "t.csv:1:1: column \"y\" is there twice (give each a name of its own; a scene may call "
+            "t.csv:1:1: column \"y\" appears twice (give each a name of its own; a scene may call "
             "columns by their numbers)");
   EXPECT_EQ(parse("x,y,y\n1,2,3\n").numbers("x"), (std::vector<double>{1}));
 }

@@ -158,7 +158,7 @@ TEST(Oil, OfATableNeedsAllItemsOnce) {
       all += fmt::format("x,{},{},{},{},{},a,verified\n", p.item, p.value, p.low, p.high, p.unit);
   EXPECT_EQ(why_not(all), "nothing of that kind was thrown");
   EXPECT_EQ(why_not(all + "x,lifetime,1,1,1,ns,a,verified\n"),
-            "oils.csv:9:3: \"lifetime\" of x is there twice");
+            "oils.csv:9:3: \"lifetime\" of x appears twice");
 }
 
 }  // namespace

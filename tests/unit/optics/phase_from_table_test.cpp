@@ -94,7 +94,7 @@ TEST(PhaseFromTable, RefusesWhatIsNoPhaseFunction) {
   expect_contains(refusal("0,0.08\n90,-0.1\n180,0.08\n"),
                   "vsf.csv:3:4: a phase function is not negative");
   expect_contains(refusal("0,0.0796\n1e-200,0.0796\n180,0.0796\n"),
-                  "vsf.csv:3:1: this angle cannot be told from the one before it");
+                  "vsf.csv:3:1: this angle cannot be distinguished from the one before it");
   expect_contains(refusal("180,0.08\n"), "vsf.csv:2:1: a phase function needs at least two rows");
   expect_contains(refusal("1,100\n2,10\n180,0.01\n"),
                   "vsf.csv:2:3: the first two rows rise as angle^-3.32");

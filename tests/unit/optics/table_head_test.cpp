@@ -192,7 +192,7 @@ TEST(ColumnsInAFile, AreCalledByNameOrNumber) {
   EXPECT_EQ(refusal_of({{"albedo", {"clay", 0}}}), "t.dat:1:1: no column \"clay\"" + there_are);
   EXPECT_EQ(
       refusal_of({{"albedo", {"sand", 0}}}),
-      "t.dat:1:1: column \"sand\" is there twice (give each a name of its own; a scene may call "
+      "t.dat:1:1: column \"sand\" appears twice (give each a name of its own; a scene may call "
       "columns by their numbers)");
   EXPECT_EQ(refusal_of({{"nm", {}}, {"albedo", {"", 1}}}),
             "t.dat:1:1: column 1 is named as both nm and albedo (each has a column of its own)");

@@ -140,7 +140,7 @@ TEST(Tape7, SaysWhatIsWrongAndWhatWasExpected) {
       {tape7_head + "    FREQ TOT TRANS PTH THRML THRML SCT\n" + tape7_rows,
        "tape7:3:1: no second line of names below, from CM-1 on"},
       {with(tape7, "COMBIN    H2O", "COMBIN       "),
-       "tape7:3:1: 7 names where 8 stand in the line below"},
+       "tape7:3:1: 7 names where the line below has 8"},
       {with(tape7, "CM-1", "  NM"), "tape7:3:1: no second line of names below, from CM-1"},
       {tape7_head + tape7_names, "tape7:4:1: the file ends without -9999: is it truncated?"},
       {tape7_head + tape7_names + tape7_rows, "tape7:7:1: the file ends without -9999"},
@@ -153,7 +153,7 @@ TEST(Tape7, SaysWhatIsWrongAndWhatWasExpected) {
       {with(tape7, "19000.00", "17000.00"),
        "tape7:6:1: wavenumber 17000 is not above the 18000 before it"},
       {with(with(tape7, "H2O", " O3"), "  SCAT", " TRANS"),
-       "tape7:3:28: column \"O3 TRANS\" is there twice"},
+       "tape7:3:28: column \"O3 TRANS\" appears twice"},
   };
   for (const BadFile& file : bad)
     expect_contains(message<InputError>([&] { transmittances(file.text); }), file.says);

@@ -47,7 +47,7 @@ TEST(Choose, TakesTheForwardEstimatorForTools) {
   const scene::Scene chosen = choose_estimator(asked, {});
   EXPECT_EQ(chosen.simulation.estimator, scene::Estimator::forward);
   EXPECT_EQ(chosen.simulation.estimator_reason,
-            "the only one that has the tools asked for in this version");
+            "the only one with the requested tools in this version");
 }
 
 // Environments are had by either estimator, and stay. Seen red: with pilots that drop them.

@@ -155,7 +155,7 @@ TEST(Continued, FromOtherHistoriesIsRefused) {
   const scene::Scene other = scene_of(32'000, "directed_fraction = 0.4");
   EXPECT_EQ(refusal([&](tally::TotalsState& state) { state = *run(other).state; }),
             "old.nc: made by another build of Photic, or with other data tables: its first photons "
-            "scored differently (go on with those, or start anew)");
+            "scored differently (continue with those, or start anew)");
   EXPECT_EQ(refusal([](tally::TotalsState&) {}), "none");
 }
 

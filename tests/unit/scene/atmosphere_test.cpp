@@ -289,9 +289,8 @@ const std::vector<AirCase>& layer_cases() {
       {layer("0", "10") + layer("10", "20"), {}},
       {"[atmosphere]\nrefraction = true\n" + layer("0", "10", "refractive_index = 1.0005\n"), {}},
       {"[atmosphere]\nrefraction = true\n" + layer("0", "10", "refractive_index = 1.2\n"),
-       {"scene.toml:32:20: air of such an index bends light too much: with refraction at most "
-        "1.001 can be "
-        "had (write a lower index, or leave atmosphere.refraction out)"}},
+       {"scene.toml:32:20: air of such an index bends light too much: with refraction it can be "
+        "1.001 at most (write a lower index, or leave atmosphere.refraction out)"}},
       {layer("1", "10"),
        {"scene.toml:27:19: the air begins at 1 m, not at the sea (write bottom_height_m = 0)"}},
       {layer("0", "10") + layer("11", "20"),
@@ -373,7 +372,8 @@ TEST(Atmosphere, EveryTextOfWhatDoesNotGoWithIt) {
     return diagnostics_of(edited({}), all);
   };
   const std::string no_air =
-      "instruments in the water do not see the air yet (put it into the air (z > 0), or leave "
+      "instruments in the water cannot be combined with air yet (put it into the air (z > 0), or "
+      "leave "
       "[atmosphere] out)";
   EXPECT_EQ(told({{"gates={ start_ns = 0, stop_ns = 100, step_ns = 1 }"},
                   {"source.position_m=[0, 0, -1]"}}),
@@ -381,12 +381,13 @@ TEST(Atmosphere, EveryTextOfWhatDoesNotGoWithIt) {
   EXPECT_EQ(told({{"gates={ start_ns = 0, stop_ns = 100, step_ns = 1 }"},
                   {"telescope.0.position_m=[0, 0, -1]"}}),
             Texts{"--set telescope.0.position_m: " + no_air});
-  EXPECT_EQ(told({{"oil={ class = \"light-refined\", thickness_um = 1 }"}}),
-            Texts{"--set oil: a film of oil has no air above it yet (leave [oil] or [atmosphere] "
-                  "out)"});
+  EXPECT_EQ(
+      told({{"oil={ class = \"light-refined\", thickness_um = 1 }"}}),
+      Texts{"--set oil: a film of oil cannot be combined with air yet (leave [oil] or [atmosphere] "
+            "out)"});
   EXPECT_EQ(told({{"simulation.tools.forced_collisions=2"}}),
-            Texts{"--set simulation.tools.forced_collisions: the forward estimator's tools do not "
-                  "know the air yet "
+            Texts{"--set simulation.tools.forced_collisions: the forward estimator's tools cannot "
+                  "be combined with air yet "
                   "(leave [simulation.tools] or [atmosphere] out)"});
   EXPECT_EQ(told({{"source.position_m=[0, 0, 7e5]"}, {"telescope.0.position_m=[0, 0, 7e5]"}}),
             Texts{});  // above the top

@@ -132,7 +132,7 @@ TEST_F(BedOfAFile, IsRefusedAtItsLine) {
       {"wavelength_nm,albedo\n500,0.1\n600,1.2\n",
        "sand.csv:3:5: albedo 1.2 is above 1 (it is the share of the light that is reflected)"},
       {"zenith_deg,albedo\n0,0.1\n",
-       "sand.csv:2:1: the angles end at 0 degrees, not at 90 (tell the albedo from 0 to 90 "
+       "sand.csv:2:1: the angles end at 0 degrees, not at 90 (give the albedo from 0 to 90 "
        "degrees)"},
       {"wavelength_nm,zenith_deg,albedo\n500,0,0.1\n600,0,0.1\n",
        "sand.csv:3:1: wavelength_nm 500 has no row at every angle (give a row for each pair, "
@@ -161,7 +161,7 @@ TEST_F(BedOfAFile, IsRefusedAtItsLine) {
 // without one; what is wrong told at the table.
 TEST(Bottom, EveryTextOfWhatIsWrong) {
   const std::string reflected = " (it is the share of the light that is reflected)";
-  const std::string whole = " (tell the albedo from 0 to 90 degrees)";
+  const std::string whole = " (give the albedo from 0 to 90 degrees)";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"1.5", "10: 'albedo' must be a finite number, at least 0 and at most 1, not 1.5"},
       {"-0.1", "10: 'albedo' must be a finite number, at least 0 and at most 1, not -0.1"},
@@ -192,7 +192,7 @@ TEST(Bottom, EveryTextOfWhatIsWrong) {
       {"{ zenith_deg = [0, 80], albedo = [0.1, 0.1] }",
        "29: the angles end at 80 degrees, not at 90" + whole},
       {"{ wavelength_nm = [500, 500], zenith_deg = [0, 90], albedo = [0.1, 0.1] }",
-       "34: there is one wavelength alone (add others, or leave wavelength_nm out if the albedo is "
+       "34: there is only one wavelength (add others, or leave wavelength_nm out if the albedo is "
        "the same at all)"},
       {"{ wavelength_nm = [450, 532, 650], zenith_deg = [0, 45, 90], albedo = [0.1, 0.2, 0.3] }",
        "34: wavelength_nm 450 has no row at every angle (give a row for each pair, sorted by "
@@ -214,12 +214,11 @@ TEST(Bottom, EveryTextOfWhatIsWrong) {
             Texts{"--set bottom.albedo: the angles end at 80 degrees, not at 90" + whole});
   EXPECT_EQ(diagnostics_of("bottom = 0.1\n" + edited({})),
             Texts{"scene.toml:1:10: 'bottom' must be a table, not 0.1 (write [bottom])"});
-  EXPECT_EQ(
-      diagnostics_of(edited({{25, 25, base_lines()[24] + "\n[bottom]\nalbdo = 1"}})),
-      (Texts{"scene.toml:26:1: 'albedo' is missing in [bottom] (add it: the share of the "
-             "light that the sea bed reflects, alike in all directions (Lambert): a number, a "
-             "table of wavelength_nm, zenith_deg or both, or { file = \"…\" })",
-             "scene.toml:27:1: unknown key 'albdo' in [bottom] (did you mean 'albedo'?)"}));
+  EXPECT_EQ(diagnostics_of(edited({{25, 25, base_lines()[24] + "\n[bottom]\nalbdo = 1"}})),
+            (Texts{"scene.toml:26:1: 'albedo' is missing in [bottom] (add it: the share of the "
+                   "light that the sea bed reflects, as a Lambert reflector: a number, a "
+                   "table of wavelength_nm, zenith_deg or both, or { file = \"…\" })",
+                   "scene.toml:27:1: unknown key 'albdo' in [bottom] (did you mean 'albedo'?)"}));
   EXPECT_EQ(
       diagnostics_of(edited({{25, 25, base_lines()[24] + "\n[bottom]\nalbedo = 1"}})),
       Texts{"scene.toml:26:1: the sea has no bed: its last layer is bottomless (give the last "
@@ -243,11 +242,10 @@ TEST(Bottom, IsRemarkedOnWhereGatesMissIt) {
   EXPECT_EQ(
       remarks("60", 0, 60, 0.5),
       Texts{"--set gates.depth_max_m: the last gate ends before the light of the sea bed at 60 "
-            "m comes: end the gates below it to see that"});
-  EXPECT_EQ(
-      remarks("60", 61, 70, 0.5),
-      Texts{"--set gates.depth_min_m: the gates begin below the sea bed at 60 m: of its light "
-            "they hold only what comes late"});
+            "m arrives: end the gates below it to see it"});
+  EXPECT_EQ(remarks("60", 61, 70, 0.5),
+            Texts{"--set gates.depth_min_m: the gates begin below the sea bed at 60 m: of its "
+                  "light they hold only what arrives late"});
   EXPECT_EQ(
       remarks("60", 0, 70, 0.5),
       Texts{"--set gates.depth_step_m: a gate begins at the sea bed at 60 m: rounding may put "
@@ -293,7 +291,7 @@ TEST(Bottom, OfAnEnvironmentIsRefusedAtTheChange) {
       diagnostics_of(over_bed("0.1") + set +
                      "\"bottom.albedo\" = { zenith_deg = [0, 80], albedo = [0, 0] } }"),
       Texts{
-          "scene.toml:35:9: the angles end at 80 degrees, not at 90 (tell the albedo from 0 to 90 "
+          "scene.toml:35:9: the angles end at 80 degrees, not at 90 (give the albedo from 0 to 90 "
           "degrees)"});
   EXPECT_EQ(
       diagnostics_of(edited({}) + set + "\"bottom.albedo\" = 0.2 }"),
@@ -317,8 +315,8 @@ TEST(Bottom, EchoesAreDerivedByIt) {
   EXPECT_TRUE(read_text(write_scene(scene)) == scene);
   const auto told = [&](const char* albedo) { return diagnostics_of(derived + over_bed(albedo)); };
   EXPECT_EQ(told("0"),
-            Texts{"scene.toml:1:16: 'bottom.albedo' is 0: the derivative may be infinite "
-                  "there, and no step is small against it (give it a small value "
+            Texts{"scene.toml:1:16: 'bottom.albedo' is 0: the derivative may be infinite there, "
+                  "and no step is small relative to it (give it a small value "
                   "instead)"});
   EXPECT_EQ(told("1"), Texts{"scene.toml:1:16: no step of 'bottom.albedo' to 1.001 can be made: "
                              "'albedo' must be a finite number, at least 0 and at most 1, not "

@@ -36,10 +36,9 @@ TEST(ChannelSteps, SayWhatIsWrongWithThem) {
                    "from = 380, to = 700, step = 5 })"}));
   EXPECT_EQ(diagnostics("{ from = 380, to = 390, step = 0 }").size(), 1U);
   EXPECT_EQ(diagnostics("{ from = nan, to = 390, step = 5 }").size(), 1U);
-  EXPECT_EQ(
-      diagnostics("{ from = 100, to = 1000000099, step = 1 }"),
-      (Texts{"scene.toml:17:13: 'centre_nm' makes 1e+09 channels (at most 1000 can be had: take "
-             "longer steps)"}));
+  EXPECT_EQ(diagnostics("{ from = 100, to = 1000000099, step = 1 }"),
+            (Texts{"scene.toml:17:13: 'centre_nm' makes 1e+09 channels (at most 1000 are possible: "
+                   "take longer steps)"}));
 }
 
 TEST(Emission, IsInSpectraUnlessIopsAreGiven) {

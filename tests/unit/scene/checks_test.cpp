@@ -97,8 +97,9 @@ bottom_depth_m = 60)"}},
        {{24, 24,
          "iop = [{ wavelength_nm = 532, a_per_m = 0.06, b_per_m = 0.1, a_phytoplankton_per_m = "
          "0.07 }]"}},
-       {"scene.toml:24:86: phytoplankton absorbs 0.07 1/m, more than the 0.06 1/m of all (it is a "
-        "share of a_per_m)"}},
+       {"scene.toml:24:86: phytoplankton absorbs 0.07 1/m, more than the total of 0.06 1/m (it is "
+        "a "
+        "part of a_per_m)"}},
       {"MixtureSum",
        {{25, 25,
          R"(phase_function = { model = "mixture", components = [{ fraction = 0.5, model = "petzold" }, { fraction = 0.4, model = "isotropic" }] })"}},
@@ -137,7 +138,8 @@ depth_min_m = 50)"}},
        {"scene.toml:28:16: a gate of 51 m is longer than all gates together, 50 m"}},
       {"TooManyGates",
        {{28, 28, "depth_step_m = 1e-300"}},
-       {"scene.toml:28:16: these are 5e+301 gates (at most 1000000 can be had: take longer ones)"}},
+       {"scene.toml:28:16: these are 5e+301 gates (at most 1000000 are possible: take longer "
+        "ones)"}},
       {"GatesInTheAir",
        {{27, 27, R"(depth_min_m = -5
 depth_max_m = 0)"}},
@@ -175,7 +177,7 @@ range_step_m = 1)"}},
        {{11, 11, "direction = [0, 0, 1]"}, {27, 28, R"(range_min_m = 0
 range_max_m = 13
 range_step_m = 1)"}},
-       {"scene.toml:28:15: the axis of the first telescope never meets the water (let it look "
+       {"scene.toml:28:15: the axis of the first telescope never meets the water (make it look "
         "down, or give the gates by …_ns)"}},
       {"RangeGatesBehindTheTelescope",
        {{27, 28, R"(range_min_m = -1
@@ -205,11 +207,11 @@ step_ns = 1)"}},
       {"ToolsOfTheBidirectionalEstimator",
        {{30, 30,
          "photons = 1e6\nestimator = \"bidirectional\"\ntools = { forced_collisions = 1 }"}},
-       {"scene.toml:31:13: the bidirectional estimator has none of simulation.tools (write "
+       {"scene.toml:31:13: the bidirectional estimator cannot use simulation.tools (write "
         "estimator = \"forward\", or leave the tools out)"}},
       {"ToolsOfAnalogPhotons",
        {{30, 30, "photons = 1e6\nestimator = \"analog\"\ntools = { forced_collisions = 1 }"}},
-       {"scene.toml:31:13: the analog estimator has none of simulation.tools (write estimator = "
+       {"scene.toml:31:13: the analog estimator cannot use simulation.tools (write estimator = "
         "\"forward\", or leave the tools out)"}},
       {"ImportancesInNoOrder",
        {{30, 30,

@@ -64,7 +64,8 @@ TEST(Atmosphere, EveryTextOfWhatEnvironmentsMustNotChange) {
       "}"};
   const std::string bends =
       "it bends and times the light, whose histories are the same in all environments";
-  const std::string borders = "light crosses from layer to layer alike in all environments";
+  const std::string borders =
+      "light crosses from layer to layer in the same way in all environments";
   const std::string own = " (simulate that in a scene of its own)";
   const auto must = [&](const std::string& key, const std::string& scene, const std::string& here,
                         const std::string& why) {

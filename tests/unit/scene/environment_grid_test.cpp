@@ -88,8 +88,8 @@ TEST(EnvironmentGrid, EveryTextOfWhatIsWrong) {
         R"(scene.toml:33:44: 'cdom_a440_per_m' must be a finite number, at least 0, not text "x")"}},
       {grid(R"("sea.layer.0.bottom_depth_m" = [20, 21])"),
        {"scene.toml:32:37: 'bottom_depth_m' must be as in the scene, 20, not 21: light crosses "
-        "from "
-        "layer to layer alike in all environments (simulate that in a scene of its own)"}},
+        "from layer to layer in the same way in all environments (simulate that in a scene of its "
+        "own)"}},
       {grid(R"("sea.layer.1.iop.0.a_per_m" = [0, 1]
 "sea.layer.1.iop.0.b_per_m" = [0, 1]
 "optics.raman" = ["bartlett", "marshall-smith"])"),
@@ -102,7 +102,7 @@ TEST(EnvironmentGrid, EveryTextOfWhatIsWrong) {
 "sea.layer.1.iop.0.b_per_m" = [0.1, 0.2, 0.10])"),
        {"scene.toml:32:1: 'gates.depth_max_m' cannot be set in an environment: only the water, the "
         "bed, "
-        "a film of oil and the air may differ, for the histories are the same (set paths that "
+        "a film of oil and the air may differ, since the histories are the same (set paths that "
         "begin with "
         "sea., optics., bottom., oil. or atmosphere.)",
         R"(scene.toml:33:1: 'sea' cannot be set as a whole in an environment (quote the whole path: "sea.layer.0.chlorophyll_mg_m3" = 0.5))",
@@ -141,8 +141,8 @@ std::string numbers(int count) {
 TEST(EnvironmentGrid, IsRefusedIfItIsTooLarge) {
   EXPECT_EQ(diagnostics_of(grid("\"sea.layer.0.chlorophyll_mg_m3\" = " + numbers(101) +
                                 "\n\"sea.layer.0.cdom_a440_per_m\" = " + numbers(100))),
-            (Texts{"scene.toml:31:1: these are 10100 environments (at most 10000 can be had: take "
-                   "fewer values)"}));
+            (Texts{"scene.toml:31:1: these are 10100 environments (at most 10000 are possible: "
+                   "give fewer values)"}));
   EXPECT_EQ(diagnostics_of(edited({{28, 28, "depth_step_m = 0.012"}}) +
                            "[[environment]]\nset = {}\n[environment_grid]\n"
                            "\"sea.layer.0.chlorophyll_mg_m3\" = " +

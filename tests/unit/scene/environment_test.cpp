@@ -97,18 +97,18 @@ const std::vector<ChangeCase>& change_cases() {
       {R"("gates.depth_max_m" = 50)",
        {"scene.toml:32:9: 'gates.depth_max_m' cannot be set in an environment: only the water, the "
         "bed, "
-        "a film of oil and the air may differ, for the histories are the same (set paths that "
+        "a film of oil and the air may differ, since the histories are the same (set paths that "
         "begin with "
         "sea., optics., bottom., oil. or atmosphere.)"}},
       {R"("environment.0.name" = "x")",
        {"scene.toml:32:9: 'environment.0.name' cannot be set in an environment: only the water, "
         "the bed, "
-        "a film of oil and the air may differ, for the histories are the same (set paths that "
+        "a film of oil and the air may differ, since the histories are the same (set paths that "
         "begin with "
         "sea., optics., bottom., oil. or atmosphere.)"}},
       {R"("" = 1)",
        {"scene.toml:32:9: '' cannot be set in an environment: only the water, the bed, "
-        "a film of oil and the air may differ, for the histories are the same (set paths that "
+        "a film of oil and the air may differ, since the histories are the same (set paths that "
         "begin with "
         "sea., optics., bottom., oil. or atmosphere.)"}},
       {R"("sea" = { layer = [{}] })",
@@ -137,17 +137,19 @@ const std::vector<ChangeCase>& change_cases() {
        {R"(scene.toml:32:9: 'name' must be as in the scene, text "layer0", not text "top": all environments have the same layers (simulate that in a scene of its own))"}},
       {R"("sea.layer.0.bottom_depth_m" = 21)",
        {"scene.toml:32:9: 'bottom_depth_m' must be as in the scene, 20, not 21: light crosses from "
-        "layer to layer alike in all environments (simulate that in a scene of its own)"}},
+        "layer to layer in the same way in all environments (simulate that in a scene of its "
+        "own)"}},
       {R"("sea.layer.1.bottom_depth_m" = 60)",
        {"scene.toml:32:9: 'bottom_depth_m' must be as in the scene, which has none, not 60: light "
-        "crosses from layer to layer alike in all environments (simulate that in a scene of "
+        "crosses from layer to layer in the same way in all environments (simulate that in a scene "
+        "of "
         "its own)"}},
       {R"("sea.layer.1.bottom_depth_m" = 10)",
        {"scene.toml:32:9: the layer ends at 10 m, not below the one above it, which ends at 20 m "
         "(layers go from the surface down)"}},
       {R"("sea.layer" = [{ chlorophyll_mg_m3 = 0.1 }])",
        {"scene.toml:32:9: there must be as many layers as in the scene, 2, not 1: light crosses "
-        "from layer to layer alike in all environments (simulate that in a scene of its "
+        "from layer to layer in the same way in all environments (simulate that in a scene of its "
         "own)"}},
       {R"("sea.layer.0" = { chlorophyll_mg_m3 = 0.1 })",
        {"scene.toml:32:9: 'bottom_depth_m' is missing in [[sea.layer]] (only the last layer may be "
@@ -178,7 +180,7 @@ const std::vector<ChangeCase>& change_cases() {
         "of its own)"}},
       {R"("sea.surface.model" = "cox-munk")",
        {"scene.toml:32:9: 'wind_speed_m_s' is missing in 'surface' (add it: the wind's speed in "
-        "m/s; of 0 the surface is flat)",
+        "m/s; at 0 the surface is flat)",
         "scene.toml:32:9: 'model' must be as in the scene, text \"flat\", not text \"cox-munk\": "
         "it bends the light, whose histories are the same in all environments (simulate that "
         "in a scene of its own)"}},

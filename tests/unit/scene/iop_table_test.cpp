@@ -129,10 +129,11 @@ TEST(IopTable, OfAnEnvironmentIsAnotherFile) {
   const Scene scene = files.read(with("other.csv")).scene;
   EXPECT_EQ(scene.environment[0].sea.layer[1].iop[0].wavelength_nm, 550);
   EXPECT_TRUE(read_scene_text(write_scene(scene), "written.toml", "/").scene == scene);
-  EXPECT_EQ(files.problems(with("deeper.csv")),
-            (Texts{"deeper.csv:3:1: 'bottom_depth_m' must be as in the scene, 10, not 11: light "
-                   "crosses from layer to layer alike in all environments (simulate that in "
-                   "a scene of its own)"}));
+  EXPECT_EQ(
+      files.problems(with("deeper.csv")),
+      (Texts{"deeper.csv:3:1: 'bottom_depth_m' must be as in the scene, 10, not 11: light crosses "
+             "from layer to layer in the same way in all environments (simulate that in "
+             "a scene of its own)"}));
 }
 
 /// Whatever stands in the file, there is a scene or a word on what is wrong.
@@ -213,7 +214,7 @@ INSTANTIATE_TEST_SUITE_P(
                "by wavelength)"}},
         Table{"Twice",
               rows("0, 500, 1, 1\n10, 500, 1, 1\n10, 500, 1, 1\n"),
-              {"lib.csv:4:4: 500 nm is there twice at 10 m (sort rows by depth, and those of a "
+              {"lib.csv:4:4: 500 nm appears twice at 10 m (sort rows by depth, and those of a "
                "depth by wavelength)"}},
         Table{"PairMissing",
               rows("0, 500, 1, 1\n0, 600, 1, 1\n0, 700, 1, 1\n10, 500, 1, 1\n10, 700, 1, 1\n"),
@@ -253,9 +254,9 @@ TEST(IopTable, BackscatteringMustTellAPhaseFunction) {
               "0, 600, 1, 0, 0\n0, 700, 1, 1, 1e-5\n");
   EXPECT_EQ(files.problems(tabled("'lib.csv'")),
             (Texts{"lib.csv:2:14: a backscatter fraction b_b/b of 0.6 is outside 0.0002 to 0.45, "
-                   "where it tells the phase function (give a phase_function instead)",
+                   "where it sets the phase function (give a phase_function instead)",
                    "lib.csv:4:14: a backscatter fraction b_b/b of 1e-05 is outside 0.0002 to "
-                   "0.45, where it tells the phase function (give a phase_function instead)"}));
+                   "0.45, where it sets the phase function (give a phase_function instead)"}));
 }
 
 TEST(IopTable, NeedsAPhaseFunctionFromSomewhere) {

@@ -26,17 +26,17 @@ diameter_m = 0.05)"}},
         "'9223372036854775808' is not representable in 64 bits"}},
       {"TypographicQuotes",
        {{1, 1, "# été"}, {17, 17, "process = “elastic”"}},
-       {"scene.toml:17:11: this is not TOML: a character that is not ASCII stands outside quotes "
+       {"scene.toml:17:11: this is not TOML: a character that is not ASCII is outside quotes "
         "and "
         "comments (look for typographic quotes, dashes and spaces)"}},
       {"NoBreakSpace",
        {{1, 1, "title = \"\\\"é\" # é"}, {3, 3, "wavelength_nm\u00A0= 532"}},
-       {"scene.toml:3:14: this is not TOML: a character that is not ASCII stands outside quotes "
+       {"scene.toml:3:14: this is not TOML: a character that is not ASCII is outside quotes "
         "and "
         "comments (look for typographic quotes, dashes and spaces)"}},
       {"AccentBehindAnOpenQuote",
        {{1, 2, "title = 'é\né = 1\n[source]"}},
-       {"scene.toml:2:1: this is not TOML: a character that is not ASCII stands outside quotes and "
+       {"scene.toml:2:1: this is not TOML: a character that is not ASCII is outside quotes and "
         "comments (look for typographic quotes, dashes and spaces)"}},
       {"BracketBeforeEquals",
        {{2, 2, "[=]"}},
@@ -52,7 +52,8 @@ diameter_m = 0.05)"}},
        {{1, 30, ""}},
        {"scene.toml:1:1: [source] is missing (add it: the source of light)",
         "scene.toml:1:1: [[telescope]] is missing (add it: a telescope; any number of them)",
-        "scene.toml:1:1: [[channel]] is missing (add it: the light one detector counts; any number "
+        "scene.toml:1:1: [[channel]] is missing (add it: the light that one detector counts; any "
+        "number "
         "of them)",
         "scene.toml:1:1: [[sea.layer]] is missing (add it: the layers of water from the surface "
         "down)",
@@ -64,7 +65,8 @@ diameter_m = 0.05)"}},
 # nothing)"}},
        {"scene.toml:3:1: [source] is missing (add it: the source of light)",
         "scene.toml:3:1: [[telescope]] is missing (add it: a telescope; any number of them)",
-        "scene.toml:3:1: [[channel]] is missing (add it: the light one detector counts; any number "
+        "scene.toml:3:1: [[channel]] is missing (add it: the light that one detector counts; any "
+        "number "
         "of them)",
         "scene.toml:3:1: [[sea.layer]] is missing (add it: the layers of water from the surface "
         "down)",
@@ -82,16 +84,16 @@ diameter_m = 0.05)"}},
         "light in nm)",
         "scene.toml:1:1: 'position_m' is missing in [source] (add it: the centre of the laser's "
         "disc [x, y, z] in m; z is up, the sea level is 0)",
-        "scene.toml:1:1: 'direction' is missing in [source] (add it: where the light goes [x, y, "
-        "z]; need not be normalised)",
+        "scene.toml:1:1: 'direction' is missing in [source] (add it: the direction of the light "
+        "[x, y, z]; need not be normalised)",
         "scene.toml:1:1: 'diameter_m' is missing in [source] (add it: the diameter of the laser's "
         "disc in m)",
         "scene.toml:1:1: 'half_divergence_mrad' is missing in [source] (add it: the angle between "
         "the axis and the edge of the beam in mrad)",
         "scene.toml:2:1: 'position_m' is missing in [[telescope]] (add it: the centre of the lens "
         "[x, y, z] in m; z is up, the sea level is 0)",
-        "scene.toml:2:1: 'direction' is missing in [[telescope]] (add it: where it looks [x, y, "
-        "z]; need not be normalised)",
+        "scene.toml:2:1: 'direction' is missing in [[telescope]] (add it: where the telescope "
+        "looks [x, y, z]; need not be normalised)",
         "scene.toml:2:1: 'diameter_m' is missing in [[telescope]] (add it: the diameter of the "
         "lens in m)",
         "scene.toml:2:1: 'focal_length_m' is missing in [[telescope]] (add it: the focal length of "
@@ -190,8 +192,8 @@ centre_nm = 532)"}},
         "'transmission_file'"}},
       {"HalfAFilter",
        {{17, 17, "fwhm_nm = 3"}},
-       {"scene.toml:15:1: 'centre_nm' is missing in [[channel]] (add it: count what passes a "
-        "filter of this centre in nm; { from, to, step } makes a channel of each step)"}},
+       {"scene.toml:15:1: 'centre_nm' is missing in [[channel]] (add it: count light that passes a "
+        "filter of this centre in nm; { from, to, step } makes a channel at each step)"}},
       {"GatesTwice",
        {{28, 28, R"(depth_step_m = 1
 stop_ns = 5)"}},

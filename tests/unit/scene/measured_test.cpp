@@ -18,8 +18,8 @@ TEST(MeasuredLevels, AtOneDepthBecomeOne) {
   const LinearProfile expected({0, 9, 12, 30}, {0.1, 0.22, 0.2, 0.2});
   EXPECT_NEAR(mean_chlorophyll(reading.scene), expected.integral(0, 20) / 20, 1e-14);
   EXPECT_EQ(remarks_of(files, reading),
-            (Texts{"3 of 7 levels are at the depth of another one, the first at 9 m: they become "
-                   "one, with the mean of CHLA"}));
+            (Texts{"3 of 7 levels are at the depth of another one, the first at 9 m: they are "
+                   "merged into one, with the mean of CHLA"}));
 }
 
 // Seen red: with the order of the file.
@@ -72,10 +72,10 @@ TEST(MeasuredLevels, RowsOfCsvLikewise) {
   const LinearProfile expected({0, 10, 30}, {0, 0.3, 0.3});
   EXPECT_NEAR(mean_chlorophyll(reading.scene), expected.integral(0, 20) / 20, 1e-14);
   EXPECT_EQ(remarks_of(files, reading),
-            (Texts{"1 of 4 values of chl are below 0, the least of them -0.1, and count as 0",
+            (Texts{"1 of 4 values of chl are below 0, the smallest of them -0.1, and count as 0",
                    "rows do not ascend in z, and have been sorted",
-                   "1 of 4 rows are at the depth of another one, the first at 10 m: they become "
-                   "one, with the mean of chl"}));
+                   "1 of 4 rows are at the depth of another one, the first at 10 m: they are "
+                   "merged into one, with the mean of chl"}));
 }
 
 // --- Below 0 -------------------------------------------------------------------------------------
@@ -86,8 +86,9 @@ TEST(MeasuredLevels, BelowZeroCountAsZeroWhereAskedFor) {
   write_depths(files, {0, 10, 20, 30}, {0.1, 0.2, -0.007, -0.012});
   const Reading reading = files.read(profiled(from_depths + ", negative = 'zero'"));
   EXPECT_NEAR(mean_chlorophyll(reading.scene), (10 * 0.15 + 10 * 0.1) / 20, 1e-14);
-  EXPECT_EQ(remarks_of(files, reading),
-            (Texts{"2 of 4 values of CHLA are below 0, the least of them -0.012, and count as 0"}));
+  EXPECT_EQ(
+      remarks_of(files, reading),
+      (Texts{"2 of 4 values of CHLA are below 0, the smallest of them -0.012, and count as 0"}));
   write_depths(files, {0, 30}, {0.1, 0.2});
   EXPECT_EQ(files.read(profiled(from_depths + ", negative = 'zero'")).remarks, Texts{});
 }

@@ -128,7 +128,7 @@ TEST(Oil, EveryTextOfWhatIsWrong) {
   EXPECT_EQ(
       told({{"oil={ class = \"light-refined\" }"}}),
       Texts{"--set oil: 'thickness_um' is missing in [oil] (add it: the thickness of the film "
-            "in um; of 0 there is none)"});
+            "in um; at 0 there is none)"});
   EXPECT_EQ(with({"oil.thickness_um=-1"}),
             Texts{"--set oil.thickness_um: 'thickness_um' must be a finite number, at least 0, not "
                   "-1"});
@@ -139,19 +139,20 @@ TEST(Oil, EveryTextOfWhatIsWrong) {
             Texts{"--set sea.surface.whitecap_fraction: there are no whitecaps on a film of oil "
                   "(leave it out, or leave [oil] out)"});
   EXPECT_EQ(with({"simulation.reception=overlap"}),
-            Texts{"--set simulation.reception: a film of oil shines on the lens unevenly: the mean "
+            Texts{"--set simulation.reception: a film of oil lights the lens unevenly: the mean "
                   "over the lens is not known (write reception = \"ray\")"});
   EXPECT_EQ(with({"simulation.tools={ forced_collisions = 2 }"}),
-            Texts{"--set simulation.tools: how much light leaves the water is known of a clean "
-                  "surface alone (write forced_collisions = 0, or leave [oil] out)"});
+            Texts{"--set simulation.tools: how much light leaves the water is known only for a "
+                  "clean surface (write forced_collisions = 0, or leave [oil] out)"});
   EXPECT_EQ(told({crude, {"channel.0.process=oil"}, {"simulation.estimator=bidirectional"}}),
             Texts{});
-  EXPECT_EQ(told({crude, wind, {"simulation.estimator=analog"}}),
-            Texts{"--set simulation.estimator: the analog estimator has no film of oil on waves "
-                  "(write estimator = \"forward\", or sea.surface = { model = \"flat\" })"});
+  EXPECT_EQ(
+      told({crude, wind, {"simulation.estimator=analog"}}),
+      Texts{"--set simulation.estimator: the analog estimator cannot treat a film of oil on waves "
+            "(write estimator = \"forward\", or sea.surface = { model = \"flat\" })"});
   EXPECT_EQ(told({crude, {"oil.yield=0.6"}, {"simulation.estimator=analog"}}),
-            Texts{"--set simulation.estimator: analog photons are emitted by chances below 1, and "
-                  "so by oils of a yield up to 0.5 (write estimator = \"forward\")"});
+            Texts{"--set simulation.estimator: analog photons are emitted with a probability below "
+                  "1, and so by oils with a yield up to 0.5 (write estimator = \"forward\")"});
 }
 
 TEST(Oil, AsThickAsAMillimetreIsRemarkedOn) {
@@ -160,8 +161,8 @@ TEST(Oil, AsThickAsAMillimetreIsRemarkedOn) {
   };
   EXPECT_EQ(remarks({"oil.thickness_um=1000"}), Texts{});
   EXPECT_EQ(remarks({"oil.thickness_um=1001"}),
-            Texts{"--set oil.thickness_um: oil of more than 1 mm is no film: scattering in it, and "
-                  "how it bends the light aside, are left out"});
+            Texts{"--set oil.thickness_um: oil of more than 1 mm is not a film: scattering in it, "
+                  "and the sideways shift of light, are left out"});
 }
 
 TEST(Oil, MayDifferInEnvironmentsButForWhatTimesItsLight) {

@@ -76,7 +76,8 @@ const std::vector<SetCase>& override_cases() {
         "in nm)",
         "--set source: 'position_m' is missing in [source] (add it: the centre of the laser's disc "
         "[x, y, z] in m; z is up, the sea level is 0)",
-        "--set source: 'direction' is missing in [source] (add it: where the light goes [x, y, z]; "
+        "--set source: 'direction' is missing in [source] (add it: the direction of the light [x, "
+        "y, z]; "
         "need not be normalised)",
         "--set source: 'diameter_m' is missing in [source] (add it: the diameter of the laser's "
         "disc in m)",

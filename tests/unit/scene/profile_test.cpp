@@ -238,11 +238,11 @@ TEST(Profile, HasNoOneValueToDeriveBy) {
       diagnostics_of("sensitivity = ['sea.layer.0.chlorophyll_mg_m3', 'sea.layer.top.cdom']\n" +
                      with_chlorophyll(ramp, "\nname = 'top'")),
       (Texts{"scene.toml:1:16: 'sea.layer.0.chlorophyll_mg_m3' is in a layer that its "
-             "profiles cut into 18: there is no one value to derive by (compare "
-             "environments, or derive in the scene that `photic show` writes)",
+             "profiles cut into 18: it has no single value for a derivative (compare environments, "
+             "or take the derivative in the scene that `photic show` writes)",
              "scene.toml:1:49: 'sea.layer.top.cdom' is in a layer that its profiles cut into "
-             "18: there is no one value to derive by (compare environments, or derive in the "
-             "scene that `photic show` writes)"}));
+             "18: it has no single value for a derivative (compare environments, or take the "
+             "derivative in the scene that `photic show` writes)"}));
 }
 
 // --- What is wrong with them ---------------------------------------------------------------------
@@ -305,7 +305,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Bottomless",
              {{23, 25, "[[sea.layer]]\ncdom_a440_per_m = { depth_m = [20, 90], value = [0, 1] }"}},
              {"scene.toml:24:19: 'cdom_a440_per_m' changes with depth in a layer without "
-              "'bottom_depth_m' (end the layer, and let one with a number follow)"}},
+              "'bottom_depth_m' (end the layer, and add one with a number below it)"}},
         Case{"UnderALayerThatIsWrong",
              {{21, 21, "bottom_depth_m = -1"},
               {23, 25,
@@ -326,11 +326,13 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"TooFine",
              {{19, 19, "[sea]\nprofile_tolerance = 1e-4"},
               {22, 22, "chlorophyll_mg_m3 = { depth_m = [0, 20], value = [0, 1] }"}},
-             {"scene.toml:23:21: the layer becomes more than 500 with profile_tolerance = 0.0001 "
+             {"scene.toml:23:21: the layer would be cut into more than 500 with profile_tolerance "
+              "= 0.0001 "
               "(profile_tolerance = 0.002 would do)"}},
-        chlorophyll("TooLarge", "{ depth_m = [0, 20], value = [1e308, 1.7e308] }",
-                    {"scene.toml:22:21: the layer becomes more than 500 with profile_tolerance = "
-                     "0.05 (are the units right?)"}),
+        chlorophyll(
+            "TooLarge", "{ depth_m = [0, 20], value = [1e308, 1.7e308] }",
+            {"scene.toml:22:21: the layer would be cut into more than 500 with profile_tolerance = "
+             "0.05 (are the units right?)"}),
         Case{"ToleranceOfNothing",
              {{19, 19, "[sea]\nprofile_tolerance = 0"}},
              {"scene.toml:20:21: 'profile_tolerance' must be a finite number, greater than 0 and "

@@ -103,10 +103,8 @@ TEST(Read, WhatIsNoTextIsToldInOneLine) {
     return refusal_of_file(path);
   };
   const std::string netcdf =
-      path +
-      ": this is a result, or another netCDF file, and not a scene (of a result, photic "
-      "show " +
-      path + " prints the scene and photic run --continue " + path + " goes on)";
+      path + ": this is a result, or another netCDF file, not a scene (for a result, photic show " +
+      path + " prints the scene and photic run --continue " + path + " continues it)";
   for (const std::string start : {"\x89HDF\r\n\x1a\n", "CDF\x01", "CDF\x02", "CDF\x05"})
     EXPECT_EQ(refusal(start + std::string("\0abc", 4)), netcdf);
   EXPECT_EQ(refusal(std::string("\x7f"

@@ -228,7 +228,7 @@ TEST(Schema, SaysTypesRangesChoicesAndDefaults) {
                                       "half_divergence_mrad"}));
   EXPECT_EQ(source["properties"]["kind"]["oneOf"],
             json::array({{{"const", "laser"},
-                          {"description", "a disc whose light leaves evenly inside a cone"}}}));
+                          {"description", "a disc that emits light uniformly into a cone"}}}));
   EXPECT_EQ(source["properties"]["position_m"]["minItems"], 3);
   const json& orders = schema["properties"]["simulation"]["properties"]["orders_kept"];
   EXPECT_EQ(orders["type"], "integer");

@@ -91,8 +91,8 @@ TEST(Sensitivity, IsWrittenAsItWasReadAndReadsBack) {
 // Seen red, each for itself: with any path allowed; zeros allowed; all told at the array.
 TEST(Sensitivity, EveryTextOfWhatIsWrong) {
   const std::string only_water =
-      ": only the water, the bed, a film of oil and the air may differ, for the histories are the "
-      "same "
+      ": only the water, the bed, a film of oil and the air may differ, since the histories are "
+      "the same "
       "(name "
       "paths that "
       "begin with "
@@ -131,10 +131,11 @@ TEST(Sensitivity, EveryTextOfWhatIsWrong) {
       {"'sea.surface'", "'sea.surface' is a table, not a number (name the path of a number)"},
       {"'sea.layer.0.cdom_a440_per_m'",
        "'sea.layer.0.cdom_a440_per_m' is 0: the derivative may be infinite there, and no step is "
-       "small against it (give it a small value instead)"},
+       "small relative to it (give it a small value instead)"},
       {"'sea.layer.0.bottom_depth_m'",
        "no step of 'sea.layer.0.bottom_depth_m' to 19.98 can be made: 'bottom_depth_m' must be as "
-       "in the scene, 20, not 19.98: light crosses from layer to layer alike in all environments "
+       "in the scene, 20, not 19.98: light crosses from layer to layer in the same way in all "
+       "environments "
        "(simulate that in a scene of its own)"},
       {"'sea.salinity_psu'",
        "no step of 'sea.salinity_psu' to 34.965 can be made: 'salinity_psu' must be as in the "
@@ -176,7 +177,7 @@ TEST(Sensitivity, StepsBeyondARangeAndPathsTwice) {
              "-0.40040000000000003"}));
   EXPECT_EQ(diagnostics_of(
                 deriving("'sea.layer.0.chlorophyll_mg_m3', 'sea.layer.layer0.chlorophyll_mg_m3'")),
-            (Texts{"scene.toml:1:49: 'sea.layer.layer0.chlorophyll_mg_m3' is there twice (name "
+            (Texts{"scene.toml:1:49: 'sea.layer.layer0.chlorophyll_mg_m3' appears twice (name "
                    "each path once)"}));
 }
 

@@ -37,19 +37,19 @@ const std::vector<Wrong>& wrong_surfaces() {
        R"(model = "cox-munk", wind_direction_deg = 90)",
        "",
        {"scene.toml:20:11: 'wind_speed_m_s' is missing in 'surface' (add it: the wind's speed in "
-        "m/s; of 0 the surface is flat)"}},
+        "m/s; at 0 the surface is flat)"}},
       {"WindOfThePaperMissing",
        R"(model = "paper")",
        "",
        {"scene.toml:20:11: 'wind_speed_m_s' is missing in 'surface' (add it: the wind's speed in "
-        "m/s; of 0 the surface is flat)"}},
+        "m/s; at 0 the surface is flat)"}},
       {"VariancesMissing",
        R"(model = "gaussian")",
        "",
        {"scene.toml:20:11: 'upwind_slope_variance' is missing in 'surface' (add it: the variance "
         "of slopes along the wind)",
         "scene.toml:20:11: 'crosswind_slope_variance' is missing in 'surface' (add it: the "
-        "variance of slopes across the wind; with a 0 waves go one way)"}},
+        "variance of slopes across the wind; with one variance 0 waves are one-dimensional)"}},
       {"OutOfRange",
        R"(model = "cox-munk", wind_speed_m_s = 31, wind_direction_deg = 361, whitecap_fraction = 1.1)",
        "",
@@ -90,7 +90,7 @@ const std::vector<Wrong>& wrong_surfaces() {
        R"(model = "cox-munk", wind_speed_knots = 10, wind_direction = 90, whitecap = false)",
        "",
        {"scene.toml:20:11: 'wind_speed_m_s' is missing in 'surface' (add it: the wind's speed in "
-        "m/s; of 0 the surface is flat)",
+        "m/s; at 0 the surface is flat)",
         "scene.toml:20:33: unknown key 'wind_speed_knots' in 'surface' (did you mean "
         "'wind_speed_m_s'? it is in m/s)",
         "scene.toml:20:56: unknown key 'wind_direction' in 'surface' (did you mean "
@@ -120,11 +120,11 @@ const std::vector<Wrong>& wrong_surfaces() {
       {"ForcedCollisionsUnderWaves",
        R"(model = "paper", wind_speed_m_s = 5)",
        "tools = { forced_collisions = 1 }",
-       {R"(scene.toml:32:31: how much light leaves the water is known of a flat surface alone (write forced_collisions = 0, or sea.surface = { model = "flat" }))"}},
+       {R"(scene.toml:32:31: how much light leaves the water is known only for a flat surface (write forced_collisions = 0, or sea.surface = { model = "flat" }))"}},
       {"AllThatHasNoWaves",
        R"(model = "paper", wind_speed_m_s = 5)",
        "tools = { forced_collisions = 1 }\nreception = \"overlap\"",
-       {R"(scene.toml:32:31: how much light leaves the water is known of a flat surface alone (write forced_collisions = 0, or sea.surface = { model = "flat" }))",
+       {R"(scene.toml:32:31: how much light leaves the water is known only for a flat surface (write forced_collisions = 0, or sea.surface = { model = "flat" }))",
         R"(scene.toml:33:13: waves spread light over the lens unevenly: the mean over the lens is not known (write reception = "ray"))"}},
       {"NoWhitecapsAndSome",
        sea + ", whitecaps = false, whitecap_fraction = 0.1",
@@ -167,7 +167,7 @@ TEST(Surface, BidirectionalOverWavesOfOneDirectionSeenFlat) {
   EXPECT_EQ(
       diagnostics_of(edited(edits)),
       Texts{
-          R"(scene.toml:32:13: the bidirectional estimator has no waves of one direction seen by rays flatter than 12 degrees (write estimator = "forward", or sea.surface = { model = "flat" }))"});
+          R"(scene.toml:32:13: the bidirectional estimator cannot treat one-dimensional waves seen by rays within 12 degrees of the horizontal (write estimator = "forward", or sea.surface = { model = "flat" }))"});
 }
 
 // Nothing is said of whitecaps that are not there, nor twice of one thing.

@@ -233,7 +233,7 @@ TEST(Surface, WhatTheBidirectionalEstimatorHasNot) {
   scene.sea.surface = surface_of(
       R"(model = "gaussian", upwind_slope_variance = 0.0, crosswind_slope_variance = 0.02)");
   EXPECT_EQ(bidirectional_lacks(scene),
-            "waves of one direction seen by rays flatter than 12 degrees");
+            "one-dimensional waves seen by rays within 12 degrees of the horizontal");
   looks_off_vertical(71);
   EXPECT_EQ(bidirectional_lacks(scene), std::nullopt);
   looks_off_vertical(74);

@@ -175,7 +175,7 @@ TEST(UnitsOfAProfile, ThatAreMissingAreTold) {
   files.netcdf["CHLA"].units = "";
   EXPECT_EQ(plain(files, files.read(profiled(from_depths)).remarks),
             (Texts{"scene.toml:22:21: float.nc: CHLA has no attribute units: its values are taken "
-                   "for mg/m3"}));
+                   "to be in mg/m3"}));
 }
 
 // Seen red: with pressures taken for lengths.
@@ -242,7 +242,7 @@ TEST(UnitsOfAProfile, SalinitiesThatAreNotPractical) {
                    "35/35.16504 of it in g/kg"}));
   EXPECT_EQ(files.problems(text({0.035, 0.036}, "1")),
             (Texts{"scene.toml:22:25: float.nc: CHLA: salinities of 0.036 at most, in units of "
-                   "\"1\", are fractions of mass and no practical ones (give its units as "
+                   "\"1\", are fractions of mass and not practical salinities (give its units as "
                    "\"kg/kg\")"}));
   EXPECT_EQ(files.read(text({35, 35}, "1")).remarks, Texts{});
 }
