@@ -84,10 +84,10 @@ void describe(Visitor& v, State& s) {
           "photons and batches that a channel was scored in, and whether it rests up to the next "
           "look at the target, and after it");
   v.array("echo_sums", in_cell({"tail_sum"}), s.echo, tail_sums, "echo" + of_tail_sums);
-  v.array("echo_by_order_sums", in_cell({"order", "tail_sum"}), s.by_order, tail_sums,
-          "echo by order of scattering" + of_tail_sums);
-  v.array("echo_by_process_sums", in_cell({"process", "tail_sum"}), s.by_process, tail_sums,
-          "echo by process" + of_tail_sums);
+  v.array("echo_by_order_sums", in_cell({"order", "sum"}), s.by_order, sums,
+          "echo by order of scattering" + of_sums);
+  v.array("echo_by_process_sums", in_cell({"process", "sum"}), s.by_process, sums,
+          "echo by process" + of_sums);
   if (!s.by_depth.empty())
     v.array("echo_by_depth_sums", in_cell({"depth", "sum"}), s.by_depth, sums,
             "echo by depth of the last scattering" + of_sums);

@@ -8,8 +8,8 @@ namespace {
 // Of a number with its square: a sum, and the sum before an incomplete batch or on its way into the
 // file; the number in two batches, or mean and error in the result.
 constexpr double per_sum = 16.0 + 16.0 + 16.0;
-/// Of an order or a process, of which higher powers are summed (tally::TailSums), and its flags.
-constexpr double per_part = 64.0 + 64.0 + 16.0 + 5.0;
+/// Of an order or a process, with its flags.
+constexpr double per_part = per_sum + 5.0;
 constexpr double per_sum_of_batch = 8.0;
 /// Of a cell by itself: sums, snapshots of them, flags, diagnostics.
 constexpr double per_cell = 2 * 24.0 + 500.0;

@@ -133,20 +133,21 @@ double Totals::told_error(const Sums& sums, const Counted& n, double unseen) {
   return with_unseen(standard_error(sums, n), unseen / n.photons);
 }
 
-Totals::Health Totals::health_of(const TailSums& s, const Counted& n, double unseen) {
-  if (s.low.x == 0) return {no_score, 0, 0};
+Totals::Health Totals::health_of(const Sums& s, const Counted& n, double unseen) {
+  if (s.x == 0) return {no_score, 0, 0};
   Health health;
-  health.variance_of_variance = variance_of_variance(s, n);
-  health.relative_error = told_error(s.low, n, unseen) / mean(s.low, n);
+  health.relative_error = told_error(s, n, unseen) / mean(s, n);
   health.raise(n.batches < least_batches, few_batches);
   health.raise(health.relative_error > largest_relative_error, large_error);
-  health.raise(heavy(unseen, error_of_sum(s.low, n), s.low.x), heavy_tail);
+  health.raise(heavy(unseen, error_of_sum(s, n), s.x), heavy_tail);
   return health;
 }
 
 Totals::Health Totals::health(std::size_t cell) const {
-  Health health = health_of(state_.echo[cell], counted(cell), unseen(cell));
+  const TailSums& echo = state_.echo[cell];
+  Health health = health_of(echo.low, counted(cell), unseen(cell));
   if ((health.flags & no_score) != 0) return health;
+  health.variance_of_variance = variance_of_variance(echo, counted(cell));
   health.raise(beam_missed(cell), ConvergenceFlag::beam_missed);
   return health;
 }
@@ -164,17 +165,17 @@ std::int32_t Totals::difference_flags(std::size_t cell, const EnvironmentSums& s
 }
 
 std::int32_t Totals::environment_flags(std::size_t cell, const EnvironmentSums& s) const {
-  Health own = health_of(s.echo, counted(cell), unseen_of(cell, s.of_scores));
+  Health own = health_of(s.echo.low, counted(cell), unseen_of(cell, s.of_scores));
   own.raise(heavy(s.of_scores), heavy_tail);
-  own.raise(own.variance_of_variance > largest_variance_of_variance, uncertain_variance);
+  own.raise(variance_of_variance(s.echo, counted(cell)) > largest_variance_of_variance,
+            uncertain_variance);
   return own.flags | difference_flags(cell, s);
 }
 
-std::int32_t Totals::part_flags(const TailSums& part, std::size_t cell, const Whole& whole,
+std::int32_t Totals::part_flags(const Sums& part, std::size_t cell, const Whole& whole,
                                 bool beside_walks) const {
-  Health own = health_of(part, counted(cell), whole.unseen_share * part.low.x);
+  const Health own = health_of(part, counted(cell), whole.unseen_share * part.x);
   if ((own.flags & no_score) != 0) return own.flags;
-  own.raise(own.variance_of_variance > largest_variance_of_variance, uncertain_variance);
   const std::int32_t shared = heavy_tail | (beside_walks ? 0 : ConvergenceFlag::beam_missed);
   return own.flags | (whole.flags & shared);
 }

@@ -94,15 +94,15 @@ void Totals::fill_sensitivity(std::size_t tangent, double value, Result& result)
   flag_among_flagged(first, shape_->gates, result.sensitivity_convergence_flags);
 }
 
-void Totals::fill_parts(const ZeroedVector<TailSums>& parts, const std::vector<Whole>& wholes,
+void Totals::fill_parts(const ZeroedVector<Sums>& parts, const std::vector<Whole>& wholes,
                         const std::vector<bool>& beside_walks, Estimates& out,
                         std::vector<std::int32_t>& flags) const {
   const std::size_t count = parts.size() / wholes.size();
   for (std::size_t row = 0; row < shape_->rows(); ++row) {
     for (std::size_t k = 0; k < count; ++k) {
       for (std::size_t cell = row * shape_->gates; cell < (row + 1) * shape_->gates; ++cell) {
-        const TailSums& part = parts[cell * count + k];
-        estimate(part.low, cell, wholes[cell].unseen_share * part.low.x, out);
+        const Sums& part = parts[cell * count + k];
+        estimate(part, cell, wholes[cell].unseen_share * part.x, out);
         flags.push_back(
             part_flags(part, cell, wholes[cell], k < beside_walks.size() && beside_walks[k]));
       }

@@ -23,8 +23,7 @@ enum ConvergenceFlag : std::int32_t {
   no_score = 1,             ///< nothing was ever scored here
   few_batches = 2,          ///< too few batches to know a standard error
   large_error = 4,          ///< the standard error is above 10 % of the echo
-  uncertain_variance = 16,  ///< of an order, a process or an environment: one batch carries much of
-                            ///< the variance
+  uncertain_variance = 16,  ///< of an environment: one batch carries much of the variance
   heavy_tail = 32,          ///< scores too rare to have been seen may carry too much
   among_flagged = 128,      ///< most of the gates around are flagged
   beam_missed = 256,        ///< the telescope's walks hardly came near the laser's light

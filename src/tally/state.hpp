@@ -120,17 +120,17 @@ struct TotalsState {
 
   std::uint64_t photons = 0, batches = 0, collisions = 0, scores = 0, too_many_events = 0,
                 not_finite = 0;
-  Ledger ledger;               ///< sums of weights
-  Sums ledger_excess;          ///< over the batches: of all in their ledgers less their photons
-  std::vector<Row> row;        ///< [row]
-  double resting_target = 0;   ///< relative error that rows rest at; 0: none does
-  std::vector<TailSums> echo;  ///< [cell]
-  ZeroedVector<TailSums> by_order;            ///< [cell][order]
-  ZeroedVector<TailSums> by_process;          ///< [cell][process]
-  ZeroedVector<Sums> by_depth;                ///< [cell][depth]
-  std::vector<double> cut_order;              ///< [cell] first order beyond max_order
-  std::vector<double> largest;                ///< [cell] largest single score
-  ZeroedVector<Octaves> octaves;              ///< [cell][kind]
+  Ledger ledger;                  ///< sums of weights
+  Sums ledger_excess;             ///< over the batches: of all in their ledgers less their photons
+  std::vector<Row> row;           ///< [row]
+  double resting_target = 0;      ///< relative error that rows rest at; 0: none does
+  std::vector<TailSums> echo;     ///< [cell]
+  ZeroedVector<Sums> by_order;    ///< [cell][order]
+  ZeroedVector<Sums> by_process;  ///< [cell][process]
+  ZeroedVector<Sums> by_depth;    ///< [cell][depth]
+  std::vector<double> cut_order;  ///< [cell] first order beyond max_order
+  std::vector<double> largest;    ///< [cell] largest single score
+  ZeroedVector<Octaves> octaves;  ///< [cell][kind]
   ZeroedVector<EnvironmentSums> environment;  ///< [cell][environment]
   // The echo when there were 2^k batches, one snapshot after the other.
   std::vector<double> snapshot_photons, snapshot_batches;  ///< [snapshot][row]

@@ -79,7 +79,7 @@ class Totals {
   /// Standard error of the mean per photon, with what has not been seen; without it if that cannot
   /// be told.
   [[nodiscard]] static double told_error(const Sums& sums, const Counted& n, double unseen);
-  [[nodiscard]] static Health health_of(const TailSums& s, const Counted& n, double unseen);
+  [[nodiscard]] static Health health_of(const Sums& s, const Counted& n, double unseen);
   /// Bits of ConvergenceFlag of an environment's echo and difference by themselves: a difference
   /// can have a heavier tail than either echo.
   [[nodiscard]] std::int32_t environment_flags(std::size_t cell, const EnvironmentSums& s) const;
@@ -91,11 +91,11 @@ class Totals {
     double unseen_share = 0;  ///< of the echo, and so of its parts
   };
   /// Bits of ConvergenceFlag of a part. beside_walks: no walk carries its light.
-  [[nodiscard]] std::int32_t part_flags(const TailSums& part, std::size_t cell, const Whole& whole,
+  [[nodiscard]] std::int32_t part_flags(const Sums& part, std::size_t cell, const Whole& whole,
                                         bool beside_walks) const;
   /// Estimates and flags, [row][part][gate], of parts, [cell][part]. beside_walks: [part]; no
   /// further one is.
-  void fill_parts(const ZeroedVector<TailSums>& parts, const std::vector<Whole>& wholes,
+  void fill_parts(const ZeroedVector<Sums>& parts, const std::vector<Whole>& wholes,
                   const std::vector<bool>& beside_walks, Estimates& out,
                   std::vector<std::int32_t>& flags) const;
   void fill_environment(std::size_t environment, Result& result) const;

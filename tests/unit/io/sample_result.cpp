@@ -214,9 +214,8 @@ class Maker {
     state.resting_target = next();
     for (auto& row : state.row) row = {++numbers_, ++numbers_, ++numbers_, ++numbers_};
     for (auto& s : state.echo) s = tail_sums();
-    for (auto* sums : {&state.by_order, &state.by_process})
-      for (auto& s : *sums) s = tail_sums();
-    for (auto& s : state.by_depth) s = {next(), next()};
+    for (auto* sums : {&state.by_order, &state.by_process, &state.by_depth})
+      for (auto& s : *sums) s = {next(), next()};
     for (auto* values : {&state.cut_order, &state.largest})
       for (double& value : *values) value = next();
     for (auto& s : state.environment) {

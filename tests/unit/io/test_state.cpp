@@ -54,7 +54,7 @@ class WrittenState : public testing::Test {
 // reader; with the first photons of the snapshots lost.
 TEST_F(WrittenState, ComesBackToTheLastBit) {
   result_.state->echo[7].power[3] = std::numeric_limits<double>::denorm_min();
-  result_.state->by_order[11].low.xx = std::numeric_limits<double>::max();
+  result_.state->by_order[11].xx = std::numeric_limits<double>::max();
   result_.state->octaves[3][127] = std::numeric_limits<std::uint64_t>::max();
   write();
   EXPECT_EQ(read_state(path_, test::sample_shape()), *result_.state);

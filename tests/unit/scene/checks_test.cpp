@@ -198,11 +198,11 @@ step_ns = 1)"}},
       {"MemoryByGates",
        {{28, 28, "depth_step_m = 1e-4\ndepth_cells = 20"}},
        {"scene.toml:28:16: the tallies (telescopes 1, channels 1, gates 500000, orders 6, cells of "
-        "depth 20) would take 5.69 GiB; the limit is 2 GiB (take fewer gates)"}},
+        "depth 20) would take 5.24 GiB; the limit is 2 GiB (take fewer gates)"}},
       {"MemoryByDepths",
        {{28, 28, "depth_step_m = 0.01\ndepth_cells = 10000"}},
        {"scene.toml:29:15: the tallies (telescopes 1, channels 1, gates 5000, orders 6, cells of "
-        "depth 10000) would take 2.29 GiB; the limit is 2 GiB (take fewer, 0 leaves echo_by_depth "
+        "depth 10000) would take 2.28 GiB; the limit is 2 GiB (take fewer, 0 leaves echo_by_depth "
         "out, or fewer gates)"}},
       {"ToolsOfTheBidirectionalEstimator",
        {{30, 30,
@@ -266,7 +266,7 @@ TEST(Checks, MemoryOfManyOrders) {
   channels.pop_back();
   const std::vector<std::string> expected{
       "scene.toml:328:15: the tallies (telescopes 1, channels 100, gates 500, orders "
-      "1000, cells of depth 100) would take 7.64 GiB; the limit is 2 GiB (keep fewer orders: "
+      "1000, cells of depth 100) would take 3.16 GiB; the limit is 2 GiB (keep fewer orders: "
       "orders_kept)"};
   EXPECT_EQ(diagnostics_of(edited({{15, 17, channels},
                                    {28, 28, "depth_step_m = 0.1"},

@@ -320,7 +320,7 @@ TEST(Environment, TakesMemory) {
             std::vector<std::string>{
                 "scene.toml:628:1: the tallies (telescopes 1, channels 200, gates "
                 "400, orders 6, cells of depth 100, environments 100) would take "
-                "4.77 GiB; the limit is 2 GiB (take fewer environments, or fewer gates)"});
+                "4.7 GiB; the limit is 2 GiB (take fewer environments, or fewer gates)"});
 }
 
 }  // namespace

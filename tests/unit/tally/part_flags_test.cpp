@@ -72,18 +72,6 @@ TEST(PartFlags, LargeError) {
   EXPECT_EQ(f.process, 0);
 }
 
-// One batch carries the variance of an order, not that of its gate. Seen red: without the variance
-// of the variance of parts; with that of the echo.
-TEST(PartFlags, UncertainVariance) {
-  Tallies t;
-  add_batches(t, 64, [](int b) { return b == 40 ? 1e-4 : (b % 2 == 0 ? 4e-5 : 5e-5); });
-  const PartFlags f = flags_of(t);
-  EXPECT_EQ(f.gate, 0);
-  EXPECT_EQ(f.first_order, 0);
-  EXPECT_EQ(f.second_order, uncertain_variance);
-  EXPECT_EQ(f.process, 0);
-}
-
 // Of orders that scatter, and whose sum does not, so that any score would be many of its errors.
 // Seen red: without the flags of the gate.
 TEST(PartFlags, HeavyTailOfTheGate) {
