@@ -8,7 +8,7 @@
         --set sea.layer.0.chlorophyll_mg_m3=0.5 --set 'environment_grid.sea.layer.0.chlorophyll_mg_m3=[0.505]' \
         --set 'sensitivity=["sea.layer.0.chlorophyll_mg_m3"]' --set simulation.estimator=forward --photons 400000
 
-What follows the number of seeds are options of `photic run`. Told are, for echoes, differences and derivatives, the share of
+The options after the number of seeds are those of `photic run`. For echoes, differences and derivatives the script lists the share of
 gates that are not flagged, the share of these whose interval covers, the root mean square of their errors over those that are
 claimed, and how many intervals lie below the mean and above it. With `--reference RESULT` first among the options the mean is
 that of a long run, whose own errors are added, and of whose gates only those are compared that have converged.
@@ -47,7 +47,7 @@ def run(program, scene, seed, options, out):
     return read(out)
 
 
-def tell(kind, runs, reference):
+def report(kind, runs, reference):
     value, error, converged = (np.array([r[kind][k] for r in runs]) for k in range(3))
     unflagged = (converged == 1) & (error > 0)
     if reference is None:
@@ -76,7 +76,7 @@ def main():
             if reference and any(rows.shape != reference[kind].shape for kind, rows in runs[0].items()):
                 sys.exit("coverage_by_seeds.py: the reference has other gates or channels than the scene")
     for kind in runs[0]:
-        tell(kind, runs, reference)
+        report(kind, runs, reference)
 
 
 if __name__ == "__main__":

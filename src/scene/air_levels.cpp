@@ -69,7 +69,7 @@ bool is_csv(const std::string& path) { return path.ends_with(".csv"); }
 optics::DataTable table_of_text(const std::string& path, const std::string& text,
                                 const char* no_tape) {
   if (!is_csv(path) && (optics::is_tape6(text) || optics::is_tape7(text)))
-    throw InputError({{path, 0, 0, no_tape, "the other one of MODTRAN's files does not tell it"}});
+    throw InputError({{path, 0, 0, no_tape, "MODTRAN's other file does not hold it"}});
   auto table = optics::DataTable::parse(text, path);
   if (!is_csv(path) && !table.may_be_quoted())
     throw InputError({{path, 0, 0, fmt::format("{}, and {}", optics::no_numbers, no_tape),

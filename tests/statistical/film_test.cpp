@@ -70,23 +70,34 @@ TEST(OilFilm, ShinesFlatAsTheClosedFormHasIt) {
   family.judge();
 }
 
+/// Water that scatters so many times per metre.
+std::string layer(double bottom_depth_m, double b_per_m) {
+  return fmt::format(
+      "[[sea.layer]]\nbottom_depth_m = {0}\niop = [{{ wavelength_nm = 355.0, a_per_m = 0.05, "
+      "b_per_m = {1} }}, {{ wavelength_nm = 800.0, a_per_m = 0.05, b_per_m = {1} }}]\n"
+      "phase_function = {{ model = \"henyey-greenstein\", g = 0.3 }}\n",
+      bottom_depth_m, b_per_m);
+}
+
 // Process by process and order by order: the film's own light, straight, of light that comes back
 // from below, and by way of the water; Raman and elastic light through the film. Analog photons
 // know nothing of closed forms: they are refracted, reflected, absorbed and emitted one by one.
 // Seen red: with emission from below taken for one from above; without the weight of those who are
 // not converted; with all that does not pass the film reflected.
+//
+// The water about the lens below does not scatter. If it does, scores of the forward estimator go
+// as 1/r^2 near the lens and have no finite variance: with 0.5/m there, elastic light of the first
+// gate is (1.0 +- 0.35) % low with 1e6 photons, and 0.5 +- 0.2 with 5e7, at standard errors of 0.5
+// to 1.6 % and of 0.17 %. The bidirectional estimator agrees with analog photons within 0.4 %.
 TEST(OilFilm, IsThatWhichPhotonsMeetByChance) {
   for (const double um : {2.0, 30.0}) {
-    const std::string scene =
-        wide_lenses() + channel("oil") + channel("raman") + channel("elastic") +
-        film(um, "yield = 0.45\n") +
-        "[[sea.layer]]\nbottom_depth_m = 3.0\niop = [{ wavelength_nm = 355.0, a_per_m = 0.05, "
-        "b_per_m = 0.5 }, { wavelength_nm = 800.0, a_per_m = 0.05, b_per_m = 0.5 }]\n"
-        "phase_function = { model = \"henyey-greenstein\", g = 0.3 }\n[bottom]\nalbedo = 0.4\n"
-        "[gates]\nstart_ns = 5.0\nstop_ns = 245.0\nstep_ns = 16.0\n";
-    const auto forward =
-        run_in_lanes(read(scene + simulation(1e6, 207, "directed_fraction = 0.0")));
-    const auto analog = run_in_lanes(read(scene + simulation(1e7, 208, "", "analog")));
+    const std::string scene = wide_lenses() + channel("oil") + channel("raman") +
+                              channel("elastic") + film(um, "yield = 0.45\n") + layer(0.4, 0.5) +
+                              layer(1.6, 0) + layer(3, 0.5) +
+                              "[bottom]\nalbedo = 0.4\n"
+                              "[gates]\nstart_ns = 5.0\nstop_ns = 245.0\nstep_ns = 16.0\n";
+    const auto forward = run_in_lanes(read(scene + simulation(1e6, 7, "directed_fraction = 0.0")));
+    const auto analog = run_in_lanes(read(scene + simulation(1e7, 8, "", "analog")));
     ZFamily family(0.01);
     std::size_t of_oil = 0;
     const auto compare = [&](const tally::Estimates& f, const tally::Estimates& a,
