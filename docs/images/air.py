@@ -10,6 +10,8 @@ from photic import panels
 
 VISIBILITIES = {40.0: "#0072B2", 23.0: "#E69F00", 10.0: "#D55E00"}  # km
 CLEAR = 23.0
+AMOUNTS = {None: "0.35", 0.12: panels.COLOURS[2], 0.5: panels.COLOURS[1]}  # aerosol optical depths; None: no air
+HEIGHT = 3000.0  # m
 PARTS = {
     "elastic": ("light that has\nbeen in the water", panels.COLOURS[0]),
     "air": ("light of\nthe air alone", panels.OF_AIR),
@@ -83,9 +85,47 @@ def mirrored():
     return drawing
 
 
+def _from_the_height(photons, depth, low, high, step):
+    """The elastic echo of an upright lidar over aerosols of that optical depth, in gates between two depths."""
+    at = [0.0, 0.0, HEIGHT]
+    changes = {"source.position_m": at, "telescope.0.position_m": at}
+    changes["gates"] = {"depth_min_m": low, "depth_max_m": high, "depth_step_m": step}
+    if depth is not None:
+        air = {"profile": "us-standard", "aerosol": "maritime", "aerosol_optical_depth_550": depth}
+        changes["atmosphere"] = air
+    return run("minimal.toml", photons, "forward", **changes).sel(channel="elastic")
+
+
+def aerosols():
+    """What an aircraft sees of the air and of the water, by how much aerosol there is."""
+    drawing = Figure(figsize=(WIDTH, 3.6), layout="constrained")
+    left, right = drawing.subplots(1, 2)
+    above, below, lines = [], [], []
+    for depth, colour in AMOUNTS.items():
+        water = _from_the_height(4e6, depth, 0.0, 30.0, 3.0)
+        _process(right, water, "elastic", colour)
+        below.append(water.echo_by_process.sel(process="elastic"))
+        _tell(f"3 km, {depth}", water)
+        lines.append(("no air" if depth is None else f"aerosol optical depth {depth}", colour))
+        if depth is None:
+            continue
+        air = _from_the_height(4e6, depth, -1500.0, 0.0, 50.0)
+        _process(left, air, "air", colour)
+        above.append(air.echo_by_process.sel(process="air"))
+        _tell(f"3 km, {depth}", air)
+    panels.finish_lines(left, above)
+    panels.finish_lines(right, below)
+    left.set(ylim=(0, -1500), ylabel="depth [m]; negative: height", title="Light of the air alone")
+    right.set(ylim=(30, 0), ylabel="depth [m]", title="Light that has been in the water")
+    left.legend(handles=panels.lines_legend(lines, False).handles, fontsize=8, loc="lower right")
+    for panel in (left, right):
+        emptied(panel)
+    return drawing
+
+
 def _tell(name, one):
     """The numbers in the guide."""
-    for process in PARTS:
+    for process in one.process.values:
         part = one.sel(process=process)
         for k, depth in enumerate(one.gate_depth.values):
             echo, error = float(part.echo_by_process[k]), float(part.echo_by_process_standard_error[k])

@@ -216,7 +216,8 @@ def waters():
     downwards(several[0], WATERS_TO)
     for panel in (*several, alone):
         emptied(panel)
-    handles = panels.lines_legend(list(zip(WATERS, colours)), False).handles
+    faded = not (shown.environment_converged & shown.converged).sel(channel=["elastic", "chlorophyll"]).all()
+    handles = panels.lines_legend(list(zip(WATERS, colours)), faded).handles
     scene = "the scene: chlorophyll 0.10 mg/m³"
     handles.insert(2, Line2D([], [], color="black", linewidth=1.2, label=scene))
     below.legend(handles=handles, loc="center", ncols=3, fontsize=8, frameon=False)
@@ -259,10 +260,10 @@ def layers():
     left.xaxis.set_major_locator(LogLocator(numticks=6))
     left.set_title("Two echoes of three layers")
     names = [("Raman scattering by water", RAMAN), ("fluorescence of chlorophyll", CHLOROPHYLL)]
-    left.legend(handles=panels.lines_legend(names, True).handles, fontsize=8, loc="lower right")
+    good = raman.converged.values & chlorophyll.converged.values
+    left.legend(handles=panels.lines_legend(names, not good.all()).handles, fontsize=8, loc="lower right")
     look = {"orientation": "horizontal", "baseline": None, "color": "0.25", "linewidth": 1.6}
     right.stairs(emitted, [*tops, LAYERS_TO], label="of the light that\nlayers emit", **look)
-    good = raman.converged.values & chlorophyll.converged.values
     label = "of the echoes, less\nthe absorption of\npure water"
     _gate_by_gate(right, ratio, depth, good, CHLOROPHYLL, label)
     right.set(xscale="log", xlim=(0.03, 5), xlabel="ratio of fluorescence to Raman light", title="The ratio shows the layers")
