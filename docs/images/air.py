@@ -28,11 +28,6 @@ def _through(scene, photons, visibility_km, low, high, step):
     return run(scene, photons, "forward", **changes).sel(channel="elastic")
 
 
-def _process(panel, one, process, colour):
-    part = one.sel(process=process)
-    panels.line(panel, part, part.echo_by_process, part.echo_by_process_standard_error, colour)
-
-
 def _finish(panel, low, high, echoes):
     panels.finish_lines(panel, [echoes])
     panel.axhline(0, **panels.SEA_LEVEL)
@@ -47,8 +42,8 @@ def haze():
     lines = []
     for visibility, colour in VISIBILITIES.items():
         one = _through("spaceborne.toml", 16e6, visibility, -40.0, 40.0, 5.0)
-        _process(left, one, "elastic", colour)
-        _process(right, one, "air", colour)
+        panels.processes(left, one, [("elastic", colour)])
+        panels.processes(right, one, [("air", colour)])
         lines.append((f"visibility {visibility:g} km", colour))
         _tell(f"space, {visibility:g} km", one)
     left.set_title("Light that has been in the water")
@@ -71,8 +66,7 @@ def mirrored():
     views.append((right, "airborne-high.toml", "An aircraft, 9 km up", -20.0, 20.0, 2.0, 16e6))
     for panel, scene, title, low, high, step, photons in views:
         one = _through(scene, photons, CLEAR, low, high, step)
-        for process, (_, colour) in PARTS.items():
-            _process(panel, one, process, colour)
+        panels.processes(panel, one, [(process, colour) for process, (_, colour) in PARTS.items()])
         _finish(panel, low, high, one.echo)
         panel.set_title(title)
         _tell(scene, one)
@@ -102,15 +96,15 @@ def aerosols():
     left, right = drawing.subplots(1, 2)
     above, below, lines = [], [], []
     for depth, colour in AMOUNTS.items():
-        water = _from_the_height(4e6, depth, 0.0, 30.0, 3.0)
-        _process(right, water, "elastic", colour)
+        water = _from_the_height(4e6, depth, 3.0, 30.0, 3.0)  # from where the air has no part in the echo
+        panels.processes(right, water, [("elastic", colour)])
         below.append(water.echo_by_process.sel(process="elastic"))
         _tell(f"3 km, {depth}", water)
         lines.append(("no air" if depth is None else f"aerosol optical depth {depth}", colour))
         if depth is None:
             continue
-        air = _from_the_height(4e6, depth, -1500.0, 0.0, 50.0)
-        _process(left, air, "air", colour)
+        air = _from_the_height(8e6, depth, -1500.0, 0.0, 50.0)
+        panels.processes(left, air, [("air", colour)])
         above.append(air.echo_by_process.sel(process="air"))
         _tell(f"3 km, {depth}", air)
     panels.finish_lines(left, above)
