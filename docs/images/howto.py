@@ -162,7 +162,7 @@ def film():
     right.plot(ERRORS, alone, color="0.3", linewidth=1, linestyle="--", label="measurement alone")
     right.set(xscale="log", yscale="log", xlabel="standard deviation of E / W")
     right.set(ylabel="standard error of the thickness [um]", title=f"Both errors, E / W = {RATIO}")
-    right.legend(fontsize=8, loc="upper left")
+    right.legend(fontsize=8, loc="upper left", handlelength=1.4)
     for panel in (left, middle, right):
         emptied(panel)
     return drawing

@@ -304,7 +304,7 @@ def bed():
     right.plot([], [], "o", color="0.4", markerfacecolor="white", markersize=5, label="not converged")
     right.set(xlabel="ratio to the scene's echo", title="Other beds, the same photons", xlim=(0, 2.2))
     right.legend(fontsize=8, loc="upper left")
-    left.set(xlim=(5e-14, 3e-10), ylim=(15, 9.5), ylabel="depth [m]")
+    left.set(xlim=(5e-14, 3e-10), ylim=(15, 9), ylabel="depth [m]")
     for panel in (left, right):
         panel.axhline(12.4, color="0.4", linestyle=":", linewidth=1.0)
         emptied(panel)
