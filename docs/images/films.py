@@ -13,7 +13,7 @@ from photic import panels
 
 THICKNESSES = (0.1, 0.2, 0.5, 1, 2, 5, 10)  # um
 OILS = {"weakly-absorbing-crude": panels.COLOURS[4], "strongly-absorbing-crude": panels.COLOURS[2]}
-PHOTONS = 1e6
+PHOTONS = 2e6
 FILTERS = {"below": 386, "filter": 404, "above": 422}  # the Raman line lies in the middle one
 CHANNELS = [{"name": "raman", "process": "raman"}]
 CHANNELS += [{"name": name, "centre_nm": centre, "fwhm_nm": 14} for name, centre in FILTERS.items()]

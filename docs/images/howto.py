@@ -101,9 +101,7 @@ def bed_in_gate():
     left, right = drawing.subplots(1, 2)
     one = _over_a_bed(BED, 3e5)
     parts = {"elastic": ("the water", panels.COLOURS[0]), "bottom": ("the bed", SHOWN[9.5])}
-    for process, (_, colour) in parts.items():
-        error = one.echo_by_process_standard_error.sel(process=process)
-        panels.line(left, one, one.echo_by_process.sel(process=process), error, colour)
+    panels.processes(left, one, [(process, colour) for process, (_, colour) in parts.items()])
     panels.finish_lines(left, [one.echo_by_process.sel(process=process) for process in parts])
     left.axhspan(9, 10, color="0.9", zorder=0)
     left.text(0.03, 9.5, "gate of the bed", transform=left.get_yaxis_transform(), va="center", **NOTE)
@@ -162,9 +160,9 @@ def film():
     per_um = float(_over_a_film(max(RUNS)).film_attenuation.squeeze()) * 1e-6
     alone = numpy.array(ERRORS) / RATIO / per_um
     right.plot(ERRORS, alone, color="0.3", linewidth=1, linestyle="--", label="measurement alone")
-    right.set(xscale="log", yscale="log", xlabel=f"standard deviation of E / W = {RATIO}")
-    right.set(ylabel="standard error of the thickness [um]", title="Both errors")
-    right.legend(fontsize=8)
+    right.set(xscale="log", yscale="log", xlabel="standard deviation of E / W")
+    right.set(ylabel="standard error of the thickness [um]", title=f"Both errors, E / W = {RATIO}")
+    right.legend(fontsize=8, loc="upper left", handlelength=1.4)
     for panel in (left, middle, right):
         emptied(panel)
     return drawing

@@ -216,7 +216,8 @@ def waters():
     downwards(several[0], WATERS_TO)
     for panel in (*several, alone):
         emptied(panel)
-    handles = panels.lines_legend(list(zip(WATERS, colours)), False).handles
+    faded = not (shown.environment_converged & shown.converged).sel(channel=["elastic", "chlorophyll"]).all()
+    handles = panels.lines_legend(list(zip(WATERS, colours)), faded).handles
     scene = "the scene: chlorophyll 0.10 mg/m³"
     handles.insert(2, Line2D([], [], color="black", linewidth=1.2, label=scene))
     below.legend(handles=handles, loc="center", ncols=3, fontsize=8, frameon=False)
@@ -259,10 +260,10 @@ def layers():
     left.xaxis.set_major_locator(LogLocator(numticks=6))
     left.set_title("Two echoes of three layers")
     names = [("Raman scattering by water", RAMAN), ("fluorescence of chlorophyll", CHLOROPHYLL)]
-    left.legend(handles=panels.lines_legend(names, True).handles, fontsize=8, loc="lower right")
+    good = raman.converged.values & chlorophyll.converged.values
+    left.legend(handles=panels.lines_legend(names, not good.all()).handles, fontsize=8, loc="lower right")
     look = {"orientation": "horizontal", "baseline": None, "color": "0.25", "linewidth": 1.6}
     right.stairs(emitted, [*tops, LAYERS_TO], label="of the light that\nlayers emit", **look)
-    good = raman.converged.values & chlorophyll.converged.values
     label = "of the echoes, less\nthe absorption of\npure water"
     _gate_by_gate(right, ratio, depth, good, CHLOROPHYLL, label)
     right.set(xscale="log", xlim=(0.03, 5), xlabel="ratio of fluorescence to Raman light", title="The ratio shows the layers")
@@ -284,15 +285,13 @@ ALBEDOS = {0.05: "#7a5230", 0.3: ORANGE}  # beside the scene's 0.15
 def bed():
     """The echo of a sea bed upon that of the water, and what other beds make of it."""
     environments = [{"name": str(albedo), "set": {"bottom.albedo": albedo}} for albedo in ALBEDOS]
-    gates = {"depth_min_m": 6.15, "depth_max_m": 14.65, "depth_step_m": 0.5}  # the bed in the middle of one
+    gates = {"depth_min_m": 9.65, "depth_max_m": 14.65, "depth_step_m": 0.5}  # the bed in the middle of one
     result = run("bathymetric.toml", 4e6, "bidirectional", WIDE_VIEW, environment=environments, gates=gates)
     one = result.sel(channel="elastic")
     drawing = Figure(figsize=(WIDTH, 4.6), layout="constrained")
     left, right = drawing.subplots(1, 2, sharey=True)
     parts = {"elastic": ("scattered in the water alone", ELASTIC), "bottom": ("touched the bed", "#7a5230")}
-    for process, (_, colour) in parts.items():
-        error = one.echo_by_process_standard_error.sel(process=process)
-        panels.line(left, one, one.echo_by_process.sel(process=process), error, colour)
+    panels.processes(left, one, [(process, colour) for process, (_, colour) in parts.items()])
     panels.finish_lines(left, [one.echo_by_process.sel(process=process) for process in parts])
     left.set_title("Light of two processes")
     left.legend(handles=panels.lines_legend(list(parts.values()), False).handles, fontsize=8, loc="upper left")
@@ -305,7 +304,7 @@ def bed():
     right.plot([], [], "o", color="0.4", markerfacecolor="white", markersize=5, label="not converged")
     right.set(xlabel="ratio to the scene's echo", title="Other beds, the same photons", xlim=(0, 2.2))
     right.legend(fontsize=8, loc="upper left")
-    left.set(xlim=(5e-14, 3e-10), ylim=(15, 6), ylabel="depth [m]")
+    left.set(xlim=(5e-14, 3e-10), ylim=(15, 9), ylabel="depth [m]")
     for panel in (left, right):
         panel.axhline(12.4, color="0.4", linestyle=":", linewidth=1.0)
         emptied(panel)
@@ -339,7 +338,7 @@ def waves():
         top, bottom = winds[0].gate_depth_bounds.values[gate]
         look = {"color": colour, "marker": "o", "markersize": 4, "label": f"water, {top:.0f} to {bottom:.0f} m"}
         left.errorbar(WINDS, [float(w) for w in water], yerr=[float(e) for e in error], **look)
-    left.set(yscale="log", xlabel="wind [m/s]", ylabel="echo", title="Echoes by the wind")
+    left.set(yscale="log", xlabel="wind [m/s]", ylabel="photons detected per photon emitted", title="Echoes by the wind")
     left.legend(fontsize=8, loc="center right")
     kinds = {
         "5 m/s": (dict(model="cox-munk", wind_speed_m_s=5.0, whitecaps=False), ELASTIC),

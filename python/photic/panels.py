@@ -144,12 +144,19 @@ def _limits(echoes):
     return max(values.min() / 3, values.max() / LARGEST_RATIO), 3 * values.max()
 
 
+def of_process(part, process):
+    """The light of a process, with flags of its own: those of its gates where an earlier result has no
+    others."""
+    one = part.sel(process=process)
+    return one.assign(converged=one.get("echo_by_process_converged", one.converged))
+
+
 def processes(panel, part, lines, style="-"):
     """The echo of one channel by process; lines: processes, and their
     colours."""
     for process, colour in lines:
-        one = part.sel(process=process)
-        line(panel, part, one.echo_by_process, one.echo_by_process_standard_error, colour, style)
+        one = of_process(part, process)
+        line(panel, one, one.echo_by_process, one.echo_by_process_standard_error, colour, style)
 
 
 def spectra(lines, every, panel, styles=itertools.repeat("-")):

@@ -174,7 +174,8 @@ def _processes(of_group, mixed, said):
     for channel in mixed:
         parts = [view.sel(channel=channel) for view in of_group.values()]
         lines = panels.of_processes(_feeding(list(of_group.values()), channel))
-        faded = any(panels.unsettled(part.echo_by_process, part.converged) for part in parts)
+        shown = [panels.of_process(part, process) for part in parts for process, _ in lines]
+        faded = any(panels.unsettled(one.echo_by_process, one.converged) for one in shown)
         legend = panels.lines_legend(lines, faded, "process", styled(of_group))
         draws = partial(_by_process, list(of_group.values()), parts, lines)
         cells.append(Cell(said(f"{channel} echo by process"), SLIM, draws, legend))

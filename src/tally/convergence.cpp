@@ -177,7 +177,7 @@ std::int32_t Totals::part_flags(const Sums& part, std::size_t cell, const Whole&
   const Health own = health_of(part, counted(cell), whole.unseen_share * part.x);
   if ((own.flags & no_score) != 0) return own.flags;
   const std::int32_t shared = heavy_tail | (beside_walks ? 0 : ConvergenceFlag::beam_missed);
-  return own.flags | (whole.flags & shared);
+  return (own.flags & ~heavy_tail) | (whole.flags & shared);
 }
 
 bool Totals::row_converged(std::size_t row, double relative_error) const {

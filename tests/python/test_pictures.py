@@ -23,7 +23,7 @@ def test_every_picture_there_is_listed():
 
 
 # Seen red: with a name of a channel that the scene has not.
-@pytest.mark.parametrize("name", ["scene.png", "echo.png", "oil.png", "haze.png", "wind.png", "film.png"])
+@pytest.mark.parametrize("name", ["scene.png", "echo.png", "oil.png", "haze.png", "aerosols.png", "wind.png", "film.png"])
 def test_pictures_are_made(tmp_path, name):
     made = make(name, "-o", tmp_path, "--fewer", "20")
     assert (made.returncode, made.stdout.split()) == (0, [str(tmp_path / name)]), made.stderr

@@ -281,6 +281,24 @@ def test_a_channel_of_several_processes_is_broken_down(sample):
     assert legends(drawing)[1] == ["elastic", "raman", FADED]
 
 
+def test_processes_are_faded_by_flags_of_their_own(sample):
+    # Seen red: with the flags of the gates for every process; with results of earlier programs, which have no others, refused.
+    ds = photic.open(sample)
+    raman = {"channel": "elastic", "process": "raman"}
+    ds.echo_by_process.loc[raman] = 1e-13
+    ds["converged"] = ds.converged | True
+    ds["echo_by_process_converged"] = ds.echo_by_process_converged | True
+    ds.echo_by_process_converged.loc[raman | {"gate": [3, 4]}] = False
+    earlier = ds.drop_vars("echo_by_process_converged")
+    for result, faded in ((ds, [FADED]), (earlier, [])):
+        drawing = plot.figure([result], ["sample"], telescopes=["narrow"])
+        assert legends(drawing)[1] == ["elastic", "raman", *faded]
+        one = result.sel(telescope="narrow", channel="elastic")
+        (elastic, *_), (thick, *_) = curves(drawing.axes[1], 2)
+        assert visible(elastic) == int((one.echo_by_process.sel(process="elastic") > 0).sum())
+        assert visible(thick) == one.sizes["gate"] - 2 * len(faded)
+
+
 def test_light_of_the_air_has_a_colour_of_its_own():
     # Seen red: with the colours in their order, where the first line of this list is green.
     for names in (["air"], ["elastic", "air"], ["elastic", "surface", "bottom", "air"], list("abcdefgh") + ["air"]):

@@ -40,6 +40,16 @@ TEST(PartFlags, AreNotRaisedByASteadyPart) {
   EXPECT_EQ(f.process, 0);
 }
 
+// Its share of the unseen is above its own error, and below that of the gate. Seen red: with that
+// share compared to the part's own error.
+TEST(PartFlags, HeavyTailIsNoneWhereTheGateHasNone) {
+  Tallies t;
+  add_batches(t, 64, [](int) { return 5e-5; });
+  const PartFlags f = flags_of(t);
+  EXPECT_EQ(f.gate, 0);
+  EXPECT_EQ(f.second_order, 0);
+}
+
 // Seen red: with the sums of the echo for those of the part.
 TEST(PartFlags, NoScore) {
   Tallies t;
