@@ -4,10 +4,10 @@
     experiments/agreement_by_seeds.py build/release/apps/photic/photic scenes/airborne.toml --seeds 20 \
         --forward 2e6 --bidirectional 2e5
 
-For each scene three lines, gates, processes and orders: of pairs of runs of equal seeds, in gates that are converged in both, the difference
-of two echoes over the error of that difference. The largest may pass its limit by chance in one of a hundred families; the
-root mean square is to lie between 0.9 and 1.15. An order, or a process, has no flag of its own: compared are those known to 10 % by both.
-A root mean square below 0.9 tells of errors that are told too large, not of estimators that differ. `--forward` and `--bidirectional` are numbers of photons.
+For each scene three lines, gates, processes and orders: of pairs of runs of equal seeds, in what is converged in both by its own flags,
+the difference of two echoes over the error of that difference. The largest may pass its limit by chance in one of a hundred families;
+the root mean square is to lie between 0.9 and 1.15. Below 0.9 it shows errors that are stated too large, not estimators that differ.
+`--forward` and `--bidirectional` are numbers of photons.
 """
 
 import argparse
@@ -23,7 +23,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
 from measure.accuracy import family_wise_z
 
 RMS = (0.9, 1.15)
-KNOWN = 0.1
+ECHOES = {"echo": "converged", "echo_by_process": "echo_by_process_converged", "echo_by_order": "echo_by_order_converged"}
 
 
 def run(asked, scene, estimator, seed, out):
@@ -31,21 +31,18 @@ def run(asked, scene, estimator, seed, out):
     command = [asked.program, "run", scene, "-o", out, "--photons", photons, "--seed", str(seed), "--threads", str(asked.threads)]
     subprocess.run([*command, "--set", f"simulation.estimator={estimator}", "--target", "0.01%", "--max-time", "1h"], check=True, capture_output=True)
     with netCDF4.Dataset(out) as file:
-        names = ("echo", "echo_standard_error", "echo_by_process", "echo_by_process_standard_error", "echo_by_order",
-                 "echo_by_order_standard_error", "converged")
-        return {name: np.ma.filled(file[name][:], np.nan) for name in names}
+        return {echo: [np.ma.filled(file[name][:], np.nan) for name in (echo, f"{echo}_standard_error", converged)]
+                for echo, converged in ECHOES.items()}
 
 
-def differences(a, b, name, compared):
-    """z where both are known."""
-    errors = a[f"{name}_standard_error"], b[f"{name}_standard_error"]
-    known = np.broadcast_to(compared, errors[0].shape).copy()
-    for error, echo in zip(errors, (a[name], b[name])):
-        known &= (error > 0) & (error < KNOWN * echo)
-    return ((b[name] - a[name])[known] / np.hypot(*errors)[known]).tolist()
+def differences(a, b):
+    """z of what is converged in both."""
+    (value, error, converged), (other, other_error, other_converged) = a, b
+    both = (converged == 1) & (other_converged == 1)
+    return ((other - value)[both] / np.hypot(error, other_error)[both]).tolist()
 
 
-def told(name, z):
+def in_words(name, z):
     if not z:
         return f"  {name}: nothing to compare"
     z = np.array(z)
@@ -65,18 +62,16 @@ def main():
     parser.add_argument("--threads", type=int, default=1)
     asked = parser.parse_args()
     for scene in asked.scenes:
-        gates, processes, orders = [], [], []
+        z = {echo: [] for echo in ECHOES}
         with tempfile.TemporaryDirectory() as folder:
             for seed in range(1, asked.seeds + 1):
                 a, b = (run(asked, scene, name, seed, f"{folder}/{name}-{seed}.nc") for name in ("forward", "bidirectional"))
-                both = (a["converged"] == 1) & (b["converged"] == 1)
-                gates += differences(a, b, "echo", both)
-                processes += differences(a, b, "echo_by_process", both[:, :, None, :])
-                orders += differences(a, b, "echo_by_order", both[:, :, None, :])
+                for echo in ECHOES:
+                    z[echo] += differences(a[echo], b[echo])
         print(f"{scene}: forward {asked.forward}, bidirectional {asked.bidirectional} photons, {asked.seeds} seeds")
-        print(told("gates", gates))
-        print(told("processes", processes))
-        print(told("orders", orders), flush=True)
+        print(in_words("gates", z["echo"]))
+        print(in_words("processes", z["echo_by_process"]))
+        print(in_words("orders", z["echo_by_order"]), flush=True)
 
 
 if __name__ == "__main__":

@@ -37,32 +37,42 @@ SETTINGS = {  # its settings, and the share of the photons that it has
     "connected_fraction 0.01": (OWN | {"connected_fraction": 0.01}, 1),
     "connected_fraction 1": (OWN | {"connected_fraction": 1}, 1),
 }
-FEWEST = 64000  # with fewer no gate is converged
+FEWEST = 20000  # with fewer than 7500 no gate is converged; errors of so few are too small
 KINDS = {"echo": "converged", "environment_echo": "environment_converged"}
 
 
-def run(asked, scene, settings, photons, seed, out):
-    command = [asked.program, "run", SCENES / f"{scene}.toml", "-o", out, "--force", "--seed", str(seed), "--photons", f"{photons:.0f}",
-               "--threads", str(asked.threads), "--target", "0.0001%", "--max-time", "10h", "--set", "simulation.estimator=bidirectional"]
-    for key, value in settings.items():
-        command += ["--set", f"simulation.{key}={value}"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"{scene}: {done.stderr}")
-    with netCDF4.Dataset(out) as file:
-        rows = [[np.ma.filled(file[name][:], np.nan).ravel() for name in (kind, f"{kind}_standard_error", converged)]
-                for kind, converged in KINDS.items() if kind in file.variables]
+def run(program, scene, settings, photons, seed, threads):
+    """Echoes, their errors, and whether they are converged: of gates, then of their environments."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [program, "run", SCENES / f"{scene}.toml", "-o", f"{folder}/out.nc", "--seed", str(seed), "--photons", f"{photons:.0f}",
+                   "--threads", str(threads), "--target", "0.0001%", "--max-time", "10h", "--set", "simulation.estimator=bidirectional"]
+        for key, value in settings.items():
+            command += ["--set", f"simulation.{key}={value}"]
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(f"{scene}: {done.stderr}")
+        with netCDF4.Dataset(f"{folder}/out.nc") as file:
+            rows = [[np.ma.filled(file[name][:], np.nan).ravel() for name in (kind, f"{kind}_standard_error", converged)]
+                    for kind, converged in KINDS.items() if kind in file.variables]
     return np.concatenate(rows, axis=1)
 
 
 def differences(one, reference):
-    value, error, converged = one
-    truth, own, known = reference
-    compared = (converged == 1) & (known == 1) & (error > 0)
-    return ((value - truth) / np.hypot(error, own))[compared]
+    known = (one[2] == 1) & (reference[2] == 1) & (one[1] > 0)
+    (value, error, _), (truth, own, _) = one[:, known], reference[:, known]
+    return (value - truth) / np.hypot(error, own)
 
 
-def told(what, z):
+def compare(program, scene, photons, seed, threads=1):
+    """The differences of a scene, by setting."""
+    reference = run(program, scene, OWN, 10 * photons, 100 * seed, threads)
+    z = {}
+    for n, (what, (settings, share)) in enumerate(SETTINGS.items(), 1):
+        z[what] = differences(run(program, scene, settings, max(FEWEST, share * photons), 100 * seed + n, threads), reference)
+    return z
+
+
+def in_words(what, z):
     if z.size == 0:
         return f"{what}: nothing to compare"
     largest, rms = np.abs(z).max(), np.sqrt(np.mean(z**2))
@@ -70,7 +80,7 @@ def told(what, z):
 
 
 def held(z):
-    return z.size > 0 and np.abs(z).max() <= MOST_Z and RMS[0] < np.sqrt(np.mean(z**2)) < RMS[1]
+    return bool(z.size > 0 and np.abs(z).max() <= MOST_Z and RMS[0] < np.sqrt(np.mean(z**2)) < RMS[1])
 
 
 def main():
@@ -84,19 +94,13 @@ def main():
     asked = parser.parse_args()
     all_held = True
     for scene in asked.scenes:
-        with tempfile.TemporaryDirectory() as folder:
-            seed = 100 * asked.seed
-            reference = run(asked, scene, OWN, 10 * asked.photons, seed, f"{folder}/reference.nc")
-            z = {}
-            for n, (what, (settings, share)) in enumerate(SETTINGS.items(), 1):
-                photons = max(FEWEST, share * asked.photons)
-                z[what] = differences(run(asked, scene, settings, photons, seed + n, f"{folder}/{n}.nc"), reference)
+        z = compare(asked.program, scene, asked.photons, asked.seed, asked.threads)
         together = np.concatenate(list(z.values()))
         all_held &= held(together)
-        print(told(scene, together) + ("" if held(together) else "   NOT HELD"), flush=True)
+        print(in_words(scene, together) + ("" if held(together) else "   NOT HELD"), flush=True)
         for what, one in z.items():
             if asked.each or (one.size and np.abs(one).max() > MOST_Z):
-                print("  " + told(what, one), flush=True)
+                print("  " + in_words(what, one), flush=True)
     return 0 if all_held else 1
 
 

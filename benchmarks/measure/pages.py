@@ -1,11 +1,9 @@
 """The pages and the tables in the README, made of results: nothing in them is typed by hand."""
 
-import re
-
-from measure import accuracy, instruments, intervals, speed
+from measure import accuracy, instruments, intervals, marked, speed
 from measure.kinds import Row
-from measure.program import Failed
-from measure.readme import speed_table, trust_table
+from measure.program import ROOT
+from measure.readme import commit, speed_table, trust_table
 
 PAGES = {
     "docs/accuracy.md": (
@@ -20,24 +18,34 @@ PAGES = {
     ),
 }
 RESULTS = "benchmarks/measured.json"
+STARTERS_PAGE = "docs/accuracy.md"
+STARTERS = (
+    "The scenes of `photic new`, run as they are: what ended each run, how many of the gates that light reaches met the scene's own target, "
+    "and which did not. This section alone is written by [starters.py](../experiments/starters.py)."
+)
 ALL = accuracy.MEASUREMENTS + intervals.MEASUREMENTS + speed.MEASUREMENTS + instruments.MEASUREMENTS
 
 
 def documents(results):
     """Text by the path of each page."""
-    return {path: page(results, *of_page) for path, of_page in PAGES.items()}
+    texts = {path: page(results, *of_page) for path, of_page in PAGES.items()}
+    texts[STARTERS_PAGE] += starters()
+    return texts
 
 
 def readme(results, text):
     """The README with its tables written anew between their markers."""
     for name, table in (("trust", trust_table(results)), ("speed", speed_table(results))):
-        start, end = f"<!-- measured: {name} -->", "<!-- end -->"
-        text, times = re.subn(
-            f"{re.escape(start)}\n.*?{re.escape(end)}", lambda _: f"{start}\n{table}{end}", text, flags=re.DOTALL  # noqa: B023
-        )
-        if times != 1:
-            raise Failed(f"README.md: {times} places between '{start}' and '{end}', not one")
+        text = marked.written("README.md", text, name, table)
     return text
+
+
+def starters():
+    """The section of the starters, with the table that experiments/starters.py wrote last."""
+    table = marked.read(STARTERS_PAGE, (ROOT / STARTERS_PAGE).read_text(), "starters")
+    return "\n".join([
+        "", "## Starters", "", STARTERS, "", f"<!-- measured: starters -->\n{table}{marked.END}", "",
+    ])
 
 
 def page(results, title, intro, measurements):
@@ -59,12 +67,11 @@ def page(results, title, intro, measurements):
 
 
 def told(stamp):
-    commit = stamp["commit"] + (", with changes that are not committed" if stamp["changed_since_commit"] else "")
     version = stamp["version"] + (", built before the sources were last written" if stamp["program_older_than_sources"] else "")
     rows = {
         "processor": f"{stamp['processor']}, {stamp['cores']} cores",
         "instruction sets": ", ".join(stamp["instruction_sets"]),
-        "compiler": stamp["compiler"], "program": version, "commit": commit, "date": stamp["date"],
+        "compiler": stamp["compiler"], "program": version, "commit": commit(stamp), "date": stamp["date"],
     }
     return table(["measured on", ""], rows.items())
 

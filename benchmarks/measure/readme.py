@@ -112,12 +112,18 @@ def speed_table(results):
         raw = raw_of(results, name)
         what, measured = (name, "not measured") if raw is None else summary(raw)
         lines.append([what, measured])
-    stamp = results["stamp"]
-    machine = (
+    return f"{remark(results)}{machine(results['stamp'])} Other machines may differ twofold.\n\n" + rows(["what", "measured"], lines)
+
+
+def machine(stamp):
+    return (
         f"On {stamp['processor'].partition(' (family')[0]}, {stamp['cores']} cores, {stamp['instruction_sets'][-1]}, "
-        f"{stamp['compiler']}, commit {stamp['commit']}, {stamp['date']}. Other machines may differ twofold.\n\n"
+        f"{stamp['compiler']}, commit {commit(stamp)}, {stamp['date']}."
     )
-    return remark(results) + machine + rows(["what", "measured"], lines)
+
+
+def commit(stamp):
+    return stamp["commit"] + (", with changes that are not committed" if stamp["changed_since_commit"] else "")
 
 
 def remark(results):

@@ -1,13 +1,8 @@
 """Flags are of what they say: none stays set however long a run is."""
 
-import os
-import subprocess
-import sys
-
 import netCDF4
 import numpy as np
 import pytest
-from conftest import SOURCE
 
 # A film of oil that shines over water that sends back Raman light.
 SHINING = """\
@@ -36,15 +31,6 @@ def test_light_that_no_walk_carries_meets_its_target(photic, tmp_path):
     # By the forward estimator with 4e6 photons, known to 0.2 %.
     assert echo == pytest.approx([4.65e-9, 8.2e-10, 1.94e-11], rel=0.01)
     assert (error < 0.01 * echo).all()
-
-
-@pytest.mark.parametrize("kind", ["oil-spill", "ship-waves", "airborne-waves"])
-def test_no_starter_of_histories_beside_walks_is_flagged_for_ever(program, kind):
-    # Short runs; experiments/starters.py runs all starters whole. Seen red (oil-spill): by the same change.
-    script = [sys.executable, SOURCE / "experiments/starters.py", kind, "--photons", "6.4e4", "--max-time", "60s"]
-    done = subprocess.run(script, env=os.environ | {"PHOTIC_PROGRAM": program}, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith(f"{kind}: bidirectional, ")
 
 
 @pytest.mark.parametrize(("estimator", "photons"), [("forward", 4e5), ("bidirectional", 8e4)])
