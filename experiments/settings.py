@@ -37,7 +37,7 @@ SETTINGS = {  # its settings, and the share of the photons that it has
     "connected_fraction 0.01": (OWN | {"connected_fraction": 0.01}, 1),
     "connected_fraction 1": (OWN | {"connected_fraction": 1}, 1),
 }
-FEWEST = 20000  # with fewer than 7500 no gate is converged; errors of so few are too small
+FEWEST = 20000  # with fewer than 7500 no gate is converged; of half as many, errors of film.toml are too small
 KINDS = {"echo": "converged", "environment_echo": "environment_converged"}
 
 
