@@ -209,7 +209,10 @@ MEASUREMENTS = [
         "scattering but not how an echo is estimated, agree.",
         "z is the difference of two echoes divided by the error of that difference, in gates converged in both, of several pairs "
         "of runs. The largest may exceed the limit by chance in one of a hundred measurements; the gates of a run share "
-        "histories, so the root mean square scatters about 1.",
+        "histories, so the root mean square scatters about 1. The ship's Raman light from 32 to 36 m reaches the forward estimator in "
+        "rare and large scores, whose absence makes an echo low and its error small: of the 24 gates of twelve runs (4e6 photons, seeds 1 "
+        "to 12) 19 are flagged; of the other five three are low by more than four of their errors, and all are 11 % low on average. "
+        "`auto` takes the bidirectional estimator there.",
         measure_agreement, rows_agreement,
     ),
     Measurement(
