@@ -99,7 +99,7 @@ def oil_thickness(
     else:
         thickness = um * logarithm
     error = um * numpy.sqrt(variance)
-    reliable = oily.converged & water.converged & error.notnull()
+    reliable = oily.converged & water.converged & numpy.isfinite(error)
 
     of = "thickness of the film of oil"
     return xarray.Dataset(
@@ -156,6 +156,8 @@ def _measured(result, ratio, error, formula):
 def _by_gate(result, name, values):
     """Numbers as a DataArray that fits the result."""
     if not isinstance(values, xarray.DataArray):
+        if numpy.ma.isMaskedArray(values):
+            values = values.astype(float).filled(numpy.nan)
         values = numpy.asarray(values)
         values = xarray.DataArray(values, dims=["gate"][: values.ndim]) if values.ndim < 2 else None
     if values is None or values.dtype.kind not in "if" or not _fits(result, values):

@@ -170,10 +170,10 @@ bool names_place(const std::string& name, const NetcdfHeader& header) {
 /// Gliders number what lies between two profiles by halves (SOCIB's toolbox; from memory).
 void drop_halves(CastId& id) {
   if (id.casts || joined_parts(id.name) != "profileindex" || id.codes.number.empty()) return;
-  for (std::size_t& value : id.value) {
-    if (value == NetcdfCodes::none) continue;
-    const double number = id.codes.number[value];
-    if (number != std::floor(number)) value = NetcdfCodes::none;
+  for (std::size_t& code : id.value) {
+    if (code == NetcdfCodes::none) continue;
+    const double number = id.codes.number[code];
+    if (number != std::floor(number)) code = NetcdfCodes::none;
   }
 }
 

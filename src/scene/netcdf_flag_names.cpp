@@ -51,7 +51,9 @@ std::optional<Words> words_besides(Words words, const Words& held) {
 }
 
 std::vector<std::string> listed_by(const NetcdfHeader& header) {
-  std::istringstream words(header.text("ancillary_variables"));
+  std::string list = header.text("ancillary_variables");
+  std::ranges::replace(list, ',', ' ');  // CF asks for blanks
+  std::istringstream words(list);
   std::vector<std::string> names;
   for (std::string name; words >> name;)
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
@@ -79,14 +81,11 @@ class Search {
  private:
   void take_listed(const std::string& name) {
     const bool is_there = file_.has(name) && name != variable_;
-    if (!is_there) {
-      if (has_flag_word(words_of_name(name)))
-        remark(
-            fmt::format("the attribute ancillary_variables of {} names {}, which the file does "
-                        "not have: no flags of it are looked at",
-                        variable_, name));
-      return;
-    }
+    if (!is_there)
+      return remark(
+          fmt::format("the attribute ancillary_variables of {} names {}, which the file does "
+                      "not have: no flags of it are looked at",
+                      variable_, name));
     const NetcdfHeader& header = file_.header(name);
     if (!looks_like_flags(name, header)) return;
     if (!Alignment::of(shape_of(header), shape_of(header_)))

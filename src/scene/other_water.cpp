@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -165,8 +166,14 @@ void OtherWater::change(const std::string& path, Node value, const Place& place)
   if (const auto refusal = check_change(path, value))
     return findings_.add_at(place, refusal->reason, refusal->suggestion);
   move_to(place, value);
-  if (const auto numbered = assign(path, std::move(value), place, document_, findings_))
-    changes_.back().path = *numbered;
+  const auto numbered = assign(path, std::move(value), place, document_, findings_);
+  if (!numbered) return;
+  if (std::any_of(changes_.begin(), changes_.end() - 1, [&](const PlacedChange& earlier) {
+        return (earlier.path + '.').starts_with(*numbered + '.');
+      }))
+    findings_.add_at(place, fmt::format("'{}' sets what an entry before it has set", path),
+                     "set each value once");
+  changes_.back().path = *numbered;
 }
 
 Scene OtherWater::read() {

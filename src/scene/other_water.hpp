@@ -38,7 +38,8 @@ class OtherWater {
   OtherWater& operator=(const OtherWater&) = delete;
   ~OtherWater() = default;
 
-  /// Puts a value where a path leads. It stands at `place` from now on, and so does all in it.
+  /// Puts a value where a path leads, where none has been put before. It stands at `place` from now
+  /// on, and so does all in it.
   void change(const std::string& path, Node value, const Place& place);
   /// The scene with the changes, checked, and compared with the scene that it is made of: what the
   /// histories depend on must be the same. To be called once, at last.

@@ -67,6 +67,18 @@ def test_gates_where_nothing_was_measured_are_nan(oily):
     assert found.reliable.values.tolist() == [[True, False, False]] * 2
 
 
+# Seen red: with values under the mask; with all errors that are numbers taken to be reliable.
+def test_masked_ratios_and_infinite_errors_are_not_reliable(oily):
+    oily = oily.assign_attrs(FILM)
+    masked = numpy.ma.array([0.5, 0.6, 0.4], mask=[False, True, False])
+    found = photic.oil_thickness(oily, "clean", ratio=masked, ratio_error=0.01)
+    assert found.thickness.isnull().values.tolist() == 2 * [[False, True, False]]
+    assert found.reliable.values.tolist() == 2 * [[True, False, True]]
+    found = photic.oil_thickness(oily, "clean", ratio=0.5, ratio_error=1e300)
+    assert not found.reliable.values.any()
+
+
+
 def test_a_measured_ratio_needs_its_error(oily):
     both = "give both, the measured ratio and its standard deviation"
     assert refused(oily, "clean", ratio=0.5) == f"ratio without ratio_error: {both}"

@@ -1,4 +1,5 @@
 // Environments: other water of a scene, and what may not differ in it.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -65,6 +66,30 @@ TEST(Environment, LayersMayBeSetWhole) {
       read_text(setting(R"("sea.layer.0" = { bottom_depth_m = 20, cdom_a440_per_m = 0.1 })"));
   EXPECT_EQ(scene.environment[0].sea.layer[0].chlorophyll_mg_m3, 0.0);
   EXPECT_EQ(scene.environment[0].sea.layer[0].cdom_a440_per_m, 0.1);
+}
+
+// By name, by number, or with all of its layer; a layer may be set whole and one of its keys after
+// that. Seen red: without the look at what has been set; with paths that are alike alone.
+TEST(Environment, SetsEachValueOnce) {
+  const auto twice = [](const std::string& first, const std::string& second) {
+    return diagnostics_of(
+        with_environments("[[environment]]\nset = { " + first + ", " + second + " }"),
+        {"sea.layer.0.name=top"});
+  };
+  const std::string
+      by_name = R"("sea.layer.top.chlorophyll_mg_m3" = 0.2)",
+      by_number = R"("sea.layer.0.chlorophyll_mg_m3" = 0.3)",
+      whole = R"("sea.layer.0" = { name = "top", bottom_depth_m = 20, cdom_a440_per_m = 0.1 })";
+  const auto says = [](const std::string& path) {
+    return "'" + path + "' sets what an entry before it has set (set each value once)";
+  };
+  ASSERT_EQ(twice(by_name, by_number).size(), 1U);
+  EXPECT_THAT(twice(by_name, by_number)[0],
+              testing::EndsWith(says("sea.layer.0.chlorophyll_mg_m3")));
+  ASSERT_EQ(twice(by_number, whole).size(), 1U);
+  EXPECT_THAT(twice(by_number, whole)[0], testing::EndsWith(says("sea.layer.0")));
+  EXPECT_EQ(twice(whole, by_number), Texts{});
+  EXPECT_EQ(twice(by_name, R"("sea.layer.0.cdom_a440_per_m" = 0.2)"), Texts{});
 }
 
 // --- --set ---------------------------------------------------------------------------------------

@@ -180,9 +180,13 @@ TEST(NetcdfFlags, ThatAreNotUnderstoodAreNamed) {
   EXPECT_EQ(remark("quality_flag"), "quality_flag" + nobodys);
   EXPECT_EQ(remark("checked", "quality_flag"), "checked" + nobodys);
   EXPECT_EQ(remark("checked", "", "", qartod_meanings), "checked" + nobodys);
-  EXPECT_EQ(remark("checked", "", "none CHLA_flags"),
-            "the attribute ancillary_variables of CHLA names CHLA_flags, which the file does not "
-            "have: no flags of it are looked at");
+  const auto not_there = [](const std::string& name) {
+    return "the attribute ancillary_variables of CHLA names " + name +
+           ", which the file does not have: no flags of it are looked at";
+  };
+  EXPECT_EQ(remark("checked", "", "CHLA_flags none"), not_there("CHLA_flags"));
+  EXPECT_EQ(remark("checked", "", "none"), not_there("none"));
+  EXPECT_EQ(remark("checked", "quality_flag", "none,checked"), not_there("none"));
   EXPECT_EQ(remark("temperature_qc"), "");
   EXPECT_EQ(remark("direction", "", "", "up down level to fro"), "");
 }
