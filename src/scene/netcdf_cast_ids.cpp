@@ -179,8 +179,8 @@ void drop_halves(CastId& id) {
 
 }  // namespace
 
-std::string CastId::label(std::size_t value) const {
-  return casts ? fmt::format("{}", value) : codes.code_text(value);
+std::string CastId::label(std::size_t code) const {
+  return casts ? fmt::format("{}", code) : codes.code_text(code);
 }
 
 std::vector<CastId> cast_ids(const NetcdfColumns& file, const Layout& layout) {

@@ -19,7 +19,7 @@ struct CastId {
   NetcdfCodes codes = {};                 ///< else the value is one of these, which have no values
 
   /// "58" of a cycle_number.
-  [[nodiscard]] std::string label(std::size_t value) const;
+  [[nodiscard]] std::string label(std::size_t code) const;
 };
 
 /// The profiles of two dimensions; counts and indices of ragged arrays (CF-1.10, section 9.3),
