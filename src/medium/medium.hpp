@@ -176,10 +176,10 @@ struct MediumView {
   /// What a metre of a way in a layer counts as [m].
   template <class T>
   T path_per_metre(const Index<T>& line, const Index<T>& layer) const {
-    const T index = gather<T>(group_index, line);
+    const T of_line = gather<T>(group_index, line);
     if (!upside_down) [[likely]]
-      return index;
-    return index + gather<T>(delay.first, at(line, layer));
+      return of_line;
+    return of_line + gather<T>(delay.first, at(line, layer));
   }
   /// What a straight way of the given length between two levels counts as [m].
   template <class T>

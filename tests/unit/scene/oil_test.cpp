@@ -1,5 +1,6 @@
 // The film of oil of a scene: what is filled in, and what is said of one that is amiss.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -36,10 +37,11 @@ TEST(Oil, IsWrittenAsItWasRead) {
 constexpr const char* columns = "wavelength_nm,n,a_per_m,emission_per_nm\n";
 constexpr const char* oil_rows = "300,1.5,1e5,0\n900,1.5,1e3,1\n";
 
-/// The scene with an oil from a file.
+/// The scene with an oil from a file, of this process: tests run side by side.
 struct OilFile {
   std::string folder;
-  explicit OilFile(const std::string& text) : folder(::testing::TempDir()) {
+  explicit OilFile(const std::string& text)
+      : folder(::testing::TempDir() + std::to_string(getpid()) + '.') {
     std::ofstream(folder + "photic-oil.csv") << text;
   }
   [[nodiscard]] std::vector<Override> overrides() const {
