@@ -39,7 +39,7 @@ std::string comments(const std::string& head, const std::vector<std::string>& it
   return out;
 }
 
-/// How sharply telescopes see, what the air takes of the laser's light, how paths are drawn, which
+/// The focus of telescopes, what the air takes of the laser's light, how paths are drawn, which
 /// telescopes share them, and where every number comes from.
 std::string notes_on(const estimator::Model& model) {
   const tally::Result result = estimator::describe(model);

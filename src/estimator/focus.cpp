@@ -26,7 +26,7 @@ std::optional<double> distance_to_sea(const scene::Telescope& telescope) {
   return telescope.position_m.z / down;
 }
 
-/// How far a point on the axis of a telescope seems to be that stands at the depth, or the range,
+/// The apparent distance of a point on the axis of a telescope at the depth, or the range,
 /// of a gate [m]: what lies in the water is seen through the surface as if at 1 / n of its length.
 double apparent_distance(const Model& model, std::size_t t, double place) {
   const scene::Telescope& lens = model.scene.telescope[t];

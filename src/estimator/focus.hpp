@@ -1,4 +1,4 @@
-// How sharply the telescopes of a scene see.
+// The focus of a scene's telescopes.
 #pragma once
 
 #include <string>

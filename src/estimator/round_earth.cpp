@@ -16,7 +16,7 @@ namespace {
 constexpr double earth_radius_m = 6371e3;  ///< mean, rounded [moritz2000]
 constexpr double noticed = 0.01;           ///< relative difference
 
-/// How an axis comes to the sea.
+/// An axis at the sea.
 struct Arrival {
   double range_m, cosine;  ///< to there; to the vertical there, in the air
 };

@@ -17,7 +17,7 @@
 namespace photic::io {
 namespace {
 
-/// Those that a profile may be told by (CF-1.10, sections 3.4, 3.5, 4 and 9; "conventions" is
+/// Attributes that identify a profile (CF-1.10, sections 3.4, 3.5, 4 and 9; "conventions" is
 /// Argo's).
 constexpr std::array attributes_of_headers{
     "standard_name",    "axis",    "ancillary_variables", "conventions",

@@ -25,7 +25,7 @@ struct AirScatterer {
 /// What they scatter together.
 PhaseShape phase_of(const std::vector<AirScatterer>& scatterers);
 
-/// What is between two edges of a profile: means over it.
+/// The means of a profile between two of its edges.
 struct AirLayer {
   double bottom_km = 0, top_km = 0;
   double refractive_index = 1, group_index = 1;

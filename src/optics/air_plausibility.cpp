@@ -18,7 +18,7 @@ constexpr double gas_constant_j_kmol_k = 8314.32, dry_air_kg_kmol = 28.9644, gra
 constexpr double km_per_k = 1e-3 * gas_constant_j_kmol_k / (dry_air_kg_kmol * gravity_m_s2);
 constexpr double standard_hpa = 1013.25;
 
-/// What mean temperatures of wide steps, humidity, gravity aloft and rough numbers come to.
+/// The factor left open by mean temperatures of wide steps, humidity, gravity aloft and rounding.
 constexpr double tolerance = 1.5;
 /// Above some 95 km air is no longer mixed, and its molecules are lighter.
 constexpr double least_mixed_hpa = 1e-3;

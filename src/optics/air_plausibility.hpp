@@ -1,4 +1,4 @@
-// Whether a profile can be one of air: what no air does stands in another unit, or in another
+// Checks whether a profile can be one of air: what no air does is in another unit, or in another
 // order.
 #pragma once
 
@@ -25,7 +25,7 @@ struct AirFault {
 /// standard one, and there are as many molecules as in an ideal gas, all within a factor of 1.5.
 std::optional<AirFault> fault_of(const AirProfile& profile, double rounding_hpa);
 
-/// What is possible, but more likely in another unit.
+/// Remarks on values that are possible, but more likely to be in another unit.
 std::vector<std::string> doubts_about(const AirProfile& profile);
 
 }  // namespace photic::optics

@@ -111,7 +111,7 @@ std::vector<double> air_per_m3(const DataTable& table, const AirProfile& profile
   return out;
 }
 
-/// How far off pressures may be by the digits that they are written with.
+/// The uncertainty of pressures by the digits that they are written with.
 double rounding_hpa(const DataTable& table, const std::vector<double>& pressure_hpa) {
   double out = most_hpa;
   const std::vector<std::string> texts = table.texts(pressure_column);

@@ -22,7 +22,7 @@ bool is_no_regular_file(const std::string& path) {
 
 std::string read_text(const std::string& path) {
   constexpr std::size_t block = 65536;
-  // Some files of the system block who opens or reads them.
+  // Some files of the system block a program that opens or reads them.
   const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   struct stat status {};
   const bool regular = file < 0 || ::fstat(file, &status) != 0 || S_ISREG(status.st_mode);

@@ -1,15 +1,16 @@
 // Tables of text, read strictly: Photic's own data and those of users.
 //
 // Lines that begin with "#" or "!" are comments; those of the form "# KEY: text" can be asked for.
-// Fields stand between commas, semicolons, tabs or blanks, which a line "sep=;" above may tell, and
+// Fields stand between commas, semicolons, tabs or blanks, which a line "sep=;" above may name, and
 // the names of columns where table_head.hpp says. Fields that hold the separator stand in double
 // quotes, where a double quote is written twice (RFC 4180, but for lines that end inside quotes).
 // Numbers may have decimal commas, but not between commas, if all of the table do. Rows without any
 // field are left out.
 //
 // Whatever is wrong is an InputError with file, line and column; what cannot be read in all lines,
-// or in all cells of a column, is told at once: in one line where most of them have it. It quotes
-// fields and names only of tables of which some row holds numbers alone: others may be no tables.
+// or in all cells of a column, is reported at once: in one line where most of them have it. It
+// quotes fields and names only of tables of which some row holds numbers alone: others may be no
+// tables.
 #pragma once
 
 #include <cstddef>
@@ -24,15 +25,15 @@
 
 namespace photic::optics {
 
-/// Whether there is something of that name that is a folder, a pipe or a device, links followed:
+/// Whether the name belongs to a folder, a pipe or a device, links followed:
 /// reading some of these has no end.
 bool is_no_regular_file(const std::string& path);
 inline constexpr const char* files_are_regular = "folders, pipes and devices are not read";
 
-/// What a text file holds. Throws InputError if it is no regular file or cannot be read.
+/// Returns the text in a file. Throws InputError if it is not a regular file or cannot be read.
 std::string read_text(const std::string& path);
 
-/// How somebody calls a column of a file: by its name there, or by its number, from 1.
+/// A column of a file, by its name there or by its number, from 1.
 struct ColumnInFile {
   std::string name;
   std::int64_t number = 0;
@@ -62,7 +63,7 @@ class DataTable {
   /// those that it calls so itself.
   [[nodiscard]] DataTable with(
       const std::vector<std::pair<std::string, ColumnInFile>>& columns) const;
-  /// What the file calls a column, or "column 2".
+  /// Returns the name of a column in the file, or "column 2".
   [[nodiscard]] std::string name_of_column(const ColumnInFile& column) const;
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -83,7 +84,7 @@ class DataTable {
   [[nodiscard]] double number_in_header(const std::string& key) const;
 
   [[nodiscard]] bool has(const std::string& column) const;
-  /// What the header of a SeaBASS file says of a column; mostly nothing.
+  /// The unit of a column in the header of a SeaBASS file; empty for other files.
   [[nodiscard]] std::string units(const std::string& column) const;
 
   [[nodiscard]] std::vector<std::string> texts(const std::string& column) const;
@@ -107,7 +108,7 @@ class DataTable {
     cells_.at(row)[index_of(column)].text = std::move(text);
   }
 
-  /// What is worth knowing of how it was read.
+  /// Remarks on how the file was read.
   void remark(std::string text) { remarks_.push_back(std::move(text)); }
   [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
 

@@ -14,7 +14,7 @@ struct TableCell {
 };
 using TableCells = std::vector<TableCell>;
 
-/// What may stand between two fields. A blank stands for any number of blanks and tabs, around
+/// The separators of fields. A blank stands for any number of blanks and tabs, around
 /// which there is no field.
 inline constexpr char comma = ',', semicolon = ';', tab = '\t', blank = ' ';
 inline constexpr char separators[] = {comma, semicolon, tab, blank};
@@ -39,7 +39,7 @@ TableCells fields_of(const std::string& line, char separator, const std::string&
 /// Nothing for a line with quotes that are none.
 std::optional<TableCells> fields_if_any(const std::string& line, char separator);
 
-/// How often a letter stands outside of quotes.
+/// Counts a letter outside quotes.
 std::size_t count_outside_quotes(const std::string& line, char letter);
 
 /// Whether it is a number between such separators: decimal commas are none between commas.
@@ -49,7 +49,7 @@ bool is_number(const std::string& text, char separator);
 bool are_numbers(const TableCells& fields, char separator);
 bool are_numbers_or_gaps(const TableCells& fields, char separator);
 
-/// What a message shows of a field or of the name of a column: its beginning, in letters that a
+/// The part of a field or of a column's name that a message shows: its beginning, in letters that a
 /// terminal prints.
 std::string shown(const std::string& text);
 

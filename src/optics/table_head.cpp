@@ -31,7 +31,7 @@ std::vector<char> possible_separators(const std::string& names, const std::strin
   return in_names.size() > 1 && !alike.empty() ? alike : in_names;
 }
 
-/// How the fields of a line of numbers are separated, and how many there are.
+/// The separator of a line of numbers, and its number of fields.
 struct Row {
   char separator = comma;
   std::size_t fields = 0;
@@ -299,7 +299,7 @@ class HeadReader {
     return true;
   }
 
-  /// Names that are not as many as fields are told as such; texts that are no names are none.
+  /// Names that are not as many as the fields are reported; texts that are no names are skipped.
   void take_no_names(const Row& way) {
     if (!fields_.empty()) {
       take_fields(way);

@@ -18,7 +18,7 @@ std::vector<std::string> lines_of_table(const std::string& bytes, const std::str
 /// lines have them, and 20 at most.
 void raise_together(std::vector<Diagnostic> found, std::size_t lines);
 
-/// What is said of a file that holds no line of numbers, and what should be in it.
+/// The message on a file without a line of numbers, and the suggestion.
 inline constexpr const char* no_numbers = "no table of numbers";
 inline constexpr const char* what_a_table_is =
     "a table has rows of numbers, between commas, semicolons, tabs or blanks";

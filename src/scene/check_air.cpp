@@ -94,7 +94,7 @@ void check_aerosols(const Atmosphere& air, Findings& findings) {
                  "aerosol = \"none\" says that there are no aerosols", "leave one of them out");
 }
 
-/// What is possible, but more likely in another unit.
+/// Remarks on values that are possible, but more likely to be in another unit.
 void remark_units(const Atmosphere& air, Findings& findings) {
   constexpr double most_fraction = 1, clearest_km = 100, thickest_fog_per_m = 0.1;
   const double humidity = air.relative_humidity_percent.value_or(0);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double most_gates = 1e6;
 
-/// What the keys of an interval are called, and their unit.
+/// The names of the keys of an interval, and their unit.
 struct Keys {
   std::string min, max, step;
   const char* unit;

@@ -10,7 +10,7 @@
 
 namespace photic::scene {
 
-/// What a file tells of each depth and wavelength, and the key of what the file calls it.
+/// The quantities of a file by depth and wavelength, and the keys of their names in it.
 struct IopColumn {
   const char *name, *key;
 };

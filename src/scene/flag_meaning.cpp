@@ -19,7 +19,7 @@ constexpr std::array unchecked_words{"unknown",  "uncheck", "uneval", "unassess"
                                      "uncontr",  "unused",  "unqual", "raw",      "spare",
                                      "reserved", "change",  "adjust", "correct",  "interpol",
                                      "estimat",  "despik",  "smooth", "modif",    "nominal"};
-/// What turns "valid" and "detection" into something else.
+/// Words that turn "valid" and "detection" into something else.
 constexpr std::array limit_words{"below", "above", "exceed", "beyond", "limit"};
 // After "no" or "not": that no check was made, or that there is no value.
 constexpr std::array check_words{"qc",   "quality", "control", "check", "eval", "assess", "test",

@@ -1,4 +1,4 @@
-// What quality flags say of values.
+// The meaning of quality flags.
 #pragma once
 
 #include <optional>

@@ -31,7 +31,7 @@ bool is_among(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// What a file has: those of the names that are known here, and what helps where one is missing.
+/// The names in a file that are known here, and the suggestion where one is missing.
 struct Contents {
   std::vector<std::string> known;
   std::function<std::string(const std::string& name)> instead_of;
@@ -55,8 +55,8 @@ std::vector<std::string> value_names(const Contents& file) {
   return names;
 }
 
-/// "did you mean …?" of one of the names in a file; nobody meant one that is known by writing
-/// another. Else what there is.
+/// "did you mean …?" with one of the names in a file, or else the list of them. A name that is
+/// known here is not suggested in place of another.
 std::string hint(const std::string& name, const std::vector<std::string>& there,
                  const IopNames& names, const std::string& what_there_is) {
   std::vector<std::string> strange;
@@ -191,7 +191,7 @@ class NamedVariables {
     return names;
   }
 
-  /// In the unit that the name ends in, as it is where the variable tells none.
+  /// In the unit that the name ends in; unchanged where the variable has no unit.
   [[nodiscard]] NetcdfVariable read(const std::string& name) const {
     const std::string& in_file = called(name);
     NetcdfVariable variable = file_.read(in_file);

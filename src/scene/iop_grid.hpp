@@ -26,7 +26,7 @@ struct IopGrid {
   [[nodiscard]] bool has(const std::string& name) const { return value.contains(name); }
 };
 
-/// What a file calls its columns or variables, by the names they have here; none: as here.
+/// The names of columns or variables in a file, by those used here; empty: the same.
 using IopNames = std::vector<std::pair<std::string, optics::ColumnInFile>>;
 
 /// Of a file of text with a row for each pair of depth and wavelength, or of a netCDF file (.nc)

@@ -1,4 +1,4 @@
-// What differs between the casts in one dimension of a netCDF file.
+// The variables that differ between the casts in one dimension of a netCDF file.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Which values of a netCDF file's variables belong to one profile.
+// The values of a netCDF file's variables that belong to one profile.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,7 @@
 namespace photic::scene {
 namespace {
 
-/// What a function gave is given again for the same texts. What it throws is not kept.
+/// Keeps a function's results for the same texts, but not its exceptions.
 template <class Result, class... Texts>
 std::function<Result(const Texts&...)> kept(std::function<Result(const Texts&...)> read) {
   using Known = std::map<std::tuple<Texts...>, Result>;

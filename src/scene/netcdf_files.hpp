@@ -10,7 +10,7 @@
 
 namespace photic::scene {
 
-/// What a variable is before its values are read.
+/// The description of a variable, read before its values.
 struct NetcdfHeader {
   std::vector<std::string> dimension;                 ///< without that of the characters of texts
   std::vector<std::size_t> length;                    ///< of each dimension
@@ -47,7 +47,7 @@ struct NetcdfCodes {
   std::vector<std::string> text = {};   ///< the different values, ascending, else
   std::vector<std::size_t> value = {};  ///< which of them each is; none where it is missing
 
-  // What flags mean (CF-1.10, section 3.5): empty without these attributes.
+  // The meanings of flags (CF-1.10, section 3.5): empty without these attributes.
   std::vector<std::string> flag_values = {};
   std::vector<double> flag_masks = {};
   std::vector<std::string> flag_meanings = {};  ///< one text, or as many as there are meanings

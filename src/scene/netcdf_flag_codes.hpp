@@ -1,4 +1,4 @@
-// What each flag of a variable of quality flags says (CF-1.10, section 3.5).
+// The meaning of each flag of a variable of quality flags (CF-1.10, section 3.5).
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Which variables of a netCDF file are quality flags of another one.
+// Finds the variables of a netCDF file that are quality flags of another one.
 #pragma once
 
 #include <string>

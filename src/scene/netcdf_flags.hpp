@@ -9,7 +9,7 @@
 
 namespace photic::scene {
 
-/// What flags make of the values of a profile.
+/// The values of a profile after its flags.
 struct Flagged {
   std::vector<bool> is_bad;          ///< or missing, of each value
   std::vector<std::string> dropped;  ///< how many values are, by which flags

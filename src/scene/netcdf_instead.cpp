@@ -14,7 +14,7 @@ namespace {
 /// A profile needs them.
 constexpr std::size_t fewest_levels = 2;
 
-/// How many levels of a cast have a value and a depth; none if flags contradict each other.
+/// The number of levels of a cast with a value and a depth; 0 if flags contradict each other.
 std::size_t known_levels(const Cast& cast, const ProfileVariable& value,
                          const ProfileVariable& depth) {
   std::size_t count = 0;

@@ -1,4 +1,4 @@
-// What may serve where a profile of a netCDF file has no two levels with a depth and a value.
+// Suggestions where a profile of a netCDF file lacks two levels with a depth and a value.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Which dimensions the variables of a profile have.
+// The dimensions of the variables of a profile.
 #pragma once
 
 #include <optional>

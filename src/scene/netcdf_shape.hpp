@@ -14,7 +14,7 @@ struct Shape {
   std::vector<std::size_t> length;
 
   [[nodiscard]] std::size_t size() const;  ///< the number of values
-  /// Which dimension is called that.
+  /// Returns the dimension of that name.
   [[nodiscard]] std::optional<std::size_t> axis(const std::string& name) const;
   /// The index along a dimension of the value at a position.
   [[nodiscard]] std::size_t index(std::size_t axis, std::size_t position) const;

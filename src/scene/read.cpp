@@ -119,7 +119,7 @@ void read_on(const Node& document, const Layered& layered, const Check& check, S
   }
 }
 
-/// A table may tell its oil's yield and lifetime beside its columns. Light that is not emitted
+/// A table may give its oil's yield and lifetime beside its columns. Light that is not emitted
 /// takes no time.
 void fill_in_light(Oil& oil, Findings& findings) {
   const auto& table = oil.table.data();

@@ -18,7 +18,7 @@ std::string suggestion_for(const std::string& word, const std::vector<std::strin
 std::optional<std::string> same_word(const std::string& word,
                                      const std::vector<std::string>& known);
 
-/// What "_", "-" and blanks divide in a word, in lower case.
+/// The parts of a word between "_", "-" and blanks, in lower case.
 std::vector<std::string> parts_of(const std::string& word);
 
 /// "a, b and c" with the given last joint ("and", "or").

@@ -12,14 +12,14 @@
 namespace photic::scene {
 namespace {
 
-/// What to write in the scene for a column that a file calls otherwise.
+/// The suggestion for a column that has another name in the file.
 std::string how_to_name(const optics::DataTable& data, const std::string& column) {
   if (!data.may_be_quoted() || data.column_line() == 0) return "";
   return fmt::format("; the scene may name it: {{ {} = …, {} = … }}", file_key,
                      without_its_unit(column));
 }
 
-/// What a file calls the columns of a table.
+/// The names of a table's columns in a file.
 using NamesInFile = std::vector<std::pair<std::string, optics::ColumnInFile>>;
 
 /// Columns that are not there, and how to call them otherwise.

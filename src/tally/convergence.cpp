@@ -81,7 +81,7 @@ double fourth_powers(const Octaves& octaves, double largest) {
   return std::pow(largest, 4) + sum * 15 / (4 * std::numbers::ln2);
 }
 
-/// Whether what has not been seen of a sum is more than its error says, and no negligible part.
+/// Whether the unseen part of a sum exceeds its error, and is not negligible.
 bool heavy(double unseen, double error, double sum) {
   return unseen > largest_unseen * error && unseen > negligible_share * std::abs(sum);
 }

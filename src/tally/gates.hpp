@@ -83,7 +83,7 @@ class Gates {
   [[nodiscard]] std::vector<double> depth_edges(std::int64_t cells) const;
 
  private:
-  /// Of a telescope: by range or by depth, as gates are told.
+  /// Of a telescope: by range or by depth, as its gates are.
   [[nodiscard]] PathScale scale_of(std::size_t telescope, const medium::Line& back) const;
   /// The longest path that edges are made of [m].
   [[nodiscard]] double longest_path() const;

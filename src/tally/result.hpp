@@ -67,7 +67,7 @@ struct Result {
 
   // The same of the environments, if there are any.
   std::vector<std::string> environment_name;
-  std::vector<std::string> environment_changes;  ///< that its name does not tell: "path = value, …"
+  std::vector<std::string> environment_changes;  ///< besides those in its name: "path = value, …"
   std::vector<std::string> environment_path;     ///< that any of them sets to a number, as of --set
   std::vector<double> environment_value;         ///< [environment][path]; NaN: no number
   Estimates environment_echo;                    ///< [environment][telescope][channel][gate]

@@ -85,7 +85,7 @@ class Totals {
   [[nodiscard]] std::int32_t environment_flags(std::size_t cell, const EnvironmentSums& s) const;
   /// Of a difference alone, as tangents are: their echo is a line through the scene's, and no echo.
   [[nodiscard]] std::int32_t difference_flags(std::size_t cell, const EnvironmentSums& s) const;
-  /// What is known of a gate, for the orders and processes that its echo is the sum of.
+  /// Properties of a gate that its orders and processes share.
   struct Whole {
     std::int32_t flags = 0;
     double unseen_share = 0;  ///< of the echo, and so of its parts

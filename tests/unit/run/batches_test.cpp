@@ -1,4 +1,4 @@
-// How many photons a batch has, and after how many batches the target is looked at.
+// The photons of a batch, and the numbers of batches after which the target is looked at.
 #include <gtest/gtest.h>
 
 #include "estimator/model.hpp"

@@ -330,8 +330,8 @@ TEST(Atmosphere, EveryTextOfLayersThatAreWrong) {
   for (const AirCase& c : layer_cases()) EXPECT_EQ(with_section(c.section), c.expected);
 }
 
-// What is possible, but more likely in another unit. Seen red: each, without the lines that find
-// it.
+// Values that are possible, but more likely to be in another unit. Seen red: each, without the
+// lines that find it.
 TEST(Atmosphere, EveryRemarkOnUnits) {
   const auto remarks = [](const std::string& section) {
     return remarks_of(edited({{25, 25, base_lines()[24] + "\n" + section}}));
