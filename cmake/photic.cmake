@@ -15,12 +15,11 @@ set(contraction "-ffp-contract=$<IF:$<BOOL:$<TARGET_PROPERTY:PHOTIC_CONTRACTED>>
 target_compile_options(photic_flags INTERFACE -Wall -Wextra -Wpedantic ${shadow} ${bool_masks} -Wconversion
                        -Wno-sign-conversion -Wno-psabi -Werror ${contraction} -fno-math-errno -fno-trapping-math)
 
-# The instruction sets that lanes are compiled for, from the least to the best (core/isa.hpp).
-set(photic_isas baseline)
-if(PHOTIC_WIDE_LANES AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  list(APPEND photic_isas avx2 avx512)
-  target_compile_definitions(photic_flags INTERFACE PHOTIC_WIDE_LANES)
-endif()
+photic_choose_isas(photic_isas)
+foreach(isa IN LISTS photic_isas)
+  string(TOUPPER ${isa} upper)
+  target_compile_definitions(photic_flags INTERFACE PHOTIC_ISA_${upper})
+endforeach()
 
 set(flags_of_baseline "")
 # Packs that are copied go through registers: g++ 12 would have string instructions for them, which take some tens of

@@ -4,6 +4,18 @@
 # ccache makes the second build quick where it happens to be installed.
 if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_SLOPPINESS=pch_defines,time_macros; fi
 
+# The lanes of ./demo and ./test: those that every processor has, and the best of this machine.
+isas_of_this_machine='baseline;native'
+
+# jobs [MEMINFO]: how many files may be compiled at once: one for each core and for each 1.2 GB of free memory.
+jobs() {
+  local cores free
+  cores=$(nproc)
+  free=$(awk '/^MemAvailable:/ { print int($2 / 1200000) }' "${1:-/proc/meminfo}" 2>/dev/null || true)
+  [[ -n $free ]] || free=$cores
+  echo $((free < 1 ? 1 : free < cores ? free : cores))
+}
+
 step() { printf '\n== %s\n' "$*"; }
 
 # quietly LOG COMMAND…: the command's output goes to the log, and is shown only if it fails.

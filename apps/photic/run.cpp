@@ -126,7 +126,9 @@ std::optional<Isa> lanes_going_on(const RunCommand& command, const std::optional
     throw InputError({{.file = command.earlier,
                        .reason = fmt::format("ran in the engine {}, which does not run here",
                                              schedule::engine_name(before)),
-                       .suggestion = "continue where the processor has it, or run anew"}});
+                       .suggestion = is_of_processor(*before)
+                                         ? "build it: cmake -DPHOTIC_ISAS=all"
+                                         : "continue where the processor has it, or run anew"}});
   }
   if (command.engine.empty() && command.isa.empty()) return before;
   const auto now = lanes_asked(command);

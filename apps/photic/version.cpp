@@ -28,10 +28,14 @@ std::string data_folder() {
   }
 }
 
-/// Those that run here, the best first.
+/// Those that were built, the best first.
 std::vector<std::string> instruction_sets() {
   std::vector<std::string> out;
-  for (const Isa isa : isas_here()) out.emplace_back(isa_name(isa));
+  for (const Isa isa : isas) {
+    if (is_built(isa))
+      out.push_back(fmt::format("{}{}", isa_name(isa),
+                                is_of_processor(isa) ? "" : " (not on this processor)"));
+  }
   std::ranges::reverse(out);
   return out;
 }
@@ -40,7 +44,7 @@ std::vector<std::string> instruction_sets() {
 
 int run(const VersionCommand& /*command*/) {
   print_out(fmt::format(
-      "photic {}\ncompiler: {}, {}\ninstruction sets that run here: {}\ndata: {}\n", PHOTIC_VERSION,
+      "photic {}\ncompiler: {}, {}\ninstruction sets: {}\ndata: {}\n", PHOTIC_VERSION,
       compiler, PHOTIC_BUILD_TYPE, fmt::join(instruction_sets(), ", "), data_folder()));
   return done;
 }

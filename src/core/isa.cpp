@@ -20,17 +20,29 @@ std::optional<Isa> isa_of(std::string_view name) {
   return std::nullopt;
 }
 
-#if defined(PHOTIC_WIDE_LANES)
-bool runs_here(Isa isa) {
-  // What the files are compiled with: cmake/photic.cmake.
+bool is_built(Isa isa) {
+#if defined(PHOTIC_ISA_AVX2)
+  if (isa == Isa::avx2) return true;
+#endif
+#if defined(PHOTIC_ISA_AVX512)
+  if (isa == Isa::avx512) return true;
+#endif
+  return isa == Isa::baseline;
+}
+
+bool is_of_processor(Isa isa) {
+#if defined(__x86_64__)
+  // What the files are compiled with: cmake/photic.cmake, cmake/isas.cmake.
   const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
   return isa == Isa::baseline || (avx2 && (isa == Isa::avx2 || avx512));
-}
 #else
-bool runs_here(Isa isa) { return isa == Isa::baseline; }
+  return isa == Isa::baseline;
 #endif
+}
+
+bool runs_here(Isa isa) { return is_built(isa) && is_of_processor(isa); }
 
 std::vector<Isa> isas_here() {
   std::vector<Isa> out;

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 
 #include "estimator/model.hpp"
 #include "estimator/world.hpp"
@@ -47,59 +46,26 @@ void join(const Model& air, const scene::Source& source, World<T>& water_world,
   water_world.flies_on = air_world.flies_on = false;  // past the surface without meeting it
 }
 
-/// Worlds of histories in both media beside walks.
+/// The world of a model's air.
 template <class T>
-struct HistoriesBesideWalks {
-  Model water_model, air_model;
-  World<T> setting_out;  ///< light of the laser in the water; it is not scored
-  World<T> water, air;
-
-  explicit HistoriesBesideWalks(const Model& walks)
-      : water_model(by_histories(walks)),
-        air_model(model_of_air(water_model)),
-        water(make_world<T>(water_model)),
-        air(make_world<T>(air_model)) {
-    const std::uint64_t batch = batch_photons(walks.scene.simulation);
-    const auto prepare = [&](World<T>& world, std::uint64_t stream) {
-      world.key = walks.scene.simulation.seed ^ stream;
-      world.batch_photons = batch;
-      if (world.points.dimensions() > 0) world.points = {batch, quasi_random_dimensions};
-    };
-    prepare(water, beside_water_stream);
-    prepare(air, beside_air_stream);
-    join(air_model, walks.scene.source, water, air);
-    air.scored = Scored::from_water;
-    setting_out = water;
-    setting_out.scored = Scored::none;
-  }
-  HistoriesBesideWalks(const HistoriesBesideWalks&) = delete;
-  HistoriesBesideWalks& operator=(const HistoriesBesideWalks&) = delete;
-};
-
-/// The worlds of a model with air, besides that of the water.
-template <class T>
-class AirWorlds {
+class AirWorld {
  public:
-  /// `water`: that of the model.
-  AirWorlds(const Model& model, World<T>& water)
+  /// `water`: the model's world.
+  AirWorld(const Model& model, World<T>& water)
       : model_(model_of_air(model)), air_(make_world<T>(model_)) {
     air_.key = model.scene.simulation.seed ^ air_stream;
-    if (water.estimator == scene::Estimator::bidirectional)
-      beside_walks_.emplace(model);
-    else
+    if (water.estimator != scene::Estimator::bidirectional)
       join(model_, model.scene.source, water, air_);
   }
-  AirWorlds(const AirWorlds&) = delete;
-  AirWorlds& operator=(const AirWorlds&) = delete;
+  AirWorld(const AirWorld&) = delete;
+  AirWorld& operator=(const AirWorld&) = delete;
 
   /// Of walks that stay in the air, or of histories.
   [[nodiscard]] const World<T>& air() const { return air_; }
-  [[nodiscard]] const HistoriesBesideWalks<T>& beside_walks() const { return *beside_walks_; }
 
  private:
   Model model_;
   World<T> air_;
-  std::optional<HistoriesBesideWalks<T>> beside_walks_;
 };
 
 }  // namespace photic::estimator

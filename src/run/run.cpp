@@ -118,12 +118,15 @@ tally::Result result_of(const estimator::Model& model, const tally::Totals& tota
 
 /// Throws InputError for lanes that do not run here.
 void check_lanes(Isa isa) {
-  if (!runs_here(isa)) {
-    throw InputError(
-        {{.file = fmt::format("--isa {}", isa_name(isa)),
-          .reason = "this processor, or this build of Photic, does not have it",
-          .suggestion = fmt::format("leave it out, or choose {}", isa_name(isas_here().back()))}});
-  }
+  if (runs_here(isa)) return;
+  const std::string_view best = isa_name(isas_here().back());
+  throw InputError(
+      {{.file = fmt::format("--isa {}", isa_name(isa)),
+        .reason = is_built(isa) ? "this processor does not have it" : "it was not built",
+        .suggestion =
+            is_of_processor(isa)
+                ? fmt::format("leave it out, choose {}, or build it: cmake -DPHOTIC_ISAS=all", best)
+                : fmt::format("leave it out, or choose {}", best)}});
 }
 
 }  // namespace

@@ -3,21 +3,27 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "schedule/engine_parts.hpp"
 
 namespace photic::schedule {
+namespace {
 
-// Defined by lanes_isa.cpp and scalar_isa.cpp, compiled for each.
-namespace baseline {
-std::unique_ptr<Simulator> make_lane_simulator(const estimator::Model& model);
-std::unique_ptr<Simulator> make_scalar_simulator(const estimator::Model& model);
-}  // namespace baseline
-namespace avx2 {
-std::unique_ptr<Simulator> make_lane_simulator(const estimator::Model& model);
-std::unique_ptr<Simulator> make_scalar_simulator(const estimator::Model& model);
-}  // namespace avx2
-namespace avx512 {
-std::unique_ptr<Simulator> make_lane_simulator(const estimator::Model& model);
+template <class Kind>
+std::unique_ptr<Simulator> make(const estimator::Model& model) {
+  using Parts = EngineParts<Kind>;
+  switch (model.scene.simulation.estimator) {
+    case scene::Estimator::bidirectional:
+      return Parts::walks_simulator(model, Parts::beside_walks_simulators(model));
+    case scene::Estimator::analog:
+      return Parts::analog_simulator(model);
+    case scene::Estimator::automatic:  // left open: as forward
+    case scene::Estimator::forward:
+      break;
+  }
+  return Parts::forward_simulator(model);
 }
+
+}  // namespace
 
 std::string engine_name(const std::optional<Isa>& lanes) {
   return lanes ? fmt::format("lanes ({})", isa_name(*lanes)) : "scalar";
@@ -33,12 +39,14 @@ std::optional<Isa> isa_of_engine(std::string_view engine) {
 std::unique_ptr<Simulator> make_simulator(const estimator::Model& model,
                                           const std::optional<Isa>& lanes) {
   expect(!lanes || runs_here(*lanes), "lanes are made of instructions that the processor has");
-#if defined(PHOTIC_WIDE_LANES)
-  if (lanes == Isa::avx512) return avx512::make_lane_simulator(model);
-  if (lanes == Isa::avx2) return avx2::make_lane_simulator(model);
-  if (!lanes && runs_here(Isa::avx2)) return avx2::make_scalar_simulator(model);
+  if (!lanes) return make<Scalar>(model);
+#if defined(PHOTIC_ISA_AVX512)
+  if (lanes == Isa::avx512) return make<Lanes<Isa::avx512>>(model);
 #endif
-  return lanes ? baseline::make_lane_simulator(model) : baseline::make_scalar_simulator(model);
+#if defined(PHOTIC_ISA_AVX2)
+  if (lanes == Isa::avx2) return make<Lanes<Isa::avx2>>(model);
+#endif
+  return make<Lanes<Isa::baseline>>(model);
 }
 
 }  // namespace photic::schedule

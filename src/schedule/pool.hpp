@@ -10,7 +10,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/flatten.hpp"
@@ -83,24 +85,48 @@ class Pool {
   }
   template <class Events, class Witness>
   void run(tally::BatchTally& tally, Witness& witness) {
-    const auto all = [this](auto stage) { each_of(pack_.data(), used_, stage); };
     auto steps =
-        steps_of<Events>(tally, [this](std::uint32_t block) { draw(pack_.data(), used_, block); });
+        steps_of<Events>(tally, [this](std::uint32_t block) { draw(on_the_way(), block); });
     for (fill<Events>(tally); used_ > 0; fill<Events>(tally)) {
-      collisions(steps, all);
+      collide<Events>(steps, on_the_way());
       tell(witness);
       if constexpr (Events::tools) keep_copies(tally);
-      flights(steps, all);
+      fly<Events>(steps, on_the_way());
     }
   }
-  template <class Events, class Draw>
-  auto steps_of(tally::BatchTally& tally, Draw draw) {
-    return estimator::forward_steps<Events>(
-        world_, ledger_, tally, estimates_, draw,
-        [this](estimator::Travellers<T>& gone, std::int32_t copy) {
-          number_anew(gone, copy);
-          leave(gone);
-        });
+  template <class Events>
+  using Steps = estimator::ForwardSteps<Events, T, lanes::LaneLedger<T>>;
+  template <class Events>
+  Steps<Events> steps_of(tally::BatchTally& tally, std::function<void(std::uint32_t)> draw) {
+    return {world_,
+            ledger_,
+            tally,
+            estimates_,
+            std::move(draw),
+            [this](estimator::Travellers<T>& gone, std::int32_t copy) {
+              number_anew(gone, copy);
+              leave(gone);
+            }};
+  }
+  /// Packs that go through a stage together.
+  struct Each {
+    estimator::Travellers<T>* pack;
+    std::size_t count;
+
+    template <class Stage>
+    PHOTIC_APART PHOTIC_FLATTEN void operator()(Stage stage) const {
+      for (std::size_t k = 0; k < count; ++k) stage(pack[k]);
+    }
+  };
+  Each on_the_way() { return {pack_.data(), used_}; }
+  // Each is compiled once: whoever it is called for.
+  template <class Events>
+  PHOTIC_APART static void fly(Steps<Events>& steps, const Each& each) {
+    estimator::flights(steps, each);
+  }
+  template <class Events>
+  PHOTIC_APART static void collide(Steps<Events>& steps, const Each& each) {
+    estimator::collisions(steps, each);
   }
   /// They draw random numbers of their own.
   void number_anew(estimator::Travellers<T>& copies, std::int32_t copy) const {
@@ -110,14 +136,9 @@ class Pool {
                                                         copies.place.event[i], copy));
     });
   }
-  template <class Stage>
-  PHOTIC_APART PHOTIC_FLATTEN static void each_of(estimator::Travellers<T>* pack, std::size_t count,
-                                                  Stage stage) {
-    for (std::size_t k = 0; k < count; ++k) stage(pack[k]);
-  }
   /// Draws a block of random numbers for packs, two at once.
-  PHOTIC_APART PHOTIC_FLATTEN static void draw(estimator::Travellers<T>* pack, std::size_t count,
-                                               std::uint32_t block) {
+  PHOTIC_APART PHOTIC_FLATTEN static void draw(const Each& each, std::uint32_t block) {
+    auto [pack, count] = each;
     for (; count >= 2; count -= 2, pack += 2) {
       const auto [first, second] = uniforms(pack[0].place, pack[1].place, block);
       pack[0].numbers(block) = first;
@@ -167,7 +188,7 @@ class Pool {
   PHOTIC_APART void births(tally::BatchTally& tally) {
     const auto first = static_cast<std::int32_t>(next_);
     const std::size_t born = std::min(packs, (count_ - next_ + width - 1) / width);
-    const auto all = [&](auto stage) { each_of(newborn_.data(), born, stage); };
+    const Each all{newborn_.data(), born};
     const auto number_of = [&](const estimator::Travellers<T>& t) {
       return first +
              static_cast<std::int32_t>(width) * static_cast<std::int32_t>(&t - newborn_.data());
@@ -183,10 +204,10 @@ class Pool {
                                estimates_, tally, ledger_);
     });
     next_ += born * width;
-    auto steps = steps_of<Events>(tally, [&](auto block) {
+    auto steps = steps_of<Events>(tally, [&](std::uint32_t block) {
       all([&](auto& t) { t.numbers(block) = draws_->together(number_of(t), 1, block); });
     });
-    flights(steps, all);
+    fly<Events>(steps, all);
     all([&](auto& t) { wait(t); });
   }
   /// The next of those who have come from the other medium, to where their first flight here ends.
@@ -194,10 +215,9 @@ class Pool {
   PHOTIC_APART void arrive(tally::BatchTally& tally) {
     std::size_t came = 0;
     for (; came < packs && arrivals_->photons.size() > 0; ++came) arrive(newborn_[came]);
-    auto steps =
-        steps_of<Events>(tally, [&](std::uint32_t block) { draw(newborn_.data(), came, block); });
-    const auto all = [&](auto stage) { each_of(newborn_.data(), came, stage); };
-    flights(steps, all);
+    const Each all{newborn_.data(), came};
+    auto steps = steps_of<Events>(tally, [&](std::uint32_t block) { draw(all, block); });
+    fly<Events>(steps, all);
     all([&](auto& t) { wait(t); });
   }
   void arrive(estimator::Travellers<T>& pack) {
@@ -257,9 +277,10 @@ class Pool {
         const auto i = static_cast<std::size_t>(lane);
         ratios_.copy(world_.sea.environments, pack.ratios.first + i, ratios.first + i);
       });
-    auto steps = steps_of<estimator::AllEvents>(
-        tally, [&](std::uint32_t block) { draw(&copies, 1, block); });
-    flights(steps, [&](auto stage) { each_of(&copies, 1, stage); });
+    const Each all{&copies, 1};
+    auto steps =
+        steps_of<estimator::AllEvents>(tally, [&](std::uint32_t block) { draw(all, block); });
+    fly<estimator::AllEvents>(steps, all);
     wait(copies);
   }
 

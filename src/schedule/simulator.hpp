@@ -18,13 +18,18 @@ class Simulator {
 
   /// Fills a clear tally with photons `first` … `first + count - 1`.
   void simulate(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const {
-    run(first, count, tally);
+    add(first, count, tally);
     tally.pass_to_wider();
   }
+  /// Adds them to a tally. Of nested views the narrowest that sees light scores it.
+  virtual void add(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const = 0;
+};
 
- private:
-  /// Of nested views the narrowest that sees light scores it.
-  virtual void run(std::uint64_t first, std::uint64_t count, tally::BatchTally& tally) const = 0;
+/// Histories beside the bidirectional estimator's walks, which score what walks leave out. None
+/// where walks leave nothing out.
+struct BesideWalks {
+  std::unique_ptr<Simulator> in_water;  ///< the surface's own echo, the light of a film
+  std::unique_ptr<Simulator> in_air;    ///< light that is scattered in both media
 };
 
 }  // namespace photic::schedule

@@ -52,6 +52,21 @@ def test_estimators_are_chosen_as_ever(run, scene, tmp_path):
         assert "pilot runs" in lanes.scene and lanes.scene == scalar.scene
 
 
+def test_what_does_not_run_here_is_refused(run, photic, scene):
+    # Seen red: with a set that was not built taken for the baseline.
+    sets = photic("--version").stdout.splitlines()[2]
+    for isa in ("baseline", "avx2", "avx512"):
+        if isa not in sets:
+            done = run("--isa", isa, code=2)
+            assert f"--isa {isa}: " in done.stderr
+            assert "it was not built" in done.stderr or "this processor does not have it" in done.stderr
+            assert ("cmake -DPHOTIC_ISAS=all" in done.stderr) == ("it was not built" in done.stderr)
+        elif f"{isa} (not on this processor)" in sets:
+            assert "this processor does not have it" in run("--isa", isa, code=2).stderr
+        else:
+            assert run("--isa", isa, "-o", f"{isa}.nc").returncode == 0
+
+
 def test_instruction_sets_are_for_lanes(run, scene):
     # Seen red: with --isa taken and not used.
     done = run("--isa", "baseline", "--engine", "scalar", code=2)

@@ -57,6 +57,15 @@ def test_what_fails_is_shown_with_all_it_said_and_ends_the_script(tmp_path):
         assert "[1/8] Building\nerror: no such thing\nfailed (3): bash -c" in done.stderr
 
 
+def test_jobs_fit_the_memory(tmp_path):
+    # Seen red: with cores alone.
+    cores = len(os.sched_getaffinity(0))
+    for kilobytes, jobs in ((100_000, 1), (2_500_000, min(2, cores)), (10**9, cores)):
+        (tmp_path / "meminfo").write_text(f"MemTotal: 9 kB\nMemAvailable: {kilobytes} kB\n")
+        assert steps("jobs meminfo", tmp_path).stdout == f"{jobs}\n"
+    assert steps("jobs none", tmp_path).stdout == f"{cores}\n"
+
+
 def test_what_works_is_not_shown(tmp_path):
     done = steps("echo before >>log; quietly log echo noise", tmp_path)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

@@ -237,7 +237,7 @@ void score_in(const World<T>& world, std::size_t g, const Sources<T>& from, cons
     } else if (world.single_rays) {
       const auto way =
           connect_ray(world.sea, telescope, region, photon, from.line, from.lens, route, mask);
-      score(way, route, way.sight);
+      score(static_cast<const Connection<T>&>(way), route, way.sight);
     } else {
       score(connect(world.sea, telescope, region, photon, from.line, route, mask), route, {});
     }

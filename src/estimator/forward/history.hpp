@@ -29,7 +29,7 @@ void birth(const World<T>& world, const Draws<T>& draws, std::int32_t n, const M
     t.ratios.came_down(world.sea, world.laser_region, t.photon.line, t.photon.direction,
                        stands_at_surface(world.sea), t.on);
   if (world.sea.waves.rough && world.laser_region.in_air)
-    cross_waves<Events>(world, t, t.on, true, estimates, tally, ledger, [](const auto&...) {});
+    cross_waves<Events>(world, t, t.on, true, estimates, tally, ledger, {});
   if (!world.sea.waves.rough && world.sea.film.exists && world.laser_region.in_air)
     cross_flat_film<Events>(world, t, t.on, true, estimates, tally, ledger);
 }
@@ -58,7 +58,7 @@ struct Passed {
 /// Who leaves a world's medium by passing the surface waits among the others, to draw random
 /// numbers of its own.
 template <class T>
-auto wait_to_pass(const World<T>& world, Passed<T>& passed) {
+Leave<T> wait_to_pass(const World<T>& world, Passed<T>& passed) {
   return [&](const Travellers<T>& gone, std::int32_t copy) {
     if (world.compares)
       passed.ratios.copy(world.sea.environments, *gone.ratios.paths, gone.ratios.first,
@@ -69,67 +69,98 @@ auto wait_to_pass(const World<T>& world, Passed<T>& passed) {
   };
 }
 
-/// Follows a photon from the end of a flight until it is absorbed, escapes or comes too late, and
-/// scores its echoes; then all its copies, which wait for each other. `witness` is told of them at
-/// the end of each event. Flattened: what is called stays in registers, a tenth of the time.
+/// Follows a photon from the beginning of a flight until it is absorbed, escapes or comes too late,
+/// and scores its echoes; then all its copies, which wait for each other. `first`: the steps of the
+/// first flight, `steps`: those of all others. `witness` is told of them at the end of each event.
+/// Flattened: what is called stays in registers, a tenth of the time.
 template <class Events, class T, class Steps, class Witness>
-PHOTIC_FLATTEN void follow(const World<T>& world, Travellers<T>& photon,
-                           std::vector<Travellers<T>>& waiting, Steps& steps, Witness witness) {
+PHOTIC_APART PHOTIC_FLATTEN void follow(const World<T>& world, Travellers<T>& photon,
+                                        std::vector<Travellers<T>>& waiting, Steps& first,
+                                        Steps& steps, Witness& witness) {
   const auto each = [&](auto stage) { stage(photon); };
-  for (;;) {
-    while (photon.on) {
+  for (Steps* now = &first;; now = &steps) {
+    flights(*now, each);
+    if (photon.on) {
       collisions(steps, each);
       witness(photon);
-      if (!photon.on) break;
-      if constexpr (Events::tools) keep_copies(world, photon, waiting);
-      flights(steps, each);
+      if constexpr (Events::tools)
+        if (photon.on) keep_copies(world, photon, waiting);
+      if (photon.on) continue;
     }
     if (!Events::tools || waiting.empty()) return;
     if (compares<Events>(world))
       photon.ratios.paths->copy(world.sea.environments, waiting.size(), 0);
     photon = std::move(waiting.back());
     waiting.pop_back();
-    flights(steps, each);
   }
 }
-/// The batch's photon n, from the laser on.
+/// The batch's photons `first` … `first + count - 1`, from the laser on.
 template <class Events, class T, class Witness>
-PHOTIC_FLATTEN void follow(const World<T>& world, const Draws<T>& draws, std::int32_t n,
-                           Travellers<T>& photon, std::vector<Travellers<T>>& waiting,
-                           Passed<T>& passed, Estimates<T>& estimates, tally::BatchTally& tally,
-                           Witness witness) {
-  const auto leave = wait_to_pass(world, passed);
-  auto first = forward_steps<Events>(
-      world, tally.ledger, tally, estimates,
-      [&](std::uint32_t block) { photon.numbers(block) = draws.together(n, 1, block); }, leave);
-  auto steps = forward_steps<Events>(
-      world, tally.ledger, tally, estimates,
-      [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); }, leave);
-  if (compares<Events>(world)) photon.ratios.paths->of(0).begin(world.sea.environments);
-  birth<Events>(world, draws, n, true, photon, estimates, tally, tally.ledger);
-  if (photon.on) flights(first, [&](auto stage) { stage(photon); });
-  follow<Events>(world, photon, waiting, steps, witness);
+void follow(const World<T>& world, std::uint64_t first, std::uint64_t count, Passed<T>& passed,
+            tally::BatchTally& tally, Witness& witness) {
+  const Draws<T> draws = draws_of_laser(world, first);
+  Travellers<T> photon(world);
+  PathRatios<T> paths(world.sea.environments, 1);
+  photon.ratios.paths = &paths;
+  std::vector<Travellers<T>> waiting;
+  Estimates<T> estimates(world);
+  std::int32_t n = 0;
+  using Steps = ForwardSteps<Events, T, tally::Ledger>;
+  Steps first_flight{
+      world,
+      tally.ledger,
+      tally,
+      estimates,
+      [&](std::uint32_t block) { photon.numbers(block) = draws.together(n, 1, block); },
+      wait_to_pass(world, passed)};
+  Steps steps{world,
+              tally.ledger,
+              tally,
+              estimates,
+              [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); },
+              wait_to_pass(world, passed)};
+  for (; n < static_cast<std::int32_t>(count); ++n) {
+    if (compares<Events>(world)) paths.of(0).begin(world.sea.environments);
+    birth<Events>(world, draws, n, true, photon, estimates, tally, tally.ledger);
+    if (photon.on) follow<Events>(world, photon, waiting, first_flight, steps, witness);
+  }
 }
-/// Those who have come from the other medium. `paths`: for what is kept of one here.
-template <class Events, class T>
-void follow(const World<T>& world, Passed<T>& arrivals, PathRatios<T>& paths,
-            std::vector<Travellers<T>>& waiting, Passed<T>& passed, Estimates<T>& estimates,
-            tally::BatchTally& tally) {
+/// Those who have come from the other medium.
+template <class Events, class T, class Witness>
+void follow(const World<T>& world, Passed<T>& arrivals, Passed<T>& passed, tally::BatchTally& tally,
+            Witness& witness) {
+  Travellers<T> photon(world);
+  PathRatios<T> paths(world.sea.environments, 1);
+  std::vector<Travellers<T>> waiting;
+  Estimates<T> estimates(world);
+  ForwardSteps<Events, T, tally::Ledger> steps{
+      world,
+      tally.ledger,
+      tally,
+      estimates,
+      [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); },
+      wait_to_pass(world, passed)};
   for (std::size_t i = 0; i < arrivals.photons.size(); ++i) {
-    Travellers<T>& photon = arrivals.photons[i];
+    photon = std::move(arrivals.photons[i]);
     if (world.compares) {
       paths.copy(world.sea.environments, arrivals.ratios, i, 0);
       photon.ratios.paths = &paths;
     }
-    auto steps = forward_steps<Events>(
-        world, tally.ledger, tally, estimates,
-        [&](std::uint32_t block) { photon.numbers(block) = uniforms(photon.place, block); },
-        wait_to_pass(world, passed));
     photon.place.key = world.key;
-    flights(steps, [&](auto stage) { stage(photon); });
-    follow<Events>(world, photon, waiting, steps, [](const auto&) {});
+    follow<Events>(world, photon, waiting, steps, steps, witness);
   }
   arrivals.photons.clear();
+}
+
+/// Follows light by the events that a world asks for: `from` is a batch's first photon and how
+/// many, or photons that have come from the other medium.
+template <class T, class Witness, class... From>
+void follow_in(const World<T>& world, tally::BatchTally& tally, Passed<T>& passed, Witness witness,
+               From&&... from) {
+  if (world.all_events)
+    follow<AllEvents>(world, from..., passed, tally, witness);
+  else
+    follow<PlainEvents>(world, from..., passed, tally, witness);
 }
 
 }  // namespace photic::estimator

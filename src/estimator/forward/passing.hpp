@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "estimator/beyond.hpp"
 #include "estimator/forward/travellers.hpp"
@@ -12,13 +13,18 @@ namespace photic::estimator {
 /// surface: whether what passes is followed.
 inline constexpr std::uint32_t passing_blocks = std::uint32_t{1} << 23;
 
-/// Calls leave(photons, copy) for those of a mask whose light goes on in the other medium, in a
-/// direction and with a weight. Who has not been scattered yet is left out: what of the laser's
-/// light comes straight through the air sets out in the water by itself. `meeting`: of the event;
-/// `copy`: what their new random numbers are drawn by.
-template <class T, class Leave>
+/// Takes photons that leave a world's medium, and what their new random numbers are drawn by. A
+/// reference to a function: rare enough not to be compiled anew for each caller.
+template <class T>
+using Leave = std::function<void(Travellers<T>& gone, std::int32_t copy)>;
+
+/// Calls `leave` for those of a mask whose light goes on in the other medium, in a direction and
+/// with a weight. Who has not been scattered yet is left out: what of the laser's light comes
+/// straight through the air sets out in the water by itself. `meeting`: of the event.
+template <class T>
 void pass_surface(const World<T>& world, const Travellers<T>& t, const Mask<T>& mask,
-                  const Vec3<T>& direction, const T& weight, std::uint32_t meeting, Leave leave) {
+                  const Vec3<T>& direction, const T& weight, std::uint32_t meeting,
+                  const Leave<T>& leave) {
   if (!world.beyond.exists) return;
   Mask<T> passes = mask & (t.photon.order > Index<T>(0));
   if (!any(passes)) return;

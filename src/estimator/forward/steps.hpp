@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "estimator/event.hpp"
 #include "estimator/forward/estimate.hpp"
@@ -18,15 +19,16 @@
 namespace photic::estimator {
 
 /// Of photons by Events: PlainEvents or AllEvents, as the world asks for. draw(block) draws a block
-/// of the random numbers of their events. Ledger: of one photon, or of lanes.
-template <class Events, class T, class Ledger, class Draw, class Leave>
+/// of the random numbers of their events, and is called once for each stage of an event. `leave`:
+/// see pass_surface(). Ledger: of one photon, or of lanes.
+template <class Events, class T, class Ledger>
 struct ForwardSteps {
   const World<T>& world;
   Ledger& ledger;
   tally::BatchTally& tally;
   Estimates<T>& estimates;
-  Draw draw;
-  Leave leave;
+  std::function<void(std::uint32_t block)> draw;
+  Leave<T> leave;
 
   template <class Each>
   void begin_event(Each each) {
@@ -195,12 +197,5 @@ struct ForwardSteps {
     return select(t.colliding, left_of_choice(u, t.targets.share(world.directed)), u);
   }
 };
-
-/// `leave`: see pass_surface().
-template <class Events, class T, class Ledger, class Draw, class Leave>
-auto forward_steps(const World<T>& world, Ledger& ledger, tally::BatchTally& tally,
-                   Estimates<T>& estimates, Draw draw, Leave leave) {
-  return ForwardSteps<Events, T, Ledger, Draw, Leave>{world, ledger, tally, estimates, draw, leave};
-}
 
 }  // namespace photic::estimator

@@ -20,7 +20,7 @@ void rise_to_surface(const World<T>& world, Travellers<T>& t, Estimates<T>& esti
   const Mask<T> rises = t.on & up.rises;
   if (!any(rises)) return;
   if (compares<Events>(world)) t.ratios.flown(world.sea, t.photon, up.length, rises);
-  cross_waves<Events>(world, t, rises, false, estimates, tally, ledger, [](const auto&...) {});
+  cross_waves<Events>(world, t, rises, false, estimates, tally, ledger, {});
 }
 
 /// Of photons `first` … `first + count - 1` of a batch, if there are waves; nothing else of them

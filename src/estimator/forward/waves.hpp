@@ -71,10 +71,10 @@ PHOTIC_APART void score_at_surface(const World<T>& world, const Travellers<T>& t
 }
 
 /// Photons of a mask who stand at the surface cross it or go back. `leave`: see pass_surface().
-template <class Events, class T, class Ledger, class Leave>
+template <class Events, class T, class Ledger>
 PHOTIC_APART void cross_waves(const World<T>& world, Travellers<T>& t, const Mask<T>& stand,
                               bool in_air, Estimates<T>& estimates, tally::BatchTally& tally,
-                              Ledger& ledger, Leave leave) {
+                              Ledger& ledger, const Leave<T>& leave) {
   const auto& waves = world.sea.waves;
   const auto score = [&](const transport::AtWaves<T>& at, std::uint32_t facet) {
     Mask<T> scored = at.meets;

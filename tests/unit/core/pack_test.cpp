@@ -21,8 +21,10 @@ void check_packs();
 namespace {
 
 void check_packs(Isa isa) {
-#if defined(PHOTIC_WIDE_LANES)
+#if defined(PHOTIC_ISA_AVX512)
   if (isa == Isa::avx512) return avx512::check_packs();
+#endif
+#if defined(PHOTIC_ISA_AVX2)
   if (isa == Isa::avx2) return avx2::check_packs();
 #endif
   ASSERT_EQ(isa, Isa::baseline);

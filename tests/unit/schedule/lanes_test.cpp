@@ -17,10 +17,10 @@
 
 #include "core/error.hpp"
 #include "estimator/analog/analog.hpp"
+#include "estimator/forward/history.hpp"
 #include "run/batches.hpp"
 #include "run/choose.hpp"
 #include "run/run.hpp"
-#include "schedule/scalar.hpp"
 #include "support/scalar_engines.hpp"
 #include "support/scenes.hpp"
 #include "unit/schedule/event_log.hpp"
@@ -151,10 +151,7 @@ EventLog log_scalar(const estimator::Model& model, std::uint64_t photons) {
   const auto world = estimator::make_world<float>(model);
   tally::BatchTally tally(model.shape, model.gates);
   EventLog log;
-  estimator::Travellers<float> photon(world);
-  std::vector<estimator::Travellers<float>> copies;
   estimator::Passed<float> none(world);
-  estimator::Estimates<float> estimates(world);
   const auto witness = [&log](const auto& t, const auto&...) {
     const auto& p = t.photon;
     LoggedEvent event;
@@ -172,30 +169,26 @@ EventLog log_scalar(const estimator::Model& model, std::uint64_t photons) {
                                                          witness);
       continue;
     }
-    const auto draws = estimator::draws_of_laser(world, batch);
-    for (std::int32_t n = 0; n < static_cast<std::int32_t>(world.batch_photons); ++n) {
-      if (world.all_events)
-        follow<estimator::AllEvents>(world, draws, n, photon, copies, none, estimates, tally,
-                                     witness);
-      else
-        follow<estimator::PlainEvents>(world, draws, n, photon, copies, none, estimates, tally,
-                                       witness);
-    }
+    estimator::follow_in(world, tally, none, witness, batch, world.batch_photons);
   }
   return log;
 }
 
 EventLog log_lanes(const estimator::Model& model, std::uint64_t photons, Isa isa) {
-#if defined(PHOTIC_WIDE_LANES)
+#if defined(PHOTIC_ISA_AVX512)
   if (isa == Isa::avx512) return avx512::log_lanes(model, photons);
+#endif
+#if defined(PHOTIC_ISA_AVX2)
   if (isa == Isa::avx2) return avx2::log_lanes(model, photons);
 #endif
   return isa == Isa::baseline ? baseline::log_lanes(model, photons) : EventLog{};
 }
 
 EventLog log_contracted_lanes(const estimator::Model& model, std::uint64_t photons, Isa isa) {
-#if defined(PHOTIC_WIDE_LANES)
+#if defined(PHOTIC_ISA_AVX512)
   if (isa == Isa::avx512) return avx512::log_contracted_lanes(model, photons);
+#endif
+#if defined(PHOTIC_ISA_AVX2)
   if (isa == Isa::avx2) return avx2::log_contracted_lanes(model, photons);
 #endif
   return isa == Isa::baseline ? baseline::log_lanes(model, photons) : EventLog{};
